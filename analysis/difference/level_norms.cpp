@@ -1,0 +1,255 @@
+#include "level_norms.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace subcert {
+namespace {
+
+constexpr double unit = std::numeric_limits<double>::epsilon();  // twice the unit roundoff
+constexpr double tiny = 1e-280;                                  // covers whatever underflow loses
+
+double round_up(const Rational& value) {
+  const double nearest = value.convert_to<double>();
+  return nearest + std::abs(nearest) * 2 * unit + tiny;
+}
+
+/// The symbols b(z) b(z^a) ... of the powers, read as a tree: the node for the residue r modulo a^k holds the vector
+/// v_j = coefficient of z^(r + a^k j); its child for the digit t is T_t v with (T_t)_{jm} = b_{a j + t - m}.
+class PowerTree {
+ public:
+  explicit PowerTree(const Mask& mask)
+      : arity_(mask.arity()),
+        numerators_(mask.symbol().numerators()),
+        denominator_(mask.symbol().denominator()),
+        degree_(mask.symbol().length() - 1),
+        width_(std::max(1L, (degree_ + arity_ - 2) / (arity_ - 1))),
+        palindromic_(symmetry(mask).kind != Symmetry::none),
+        cosets_(static_cast<std::size_t>(arity_)) {
+    for (std::size_t i = 0; i < numerators_.size(); ++i)
+      cosets_[i % cosets_.size()].push_back(Rational(numerators_[i], denominator_).convert_to<double>());
+  }
+
+  int arity() const { return arity_; }
+  long degree() const { return degree_; }
+  std::size_t width() const { return static_cast<std::size_t>(width_); }
+  bool palindromic() const { return palindromic_; }
+
+  /// child = T_t parent, in floating point. Column m of T_t is a stretch of one coset of the coefficients.
+  void step(const double* __restrict parent, long t, double* __restrict child) const {
+    std::fill(child, child + width_, 0.0);
+    for (long m = 0; m < width_; ++m) {
+      const long residue = (((t - m) % arity_) + arity_) % arity_, offset = (t - m - residue) / arity_;
+      const std::vector<double>& coset = cosets_[static_cast<std::size_t>(residue)];
+      const long first = std::max(0L, -offset), last = std::min(width_, static_cast<long>(coset.size()) - offset);
+      const double factor = parent[m];
+      const double* __restrict entries = coset.data();
+      for (long j = first; j < last; ++j) child[j] += factor * entries[j + offset];
+    }
+  }
+
+  /// child = D T_t parent with the common denominator D, in integers.
+  void step(const std::vector<Integer>& parent, int t, std::vector<Integer>& child) const {
+    for (long j = 0; j < width_; ++j) {
+      Integer& sum = child[static_cast<std::size_t>(j)];
+      sum = 0;
+      const long first = std::max(0L, arity_ * j + t - degree_), last = std::min(width_ - 1, arity_ * j + t);
+      for (long m = first; m <= last; ++m)
+        mpz_addmul(sum.backend().data(), numerators_[static_cast<std::size_t>(arity_ * j + t - m)].backend().data(),
+                   parent[static_cast<std::size_t>(m)].backend().data());
+    }
+  }
+
+  const Integer& denominator() const { return denominator_; }
+
+ private:
+  int arity_;
+  std::vector<Integer> numerators_;
+  Integer denominator_;
+  long degree_;
+  long width_;
+  bool palindromic_;
+  std::vector<std::vector<double>> cosets_;
+};
+
+/// Exact sums of |coefficients| over residue classes, with the prefixes common to successive classes kept.
+class ExactSums {
+ public:
+  ExactSums(const PowerTree& tree, int levels)
+      : tree_(tree), path_(static_cast<std::size_t>(levels) + 1, std::vector<Integer>(tree.width(), 0)) {
+    path_.front().front() = 1;
+  }
+
+  Rational sum(const std::vector<int>& digits) {
+    std::size_t common = 0;
+    while (common < last_.size() && last_[common] == digits[common]) ++common;
+    for (std::size_t k = common; k < digits.size(); ++k) tree_.step(path_[k], digits[k], path_[k + 1]);
+    last_ = digits;
+    Integer total = 0;
+    for (const Integer& c : path_[digits.size()]) total += abs(c);
+    return Rational(total, boost::multiprecision::pow(tree_.denominator(), static_cast<unsigned>(digits.size())));
+  }
+
+ private:
+  const PowerTree& tree_;
+  std::vector<std::vector<Integer>> path_;
+  std::vector<int> last_;
+};
+
+class Search {
+ public:
+  Search(const PowerTree& tree, int levels, const std::vector<double>& known, LevelNorms& counters,
+         std::chrono::steady_clock::time_point deadline)
+      : tree_(tree),
+        levels_(levels),
+        known_(known),
+        counters_(counters),
+        deadline_(deadline),
+        growth_(static_cast<double>(tree.width() + 2) * unit),
+        vectors_(static_cast<std::size_t>(levels) * static_cast<std::size_t>(tree.arity()) + 1,
+                 std::vector<double>(tree.width(), 0.0)),
+        digits_(static_cast<std::size_t>(levels), 0),
+        losses_(static_cast<std::size_t>(levels) + 1, 0.0) {
+    vectors_.front().front() = 1.0;
+    // Mirror of the residue r modulo a^L is D_L - r with D_L = degree * (a^L - 1) / (a - 1); by digits from below.
+    if (tree.palindromic()) {
+      Integer total = 0;
+      for (int k = 0; k < levels; ++k) total = total * tree.arity() + tree.degree();
+      for (int k = 0; k < levels; ++k) {
+        mirror_digits_.push_back(Integer(total % tree.arity()).convert_to<int>());
+        total /= tree.arity();
+      }
+    }
+  }
+
+  /// The exact maximum, or nothing where the time ran out.
+  std::optional<Rational> run() {
+    visit(0, 0, 1.0, tree_.palindromic() ? 0 : -1);
+    if (expired_) return std::nullopt;
+    ExactSums exact(tree_, levels_);
+    Rational best = 0;
+    for (const Candidate& candidate : candidates_) {
+      if (candidate.upper < best_lower_) continue;
+      ++counters_.exact;
+      best = std::max(best, exact.sum(candidate.digits));
+    }
+    return best;
+  }
+
+ private:
+  struct Candidate {
+    std::vector<int> digits;
+    double upper;
+  };
+
+  double bound_of_powers(int level) const { return level == 0 ? 1.0 : known_[static_cast<std::size_t>(level) - 1]; }
+
+  /// An upper bound for the 1-norm of the error of the vector at this depth: what each step lost, carried on by the
+  /// steps after it.
+  double error_bound(int depth) const {
+    double error = 0;
+    for (int k = 1; k <= depth; ++k) error += losses_[static_cast<std::size_t>(k)] * bound_of_powers(depth - k);
+    return error * (1 + growth_ + 64 * unit);
+  }
+
+  /// `norm` is the 1-norm of the vector as computed. `borrow` is the borrow of the mirrored subtraction while prefix
+  /// and mirror agree so far, -1 once the prefix is known to be the one to keep.
+  void visit(int depth, std::size_t slot, double norm, int borrow) {
+    ++counters_.visited;
+    work_ += tree_.width() * tree_.width() + 100;
+    if (work_ > 2'000'000) {
+      work_ = 0;
+      expired_ = std::chrono::steady_clock::now() > deadline_;
+    }
+    if (expired_) return;
+    if (depth == levels_) {
+      const double error = error_bound(depth);
+      const double upper = (norm + error) * (1 + growth_), lower = (norm - error) * (1 - growth_);
+      if (upper < best_lower_) return;
+      best_lower_ = std::max(best_lower_, lower);
+      candidates_.push_back({digits_, upper});
+      return;
+    }
+    struct Child {
+      int digit;
+      double norm;
+      int borrow;
+    };
+    std::vector<Child> children;
+    for (int t = 0; t < tree_.arity(); ++t) {
+      int next_borrow = -1;
+      if (borrow >= 0) {
+        const int difference = mirror_digits_[static_cast<std::size_t>(depth)] - t - borrow;
+        const int mirrored = difference < 0 ? difference + tree_.arity() : difference;
+        if (mirrored < t) continue;
+        if (mirrored == t) next_borrow = difference < 0 ? 1 : 0;
+      }
+      std::vector<double>& child = vectors_[child_slot(depth, t)];
+      tree_.step(vectors_[slot].data(), t, child.data());
+      double child_norm = 0;
+      for (double x : child) child_norm += std::abs(x);
+      children.push_back({t, child_norm, next_borrow});
+    }
+    std::sort(children.begin(), children.end(), [](const Child& a, const Child& b) { return a.norm > b.norm; });
+    losses_[static_cast<std::size_t>(depth) + 1] = growth_ * known_[0] * norm * (1 + 4 * unit) + tiny;
+    const double error = error_bound(depth + 1);
+    for (const Child& child : children) {
+      const double bound = (child.norm + error) * (1 + growth_) * bound_of_powers(levels_ - depth - 1) * (1 + 4 * unit);
+      if (bound < best_lower_) continue;
+      digits_[static_cast<std::size_t>(depth)] = child.digit;
+      visit(depth + 1, child_slot(depth, child.digit), child.norm, child.borrow);
+    }
+  }
+
+  std::size_t child_slot(int depth, int digit) const {
+    return static_cast<std::size_t>(depth) * static_cast<std::size_t>(tree_.arity()) + static_cast<std::size_t>(digit) + 1;
+  }
+
+  const PowerTree& tree_;
+  int levels_;
+  const std::vector<double>& known_;  // upper bounds for the norms of the lower levels; known_[0] for one level
+  LevelNorms& counters_;
+  std::chrono::steady_clock::time_point deadline_;
+  double growth_;  // relative error of a sum of width + 1 products, rounded up
+  std::vector<std::vector<double>> vectors_;
+  std::vector<int> digits_;
+  std::vector<double> losses_;  // rounding errors of the step to each depth on the path, in the 1-norm
+  std::vector<int> mirror_digits_;
+  std::vector<Candidate> candidates_;
+  double best_lower_ = 0;
+  std::uint64_t work_ = 0;  // since the clock was last read
+  bool expired_ = false;
+};
+
+}  // namespace
+
+LevelNorms level_norms(const Mask& mask, int levels, double seconds) {
+  if (levels < 1) throw std::invalid_argument("level_norms: need levels >= 1, got " + std::to_string(levels));
+  if (!(seconds > 0)) throw std::invalid_argument("level_norms: need seconds > 0, got " + std::to_string(seconds));
+  const auto start = std::chrono::steady_clock::now();
+  const auto deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                    std::chrono::duration<double>(std::min(seconds, 1e9)));
+  const PowerTree tree(mask);
+  LevelNorms result;
+  // Filled from below: the search for one level prunes with the norms of all lower ones. The norm of a single level
+  // is needed for the error bound of every search, so it is summed first.
+  Rational first = 0;
+  for (int t = 0; t < mask.arity(); ++t) first = std::max(first, ExactSums(tree, 1).sum({t}));
+  std::vector<double> known{round_up(first)};
+  result.norms.push_back(first);
+  for (int level = 2; level <= levels; ++level) {
+    const auto norm = Search(tree, level, known, result, deadline).run();
+    if (!norm) break;
+    result.norms.push_back(*norm);
+    known.push_back(round_up(*norm));
+  }
+  return result;
+}
+
+}  // namespace subcert

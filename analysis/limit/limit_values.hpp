@@ -1,0 +1,32 @@
+#pragma once
+/// Exact values of the basic limit function.
+
+#include <subcert/analysis/symbol/mask.hpp>
+
+namespace subcert {
+
+/// values[i] = phi^(order)((first_index + i) / arity^level), for all grid points in the closed support.
+struct LimitValues {
+  int arity;
+  int level;
+  int order;
+  long first_index;
+  std::vector<Rational> values;
+
+  /// The value at index / arity^level, 0 outside the support.
+  Rational at(long index) const;
+  Rational point(std::size_t i) const;
+};
+
+/// The values of the basic limit function or of its derivative of this order at the arity-adic points of this level.
+/// Domain: the scheme converges and its limits are C^order (decide with converges() and proved_smoothness()); at most
+/// 1,500 integers inside the support, at most 10^7 values. Errors: throws std::domain_error where the values at the
+/// integers are not determined (the scheme does not converge), std::length_error beyond the sizes.
+/// Cost: one exact elimination at the integers, then one sparse product for each level. Ref: [DHHS15, sec. 2.2].
+LimitValues limit_values(const Mask& mask, int level, int order = 0);
+
+/// The integral of phi^2: the value at 0 of the autocorrelation of phi, which the mask a(z) a(1/z) / arity refines.
+/// Domain: the scheme converges. Errors: as limit_values.
+Rational squared_l2_norm(const Mask& mask);
+
+}  // namespace subcert

@@ -1,0 +1,30 @@
+#include "holder_bound.hpp"
+
+#include <subcert/analysis/difference/difference.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace subcert {
+
+const HolderBound& HolderBounds::best() const {
+  return *std::max_element(levels.begin(), levels.end(), [](const HolderBound& a, const HolderBound& b) {
+    return *a.exponent.lower < *b.exponent.lower;
+  });
+}
+
+HolderBounds holder_bounds(const Mask& mask, int levels, double seconds) {
+  const int rules = sum_rules(mask);
+  if (rules < 1) throw std::invalid_argument("holder_bounds: need at least one sum rule, got 0");
+  const LevelNorms powers = level_norms(divided_difference_scheme(mask, rules), levels, seconds);
+  HolderBounds result{rules, {}, powers.visited};
+  for (std::size_t l = 0; l < powers.norms.size(); ++l) {
+    const int level = static_cast<int>(l) + 1;
+    const Enclosure logarithm = log_ratio(powers.norms[l], mask.arity());
+    result.levels.push_back(
+        {level, powers.norms[l], {rules - *logarithm.upper / level, rules - *logarithm.lower / level}});
+  }
+  return result;
+}
+
+}  // namespace subcert

@@ -1,0 +1,32 @@
+#pragma once
+/// Lower bounds for the Hoelder exponent from norms of the difference scheme.
+
+#include <subcert/analysis/difference/level_norms.hpp>
+#include <subcert/analysis/symbol/mask.hpp>
+
+namespace subcert {
+
+/// The bound after L levels: with m sum rules, b = the divided difference scheme of order m and N = ||S_b^L||, the
+/// limits have Hoelder exponent at least m - log_arity(N) / L, wherever that is positive. `norm` is N, exact;
+/// `exponent` encloses the bound, to 1e-20 or better.
+struct HolderBound {
+  int levels;
+  Rational norm;
+  Enclosure exponent;
+};
+
+struct HolderBounds {
+  int sum_rules;
+  /// One for each of the levels 1, 2, ... that were finished within the time.
+  std::vector<HolderBound> levels;
+  std::uint64_t visited;
+  const HolderBound& last() const { return levels.back(); }
+  /// The largest of all levels; the bounds need not grow with the level.
+  const HolderBound& best() const;
+};
+
+/// Domain: a mask with at least one sum rule, levels >= 1. Errors: throws std::invalid_argument. Cost: that of
+/// level_norms. Ref: [DL02, sec. 4.2], [Rio92].
+HolderBounds holder_bounds(const Mask& mask, int levels, double seconds = 1e9);
+
+}  // namespace subcert

@@ -1,0 +1,48 @@
+#include "mask.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace subcert {
+
+MultivariateMask tensor_product(const std::vector<Mask>& masks) {
+  std::vector<LaurentPolynomial> symbols;
+  for (const Mask& mask : masks) {
+    if (mask.arity() != masks.front().arity())
+      throw std::invalid_argument("tensor product: need masks of one arity, got " +
+                                  std::to_string(masks.front().arity()) + " and " + std::to_string(mask.arity()));
+    symbols.push_back(mask.symbol());
+  }
+  return {MultivariatePolynomial::tensor_product(symbols), masks.front().arity()};
+}
+
+std::vector<Rational> coset_sums(const Mask& mask) {
+  std::vector<Rational> sums(static_cast<std::size_t>(mask.arity()), 0);
+  long index = mask.symbol().lowest();
+  for (const Rational& c : mask.symbol().coefficients()) {
+    const long residue = ((index++ % mask.arity()) + mask.arity()) % mask.arity();
+    sums[static_cast<std::size_t>(residue)] += c;
+  }
+  return sums;
+}
+
+bool is_affine(const Mask& mask) {
+  const auto sums = coset_sums(mask);
+  return std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; });
+}
+
+IndexRange support(const Mask& mask) { return {mask.symbol().lowest(), mask.symbol().highest()}; }
+
+Interval limit_support(const Mask& mask) {
+  const IndexRange range = support(mask);
+  return {Rational(range.first, mask.arity() - 1), Rational(range.last, mask.arity() - 1)};
+}
+
+SymmetryReport symmetry(const Mask& mask) {
+  const IndexRange range = support(mask);
+  const long twice_centre = range.first + range.last;
+  if (!(mask.symbol().reversed().shifted(twice_centre) == mask.symbol())) return {Symmetry::none, 0};
+  return {twice_centre % 2 == 0 ? Symmetry::odd : Symmetry::even, Rational(twice_centre, 2)};
+}
+
+}  // namespace subcert

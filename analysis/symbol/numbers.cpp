@@ -1,0 +1,151 @@
+#include "numbers.hpp"
+
+#include "flint.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace subcert {
+namespace {
+
+constexpr std::size_t max_digits = 10'000;
+
+bool all_digits(std::string_view text) {
+  return !text.empty() && text.size() <= max_digits &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+Integer power_of_ten(long exponent) { return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(exponent)); }
+
+/// floor, ceil or round-half-away of a rational.
+Integer to_integer(const Rational& value, Rounding rounding) {
+  if (rounding == Rounding::nearest) {
+    const Rational half(1, 2);
+    return value < 0 ? -to_integer(half - value, Rounding::down) : to_integer(value + half, Rounding::down);
+  }
+  const Integer num = numerator(value), den = denominator(value);
+  Integer result;
+  if (rounding == Rounding::down)
+    mpz_fdiv_q(result.backend().data(), num.backend().data(), den.backend().data());
+  else
+    mpz_cdiv_q(result.backend().data(), num.backend().data(), den.backend().data());
+  return result;
+}
+
+/// The largest e with 10^e <= |value|. Domain: value != 0.
+long decimal_exponent(const Rational& value) {
+  const Rational magnitude = abs(value);
+  const auto size = [](const Integer& x) { return static_cast<long>(mpz_sizeinbase(x.backend().data(), 10)); };
+  long exponent = size(numerator(magnitude)) - size(denominator(magnitude)) + 1;
+  while (power(Rational(10), exponent) > magnitude) --exponent;
+  return exponent;
+}
+
+std::string place_point(std::string digits, long places) {
+  bool negative = !digits.empty() && digits.front() == '-';
+  if (negative) digits.erase(0, 1);
+  if (places > 0) {
+    if (static_cast<long>(digits.size()) <= places) digits.insert(0, static_cast<std::size_t>(places) + 1 - digits.size(), '0');
+    digits.insert(digits.size() - static_cast<std::size_t>(places), ".");
+  }
+  return negative ? "-" + digits : digits;
+}
+
+void drop_trailing_zeros(std::string& text) {
+  if (text.find('.') == std::string::npos) return;
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+}
+
+}  // namespace
+
+std::optional<Rational> parse_rational(std::string_view text) {
+  bool negative = false;
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
+    negative = text.front() == '-';
+    text.remove_prefix(1);
+  }
+  const std::size_t slash = text.find('/');
+  const std::string_view num = text.substr(0, slash);
+  const std::string_view den = slash == std::string_view::npos ? std::string_view("1") : text.substr(slash + 1);
+  if (!all_digits(num) || !all_digits(den)) return std::nullopt;
+  // mpz_set_str is told base 10: the constructor of Integer would read a leading zero as octal.
+  Integer numerator, denominator;
+  mpz_set_str(numerator.backend().data(), std::string(num).c_str(), 10);
+  mpz_set_str(denominator.backend().data(), std::string(den).c_str(), 10);
+  if (denominator == 0) return std::nullopt;
+  if (negative) numerator = -numerator;
+  return Rational(numerator, denominator);
+}
+
+std::string to_text(const Rational& value) { return value.str(); }
+
+Rational power(const Rational& base, long exponent) {
+  if (exponent < 0) {
+    if (base == 0) throw std::domain_error("power: need base != 0 for a negative exponent, got 0");
+    return 1 / power(base, -exponent);
+  }
+  Integer num, den;
+  mpz_pow_ui(num.backend().data(), numerator(base).backend().data(), static_cast<unsigned long>(exponent));
+  mpz_pow_ui(den.backend().data(), denominator(base).backend().data(), static_cast<unsigned long>(exponent));
+  return Rational(num, den);
+}
+
+std::string to_fixed(const Rational& value, int places, Rounding rounding) {
+  if (places < 0 || places > static_cast<int>(max_digits))
+    throw std::invalid_argument("to_fixed: need 0 <= places <= 10000, got " + std::to_string(places));
+  return place_point(to_integer(value * Rational(power_of_ten(places)), rounding).str(), places);
+}
+
+std::string to_decimal(const Rational& value, int digits, Rounding rounding) {
+  if (digits < 1 || digits > static_cast<int>(max_digits))
+    throw std::invalid_argument("to_decimal: need 1 <= digits <= 10000, got " + std::to_string(digits));
+  if (value == 0) return "0";
+  const long exponent = decimal_exponent(value);
+  const long shift = digits - 1 - exponent;
+  const Integer scaled = to_integer(value * power(Rational(10), shift), rounding);
+  if (exponent >= -7 && exponent <= 20) {
+    std::string text = shift >= 0 ? place_point(scaled.str(), shift) : Integer(scaled * power_of_ten(-shift)).str();
+    drop_trailing_zeros(text);
+    return text;
+  }
+  std::string text = place_point(scaled.str(), digits - 1);
+  drop_trailing_zeros(text);
+  return text + "e" + std::to_string(exponent);
+}
+
+std::string Enclosure::lower_text(int digits) const {
+  return lower ? to_decimal(*lower, digits, Rounding::down) : "-inf";
+}
+
+std::string Enclosure::upper_text(int digits) const { return upper ? to_decimal(*upper, digits, Rounding::up) : "inf"; }
+
+Enclosure log_ratio(const Rational& argument, int base) {
+  if (argument <= 0) throw std::domain_error("log_ratio: need argument > 0, got " + to_text(argument));
+  if (base < 2) throw std::domain_error("log_ratio: need base >= 2, got " + std::to_string(base));
+  // A power of the base has a rational logarithm.
+  for (bool inverted : {false, true}) {
+    const Rational value = inverted ? 1 / argument : argument;
+    if (denominator(value) != 1) continue;
+    Integer rest = numerator(value), base_integer = base;
+    const auto exponent = mpz_remove(rest.backend().data(), rest.backend().data(), base_integer.backend().data());
+    if (rest == 1) return Enclosure::exactly(inverted ? -Rational(exponent) : Rational(exponent));
+  }
+  constexpr slong bits = 192;
+  flint::Ball numerator, denominator;
+  arb_set_fmpq(numerator.get(), flint::Quotient(argument).get(), bits);
+  arb_log(numerator.get(), numerator.get(), bits);
+  arb_log_ui(denominator.get(), static_cast<ulong>(base), bits);
+  arb_div(numerator.get(), numerator.get(), denominator.get(), bits);
+  return numerator.enclosure();
+}
+
+std::string to_text(Truth truth) {
+  switch (truth) {
+    case Truth::yes: return "yes";
+    case Truth::no: return "no";
+    default: return "unknown";
+  }
+}
+
+}  // namespace subcert

@@ -1,0 +1,71 @@
+#pragma once
+/// Exact numbers, enclosures and three-valued answers: the vocabulary every floor speaks.
+
+#include <boost/multiprecision/gmp.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace subcert {
+
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+
+/// Reads `p` or `p/q` with optional sign; anything else (blanks, decimals, q = 0, more than 10,000 digits) gives nullopt.
+/// Cost: quadratic in the digits.
+std::optional<Rational> parse_rational(std::string_view text);
+
+/// Prints `p` or `p/q` in lowest terms with q > 1.
+std::string to_text(const Rational& value);
+
+/// base^exponent, exact. Domain: base != 0 when exponent < 0.
+Rational power(const Rational& base, long exponent);
+
+enum class Rounding { down, up, nearest };
+
+/// Decimal string with `digits` significant digits, rounded towards -infinity, +infinity or to the nearest (ties away
+/// from zero). Domain: 1 <= digits <= 10,000. Error: less than one unit in the last digit. Plain notation for decimal
+/// exponents from -7 to 20, scientific otherwise; exact short decimals lose their trailing zeros.
+std::string to_decimal(const Rational& value, int digits, Rounding rounding);
+
+/// Decimal string with exactly `places` digits after the point. Domain: 0 <= places <= 10,000.
+std::string to_fixed(const Rational& value, int places, Rounding rounding);
+
+/// A set lower <= x <= upper that contains the true value; an absent end is unbounded. Canonical: lower <= upper when
+/// both are present.
+struct Enclosure {
+  std::optional<Rational> lower;
+  std::optional<Rational> upper;
+
+  static Enclosure exactly(const Rational& value) { return {value, value}; }
+  static Enclosure at_least(const Rational& value) { return {value, std::nullopt}; }
+
+  bool is_canonical() const { return !lower || !upper || *lower <= *upper; }
+  bool is_bounded() const { return lower && upper; }
+  bool is_exact() const { return is_bounded() && *lower == *upper; }
+  bool contains(const Rational& value) const { return (!lower || *lower <= value) && (!upper || value <= *upper); }
+
+  /// Decimal ends rounded outward, so that the printed set contains this one; `-inf` and `inf` for absent ends.
+  std::string lower_text(int digits = 20) const;
+  std::string upper_text(int digits = 20) const;
+};
+
+/// Encloses log(argument) / log(base). Domain: argument > 0, base >= 2. Error: none for powers of the base, else
+/// width below 2^-100 times max(1, |value|). Cost: one ball logarithm each. Ref: [Joh17].
+Enclosure log_ratio(const Rational& argument, int base);
+
+/// A proof is three-valued; `unknown` says why, `yes` and `no` say by which argument.
+enum class Truth { yes, no, unknown };
+
+struct [[nodiscard]] Decision {
+  Truth truth = Truth::unknown;
+  std::string reason;
+
+  bool is_yes() const { return truth == Truth::yes; }
+  bool is_no() const { return truth == Truth::no; }
+};
+
+std::string to_text(Truth truth);
+
+}  // namespace subcert

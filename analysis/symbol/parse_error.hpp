@@ -1,0 +1,26 @@
+#pragma once
+/// Text that cannot be read: what, where, and what would be right.
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace subcert {
+
+/// what() is one printable line `SUBJECT, position P: 'TOKEN'; expected EXPECTED` with the 1-based position P.
+class ParseError : public std::invalid_argument {
+ public:
+  /// Tokens are cut to 40 characters and unprintable ones replaced.
+  ParseError(const std::string& subject, std::string_view token, std::size_t position, std::string expected);
+
+  const std::string& token() const { return token_; }
+  std::size_t position() const { return position_; }
+  const std::string& expected() const { return expected_; }
+
+ private:
+  std::string token_;
+  std::size_t position_;
+  std::string expected_;
+};
+
+}  // namespace subcert

@@ -1,0 +1,62 @@
+#include "variance.hpp"
+
+#include <subcert/analysis/limit/limit_values.hpp>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+/// sum over j of f(x - j) g(x - j) on the grid of one period, ends included.
+std::vector<Rational> periodised_product(const LimitValues& f, const LimitValues& g, long scale) {
+  std::vector<Rational> sums(static_cast<std::size_t>(scale) + 1, 0);
+  for (std::size_t i = 0; i < f.values.size(); ++i) {
+    const long index = f.first_index + static_cast<long>(i);
+    const long residue = ((index % scale) + scale) % scale;
+    sums[static_cast<std::size_t>(residue)] += f.values[i] * g.values[i];
+  }
+  sums.back() = sums.front();
+  return sums;
+}
+
+}  // namespace
+
+const Rational& VarianceGrid::largest() const { return *std::max_element(values.begin(), values.end()); }
+
+const Rational& VarianceGrid::smallest() const { return *std::min_element(values.begin(), values.end()); }
+
+Rational VarianceGrid::steepest() const {
+  Rational result = 0;
+  for (const Rational& slope : slopes) result = std::max(result, Rational(abs(slope)));
+  for (std::size_t i = 1; i < values.size(); ++i)
+    result = std::max(result, Rational(abs(values[i] - values[i - 1]) / step()));
+  return result;
+}
+
+VarianceGrid variance_grid(const Mask& mask, int level, bool differentiable) {
+  const LimitValues phi = limit_values(mask, level);
+  const long scale = numerator(power(Rational(mask.arity()), level)).convert_to<long>();
+  VarianceGrid grid{mask.arity(), level, periodised_product(phi, phi, scale), {}};
+  if (differentiable) {
+    grid.slopes = periodised_product(phi, limit_values(mask, level, 1), scale);
+    for (Rational& slope : grid.slopes) slope *= 2;
+  }
+  return grid;
+}
+
+Rational variance_floor(const Mask& mask) {
+  const Interval range = limit_support(mask);
+  const Rational width = range.upper - range.lower;
+  // The open interval of length `width` meets at most ceil(width) shifted copies of a point.
+  const Integer whole = numerator(width) / denominator(width);
+  return 1 / Rational(std::max(Integer(1), Rational(whole) == width ? whole : Integer(whole + 1)));
+}
+
+std::optional<Rational> variance_ceiling(const Mask& mask) {
+  const auto coefficients = mask.symbol().coefficients();
+  if (std::any_of(coefficients.begin(), coefficients.end(), [](const Rational& c) { return c < 0; }))
+    return std::nullopt;
+  return Rational(1);
+}
+
+}  // namespace subcert

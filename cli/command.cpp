@@ -1,0 +1,70 @@
+#include "command.hpp"
+
+#include <subcert/reports/files.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+namespace subcert::cli {
+
+int exit_code = done;
+
+int CommonOptions::threads() const {
+  return jobs > 0 ? jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void CommonOptions::progress(const std::string& line) const {
+  if (!quiet && isatty(STDERR_FILENO)) std::cerr << "\r\033[K" << line << std::flush;
+}
+
+void CommonOptions::end_progress() const {
+  if (!quiet && isatty(STDERR_FILENO)) std::cerr << "\r\033[K" << std::flush;
+}
+
+void CommonOptions::answer(const std::string& text) const {
+  if (!out.empty()) {
+    write_file(out, text);
+    return;
+  }
+  std::cout << text << std::flush;
+  if (!std::cout) throw std::runtime_error("cannot write to standard output");
+}
+
+CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& description,
+                      const std::string& example, const std::shared_ptr<CommonOptions>& options,
+                      const std::function<int()>& run) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->footer("\nExample:\n  " + example);
+  command->add_flag("--json", options->json, "One JSON object on standard output");
+  command->add_flag("--quiet", options->quiet, "No progress");
+  command->add_option("--jobs", options->jobs, "Threads (default: all cores)")->check(CLI::Range(1, 1024));
+  command->add_option("--seed", options->seed, "Seed for whatever is random");
+  command->add_option("--out", options->out, "Write the answer there");
+  command->callback([run] { exit_code = run(); });
+  return *command;
+}
+
+void add_scheme(CLI::App& command, std::string& target) {
+  std::string known;
+  for (const FamilyHelp& family : families()) known += "\n  " + family.usage + "\n      " + family.meaning;
+  command.add_option("SCHEME", target, "Scheme specification")->required();
+  command.footer(command.get_footer() + "\n\nSchemes:" + known);
+}
+
+Json enclosure_json(const Enclosure& enclosure) {
+  return {{"lower", enclosure.lower_text()}, {"upper", enclosure.upper_text()}};
+}
+
+std::string enclosure_text(const Enclosure& enclosure, int digits) {
+  if (!enclosure.lower && !enclosure.upper) return "unknown";
+  if (!enclosure.upper) return ">= " + enclosure.lower_text(digits);
+  if (!enclosure.lower) return "<= " + enclosure.upper_text(digits);
+  const std::string low = to_decimal(*enclosure.lower, digits, Rounding::nearest);
+  if (low == to_decimal(*enclosure.upper, digits, Rounding::nearest)) return low;
+  return enclosure.lower_text(digits) + " ... " + enclosure.upper_text(digits);
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,65 @@
+#pragma once
+/// What the subcommands share.
+
+#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace subcert::cli {
+
+using Json = nlohmann::ordered_json;
+
+enum ExitCode { done = 0, failed = 1, undecided = 2, usage = 64, bad_data = 65, missing_file = 66, internal = 70 };
+
+/// A wrong use that the option parser cannot see; exit 64.
+struct UsageError : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Options that every subcommand takes.
+struct CommonOptions {
+  bool json = false;
+  bool quiet = false;
+  int jobs = 0;
+  unsigned long seed = 1;
+  std::string out;
+
+  int threads() const;
+  /// One line on standard error, only on a terminal and without --quiet; the next line replaces it.
+  void progress(const std::string& line) const;
+  void end_progress() const;
+  /// Sends the answer to standard output or, with --out, to that file (written whole, then renamed).
+  void answer(const std::string& text) const;
+  void answer(const Json& json_object) const { answer(json_object.dump(2) + "\n"); }
+};
+
+/// Registers a subcommand with the common options; `run` gives its exit code. `example` is shown in its help.
+CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& description,
+                      const std::string& example, const std::shared_ptr<CommonOptions>& options,
+                      const std::function<int()>& run);
+
+/// The positional argument SCHEME.
+void add_scheme(CLI::App& command, std::string& target);
+
+Json enclosure_json(const Enclosure& enclosure);
+/// Exact decimal ends for people: `1.2345`, or `1.2345 ... 1.2346`, `>= 1.2345`.
+std::string enclosure_text(const Enclosure& enclosure, int digits = 12);
+
+/// Set by the callback of the command that ran.
+extern int exit_code;
+
+void add_mask(CLI::App& app);
+void add_analyze(CLI::App& app);
+void add_regularity(CLI::App& app);
+void add_limit(CLI::App& app);
+void add_variance(CLI::App& app);
+void add_reproduce(CLI::App& app);
+
+}  // namespace subcert::cli

@@ -1,0 +1,101 @@
+// subcert reproduce [PAPER...]: the main job
+
+#include "command.hpp"
+
+#include <subcert/reports/report.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <mutex>
+#include <sstream>
+
+namespace subcert::cli {
+namespace {
+
+struct ReproduceOptions : CommonOptions {
+  std::vector<std::string> papers;
+  std::vector<std::string> only;
+};
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string result;
+  for (const std::string& word : words) result += (result.empty() ? "" : ", ") + word;
+  return result;
+}
+
+void require_known(const ReproduceOptions& options, const std::vector<std::string>& papers) {
+  const auto known = reproducible_papers();
+  for (const std::string& paper : papers)
+    if (std::find(known.begin(), known.end(), paper) == known.end())
+      throw UsageError("PAPER '" + paper + "' cannot be reproduced by this version; expected " + joined(known));
+  for (const std::string& item : options.only) {
+    std::vector<std::string> items;
+    for (const std::string& paper : papers) {
+      const auto more = report_items(paper);
+      items.insert(items.end(), more.begin(), more.end());
+    }
+    if (std::find(items.begin(), items.end(), item) == items.end())
+      throw UsageError("--only: unknown item '" + item + "'; expected " + joined(items));
+  }
+}
+
+std::string summary(const std::vector<Report>& reports) {
+  std::ostringstream text;
+  for (const Report& report : reports) {
+    text << report.citation << "\n\n";
+    for (const ComparisonTable* table : report.comparison_tables()) {
+      text << "  " << table->id << std::string(table->id.size() < 10 ? 10 - table->id.size() : 1, ' ')
+           << table->comparisons.size() << " values: " << table->count(Verdict::match) << " match, "
+           << table->count(Verdict::mismatch) << " mismatch, " << table->count(Verdict::open) << " open"
+           << (table->as_recorded() ? "" : "   NOT AS RECORDED") << "\n";
+    }
+    text << "\n";
+    for (const ComparisonTable* table : report.comparison_tables())
+      for (const Comparison& c : table->comparisons)
+        if (c.verdict == Verdict::mismatch || c.verdict != c.recorded)
+          text << "  " << to_text(c.verdict) << "  " << table->id << ": " << c.cell() << ": printed " << c.printed
+               << ", computed " << c.computed_text() << (c.note.empty() ? "" : " (" + c.note + ")")
+               << (c.verdict == c.recorded ? "" : " [recorded: " + to_text(c.recorded) + "]") << "\n";
+  }
+  return text.str();
+}
+
+int run(ReproduceOptions& options) {
+  const auto papers = options.papers.empty() ? reproducible_papers() : options.papers;
+  require_known(options, papers);
+  std::vector<Report> reports;
+  std::mutex terminal;
+  ReportOptions report_options{options.only, options.threads(), [&](const std::string& line) {
+                                 const std::lock_guard lock(terminal);
+                                 options.progress(line);
+                               }};
+  for (const std::string& paper : papers) reports.push_back(make_report(paper, report_options));
+  if (!options.out.empty()) {
+    options.progress("writing " + options.out);
+    write_reports(reports, options.out);
+  }
+  options.end_progress();
+  const bool as_recorded = std::all_of(reports.begin(), reports.end(), [](const Report& r) { return r.as_recorded(); });
+  if (options.json) {
+    std::cout << comparisons_json(reports) << "\n";
+  } else {
+    std::cout << summary(reports);
+    if (!options.out.empty()) std::cout << "\nThe page: " << options.out << "/index.html\n";
+  }
+  if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+  return as_recorded ? done : failed;
+}
+
+}  // namespace
+
+void add_reproduce(CLI::App& app) {
+  auto options = std::make_shared<ReproduceOptions>();
+  CLI::App& command = add_command(app, "reproduce", "Recomputes tables and figures of papers beside the printed values",
+                                  "subcert reproduce dyn-2015 --only table1,table2 --out out", options,
+                                  [=] { return run(*options); });
+  command.add_option("PAPER", options->papers, "Papers: " + joined(reproducible_papers()) + " (default: all)");
+  command.add_option("--only", options->only, "Items, separated by commas")->delimiter(',');
+  command.get_option("--out")->description("Folder for index.html, tables and figures");
+}
+
+}  // namespace subcert::cli

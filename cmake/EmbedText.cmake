@@ -1,0 +1,23 @@
+# subcert_embed_text(TARGET OUTPUT VARIABLE FILES...): compiles text files into TARGET as
+#   const std::map<std::string, std::string_view> subcert::VARIABLE, keyed by the file name without ending.
+function(subcert_embed_text target output variable)
+  set(entries "")
+  foreach(file IN LISTS ARGN)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+    get_filename_component(key "${file}" NAME_WLE)
+    file(READ "${file}" text)
+    string(APPEND entries "    {\"${key}\", R\"subcert(${text})subcert\"},\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT
+"#include <map>
+#include <string>
+#include <string_view>
+
+namespace subcert {
+extern const std::map<std::string, std::string_view> @variable@;
+const std::map<std::string, std::string_view> @variable@{
+@entries@};
+}  // namespace subcert
+")
+  target_sources(${target} PRIVATE "${output}")
+endfunction()

@@ -1,0 +1,51 @@
+# Sourced by ./reproduce and ./check: installs what is missing and builds.
+set -eu
+
+readonly build=build/release
+
+# What the build and the reports need, as Debian names it.
+readonly packages="g++ cmake ninja-build libboost-dev libboost-filesystem-dev libboost-iostreams-dev libboost-system-dev
+  libgmp-dev libmpfr-dev libflint-dev libcli11-dev nlohmann-json3-dev libtbb-dev libgnuplot-iostream-dev gnuplot-nox
+  fonts-dejavu-core catch2 libbenchmark-dev"
+# Beside FLINT 2 the library Arb is a package of its own; FLINT 3 contains it.
+readonly packages_where_they_exist="libflint-arb-dev"
+
+has_package() {
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+missing_packages() {
+  for package in $packages $packages_where_they_exist; do
+    has_package "$package" || printf '%s\n' "$package"
+  done
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+install_missing() {
+  command -v dpkg-query >/dev/null || { echo "not a Debian system: install by hand what README.md lists" >&2; return; }
+  missing=$(missing_packages)
+  [ -n "$missing" ] || return 0
+  if [ "${1:-}" = list ]; then
+    echo "missing packages:" $missing
+    return 0
+  fi
+  as_root apt-get update -qq
+  wanted=
+  for package in $missing; do
+    case " $packages_where_they_exist " in
+      *" $package "*) apt-cache show "$package" >/dev/null 2>&1 || continue ;;
+    esac
+    wanted="$wanted $package"
+  done
+  [ -n "$wanted" ] || return 0
+  echo "installing:$wanted"
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $wanted >/dev/null
+}
+
+configure_and_build() {
+  cmake --preset release "$@" >/dev/null
+  cmake --build --preset release
+}

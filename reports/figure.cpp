@@ -1,0 +1,76 @@
+#include "figure.hpp"
+
+#include "files.hpp"
+
+#include <gnuplot-iostream.h>
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace subcert {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+void plot(const Figure& figure, const std::string& terminal, const std::filesystem::path& target) {
+  Gnuplot gnuplot("gnuplot 2>/dev/null");
+  const auto count = static_cast<int>(figure.panels.size());
+  const int columns = std::min(figure.columns, count), rows = (count + columns - 1) / columns;
+  gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 460 * columns << "," << 320 * rows << "\n"
+          << "set output " << quoted(target.string()) << "\n"
+          << "set border 3 lc rgb '#555555'\nset tics nomirror textcolor rgb '#333333'\n"
+          << "set grid lc rgb '#dddddd' lt 1\nset key top right\n";
+  const char* colours[] = {"#0b559f", "#c0392b", "#1e8449", "#7d3c98", "#b9770e", "#117a8b"};
+  for (std::size_t i = 0; i < std::size(colours); ++i)
+    gnuplot << "set linetype " << i + 1 << " lc rgb '" << colours[i] << "' lw 2 pt 7 ps 0.6\n";
+  gnuplot << "set multiplot layout " << rows << "," << columns << "\n";
+  for (const Panel& panel : figure.panels) {
+    gnuplot << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.x_label) << "\nset ylabel "
+            << quoted(panel.y_label) << "\n"
+            << (panel.log_y ? "set logscale y\nset format y '10^{%T}'\n" : "unset logscale y\nset format y '%g'\n")
+            << "set offsets graph 0.02, graph 0.02, graph 0.08, graph 0.05\nplot ";
+    for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+      const Curve& curve = panel.curves[i];
+      gnuplot << (i ? ", " : "") << "'-' with " << (curve.marked ? "linespoints" : "lines");
+      if (curve.label.empty())
+        gnuplot << " notitle";
+      else
+        gnuplot << " title " << quoted(curve.label);
+    }
+    gnuplot << "\n";
+    for (const Curve& curve : panel.curves) gnuplot.send1d(curve.points);
+  }
+  gnuplot << "unset multiplot\nunset output\n";
+  gnuplot.flush();
+}
+
+}  // namespace
+
+void draw(const Figure& figure, const std::filesystem::path& folder) {
+  std::ostringstream csv;
+  csv.precision(12);
+  csv << "panel,curve,x,y\n";
+  for (const Panel& panel : figure.panels)
+    for (const Curve& curve : panel.curves)
+      for (const auto& [x, y] : curve.points)
+        csv << '"' << panel.title << "\",\"" << curve.label << "\"," << x << ',' << y << '\n';
+  write_file(folder / (figure.id + ".csv"), csv.str());
+  const std::pair<const char*, const char*> outputs[] = {{".svg", "svg font 'DejaVu Sans,12' background rgb 'white'"},
+                                                         {".png", "pngcairo font 'DejaVu Sans,11' fontscale 1.0"}};
+  for (const auto& [ending, terminal] : outputs)
+    write_file_with(folder / (figure.id + ending), [&, t = std::string(terminal)](const std::filesystem::path& temporary) {
+      plot(figure, t, temporary);  // gnuplot has ended when this returns
+      if (!std::filesystem::exists(temporary) || std::filesystem::file_size(temporary) == 0)
+        throw std::runtime_error("gnuplot did not draw " + figure.id + " (is gnuplot installed?)");
+    });
+}
+
+}  // namespace subcert

@@ -1,0 +1,38 @@
+#pragma once
+/// Figures: data first, drawn by gnuplot as SVG and PNG.
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace subcert {
+
+struct Curve {
+  std::string label;
+  std::vector<std::pair<double, double>> points;
+  bool marked = false;  ///< points with marks, as for a sequence over n
+};
+
+struct Panel {
+  std::string title;
+  std::string x_label;
+  std::string y_label;
+  std::vector<Curve> curves;
+  bool log_y = false;
+};
+
+/// Panels side by side, at most `columns` in a row.
+struct Figure {
+  std::string id;
+  std::string title;
+  std::string caption;
+  int columns = 2;
+  std::vector<Panel> panels;
+};
+
+/// Writes FOLDER/ID.svg, FOLDER/ID.png and FOLDER/ID.csv (panel, curve, x, y). Errors: throws std::runtime_error where
+/// gnuplot is missing or fails; the CSV file is written first.
+void draw(const Figure& figure, const std::filesystem::path& folder);
+
+}  // namespace subcert

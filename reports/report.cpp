@@ -1,0 +1,300 @@
+#include "report.hpp"
+
+#include "dyn_2015.hpp"
+#include "files.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace subcert {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json computed_json(const Computed& computed) {
+  if (const auto* text = std::get_if<std::string>(&computed)) return {{"lower", *text}, {"upper", *text}};
+  const Enclosure& enclosure = std::get<Enclosure>(computed);
+  return {{"lower", enclosure.lower_text()}, {"upper", enclosure.upper_text()}};
+}
+
+Json comparison_json(const ComparisonTable& table, const Comparison& comparison) {
+  return {{"paper", table.paper},           {"table", table.id},
+          {"cell", comparison.cell()},      {"scheme", comparison.scheme},
+          {"printed", comparison.printed},  {"computed", computed_json(comparison.computed)},
+          {"verdict", to_text(comparison.verdict)}, {"recorded", to_text(comparison.recorded)},
+          {"note", comparison.note}};
+}
+
+std::string escaped(const std::string& text, const std::string& special, const std::string& prefix) {
+  std::string result;
+  for (char c : text) {
+    if (special.find(c) != std::string::npos) result += prefix;
+    result += c;
+  }
+  return result;
+}
+
+std::string html(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string latex(const std::string& text) { return escaped(text, "_&%#$^", "\\"); }
+
+std::string csv_field(const std::string& text) {
+  std::string result = "\"";
+  for (char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+std::string csv(const std::vector<std::vector<std::string>>& rows) {
+  std::string result;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) result += (i ? "," : "") + csv_field(row[i]);
+    result += "\n";
+  }
+  return result;
+}
+
+std::string latex_table(const std::string& caption, const std::vector<std::vector<std::string>>& rows) {
+  std::string result = "% needs \\usepackage{booktabs}\n\\begin{table}\n  \\centering\n  \\caption{" + latex(caption) +
+                       "}\n  \\begin{tabular}{l" + std::string(rows.front().size() - 1, 'r') + "}\n    \\toprule\n";
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    result += "    ";
+    for (std::size_t i = 0; i < rows[r].size(); ++i) result += (i ? " & " : "") + latex(rows[r][i]);
+    result += r == 0 ? " \\\\\n    \\midrule\n" : " \\\\\n";
+  }
+  return result + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+}
+
+std::vector<std::vector<std::string>> rows_of(const ComparisonTable& table) {
+  std::vector<std::vector<std::string>> rows{{"cell", "scheme", "printed", "computed", "verdict", "note"}};
+  for (const Comparison& c : table.comparisons)
+    rows.push_back({c.cell(), c.scheme, c.printed, c.computed_text(), to_text(c.verdict), c.note});
+  return rows;
+}
+
+std::vector<std::vector<std::string>> rows_of(const PlainTable& table) {
+  std::vector<std::vector<std::string>> rows{table.head};
+  rows.insert(rows.end(), table.rows.begin(), table.rows.end());
+  return rows;
+}
+
+template <class Value, class Get>
+std::vector<std::string> distinct(const std::vector<Value>& values, Get get) {
+  std::vector<std::string> result;
+  for (const Value& value : values)
+    if (std::find(result.begin(), result.end(), get(value)) == result.end()) result.push_back(get(value));
+  return result;
+}
+
+std::string cell_html(const Comparison& c) {
+  return "<td class=\"" + to_text(c.verdict) + "\" title=\"" + html(c.scheme) + "\"><span class=printed>" +
+         html(c.printed) + "</span><span class=computed>" + html(c.computed_text()) + "</span><span class=verdict>" +
+         to_text(c.verdict) + "</span></td>";
+}
+
+std::string table_html(const ComparisonTable& table) {
+  std::string result = "<h3 id=\"" + table.id + "\">" + html(table.title) + "</h3>\n<p class=place>" +
+                       html(table.place) + "</p>\n<div class=scroll><table>\n";
+  if (table.grid) {
+    const auto columns = distinct(table.comparisons, [](const Comparison& c) { return c.column; });
+    const auto rows = distinct(table.comparisons, [](const Comparison& c) { return c.row; });
+    result += "<tr><th></th>";
+    for (const std::string& column : columns) result += "<th>" + html(column) + "</th>";
+    result += "</tr>\n";
+    for (const std::string& row : rows) {
+      result += "<tr><th>" + html(row) + "</th>";
+      for (const std::string& column : columns) {
+        const auto found = std::find_if(table.comparisons.begin(), table.comparisons.end(), [&](const Comparison& c) {
+          return c.row == row && c.column == column;
+        });
+        result += found == table.comparisons.end() ? std::string("<td></td>") : cell_html(*found);
+      }
+      result += "</tr>\n";
+    }
+  } else {
+    result += "<tr><th></th><th>printed</th><th>computed</th><th>verdict</th></tr>\n";
+    for (const Comparison& c : table.comparisons)
+      result += "<tr><th>" + html(c.column) + "</th><td class=wide>" + html(c.printed) + "</td><td class=wide>" +
+                html(c.computed_text()) + "</td><td class=\"" + to_text(c.verdict) + "\"><span class=verdict>" +
+                to_text(c.verdict) + "</span></td></tr>\n";
+  }
+  result += "</table></div>\n";
+  std::string notes;
+  for (const Comparison& c : table.comparisons)
+    if (!c.note.empty())
+      notes += "<li><b>" + html(c.cell()) + "</b> (printed " + html(c.printed) + ", computed " +
+               html(c.computed_text()) + "): " + html(c.note) + "</li>\n";
+  if (!notes.empty())
+    result += "<details><summary>Notes on single cells</summary><ul>\n" + notes + "</ul></details>\n";
+  return result;
+}
+
+std::string table_html(const PlainTable& table) {
+  std::string result = "<h3 id=\"" + table.id + "\">" + html(table.title) + "</h3>\n<div class=scroll><table>\n<tr>";
+  for (const std::string& name : table.head) result += "<th>" + html(name) + "</th>";
+  result += "</tr>\n";
+  for (const auto& row : table.rows) {
+    result += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      result += (i ? "<td>" : "<th>") + html(row[i]) + (i ? "</td>" : "</th>");
+    result += "</tr>\n";
+  }
+  return result + "</table></div>\n";
+}
+
+constexpr const char* style = R"css(
+:root { color-scheme: light; }
+* { box-sizing: border-box; }
+body { font: 16px/1.55 system-ui, "DejaVu Sans", sans-serif; color: #1c2733; background: #fff; margin: 0 auto;
+       padding: 2rem 1.25rem 5rem; max-width: 64rem; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .5rem; }
+h2 { font-size: 1.4rem; margin: 3rem 0 .75rem; padding-top: .75rem; border-top: 2px solid #1c2733; }
+h3 { font-size: 1.05rem; margin: 2rem 0 .1rem; }
+p { max-width: 46rem; }
+.place, figcaption, .citation { color: #5a6773; font-size: .9rem; margin-top: 0; }
+nav a { margin-right: 1.2rem; }
+a { color: #0b559f; }
+.scroll { overflow-x: auto; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .92rem; margin: .5rem 0 1rem; }
+th, td { padding: .35rem .7rem; border-bottom: 1px solid #d9dfe5; text-align: right; vertical-align: top;
+         white-space: nowrap; }
+th:first-child { text-align: left; }
+th { font-weight: 600; }
+td.wide { white-space: normal; text-align: left; overflow-wrap: anywhere; font-family: "DejaVu Sans Mono", monospace;
+          font-size: .82rem; min-width: 14rem; }
+td span { display: block; }
+.computed { color: #5a6773; font-size: .82rem; }
+.verdict { font-size: .75rem; font-weight: 600; letter-spacing: .02em; }
+.match .verdict { color: #1e7a43; }
+.mismatch { background: #fdecea; }
+.mismatch .verdict { color: #b3261e; }
+.open { background: #fff7e0; }
+.open .verdict { color: #8a5a00; }
+figure { margin: 1.5rem 0; }
+figure img { max-width: 100%; height: auto; display: block; }
+details { margin: .5rem 0 1rem; }
+details li { margin: .2rem 0; }
+.summary td, .summary th { text-align: left; }
+@media print { body { max-width: none; } .scroll { overflow: visible; } }
+)css";
+
+std::string page(const std::vector<Report>& reports) {
+  std::string body =
+      "<h1>Printed values, recomputed</h1>\n<p>Every number below was computed in exact rational arithmetic, or enclosed "
+      "with outward rounding. In each cell the printed value stands first, ours below it, then the verdict: "
+      "<b>match</b> where our enclosure is narrower than one unit of the last printed place and within one such unit of "
+      "the printed value, <b>mismatch</b> where our result excludes that, <b>open</b> where it does not decide yet.</p>\n";
+  for (const Report& report : reports) {
+    body += "<nav>";
+    for (const Section& section : report.sections)
+      body += "<a href=\"#" + report.paper + "-" + section.id + "\">" + html(section.heading) + "</a>";
+    body += "</nav>\n<p class=citation>" + html(report.citation) + "</p>\n";
+    const auto tables = report.comparison_tables();
+    if (!tables.empty()) {
+      body += "<div class=scroll><table class=summary>\n<tr><th>table</th><th>values</th><th>match</th><th>mismatch</th>"
+              "<th>open</th></tr>\n";
+      for (const ComparisonTable* table : tables)
+        body += "<tr><th><a href=\"#" + table->id + "\">" + html(table->title) + "</a></th><td>" +
+                std::to_string(table->comparisons.size()) + "</td><td>" + std::to_string(table->count(Verdict::match)) +
+                "</td><td>" + std::to_string(table->count(Verdict::mismatch)) + "</td><td>" +
+                std::to_string(table->count(Verdict::open)) + "</td></tr>\n";
+      body += "</table></div>\n";
+    }
+    for (const Section& section : report.sections) {
+      body += "<h2 id=\"" + report.paper + "-" + section.id + "\">" + html(section.heading) + "</h2>\n";
+      for (const std::string& paragraph : section.paragraphs) body += "<p>" + html(paragraph) + "</p>\n";
+      for (const ComparisonTable& table : section.comparisons) body += table_html(table);
+      for (const PlainTable& table : section.tables) body += table_html(table);
+      for (const Figure& figure : section.figures)
+        body += "<figure id=\"" + figure.id + "\"><img src=\"" + report.paper + "/" + figure.id + ".svg\" alt=\"" +
+                html(figure.title) + "\"><figcaption><b>" + html(figure.title) + ".</b> " + html(figure.caption) +
+                "</figcaption></figure>\n";
+    }
+  }
+  return "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
+         "content=\"width=device-width, initial-scale=1\">\n<title>subcert: printed values, recomputed</title>\n<style>" +
+         std::string(style) + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
+}
+
+}  // namespace
+
+std::vector<const ComparisonTable*> Report::comparison_tables() const {
+  std::vector<const ComparisonTable*> result;
+  for (const Section& section : sections)
+    for (const ComparisonTable& table : section.comparisons) result.push_back(&table);
+  return result;
+}
+
+bool Report::as_recorded() const {
+  const auto tables = comparison_tables();
+  return std::all_of(tables.begin(), tables.end(), [](const ComparisonTable* table) { return table->as_recorded(); });
+}
+
+std::vector<std::string> reproducible_papers() { return {"dyn-2015"}; }
+
+std::vector<std::string> report_items(const std::string& paper) {
+  if (paper == "dyn-2015") return dyn_2015_items();
+  throw std::out_of_range("unknown paper '" + paper + "'");
+}
+
+Report make_report(const std::string& paper, const ReportOptions& options) {
+  const auto items = report_items(paper);
+  for (const std::string& item : options.only)
+    if (std::find(items.begin(), items.end(), item) == items.end())
+      throw std::out_of_range("unknown item '" + item + "' of " + paper);
+  return report_dyn_2015(options);
+}
+
+void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder) {
+  for (const Report& report : reports) {
+    const std::filesystem::path inside = folder / report.paper;
+    for (const ComparisonTable* table : report.comparison_tables()) {
+      Json json{{"paper", report.paper}, {"citation", report.citation}, {"table", table->id}, {"comparisons", Json::array()}};
+      for (const Comparison& comparison : table->comparisons)
+        json["comparisons"].push_back(comparison_json(*table, comparison));
+      write_file(inside / (table->id + ".json"), json.dump(2) + "\n");
+      write_file(inside / (table->id + ".csv"), csv(rows_of(*table)));
+      auto rows = rows_of(*table);
+      for (auto& row : rows) row.erase(row.begin() + 5), row.erase(row.begin() + 1);  // too wide for a page
+      write_file(inside / (table->id + ".tex"), latex_table(table->title, rows));
+    }
+    for (const Section& section : report.sections) {
+      for (const PlainTable& table : section.tables) {
+        const auto rows = rows_of(table);
+        Json json{{"paper", report.paper}, {"table", table.id}, {"rows", rows}};
+        write_file(inside / (table.id + ".json"), json.dump(2) + "\n");
+        write_file(inside / (table.id + ".csv"), csv(rows));
+        write_file(inside / (table.id + ".tex"), latex_table(table.title, rows));
+      }
+      for (const Figure& figure : section.figures) draw(figure, inside);
+    }
+  }
+  write_file(folder / "index.html", page(reports));
+}
+
+std::string comparisons_json(const std::vector<Report>& reports) {
+  Json json{{"comparisons", Json::array()}};
+  for (const Report& report : reports)
+    for (const ComparisonTable* table : report.comparison_tables())
+      for (const Comparison& comparison : table->comparisons)
+        json["comparisons"].push_back(comparison_json(*table, comparison));
+  return json.dump(2);
+}
+
+}  // namespace subcert

@@ -1,0 +1,133 @@
+#include "local_regression.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace subcert {
+namespace {
+
+std::vector<Rational> interpolation_weights(const std::vector<Rational>& nodes, const Rational& x) {
+  std::vector<Rational> result(nodes.size(), 0);
+  const auto hit = std::find(nodes.begin(), nodes.end(), x);
+  if (hit != nodes.end()) {
+    result[static_cast<std::size_t>(hit - nodes.begin())] = 1;
+    return result;
+  }
+  Rational all = 1;  // product of x - node; Lagrange's formula divides one factor out
+  for (const Rational& node : nodes) all *= x - node;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    Rational denominator = x - nodes[i];
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      if (j != i) denominator *= nodes[i] - nodes[j];
+    result[i] = all / denominator;
+  }
+  return result;
+}
+
+void require_distinct(std::vector<Rational> nodes) {
+  if (nodes.empty()) throw std::invalid_argument("regression_weights: need at least one node, got 0");
+  std::sort(nodes.begin(), nodes.end());
+  if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end())
+    throw std::invalid_argument("regression_weights: need distinct nodes");
+}
+
+}  // namespace
+
+std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
+                                         int degree, const Rational& x) {
+  require_distinct(nodes);
+  const std::size_t m = nodes.size();
+  if (!weights.empty() && weights.size() != m)
+    throw std::invalid_argument("regression_weights: need as many weights as nodes, got " +
+                                std::to_string(weights.size()) + " for " + std::to_string(m));
+  if (std::any_of(weights.begin(), weights.end(), [](const Rational& w) { return w <= 0; }))
+    throw std::invalid_argument("regression_weights: need weights > 0");
+  if (degree < 0) throw std::invalid_argument("regression_weights: need degree >= 0, got " + std::to_string(degree));
+  if (static_cast<std::size_t>(degree) + 1 >= m) return interpolation_weights(nodes, x);
+
+  // Monic orthogonal polynomials P_k by Stieltjes' recurrence P_{k+1} = (t - alpha) P_k - beta P_{k-1}, carried as
+  // their values at the nodes and at x; c_i = w_i sum_k P_k(x) P_k(t_i) / <P_k, P_k>.
+  const auto weight = [&](std::size_t i) { return weights.empty() ? Rational(1) : weights[i]; };
+  std::vector<Rational> previous(m, 0), current(m, 1), result(m, 0);
+  Rational previous_x = 0, current_x = 1, previous_norm = 1;
+  for (int k = 0;; ++k) {
+    Rational norm = 0, moment = 0;
+    for (std::size_t i = 0; i < m; ++i) {
+      const Rational square = weight(i) * current[i] * current[i];
+      norm += square;
+      moment += square * nodes[i];
+    }
+    const Rational scale = current_x / norm;
+    if (scale != 0)
+      for (std::size_t i = 0; i < m; ++i) result[i] += scale * current[i];
+    if (k == degree) break;
+    const Rational alpha = moment / norm;
+    const Rational beta = k == 0 ? Rational(0) : norm / previous_norm;
+    for (std::size_t i = 0; i < m; ++i) {
+      previous[i] = (nodes[i] - alpha) * current[i] - beta * previous[i];
+      std::swap(previous[i], current[i]);
+    }
+    previous_x = (x - alpha) * current_x - beta * previous_x;
+    std::swap(previous_x, current_x);
+    previous_norm = norm;
+  }
+  if (!weights.empty())
+    for (std::size_t i = 0; i < m; ++i) result[i] *= weights[i];
+  return result;
+}
+
+Mask regression_mask(const LocalRegression& scheme) {
+  const auto arity = static_cast<long>(scheme.rules.size());
+  if (arity < 2) throw std::invalid_argument("regression_mask: need at least two rules, got " + std::to_string(arity));
+  // f'_{arity*i + s} uses f_{i+l} with weight a_{s - arity*l}.
+  long lowest = 0, highest = 0;
+  for (long k = 0; k < arity; ++k) {
+    const RegressionRule& rule = scheme.rules[static_cast<std::size_t>(k)];
+    if (rule.first > rule.last)
+      throw std::invalid_argument("regression_mask: need first <= last, got " + std::to_string(rule.first) + " and " +
+                                  std::to_string(rule.last));
+    const long output = scheme.first_output + k;
+    lowest = k == 0 ? output - arity * rule.last : std::min(lowest, output - arity * rule.last);
+    highest = k == 0 ? output - arity * rule.first : std::max(highest, output - arity * rule.first);
+  }
+  std::vector<Rational> coefficients(static_cast<std::size_t>(highest - lowest + 1), 0);
+  for (long k = 0; k < arity; ++k) {
+    const RegressionRule& rule = scheme.rules[static_cast<std::size_t>(k)];
+    std::vector<Rational> nodes;
+    for (long l = rule.first; l <= rule.last; ++l) nodes.emplace_back(l);
+    const std::vector<Rational> weights = regression_weights(nodes, rule.weights, scheme.degree, rule.position);
+    for (long l = rule.first; l <= rule.last; ++l)
+      coefficients[static_cast<std::size_t>(scheme.first_output + k - arity * l - lowest)] =
+          weights[static_cast<std::size_t>(l - rule.first)];
+  }
+  return {LaurentPolynomial(coefficients, lowest), static_cast<int>(arity)};
+}
+
+LocalRegression primal(int n, int degree) {
+  return {{{-n + 1, n - 1, 0}, {-n + 1, n, Rational(1, 2)}}, degree};
+}
+
+LocalRegression primal_odd(int n, int degree) { return {{{-n, n, 0}, {-n + 1, n, Rational(1, 2)}}, degree}; }
+
+LocalRegression dual(int n, int degree) { return ary(2, 2 * n, degree); }
+
+LocalRegression dual_odd(int n, int degree) { return ary(2, 2 * n + 1, degree); }
+
+LocalRegression ary(int arity, int points, int degree) {
+  if (arity < 2) throw std::invalid_argument("ary: need arity >= 2, got " + std::to_string(arity));
+  if (points < 2) throw std::invalid_argument("ary: need points >= 2, got " + std::to_string(points));
+  LocalRegression scheme{{}, degree};
+  const int n = points / 2;
+  if (points % 2 == 0) {
+    // The middle cell is [0, 1] between the data -n+1, ..., n.
+    for (int q = 0; q < arity; ++q) scheme.rules.push_back({-n + 1, n, Rational(2 * q + 1, 2 * arity)});
+  } else {
+    // The middle cell is [-1/2, 1/2] around the middle one of the data -n, ..., n.
+    scheme.first_output = -(arity / 2);
+    for (int q = 0; q < arity; ++q) scheme.rules.push_back({-n, n, Rational(2 * q + 1 - arity, 2 * arity)});
+  }
+  return scheme;
+}
+
+}  // namespace subcert

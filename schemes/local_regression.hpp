@@ -1,0 +1,51 @@
+#pragma once
+/// Local polynomial regression: the one family that contains every linear scheme of the papers.
+
+#include <subcert/analysis/symbol/mask.hpp>
+
+#include <vector>
+
+namespace subcert {
+
+/// The weights c with p(x) = sum of c[i] y[i], where p is the polynomial of degree at most `degree` that minimises
+/// sum of weights[i] (p(nodes[i]) - y[i])^2. With degree >= nodes.size() - 1 it interpolates, and among the
+/// interpolating polynomials the one of smallest degree is taken ([DHHS15, Rem. 9] leaves the choice open).
+/// Domain: nodes distinct and not empty, weights positive and as many as the nodes (none: all one), degree >= 0.
+/// Errors: throws std::invalid_argument that names the broken inequality.
+/// Cost: nodes * degree rational operations (three-term recurrence of the discrete orthogonal polynomials, which for
+/// equally spaced nodes are Gram's); interpolation nodes^2.
+/// Ref: [DHHS15, App. A], [EF07].
+std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
+                                         int degree, const Rational& x);
+
+/// One refinement rule: the fit uses the data f_{i+first}, ..., f_{i+last} and is evaluated at i + position.
+struct RegressionRule {
+  long first;
+  long last;
+  Rational position;
+  std::vector<Rational> weights = {};  ///< prior weights, positive; empty means all one
+};
+
+/// The scheme with rules[k] : f'_{arity*i + first_output + k}, arity = rules.size().
+struct LocalRegression {
+  std::vector<RegressionRule> rules;
+  int degree;
+  long first_output = 0;
+};
+
+/// The exact mask. Domain: at least two rules, first <= last in each. Errors: as regression_weights.
+Mask regression_mask(const LocalRegression& scheme);
+
+/// [DHHS15, sec. 2, 4.3]: 2n-1 data around the old point, 2n data around the midpoint. Domain: n >= 1, degree >= 0.
+LocalRegression primal(int n, int degree);
+/// [DHHS15, sec. 4.2]: 2n+1 data around the old point, 2n around the midpoint. Domain: n >= 1.
+LocalRegression primal_odd(int n, int degree);
+/// [DHHS15, sec. 4.1, 4.3]: 2n data, evaluated at 1/4 and 3/4 between the middle two. Domain: n >= 1.
+LocalRegression dual(int n, int degree);
+/// [DHHS15, sec. 4.2]: 2n+1 data, evaluated at -1/4 and 1/4 about the middle one. Domain: n >= 1.
+LocalRegression dual_odd(int n, int degree);
+/// [MB16, sec. 2]: one fit on `points` data, evaluated at the `arity` positions that divide the middle cell evenly.
+/// The outputs are numbered so that the mask is centred at 0 or -1/2. Domain: arity >= 2, points >= 2.
+LocalRegression ary(int arity, int points, int degree);
+
+}  // namespace subcert

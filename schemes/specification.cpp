@@ -1,0 +1,337 @@
+#include "specification.hpp"
+
+#include "classical.hpp"
+
+#include <subcert/analysis/symbol/term_text.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace subcert {
+namespace {
+
+constexpr std::size_t max_text = 1'000'000;
+constexpr long max_points = 4096;
+constexpr long max_work = 200'000;  // points * degree: keeps every accepted mask within seconds
+constexpr long max_arity = 64;
+
+/// A piece of the specification and where it begins (0-based).
+struct Piece {
+  std::string_view text;
+  std::size_t at;
+};
+
+[[noreturn]] void fail(const Piece& piece, const std::string& expected) {
+  throw SpecificationError(piece.text, piece.at + 1, expected);
+}
+
+/// Splits at `separator` outside of brackets.
+std::vector<Piece> split(const Piece& piece, char separator) {
+  std::vector<Piece> result;
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= piece.text.size(); ++i) {
+    const char c = i < piece.text.size() ? piece.text[i] : separator;
+    if (c == '[' || c == '(') ++depth;
+    if (c == ']' || c == ')') --depth;
+    if (i == piece.text.size() || (c == separator && depth <= 0)) {
+      result.push_back({piece.text.substr(begin, i - begin), piece.at + begin});
+      begin = i + 1;
+    }
+  }
+  return result;
+}
+
+Rational read_rational(const Piece& piece) {
+  const auto value = parse_rational(piece.text);
+  if (!value) fail(piece, "an exact number p or p/q with q > 0 (for example 1/16)");
+  return *value;
+}
+
+long read_integer(const Piece& piece, const std::string& name, long low, long high) {
+  const std::string range = name + " as an integer from " + std::to_string(low) + " to " + std::to_string(high);
+  const auto value = parse_rational(piece.text);
+  if (!value || denominator(*value) != 1 || *value < low || *value > high) fail(piece, range);
+  return numerator(*value).convert_to<long>();
+}
+
+/// The `key=value` fields of a specification; each is to be taken once, and finish() refuses what is left.
+class Fields {
+ public:
+  Fields(const Piece& family, const Piece& body, std::string usage)
+      : family_(family), end_(body.at + body.text.size()), usage_(std::move(usage)) {
+    if (body.text.empty()) return;
+    for (const Piece& piece : split(body, ',')) add(piece);
+  }
+  Fields(const Piece& family, const std::vector<Piece>& pieces, std::size_t end, std::string usage)
+      : family_(family), end_(end), usage_(std::move(usage)) {
+    for (const Piece& piece : pieces) add(piece);
+  }
+
+  std::optional<Piece> optional(std::string_view key) {
+    for (Field& field : fields_)
+      if (field.key.text == key) {
+        field.used = true;
+        return field.value;
+      }
+    return std::nullopt;
+  }
+
+  Piece required(std::string_view key) {
+    if (const auto value = optional(key)) return *value;
+    throw SpecificationError(family_.text, end_ + 1, "the key '" + std::string(key) + "', as in " + usage_);
+  }
+
+  void finish() const {
+    for (const Field& field : fields_)
+      if (!field.used) fail(field.key, "a key of " + usage_);
+  }
+
+ private:
+  struct Field {
+    Piece key;
+    Piece value;
+    bool used = false;
+  };
+
+  void add(const Piece& piece) {
+    const std::size_t equals = piece.text.find('=');
+    if (equals == std::string_view::npos) fail(piece, "key=value, as in " + usage_);
+    const Piece key{piece.text.substr(0, equals), piece.at};
+    for (const Field& field : fields_)
+      if (field.key.text == key.text) fail(key, "each key once");
+    fields_.push_back({key, {piece.text.substr(equals + 1), piece.at + equals + 1}});
+  }
+
+  Piece family_;
+  std::size_t end_;
+  std::string usage_;
+  std::vector<Field> fields_;
+};
+
+/// Degree of a fit on `points` data, bounded so that the mask is made in seconds.
+long read_degree(Fields& fields, long points) {
+  const auto piece = fields.optional("d");
+  if (!piece) return 1;
+  const long degree = read_integer(*piece, "d", 0, std::numeric_limits<std::int32_t>::max());
+  if (std::min(degree, points - 1) * points > max_work)
+    fail(*piece, "a degree d with points * d <= " + std::to_string(max_work) + " (here points = " +
+                     std::to_string(points) + ")");
+  return degree;
+}
+
+std::string number(long value) { return std::to_string(value); }
+
+using Preset = LocalRegression (*)(int, int);
+
+Scheme least_squares(const std::string& family, const std::string& title, bool odd, Preset preset, Fields& fields) {
+  const long n = read_integer(fields.required("n"), "n", 1, (max_points - 1) / 2);
+  const long points = odd ? 2 * n + 1 : 2 * n;
+  const long degree = read_degree(fields, points);
+  fields.finish();
+  return {family + ":n=" + number(n) + ",d=" + number(degree),
+          title + ", " + number(points) + " points, degree " + number(degree),
+          regression_mask(preset(static_cast<int>(n), static_cast<int>(degree)))};
+}
+
+Scheme make_primal(Fields& f) { return least_squares("primal", "primal least squares scheme", false, primal, f); }
+Scheme make_dual(Fields& f) { return least_squares("dual", "dual least squares scheme", false, dual, f); }
+Scheme make_primal_odd(Fields& f) {
+  return least_squares("primal-odd", "primal least squares scheme", true, primal_odd, f);
+}
+Scheme make_dual_odd(Fields& f) { return least_squares("dual-odd", "dual least squares scheme", true, dual_odd, f); }
+
+Scheme make_ary(Fields& fields) {
+  const long arity = read_integer(fields.required("a"), "a", 2, max_arity);
+  const Piece points_piece = fields.required("points");
+  const long points = read_integer(points_piece, "points", 2, max_points);
+  if (arity * points > 4 * max_points) fail(points_piece, "a * points <= " + number(4 * max_points));
+  const long degree = read_degree(fields, points);
+  fields.finish();
+  return {"ary:a=" + number(arity) + ",points=" + number(points) + ",d=" + number(degree),
+          number(arity) + "-ary least squares scheme, " + number(points) + " points, degree " + number(degree),
+          regression_mask(ary(static_cast<int>(arity), static_cast<int>(points), static_cast<int>(degree)))};
+}
+
+Scheme make_deslauriers_dubuc(Fields& fields) {
+  const long n = read_integer(fields.required("n"), "n", 1, 200);
+  fields.finish();
+  return {"dd:n=" + number(n), "interpolatory Deslauriers-Dubuc " + number(2 * n) + "-point scheme",
+          deslauriers_dubuc_mask(static_cast<int>(n))};
+}
+
+Scheme make_bspline(Fields& fields) {
+  const Piece degree_piece = fields.required("degree");
+  const long degree = read_integer(degree_piece, "degree", 1, 2000);
+  const auto arity_piece = fields.optional("a");
+  const long arity = arity_piece ? read_integer(*arity_piece, "a", 2, max_arity) : 2;
+  fields.finish();
+  if (arity * degree > 8000) fail(degree_piece, "a * degree <= 8000");
+  return {"bspline:degree=" + number(degree) + (arity == 2 ? "" : ",a=" + number(arity)),
+          "B-spline of degree " + number(degree) + (arity == 2 ? "" : ", arity " + number(arity)),
+          bspline_mask(static_cast<int>(degree), static_cast<int>(arity))};
+}
+
+Scheme make_four_point(Fields& fields) {
+  const Rational w = read_rational(fields.required("w"));
+  fields.finish();
+  return {"four-point:w=" + to_text(w), "4-point scheme with tension " + to_text(w), four_point_mask(w)};
+}
+
+/// The elements between '[' and ']'.
+std::vector<Piece> read_list(const Piece& piece, char separator) {
+  if (piece.text.size() < 2 || piece.text.front() != '[' || piece.text.back() != ']')
+    fail(piece, "a list in brackets, as [1" + std::string(1, separator) + "2]");
+  return split({piece.text.substr(1, piece.text.size() - 2), piece.at + 1}, separator);
+}
+
+/// f'_{a i + k} = the fit on the k-th stencil, evaluated at the k-th position.
+Scheme make_regression(Fields& fields) {
+  LocalRegression scheme{{}, 1};
+  long points = 0;
+  std::string stencils, positions, weights;
+  const Piece stencils_piece = fields.required("stencils");
+  for (const Piece& stencil : read_list(stencils_piece, ';')) {
+    const std::size_t dots = stencil.text.find("..");
+    if (dots == std::string_view::npos) fail(stencil, "a stencil first..last, as -1..2");
+    const long first = read_integer({stencil.text.substr(0, dots), stencil.at}, "first", -max_points, max_points);
+    const long last =
+        read_integer({stencil.text.substr(dots + 2), stencil.at + dots + 2}, "last", -max_points, max_points);
+    if (first > last || last - first >= max_points)
+      fail(stencil, "a stencil first..last with at most " + number(max_points) + " points");
+    points = std::max(points, last - first + 1);
+    scheme.rules.push_back({first, last, 0});
+    stencils += (stencils.empty() ? "" : ";") + number(first) + ".." + number(last);
+  }
+  if (scheme.rules.size() < 2 || scheme.rules.size() > static_cast<std::size_t>(max_arity))
+    fail(stencils_piece, "one stencil for each of 2 to " + number(max_arity) + " rules");
+  if (points * static_cast<long>(scheme.rules.size()) > 4 * max_points)
+    fail(stencils_piece, "rules * points <= " + number(4 * max_points));
+
+  const Piece at_piece = fields.required("at");
+  const auto at = read_list(at_piece, ';');
+  if (at.size() != scheme.rules.size()) fail(at_piece, "as many positions as stencils");
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    scheme.rules[k].position = read_rational(at[k]);
+    positions += (k == 0 ? "" : ";") + to_text(scheme.rules[k].position);
+  }
+
+  if (const auto piece = fields.optional("weights")) {
+    const auto lists = read_list(*piece, '|');
+    if (lists.size() != scheme.rules.size()) fail(*piece, "as many weight lists as stencils, separated by |");
+    for (std::size_t k = 0; k < lists.size(); ++k) {
+      RegressionRule& rule = scheme.rules[k];
+      for (const Piece& entry : split(lists[k], ';')) {
+        rule.weights.push_back(read_rational(entry));
+        if (rule.weights.back() <= 0) fail(entry, "a weight > 0");
+        weights += (rule.weights.size() > 1 ? ";" : (k == 0 ? "" : "|")) + to_text(rule.weights.back());
+      }
+      if (rule.weights.size() != static_cast<std::size_t>(rule.last - rule.first + 1))
+        fail(lists[k], "one weight for each point of the stencil");
+    }
+  }
+  scheme.degree = static_cast<int>(read_degree(fields, points));
+  if (const auto piece = fields.optional("first"))
+    scheme.first_output = read_integer(*piece, "first", -max_points, max_points);
+  fields.finish();
+  std::string text = "regression:stencils=[" + stencils + "],at=[" + positions + "],d=" + number(scheme.degree);
+  if (!weights.empty()) text += ",weights=[" + weights + "]";
+  if (scheme.first_output != 0) text += ",first=" + number(scheme.first_output);
+  return {text, "local regression of degree " + number(scheme.degree), regression_mask(scheme)};
+}
+
+Scheme make_mask(const Piece& family, const Piece& body, const std::string& usage) {
+  std::vector<Piece> rest = split(body, ',');  // the mask vector, then fields
+  const Piece vector = rest.front();
+  rest.erase(rest.begin());
+  const auto count = 1 + std::count(vector.text.begin(), vector.text.end(), ',');
+  if (count > 4 * max_points) fail(vector, "at most " + number(4 * max_points) + " coefficients");
+  MaskText parts;
+  try {
+    parts = parse_mask_text(vector.text);
+  } catch (const ParseError& error) {
+    throw SpecificationError(error.token(), vector.at + error.position(), error.expected());
+  }
+  Fields fields(family, rest, body.at + body.text.size(), usage);
+  const auto arity_piece = fields.optional("arity");
+  const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
+  fields.finish();
+
+  const LaurentPolynomial symbol(parts.coefficients,
+                                 parts.first.value_or(-static_cast<long>(parts.coefficients.size() / 2)));
+  if (symbol.is_zero()) fail(body, "at least one non-zero coefficient");
+  const Mask mask(symbol, static_cast<int>(arity));
+  const auto sums = coset_sums(mask);
+  for (std::size_t residue = 0; residue < sums.size(); ++residue)
+    if (sums[residue] != 1)
+      fail(body, "coefficients that sum to 1 over each residue class; the class " + std::to_string(residue) + " mod " +
+                     number(arity) + " sums to " + to_decimal(sums[residue], 6, Rounding::nearest));
+  return {"mask:" + symbol.to_mask_text() + (arity == 2 ? "" : ",arity=" + number(arity)), "mask given by its coefficients",
+          mask};
+}
+
+struct Family {
+  FamilyHelp help;
+  std::function<Scheme(const Piece& family, const Piece& body, const std::string& usage)> make;
+};
+
+template <class Make>
+auto from_fields(Make make) {
+  return [make](const Piece& family, const Piece& body, const std::string& usage) {
+    Fields fields(family, body, usage);
+    return make(fields);
+  };
+}
+
+const std::vector<Family>& table() {
+  static const std::vector<Family> families{
+      {{"primal", "primal:n=3,d=1", "binary primal 2n-point least squares scheme"}, from_fields(make_primal)},
+      {{"dual", "dual:n=3,d=1", "binary dual 2n-point least squares scheme"}, from_fields(make_dual)},
+      {{"primal-odd", "primal-odd:n=3,d=1", "binary primal (2n+1)-point variant"}, from_fields(make_primal_odd)},
+      {{"dual-odd", "dual-odd:n=3,d=1", "binary dual (2n+1)-point variant"}, from_fields(make_dual_odd)},
+      {{"ary", "ary:a=3,points=4,d=3", "a-ary least squares scheme on consecutive data"}, from_fields(make_ary)},
+      {{"dd", "dd:n=2", "interpolatory Deslauriers-Dubuc 2n-point scheme"}, from_fields(make_deslauriers_dubuc)},
+      {{"bspline", "bspline:degree=3,a=2", "B-spline, arity a (2 unless given)"}, from_fields(make_bspline)},
+      {{"four-point", "four-point:w=1/16", "generalised 4-point scheme with tension w"}, from_fields(make_four_point)},
+      {{"mask", "mask:[1,3,3,1]/4@-2,arity=2", "any mask; centred and binary unless said otherwise"},
+       make_mask},
+      {{"regression", "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
+        "any local regression rules; optional weights=[1;2;1|1;1;1;1] and first=0"},
+       from_fields(make_regression)}};
+  return families;
+}
+
+}  // namespace
+
+Scheme make_scheme(std::string_view specification) {
+  if (specification.size() > max_text)
+    fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
+  const std::size_t colon = specification.find(':');
+  const Piece family{specification.substr(0, colon), 0};
+  std::string known;
+  for (const Family& candidate : table()) {
+    if (candidate.help.family == family.text) {
+      if (colon == std::string_view::npos) fail(family, candidate.help.usage);
+      return candidate.make(family, {specification.substr(colon + 1), colon + 1}, candidate.help.usage);
+    }
+    known += (known.empty() ? "" : ", ") + candidate.help.family;
+  }
+  if (family.text == "tensor" || family.text == "grid" || family.text == "l1")
+    fail(family, "a univariate linear scheme; surfaces and l1 schemes are not in this version yet (have: " + known + ")");
+  fail(family, "one of " + known);
+}
+
+const std::vector<FamilyHelp>& families() {
+  static const std::vector<FamilyHelp> help = [] {
+    std::vector<FamilyHelp> result;
+    for (const Family& family : table()) result.push_back(family.help);
+    return result;
+  }();
+  return help;
+}
+
+}  // namespace subcert

@@ -1,0 +1,41 @@
+#pragma once
+/// Scheme specifications `FAMILY:key=value,key=value`, read, checked and printed back.
+
+#include "local_regression.hpp"
+
+#include <subcert/analysis/symbol/parse_error.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace subcert {
+
+/// A specification that cannot be read.
+class SpecificationError : public ParseError {
+ public:
+  SpecificationError(std::string_view token, std::size_t position, const std::string& expected)
+      : ParseError("scheme specification", token, position, expected) {}
+};
+
+/// A scheme of one variable: its canonical specification, a name for people, and its exact mask.
+struct Scheme {
+  std::string specification;
+  std::string title;
+  Mask mask;
+};
+
+/// Reads a specification and makes the mask. Domain: at most 1,000,000 characters. Errors: throws SpecificationError
+/// for an unknown family or key, a missing or repeated key, a malformed value, a value outside its range (sizes are
+/// bounded so that every accepted mask is made in seconds and megabytes), or coset sums other than 1.
+Scheme make_scheme(std::string_view specification);
+
+/// One line of help for every family that make_scheme accepts.
+struct FamilyHelp {
+  std::string family;
+  std::string usage;
+  std::string meaning;
+};
+const std::vector<FamilyHelp>& families();
+
+}  // namespace subcert

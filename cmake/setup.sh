@@ -46,6 +46,6 @@ install_missing() {
 }
 
 configure_and_build() {
-  cmake --preset release "$@" >/dev/null
+  cmake --preset release -DSUBCERT_BUILD_TESTS=ON -DSUBCERT_BUILD_BENCH=ON >/dev/null
   cmake --build --preset release
 }

@@ -27,16 +27,16 @@ void plot(const Figure& figure, const std::string& terminal, const std::filesyst
   gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 460 * columns << "," << 320 * rows << "\n"
           << "set output " << quoted(target.string()) << "\n"
           << "set border 3 lc rgb '#555555'\nset tics nomirror textcolor rgb '#333333'\n"
-          << "set grid lc rgb '#dddddd' lt 1\nset key top right\n";
+          << "set grid lc rgb '#dddddd' lt 1\n";
   const char* colours[] = {"#0b559f", "#c0392b", "#1e8449", "#7d3c98", "#b9770e", "#117a8b"};
   for (std::size_t i = 0; i < std::size(colours); ++i)
     gnuplot << "set linetype " << i + 1 << " lc rgb '" << colours[i] << "' lw 2 pt 7 ps 0.6\n";
   gnuplot << "set multiplot layout " << rows << "," << columns << "\n";
   for (const Panel& panel : figure.panels) {
     gnuplot << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.x_label) << "\nset ylabel "
-            << quoted(panel.y_label) << "\n"
+            << quoted(panel.y_label) << "\nset key " << panel.key << "\n"
             << (panel.log_y ? "set logscale y\nset format y '10^{%T}'\n" : "unset logscale y\nset format y '%g'\n")
-            << "set offsets graph 0.02, graph 0.02, graph 0.08, graph 0.05\nplot ";
+            << "set offsets graph 0, graph 0, graph 0.08, graph 0.03\nplot ";
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
       const Curve& curve = panel.curves[i];
       gnuplot << (i ? ", " : "") << "'-' with " << (curve.marked ? "linespoints" : "lines");

@@ -20,6 +20,7 @@ struct Panel {
   std::string y_label;
   std::vector<Curve> curves;
   bool log_y = false;
+  std::string key = "top right";  ///< where gnuplot puts the legend
 };
 
 /// Panels side by side, at most `columns` in a row.

@@ -128,7 +128,7 @@ std::string table_html(const ComparisonTable& table) {
       result += "</tr>\n";
     }
   } else {
-    result += "<tr><th></th><th>printed</th><th>computed</th><th>verdict</th></tr>\n";
+    result += "<tr><th></th><th class=left>printed</th><th class=left>computed</th><th>verdict</th></tr>\n";
     for (const Comparison& c : table.comparisons)
       result += "<tr><th>" + html(c.column) + "</th><td class=wide>" + html(c.printed) + "</td><td class=wide>" +
                 html(c.computed_text()) + "</td><td class=\"" + to_text(c.verdict) + "\"><span class=verdict>" +
@@ -168,13 +168,14 @@ h2 { font-size: 1.4rem; margin: 3rem 0 .75rem; padding-top: .75rem; border-top: 
 h3 { font-size: 1.05rem; margin: 2rem 0 .1rem; }
 p { max-width: 46rem; }
 .place, figcaption, .citation { color: #5a6773; font-size: .9rem; margin-top: 0; }
+.citation { margin-top: 1rem; }
 nav a { margin-right: 1.2rem; }
 a { color: #0b559f; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .92rem; margin: .5rem 0 1rem; }
 th, td { padding: .35rem .7rem; border-bottom: 1px solid #d9dfe5; text-align: right; vertical-align: top;
          white-space: nowrap; }
-th:first-child { text-align: left; }
+th:first-child, th.left { text-align: left; }
 th { font-weight: 600; }
 td.wide { white-space: normal; text-align: left; overflow-wrap: anywhere; font-family: "DejaVu Sans Mono", monospace;
           font-size: .82rem; min-width: 14rem; }

@@ -25,7 +25,7 @@ struct Scheme {
   Mask mask;
 };
 
-/// Reads a specification and makes the mask. Domain: at most 1,000,000 characters. Errors: throws SpecificationError
+/// Reads a specification and makes the mask. Domain: at most 30,000 characters. Errors: throws SpecificationError
 /// for an unknown family or key, a missing or repeated key, a malformed value, a value outside its range (sizes are
 /// bounded so that every accepted mask is made in seconds and megabytes), or coset sums other than 1.
 Scheme make_scheme(std::string_view specification);

@@ -172,7 +172,7 @@ class Search {
       const double error = error_bound(depth);
       const double upper = (norm + error) * (1 + growth_), lower = (norm - error) * (1 - growth_);
       if (upper < best_lower_) return;
-      best_lower_ = std::max(best_lower_, lower);
+      if (std::isfinite(upper)) best_lower_ = std::max(best_lower_, lower);  // overflow decides nothing
       candidates_.push_back({digits_, upper});
       return;
     }

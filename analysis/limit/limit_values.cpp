@@ -38,7 +38,7 @@ LaurentPolynomial values_at_integers(const Mask& mask) {
     for (const Rational& x : basis.front()) sum += x;
   if (sum == 0)
     throw std::domain_error("limit_values: the values at the integers are not determined by the refinement equation; "
-                            "the scheme does not converge");
+                            "the divided difference scheme of this order does not converge");
   return LaurentPolynomial(basis.front(), first) * LaurentPolynomial(1 / sum);
 }
 

@@ -14,8 +14,8 @@ const HolderBound& HolderBounds::best() const {
 }
 
 HolderBounds holder_bounds(const Mask& mask, int levels, double seconds) {
+  if (!is_affine(mask)) throw std::invalid_argument("holder_bounds: need coset sums 1");
   const int rules = sum_rules(mask);
-  if (rules < 1) throw std::invalid_argument("holder_bounds: need at least one sum rule, got 0");
   const LevelNorms powers = level_norms(divided_difference_scheme(mask, rules), levels, seconds);
   HolderBounds result{rules, {}, powers.visited};
   for (std::size_t l = 0; l < powers.norms.size(); ++l) {

@@ -25,7 +25,7 @@ struct HolderBounds {
   const HolderBound& best() const;
 };
 
-/// Domain: a mask with at least one sum rule, levels >= 1. Errors: throws std::invalid_argument. Cost: that of
+/// Domain: coset sums 1 (so at least one sum rule), levels >= 1. Errors: throws std::invalid_argument. Cost: that of
 /// level_norms. Ref: [DL02, sec. 4.2], [Rio92].
 HolderBounds holder_bounds(const Mask& mask, int levels, double seconds = 1e9);
 

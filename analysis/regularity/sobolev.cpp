@@ -1,0 +1,30 @@
+#include "sobolev.hpp"
+
+#include <subcert/analysis/difference/difference.hpp>
+
+#include <stdexcept>
+
+namespace subcert {
+
+SobolevRegularity sobolev_regularity(const Mask& mask) {
+  const int rules = sum_rules(mask), arity = mask.arity();
+  if (rules < 1) throw std::invalid_argument("sobolev_regularity: need at least one sum rule, got 0");
+  const LaurentPolynomial b = divided_difference_scheme(mask, rules).symbol();
+  const LaurentPolynomial autocorrelation = b * b.reversed();
+  const long reach = (b.length() - 1) / (arity - 1);
+  if (reach > 400) throw std::length_error("sobolev_regularity: need masks up to length 400, got " + std::to_string(b.length()));
+  // The autocorrelation is symmetric, and so is the leading eigenvector: fold k and -k together.
+  const auto size = static_cast<std::size_t>(reach) + 1;
+  RationalMatrix matrix(size, size);
+  for (long j = 0; j <= reach; ++j)
+    for (long k = 0; k <= reach; ++k) {
+      Rational entry = autocorrelation.coefficient(arity * j - k);
+      if (k > 0) entry += autocorrelation.coefficient(arity * j + k);
+      matrix(static_cast<std::size_t>(j), static_cast<std::size_t>(k)) = entry;
+    }
+  const Enclosure radius = largest_root_modulus(characteristic_polynomial(matrix)).largest;
+  const Enclosure low = log_ratio(*radius.lower / arity, arity), high = log_ratio(*radius.upper / arity, arity);
+  return {rules, radius, {rules - *high.upper / 2, rules - *low.lower / 2}};
+}
+
+}  // namespace subcert

@@ -1,0 +1,23 @@
+#pragma once
+/// Sobolev (L2) regularity.
+
+#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/rational_matrix.hpp>
+
+namespace subcert {
+
+/// With m sum rules and b = the divided difference scheme of order m, the matrix C_{jk} = sum over i of
+/// b_i b_{i + arity*j - k}, |j|, |k| <= N/(arity-1), satisfies sum |coefficients of b^[L]|^2 = (C^L)_{00}; with its
+/// spectral radius r the basic limit function lies in H^s for all s < exponent = m - log_arity(r / arity) / 2, and for
+/// no larger s where the shifts are stable. Ref: [Eir92], [Vil92].
+struct SobolevRegularity {
+  int sum_rules;
+  Enclosure spectral_radius;
+  Enclosure exponent;
+};
+
+/// Domain: at least one sum rule, N/(arity-1) <= 400. Errors: throws std::invalid_argument, std::length_error.
+/// Error: exponent to 1e-15 or better. Cost: one exact characteristic polynomial and its roots.
+SobolevRegularity sobolev_regularity(const Mask& mask);
+
+}  // namespace subcert

@@ -1,0 +1,25 @@
+#pragma once
+/// Exact questions about the zeros of a Laurent polynomial on the unit circle.
+
+#include "laurent_polynomial.hpp"
+
+namespace subcert {
+
+/// The number of distinct real zeros. Domain: p not zero. Cost: one Sturm sequence. Ref: [BPR06].
+int count_real_roots(const LaurentPolynomial& p);
+
+/// Whether p has a zero of modulus 1. Domain: p not zero. Decided exactly: such zeros are zeros of the gcd of p with
+/// its reversal, which is a polynomial in x = z + 1/z whose zeros in (-2, 2) Sturm's theorem counts.
+bool has_root_on_unit_circle(const LaurentPolynomial& p);
+
+/// Whether p(e^{i t}) >= 0 for all real t. Domain: p is its own reversal, so that the values are real. Errors: throws
+/// std::invalid_argument otherwise. Decided exactly: p changes sign only at zeros of odd multiplicity in x = z + 1/z.
+bool is_nonnegative_on_unit_circle(const LaurentPolynomial& p);
+
+/// The cyclotomic polynomial of this order. Domain: 1 <= order <= 10^6.
+LaurentPolynomial cyclotomic(long order);
+
+/// Euler's totient, the degree of cyclotomic(order). Domain: order >= 1.
+long totient(long order);
+
+}  // namespace subcert

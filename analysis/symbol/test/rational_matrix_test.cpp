@@ -1,0 +1,70 @@
+#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/random.hpp>
+
+using namespace subcert;
+using subcert::testing::Random;
+using subcert::testing::rounds;
+
+namespace {
+
+RationalMatrix random_matrix(Random& random, std::size_t rows, std::size_t columns) {
+  RationalMatrix m(rows, columns);
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < columns; ++j) m(i, j) = random.rational();
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("a matrix is a zero of its characteristic polynomial") {
+  Random random;
+  for (int round = 0; round < rounds(20); ++round) {
+    const auto n = static_cast<std::size_t>(random.integer(1, 5));
+    const RationalMatrix m = random_matrix(random, n, n);
+    const LaurentPolynomial p = characteristic_polynomial(m);
+    CHECK(p.highest() == static_cast<long>(n));
+    CHECK(p.coefficient(p.highest()) == 1);
+    RationalMatrix value(n, n), power_of_m = RationalMatrix::identity(n);
+    for (long k = 0; k <= static_cast<long>(n); ++k) {
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) value(i, j) += p.coefficient(k) * power_of_m(i, j);
+      power_of_m = power_of_m * m;
+    }
+    CHECK(value == RationalMatrix(n, n));
+  }
+  CHECK_THROWS_AS(characteristic_polynomial(RationalMatrix(2, 3)), std::invalid_argument);
+  CHECK_THROWS_AS(RationalMatrix(2, 3) * RationalMatrix(2, 3), std::invalid_argument);
+}
+
+TEST_CASE("the kernel is a kernel, and all of it") {
+  Random random;
+  for (int round = 0; round < rounds(30); ++round) {
+    const auto n = static_cast<std::size_t>(random.integer(1, 5)), inner = static_cast<std::size_t>(random.integer(1, 4));
+    const RationalMatrix m = random_matrix(random, n, inner) * random_matrix(random, inner, n);
+    const auto basis = kernel(m);
+    CHECK(basis.size() + std::min(n, inner) >= n);
+    for (const auto& vector : basis)
+      for (std::size_t i = 0; i < n; ++i) {
+        Rational sum = 0;
+        for (std::size_t j = 0; j < n; ++j) sum += m(i, j) * vector[j];
+        CHECK(sum == 0);
+      }
+  }
+  CHECK(kernel(RationalMatrix::identity(3)).empty());
+  CHECK(kernel(RationalMatrix(2, 2)).size() == 2);
+}
+
+TEST_CASE("the largest modulus of the zeros") {
+  // Golden ratio: z^2 - z - 1.
+  const Enclosure golden = largest_root_modulus(LaurentPolynomial({-1, -1, 1}, 0)).largest;
+  CHECK(*golden.lower * *golden.lower <= *golden.lower + 1);
+  CHECK(*golden.upper * *golden.upper >= *golden.upper + 1);
+  CHECK(*golden.upper - *golden.lower < power(Rational(2), -60));
+  // A conjugate pair of modulus 2, a double zero, factors z.
+  CHECK(largest_root_modulus(LaurentPolynomial({4, 0, 1}, 3)).largest.contains(2));
+  CHECK(largest_root_modulus(LaurentPolynomial({9, -6, 1}, 0)).largest.contains(3));
+  CHECK(largest_root_modulus(LaurentPolynomial({1, 1}, 0)).has_root_plus_or_minus_one);
+  CHECK(largest_root_modulus(LaurentPolynomial::monomial(5, 4)).largest.contains(0));
+  CHECK_THROWS_AS(largest_root_modulus(LaurentPolynomial()), std::domain_error);
+}

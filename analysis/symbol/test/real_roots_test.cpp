@@ -1,0 +1,62 @@
+#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/random.hpp>
+
+using namespace subcert;
+using subcert::testing::Random;
+using subcert::testing::rounds;
+
+namespace {
+
+/// z + 1/z - 2x: zero at z = e^{it} with cos t = x.
+LaurentPolynomial pair_at(const Rational& cosine) { return LaurentPolynomial({1, -2 * cosine, 1}, -1); }
+
+}  // namespace
+
+TEST_CASE("real zeros are counted once each") {
+  CHECK(count_real_roots(LaurentPolynomial({-2, 0, 1}, 0)) == 2);
+  CHECK(count_real_roots(LaurentPolynomial({1, 0, 1}, 0)) == 0);
+  CHECK(count_real_roots(LaurentPolynomial({1, -2, 1}, 1)) == 2);  // a double 1, and 0
+  CHECK(count_real_roots(LaurentPolynomial(7)) == 0);
+}
+
+TEST_CASE("zeros on the unit circle are decided, not sampled") {
+  Random random;
+  for (int i = 0; i < rounds(60); ++i) {
+    // Off the circle: (z - r) and reciprocal pairs with |x| > 1.
+    LaurentPolynomial p({-Rational(random.integer(2, 9)), 1}, random.integer(-3, 3));
+    p *= pair_at(Rational(random.integer(4, 9), 3));
+    CHECK_FALSE(has_root_on_unit_circle(p));
+    CHECK(has_root_on_unit_circle(p * pair_at(Rational(random.integer(-5, 5), 6))));
+    CHECK(has_root_on_unit_circle(p * LaurentPolynomial({1, random.chance(50) ? 1 : -1}, 0)));
+  }
+  // Zeros at a distance of 10^-9 from the circle are not on it.
+  CHECK_FALSE(has_root_on_unit_circle(pair_at(1 + power(Rational(10), -18))));
+  for (long order : {1, 2, 3, 7, 12, 105}) CHECK(has_root_on_unit_circle(cyclotomic(order)));
+}
+
+TEST_CASE("non-negativity on the unit circle") {
+  Random random;
+  for (int i = 0; i < rounds(60); ++i) {
+    const LaurentPolynomial q = random.nonzero_polynomial(5);
+    const LaurentPolynomial square = q * q.reversed();
+    CHECK(is_nonnegative_on_unit_circle(square));
+    CHECK_FALSE(is_nonnegative_on_unit_circle(-square));
+    const LaurentPolynomial crossing = -pair_at(Rational(random.integer(-5, 5), 6));
+    CHECK_FALSE(is_nonnegative_on_unit_circle(square * crossing));
+    CHECK(is_nonnegative_on_unit_circle(square * crossing * crossing));
+  }
+  CHECK(is_nonnegative_on_unit_circle(LaurentPolynomial({1, 2, 1}, -1)));  // touches 0 at -1
+  CHECK_FALSE(is_nonnegative_on_unit_circle(LaurentPolynomial({1, 2 - power(Rational(10), -20), 1}, -1)));
+  CHECK(is_nonnegative_on_unit_circle(LaurentPolynomial()));
+  CHECK_THROWS_AS(is_nonnegative_on_unit_circle(LaurentPolynomial({1, 2}, 0)), std::invalid_argument);
+}
+
+TEST_CASE("cyclotomic polynomials") {
+  LaurentPolynomial product(1);
+  for (long d : {1, 2, 3, 4, 6, 12}) product *= cyclotomic(d);
+  CHECK(product == LaurentPolynomial::monomial(1, 12) - LaurentPolynomial(1));
+  for (long n = 1; n <= 60; ++n) CHECK(cyclotomic(n).highest() == totient(n));
+  CHECK_THROWS_AS(cyclotomic(0), std::invalid_argument);
+  CHECK_THROWS_AS(totient(0), std::invalid_argument);
+}

@@ -1,0 +1,117 @@
+// Symbols, masks, level norms and limit values. Ratios are read within one run: BM_plain_convolution is the way that
+// the level norms are compared with.
+
+#include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/difference/level_norms.hpp>
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/variance/variance.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+using namespace subcert;
+
+LaurentPolynomial random_polynomial(long length, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_int_distribution<long> digit(-999, 999);
+  std::vector<Rational> coefficients;
+  for (long i = 0; i < length; ++i) coefficients.emplace_back(2 * digit(engine) + 1, 360);
+  return LaurentPolynomial(coefficients, -length / 2);
+}
+
+void BM_product(benchmark::State& state) {
+  const LaurentPolynomial p = random_polynomial(state.range(0), 1), q = random_polynomial(state.range(0), 2);
+  for (auto _ : state) benchmark::DoNotOptimize(p * q);
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_product)->RangeMultiplier(4)->Range(16, 16384)->Complexity();
+
+void BM_mask(benchmark::State& state) {
+  const std::string text = "primal:n=" + std::to_string(state.range(0)) + ",d=" + std::to_string(state.range(1));
+  for (auto _ : state) benchmark::DoNotOptimize(make_scheme(text));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_mask)->Args({50, 1})->Args({50, 3})->Args({50, 9})->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_mask)->ArgsProduct({{10, 20, 40, 80, 160}, {5}})->Complexity()->Unit(benchmark::kMillisecond);
+
+Mask derived(const std::string& specification) {
+  const Mask mask = make_scheme(specification).mask;
+  return divided_difference_scheme(mask, sum_rules(mask));
+}
+
+std::vector<Mask> degree_one_schemes() {
+  std::vector<Mask> masks;
+  for (const char* family : {"primal", "dual", "primal-odd", "dual-odd"})
+    for (int n = std::string(family).find("odd") == std::string::npos ? 2 : 1; n <= 10; ++n)
+      masks.push_back(derived(std::string(family) + ":n=" + std::to_string(n)));
+  return masks;
+}
+
+/// Exact norms of the levels 1, ..., 16 of all 38 degree-1 schemes with n <= 10.
+void BM_level_norms_38_schemes(benchmark::State& state) {
+  const std::vector<Mask> masks = degree_one_schemes();
+  std::uint64_t visited = 0, exact = 0;
+  for (auto _ : state) {
+    visited = exact = 0;
+    for (const Mask& mask : masks) {
+      const LevelNorms result = level_norms(mask, 16);
+      visited += result.visited;
+      exact += result.exact;
+    }
+  }
+  state.counters["nodes"] = static_cast<double>(visited);
+  state.counters["exact_sums"] = static_cast<double>(exact);
+}
+BENCHMARK(BM_level_norms_38_schemes)->Unit(benchmark::kSecond)->Iterations(1);
+
+/// The plain way for level 16 alone: convolve the whole symbol in double precision, then sum over residues.
+double plain_norm(const std::vector<double>& b, int levels) {
+  std::vector<double> power_of_b{1.0};
+  for (int level = 0; level < levels; ++level) {
+    std::vector<double> next(2 * (power_of_b.size() - 1) + b.size(), 0.0);
+    for (std::size_t i = 0; i < power_of_b.size(); ++i)
+      for (std::size_t j = 0; j < b.size(); ++j) next[2 * i + j] += power_of_b[i] * b[j];
+    power_of_b = std::move(next);
+  }
+  std::vector<double> sums(std::size_t{1} << levels, 0.0);
+  for (std::size_t i = 0; i < power_of_b.size(); ++i) sums[i & (sums.size() - 1)] += std::abs(power_of_b[i]);
+  return *std::max_element(sums.begin(), sums.end());
+}
+
+void BM_plain_convolution_38_schemes(benchmark::State& state) {
+  std::vector<std::vector<double>> masks;
+  for (const Mask& mask : degree_one_schemes()) {
+    masks.emplace_back();
+    for (const Rational& c : mask.symbol().coefficients()) masks.back().push_back(c.convert_to<double>());
+  }
+  for (auto _ : state)
+    for (const auto& b : masks) benchmark::DoNotOptimize(plain_norm(b, 16));
+}
+BENCHMARK(BM_plain_convolution_38_schemes)->Unit(benchmark::kSecond)->Iterations(1);
+
+void BM_level_norms(benchmark::State& state) {
+  const Mask mask = derived("primal:n=" + std::to_string(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(level_norms(mask, static_cast<int>(state.range(1))));
+}
+BENCHMARK(BM_level_norms)->ArgsProduct({{3, 5, 10}, {8, 12, 16}})->Unit(benchmark::kMillisecond);
+
+void BM_limit_values(benchmark::State& state) {
+  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0))).mask;
+  for (auto _ : state) benchmark::DoNotOptimize(limit_values(mask, static_cast<int>(state.range(1))));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_limit_values)->ArgsProduct({{5, 10, 20, 40}, {0}})->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_limit_values)->ArgsProduct({{5}, {4, 6, 8, 10}})->Unit(benchmark::kMillisecond);
+
+void BM_variance_grid(benchmark::State& state) {
+  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=3").mask;
+  for (auto _ : state) benchmark::DoNotOptimize(variance_grid(mask, 7, true));
+}
+BENCHMARK(BM_variance_grid)->Arg(3)->Arg(7)->Unit(benchmark::kMillisecond);
+
+}  // namespace

@@ -1,0 +1,153 @@
+#include <subcert/cmake/catch.hpp>
+
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Run {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+std::string read(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// Runs the program with these arguments, given as a shell would read them.
+Run run(const std::string& arguments) {
+  const fs::path errors = fs::temp_directory_path() / ("subcert-cli-test-" + std::to_string(getpid()) + ".err");
+  const std::string command = std::string(SUBCERT_PROGRAM) + " " + arguments + " 2>" + errors.string();
+  FILE* pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  Run result;
+  char buffer[4096];
+  for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) result.out.append(buffer, n);
+  const int status = pclose(pipe);
+  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + status;
+  result.err = read(errors);
+  fs::remove(errors);
+  return result;
+}
+
+nlohmann::json run_json(const std::string& arguments, int code = 0) {
+  const Run result = run(arguments + " --json");
+  CAPTURE(arguments, result.err);
+  REQUIRE(result.code == code);
+  CHECK(result.err.empty());
+  return nlohmann::json::parse(result.out);
+}
+
+/// Compares with an approved file; SUBCERT_APPROVE=1 in the environment writes it instead.
+void check_baseline(const std::string& name, const std::string& arguments) {
+  const Run result = run(arguments);
+  CAPTURE(arguments, result.err);
+  CHECK(result.code == 0);
+  const fs::path file = fs::path(SUBCERT_BASELINES) / name;
+  if (std::getenv("SUBCERT_APPROVE")) std::ofstream(file, std::ios::binary) << result.out;
+  CHECK(result.out == read(file));
+}
+
+}  // namespace
+
+TEST_CASE("approved output") {
+  check_baseline("mask-dual-odd.txt", "mask 'dual-odd:n=2'");
+  check_baseline("mask-ary.txt", "mask 'ary:a=3,points=4,d=3'");
+  check_baseline("mask-primal.json", "mask 'primal:n=3' --json");
+  check_baseline("analyze-chaikin.txt", "analyze 'mask:[1,3,3,1]/4'");
+  check_baseline("analyze-dd.txt", "analyze dd:n=2");
+  check_baseline("analyze-divergent.txt", "analyze 'mask:[1,1]'");
+  check_baseline("limit-primal.json", "limit 'primal:n=2' --level 3 --json");
+  check_baseline("regularity-dual.txt", "regularity dual:n=2");
+  check_baseline("variance-primal.txt", "variance primal:n=5");
+}
+
+TEST_CASE("the fields of the contract") {
+  const auto mask = run_json("mask 'dual:n=2'");
+  CHECK(mask.at("first_index") == -4);
+  CHECK(mask.at("coefficients").size() == 8);
+  CHECK(mask.at("coefficients").at(0) == "7/40");
+  CHECK(mask.at("support").at("upper") == "3");
+
+  const auto limit = run_json("limit 'primal:n=2' --level 0");
+  CHECK(limit.at("first_index") == -3);
+  CHECK(limit.at("values").at(3) == "9/31");
+
+  const auto regularity = run_json("regularity 'dual:n=7' --levels 16");
+  CHECK(regularity.at("sum_rules") == 3);
+  CHECK(regularity.at("bound").at("levels") == 16);
+  CHECK(regularity.at("bound").at("norm").is_string());
+  CHECK(regularity.at("bound").at("holder").at("lower").get<std::string>().substr(0, 5) == "2.633");
+  CHECK(regularity.at("exact") == false);
+  CHECK(regularity.at("stable") == false);
+
+  const auto variance = run_json("variance primal:n=1");
+  CHECK(variance.at("mean") == "2/3");
+  CHECK(variance.at("sup").at("lower") == "1");
+  CHECK(variance.at("sup").at("upper") == "1");
+  CHECK(variance.at("inf").at("upper") == "0.5");
+
+  const auto reproduce = run_json("reproduce dyn-2015 --only table1,table2");
+  CHECK(reproduce.at("comparisons").size() == 18);
+  for (const auto& comparison : reproduce.at("comparisons")) CHECK(comparison.at("verdict") == "match");
+}
+
+TEST_CASE("wrong usage is one line and exit code 64") {
+  for (const char* arguments :
+       {"", "nonsense", "mask", "mask nobody:n=3", "mask primal:n=100000", "mask primal:n=3,n=3", "mask 'mask:[1,1]/0'",
+        "mask 'mask:[1,3,3,2]/4'", "mask primal:n=3 --nonsense", "mask primal:n=3 extra", "limit primal:n=2 --level -1",
+        "limit primal:n=2 --level 50", "limit primal:n=2000", "regularity dual:n=2 --levels 0",
+        "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "reproduce nobody-1900",
+        "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "analyze $'mask:[1,\\n]'"}) {
+    const Run result = run(arguments);
+    CAPTURE(arguments, result.out, result.err);
+    CHECK(result.code == 64);
+    CHECK(result.out.empty());
+    CHECK(result.err.substr(0, 9) == "subcert: ");
+    CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+  }
+  CHECK(run("mask primal:m=3").err ==
+        "subcert: scheme specification, position 11: 'primal'; expected the key 'n', as in primal:n=3,d=1\n");
+}
+
+TEST_CASE("verdicts have exit codes of their own") {
+  CHECK(run("limit 'mask:[1,1]'").code == 1);
+  CHECK(run("regularity 'mask:[1,1]'").code == 1);
+  CHECK(run("variance 'mask:[1,0,0,1]'").code == 1);
+  CHECK(run("limit dd:n=2 --derivative 2").code == 2);
+  CHECK(run("regularity primal:n=300 --budget 0.01").code == 2);
+}
+
+TEST_CASE("help names an example in every subcommand") {
+  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "limit", "variance"}) {
+    const Run result = run(std::string(command) + " --help");
+    CAPTURE(command);
+    CHECK(result.code == 0);
+    CHECK(result.out.find("Example:\n  subcert " + std::string(command)) != std::string::npos);
+  }
+  CHECK(run("--version").out.substr(0, 8) == "subcert ");
+}
+
+TEST_CASE("answers go to a file when asked") {
+  const fs::path file = fs::temp_directory_path() / ("subcert-cli-test-" + std::to_string(getpid()) + ".txt");
+  const Run result = run("mask dual:n=1 --out " + file.string());
+  CHECK(result.code == 0);
+  CHECK(result.out.empty());
+  CHECK(read(file) == "[1,3,3,1]/4@-2\n");
+  fs::remove(file);
+  CHECK(run("mask dual:n=1 --out /proc/nowhere/file").code == 70);
+}

@@ -1,0 +1,55 @@
+#pragma once
+// Random exact inputs for tests, biased to corners. SUBCERT_TEST_EFFORT scales the number of rounds, SUBCERT_TEST_SEED
+// changes the inputs; both default to 1.
+
+#include <subcert/analysis/symbol/laurent_polynomial.hpp>
+
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace subcert::testing {
+
+inline unsigned long from_environment(const char* name) {
+  const char* text = std::getenv(name);
+  return text ? std::strtoul(text, nullptr, 10) : 1;
+}
+
+inline int rounds(int base) { return base * static_cast<int>(from_environment("SUBCERT_TEST_EFFORT")); }
+
+class Random {
+ public:
+  Random() : engine_(from_environment("SUBCERT_TEST_SEED")) {}
+
+  long integer(long low, long high) { return std::uniform_int_distribution<long>(low, high)(engine_); }
+  bool chance(int percent) { return integer(1, 100) <= percent; }
+
+  Rational rational() {
+    if (chance(15)) return 0;
+    if (chance(15)) return chance(50) ? 1 : -1;
+    if (chance(10)) return power(Rational(integer(2, 9), integer(10, 19)), integer(-60, 60));
+    return Rational(integer(-30, 30), integer(1, 12));
+  }
+  Rational nonzero() {
+    for (;;)
+      if (const Rational value = rational(); value != 0) return value;
+  }
+
+  LaurentPolynomial polynomial(long most = 8) {
+    if (chance(8)) return {};
+    std::vector<Rational> coefficients;
+    const long count = chance(15) ? 1 : integer(1, most);
+    for (long i = 0; i < count; ++i) coefficients.push_back(rational());
+    return LaurentPolynomial(coefficients, integer(-6, 6));
+  }
+  LaurentPolynomial nonzero_polynomial(long most = 8) {
+    for (;;)
+      if (LaurentPolynomial p = polynomial(most); !p.is_zero()) return p;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace subcert::testing

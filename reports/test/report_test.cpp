@@ -1,0 +1,111 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/reports/files.hpp>
+#include <subcert/reports/published.hpp>
+#include <subcert/reports/report.hpp>
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+using namespace subcert;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string content(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  REQUIRE(stream);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("subcert-report-test-" + std::to_string(getpid()));
+  Folder() { fs::remove_all(path); }
+  ~Folder() { fs::remove_all(path); }
+};
+
+}  // namespace
+
+TEST_CASE("the published data are complete and well formed") {
+  const PublishedPaper paper = published_paper("dyn-2015");
+  CHECK(paper.table("masks").cells.size() == 12);
+  CHECK(paper.table("table1").cells.size() == 9);
+  CHECK(paper.table("table2").cells.size() == 9);
+  CHECK(paper.table("table3").cells.size() == 44);
+  for (const PublishedTable& table : paper.tables) {
+    std::set<std::string> places;
+    for (const PublishedCell& cell : table.cells) {
+      CAPTURE(table.id, cell.row, cell.column);
+      CHECK(places.insert(cell.row + "|" + cell.column).second);
+      CHECK(!cell.printed.empty());
+    }
+  }
+  CHECK_THROWS_AS(paper.table("table4"), std::out_of_range);
+  CHECK_THROWS_AS(published_paper("nobody-1900"), std::out_of_range);
+}
+
+TEST_CASE("every verdict on Dyn et al. is the recorded one") {
+  const Report report = make_report("dyn-2015", {{"masks", "supports", "table1", "table2", "table3"}, 2, {}});
+  for (const ComparisonTable* table : report.comparison_tables())
+    for (const Comparison& c : table->comparisons) {
+      CAPTURE(table->id, c.cell(), c.printed, c.computed_text());
+      CHECK(to_text(c.verdict) == to_text(c.recorded));
+      // Tables 1 and 2 agree in every printed digit, rounded to nearest.
+      if (table->id == "table1" || table->id == "table2")
+        CHECK(to_fixed(*std::get<Enclosure>(c.computed).lower, 3, Rounding::nearest) == c.printed);
+    }
+  CHECK(report.as_recorded());
+}
+
+TEST_CASE("a changed verdict is noticed") {
+  Report report = make_report("dyn-2015", {{"supports"}, 1, {}});
+  REQUIRE(report.as_recorded());
+  report.sections.front().comparisons.front().comparisons.front().verdict = Verdict::open;
+  CHECK_FALSE(report.as_recorded());
+}
+
+TEST_CASE("unknown papers and items are refused") {
+  CHECK_THROWS_AS(make_report("nobody-1900", {}), std::out_of_range);
+  CHECK_THROWS_AS(make_report("dyn-2015", {{"table9"}, 1, {}}), std::out_of_range);
+}
+
+TEST_CASE("a report is written whole, in every format") {
+  const Folder folder;
+  const Report report = make_report("dyn-2015", {{"masks", "table1", "levels"}, 2, {}});
+  write_reports({report}, folder.path);
+  const fs::path inside = folder.path / "dyn-2015";
+  for (const char* name : {"masks", "table1", "levels"})
+    for (const char* ending : {".csv", ".json", ".tex"}) {
+      CAPTURE(name, ending);
+      CHECK(fs::file_size(inside / (std::string(name) + ending)) > 100);
+    }
+  CHECK(content(inside / "levels-plot.svg").find("</svg>") != std::string::npos);
+  CHECK(content(inside / "levels-plot.png").substr(1, 3) == "PNG");
+  const std::string page = content(folder.path / "index.html");
+  CHECK(page.find("1.649") != std::string::npos);
+  CHECK(page.substr(page.size() - 8) == "</html>\n");
+  const auto json = nlohmann::json::parse(content(inside / "table1.json"));
+  CHECK(json.at("comparisons").size() == 9);
+  CHECK(json.at("comparisons").at(0).at("computed").at("lower").is_string());
+  CHECK(content(inside / "table1.tex").find("\\bottomrule") != std::string::npos);
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path))
+    CHECK(entry.path().string().find(".part") == std::string::npos);
+}
+
+TEST_CASE("a failed write leaves the old file and nothing else") {
+  const Folder folder;
+  write_file(folder.path / "a.txt", "old");
+  CHECK_THROWS(write_file_with(folder.path / "a.txt", [](const fs::path& temporary) {
+    std::ofstream(temporary) << "half";
+    throw std::runtime_error("stop");
+  }));
+  CHECK(content(folder.path / "a.txt") == "old");
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+  CHECK_THROWS_AS(write_file("/proc/no/such/place", "x"), std::runtime_error);
+}

@@ -1,0 +1,116 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <fstream>
+
+using namespace subcert;
+
+namespace {
+
+/// \xHH and \\ in the data file stand for bytes that a line cannot hold; *N repeats the line's text N times.
+std::string unescaped(const std::string& line) {
+  std::string result;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '\\' && i + 3 < line.size() && line[i + 1] == 'x') {
+      result += static_cast<char>(std::stoi(line.substr(i + 2, 2), nullptr, 16));
+      i += 3;
+    } else {
+      result += line[i];
+    }
+  }
+  return result;
+}
+
+void check_refused(const std::string& text) {
+  CAPTURE(text);
+  try {
+    const Scheme scheme = make_scheme(text);
+    FAIL_CHECK("accepted as " << scheme.specification);
+  } catch (const SpecificationError& error) {
+    CHECK(error.position() >= 1);
+    CHECK(error.position() <= text.size() + 1);
+    CHECK(!error.expected().empty());
+    const std::string message = error.what();
+    CHECK(message.size() < 1000);
+    for (char c : message) CHECK((c >= ' ' && c <= '~'));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("malformed specifications are refused, with position") {
+  std::ifstream file(std::string(SUBCERT_TEST_DATA) + "/malformed_specifications.txt");
+  REQUIRE(file);
+  int count = 0;
+  for (std::string line; std::getline(file, line); ++count) check_refused(unescaped(line));
+  CHECK(count >= 200);
+  check_refused(std::string(2'000'000, '['));
+  check_refused("mask:[" + std::string(100'000, '1') + "]");
+  std::string many = "mask:[1";
+  for (int i = 0; i < 50'000; ++i) many += ",0";
+  check_refused(many + "]");
+  check_refused("regression:stencils=" + std::string(50'000, '(') + ",at=[0;1]");
+}
+
+TEST_CASE("every prefix and every single change of a specification is read or refused") {
+  for (const std::string valid : {"primal:n=3,d=1", "mask:[1,3,3,1]/4@-2,arity=2", "four-point:w=1/16",
+                                  "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[1;2;1|1;2;2;1],first=-1"}) {
+    const auto attempt = [](const std::string& text) {
+      try {
+        (void)make_scheme(text);
+      } catch (const SpecificationError&) {
+      }
+    };
+    for (std::size_t i = 0; i < valid.size(); ++i) {
+      attempt(valid.substr(0, i));
+      std::string changed = valid;
+      for (char c : {'0', '9', '-', ',', ';', '[', ']', '=', '/', ':', '.', '\0', '\xff'}) {
+        changed[i] = c;
+        attempt(changed);
+      }
+    }
+  }
+}
+
+TEST_CASE("a canonical specification reads as itself") {
+  for (const char* text :
+       {"primal:n=3", "primal:d=3,n=2", "primal:n=1,d=0", "primal:n=50,d=9", "dual:n=3", "primal-odd:n=2,d=2",
+        "dual-odd:n=4,d=3", "dual:n=2,d=99", "ary:a=3,points=4,d=3", "ary:a=4,points=5", "dd:n=3", "bspline:degree=3",
+        "bspline:degree=2,a=3", "four-point:w=1/16", "four-point:w=-2/40", "four-point:w=0", "mask:[1,3,3,1]/4",
+        "mask:[1/4,3/4,3/4,1/4]@7", "mask:[0,1,2,1,0]/2", "mask:[1,2,3,2,1]/3,arity=3", "mask:[+1,1]@-0",
+        "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
+        "regression:at=[0;1/2],stencils=[-1..1;-1..2],weights=[1;2;1|1;2;2;1],first=-1"}) {
+    const Scheme once = make_scheme(text), twice = make_scheme(once.specification);
+    CAPTURE(text, once.specification);
+    CHECK(twice.specification == once.specification);
+    CHECK(twice.mask == once.mask);
+    CHECK(!once.title.empty());
+  }
+  CHECK(make_scheme("primal:n=3").specification == "primal:n=3,d=1");
+  CHECK(make_scheme("mask:[1,3,3,1]/4").specification == "mask:[1,3,3,1]/4@-2");
+  CHECK(make_scheme("bspline:degree=3,a=2").specification == "bspline:degree=3");
+}
+
+TEST_CASE("families agree where they should") {
+  for (int n = 1; n <= 4; ++n) {
+    const std::string number = std::to_string(n), even = std::to_string(2 * n), odd = std::to_string(2 * n + 1);
+    CHECK(make_scheme("dual:n=" + number).mask == make_scheme("ary:a=2,points=" + even).mask);
+    CHECK(make_scheme("dual-odd:n=" + number).mask == make_scheme("ary:a=2,points=" + odd).mask);
+    CHECK(make_scheme("dd:n=" + number).mask == make_scheme("primal:n=" + number + ",d=" + std::to_string(2 * n - 1)).mask);
+  }
+  CHECK(make_scheme("four-point:w=1/16").mask == make_scheme("dd:n=2").mask);
+  CHECK(make_scheme("bspline:degree=2").mask == make_scheme("dual:n=1").mask);
+  CHECK(make_scheme("regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1").mask == make_scheme("primal:n=2").mask);
+  for (const FamilyHelp& family : families()) CHECK_NOTHROW(make_scheme(family.usage));
+}
+
+TEST_CASE("the error says what, where and what would be right") {
+  try {
+    (void)make_scheme("dual:n=3,m=2");
+    FAIL("accepted");
+  } catch (const SpecificationError& error) {
+    CHECK(error.token() == "m");
+    CHECK(error.position() == 10);
+    CHECK(error.expected() == "a key of dual:n=3,d=1");
+  }
+}

@@ -5,12 +5,24 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <sstream>
 #include <thread>
 
 namespace subcert::cli {
 
 int exit_code = done;
+
+std::string read_file(const std::string& path) {
+  if (!std::filesystem::exists(path)) throw DataError(path + ": no such file", missing_file);
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream || std::filesystem::is_directory(path)) throw DataError(path + ": cannot be read", bad_data);
+  return text.str();
+}
 
 int CommonOptions::threads() const {
   return jobs > 0 ? jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

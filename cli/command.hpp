@@ -18,6 +18,15 @@ using Json = nlohmann::ordered_json;
 
 enum ExitCode { done = 0, failed = 1, undecided = 2, usage = 64, bad_data = 65, missing_file = 66, internal = 70 };
 
+/// A data file that cannot be read; exit 65, or 66 where it is not there.
+struct DataError : std::runtime_error {
+  DataError(const std::string& message, ExitCode exit) : std::runtime_error(message), code(exit) {}
+  ExitCode code;
+};
+
+/// The content of a file. Errors: throws DataError.
+std::string read_file(const std::string& path);
+
 /// A wrong use that the option parser cannot see; exit 64.
 struct UsageError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
@@ -61,5 +70,7 @@ void add_regularity(CLI::App& app);
 void add_limit(CLI::App& app);
 void add_variance(CLI::App& app);
 void add_reproduce(CLI::App& app);
+void add_jsr(CLI::App& app);
+void add_verify(CLI::App& app);
 
 }  // namespace subcert::cli

@@ -3,7 +3,9 @@
 #include "command.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/regularity/holder_bound.hpp>
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/reports/files.hpp>
 
 #include <chrono>
 #include <sstream>
@@ -13,70 +15,132 @@ namespace {
 
 struct RegularityOptions : CommonOptions {
   std::string scheme;
+  std::string certificate;
   int levels = 16;
   double budget = 60;
 };
 
-int run(const RegularityOptions& options) {
+std::string method_text(const JointSpectralRadius& radius) {
+  return radius.method == JsrMethod::invariant_polytope ? "invariant polytope" : "norms of the difference scheme";
+}
+
+std::string word_text(const std::vector<int>& word) {
+  std::string text;
+  for (int letter : word) text += (letter > 9 && !text.empty() ? "," : "") + std::to_string(letter);
+  return text;
+}
+
+/// Everything the command prints.
+struct Answer {
+  Scheme scheme;
+  HolderRegularity regularity;
+  Decision convergence;
+  Enclosure holder;
+  bool complete;
+  double seconds;
+
+  int code() const {
+    if (convergence.is_no()) return failed;
+    return convergence.is_yes() && complete ? done : undecided;
+  }
+};
+
+Answer compute(const RegularityOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const Scheme scheme = make_scheme(options.scheme);
-  options.progress("norms of the difference scheme");
-  const HolderBounds bounds = holder_bounds(scheme.mask, options.levels, options.budget);
+  Scheme scheme = make_scheme(options.scheme);
+  options.progress("norms, products and polytopes");
+  HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, options.budget);
   options.end_progress();
-  const bool complete = static_cast<int>(bounds.levels.size()) == options.levels;
-  const HolderBound& last = bounds.last();
-  const HolderBound& best = bounds.best();
   // A bound that is not positive proves nothing, not even convergence.
-  const bool proves = *best.exponent.lower > 0;
-  const Decision convergence = proves ? Decision{Truth::yes, "the bound is positive"}
-                                      : converges(scheme.mask, {options.levels, options.budget});
+  const bool proves = *regularity.exponent.lower > 0;
+  Decision convergence = proves ? Decision{Truth::yes, "the exponent is positive"}
+                                : converges(scheme.mask, {options.levels, options.budget});
   Enclosure holder;
   if (proves)
-    holder = Enclosure::at_least(*best.exponent.lower);
+    holder = regularity.exponent;
   else if (convergence.is_yes())
-    holder = Enclosure::at_least(0);
+    holder = {0, regularity.exponent.upper};
+  const bool complete = regularity.radius.closed;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const int code = convergence.is_no() ? failed : (convergence.is_yes() && complete) ? done : undecided;
+  return {std::move(scheme), std::move(regularity), std::move(convergence), holder, complete, seconds};
+}
 
-  if (options.json) {
-    Json by_level = Json::array();
-    for (const HolderBound& bound : bounds.levels) by_level.push_back(bound.exponent.lower_text(12));
-    options.answer(Json{{"scheme", scheme.specification},
-                        {"sum_rules", bounds.sum_rules},
-                        {"bound", {{"levels", last.levels}, {"norm", to_text(last.norm)}, {"holder", enclosure_json(last.exponent)}}},
-                        {"bounds_by_level", by_level},
-                        {"converges", to_text(convergence.truth)},
-                        {"holder", enclosure_json(holder)},
-                        {"exact", false},
-                        {"method", "norms of the difference scheme"},
-                        {"stable", false},
-                        {"seconds", seconds}});
-    return code;
-  }
+Json to_json(const Answer& answer) {
+  const HolderBounds& bounds = answer.regularity.bounds;
+  const JointSpectralRadius& radius = answer.regularity.radius;
+  Json by_level = Json::array();
+  for (const HolderBound& bound : bounds.levels) by_level.push_back(bound.exponent.lower_text(12));
+  const HolderBound& last = bounds.last();
+  return {{"scheme", answer.scheme.specification},
+          {"sum_rules", bounds.sum_rules},
+          {"bound", {{"levels", last.levels}, {"norm", to_text(last.norm)}, {"holder", enclosure_json(last.exponent)}}},
+          {"bounds_by_level", by_level},
+          {"converges", to_text(answer.convergence.truth)},
+          {"radius", enclosure_json(radius.radius)},
+          {"holder", enclosure_json(answer.holder)},
+          {"exact", false},
+          {"closed", radius.closed},
+          {"method", method_text(radius)},
+          {"product", word_text(radius.product.word)},
+          {"vertices", radius.vertices},
+          {"stable", answer.regularity.stable.is_yes() && answer.holder.upper.has_value()},
+          {"stability", answer.regularity.stable.reason},
+          {"seconds", answer.seconds}};
+}
+
+std::string to_text(const Answer& answer) {
+  const HolderBounds& bounds = answer.regularity.bounds;
+  const JointSpectralRadius& radius = answer.regularity.radius;
+  const HolderBound& last = bounds.last();
   std::ostringstream text;
-  text << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
+  text << "scheme       " << answer.scheme.specification << "  (" << answer.scheme.title << ")\n"
        << "sum rules    " << bounds.sum_rules << "\n"
-       << "levels       bound for the Hoelder exponent\n";
-  for (const HolderBound& bound : bounds.levels)
-    text << (bound.levels < 10 ? "         " : "        ") << bound.levels << "   " << enclosure_text(bound.exponent) << "\n";
-  text << "norm         ||S_b^" << last.levels << "|| = " << to_text(last.norm) << "\n"
-       << "converges    " << to_text(convergence.truth) << ": " << convergence.reason << "\n"
-       << "exponent     " << enclosure_text(holder) << "  (a lower bound; the exact exponent is not computed)\n";
-  if (!complete) text << "budget       spent after " << last.levels << " of " << options.levels << " levels\n";
-  options.answer(text.str());
-  return code;
+       << "converges    " << subcert::to_text(answer.convergence.truth) << ": " << answer.convergence.reason << "\n"
+       << "bound        >= " << last.exponent.lower_text(12) << " after " << last.levels << " levels; ||S_b^"
+       << last.levels << "|| = " << to_decimal(last.norm, 12, Rounding::nearest) << "\n"
+       << "radius       " << enclosure_text(radius.radius, 15) << "  (joint spectral radius, " << method_text(radius);
+  if (radius.vertices > 0) text << " with " << radius.vertices << (radius.vertices == 1 ? " vertex" : " vertices");
+  text << ")\n";
+  if (!radius.product.word.empty())
+    text << "product      " << word_text(radius.product.word) << "  (radius "
+         << enclosure_text(radius.product.radius, 15) << ")\n";
+  text << "stable       " << subcert::to_text(answer.regularity.stable.truth) << ": " << answer.regularity.stable.reason << "\n"
+       << "exponent     " << enclosure_text(answer.holder, 14) << "  (";
+  if (!answer.holder.upper)
+    text << "a proved lower bound)\n";
+  else if (radius.closed)
+    text << "enclosed with proof, " << answer.holder.lower_text(17) << " ... " << answer.holder.upper_text(17) << ")\n";
+  else
+    text << "enclosed with proof)\n";
+  if (!answer.complete) text << "budget       the polytope did not close; the enclosure reached is printed\n";
+  return text.str();
+}
+
+int run(const RegularityOptions& options) {
+  const Answer answer = compute(options);
+  if (!options.certificate.empty()) {
+    if (!(*answer.regularity.exponent.lower > 0))
+      throw UsageError("--certificate: nothing positive is proved about " + answer.scheme.specification);
+    write_file(options.certificate, exponent_certificate(answer.scheme.mask, answer.regularity).text);
+  }
+  if (options.json)
+    options.answer(to_json(answer));
+  else
+    options.answer(to_text(answer));
+  return answer.code();
 }
 
 }  // namespace
 
 void add_regularity(CLI::App& app) {
   auto options = std::make_shared<RegularityOptions>();
-  CLI::App& command = add_command(app, "regularity", "Proved bounds of the Hoelder exponent",
-                                  "subcert regularity dual:n=7 --levels 16", options, [=] { return run(*options); });
+  CLI::App& command = add_command(app, "regularity", "The Hoelder exponent, enclosed with proof",
+                                  "subcert regularity primal:n=5 --certificate s5.cert", options, [=] { return run(*options); });
   command.add_option("--levels", options->levels, "Levels of the difference scheme")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   command.add_option("--budget", options->budget, "Seconds")->check(CLI::Range(0.001, 1e6))->capture_default_str();
+  command.add_option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
   add_scheme(command, options->scheme);
 }
 

@@ -29,6 +29,8 @@ int main(int argc, char** argv) {
   cli::add_analyze(app);
   cli::add_mask(app);
   cli::add_regularity(app);
+  cli::add_jsr(app);
+  cli::add_verify(app);
   cli::add_limit(app);
   cli::add_variance(app);
   try {
@@ -42,6 +44,8 @@ int main(int argc, char** argv) {
     return complain(error.what(), cli::usage);
   } catch (const cli::UsageError& error) {
     return complain(error.what(), cli::usage);
+  } catch (const cli::DataError& error) {
+    return complain(error.what(), error.code);
   } catch (const std::length_error& error) {
     return complain(error.what(), cli::usage);
   } catch (const std::bad_alloc&) {

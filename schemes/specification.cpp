@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t max_text = 30'000;  // also bounds the digits that a common denominator can gather
 constexpr long max_points = 4096;
 constexpr long max_work = 200'000;  // points * degree: keeps every accepted mask within seconds
+constexpr long max_long_work = 1'000'000;  // points * degree^2 * digits, for weighted fits and long positions
 constexpr long max_arity = 64;
 
 /// A piece of the specification and where it begins (0-based).
@@ -189,6 +190,16 @@ std::vector<Piece> read_list(const Piece& piece, char separator) {
   return split({piece.text.substr(1, piece.text.size() - 2), piece.at + 1}, separator);
 }
 
+/// The length of the longest number in a list printed with ';' and '|'.
+std::size_t longest_entry(const std::string& list) {
+  std::size_t longest = 0, current = 0;
+  for (char c : list) {
+    current = c == ';' || c == '|' ? 0 : current + 1;
+    longest = std::max(longest, current);
+  }
+  return longest;
+}
+
 /// f'_{a i + k} = the fit on the k-th stencil, evaluated at the k-th position.
 Scheme make_regression(Fields& fields) {
   LocalRegression scheme{{}, 1};
@@ -235,6 +246,11 @@ Scheme make_regression(Fields& fields) {
     }
   }
   scheme.degree = static_cast<int>(read_degree(fields, points));
+  // Long numbers make long masks: their digits multiply with the degree.
+  const std::size_t digits = std::max(longest_entry(positions), longest_entry(weights));
+  const long effective = std::min<long>(scheme.degree, points - 1);
+  if ((!weights.empty() || digits > 6) && points * effective * effective * static_cast<long>(digits) > max_long_work)
+    fail(stencils_piece, "points * d^2 * (digits of the longest position or weight) <= " + number(max_long_work));
   if (const auto piece = fields.optional("first"))
     scheme.first_output = read_integer(*piece, "first", -max_points, max_points);
   fields.finish();

@@ -101,9 +101,14 @@ std::string to_decimal(const Rational& value, int digits, Rounding rounding) {
   if (digits < 1 || digits > static_cast<int>(max_digits))
     throw std::invalid_argument("to_decimal: need 1 <= digits <= 10000, got " + std::to_string(digits));
   if (value == 0) return "0";
-  const long exponent = decimal_exponent(value);
-  const long shift = digits - 1 - exponent;
-  const Integer scaled = to_integer(value * power(Rational(10), shift), rounding);
+  long exponent = decimal_exponent(value);
+  long shift = digits - 1 - exponent;
+  Integer scaled = to_integer(value * power(Rational(10), shift), rounding);
+  if (abs(scaled) == power_of_ten(digits)) {  // 9.99 was rounded to 10.0
+    scaled /= 10;
+    ++exponent;
+    --shift;
+  }
   if (exponent >= -7 && exponent <= 20) {
     std::string text = shift >= 0 ? place_point(scaled.str(), shift) : Integer(scaled * power_of_ten(-shift)).str();
     drop_trailing_zeros(text);

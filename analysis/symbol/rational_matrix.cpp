@@ -108,7 +108,7 @@ RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {
     fmpz_poly_set_coeff_fmpz(polynomial, index++, flint::Whole(c).get());
   const slong count = fmpz_poly_degree(polynomial);
   acb_ptr roots = _acb_vec_init(count);
-  arb_fmpz_poly_complex_roots(roots, polynomial, 0, bits);
+  arb_fmpz_poly_complex_roots(roots, polynomial, 0, bits + 8);  // the radius, not the width, is held to these bits
   flint::Ball modulus;
   for (slong i = 0; i < count; ++i) {
     acb_abs(modulus.get(), roots + i, bits + 32);

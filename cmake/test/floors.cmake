@@ -27,8 +27,9 @@ endfunction()
 may_use(analysis/symbol)
 may_use(analysis analysis/symbol)
 may_use(schemes analysis/symbol)
-may_use(reports analysis schemes)
-may_use(cli analysis schemes reports)
+may_use(reports analysis schemes proofs-checks)
+may_use(proofs-checks analysis schemes)
+may_use(cli analysis schemes proofs-checks reports)
 
 # Nothing at the top but what the design names.
 file(GLOB entries RELATIVE "${SOURCE}" "${SOURCE}/*")

@@ -59,6 +59,9 @@ TEST_CASE("decimals are rounded outward") {
   CHECK(to_decimal(power(Rational(10), 30), 3, Rounding::down) == "1e30");
   CHECK(to_decimal(power(Rational(10), -9), 3, Rounding::up) == "1e-9");
   CHECK(to_fixed(Rational(-5, 1000), 2, Rounding::nearest) == "-0.01");
+  CHECK(to_decimal(Rational(999) * power(Rational(10), -10), 2, Rounding::up) == "0.0000001");
+  CHECK(to_decimal(Rational(999) * power(Rational(10), -20), 2, Rounding::up) == "1e-17");
+  CHECK(to_decimal(Rational(999, 1000), 2, Rounding::nearest) == "1");
   CHECK_THROWS_AS(to_decimal(1, 0, Rounding::up), std::invalid_argument);
 }
 

@@ -61,6 +61,11 @@ TEST_CASE("the largest modulus of the zeros") {
   CHECK(*golden.lower * *golden.lower <= *golden.lower + 1);
   CHECK(*golden.upper * *golden.upper >= *golden.upper + 1);
   CHECK(*golden.upper - *golden.lower < power(Rational(2), -60));
+  for (const char* text : {"5831/4*z^2 + 833*z^3 - 1071/2*z^4 + 85*z^5 - 17/4*z^6",
+                           "14080/3*z^-2 + 13760/3*z^-1 - 2080 - 13000/3*z - 6725/3*z^2 - 2215/4*z^3 - 815/12*z^4 - 10/3*z^5"}) {
+    const Enclosure largest = largest_root_modulus(LaurentPolynomial::parse(text)).largest;
+    CHECK(*largest.upper - *largest.lower < *largest.lower * power(Rational(2), -64));
+  }
   // A conjugate pair of modulus 2, a double zero, factors z.
   CHECK(largest_root_modulus(LaurentPolynomial({4, 0, 1}, 3)).largest.contains(2));
   CHECK(largest_root_modulus(LaurentPolynomial({9, -6, 1}, 0)).largest.contains(3));

@@ -1,0 +1,40 @@
+#pragma once
+/// Rational proofs of upper bounds for joint spectral radii, made from what the floating point search found.
+
+#include "polytope/polytope_search.hpp"
+
+#include <subcert/analysis/symbol/rational_matrix.hpp>
+
+namespace subcert {
+
+/// weight / 2^weight_bits times the vertex, or its mirror image.
+struct WeightedVertex {
+  std::size_t vertex;
+  bool flipped;
+  Integer weight;
+};
+
+/// Vertices and combinations with exact dyadic numbers. With P the hull of the vertices, their negatives and, where
+/// `symmetric`, their mirror images, the combinations prove A_t P within bound * P for all matrices
+/// (docs/certificates.md): residuals are small, and `units` bounds the norm of any residual.
+/// Kind nonnegative: the cone hull; combinations dominate instead of being equal.
+struct CertifiedPolytope {
+  PolytopeKind kind;
+  bool symmetric;
+  bool transposed;
+  int vertex_bits;
+  int weight_bits;
+  std::vector<std::vector<Integer>> vertices;
+  std::vector<std::vector<WeightedVertex>> units;   ///< for e_0, e_1, ...; the first half only where symmetric
+  std::vector<std::vector<WeightedVertex>> images;  ///< vertex by vertex, matrix by matrix; for the unscaled matrices
+  Rational bound;                                   ///< proved: joint spectral radius <= bound
+};
+
+/// Recomputes the orbit that the search found in high precision, rounds it, refines every combination against exact
+/// residuals, and bounds the radius with them; nothing of the search is trusted. Nothing is returned where the vertices
+/// do not span or the kind is complex. Domain: `result` belongs to these matrices. Error: none, the bound is proved.
+/// Cost: vertices * matrices * size^2 integer products, and a small factorisation for each image.
+std::optional<CertifiedPolytope> certify_polytope(const std::vector<RationalMatrix>& matrices, bool symmetric,
+                                                  const SearchResult& result);
+
+}  // namespace subcert

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "incremental_simplex.hpp"
+#include "product_search.hpp"
+
+#include <Eigen/Dense>
+
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace subcert {
+
+struct SearchOptions {
+  double seconds = 60;                ///< wall clock; the search ends soon after
+  int max_product_length = 40;
+  std::size_t max_vertices = 40000;
+  double tolerance = 1e-9;            ///< an image is inside when its norm is at most 1 - tolerance
+  double near_roots = 0;              ///< share of the time-out after which nearly extremal products become roots; 0: never
+  double selection = 0;               ///< 0: generation by generation; towards 1: only the largest images are added per round
+};
+
+enum class SearchStatus {
+  closed,       ///< every image is a vertex or strictly inside: the radius is that of the product, up to rounding
+  budget_spent  ///< time or vertices ran out: `radius` and `upper_bound` enclose, up to rounding
+};
+
+/// A vertex in the coordinates of the family (of the transposed family, if SearchResult::transposed).
+struct Vertex {
+  Eigen::VectorXcd value;  ///< imaginary parts zero unless kind == complex
+  int parent = -1;         ///< value = A_letter vertices[parent] / scale; -1: a root
+  int letter = -1;
+  int cycle = -1;          ///< roots: index into SearchResult::products, or -1 for an extra vertex
+  int place = -1;          ///< roots: letters of that word applied to its first root so far
+};
+
+/// What became of A_letter vertices[vertex] / scale.
+struct ImageProof {
+  int vertex = 0;
+  int letter = 0;
+  bool identity = false;    ///< the image is terms[0], a vertex up to flip, conjugation, sign or phase
+  double norm = 0;          ///< sum of |coefficient|; above 1 only if not closed
+  std::vector<Term> terms;  ///< the image is the sum of the terms (non-negative kind: is below the sum)
+};
+
+struct SearchCounters {
+  std::int64_t programs = 0;
+  std::int64_t pivots = 0;
+  std::int64_t cold_starts = 0;
+  std::size_t vertices = 0;
+  int runs = 0;
+  int restarts = 0;  ///< because a better product turned up
+  double seconds = 0;
+};
+
+struct SearchResult {
+  SearchStatus status = SearchStatus::budget_spent;
+  std::vector<Candidate> products;  ///< first the spectrum maximizing ones (`maximizing` of them), then nearly maximizing roots
+  std::size_t maximizing = 0;
+  double radius = 0;                ///< rho(product)^(1/length) of the first
+  double scale = 0;                 ///< what images are divided by: radius if closed, radius (1 + eps) if only enclosed
+  double upper_bound = std::numeric_limits<double>::infinity();  ///< scale * largest image norm
+  double worst_margin = 0;          ///< least 1 - norm over the images that are not identities
+  PolytopeKind kind = PolytopeKind::real;
+  bool transposed = false;          ///< the polytope belongs to the transposed matrices
+  bool spanning = false;            ///< the vertices span; otherwise they prove nothing
+  std::vector<Vertex> vertices;     ///< under flip symmetry: one of each mirror pair
+  std::vector<ImageProof> images;   ///< one for every vertex and letter, ordered by vertex, then letter
+  SearchCounters counters;
+};
+
+/// Searches a spectrum maximizing product and an invariant polytope that shows it is one.
+/// Meaning: with status closed, the hull P of the vertices (with their mirror images, negatives, phases as `kind` and the
+/// family tell) satisfies A_i P within radius * P, so that the joint spectral radius is `radius`. A family all whose long
+/// products vanish is closed with radius 0 and no vertices.
+/// Domain: at least one matrix, all square of one size >= 1, finite entries; flip_symmetric only if it holds to 1e-12;
+/// seconds > 0, 0 < tolerance < 1e-2. Otherwise throws std::invalid_argument.
+/// Error: floating point throughout, nothing is proved; radius good to about 1e-13 times the condition of its eigenvalue.
+/// Cost: one small linear program per vertex and matrix, mostly.
+/// Ref: [GP13, Alg. 1], [GP16] (balancing), [Mej20].
+SearchResult search_polytope(const SearchFamily& family, const SearchOptions& options);
+
+}  // namespace subcert

@@ -1,0 +1,99 @@
+// subcert jsr FILE: the joint spectral radius of any finite set of rational matrices
+
+#include "command.hpp"
+
+#include <subcert/analysis/regularity/joint_spectral_radius.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/reports/files.hpp>
+
+#include <sstream>
+
+namespace subcert::cli {
+namespace {
+
+struct JsrOptions : CommonOptions {
+  std::string file;
+  std::string certificate;
+  double budget = 60;
+};
+
+constexpr std::size_t most_matrices = 64, largest_size = 256, longest_number = 400;
+
+Rational read_entry(const nlohmann::json& entry, const std::string& where) {
+  const std::string text = entry.is_string() ? entry.get<std::string>()
+                           : entry.is_number_integer() ? entry.dump()
+                                                       : std::string();
+  const auto value = text.size() > longest_number ? std::nullopt : parse_rational(text);
+  if (!value) throw DataError(where + ": expected an exact number \"p\" or \"p/q\", got " + entry.dump().substr(0, 40), bad_data);
+  return *value;
+}
+
+std::vector<RationalMatrix> read_matrices(const std::string& file) {
+  const auto json = nlohmann::json::parse(read_file(file), nullptr, false);
+  if (json.is_discarded()) throw DataError(file + ": not a JSON file", bad_data);
+  if (!json.is_object() || !json.contains("matrices") || !json["matrices"].is_array() || json["matrices"].empty() ||
+      json["matrices"].size() > most_matrices)
+    throw DataError(file + ": expected {\"matrices\": [...]} with 1 to 64 matrices", bad_data);
+  std::vector<RationalMatrix> result;
+  const std::size_t size = json["matrices"][0].is_array() ? json["matrices"][0].size() : 0;
+  if (size < 1 || size > largest_size) throw DataError(file + ", matrix 0: expected 1 to 256 rows", bad_data);
+  for (const auto& rows : json["matrices"]) {
+    const std::string name = file + ", matrix " + std::to_string(result.size());
+    if (!rows.is_array() || rows.size() != size) throw DataError(name + ": expected " + std::to_string(size) + " rows", bad_data);
+    RationalMatrix matrix(size, size);
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::string where = name + ", row " + std::to_string(i);
+      if (!rows[i].is_array() || rows[i].size() != size)
+        throw DataError(where + ": expected " + std::to_string(size) + " entries", bad_data);
+      for (std::size_t j = 0; j < size; ++j) matrix(i, j) = read_entry(rows[i][j], where + ", entry " + std::to_string(j));
+    }
+    result.push_back(std::move(matrix));
+  }
+  return result;
+}
+
+int run(const JsrOptions& options) {
+  const std::vector<RationalMatrix> matrices = read_matrices(options.file);
+  options.progress("products and polytopes");
+  const JointSpectralRadius radius = joint_spectral_radius(matrices, options.budget);
+  options.end_progress();
+  if (!options.certificate.empty()) {
+    write_file(options.certificate, radius_certificate(matrices, radius).text);
+    write_file(options.certificate + ".matrices", matrices_text(matrices));
+  }
+  const std::string method = radius.method == JsrMethod::invariant_polytope ? "invariant polytope" : "norms of products";
+  if (options.json) {
+    options.answer(Json{{"radius", enclosure_json(radius.radius)},
+                        {"exact", false},
+                        {"closed", radius.closed},
+                        {"product", radius.product.word},
+                        {"method", method},
+                        {"vertices", radius.vertices}});
+  } else {
+    std::ostringstream text;
+    text << "matrices     " << matrices.size() << " of size " << matrices.front().rows() << "\n"
+         << "radius       " << enclosure_text(radius.radius, 14) << "  (" << method << ")\n"
+         << "product     ";
+    for (int letter : radius.product.word) text << " " << letter;
+    text << "  (radius " << enclosure_text(radius.product.radius, 14) << ")\n";
+    if (radius.vertices > 0) text << "vertices     " << radius.vertices << "\n";
+    options.answer(text.str());
+  }
+  return radius.closed ? done : undecided;
+}
+
+}  // namespace
+
+void add_jsr(CLI::App& app) {
+  auto options = std::make_shared<JsrOptions>();
+  CLI::App& command =
+      add_command(app, "jsr", "The joint spectral radius of rational matrices, enclosed with proof",
+                  "subcert jsr pair.json    with {\"matrices\": [[[\"1\",\"1\"],[\"0\",\"1\"]], [[\"1\",\"0\"],[\"1\",\"1\"]]]}",
+                  options, [=] { return run(*options); });
+  command.add_option("FILE", options->file, "JSON file")->required();
+  command.add_option("--budget", options->budget, "Seconds")->check(CLI::Range(0.001, 1e6))->capture_default_str();
+  command.add_option("--certificate", options->certificate,
+                     "Write a certificate there, and the matrices beside it as FILE.matrices");
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,119 @@
+// subcert verify FILE...: asks the independent checker, a program of its own
+
+#include "command.hpp"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+extern char** environ;
+
+namespace subcert::cli {
+namespace {
+
+struct VerifyOptions : CommonOptions {
+  std::vector<std::string> files;
+};
+
+/// subcert-check beside this program, or else on the PATH.
+std::string checker() {
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto beside = self.parent_path() / "subcert-check";
+  return !error && std::filesystem::exists(beside) ? beside.string() : "subcert-check";
+}
+
+struct Outcome {
+  int code;
+  std::string line;
+};
+
+Outcome run_checker(const std::vector<std::string>& arguments) {
+  int channel[2];
+  if (pipe(channel) != 0) throw std::runtime_error("verify: cannot make a pipe");
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, channel[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, channel[1], STDERR_FILENO);
+  posix_spawn_file_actions_addclose(&actions, channel[0]);
+  const std::string program = checker();
+  std::vector<char*> argv{const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  pid_t child = 0;
+  const int started = posix_spawnp(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(channel[1]);
+  if (started != 0) {
+    close(channel[0]);
+    throw std::runtime_error("verify: the checker subcert-check is not installed");
+  }
+  Outcome outcome{};
+  char buffer[4096];
+  for (ssize_t n; (n = read(channel[0], buffer, sizeof buffer)) > 0;) outcome.line.append(buffer, static_cast<std::size_t>(n));
+  close(channel[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : internal;
+  while (!outcome.line.empty() && outcome.line.back() == '\n') outcome.line.pop_back();
+  return outcome;
+}
+
+/// The claim that the certificate says it proves. The checker proves that claim or rejects; which claim it was is part
+/// of the answer.
+std::vector<std::string> claim_of(const std::string& file, const std::string& text) {
+  std::istringstream lines(text.substr(0, text.size() > 2'000'000 ? 2'000'000 : text.size()));
+  std::string version, subject, bounds;
+  std::getline(lines, version);
+  std::getline(lines, subject);
+  std::getline(lines, bounds);
+  std::istringstream subject_words(subject), bound_words(bounds);
+  std::string kind, first, second, word, lower, upper;
+  subject_words >> kind >> first >> second;
+  bound_words >> word >> lower >> upper;
+  if (version.rfind("subcert-certificate", 0) != 0 || word != "bounds" || upper.empty() || second.empty())
+    throw DataError(file + ": not a certificate", bad_data);
+  std::vector<std::string> arguments;
+  if (kind == "exponent")
+    arguments = {"--mask", first, "--arity", second};
+  else if (kind == "radius")
+    arguments = {"--matrices", file + ".matrices"};
+  else
+    throw DataError(file + ", line 2: expected exponent or radius", bad_data);
+  if (lower != "-") arguments.insert(arguments.end(), {"--lower", lower});
+  if (upper != "-") arguments.insert(arguments.end(), {"--upper", upper});
+  arguments.push_back(file);
+  return arguments;
+}
+
+int run(const VerifyOptions& options) {
+  Json list = Json::array();
+  std::string text;
+  int worst = done;
+  for (const std::string& file : options.files) {
+    const Outcome outcome = run_checker(claim_of(file, read_file(file)));
+    if (outcome.code != 0) worst = std::max(worst, outcome.code);
+    list.push_back({{"file", file}, {"verified", outcome.code == 0}, {"answer", outcome.line}});
+    text += file + ": " + outcome.line + "\n";
+  }
+  if (options.json)
+    options.answer(Json{{"certificates", list}});
+  else
+    options.answer(text);
+  return worst;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App& command = add_command(app, "verify", "Checks certificates with the independent checker",
+                                  "subcert verify s5.cert", options, [=] { return run(*options); });
+  command.add_option("FILE", options->files, "Certificates")->required();
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,111 @@
+#include "certificate.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace subcert {
+namespace {
+
+constexpr int places = 15;
+
+/// A decimal of 15 places as a fraction in lowest terms.
+std::string outward(const Rational& value, Rounding rounding) {
+  std::string digits = to_fixed(value, places, rounding);
+  digits.erase(digits.find('.'), 1);
+  const Rational rounded = *parse_rational(digits) * power(Rational(10), -places);
+  return to_text(rounded);
+}
+
+std::string terms_text(const std::vector<WeightedVertex>& terms) {
+  std::string text;
+  for (const WeightedVertex& term : terms)
+    if (term.weight != 0) text += " " + std::to_string(term.vertex) + (term.flipped ? "f:" : ":") + term.weight.str();
+  return text;
+}
+
+std::string polytope_text(const CertifiedPolytope& polytope, std::size_t matrix_count) {
+  std::string text = std::string("block 0 polytope ") + (polytope.kind == PolytopeKind::nonnegative ? "nonnegative" : "real") +
+                     " " + std::to_string(polytope.vertices.size()) + " " + std::to_string(polytope.vertex_bits) + " " +
+                     std::to_string(polytope.weight_bits) + (polytope.symmetric ? " symmetric" : "") +
+                     (polytope.transposed ? " transposed" : "") + "\n";
+  for (const auto& vertex : polytope.vertices) {
+    text += "vertex";
+    for (const Integer& coordinate : vertex) text += " " + coordinate.str();
+    text += "\n";
+  }
+  for (std::size_t k = 0; k < polytope.units.size(); ++k)
+    text += "unit " + std::to_string(k) + terms_text(polytope.units[k]) + "\n";
+  for (std::size_t i = 0; i < polytope.images.size(); ++i)
+    text += "image " + std::to_string(i / matrix_count) + " " + std::to_string(i % matrix_count) +
+            terms_text(polytope.images[i]) + "\n";
+  return text;
+}
+
+std::string product_text(const ProductEvidence& product) {
+  std::string text = "product 0 " + to_text(product.re) + " " + to_text(product.im);
+  for (int letter : product.word) text += " " + std::to_string(letter);
+  return text + "\n";
+}
+
+std::string upper_bound_text(const JointSpectralRadius& radius, std::size_t matrix_count) {
+  if (radius.polytope) return polytope_text(*radius.polytope, matrix_count);
+  return "block 0 norm " + std::to_string(radius.norm_level) + "\n";
+}
+
+std::string bounds_text(const CertificateClaim& claim) {
+  return "bounds " + claim.lower.value_or("-") + " " + claim.upper.value_or("-") + "\n";
+}
+
+/// The checker shows stability only where the sub-symbols have no common zero at all.
+bool checkable_stability(const Mask& mask) {
+  LaurentPolynomial common = mask.symbol().coset(mask.arity(), 0);
+  for (int residue = 1; residue < mask.arity(); ++residue) common = gcd(common, mask.symbol().coset(mask.arity(), residue));
+  return common.length() == 1;
+}
+
+/// A prime modulo which the sub-symbols of a stable mask are coprime, as far as the checker's test goes; the checker
+/// refuses an unlucky one, so a large one is taken.
+constexpr long stability_prime = 2'147'483'647;
+
+}  // namespace
+
+Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity) {
+  if (!(*regularity.exponent.lower > 0))
+    throw std::domain_error("exponent_certificate: need a positive lower bound of the exponent, got " +
+                            to_decimal(*regularity.exponent.lower, 6, Rounding::nearest));
+  Certificate certificate;
+  certificate.claim.lower = outward(*regularity.exponent.lower, Rounding::down);
+  if (regularity.exponent.upper && checkable_stability(mask))
+    certificate.claim.upper = outward(*regularity.exponent.upper, Rounding::up);
+  certificate.text = "subcert-certificate 1\nexponent " + mask.symbol().to_mask_text() + " " +
+                     std::to_string(mask.arity()) + "\n" + bounds_text(certificate.claim) + "sum-rules " +
+                     std::to_string(regularity.bounds.sum_rules) + "\n";
+  if (certificate.claim.upper)
+    certificate.text += "stability " + std::to_string(stability_prime) + "\n" + product_text(regularity.radius.product);
+  certificate.text += upper_bound_text(regularity.radius, static_cast<std::size_t>(mask.arity())) + "end\n";
+  return certificate;
+}
+
+Certificate radius_certificate(const std::vector<RationalMatrix>& matrices, const JointSpectralRadius& radius) {
+  Certificate certificate;
+  if (*radius.radius.lower > 0) certificate.claim.lower = outward(*radius.radius.lower, Rounding::down);
+  certificate.claim.upper = outward(*radius.radius.upper, Rounding::up);
+  certificate.text = "subcert-certificate 1\nradius " + std::to_string(matrices.size()) + " " +
+                     std::to_string(matrices.front().rows()) + "\n" + bounds_text(certificate.claim);
+  if (certificate.claim.lower) certificate.text += product_text(radius.product);
+  certificate.text += upper_bound_text(radius, matrices.size()) + "end\n";
+  return certificate;
+}
+
+std::string matrices_text(const std::vector<RationalMatrix>& matrices) {
+  std::string text =
+      "matrices " + std::to_string(matrices.size()) + " " + std::to_string(matrices.front().rows()) + "\n";
+  for (const RationalMatrix& m : matrices)
+    for (std::size_t i = 0; i < m.rows(); ++i) {
+      for (std::size_t j = 0; j < m.columns(); ++j) text += (j ? " " : "") + to_text(m(i, j));
+      text += "\n";
+    }
+  return text;
+}
+
+}  // namespace subcert

@@ -1,0 +1,32 @@
+#pragma once
+/// Certificates: the proofs of the search, written so that subcert-check can follow them. Format: SPEC.md beside this.
+
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+
+#include <optional>
+#include <string>
+
+namespace subcert {
+
+/// What a certificate proves, as the checker is to be asked: decimals with 15 places, rounded outward.
+struct CertificateClaim {
+  std::optional<std::string> lower;
+  std::optional<std::string> upper;
+};
+
+struct Certificate {
+  CertificateClaim claim;
+  std::string text;
+};
+
+/// Proves bounds of the Hoelder exponent for this mask. Domain: `regularity` is that of the mask. Errors: throws
+/// std::domain_error where nothing positive is proved from below.
+Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity);
+
+/// Proves bounds of the joint spectral radius of these matrices.
+Certificate radius_certificate(const std::vector<RationalMatrix>& matrices, const JointSpectralRadius& radius);
+
+/// The matrices as the checker reads them.
+std::string matrices_text(const std::vector<RationalMatrix>& matrices);
+
+}  // namespace subcert

@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+"""Makes the certificates of the corpus for families whose radius is known by hand.
+
+Usage: make_certificates.py OUTPUT_DIRECTORY
+
+Shares no code with the checker or the engine. The polytopes are found by the plain invariant polytope algorithm; norms of
+points by trying all bases of vertices, which is fine for a handful of vertices in dimension up to 4.
+"""
+import itertools
+import math
+import sys
+from fractions import Fraction as Q
+from pathlib import Path
+
+BITS = 64
+ONE = 1 << BITS
+
+
+def multiply(a, b):
+    return [[sum(x * y for x, y in zip(row, column)) for column in zip(*b)] for row in a]
+
+
+def apply(a, x):
+    return [sum(c * y for c, y in zip(row, x)) for row in a]
+
+
+def solve(columns, x):
+    """Solves sum_k lambda_k columns[k] = x by Gauss elimination in floats; None if singular."""
+    n = len(x)
+    m = [[float(columns[k][i]) for k in range(n)] + [float(x[i])] for i in range(n)]
+    for c in range(n):
+        pivot = max(range(c, n), key=lambda i: abs(m[i][c]))
+        if abs(m[pivot][c]) < 1e-9:
+            return None
+        m[c], m[pivot] = m[pivot], m[c]
+        for i in range(n):
+            if i != c:
+                f = m[i][c] / m[c][c]
+                m[i] = [p - f * q for p, q in zip(m[i], m[c])]
+    return [m[i][n] / m[i][i] for i in range(n)]
+
+
+def best_combination(points, x):
+    """The basis of points (label, coordinates) with the least 1-norm for x."""
+    best = None
+    for basis in itertools.combinations(points, len(x)):
+        weights = solve([p for _, p in basis], x)
+        if weights is not None and (best is None or sum(map(abs, weights)) < best[0]):
+            best = (sum(map(abs, weights)), [(label, w) for (label, _), w in zip(basis, weights)])
+    return best
+
+
+def transition(mask, arity, m):
+    """The family of section 4.1 of SPEC.md, by polynomial long division in Fractions."""
+    b = list(mask)
+    for _ in range(m):
+        quotient = []
+        rest = list(b)
+        while len(rest) >= arity:
+            q = rest[0]
+            quotient.append(q)
+            rest = [r - q if i < arity else r for i, r in enumerate(rest)][1:]
+        assert not any(rest)
+        b = [arity * q for q in quotient]
+    n = len(b) - 1
+    w = max(1, -(-n // (arity - 1)))
+    at = lambda i: b[i] if 0 <= i <= n else Q(0)
+    return [[[at(arity * j + t - k) for k in range(w)] for j in range(w)] for t in range(arity)]
+
+
+def leading(matrix):
+    """Real leading eigenvalue and eigenvector by power iteration."""
+    x = [1.0, 0.7, 0.45, 0.3, 0.2][: len(matrix)]
+    for _ in range(4000):
+        y = apply(matrix, x)
+        value = max(y, key=abs)
+        x = [v / value for v in y]
+    return value, x
+
+
+def newton(matrix, value):
+    """Improves a real simple eigenvalue to about 200 bits: Newton on det(value - matrix), in Fractions."""
+    def determinant(x):
+        n = len(matrix)
+        m = [[(x if i == j else 0) - matrix[i][j] for j in range(n)] for i in range(n)]
+        result = Q(1)
+        for c in range(n):
+            pivot = next((i for i in range(c, n) if m[i][c] != 0), None)
+            if pivot is None:
+                return Q(0)
+            if pivot != c:
+                m[c], m[pivot] = m[pivot], m[c]
+                result = -result
+            result *= m[c][c]
+            for i in range(c + 1, n):
+                f = m[i][c] / m[c][c]
+                m[i] = [p - f * q for p, q in zip(m[i], m[c])]
+        return result
+    value = Q(value)
+    for _ in range(4):
+        step = Q(1, 1 << 60)
+        f = determinant(value)
+        slope = (determinant(value + step) - determinant(value - step)) / (2 * step)
+        if f == 0:
+            break
+        value = Q(round((value - f / slope) * (1 << 200)), 1 << 200)
+    return value
+
+
+def polytope(family, word, symmetric, limit=14):
+    """Lines of a real polytope section for the product of the word (as matrices, left to right)."""
+    n = len(family[0])
+    product = family[word[0]]
+    for t in word[1:]:
+        product = multiply(product, family[t])
+    value, x = leading([[float(c) for c in row] for row in product])
+    rho = abs(value) ** (1 / len(word))
+    vertices = [x]
+    for t in list(reversed(word))[:-1]:
+        x = [v / rho for v in apply([[float(c) for c in row] for row in family[t]], x)]
+        vertices.append(x)
+    normal = lambda v: [round(c * ONE) for c in v]
+    points = lambda: [(f"{j}", v) for j, v in enumerate(vertices)] + (
+        [(f"{j}f", v[::-1]) for j, v in enumerate(vertices)] if symmetric else [])
+    done = 0
+    while done < len(vertices):
+        for matrix in family:
+            y = [float(v) / rho for v in apply(matrix, vertices[done])]
+            best = best_combination(points(), y)
+            if best is None or best[0] > 1 + 1e-12:
+                vertices.append(y)
+                assert len(vertices) <= limit, "did not close"
+        done += 1
+    exact = [[Q(c, ONE) for c in normal(v)] for v in vertices]
+    vertices = exact
+    lines = [f"block 0 polytope real {len(vertices)} {BITS} {BITS}" + (" symmetric" if symmetric else "")]
+    lines += ["vertex " + " ".join(map(str, normal(v))) for v in vertices]
+    terms = lambda best: "".join(f" {label}:{round(w * ONE)}" for label, w in best[1] if round(w * ONE) != 0)
+    for k in range((n + 1) // 2 if symmetric else n):
+        lines.append(f"unit {k}" + terms(best_combination(points(), [Q(int(i == k)) for i in range(n)])))
+    for j, v in enumerate(vertices):
+        for t, matrix in enumerate(family):
+            y = apply(matrix, v)
+            lines.append(f"image {j} {t}" + (terms(best_combination(points(), y)) if any(y) else ""))
+    return lines, newton(product, value), rho
+
+
+def exponent(mask_text, mask, arity, m, word, symmetric, stability=True, section=None):
+    family = transition(mask, arity, m)
+    lines, value, rho = polytope(family, word, symmetric)
+    s = m - math.log(rho, arity)
+    near = Q(round(s * 10**15), 10**15)
+    lower, upper = near - Q(1, 10**13), near + Q(1, 10**13)
+    if abs(s - round(s)) < 1e-14:
+        lower = upper = Q(round(s))
+    head = ["subcert-certificate 1", f"exponent {mask_text} {arity}", f"bounds {lower} {upper}", f"sum-rules {m}"]
+    head += ["stability 1000003"] if stability else []
+    head += [f"product 0 {value} 0 " + " ".join(map(str, word))]
+    return ["--mask", mask_text, "--arity", str(arity), "--lower", str(lower), "--upper", str(upper)], \
+        head + (section or lines) + ["end"]
+
+
+def radius(name, family, word, symmetric, width=Q(1, 10**13)):
+    lines, value, rho = polytope(family, word, symmetric)
+    near = Q(round(rho * 10**15), 10**15)
+    lower, upper = near - width, near + width
+    head = ["subcert-certificate 1", f"radius {len(family)} {len(family[0])}", f"bounds {lower} {upper}",
+            f"product 0 {value} 0 " + " ".join(map(str, word))]
+    return ["--matrices", name, "--lower", str(lower), "--upper", str(upper)], head + lines + ["end"]
+
+
+def power_mask(factor, k, scale):
+    mask = [Q(1)]
+    for _ in range(k):
+        mask = [sum(mask[i - j] for j in range(factor) if 0 <= i - j < len(mask)) for i in range(len(mask) + factor - 1)]
+    return [Q(c, scale) for c in mask]
+
+
+def text(mask):
+    return "[" + ",".join(map(str, mask)) + "]"
+
+
+def main(out):
+    out.mkdir(parents=True, exist_ok=True)
+    cases = []
+
+    def write(name, case):
+        arguments, lines = case
+        (out / f"{name}.cert").write_text("\n".join(lines) + "\n")
+        cases.append(f"{name} " + " ".join(arguments))
+
+    def write_matrices(name, family):
+        rows = [f"matrices {len(family)} {len(family[0])}"] + [" ".join(map(str, row)) for m in family for row in m]
+        (out / name).write_text("\n".join(rows) + "\n")
+
+    for d in (1, 2, 3, 5):  # B-splines: exponent d
+        mask = power_mask(2, d + 1, 2**d)
+        write(f"bspline-{d}", exponent(text(mask) + f"@{-d}", mask, 2, d + 1, [0], False))
+    mask = power_mask(3, 3, 9)
+    write("bspline-ternary", exponent(text(mask), mask, 3, 3, [0], False))
+    dd4 = [Q(c, 16) for c in (-1, 0, 9, 16, 9, 0, -1)]  # exponent 2, a logarithmic factor
+    write("four-point", exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True))
+    case = exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True, section=["block 0 norm 1"])
+    write("four-point-norm", case)
+    hand = ["block 0 polytope real 1 0 0 symmetric", "vertex 0 1", "unit 0 0f:1", "image 0 0 0:4", "image 0 1 0:-1 0f:-1"]
+    write("four-point-by-hand", exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True, section=hand))  # SPEC.md, section 3
+    w = Q(1, 20)  # exponent 2 - log2(1 + sqrt(1 - 16 w)) = 1.466...
+    tension = [-w, Q(0), Q(1, 2) + w, Q(1), Q(1, 2) + w, Q(0), -w]
+    write("tension", exponent(text(tension) + "@-3", tension, 2, 2, [0], True))
+    dual = [Q(c, 128) for c in (-5, -7, 35, 105, 105, 35, -7, -5)]  # 2.830074998558
+    write("dual-four-point", exponent("[-5,-7,35,105,105,35,-7,-5]/128@-4", dual, 2, 5, [0], True))
+
+    golden = [[[Q(1), Q(1)], [Q(0), Q(1)]], [[Q(1), Q(0)], [Q(1), Q(1)]]]  # radius (1 + sqrt 5)/2
+    write_matrices("golden.mat", golden)
+    write("golden", radius("golden.mat", golden, [0, 1], False))
+    write("golden-symmetric", radius("golden.mat", golden, [0, 1], True))
+    arguments, lines = radius("golden.mat", golden, [0, 1], False)
+    phi = math.isqrt(5 * ONE * ONE)
+    phi = (ONE + phi) // 2 + 1
+    two = ["block 0 polytope nonnegative 1 64 64 symmetric", f"vertex {phi} {ONE}", f"unit 0 0:{ONE}",
+           f"image 0 0 0:{phi + 2}", f"image 0 1 0f:{phi + 2}"]
+    write("golden-nonnegative", (arguments, lines[:4] + two + ["end"]))
+    swap = [[[row[c] for row in m] for c in range(2)] for m in golden]
+    section = polytope(swap, [0, 1], False)[0]
+    write("golden-transposed", (arguments, lines[:4] + [section[0] + " transposed"] + section[1:] + ["end"]))
+
+    # golden pair and the scalars 3/2, -1 in a skew basis: two diagonal blocks
+    basis = [[Q(1), Q(2), Q(0)], [Q(0), Q(1), Q(1, 2)], [Q(1), Q(0), Q(1)]]
+    columns = [solve([list(c) for c in zip(*basis)], [float(i == k) for i in range(3)]) for k in range(3)]
+    inverse = [[Q(columns[k][i]).limit_denominator(100) for k in range(3)] for i in range(3)]
+    assert multiply(basis, inverse) == [[Q(int(i == k)) for k in range(3)] for i in range(3)]
+    blocks = [[[*golden[t][0], Q(5)], [*golden[t][1], Q(-7, 3)], [Q(0), Q(0), (Q(3, 2), Q(-1))[t]]] for t in range(2)]
+    write_matrices("blocks.mat", [multiply(multiply(basis, m), inverse) for m in blocks])
+    split = [f"blocks 1000003 2 1", "basis"] + ["row " + " ".join(map(str, r)) for r in basis]
+    for t, m in enumerate(blocks):
+        split += [f"triangular {t}"] + ["row " + " ".join(map(str, r)) for r in m]
+    write("blocks", (["--matrices", "blocks.mat"] + arguments[2:], ["subcert-certificate 1", "radius 2 3", lines[2]] + split +
+                     lines[3:-1] + ["block 1 norm 3", "end"]))
+
+    # a rotation by an angle with cosine 3/5 and half of it: radius exactly 1, complex leading eigenvalue
+    turn = [[[Q(3, 5), Q(-4, 5)], [Q(4, 5), Q(3, 5)]], [[Q(3, 10), Q(-2, 5)], [Q(2, 5), Q(3, 10)]]]
+    write_matrices("rotation.mat", turn)
+    tenth, unit = 1 << 62, 1 << 64
+    re, im = 3 * unit // 5, 4 * unit // 5
+    width = Q(1, 10**15)
+    rotation = ["subcert-certificate 1", "radius 2 2", f"bounds {1 - width} {1 + width}", "product 0 3/5 4/5 0",
+                "block 0 polytope complex 1 0 64", "vertex 1,0 0,-1", f"unit 0 0:{unit // 2},0,{unit // 2} 0c:{unit // 2},0,{unit // 2}",
+                f"unit 1 0:0,{unit // 2},{unit // 2} 0c:0,{-unit // 2},{unit // 2}", f"image 0 0 0:{re},{im},{unit}",
+                f"image 0 1 0:{re // 2},{im // 2},{unit // 2}", "end"]
+    write("rotation", (["--matrices", "rotation.mat", "--lower", str(1 - width), "--upper", str(1 + width)], rotation))
+    (out / "claims.txt").write_text("\n".join(cases) + "\n")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))

@@ -1,0 +1,319 @@
+// Mutates the accepted certificates and offers each mutant to the checker, in this process, with the true claim and
+// with false claims just beyond the known value. Fails if a mutant proves a false claim or takes too long; a crash ends
+// the program, so it is meant to run with sanitizers. Usage: mutate ACCEPT_DIRECTORY MUTANTS [SEED]
+#include "check.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <sstream>
+
+namespace {
+
+using subcert_check::Claim;
+using Lines = std::vector<std::string>;
+
+constexpr double max_seconds = 5;
+
+struct Case {
+  std::string name;
+  Claim claim;  // true: the certificate proves it
+  std::vector<Claim> false_claims;
+  Lines lines;
+};
+
+std::vector<Case> read_cases(const std::string& directory) {
+  std::vector<Case> cases;
+  std::ifstream list(directory + "/claims.txt");
+  for (std::string line; std::getline(list, line);) {
+    std::istringstream words(line);
+    Case c;
+    words >> c.name;
+    for (std::string option, value; words >> option >> value;) {
+      if (option == "--mask") c.claim.mask = subcert_check::parse_mask(value);
+      if (option == "--arity") c.claim.arity = static_cast<unsigned>(std::stoul(value));
+      if (option == "--lower") c.claim.lower = subcert_check::parse_rational(value);
+      if (option == "--upper") c.claim.upper = subcert_check::parse_rational(value);
+      if (option == "--matrices") {
+        std::ifstream matrices(directory + "/" + value);
+        c.claim.family = subcert_check::read_matrices(matrices);
+      }
+    }
+    for (const char* step : {"1/1000000000000", "1/10", "2"}) {  // false by a hair and by far
+      const mpq_class by = subcert_check::parse_rational(step);
+      Claim high = c.claim, low = c.claim;
+      high.lower = *c.claim.upper + by;
+      high.upper.reset();
+      low.upper = *c.claim.lower - by;
+      if (c.claim.arity == 0) low.lower.reset();
+      c.false_claims.push_back(high);
+      c.false_claims.push_back(low);
+    }
+    std::ifstream file(directory + "/" + c.name + ".cert");
+    for (std::string text; std::getline(file, text);) c.lines.push_back(text);
+    cases.push_back(c);
+  }
+  return cases;
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> tokens;
+  std::istringstream words(line);
+  for (std::string word; words >> word;) tokens.push_back(word);
+  return tokens;
+}
+
+std::string join(const std::vector<std::string>& tokens) {
+  std::string line;
+  for (const std::string& token : tokens) {
+    if (!line.empty()) line += ' ';
+    line += token;
+  }
+  return line;
+}
+
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+
+  /// One of `field_kinds` changes of a field.
+  static constexpr std::size_t field_kinds = 16;
+  std::string change_field(const std::string& field, std::size_t kind) {
+    std::string changed = field;
+    const std::size_t at = field.empty() ? 0 : below(field.size());
+    switch (kind) {
+      case 0:
+        return "0";
+      case 1:
+        return changed.insert(0, 1, '-');
+      case 2:
+        return field + std::string(30, '9');
+      case 3:
+        return std::string(5000, '7');
+      case 4:
+        return field + "/0";
+      case 5:
+        return std::string("1/").append(field);
+      case 6:
+        return "18446744073709551616";
+      case 7:
+        return "-1";
+      case 8:
+        return "";
+      case 9:
+        changed.erase(at, 1);
+        return changed;
+      case 10:
+        changed[at] = static_cast<char>('0' + below(10));
+        return changed;
+      case 11:
+        changed[at] = static_cast<char>(below(256));
+        return changed;
+      case 12:
+        changed.insert(at, 1, "0123456789-,:/fc@[]"[below(19)]);
+        return changed;
+      case 13:
+        return shift_number(field, 1);
+      case 14:
+        return shift_number(field, -1);
+      default:
+        return field.substr(0, field.find(':') + 1) + "0";
+    }
+  }
+
+  /// One of `line_kinds` changes of the whole file; `other` lends lines.
+  static constexpr std::size_t line_kinds = 13;
+  void change_lines(Lines& lines, const Lines& other, std::size_t i, std::size_t kind) {
+    const auto at = lines.begin() + static_cast<std::ptrdiff_t>(i);
+    switch (kind) {
+      case 0:
+        lines.erase(at);
+        break;
+      case 1:
+        lines.insert(at, std::string(*at));
+        break;
+      case 2:
+        std::swap(lines[i], lines[below(lines.size())]);
+        break;
+      case 3:
+        lines.resize(i);
+        break;
+      case 4:
+        lines[i].resize(below(lines[i].size() + 1));
+        break;
+      case 5:
+        lines.insert(at, other[below(other.size())]);
+        break;
+      case 6:
+        lines[i] = other[below(other.size())];
+        break;
+      case 7:
+        lines.push_back(lines[i]);
+        break;
+      case 8:
+        scale(lines, "image", 0.999);
+        break;  // smaller weights everywhere: only the residual can tell
+      case 9:
+        scale(lines, i % 2 == 0 ? "vertex" : "unit", i % 4 < 2 ? 1.001 : 0.5);
+        break;
+      case 10:
+        keep_heads(lines, {"image"}, 2);
+        break;  // empty combinations
+      case 11:
+        keep_heads(lines, {"image", "unit"}, 2);
+        break;
+      default:
+        empty_proof(lines);
+        break;
+    }
+  }
+
+ private:
+  std::string shift_number(const std::string& field, int by) {
+    const std::size_t begin = field.find_last_of(":,") == std::string::npos ? 0 : field.find_last_of(":,") + 1;
+    try {
+      return field.substr(0, begin) + mpz_class(mpz_class(field.substr(begin)) + by).get_str();
+    } catch (const std::invalid_argument&) {
+      return field + "1";
+    }
+  }
+
+  static void scale(Lines& lines, const std::string& keyword, double factor) {
+    for (std::string& line : lines) {
+      auto tokens = split(line);
+      if (tokens.empty() || tokens[0] != keyword) continue;
+      for (std::string& token : tokens) {
+        const std::size_t begin = keyword == "vertex" ? 0 : token.find(':') + 1;
+        if (begin == 0 && keyword != "vertex") continue;
+        if (token == keyword) continue;
+        std::string result = token.substr(0, begin);
+        std::istringstream parts(token.substr(begin));
+        bool first = true;
+        for (std::string part; std::getline(parts, part, ','); first = false) {
+          if (!first) result += ',';
+          result += mpz_class(mpf_class(part, 300) * factor).get_str();
+        }
+        token = result;
+      }
+      line = join(tokens);
+    }
+  }
+
+  static void keep_heads(Lines& lines, const std::vector<std::string>& keywords, std::size_t indices) {
+    for (std::string& line : lines) {
+      auto tokens = split(line);
+      for (const std::string& keyword : keywords)
+        if (!tokens.empty() && tokens[0] == keyword) {
+          tokens.resize(std::min(tokens.size(), keyword == "unit" ? indices : indices + 1));
+          line = join(tokens);
+        }
+    }
+  }
+
+  void empty_proof(Lines& lines) {
+    Lines kept;
+    for (std::string& line : lines) {
+      auto tokens = split(line);
+      if (tokens.empty() || tokens[0] == "vertex" || tokens[0] == "unit" || tokens[0] == "image") continue;
+      if (tokens[0] == "block" && tokens.size() > 4) tokens[4].assign(1, below(2) == 0 ? '0' : '1');
+      kept.push_back(join(tokens));
+    }
+    lines = kept;
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    std::cerr << "usage: mutate ACCEPT_DIRECTORY MUTANTS [SEED]\n";
+    return 64;
+  }
+  const std::vector<Case> cases = read_cases(argv[1]);
+  const std::size_t wanted = std::stoul(argv[2]);
+  const unsigned seed = argc > 3 ? static_cast<unsigned>(std::stoul(argv[3])) : 20261121U;
+  Mutator mutator(seed);
+  std::size_t mutants = 0, still_true = 0, rejected = 0, failures = 0;
+  double slowest = 0;
+
+  const auto proves = [](const Claim& claim, const std::string& text) {
+    std::istringstream input(text);
+    try {
+      subcert_check::check(claim, input);
+      return true;
+    } catch (const subcert_check::Rejected&) {
+      return false;
+    }
+  };
+  const auto offer = [&](const Case& c, const Lines& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    if (mutants % 97 == 0 && !text.empty()) text.resize(mutator.below(text.size()));
+    ++mutants;
+    const auto start = std::chrono::steady_clock::now();
+    ++(proves(c.claim, text) ? still_true : rejected);
+    for (const Claim& claim : c.false_claims)
+      if (proves(claim, text)) {
+        std::cerr << "FALSE CLAIM PROVED: " << claim.text() << " (" << c.name << ", seed " << seed << ")\n" << text;
+        ++failures;
+      }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    slowest = std::max(slowest, seconds);
+    if (seconds > max_seconds) {
+      std::cerr << "TOO SLOW: " << seconds << " s (" << c.name << ", seed " << seed << ")\n" << text;
+      ++failures;
+    }
+  };
+
+  if (cases.empty()) ++failures;
+  for (const Case& c : cases) {
+    std::string text;
+    for (const std::string& line : c.lines) text += line + "\n";
+    if (!proves(c.claim, text)) {
+      std::cerr << "not accepted: " << c.name << '\n';
+      ++failures;
+    }
+    // every field and every line, each kind of change once
+    for (std::size_t i = 0; i < c.lines.size(); ++i) {
+      const auto tokens = split(c.lines[i]);
+      for (std::size_t k = 0; k < tokens.size(); ++k)
+        for (std::size_t kind = 0; kind < Mutator::field_kinds; ++kind) {
+          auto changed = tokens;
+          changed[k] = mutator.change_field(tokens[k], kind);
+          Lines lines = c.lines;
+          lines[i] = join(changed);
+          offer(c, lines);
+        }
+      for (std::size_t kind = 0; kind < Mutator::line_kinds; ++kind) {
+        Lines lines = c.lines;
+        mutator.change_lines(lines, cases[mutator.below(cases.size())].lines, i, kind);
+        offer(c, lines);
+      }
+    }
+  }
+  while (mutants < wanted) {  // several changes at once
+    const Case& c = cases[mutator.below(cases.size())];
+    Lines lines = c.lines;
+    for (std::size_t changes = 1 + mutator.below(4); changes > 0 && !lines.empty(); --changes) {
+      const std::size_t i = mutator.below(lines.size());
+      auto tokens = split(lines[i]);
+      if (mutator.below(2) == 0 && !tokens.empty()) {
+        const std::size_t k = mutator.below(tokens.size());
+        tokens[k] = mutator.change_field(tokens[k], mutator.below(Mutator::field_kinds));
+        lines[i] = join(tokens);
+      } else {
+        mutator.change_lines(lines, cases[mutator.below(cases.size())].lines, i, mutator.below(Mutator::line_kinds));
+      }
+    }
+    offer(c, lines);
+  }
+  std::cout << mutants << " mutants (seed " << seed << "): " << rejected << " rejected, " << still_true
+            << " still prove the true claim, " << failures << " failures, slowest " << slowest << " s\n";
+  return failures == 0 ? 0 : 1;
+}

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Runs subcert-check on the corpus and on wrong command lines. Usage: run_corpus.py CHECKER accept|reject|usage DIRECTORY"""
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+checker, mode, directory = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+failures = []
+
+
+def run(arguments):
+    done = subprocess.run([checker, *arguments], cwd=directory, capture_output=True, text=True, timeout=60)
+    return done.returncode, done.stdout.strip(), done.stderr.strip()
+
+
+def expect(name, condition, result):
+    if not condition:
+        failures.append(f"{name}: {result}")
+
+
+count = 0
+if mode == "usage":
+    golden = "--matrices golden.mat --upper 2"
+    for code, arguments in [
+            (64, ""), (64, "golden.cert"), (64, f"{golden}"), (64, f"{golden} golden.cert golden.cert"),
+            (64, f"{golden} --upper 2 golden.cert"), (64, f"{golden} --other 2 golden.cert"), (64, "golden.cert --upper"),
+            (64, "--matrices golden.mat golden.cert"), (64, "--matrices golden.mat --upper 2/0 golden.cert"),
+            (64, "--mask [1,1] --lower 1 golden.cert"), (64, "--mask [1,1] --arity 2 --upper 1 golden.cert"),
+            (64, "--mask [1,1] --arity 1 --lower 1 golden.cert"), (64, "--mask [1,1]/0 --arity 2 --lower 1 golden.cert"),
+            (64, "--mask [0] --arity 2 --lower 1 golden.cert"), (64, "--mask 1,1 --arity 2 --lower 1 golden.cert"),
+            (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
+            (66, f"{golden} none.cert"), (66, f"{golden} ."), (0, "--help"), (0, f"{golden} golden.cert")]:
+        result = run(arguments.split())
+        expect(arguments, result[0] == code and bool(result[2] if code else result[1]), result)
+        expect(arguments, code == 0 or "VERIFIED" not in result[1], result)
+        count += 1
+else:
+    for line in (directory / "claims.txt").read_text().splitlines():
+        claim, _, reason = line.partition(" | ")
+        name, *arguments = claim.split()
+        result = run(arguments + [f"{name}.cert"])
+        count += 1
+        if mode == "accept":
+            values = dict(zip(arguments[::2], arguments[1::2]))
+            what = "Hoelder exponent" if "--mask" in values else "joint spectral radius"
+            subject = f"{values['--mask']} with arity {values['--arity']}" if "--mask" in values else values["--matrices"]
+            text = f"VERIFIED {Fraction(values['--lower'])} <= {what} <= {Fraction(values['--upper'])} of {subject}"
+            expect(name, result == (0, text, ""), result)
+        else:
+            rejected = result[0] == 1 and result[1].startswith("REJECTED ") and ", line " in result[1] and not result[2]
+            expect(name, rejected and reason in result[1], result)
+print(f"{count} cases, {len(failures)} failures")
+for failure in failures:
+    print(failure)
+sys.exit(bool(failures) or count == 0)

@@ -1,0 +1,119 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+using namespace subcert;
+namespace fs = std::filesystem;
+
+namespace {
+
+Rational q(const char* text) { return *parse_rational(text); }
+
+HolderRegularity regularity_of(const std::string& specification, int levels = 8) {
+  return holder_regularity(make_scheme(specification).mask, levels, 60);
+}
+
+/// Whether the checker proves this claim from the certificate.
+bool proves(const std::string& subject, const std::string& lower, const std::string& upper, const std::string& text) {
+  const fs::path file = fs::temp_directory_path() / ("subcert-proofs-test-" + std::to_string(getpid()) + ".cert");
+  std::ofstream(file, std::ios::binary) << text;
+  std::string command = std::string(SUBCERT_CHECKER) + " " + subject;
+  if (!lower.empty()) command += " --lower " + lower;
+  if (!upper.empty()) command += " --upper " + upper;
+  const int status = std::system((command + " " + file.string() + " >/dev/null 2>&1").c_str());
+  fs::remove(file);
+  REQUIRE(WIFEXITED(status));
+  return WEXITSTATUS(status) == 0;
+}
+
+std::string subject_of(const Mask& mask) {
+  return "--mask '" + mask.symbol().to_mask_text() + "' --arity " + std::to_string(mask.arity());
+}
+
+}  // namespace
+
+TEST_CASE("known exponents are enclosed to 1e-12") {
+  const struct {
+    const char* specification;
+    Rational low, high;
+  } known[] = {{"bspline:degree=1", 1, 1},
+               {"bspline:degree=4", 4, 4},
+               {"bspline:degree=3,a=3", 3, 3},
+               {"dd:n=2", 2, 2},
+               {"dd:n=3", q("2830074998557/1000000000000"), q("2830074998558/1000000000000")},
+               {"mask:[-5,-7,35,105,105,35,-7,-5]/128", q("2830074998557/1000000000000"), q("2830074998558/1000000000000")},
+               // 2 - log2(1 + sqrt(1 - 16 w)) at w = 1/20 is 2 - log2(1.4472135954999579...)
+               {"four-point:w=1/20", q("1466722133/1000000000"), q("1466722134/1000000000")}};
+  for (const auto& [specification, low, high] : known) {
+    CAPTURE(specification);
+    const HolderRegularity regularity = regularity_of(specification);
+    CHECK(regularity.radius.closed);
+    REQUIRE(regularity.exponent.is_bounded());
+    CHECK(*regularity.exponent.upper - *regularity.exponent.lower < power(Rational(10), -12));
+    CHECK(*regularity.exponent.lower <= high);
+    CHECK(*regularity.exponent.upper >= low);
+  }
+}
+
+TEST_CASE("without stability no upper end is claimed") {
+  const HolderRegularity regularity = regularity_of("mask:[1,2,2,2,1]/4");
+  CHECK(regularity.stable.is_no());
+  CHECK_FALSE(regularity.exponent.upper.has_value());
+}
+
+TEST_CASE("certificates of the program are proved by the checker, false claims are not") {
+  for (const char* specification : {"primal:n=2", "primal:n=3", "primal:n=5", "primal-odd:n=1", "dual:n=2", "dual-odd:n=2",
+                                    "dd:n=2", "dd:n=3", "four-point:w=1/20", "ary:a=3,points=4,d=3", "bspline:degree=2"}) {
+    CAPTURE(specification);
+    const Mask mask = make_scheme(specification).mask;
+    const HolderRegularity regularity = regularity_of(specification);
+    CHECK(regularity.radius.closed);
+    const Certificate certificate = exponent_certificate(mask, regularity);
+    REQUIRE(certificate.claim.lower);
+    REQUIRE(certificate.claim.upper);
+    CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
+    const Rational tiny = power(Rational(10), -9);
+    CHECK_FALSE(proves(subject_of(mask), to_text(*parse_rational(*certificate.claim.upper) + tiny), "", certificate.text));
+    CHECK_FALSE(proves(subject_of(mask), *certificate.claim.lower,
+                       to_text(*parse_rational(*certificate.claim.lower) - tiny), certificate.text));
+    // Not for another mask.
+    CHECK_FALSE(proves("--mask '[1,4,7,4,1]/8' --arity 2", *certificate.claim.lower, "", certificate.text));
+  }
+}
+
+TEST_CASE("joint spectral radii from the literature") {
+  RationalMatrix up(2, 2), down(2, 2);
+  up(0, 0) = up(0, 1) = up(1, 1) = 1;
+  down(0, 0) = down(1, 0) = down(1, 1) = 1;
+  const JointSpectralRadius golden = joint_spectral_radius({up, down}, 30);
+  CHECK(golden.closed);
+  // The golden ratio: x^2 = x + 1.
+  const Rational low = *golden.radius.lower, high = *golden.radius.upper;
+  CHECK(low * low <= low + 1);
+  CHECK(high * high >= high + 1);
+  CHECK(high - low < power(Rational(10), -12));
+  CHECK(golden.product.word.size() == 2);
+
+  const fs::path matrices = fs::temp_directory_path() / ("subcert-proofs-test-" + std::to_string(getpid()) + ".matrices");
+  std::ofstream(matrices, std::ios::binary) << matrices_text({up, down});
+  const Certificate certificate = radius_certificate({up, down}, golden);
+  CHECK(proves("--matrices " + matrices.string(), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
+  CHECK_FALSE(proves("--matrices " + matrices.string(), "", "16180/10000", certificate.text));
+  fs::remove(matrices);
+
+  // One matrix, the zero matrix, the identity.
+  CHECK(joint_spectral_radius({RationalMatrix::identity(3)}, 5).radius.contains(1));
+  CHECK(*joint_spectral_radius({RationalMatrix(2, 2)}, 5).radius.upper == 0);
+  RationalMatrix half(1, 1);
+  half(0, 0) = q("-1/2");
+  CHECK(joint_spectral_radius({half}, 5).radius.contains(q("1/2")));
+  CHECK_THROWS_AS(joint_spectral_radius({}, 5), std::invalid_argument);
+  CHECK_THROWS_AS(joint_spectral_radius({RationalMatrix(2, 3)}, 5), std::invalid_argument);
+}

@@ -16,7 +16,7 @@ struct WeightedVertex {
 
 /// Vertices and combinations with exact dyadic numbers. With P the hull of the vertices, their negatives and, where
 /// `symmetric`, their mirror images, the combinations prove A_t P within bound * P for all matrices
-/// (docs/certificates.md): residuals are small, and `units` bounds the norm of any residual.
+/// (proofs-checks/certificates/SPEC.md): residuals are small, and `units` bounds the norm of any residual.
 /// Kind nonnegative: the cone hull; combinations dominate instead of being equal.
 struct CertifiedPolytope {
   PolytopeKind kind;

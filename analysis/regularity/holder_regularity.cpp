@@ -29,7 +29,7 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, double seconds)
   const Enclosure& radius = result.radius.radius;
   const int rules = result.bounds.sum_rules, arity = mask.arity();
   result.exponent.lower = std::max(*result.exponent.lower, Rational(rules - *log_ratio(*radius.upper, arity).upper));
-  // A radius of 1 says nothing from above; larger ones do (docs/certificates.md).
+  // A radius of 1 says nothing from above; larger ones do (proofs-checks/certificates/SPEC.md).
   if (result.stable.is_yes() && radius.lower && *radius.lower > 1)
     result.exponent.upper = rules - *log_ratio(*radius.lower, arity).lower;
   return result;

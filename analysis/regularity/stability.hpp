@@ -8,7 +8,7 @@ namespace subcert {
 /// Whether the integer shifts of the basic limit function are a Riesz basis of their span (stable). Domain: the scheme
 /// converges. Decided exactly for every arity: no zero z on the unit circle that all arity-th roots of unity turn into
 /// zeros, and no cyclic zeros. Only with stability is the exponent that the joint spectral radius gives the true one.
-/// Proof: docs/stability.md. Ref: [JW93].
+/// Proof: proofs-checks/certificates/SPEC.md, theorem 4. Ref: [JW93].
 Decision has_stable_shifts(const Mask& mask);
 
 }  // namespace subcert

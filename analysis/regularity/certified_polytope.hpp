@@ -7,17 +7,22 @@
 
 namespace subcert {
 
-/// weight / 2^weight_bits times the vertex, or its mirror image.
+/// (weight + i imaginary) / 2^weight_bits times the vertex, or its mirror image, or the complex conjugate of either.
+/// Canonical: modulus >= |weight + i imaginary|; imaginary = 0 and conjugated = false unless the polytope is complex.
 struct WeightedVertex {
   std::size_t vertex;
   bool flipped;
+  bool conjugated;
   Integer weight;
+  Integer imaginary;
+  Integer modulus;
 };
 
 /// Vertices and combinations with exact dyadic numbers. With P the hull of the vertices, their negatives and, where
 /// `symmetric`, their mirror images, the combinations prove A_t P within bound * P for all matrices
 /// (proofs-checks/certificates/SPEC.md): residuals are small, and `units` bounds the norm of any residual.
-/// Kind nonnegative: the cone hull; combinations dominate instead of being equal.
+/// Kind nonnegative: the cone hull; combinations dominate instead of being equal. Kind complex: the balanced hull of the
+/// vertices and their conjugates.
 struct CertifiedPolytope {
   PolytopeKind kind;
   bool symmetric;
@@ -25,6 +30,7 @@ struct CertifiedPolytope {
   int vertex_bits;
   int weight_bits;
   std::vector<std::vector<Integer>> vertices;
+  std::vector<std::vector<Integer>> imaginary;  ///< parts of the vertices; empty unless complex
   std::vector<std::vector<WeightedVertex>> units;   ///< for e_0, e_1, ...; the first half only where symmetric
   std::vector<std::vector<WeightedVertex>> images;  ///< vertex by vertex, matrix by matrix; for the unscaled matrices
   Rational bound;                                   ///< proved: joint spectral radius <= bound
@@ -32,7 +38,7 @@ struct CertifiedPolytope {
 
 /// Recomputes the orbit that the search found in high precision, rounds it, refines every combination against exact
 /// residuals, and bounds the radius with them; nothing of the search is trusted. Nothing is returned where the vertices
-/// do not span or the kind is complex. Domain: `result` belongs to these matrices. Error: none, the bound is proved.
+/// do not span. Domain: `result` belongs to these matrices. Error: none, the bound is proved.
 /// Cost: vertices * matrices * size^2 integer products, and a small factorisation for each image.
 std::optional<CertifiedPolytope> certify_polytope(const std::vector<RationalMatrix>& matrices, bool symmetric,
                                                   const SearchResult& result);

@@ -16,28 +16,41 @@ std::string outward(const Rational& value, Rounding rounding) {
   return to_text(rounded);
 }
 
-std::string terms_text(const std::vector<WeightedVertex>& terms) {
+std::string terms_text(const std::vector<WeightedVertex>& terms, PolytopeKind kind) {
   std::string text;
-  for (const WeightedVertex& term : terms)
-    if (term.weight != 0) text += " " + std::to_string(term.vertex) + (term.flipped ? "f:" : ":") + term.weight.str();
+  for (const WeightedVertex& term : terms) {
+    text += " " + std::to_string(term.vertex) + (term.flipped ? "f" : "") + (term.conjugated ? "c" : "") + ":" +
+            term.weight.str();
+    if (kind == PolytopeKind::complex) text += "," + term.imaginary.str() + "," + term.modulus.str();
+  }
   return text;
 }
 
+const char* mode_text(PolytopeKind kind) {
+  switch (kind) {
+    case PolytopeKind::nonnegative: return "nonnegative";
+    case PolytopeKind::complex: return "complex";
+    default: return "real";
+  }
+}
+
 std::string polytope_text(const CertifiedPolytope& polytope, std::size_t matrix_count) {
-  std::string text = std::string("block 0 polytope ") + (polytope.kind == PolytopeKind::nonnegative ? "nonnegative" : "real") +
-                     " " + std::to_string(polytope.vertices.size()) + " " + std::to_string(polytope.vertex_bits) + " " +
+  std::string text = std::string("block 0 polytope ") + mode_text(polytope.kind) + " " + std::to_string(polytope.vertices.size()) + " " + std::to_string(polytope.vertex_bits) + " " +
                      std::to_string(polytope.weight_bits) + (polytope.symmetric ? " symmetric" : "") +
                      (polytope.transposed ? " transposed" : "") + "\n";
-  for (const auto& vertex : polytope.vertices) {
+  for (std::size_t v = 0; v < polytope.vertices.size(); ++v) {
     text += "vertex";
-    for (const Integer& coordinate : vertex) text += " " + coordinate.str();
+    for (std::size_t i = 0; i < polytope.vertices[v].size(); ++i) {
+      text += " " + polytope.vertices[v][i].str();
+      if (polytope.kind == PolytopeKind::complex) text += "," + polytope.imaginary[v][i].str();
+    }
     text += "\n";
   }
   for (std::size_t k = 0; k < polytope.units.size(); ++k)
-    text += "unit " + std::to_string(k) + terms_text(polytope.units[k]) + "\n";
+    text += "unit " + std::to_string(k) + terms_text(polytope.units[k], polytope.kind) + "\n";
   for (std::size_t i = 0; i < polytope.images.size(); ++i)
     text += "image " + std::to_string(i / matrix_count) + " " + std::to_string(i % matrix_count) +
-            terms_text(polytope.images[i]) + "\n";
+            terms_text(polytope.images[i], polytope.kind) + "\n";
   return text;
 }
 

@@ -88,6 +88,30 @@ TEST_CASE("certificates of the program are proved by the checker, false claims a
   }
 }
 
+TEST_CASE("a complex leading pair") {
+  // A rotation by the angle of 3/5 + 4/5 i, and a contraction: radius 1, attained by the rotation.
+  RationalMatrix rotation(2, 2), contraction(2, 2);
+  rotation(0, 0) = rotation(1, 1) = q("3/5");
+  rotation(0, 1) = q("-4/5");
+  rotation(1, 0) = q("4/5");
+  contraction(0, 0) = contraction(1, 1) = q("1/2");
+  contraction(0, 1) = q("1/3");
+  const JointSpectralRadius radius = joint_spectral_radius({rotation, contraction}, 30);
+  REQUIRE(radius.polytope);
+  CHECK(radius.polytope->kind == PolytopeKind::complex);
+  CHECK(radius.closed);
+  CHECK(radius.radius.contains(1));
+  for (const auto& terms : radius.polytope->images)
+    for (const WeightedVertex& term : terms)
+      CHECK(term.modulus * term.modulus >= term.weight * term.weight + term.imaginary * term.imaginary);
+  // The certificate of a scheme with such a pair.
+  const Mask mask = make_scheme("dual:n=3").mask;
+  const HolderRegularity regularity = regularity_of("dual:n=3");
+  CHECK(regularity.radius.closed);
+  const Certificate certificate = exponent_certificate(mask, regularity);
+  CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
+}
+
 TEST_CASE("joint spectral radii from the literature") {
   RationalMatrix up(2, 2), down(2, 2);
   up(0, 0) = up(0, 1) = up(1, 1) = 1;

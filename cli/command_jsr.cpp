@@ -64,7 +64,8 @@ int run(const JsrOptions& options) {
   const std::string method = radius.method == JsrMethod::invariant_polytope ? "invariant polytope" : "norms of products";
   if (options.json) {
     options.answer(Json{{"radius", enclosure_json(radius.radius)},
-                        {"exact", false},
+                        {"exact", radius.exact.is_yes()},
+                        {"exactness", radius.exact.reason},
                         {"closed", radius.closed},
                         {"product", radius.product.word},
                         {"method", method},

@@ -78,7 +78,8 @@ Json to_json(const Answer& answer) {
           {"converges", to_text(answer.convergence.truth)},
           {"radius", enclosure_json(radius.radius)},
           {"holder", enclosure_json(answer.holder)},
-          {"exact", false},
+          {"exact", radius.exact.is_yes()},
+          {"exactness", radius.exact.reason},
           {"closed", radius.closed},
           {"method", method_text(radius)},
           {"product", word_text(radius.product.word)},
@@ -103,7 +104,8 @@ std::string to_text(const Answer& answer) {
   text << ")\n";
   if (!radius.product.word.empty())
     text << "product      " << word_text(radius.product.word) << "  (radius "
-         << enclosure_text(radius.product.radius, 15) << ")\n";
+         << enclosure_text(radius.product.radius, 15)
+         << (radius.exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
   text << "stable       " << subcert::to_text(answer.regularity.stable.truth) << ": " << answer.regularity.stable.reason << "\n"
        << "exponent     " << enclosure_text(answer.holder, 14) << "  (";
   if (!answer.holder.upper)

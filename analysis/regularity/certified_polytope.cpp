@@ -275,10 +275,13 @@ class Certifier {
         refine<std::complex<double>>(target, terms);
       else
         refine<double>(target, terms);
-      largest = std::max(largest, Integer((finish(terms) * denominator_ << vertex_bits) +
-                                          residual_size(target, terms) * unit_norm_));
+      const Integer moduli = finish(terms), rest = residual_size(target, terms);
+      largest = std::max(largest, Integer((moduli * denominator_ << vertex_bits) + rest * unit_norm_));
+      polytope_.moduli.emplace_back(moduli, Integer(1) << weight_bits);
+      polytope_.residuals.emplace_back(rest, denominator_ << (vertex_bits + weight_bits));
       polytope_.images.push_back(std::move(terms));
     }
+    polytope_.unit_norm = unit_norm_;
     polytope_.bound = Rational(largest, denominator_ << (vertex_bits + weight_bits));
     return std::move(polytope_);
   }

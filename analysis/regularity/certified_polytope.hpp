@@ -34,6 +34,10 @@ struct CertifiedPolytope {
   std::vector<std::vector<WeightedVertex>> units;   ///< for e_0, e_1, ...; the first half only where symmetric
   std::vector<std::vector<WeightedVertex>> images;  ///< vertex by vertex, matrix by matrix; for the unscaled matrices
   Rational bound;                                   ///< proved: joint spectral radius <= bound
+  /// What the bound is made of: bound = max over the images of sum of moduli + unit_norm * |residual|_1.
+  Integer unit_norm;                ///< bounds the norm of every unit vector
+  std::vector<Rational> moduli;     ///< of the weights of each image, added up
+  std::vector<Rational> residuals;  ///< 1-norms
 };
 
 /// Recomputes the orbit that the search found in high precision, rounds it, refines every combination against exact

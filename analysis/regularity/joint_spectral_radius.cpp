@@ -1,5 +1,7 @@
 #include "joint_spectral_radius.hpp"
 
+#include "exact_radius.hpp"
+
 #include <subcert/analysis/symbol/flint.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -202,6 +204,12 @@ JointSpectralRadius joint_spectral_radius(const std::vector<RationalMatrix>& mat
     result.norm_level = norm.level;
     result.polytope.reset();
   }
+  if (*result.radius.upper == *result.radius.lower)
+    result.exact = {Truth::yes, "both ends of the enclosure are the same number"};
+  else if (result.method == JsrMethod::invariant_polytope && *result.radius.lower > 0)
+    result.exact = product_attains_radius(matrices, search, *result.polytope, *result.radius.lower);
+  else
+    result.exact = {Truth::unknown, "no polytope closed"};
   result.closed = *result.radius.upper <= *result.radius.lower * (1 + 1000 * rounding);
   return result;
 }

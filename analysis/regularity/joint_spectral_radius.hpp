@@ -22,8 +22,10 @@ struct JointSpectralRadius {
   ProductEvidence product;
   JsrMethod method;
   /// The ends of `radius` are within 1e-12 of each other, relatively: in practice the search closed with `product` as
-  /// spectrum maximizing product. That the product attains the radius is not claimed.
+  /// spectrum maximizing product.
   bool closed = false;
+  /// Whether `product` attains the radius exactly, proved or unknown.
+  Decision exact;
   std::optional<CertifiedPolytope> polytope;  ///< the proof of the upper end, for JsrMethod::invariant_polytope
   int norm_level = 0;                         ///< for JsrMethod::norm_of_products
   std::size_t vertices = 0;

@@ -88,6 +88,23 @@ TEST_CASE("certificates of the program are proved by the checker, false claims a
   }
 }
 
+TEST_CASE("the product that attains the radius is proved") {
+  for (const char* specification : {"primal:n=2", "primal:n=3", "primal:n=5", "primal:n=6", "primal-odd:n=1", "primal-odd:n=2",
+                                    "dual:n=2", "dual-odd:n=2", "dual-odd:n=4", "dd:n=2", "dd:n=3", "four-point:w=1/20",
+                                    "ary:a=3,points=4,d=3", "bspline:degree=3", "dual:n=4,d=3"}) {
+    CAPTURE(specification);
+    const HolderRegularity regularity = regularity_of(specification);
+    CAPTURE(regularity.radius.exact.reason);
+    CHECK(regularity.radius.exact.is_yes());
+  }
+  // A Jordan block of the leading eigenvalue: the radius is 1, attained, but no polytope can close.
+  RationalMatrix jordan = RationalMatrix::identity(2);
+  jordan(0, 1) = 1;
+  const JointSpectralRadius radius = joint_spectral_radius({jordan}, 2);
+  CHECK(radius.radius.contains(1));
+  CHECK_FALSE(radius.exact.is_no());
+}
+
 TEST_CASE("a complex leading pair") {
   // A rotation by the angle of 3/5 + 4/5 i, and a contraction: radius 1, attained by the rotation.
   RationalMatrix rotation(2, 2), contraction(2, 2);

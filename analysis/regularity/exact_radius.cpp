@@ -1,0 +1,413 @@
+#include "exact_radius.hpp"
+
+#include "joint_spectral_radius.hpp"
+
+#include <subcert/analysis/symbol/flint.hpp>
+
+#if __has_include(<flint/acb_mat.h>)
+#include <flint/acb_mat.h>
+#else
+#include <acb_mat.h>
+#endif
+
+#include <flint/fmpz_poly_factor.h>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+constexpr slong precision = 320;
+
+using RationalVector = std::vector<Rational>;
+
+/// x + i y with rational parts; y may be empty.
+struct RationalComplex {
+  RationalVector x, y;
+};
+
+RationalVector times(const RationalMatrix& m, const RationalVector& v) {
+  RationalVector result(v.size(), 0);
+  for (std::size_t i = 0; i < v.size(); ++i)
+    for (std::size_t j = 0; j < v.size(); ++j)
+      if (m(i, j) != 0) result[i] += m(i, j) * v[j];
+  return result;
+}
+
+Rational one_norm(const RationalVector& v) {
+  Rational sum = 0;
+  for (const Rational& c : v) sum += abs(c);
+  return sum;
+}
+
+RationalMatrix transposed(const RationalMatrix& m) {
+  RationalMatrix result(m.columns(), m.rows());
+  for (std::size_t i = 0; i < m.rows(); ++i)
+    for (std::size_t j = 0; j < m.columns(); ++j) result(j, i) = m(i, j);
+  return result;
+}
+
+class AcbMatrix {
+ public:
+  AcbMatrix(std::size_t rows, std::size_t columns) {
+    acb_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
+  }
+  AcbMatrix(const AcbMatrix&) = delete;
+  AcbMatrix& operator=(const AcbMatrix&) = delete;
+  ~AcbMatrix() { acb_mat_clear(value_); }
+  acb_mat_struct* get() { return value_; }
+  acb_ptr entry(std::size_t i, std::size_t j) {
+    return acb_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
+  }
+
+ private:
+  acb_mat_t value_;
+};
+
+/// An upper bound for |ball - value|.
+Rational distance(acb_ptr ball, const Rational& re, const Rational& im) {
+  flint::Ball difference, bound;
+  Rational sum = 0;
+  for (const bool real : {true, false}) {
+    arb_set_fmpq(difference.get(), flint::Quotient(real ? re : im).get(), precision);
+    arb_sub(difference.get(), real ? acb_realref(ball) : acb_imagref(ball), difference.get(), precision);
+    arb_abs(difference.get(), difference.get());
+    const Enclosure enclosure = difference.enclosure();
+    if (!enclosure.upper) return -1;
+    sum += *enclosure.upper;
+  }
+  return sum;
+}
+
+class Proof {
+ public:
+  Proof(const std::vector<RationalMatrix>& matrices, const SearchResult& result, const CertifiedPolytope& polytope,
+        const Rational& lower)
+      : result_(result), polytope_(polytope), lower_(lower), word_(result.products.front().word), count_(matrices.size()) {
+    for (const RationalMatrix& m : matrices) matrices_.push_back(polytope.transposed ? transposed(m) : m);
+  }
+
+  Decision run() {
+    const auto unknown = [](const char* reason) { return Decision{Truth::unknown, reason}; };
+    if (result_.status != SearchStatus::closed) return unknown("the polytope did not close");
+    if (polytope_.kind == PolytopeKind::nonnegative) return unknown("polytopes of cones are only enclosed");
+    if (result_.maximizing != 1) return unknown("more than one product seems to attain the radius");
+    if (!simple_eigenvalues()) return unknown("the product has multiple eigenvalues");
+    find_mirror_shift();
+    if (!bound_vertex_errors()) return unknown("an eigenvector was not isolated");
+    // kappa: norm by the true polytope / norm by the rational one.
+    if (error_ >= 1) return unknown("the vertices are not known well enough");
+    const Rational kappa = 1 / (1 - error_);
+    for (std::size_t i = 0; i < result_.images.size(); ++i) {
+      const ImageProof& image = result_.images[i];
+      if (image.identity && is_same_vertex(image)) continue;
+      const Rational& moduli = polytope_.moduli[i];
+      const Rational rest = polytope_.residuals[i] * polytope_.unit_norm + (polytope_.bound + moduli) * error_;
+      if (moduli + kappa * rest >= lower_)
+        return unknown(image.identity ? "an image coincides with a vertex for no known reason"
+                                      : "an image lies too near to the boundary");
+    }
+    return {Truth::yes, "every image is a vertex or lies inside, and the product attains the radius"};
+  }
+
+ private:
+  const RationalMatrix& letter(std::size_t place) const {
+    return matrices_[static_cast<std::size_t>(word_[place % word_.size()])];
+  }
+
+  /// The product that starts at this place of the word.
+  RationalMatrix product_from(std::size_t place) const {
+    RationalMatrix product = letter(place);
+    for (std::size_t k = 1; k < word_.size(); ++k) product = letter(place + k) * product;
+    return product;
+  }
+
+  bool simple_eigenvalues() const {
+    const LaurentPolynomial p = characteristic_polynomial(product_from(0));
+    return gcd(p.shifted(-p.lowest()), p.shifted(-p.lowest()).derivative()).length() == 1;
+  }
+
+  /// s with mirror image of the word = the word shifted by s, if there is one.
+  void find_mirror_shift() {
+    if (!polytope_.symmetric) return;
+    for (std::size_t shift = 0; shift < word_.size(); ++shift) {
+      bool equal = true;
+      for (std::size_t k = 0; k < word_.size() && equal; ++k)
+        equal = static_cast<int>(count_) - 1 - word_[k] == word_[(k + shift) % word_.size()];
+      if (equal) {
+        mirror_shift_ = shift;
+        return;
+      }
+    }
+  }
+
+  RationalComplex vertex(std::size_t index) const {
+    const auto rational = [&](const std::vector<Integer>& integers) {
+      RationalVector result;
+      for (const Integer& c : integers) result.emplace_back(c, Integer(1) << polytope_.vertex_bits);
+      return result;
+    };
+    return {rational(polytope_.vertices[index]),
+            polytope_.imaginary.empty() ? RationalVector{} : rational(polytope_.imaginary[index])};
+  }
+
+  /// The norm of M ... M source / radius^steps - (+-) target, by the rational polytope. Domain: steps >= 1.
+  Rational step_error(std::size_t source, const std::vector<int>& letters, std::size_t target) const {
+    RationalComplex moved = vertex(source);
+    const RationalComplex goal = vertex(target);
+    Enclosure scale = Enclosure::exactly(1);
+    for (int t : letters) {
+      moved.x = times(matrices_[static_cast<std::size_t>(t)], moved.x);
+      if (!moved.y.empty()) moved.y = times(matrices_[static_cast<std::size_t>(t)], moved.y);
+      scale = {*scale.lower * lower_, *scale.upper * polytope_.bound};
+    }
+    Rational best = -1;
+    for (int sign : {1, -1}) {
+      Rational error = 0;
+      for (const auto& [from, to] : {std::pair(&moved.x, &goal.x), std::pair(&moved.y, &goal.y)})
+        for (std::size_t i = 0; i < from->size(); ++i) error += abs((*from)[i] - sign * *scale.lower * (*to)[i]);
+      error += (*scale.upper - *scale.lower) * (one_norm(goal.x) + one_norm(goal.y));
+      if (best < 0 || error < best) best = error;
+    }
+    return best / *scale.lower * polytope_.unit_norm;
+  }
+
+  /// error_ bounds, over all vertices, the norm of (rational vertex - true vertex).
+  bool bound_vertex_errors() {
+    std::vector<Rational> errors;
+    const auto growth = [&] { return polytope_.bound / lower_; };  // of the norm of an error in one step
+    std::optional<std::size_t> base;
+    for (std::size_t v = 0; v < result_.vertices.size(); ++v) {
+      const Vertex& origin = result_.vertices[v];
+      if (origin.parent >= 0) {
+        const auto parent = static_cast<std::size_t>(origin.parent);
+        errors.push_back(growth() * errors[parent] + step_error(parent, {origin.letter}, v));
+      } else if (origin.cycle < 0) {
+        errors.emplace_back(0);  // any vertex will do here: the true one is the rational one
+      } else if (!base) {
+        const auto error = eigenvector_error(v);
+        if (!error) return false;
+        errors.push_back(*error);
+        base = v;
+      } else {
+        std::vector<int> letters;
+        for (int place = result_.vertices[*base].place; place != origin.place;
+             place = (place + 1) % static_cast<int>(word_.size()))
+          letters.push_back(word_[static_cast<std::size_t>(place)]);
+        if (letters.empty()) return false;
+        Rational carried = errors[*base];
+        for (std::size_t k = 0; k < letters.size(); ++k) carried *= growth();
+        errors.push_back(carried + step_error(*base, letters, v));
+      }
+      error_ = std::max(error_, errors.back());
+    }
+    return base.has_value();
+  }
+
+  /// The norm of (rational root - an exact eigenvector of the product that starts at its place).
+  std::optional<Rational> eigenvector_error(std::size_t root) {
+    base_place_ = static_cast<std::size_t>(result_.vertices[root].place);
+    const RationalMatrix product = product_from(base_place_);
+    const std::size_t n = product.rows();
+    const RationalComplex v = vertex(root);
+    AcbMatrix matrix(n, n), approximate(n, 1), enclosure(n, 1), subspace(1, 1);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) acb_set_fmpq(matrix.entry(i, j), flint::Quotient(product(i, j)).get(), precision);
+      arb_set_fmpq(acb_realref(approximate.entry(i, 0)), flint::Quotient(v.x[i]).get(), precision);
+      if (!v.y.empty()) arb_set_fmpq(acb_imagref(approximate.entry(i, 0)), flint::Quotient(v.y[i]).get(), precision);
+    }
+    acb_mat_get_mid(approximate.get(), approximate.get());
+    // Rayleigh quotient as the approximate eigenvalue.
+    RationalVector image_x = times(product, v.x), image_y = v.y.empty() ? RationalVector{} : times(product, v.y);
+    Rational square = 0, re = 0, im = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      square += v.x[i] * v.x[i];
+      re += v.x[i] * image_x[i];
+      if (v.y.empty()) continue;
+      square += v.y[i] * v.y[i];
+      re += v.y[i] * image_y[i];
+      im += v.x[i] * image_y[i] - v.y[i] * image_x[i];
+    }
+    if (square == 0) return std::nullopt;
+    acb_t eigenvalue, start;
+    acb_init(eigenvalue);
+    acb_init(start);
+    arb_set_fmpq(acb_realref(start), flint::Quotient(re / square).get(), precision);
+    arb_set_fmpq(acb_imagref(start), flint::Quotient(im / square).get(), precision);
+    acb_get_mid(start, start);
+    acb_mat_eig_enclosure_rump(eigenvalue, subspace.get(), enclosure.get(), matrix.get(), start, approximate.get(), precision);
+    const bool found = acb_is_finite(eigenvalue);
+    if (found) {
+      find_eigenspace(product, eigenvalue);
+      flint::Ball modulus;
+      acb_abs(modulus.get(), eigenvalue, precision);
+      const Enclosure enclosed = modulus.enclosure();
+      if (enclosed.lower && *enclosed.lower > 0)
+        lower_ = std::min(lower_, *root_enclosure(*enclosed.lower, static_cast<int>(word_.size())).lower);
+    }
+    acb_clear(eigenvalue);
+    acb_clear(start);
+    if (!found) return std::nullopt;
+    Rational sum = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Rational d = distance(enclosure.entry(i, 0), v.x[i], v.y.empty() ? Rational(0) : v.y[i]);
+      if (d < 0) return std::nullopt;
+      sum += d;
+    }
+    return sum * polytope_.unit_norm;
+  }
+
+  /// The rational space that the base eigenvector and its algebraic conjugates span: the kernel of f(product), where f
+  /// is the irreducible factor of the characteristic polynomial that vanishes at the eigenvalue. Whatever rational
+  /// linear equations hold on that space hold for the eigenvector.
+  void find_eigenspace(const RationalMatrix& product, const acb_t eigenvalue) {
+    fmpz_poly_t characteristic;
+    fmpz_poly_init(characteristic);
+    slong index = 0;
+    const LaurentPolynomial p = characteristic_polynomial(product);
+    for (const Integer& c : p.numerators())
+      fmpz_poly_set_coeff_fmpz(characteristic, index++, flint::Whole(c).get());
+    fmpz_poly_factor_t factors;
+    fmpz_poly_factor_init(factors);
+    fmpz_poly_factor(factors, characteristic);
+    acb_t value;
+    acb_init(value);
+    int candidates = 0;
+    std::vector<Rational> factor;
+    for (slong i = 0; i < factors->num; ++i) {
+      arb_fmpz_poly_evaluate_acb(value, factors->p + i, eigenvalue, precision);
+      if (!acb_contains_zero(value)) continue;
+      ++candidates;
+      factor.clear();
+      for (slong k = 0; k < fmpz_poly_length(factors->p + i); ++k)
+        factor.emplace_back(flint::to_integer((factors->p + i)->coeffs + k));
+    }
+    acb_clear(value);
+    fmpz_poly_factor_clear(factors);
+    fmpz_poly_clear(characteristic);
+    if (candidates != 1) return;
+    const std::size_t n = product.rows();
+    RationalMatrix sum(n, n);
+    for (auto c = factor.rbegin(); c != factor.rend(); ++c) {
+      sum = sum * product;
+      for (std::size_t i = 0; i < n; ++i) sum(i, i) += *c;
+    }
+    eigenspace_ = kernel(sum);
+  }
+
+  /// The letters that lead from the base root to a true vertex.
+  std::optional<std::vector<int>> path(std::size_t index) const {
+    std::vector<int> letters;
+    for (; result_.vertices[index].parent >= 0; index = static_cast<std::size_t>(result_.vertices[index].parent))
+      letters.push_back(result_.vertices[index].letter);
+    if (result_.vertices[index].cycle < 0) return std::nullopt;
+    const auto place = static_cast<std::size_t>(result_.vertices[index].place);
+    for (std::size_t k = place; k != base_place_; k = (k + word_.size() - 1) % word_.size())
+      letters.push_back(word_[(k + word_.size() - 1) % word_.size()]);
+    std::reverse(letters.begin(), letters.end());
+    return letters;
+  }
+
+  RationalVector along(const std::vector<int>& letters, std::size_t turns, RationalVector v) const {
+    for (std::size_t k = 0; k < turns * word_.size(); ++k) v = times(letter(base_place_ + k), v);
+    for (int t : letters) v = times(matrices_[static_cast<std::size_t>(t)], v);
+    return v;
+  }
+
+  /// Whether image = +- radius * target follows from linear equations on the eigenspace. Both sides are brought to the
+  /// same number of letters by turns of the cycle, which multiply the eigenvector by a number of modulus radius^length.
+  bool follows_linearly(std::size_t source, int image_letter, std::size_t target, bool flipped) const {
+    auto from = path(source);
+    const auto to = path(target);
+    if (!from || !to || eigenspace_.empty()) return false;
+    from->push_back(image_letter);
+    const std::size_t steps = from->size(), other = to->size(), length = word_.size();
+    if (steps % length != other % length) return false;
+    const std::size_t more = (std::max(steps, other) - std::min(steps, other)) / length;
+    bool same = true, opposite = true;
+    for (const RationalVector& v : eigenspace_) {
+      const RationalVector left = along(*from, steps < other ? more : 0, v);
+      RationalVector right = along(*to, steps > other ? more : 0, v);
+      if (flipped) std::reverse(right.begin(), right.end());
+      for (std::size_t i = 0; i < left.size(); ++i) {
+        same = same && left[i] == right[i];
+        opposite = opposite && left[i] == -right[i];
+      }
+    }
+    return same || opposite;
+  }
+
+  /// How a true vertex arises: a place of the cycle, then letters that leave it. The letters that follow the word only
+  /// move the place, as the root there is the image of the one before.
+  struct History {
+    std::size_t place;
+    std::vector<int> letters;
+    bool operator==(const History& other) const { return place == other.place && letters == other.letters; }
+  };
+
+  std::optional<History> history(std::size_t index) const {
+    std::vector<int> letters;
+    while (result_.vertices[index].parent >= 0) {
+      letters.push_back(result_.vertices[index].letter);
+      index = static_cast<std::size_t>(result_.vertices[index].parent);
+    }
+    if (result_.vertices[index].cycle < 0) return std::nullopt;
+    std::reverse(letters.begin(), letters.end());
+    return normalised({static_cast<std::size_t>(result_.vertices[index].place), letters});
+  }
+
+  History normalised(History h) const {
+    std::size_t used = 0;
+    while (used < h.letters.size() && h.letters[used] == word_[h.place]) {
+      h.place = (h.place + 1) % word_.size();
+      ++used;
+    }
+    h.letters.erase(h.letters.begin(), h.letters.begin() + static_cast<std::ptrdiff_t>(used));
+    return h;
+  }
+
+  /// Whether the true image is radius * (a number of modulus 1) * (the true vertex, mirrored or conjugated as said).
+  bool is_same_vertex(const ImageProof& image) const {
+    const auto source = static_cast<std::size_t>(image.vertex), target = static_cast<std::size_t>(image.terms.front().vertex);
+    const Vertex& aim = result_.vertices[target];
+    const bool plain = !image.terms.front().flipped && !image.terms.front().conjugated;
+    if (plain && aim.parent == image.vertex && aim.letter == image.letter) return true;
+    if (image.terms.front().conjugated) return false;
+    if (follows_from_cycle(source, image.letter, target, plain)) return true;
+    return follows_linearly(source, image.letter, target, !plain);
+  }
+
+  bool follows_from_cycle(std::size_t source, int image_letter, std::size_t target, bool plain) const {
+    auto from = history(source);
+    auto to = history(target);
+    if (!from || !to) return false;
+    from->letters.push_back(image_letter);
+    const History moved = normalised(*from);
+    if (plain) return moved == *to;
+    if (!mirror_shift_) return false;
+    // The mirror image of the eigenvector at a place is, up to a number of modulus 1, the one mirror_shift_ further on.
+    to->place = (to->place + *mirror_shift_) % word_.size();
+    for (int& t : to->letters) t = static_cast<int>(count_) - 1 - t;
+    return moved == normalised(*to);
+  }
+
+  const SearchResult& result_;
+  const CertifiedPolytope& polytope_;
+  Rational lower_;  // a lower bound for the radius of the product, by the very eigenvalue whose vector is used
+  std::vector<int> word_;
+  std::size_t count_;
+  std::vector<RationalMatrix> matrices_;
+  std::optional<std::size_t> mirror_shift_;
+  std::size_t base_place_ = 0;  // where the eigenvector starts from which all others come
+  std::vector<RationalVector> eigenspace_;
+  Rational error_ = 0;
+};
+
+}  // namespace
+
+Decision product_attains_radius(const std::vector<RationalMatrix>& matrices, const SearchResult& result,
+                                const CertifiedPolytope& polytope, const Rational& lower) {
+  return Proof(matrices, result, polytope, lower).run();
+}
+
+}  // namespace subcert

@@ -4,6 +4,8 @@
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/regularity/certified_polytope.hpp>
+#include <subcert/analysis/regularity/transition.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -99,6 +101,37 @@ void BM_level_norms(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(level_norms(mask, static_cast<int>(state.range(1))));
 }
 BENCHMARK(BM_level_norms)->ArgsProduct({{3, 5, 10}, {8, 12, 16}})->Unit(benchmark::kMillisecond);
+
+/// The search for an invariant polytope alone, then its proof alone (rounding, refinement, exact residuals).
+struct PolytopeCase {
+  std::vector<RationalMatrix> matrices;
+  SearchFamily family;
+  explicit PolytopeCase(long n) : matrices(transition_matrices(derived("primal:n=" + std::to_string(n)))) {
+    for (const RationalMatrix& m : matrices) {
+      const auto size = static_cast<Eigen::Index>(m.rows());
+      family.matrices.emplace_back(size, size);
+      for (Eigen::Index i = 0; i < size; ++i)
+        for (Eigen::Index j = 0; j < size; ++j)
+          family.matrices.back()(i, j) = m(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).convert_to<double>();
+    }
+    family.flip_symmetric = true;  // the masks are palindromes
+  }
+};
+
+void BM_polytope_search(benchmark::State& state) {
+  const PolytopeCase input(state.range(0));
+  std::size_t vertices = 0;
+  for (auto _ : state) vertices = search_polytope(input.family, {}).vertices.size();
+  state.counters["vertices"] = static_cast<double>(vertices);
+}
+BENCHMARK(BM_polytope_search)->DenseRange(2, 7)->Unit(benchmark::kMillisecond);
+
+void BM_polytope_proof(benchmark::State& state) {
+  const PolytopeCase input(state.range(0));
+  const SearchResult result = search_polytope(input.family, {});
+  for (auto _ : state) benchmark::DoNotOptimize(certify_polytope(input.matrices, true, result));
+}
+BENCHMARK(BM_polytope_proof)->DenseRange(2, 7)->Unit(benchmark::kMillisecond);
 
 void BM_limit_values(benchmark::State& state) {
   const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0))).mask;

@@ -11,7 +11,7 @@
 namespace subcert {
 namespace {
 
-constexpr std::size_t largest_refuted_size = 200;  // beyond this, characteristic polynomials take too long
+constexpr long largest_refuted_size = 200;  // beyond this, characteristic polynomials take too long
 
 std::string shown(const Rational& value) {
   const std::string exact = to_text(value);
@@ -37,9 +37,9 @@ Decision contracts(const Mask& mask, const ProofLimits& limits) {
       smallest = reached == 0 && l == 0 ? norm : std::min(smallest, norm);
     }
     reached = static_cast<int>(powers.norms.size());
-    if (levels == 4 || reached < levels)  // cheap, and often the true answer where four levels did not contract
+    const bool small = derived.symbol().length() <= largest_refuted_size * (mask.arity() - 1);
+    if (small && (levels == 4 || reached < levels))  // cheap, and often the true answer where four levels did not contract
       for (const RationalMatrix& transition : transition_matrices(derived)) {
-        if (transition.rows() > largest_refuted_size) break;
         const LaurentPolynomial scaled = characteristic_polynomial(transition);
         const Rational arity(mask.arity());
         const bool on_circle = scaled(arity) == 0 || scaled(-arity) == 0;

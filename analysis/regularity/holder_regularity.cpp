@@ -16,14 +16,15 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, double seconds)
   const HolderBound& best = result.bounds.best();
   result.exponent = Enclosure::at_least(*best.exponent.lower);
   result.stable = has_stable_shifts(mask);
-  const auto matrices = transition_matrices(divided_difference_scheme(mask, result.bounds.sum_rules));
+  const Mask derived = divided_difference_scheme(mask, result.bounds.sum_rules);
   const KnownNorm known{best.levels, best.norm};
-  if (matrices.front().rows() > 256) {
+  if (derived.symbol().length() > 256 * (mask.arity() - 1)) {
     result.radius.method = JsrMethod::norm_of_products;
     result.radius.norm_level = best.levels;
     result.radius.radius.upper = root_enclosure(best.norm, best.levels).upper;
     return result;
   }
+  const auto matrices = transition_matrices(derived);
   const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.radius = joint_spectral_radius(matrices, std::max(seconds - spent, 0.1 * seconds), known);
   const Enclosure& radius = result.radius.radius;

@@ -15,8 +15,9 @@ Decision has_stable_shifts(const Mask& mask) {
     return {Truth::no, "the sub-symbols have a common zero on the unit circle"};
   // Cyclic zeros of a rational symbol: an m coprime to the arity with Phi_{m d} | a for all divisors d > 1 of it.
   const long degree = mask.symbol().length() - 1;
-  // totient(k) >= sqrt(k / 2) bounds the orders that can occur.
-  for (long m = 2; arity * m <= 2 * degree * degree; ++m) {
+  // Orders k with totient(k) <= degree are at most 7 degree: k / totient(k) < e^gamma log log k + 2.51 / log log k for
+  // k >= 3 [RS62], which stays below 7 for 30 <= k <= 10^9; below 30 it is at most 3.
+  for (long m = 2; arity * m <= 7 * degree; ++m) {
     if (std::gcd(m, static_cast<long>(arity)) != 1) continue;
     bool cyclic = true;
     for (long d = 2; d <= arity && cyclic; ++d)

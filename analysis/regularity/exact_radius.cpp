@@ -261,15 +261,10 @@ class Proof {
   /// is the irreducible factor of the characteristic polynomial that vanishes at the eigenvalue. Whatever rational
   /// linear equations hold on that space hold for the eigenvector.
   void find_eigenspace(const RationalMatrix& product, const acb_t eigenvalue) {
-    fmpz_poly_t characteristic;
-    fmpz_poly_init(characteristic);
-    slong index = 0;
-    const LaurentPolynomial p = characteristic_polynomial(product);
-    for (const Integer& c : p.numerators())
-      fmpz_poly_set_coeff_fmpz(characteristic, index++, flint::Whole(c).get());
+    flint::IntegerPolynomial characteristic(characteristic_polynomial(product));
     fmpz_poly_factor_t factors;
     fmpz_poly_factor_init(factors);
-    fmpz_poly_factor(factors, characteristic);
+    fmpz_poly_factor(factors, characteristic.get());
     acb_t value;
     acb_init(value);
     int candidates = 0;
@@ -284,7 +279,6 @@ class Proof {
     }
     acb_clear(value);
     fmpz_poly_factor_clear(factors);
-    fmpz_poly_clear(characteristic);
     if (candidates != 1) return;
     const std::size_t n = product.rows();
     RationalMatrix sum(n, n);

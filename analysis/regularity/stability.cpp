@@ -9,8 +9,7 @@ namespace subcert {
 Decision has_stable_shifts(const Mask& mask) {
   const int arity = mask.arity();
   // Zeros shared by z, zeta z, ..., zeta^(a-1) z are the a-th roots of the common zeros of the cosets.
-  LaurentPolynomial common = mask.symbol().coset(arity, 0);
-  for (int residue = 1; residue < arity; ++residue) common = gcd(common, mask.symbol().coset(arity, residue));
+  const LaurentPolynomial common = common_factor_of_cosets(mask);
   if (common.is_zero() || has_root_on_unit_circle(common))
     return {Truth::no, "the sub-symbols have a common zero on the unit circle"};
   // Cyclic zeros of a rational symbol: an m coprime to the arity with Phi_{m d} | a for all divisors d > 1 of it.

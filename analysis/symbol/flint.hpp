@@ -2,6 +2,7 @@
 /// Owners for the FLINT and Arb types that the sources (never the public headers) use, and their conversions to and
 /// from the numbers of the interface. Hides the difference between FLINT 2 with Arb apart and FLINT 3.
 
+#include "laurent_polynomial.hpp"
 #include "numbers.hpp"
 
 #if __has_include(<flint/arb.h>)
@@ -64,6 +65,23 @@ class Quotient {
 
  private:
   fmpq_t value_;
+};
+
+/// The numerators of a Laurent polynomial, from its lowest exponent on: an integer polynomial with the same zeros but 0.
+class IntegerPolynomial {
+ public:
+  explicit IntegerPolynomial(const LaurentPolynomial& p) {
+    fmpz_poly_init(value_);
+    slong index = 0;
+    for (const Integer& c : p.numerators()) fmpz_poly_set_coeff_fmpz(value_, index++, Whole(c).get());
+  }
+  IntegerPolynomial(const IntegerPolynomial&) = delete;
+  IntegerPolynomial& operator=(const IntegerPolynomial&) = delete;
+  ~IntegerPolynomial() { fmpz_poly_clear(value_); }
+  fmpz_poly_struct* get() { return value_; }
+
+ private:
+  fmpz_poly_t value_;
 };
 
 /// The exact value of a finite binary float.

@@ -31,6 +31,13 @@ bool is_affine(const Mask& mask) {
   return std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; });
 }
 
+LaurentPolynomial common_factor_of_cosets(const Mask& mask) {
+  LaurentPolynomial common = mask.symbol().coset(mask.arity(), 0);
+  for (int residue = 1; residue < mask.arity(); ++residue)
+    common = gcd(common, mask.symbol().coset(mask.arity(), residue));
+  return common;
+}
+
 IndexRange support(const Mask& mask) { return {mask.symbol().lowest(), mask.symbol().highest()}; }
 
 Interval limit_support(const Mask& mask) {

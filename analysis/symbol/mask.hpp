@@ -49,6 +49,10 @@ std::vector<Rational> coset_sums(const Mask& mask);
 /// Whether all coset sums are 1.
 bool is_affine(const Mask& mask);
 
+/// The greatest common divisor of the cosets: 1 unless some z, zeta z, ..., zeta^(arity-1) z (zeta a primitive root of
+/// unity of order arity) are all zeros of the symbol.
+LaurentPolynomial common_factor_of_cosets(const Mask& mask);
+
 /// Exponent range of the mask.
 struct IndexRange {
   long first;

@@ -101,14 +101,10 @@ RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {
   result.has_root_plus_or_minus_one = powers_removed(1) == 0 || powers_removed(-1) == 0;
   const LaurentPolynomial squarefree = *powers_removed.exact_quotient(gcd(powers_removed, powers_removed.derivative()));
 
-  fmpz_poly_t polynomial;
-  fmpz_poly_init(polynomial);
-  slong index = 0;
-  for (const Integer& c : squarefree.numerators())
-    fmpz_poly_set_coeff_fmpz(polynomial, index++, flint::Whole(c).get());
-  const slong count = fmpz_poly_degree(polynomial);
+  flint::IntegerPolynomial polynomial(squarefree);
+  const slong count = fmpz_poly_degree(polynomial.get());
   acb_ptr roots = _acb_vec_init(count);
-  arb_fmpz_poly_complex_roots(roots, polynomial, 0, bits + 8);  // the radius, not the width, is held to these bits
+  arb_fmpz_poly_complex_roots(roots, polynomial.get(), 0, bits + 8);  // the radius, not the width, is held to these bits
   flint::Ball modulus;
   for (slong i = 0; i < count; ++i) {
     acb_abs(modulus.get(), roots + i, bits + 32);
@@ -117,7 +113,6 @@ RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {
     result.largest.upper = std::max(*result.largest.upper, *candidate.upper);
   }
   _acb_vec_clear(roots, count);
-  fmpz_poly_clear(polynomial);
   return result;
 }
 

@@ -10,22 +10,7 @@
 namespace subcert {
 namespace {
 
-/// FLINT's integer polynomial with the zeros of p other than 0.
-class IntegerPolynomial {
- public:
-  explicit IntegerPolynomial(const LaurentPolynomial& p) {
-    fmpz_poly_init(value_);
-    slong index = 0;
-    for (const Integer& c : p.numerators()) fmpz_poly_set_coeff_fmpz(value_, index++, flint::Whole(c).get());
-  }
-  IntegerPolynomial(const IntegerPolynomial&) = delete;
-  IntegerPolynomial& operator=(const IntegerPolynomial&) = delete;
-  ~IntegerPolynomial() { fmpz_poly_clear(value_); }
-  fmpz_poly_struct* get() { return value_; }
-
- private:
-  fmpz_poly_t value_;
-};
+using flint::IntegerPolynomial;
 
 LaurentPolynomial from_flint(const fmpz_poly_t p) {
   std::vector<Rational> coefficients;

@@ -69,13 +69,6 @@ std::string bounds_text(const CertificateClaim& claim) {
   return "bounds " + claim.lower.value_or("-") + " " + claim.upper.value_or("-") + "\n";
 }
 
-/// The checker shows stability only where the sub-symbols have no common zero at all.
-bool checkable_stability(const Mask& mask) {
-  LaurentPolynomial common = mask.symbol().coset(mask.arity(), 0);
-  for (int residue = 1; residue < mask.arity(); ++residue) common = gcd(common, mask.symbol().coset(mask.arity(), residue));
-  return common.length() == 1;
-}
-
 /// A prime modulo which the sub-symbols of a stable mask are coprime, as far as the checker's test goes; the checker
 /// refuses an unlucky one, so a large one is taken.
 constexpr long stability_prime = 2'147'483'647;
@@ -88,7 +81,8 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
                             to_decimal(*regularity.exponent.lower, 6, Rounding::nearest));
   Certificate certificate;
   certificate.claim.lower = outward(*regularity.exponent.lower, Rounding::down);
-  if (regularity.exponent.upper && checkable_stability(mask))
+  // The checker shows stability only where the sub-symbols have no common zero at all.
+  if (regularity.exponent.upper && common_factor_of_cosets(mask).length() == 1)
     certificate.claim.upper = outward(*regularity.exponent.upper, Rounding::up);
   certificate.text = "subcert-certificate 1\nexponent " + mask.symbol().to_mask_text() + " " +
                      std::to_string(mask.arity()) + "\n" + bounds_text(certificate.claim) + "sum-rules " +

@@ -232,7 +232,7 @@ int PolytopeRun::add(Node node) {
   const int index = simplex_.add(node.value);
   vertices_.push_back(std::move(node));
   images_.resize(images_.size() + matrices_.size());
-  for (int a = 0; a < static_cast<int>(matrices_.size()); ++a) fresh_.push_back({index, a, 0});
+  for (int a = 0; a < static_cast<int>(matrices_.size()); ++a) fresh_.push_back({index, a, 0, {}});
   return index;
 }
 
@@ -301,7 +301,7 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
   }
   if (kind_ == PolytopeKind::complex && match(x, entry)) return true;
   const double reject = optimum ? std::numeric_limits<double>::max() / 4 : 1.0;
-  Membership m = simplex_.solve(x, 1 - kComfortable, reject);
+  Membership m = simplex_.solve(x, 1 - kComfortable, reject, optimum ? nullptr : &pending.hint);
   const bool decided = m.answer != Membership::Answer::undecided;
   if (m.answer != Membership::Answer::inside && (!decided || m.upper > 1 + kSame)) {
     pending.key = std::sqrt(std::max(m.lower, 1.0) * std::min(m.upper, 1e3));
@@ -378,7 +378,8 @@ PolytopeRun::State PolytopeRun::advance(double seconds, std::size_t max_vertices
     }
     // The largest first: each may put smaller ones inside.
     std::sort(waiting_.begin(), waiting_.end(), [](const Pending& a, const Pending& b) { return a.key > b.key; });
-    const double threshold = 1 + (waiting_.front().key - 1) * options_.selection;
+    // An image on the boundary that is no vertex becomes one.
+    const double threshold = std::min(1.0, waiting_.front().key);
     std::vector<Pending> later;
     for (std::size_t k = 0; k < waiting_.size(); ++k) {
       Pending& pending = waiting_[k];
@@ -405,12 +406,6 @@ PolytopeRun::State PolytopeRun::advance(double seconds, std::size_t max_vertices
   }
   spent_ += since(start);
   return state_;
-}
-
-double PolytopeRun::growth() const {
-  double largest = 1;
-  for (const Pending& p : waiting_) largest = std::max(largest, p.key);
-  return largest;
 }
 
 std::vector<int> PolytopeRun::path(int vertex) const {
@@ -452,7 +447,7 @@ bool PolytopeRun::finish(double seconds) {
         continue;
       }
       const Image before = entry;
-      Pending pending{v, a, 0};
+      Pending pending{v, a, 0, {}};
       if (!settle(pending, true) || image(v, a).identity) {
         if (before.known && before.norm < image(v, a).norm) image(v, a) = before;
       }

@@ -72,47 +72,36 @@ Rational to_dyadic(const Real& value) {
 
 Rational squared_modulus(const Gaussian<Rational>& z) { return z.re * z.re + z.im * z.im; }
 
-ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const std::vector<int>& word) {
-  ProductEvidence evidence{word, 0, 0, Enclosure::at_least(0)};
-  const RationalMatrix product = product_of(matrices, word);
-  const LaurentPolynomial p = characteristic_polynomial(product);
-  std::vector<Rational> coefficients(static_cast<std::size_t>(p.highest()) + 1);
-  for (std::size_t k = 0; k < coefficients.size(); ++k) coefficients[k] = p.coefficient(static_cast<long>(k));
+std::vector<Rational> coefficients_of(const LaurentPolynomial& p) {
+  std::vector<Rational> result(static_cast<std::size_t>(p.highest()) + 1);
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = p.coefficient(static_cast<long>(k));
+  return result;
+}
 
-  const Eigen::VectorXcd eigenvalues = to_double(product).eigenvalues();
-  Eigen::Index leading = 0;
-  for (Eigen::Index k = 0; k < eigenvalues.size(); ++k)
-    if (std::abs(eigenvalues[k]) > std::abs(eigenvalues[leading]) * (1 + 1e-12)) leading = k;
-  if (std::abs(eigenvalues[leading]) == 0) return evidence;
+/// A fraction with a small denominator next to the number, by its continued fraction; nothing to trust.
+std::optional<Rational> near_fraction(Real value) {
+  static const Real tiny("1e-55"), large("1e20");
+  Integer num = 1, den = 0, last_num = 0, last_den = 1;
+  const Real target = value;
+  for (int k = 0; k < 60; ++k) {
+    const Real whole = floor(value);
+    if (abs(whole) > large) return std::nullopt;
+    const Integer a(whole);
+    std::tie(num, last_num) = std::pair(Integer(a * num + last_num), num);
+    std::tie(den, last_den) = std::pair(Integer(a * den + last_den), den);
+    if (Real(den) > large) return std::nullopt;
+    if (abs(target - Real(num) / Real(den)) < tiny * (1 + abs(target))) return Rational(num, den);
+    value = 1 / (value - whole);
+  }
+  return std::nullopt;
+}
 
-  std::vector<Real> real_coefficients;
-  for (const Rational& c : coefficients) real_coefficients.push_back(Real(numerator(c)) / Real(denominator(c)));
-  const bool real = std::abs(eigenvalues[leading].imag()) <= 1e-12 * std::abs(eigenvalues[leading]);
-  Gaussian<Real> z{eigenvalues[leading].real(), real ? 0 : std::abs(eigenvalues[leading].imag())};
-  for (int k = 0; k < 12; ++k) {  // Newton
-    const auto [value, slope] = evaluate(real_coefficients, z);
-    const Real square = slope.re * slope.re + slope.im * slope.im;
-    if (square == 0) break;
-    z.re -= (value.re * slope.re + value.im * slope.im) / square;
-    z.im -= (value.im * slope.re - value.re * slope.im) / square;
-  }
-  Gaussian<Rational> c{to_dyadic(z.re), to_dyadic(z.im)};
-  auto [value, slope] = evaluate(coefficients, c);
-  if (squared_modulus(slope) == 0) {  // a multiple eigenvalue was hit exactly
-    c.re += power(Rational(2), -150);
-    std::tie(value, slope) = evaluate(coefficients, c);
-  }
-  evidence.re = c.re;
-  evidence.im = c.im;
-  if (squared_modulus(slope) == 0) return evidence;
-  const Rational distance =
-      static_cast<long>(matrices.front().rows()) * *root_enclosure(squared_modulus(value) / squared_modulus(slope), 2).upper;
-  const Enclosure modulus = root_enclosure(squared_modulus(c), 2);
-  const int length = static_cast<int>(word.size());
-  const Rational low = *modulus.lower - distance;
-  if (low > 0)
-    evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + distance, length).upper};
-  return evidence;
+/// Whether all zeros of p but root and -root are smaller in modulus.
+bool is_largest_root(const LaurentPolynomial& p, const Rational& root) {
+  LaurentPolynomial rest = p;
+  for (const Rational& r : {root, Rational(-root)})
+    while (rest.length() > 1 && rest(r) == 0) rest = *rest.exact_quotient(LaurentPolynomial({-r, 1}, 0));
+  return *largest_root_modulus(rest).largest.upper < abs(root);
 }
 
 Rational one_norm(const RationalMatrix& m) {
@@ -158,6 +147,62 @@ void check(const std::vector<RationalMatrix>& matrices, double seconds) {
 
 }  // namespace
 
+ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const std::vector<int>& word) {
+  ProductEvidence evidence{word, 0, 0, Enclosure::at_least(0), std::nullopt};
+  const RationalMatrix product = product_of(matrices, word);
+  const LaurentPolynomial p = characteristic_polynomial(product);
+  const std::vector<Rational> coefficients = coefficients_of(p);
+
+  const Eigen::VectorXcd eigenvalues = to_double(product).eigenvalues();
+  Eigen::Index leading = 0;
+  for (Eigen::Index k = 0; k < eigenvalues.size(); ++k)
+    if (std::abs(eigenvalues[k]) > std::abs(eigenvalues[leading]) * (1 + 1e-12)) leading = k;
+  if (std::abs(eigenvalues[leading]) == 0) return evidence;
+
+  // Multiple eigenvalues are found as simple zeros of the squarefree part.
+  const LaurentPolynomial nonzero = p.shifted(-p.lowest());
+  const LaurentPolynomial squarefree = *nonzero.exact_quotient(gcd(nonzero, nonzero.derivative()));
+  if (squarefree.length() == 1) return evidence;
+  std::vector<Real> real_coefficients;
+  for (const Rational& c : coefficients_of(squarefree)) real_coefficients.push_back(Real(numerator(c)) / Real(denominator(c)));
+  // A multiple real eigenvalue may come out as a pair that is off by the root of the rounding.
+  const double imaginary = std::abs(eigenvalues[leading].imag());
+  const bool multiple = squarefree.length() < nonzero.length();
+  const bool real = imaginary <= (multiple ? 1e-6 : 1e-12) * std::abs(eigenvalues[leading]);
+  Gaussian<Real> z{eigenvalues[leading].real(), real ? 0 : imaginary};
+  for (int k = 0; k < 16; ++k) {  // Newton
+    const auto [value, slope] = evaluate(real_coefficients, z);
+    const Real square = slope.re * slope.re + slope.im * slope.im;
+    if (square == 0) break;
+    z.re -= (value.re * slope.re + value.im * slope.im) / square;
+    z.im -= (value.im * slope.re - value.re * slope.im) / square;
+  }
+  Gaussian<Rational> c{to_dyadic(z.re), to_dyadic(z.im)};
+  const auto fraction = real ? near_fraction(z.re) : std::nullopt;
+  const bool rational = fraction && *fraction != 0 && p(*fraction) == 0;
+  if (rational) c = {*fraction, 0};
+  auto [value, slope] = evaluate(coefficients, c);
+  if (squarefree.length() < nonzero.length() && squared_modulus(slope) == 0) {
+    c.re += power(Rational(2), -200);
+    std::tie(value, slope) = evaluate(coefficients, c);
+  }
+  evidence.re = c.re;
+  evidence.im = c.im;
+  if (squared_modulus(slope) == 0) return evidence;
+  const Rational distance =
+      static_cast<long>(matrices.front().rows()) * *root_enclosure(squared_modulus(value) / squared_modulus(slope), 2).upper;
+  const Enclosure modulus = root_enclosure(squared_modulus(c), 2);
+  const int length = static_cast<int>(word.size());
+  const Rational low = *modulus.lower - distance;
+  if (low > 0)
+    evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + distance, length).upper};
+  if (rational && is_largest_root(p, *fraction)) {
+    const Enclosure exact = root_enclosure(abs(*fraction), length);
+    if (exact.is_exact()) evidence.exact = exact.lower;
+  }
+  return evidence;
+}
+
 Enclosure root_enclosure(const Rational& value, int degree) {
   if (value < 0 || degree < 1) throw std::invalid_argument("root_enclosure: need value >= 0 and degree >= 1");
   if (degree == 1 || value == 0) return Enclosure::exactly(value);
@@ -196,20 +241,26 @@ JointSpectralRadius joint_spectral_radius(const std::vector<RationalMatrix>& mat
   // Of two bounds that differ by rounding only, the polytope is the shorter proof.
   if (result.polytope && result.polytope->bound < norm_bound * (1 + rounding)) {
     result.method = JsrMethod::invariant_polytope;
-    result.radius.upper = result.polytope->bound;
+    result.certified_upper = result.polytope->bound;
     result.vertices = result.polytope->vertices.size();
   } else {
     result.method = JsrMethod::norm_of_products;
-    result.radius.upper = norm_bound;
+    result.certified_upper = norm_bound;
     result.norm_level = norm.level;
     result.polytope.reset();
   }
+  result.radius.upper = result.certified_upper;
   if (*result.radius.upper == *result.radius.lower)
     result.exact = {Truth::yes, "both ends of the enclosure are the same number"};
   else if (result.method == JsrMethod::invariant_polytope && *result.radius.lower > 0)
     result.exact = product_attains_radius(matrices, search, *result.polytope, *result.radius.lower);
   else
     result.exact = {Truth::unknown, "no polytope closed"};
+  if (result.exact.is_yes()) {
+    if (result.product.exact) result.radius = Enclosure::exactly(*result.product.exact);
+    // A norm that no matrix expands by more than the radius.
+    result.growth.at_most = 0;
+  }
   result.closed = *result.radius.upper <= *result.radius.lower * (1 + 1000 * rounding);
   return result;
 }

@@ -76,14 +76,19 @@ constexpr long stability_prime = 2'147'483'647;
 }  // namespace
 
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity) {
-  if (!(*regularity.exponent.lower > 0))
+  // What the rational numbers prove; the exponent may be known more sharply by other arguments.
+  const int rules = regularity.bounds.sum_rules, arity = mask.arity();
+  const JointSpectralRadius& radius = regularity.radius;
+  const Rational lower = rules - *log_ratio(radius.certified_upper, arity).upper;
+  if (!(lower > 0))
     throw std::domain_error("exponent_certificate: need a positive lower bound of the exponent, got " +
-                            to_decimal(*regularity.exponent.lower, 6, Rounding::nearest));
+                            to_decimal(lower, 6, Rounding::nearest));
   Certificate certificate;
-  certificate.claim.lower = outward(*regularity.exponent.lower, Rounding::down);
+  certificate.claim.lower = outward(lower, Rounding::down);
   // The checker shows stability only where the sub-symbols have no common zero at all.
-  if (regularity.exponent.upper && common_factor_of_cosets(mask).length() == 1)
-    certificate.claim.upper = outward(*regularity.exponent.upper, Rounding::up);
+  if (regularity.stable.is_yes() && radius.product.radius.lower && *radius.product.radius.lower > 1 &&
+      common_factor_of_cosets(mask).length() == 1)
+    certificate.claim.upper = outward(rules - *log_ratio(*radius.product.radius.lower, arity).lower, Rounding::up);
   certificate.text = "subcert-certificate 1\nexponent " + mask.symbol().to_mask_text() + " " +
                      std::to_string(mask.arity()) + "\n" + bounds_text(certificate.claim) + "sum-rules " +
                      std::to_string(regularity.bounds.sum_rules) + "\n";

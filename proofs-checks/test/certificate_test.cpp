@@ -17,7 +17,7 @@ namespace {
 Rational q(const char* text) { return *parse_rational(text); }
 
 HolderRegularity regularity_of(const std::string& specification, int levels = 8) {
-  return holder_regularity(make_scheme(specification).mask, levels, 60);
+  return holder_regularity(make_scheme(specification).mask, levels, 60, HolderProof::certificate);
 }
 
 /// Whether the checker proves this claim from the certificate.

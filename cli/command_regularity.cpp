@@ -112,6 +112,7 @@ Json to_json(const Answer& answer) {
           {"method", method_text(radius)},
           {"product", word_text(radius.product.word)},
           {"vertices", radius.vertices},
+          {"blocks", radius.triangular ? Json(radius.triangular->sizes) : Json()},
           {"stable", answer.regularity.stable.is_yes() && answer.holder.upper.has_value()},
           {"stability", answer.regularity.stable.reason},
           {"logarithm",
@@ -137,6 +138,7 @@ std::string to_text(const Answer& answer) {
        << "radius       " << enclosure_text(radius.radius, 15) << "  (joint spectral radius, " << method_text(radius);
   if (radius.method == JsrMethod::invariant_polytope) text << " with " << radius.vertices << (radius.vertices == 1 ? " vertex" : " vertices");
   text << ")\n";
+  if (radius.triangular) text << "blocks       " << sizes_text(radius.triangular->sizes) << "\n";
   if (!radius.product.word.empty())
     text << "product      " << word_text(radius.product.word) << "  (radius "
          << enclosure_text(radius.product.radius, 15)

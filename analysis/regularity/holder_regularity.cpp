@@ -74,6 +74,20 @@ GrowthPower growth_at_integer(const Mask& mask, const HolderRegularity& regulari
   return growth;
 }
 
+/// Makes one transition matrix the product, in the block where its leading eigenvalue is.
+void prove_letter(const std::vector<RationalMatrix>& matrices, int letter, JointSpectralRadius& radius) {
+  if (!radius.triangular) {
+    radius.product = prove_product(matrices, {letter});
+    return;
+  }
+  for (std::size_t k = 0; k < radius.blocks.size(); ++k) {
+    ProductEvidence evidence = prove_product(radius.triangular->block(k), {letter});
+    if (k > 0 && *evidence.radius.lower <= *radius.product.radius.lower) continue;
+    radius.product = std::move(evidence);
+    radius.leading_block = k;
+  }
+}
+
 LogarithmicFactor logarithmic_factor(const Mask& mask, const HolderRegularity& regularity) {
   const auto unknown = [](const char* reason) { return LogarithmicFactor{0, std::nullopt, std::nullopt, reason}; };
   const Rational& lower = *regularity.exponent.lower;
@@ -117,9 +131,7 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, double seconds,
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!single || proof == HolderProof::certificate)
       radius = joint_spectral_radius(matrices, std::max(seconds - spent, 0.1 * seconds), KnownNorm{best.levels, best.norm});
-    else
-      radius.product = prove_product(matrices, {result.single.letter});
-    if (single) radius.product = prove_product(matrices, {result.single.letter});
+    if (single) prove_letter(matrices, result.single.letter, radius);
   }
   if (single) {
     radius.method = JsrMethod::single_spectral_radius;

@@ -1,6 +1,7 @@
 #pragma once
 /// Joint spectral radii, enclosed with proof.
 
+#include "block_triangular.hpp"
 #include "certified_polytope.hpp"
 
 #include <optional>
@@ -39,6 +40,11 @@ struct JointSpectralRadius {
   std::optional<CertifiedPolytope> polytope;  ///< the proof of certified_upper; where absent, the norms are
   int norm_level = 0;
   std::size_t vertices = 0;
+  /// Where a common invariant subspace was used: the triangular form, the radii of its diagonal blocks, and the block
+  /// from which `product` is formed. Then the proof of certified_upper is that of the blocks.
+  std::optional<BlockTriangular> triangular;
+  std::vector<JointSpectralRadius> blocks;
+  std::size_t leading_block = 0;
 };
 
 /// A proved upper bound that is known beforehand: the largest 1-norm of a product of `level` matrices, first columns
@@ -48,7 +54,7 @@ struct KnownNorm {
   Rational norm;
 };
 
-/// Encloses the joint spectral radius. Domain: 1 to 64 square matrices of one size from 1 to 256; seconds > 0. Errors:
+/// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: 1 to 64 square matrices of one size from 1 to 256; seconds > 0. Errors:
 /// throws std::invalid_argument. Error: none, both ends are proved in exact arithmetic; where the search for an
 /// invariant polytope ends within the time the width is about 1e-15, otherwise as narrow as the time allowed.
 /// Cost: one linear program per vertex and matrix. Ref: [GP13, Alg. 1], [Mej20].

@@ -23,6 +23,20 @@ LaurentPolynomial from_flint(const fmpz_poly_t p) {
   return LaurentPolynomial(coefficients, 0);
 }
 
+/// z and the factors that a FLINT factorisation finds, with their multiplicities.
+template <class Factorise>
+std::vector<PolynomialFactor> factors_of(const LaurentPolynomial& p, const Factorise& factorise) {
+  std::vector<PolynomialFactor> result;
+  if (p.lowest() > 0) result.push_back({LaurentPolynomial::monomial(1, 1), static_cast<int>(p.lowest())});
+  IntegerPolynomial q(p);
+  fmpz_poly_factor_t factors;
+  fmpz_poly_factor_init(factors);
+  factorise(factors, q.get());
+  for (slong i = 0; i < factors->num; ++i) result.push_back({from_flint(factors->p + i), static_cast<int>(factors->exp[i])});
+  fmpz_poly_factor_clear(factors);
+  return result;
+}
+
 /// c with c(z + 1/z) = p(z), for p = its own reversal, as a polynomial c in its variable. With V_k(z + 1/z) = z^k + z^-k,
 /// V_k(x) = x V_{k-1}(x) - V_{k-2}(x), by Clenshaw's recurrence.
 LaurentPolynomial in_sum_of_inverses(const LaurentPolynomial& p) {
@@ -140,26 +154,19 @@ int count_real_roots(const LaurentPolynomial& p) {
   return static_cast<int>(fmpz_poly_num_real_roots(q.get())) + (p.lowest() > 0 ? 1 : 0);
 }
 
+std::vector<PolynomialFactor> irreducible_factors(const LaurentPolynomial& p) {
+  if (p.is_zero()) throw std::domain_error("irreducible_factors: need a non-zero polynomial, got 0");
+  return factors_of(p, fmpz_poly_factor);
+}
+
 std::optional<RealRoot> largest_real_root(const LaurentPolynomial& p, int bits) {
   if (p.is_zero()) throw std::domain_error("largest_real_root: need a non-zero polynomial, got 0");
-  struct Factor {
-    LaurentPolynomial polynomial;
-    int multiplicity;
-  };
-  std::vector<Factor> candidates;
-  if (p.lowest() > 0) candidates.push_back({LaurentPolynomial::monomial(1, 1), static_cast<int>(p.lowest())});
-  IntegerPolynomial q(p);
-  fmpz_poly_factor_t factors;
-  fmpz_poly_factor_init(factors);
-  fmpz_poly_factor_squarefree(factors, q.get());
-  for (slong i = 0; i < factors->num; ++i)
-    candidates.push_back({from_flint(factors->p + i), static_cast<int>(factors->exp[i])});
-  fmpz_poly_factor_clear(factors);
+  const std::vector<PolynomialFactor> candidates = factors_of(p, fmpz_poly_factor_squarefree);
   // The squarefree factors are coprime, so that enough bits tell which zero is the largest.
   for (;; bits *= 2) {
     std::vector<RealRoot> roots;
     std::size_t best = 0;
-    for (const Factor& factor : candidates) {
+    for (const PolynomialFactor& factor : candidates) {
       const auto value = factor.polynomial.lowest() > 0 ? std::optional(Enclosure::exactly(0)) : largest_simple_root(factor.polynomial, bits);
       if (!value) continue;
       roots.push_back({*value, factor.multiplicity});

@@ -8,6 +8,15 @@ namespace subcert {
 /// The number of distinct real zeros. Domain: p not zero. Cost: one Sturm sequence. Ref: [BPR06].
 int count_real_roots(const LaurentPolynomial& p);
 
+/// Canonical: irreducible over the rationals, with integer coefficients and lowest exponent 0, or z itself.
+struct PolynomialFactor {
+  LaurentPolynomial polynomial;
+  int multiplicity;
+};
+
+/// The irreducible factors, without constants and powers of 1/z. Domain: p not zero. Cost: polynomial, by lattices.
+std::vector<PolynomialFactor> irreducible_factors(const LaurentPolynomial& p);
+
 /// The largest real zero, enclosed, with its multiplicity. Canonical: `value` is one number exactly where the zero is
 /// rational, and only there.
 struct RealRoot {

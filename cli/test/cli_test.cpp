@@ -194,6 +194,16 @@ TEST_CASE("matrices from a file") {
   CHECK(nlohmann::json::parse(golden.out).at("product").size() == 2);
   CHECK(nlohmann::json::parse(golden.out).at("radius").at("lower").get<std::string>().substr(0, 12) == "1.6180339887");
   CHECK(run("verify " + file + ".cert").code == 0);
+  const Run blocks = with(R"({"matrices": [[["2","7"],["0","1"]], [["1","5"],["0","-3"]]]})", " --json --certificate " + file + ".cert");
+  CHECK(blocks.code == 0);
+  CHECK(nlohmann::json::parse(blocks.out).at("blocks") == nlohmann::json({1, 1}));
+  CHECK(nlohmann::json::parse(blocks.out).at("exact") == true);
+  CHECK(nlohmann::json::parse(blocks.out).at("radius").at("upper") == "3");
+  CHECK(run("verify " + file + ".cert").code == 0);
+  const Run nilpotent = with(R"({"matrices": [[["0","7"],["0","0"]], [["0","5"],["0","0"]]]})", " --json --certificate " + file + ".cert");
+  CHECK(nilpotent.code == 0);
+  CHECK(nlohmann::json::parse(nilpotent.out).at("radius").at("upper") == "0");
+  CHECK(run("verify " + file + ".cert").code == 0);
   for (const char* text : {"", "{", "[]", "{}", R"({"matrices": []})", R"({"matrices": 5})", R"({"matrices": [[]]})",
                            R"({"matrices": [[["1","0"],["1"]]]})", R"({"matrices": [[["1/0"]]]})",
                            R"({"matrices": [[[1.5]]]})", R"({"matrices": [[["1"]],[["1","0"],["0","1"]]]})",

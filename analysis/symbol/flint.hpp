@@ -49,6 +49,7 @@ class Whole {
   Whole& operator=(const Whole&) = delete;
   ~Whole() { fmpz_clear(value_); }
   fmpz* get() { return value_; }
+  const fmpz* get() const { return value_; }
 
  private:
   fmpz_t value_;
@@ -75,10 +76,12 @@ class IntegerPolynomial {
     slong index = 0;
     for (const Integer& c : p.numerators()) fmpz_poly_set_coeff_fmpz(value_, index++, Whole(c).get());
   }
+  IntegerPolynomial() { fmpz_poly_init(value_); }
   IntegerPolynomial(const IntegerPolynomial&) = delete;
   IntegerPolynomial& operator=(const IntegerPolynomial&) = delete;
   ~IntegerPolynomial() { fmpz_poly_clear(value_); }
   fmpz_poly_struct* get() { return value_; }
+  const fmpz_poly_struct* get() const { return value_; }
 
  private:
   fmpz_poly_t value_;

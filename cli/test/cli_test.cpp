@@ -74,6 +74,7 @@ TEST_CASE("approved output") {
   check_baseline("analyze-divergent.txt", "analyze 'mask:[1,1]'");
   check_baseline("limit-primal.json", "limit 'primal:n=2' --level 3 --json");
   check_baseline("regularity-dual.txt", "regularity dual:n=2");
+  check_baseline("regularity-dd.txt", "regularity dd:n=2");
   check_baseline("variance-primal.txt", "variance primal:n=5");
 }
 
@@ -102,6 +103,22 @@ TEST_CASE("the fields of the contract") {
   CHECK(closed.at("exact") == true);
   CHECK(closed.at("method") == "invariant polytope");
   CHECK(closed.at("holder").at("lower").get<std::string>().substr(0, 13) == "1.99014395938");
+
+  const auto single = run_json("regularity 'mask:[-5,-7,35,105,105,35,-7,-5]/128'");
+  CHECK(single.at("method") == "single spectral radius");
+  CHECK(single.at("exact") == true);
+  CHECK(single.at("holder").at("lower").get<std::string>().substr(0, 14) == "2.830074998557");
+  CHECK(single.at("logarithm").at("at_most") == 0);
+  CHECK(run_json("regularity four-point:w=1/16").at("logarithm").at("at_least") == 1);
+  for (const char* command : {"regularity", "analyze"}) {
+    const auto sobolev = run_json(std::string(command) + " dd:n=2").at("sobolev");
+    CHECK(sobolev.at("exponent").at("lower").get<std::string>().substr(0, 8) == "2.440765");
+    CHECK(sobolev.at("stable") == true);
+    // Dependent shifts: no upper end.
+    const auto unstable = run_json(std::string(command) + " 'mask:[1,2,2,2,1]/4'", -1).at("sobolev");
+    CHECK(unstable.at("exponent").at("upper") == "inf");
+    CHECK(unstable.at("stable") == false);
+  }
 
   const auto variance = run_json("variance primal:n=1");
   CHECK(variance.at("mean") == "2/3");
@@ -142,6 +159,10 @@ TEST_CASE("verdicts have exit codes of their own") {
 
 TEST_CASE("certificates are written and verified") {
   const std::string file = (fs::temp_directory_path() / ("subcert-cli-test-" + std::to_string(getpid()) + ".cert")).string();
+  for (const char* scheme : {"dd:n=3", "four-point:w=1/20"}) {
+    CHECK(run(std::string("regularity ") + scheme + " --certificate " + file).code == 0);
+    CHECK(run("verify " + file).code == 0);
+  }
   CHECK(run("regularity dual-odd:n=2 --certificate " + file).code == 0);
   const Run verified = run("verify " + file);
   CHECK(verified.code == 0);
@@ -172,6 +193,16 @@ TEST_CASE("matrices from a file") {
   CHECK(golden.code == 0);
   CHECK(nlohmann::json::parse(golden.out).at("product").size() == 2);
   CHECK(nlohmann::json::parse(golden.out).at("radius").at("lower").get<std::string>().substr(0, 12) == "1.6180339887");
+  CHECK(run("verify " + file + ".cert").code == 0);
+  const Run blocks = with(R"({"matrices": [[["2","7"],["0","1"]], [["1","5"],["0","-3"]]]})", " --json --certificate " + file + ".cert");
+  CHECK(blocks.code == 0);
+  CHECK(nlohmann::json::parse(blocks.out).at("blocks") == nlohmann::json({1, 1}));
+  CHECK(nlohmann::json::parse(blocks.out).at("exact") == true);
+  CHECK(nlohmann::json::parse(blocks.out).at("radius").at("upper") == "3");
+  CHECK(run("verify " + file + ".cert").code == 0);
+  const Run nilpotent = with(R"({"matrices": [[["0","7"],["0","0"]], [["0","5"],["0","0"]]]})", " --json --certificate " + file + ".cert");
+  CHECK(nilpotent.code == 0);
+  CHECK(nlohmann::json::parse(nilpotent.out).at("radius").at("upper") == "0");
   CHECK(run("verify " + file + ".cert").code == 0);
   for (const char* text : {"", "{", "[]", "{}", R"({"matrices": []})", R"({"matrices": 5})", R"({"matrices": [[]]})",
                            R"({"matrices": [[["1","0"],["1"]]]})", R"({"matrices": [[["1/0"]]]})",

@@ -34,8 +34,9 @@ const char* mode_text(PolytopeKind kind) {
   }
 }
 
-std::string polytope_text(const CertifiedPolytope& polytope, std::size_t matrix_count) {
-  std::string text = std::string("block 0 polytope ") + mode_text(polytope.kind) + " " + std::to_string(polytope.vertices.size()) + " " + std::to_string(polytope.vertex_bits) + " " +
+std::string polytope_text(const CertifiedPolytope& polytope, std::size_t block, std::size_t matrix_count) {
+  std::string text = "block " + std::to_string(block) + " polytope " + mode_text(polytope.kind) + " " +
+                     std::to_string(polytope.vertices.size()) + " " + std::to_string(polytope.vertex_bits) + " " +
                      std::to_string(polytope.weight_bits) + (polytope.symmetric ? " symmetric" : "") +
                      (polytope.transposed ? " transposed" : "") + "\n";
   for (std::size_t v = 0; v < polytope.vertices.size(); ++v) {
@@ -54,15 +55,59 @@ std::string polytope_text(const CertifiedPolytope& polytope, std::size_t matrix_
   return text;
 }
 
-std::string product_text(const ProductEvidence& product) {
-  std::string text = "product 0 " + to_text(product.re) + " " + to_text(product.im);
+std::string product_text(const JointSpectralRadius& radius) {
+  const ProductEvidence& product = radius.product;
+  std::string text =
+      "product " + std::to_string(radius.leading_block) + " " + to_text(product.re) + " " + to_text(product.im);
   for (int letter : product.word) text += " " + std::to_string(letter);
   return text + "\n";
 }
 
-std::string upper_bound_text(const JointSpectralRadius& radius, std::size_t matrix_count) {
-  if (radius.polytope) return polytope_text(*radius.polytope, matrix_count);
-  return "block 0 norm " + std::to_string(radius.norm_level) + "\n";
+std::string section_text(const JointSpectralRadius& radius, std::size_t block, std::size_t matrix_count) {
+  if (radius.polytope) return polytope_text(*radius.polytope, block, matrix_count);
+  return "block " + std::to_string(block) + " norm " + std::to_string(radius.norm_level) + "\n";
+}
+
+std::string sections_text(const JointSpectralRadius& radius, std::size_t matrix_count) {
+  if (!radius.triangular) return section_text(radius, 0, matrix_count);
+  std::string text;
+  for (std::size_t k = 0; k < radius.blocks.size(); ++k) text += section_text(radius.blocks[k], k, matrix_count);
+  return text;
+}
+
+std::string rows_text(const RationalMatrix& matrix) {
+  std::string text;
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    text += "row";
+    for (std::size_t j = 0; j < matrix.columns(); ++j) text += " " + to_text(matrix(i, j));
+    text += "\n";
+  }
+  return text;
+}
+
+/// A prime modulo which the determinant of the matrix, its denominators cleared, is not zero.
+long regular_prime(const RationalMatrix& matrix) {
+  Integer den = 1;
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) den = lcm(den, denominator(matrix(i, j)));
+  RationalMatrix cleared(matrix.rows(), matrix.columns());
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) cleared(i, j) = matrix(i, j) * den;
+  const Integer determinant = numerator(characteristic_polynomial(cleared).coefficient(0));
+  for (const long prime : {2'147'483'647L, 2'147'483'629L, 2'147'483'587L, 2'147'483'579L, 2'147'483'563L})
+    if (determinant % prime != 0) return prime;
+  throw std::domain_error("certificate: no prime at hand for the determinant of the basis");
+}
+
+std::string blocks_text(const JointSpectralRadius& radius) {
+  if (!radius.triangular) return "";
+  const BlockTriangular& triangular = *radius.triangular;
+  std::string text = "blocks " + std::to_string(regular_prime(triangular.basis));
+  for (const std::size_t size : triangular.sizes) text += " " + std::to_string(size);
+  text += "\nbasis\n" + rows_text(triangular.basis);
+  for (std::size_t t = 0; t < triangular.triangular.size(); ++t)
+    text += "triangular " + std::to_string(t) + "\n" + rows_text(triangular.triangular[t]);
+  return text;
 }
 
 std::string bounds_text(const CertificateClaim& claim) {
@@ -76,31 +121,39 @@ constexpr long stability_prime = 2'147'483'647;
 }  // namespace
 
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity) {
-  if (!(*regularity.exponent.lower > 0))
+  // What the rational numbers prove; the exponent may be known more sharply by other arguments.
+  const int rules = regularity.bounds.sum_rules, arity = mask.arity();
+  const JointSpectralRadius& radius = regularity.radius;
+  const Rational lower = rules - *log_ratio(radius.certified_upper, arity).upper;
+  if (!(lower > 0))
     throw std::domain_error("exponent_certificate: need a positive lower bound of the exponent, got " +
-                            to_decimal(*regularity.exponent.lower, 6, Rounding::nearest));
+                            to_decimal(lower, 6, Rounding::nearest));
   Certificate certificate;
-  certificate.claim.lower = outward(*regularity.exponent.lower, Rounding::down);
+  certificate.claim.lower = outward(lower, Rounding::down);
   // The checker shows stability only where the sub-symbols have no common zero at all.
-  if (regularity.exponent.upper && common_factor_of_cosets(mask).length() == 1)
-    certificate.claim.upper = outward(*regularity.exponent.upper, Rounding::up);
+  if (regularity.stable.is_yes() && radius.product.radius.lower && *radius.product.radius.lower > 1 &&
+      common_factor_of_cosets(mask).length() == 1)
+    certificate.claim.upper = outward(rules - *log_ratio(*radius.product.radius.lower, arity).lower, Rounding::up);
   certificate.text = "subcert-certificate 1\nexponent " + mask.symbol().to_mask_text() + " " +
                      std::to_string(mask.arity()) + "\n" + bounds_text(certificate.claim) + "sum-rules " +
                      std::to_string(regularity.bounds.sum_rules) + "\n";
   if (certificate.claim.upper)
-    certificate.text += "stability " + std::to_string(stability_prime) + "\n" + product_text(regularity.radius.product);
-  certificate.text += upper_bound_text(regularity.radius, static_cast<std::size_t>(mask.arity())) + "end\n";
+    certificate.text += "stability " + std::to_string(stability_prime) + "\n";
+  certificate.text += blocks_text(radius);
+  if (certificate.claim.upper) certificate.text += product_text(radius);
+  certificate.text += sections_text(radius, static_cast<std::size_t>(arity)) + "end\n";
   return certificate;
 }
 
 Certificate radius_certificate(const std::vector<RationalMatrix>& matrices, const JointSpectralRadius& radius) {
   Certificate certificate;
-  if (*radius.radius.lower > 0) certificate.claim.lower = outward(*radius.radius.lower, Rounding::down);
-  certificate.claim.upper = outward(*radius.radius.upper, Rounding::up);
+  if (*radius.product.radius.lower > 0) certificate.claim.lower = outward(*radius.product.radius.lower, Rounding::down);
+  certificate.claim.upper = outward(radius.certified_upper, Rounding::up);
   certificate.text = "subcert-certificate 1\nradius " + std::to_string(matrices.size()) + " " +
                      std::to_string(matrices.front().rows()) + "\n" + bounds_text(certificate.claim);
-  if (certificate.claim.lower) certificate.text += product_text(radius.product);
-  certificate.text += upper_bound_text(radius, matrices.size()) + "end\n";
+  certificate.text += blocks_text(radius);
+  if (certificate.claim.lower) certificate.text += product_text(radius);
+  certificate.text += sections_text(radius, matrices.size()) + "end\n";
   return certificate;
 }
 

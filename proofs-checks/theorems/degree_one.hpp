@@ -13,8 +13,8 @@ namespace subcert::theorems {
 /// (9)].
 Enclosure cosine_minus_sinc_supremum();
 
-/// The numbers of [LC, sec. 6] for one n. Shell j is pi 2^(-j-1) < |xi| <= pi 2^-j. Each enclosure contains the number
-/// that its formula defines; an absent upper end says that the hypothesis Y_0 < 1 or Z_0 < 1 is not proved.
+/// The numbers of [LC, sec. 3 and 5] for one n. Shell j is pi 2^(-j-1) < |xi| <= pi 2^-j. Each enclosure contains the
+/// number that its formula defines; an absent upper end says that the hypothesis Y_0 < 1 or Z_0 < 1 is not proved.
 struct DegreeOneBounds {
   int n;
   std::vector<Enclosure> x;      ///< |symbol / 2| on shell j + 1
@@ -30,7 +30,7 @@ struct DegreeOneBounds {
 };
 
 /// Domain: 2 <= n <= 10^6. Errors: throws std::invalid_argument. Error: relative widths below 10^-15.
-/// Cost: O(log n) operations on balls. Ref: [LC, thm 9, eq. (8) to (15)].
+/// Cost: O(log n) operations on balls. Ref: [LC, thm 9].
 DegreeOneBounds degree_one_bounds(int n);
 
 /// |I_n - leading - next - rho| <= remainder, where leading = 2c/N, next = (13/18) c/N^3 and 0 <= rho <= aliases.

@@ -21,11 +21,11 @@ Enclosure limit_transform(int degree, const Rational& s, int digits);
 
 /// C_d = 1/4 + 1/2 * sum over k >= 1 of Phi_d(k pi)^2. Even degrees have the value of degree + 1, as their schemes do.
 /// Domain: 0 <= degree <= 99, 1 <= digits <= 100. Error: width at most 10^-digits. Cost: the number of terms grows
-/// like 2^sqrt(6.7 digits) * degree. Ref: [LC, thm 5, Lemma 6].
+/// like 2^sqrt(3.4 digits). Ref: [LC, thm 5, Lemma 4].
 Enclosure limit_constant(int degree, int digits);
 
 /// C_d = 1/(2 pi) * integral of Phi_d^2 over [0, oo), by rigorous quadrature: the same number by another way.
-/// Domain, error: as limit_constant, digits <= 60. Ref: [LC, thm 5, Lemma 6], [Joh18].
+/// Domain, error: as limit_constant, digits <= 60. Ref: [LC, thm 5, Lemma 4], [Joh18].
 Enclosure limit_constant_by_quadrature(int degree, int digits);
 
 }  // namespace subcert::theorems

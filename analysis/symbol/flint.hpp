@@ -7,10 +7,12 @@
 
 #if __has_include(<flint/arb.h>)
 #include <flint/acb.h>
+#include <flint/acb_calc.h>
 #include <flint/arb.h>
 #include <flint/arb_fmpz_poly.h>
 #else
 #include <acb.h>
+#include <acb_calc.h>
 #include <arb.h>
 #include <arb_fmpz_poly.h>
 #endif
@@ -90,7 +92,7 @@ class IntegerPolynomial {
 /// The exact value of a finite binary float.
 Rational to_rational(const arf_t value);
 
-/// A real ball. Its enclosure has exact ends and an absent end where the ball is not finite.
+/// A real ball. Its enclosure has ends with at most `bits` bits, and none where the ball is not finite.
 class Ball {
  public:
   Ball() { arb_init(value_); }
@@ -99,7 +101,7 @@ class Ball {
   ~Ball() { arb_clear(value_); }
   arb_ptr get() { return value_; }
   arb_srcptr get() const { return value_; }
-  Enclosure enclosure() const;
+  Enclosure enclosure(slong bits = 256) const;
 
  private:
   arb_t value_;

@@ -1,5 +1,7 @@
 #include "conjectures.hpp"
 
+#include "sweep/number_list.hpp"
+
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
@@ -18,14 +20,6 @@ std::string shown(const Enclosure& enclosure) {
     if (low == to_decimal(*enclosure.upper, digits, Rounding::nearest)) return low;
   }
   return enclosure.lower_text(digits) + " ... " + enclosure.upper_text(digits);
-}
-
-Enclosure scaled(const CertifiedMaximum& value, int power_of_n) {
-  const Rational factor = power(Rational(value.n), power_of_n);
-  Enclosure result;
-  if (value.value.lower) result.lower = *value.value.lower * factor;
-  if (value.value.upper) result.upper = *value.value.upper * factor;
-  return result;
 }
 
 /// The quotient of a number and a positive one.
@@ -62,6 +56,25 @@ Decision decide_above(const Enclosure& value, const Rational& bound, const std::
 
 std::string PrimalScheme::specification() const { return "primal:n=" + std::to_string(n) + ",d=" + std::to_string(d); }
 
+std::string PrimalSchemes::Skipped::reason() const {
+  if (!beyond_data()) return "the same mask as " + same_as.specification();
+  return "2n = " + std::to_string(2 * scheme.n) + " data fix no degree above " + std::to_string(same_as.d) +
+         ": the same scheme as " + same_as.specification();
+}
+
+std::vector<std::string> PrimalSchemes::skipped_lines() const {
+  std::map<std::pair<int, bool>, std::vector<int>> groups;
+  for (const Skipped& one : skipped) groups[{one.scheme.d, one.beyond_data()}].push_back(one.scheme.n);
+  std::vector<std::string> lines;
+  for (const auto& [group, sizes] : groups) {
+    const auto& [degree, beyond] = group;
+    lines.push_back("d = " + std::to_string(degree) + " with n = " + number_list_text(sizes) + ": " +
+                    (beyond ? "2n data fix no degree above 2n-1; these are the schemes with d = 2n-1"
+                            : "the same masks as d = " + std::to_string(degree + 1)));
+  }
+  return lines;
+}
+
 PrimalSchemes distinct_primal_schemes(const std::vector<int>& n, const std::vector<int>& d) {
   PrimalSchemes result;
   for (int degree : d)
@@ -69,12 +82,10 @@ PrimalSchemes distinct_primal_schemes(const std::vector<int>& n, const std::vect
       const PrimalScheme scheme{degree, points};
       const PrimalScheme next{degree + 1, points};
       if (degree > 2 * points - 1) {
-        result.skipped.push_back({scheme, "2n = " + std::to_string(2 * points) + " data fix no degree above " +
-                                              std::to_string(2 * points - 1) + ": the same scheme as " +
-                                              PrimalScheme{2 * points - 1, points}.specification()});
+        result.skipped.push_back({scheme, {2 * points - 1, points}});
       } else if (std::binary_search(d.begin(), d.end(), next.d) && next.d <= 2 * points - 1 && degree % 2 == 0 &&
                  make_scheme(scheme.specification()).mask == make_scheme(next.specification()).mask) {
-        result.skipped.push_back({scheme, "the same mask as " + next.specification()});
+        result.skipped.push_back({scheme, next});
       } else {
         result.schemes.push_back(scheme);
       }
@@ -100,8 +111,9 @@ DecayFinding decay_finding(int power_of_n, const std::vector<CertifiedMaximum>& 
   finding.last_n = values.back().n;
   std::vector<End> lower, upper;
   for (const CertifiedMaximum& value : values) {
-    lower.push_back(scaled(value, power_of_n).lower);
-    upper.push_back(scaled(value, power_of_n).upper);
+    const Enclosure one = scaled(value.value, power(Rational(value.n), power_of_n));
+    lower.push_back(one.lower);
+    upper.push_back(one.upper);
   }
   finding.largest = {best_end(lower, std::greater<>()), all_present(upper) ? best_end(upper, std::greater<>()) : End()};
   finding.smallest = {all_present(lower) ? best_end(lower, std::less<>()) : End(), best_end(upper, std::less<>())};
@@ -143,9 +155,9 @@ std::string DecayFinding::sentence(const std::string& what) const {
     return text + "It falls more slowly than " + claim + " there: this range speaks against the conjecture.";
   if (!upper_bound.is_yes()) return text + "This does not decide between the rates: " + upper_bound.reason + ".";
   text += "So on this range " + claim + " is a true upper bound, ";
-  if (rate.is_yes()) return text + "and it is the rate.";
-  if (rate.is_no()) return text + "but not the rate: the maximum falls faster.";
-  return text + "and whether it is the rate is open: " + rate.reason + ".";
+  if (rate.is_yes()) return text + "and it is the observed rate.";
+  if (rate.is_no()) return text + "but not the observed rate: the maximum falls faster.";
+  return text + "and whether it is the rate there is open: " + rate.reason + ".";
 }
 
 std::vector<VariancePair> neighbouring_pairs(const std::vector<PrimalScheme>& schemes) {
@@ -164,6 +176,13 @@ std::vector<VariancePair> neighbouring_pairs(const std::vector<PrimalScheme>& sc
     for (std::size_t i = 1; i < sizes.size(); ++i) pairs.push_back({{d, sizes[i - 1]}, {d, sizes[i]}});
   }
   return pairs;
+}
+
+Enclosure scaled(const Enclosure& enclosure, const Rational& factor) {
+  Enclosure result;
+  if (enclosure.lower) result.lower = *enclosure.lower * factor;
+  if (enclosure.upper) result.upper = *enclosure.upper * factor;
+  return result;
 }
 
 nlohmann::ordered_json exact_json(const Enclosure& enclosure) {

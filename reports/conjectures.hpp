@@ -25,10 +25,16 @@ struct PrimalScheme {
 struct PrimalSchemes {
   struct Skipped {
     PrimalScheme scheme;
-    std::string reason;
+    PrimalScheme same_as;
+
+    bool beyond_data() const { return scheme.d > 2 * scheme.n - 1; }
+    std::string reason() const;
   };
   std::vector<PrimalScheme> schemes;
   std::vector<Skipped> skipped;
+
+  /// One line for each degree and reason, as in "d = 2 with n = 2..20: the same masks as d = 3".
+  std::vector<std::string> skipped_lines() const;
 };
 
 /// All n with all d, without those of a degree that 2n data do not fix (d > 2n-1; S_n^d is then S_n^{2n-1}), and
@@ -77,6 +83,9 @@ struct VariancePair {
 /// The comparisons that imply all others by transitivity: neighbouring degrees for each n, neighbouring n for each
 /// degree.
 std::vector<VariancePair> neighbouring_pairs(const std::vector<PrimalScheme>& schemes);
+
+/// The enclosure times a positive factor.
+Enclosure scaled(const Enclosure& enclosure, const Rational& factor);
 
 /// Enclosures with exact ends, for journals: {"lower": "p/q", "upper": "p/q"}, an absent end left out.
 nlohmann::ordered_json exact_json(const Enclosure& enclosure);

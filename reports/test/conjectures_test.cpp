@@ -25,11 +25,14 @@ TEST_CASE("schemes that coincide are left out, with the reason") {
   CHECK(odd.schemes.size() == 9);
   REQUIRE(odd.skipped.size() == 3);
   CHECK(odd.skipped[0].scheme == PrimalScheme{3, 1});
-  CHECK(odd.skipped[0].reason == "2n = 2 data fix no degree above 1: the same scheme as primal:n=1,d=1");
+  CHECK(odd.skipped[0].reason() == "2n = 2 data fix no degree above 1: the same scheme as primal:n=1,d=1");
   CHECK(has(odd.schemes, 3, 2));
   CHECK(has(odd.schemes, 5, 3));
 
   const PrimalSchemes all = distinct_primal_schemes({1, 2, 3, 4, 5}, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+  CHECK(all.skipped_lines().front() == "d = 0 with n = 1..5: the same masks as d = 1");
+  CHECK(all.skipped_lines().back() ==
+        "d = 10 with n = 1..5: 2n data fix no degree above 2n-1; these are the schemes with d = 2n-1");
   // Left out means: a scheme of the list has the same mask. Kept means: no other one has.
   for (const PrimalScheme& a : all.schemes)
     for (const PrimalScheme& b : all.schemes)
@@ -71,14 +74,14 @@ TEST_CASE("findings tell bounds from rates") {
   CHECK(*sharp.largest.lower == Rational(2, 5));
   CHECK(sharp.sentence("max psi") ==
         "n max psi lies between 0.4 and 0.4 for n from 1 to 20. From n = 10 to 20 max psi falls like n^-r with r = 1. "
-        "So on this range 1/n is a true upper bound, and it is the rate.");
+        "So on this range 1/n is a true upper bound, and it is the observed rate.");
 
   const DecayFinding fast = decay_finding(2, exact_values(n, 4, 1));
   CHECK(fast.upper_bound.is_yes());
   CHECK(fast.rate.is_no());
   CHECK(*fast.largest.upper == 1);
   CHECK(*fast.smallest.lower == Rational(1, 400));
-  CHECK(fast.sentence("max |psi'|").find("but not the rate: the maximum falls faster") != std::string::npos);
+  CHECK(fast.sentence("max |psi'|").find("but not the observed rate: the maximum falls faster") != std::string::npos);
 
   const DecayFinding slow = decay_finding(2, exact_values(n, 1, 1));
   CHECK(slow.upper_bound.is_no());

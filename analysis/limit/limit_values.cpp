@@ -87,10 +87,33 @@ LimitValues limit_values(const Mask& mask, int level, int order) {
   return result;
 }
 
-Rational squared_l2_norm(const Mask& mask) {
-  const LaurentPolynomial autocorrelation =
-      mask.symbol() * mask.symbol().reversed() * LaurentPolynomial(Rational(1, mask.arity()));
-  return values_at_integers({autocorrelation, mask.arity()}).coefficient(0);
+std::vector<Rational> l2_inner_products(const Mask& mask) {
+  const LaurentPolynomial c = mask.symbol() * mask.symbol().reversed() * LaurentPolynomial(Rational(1, mask.arity()));
+  const long last = (c.highest() - 1) / (mask.arity() - 1);  // continuous, so zero at the ends of the support
+  if (last > max_integers)
+    throw std::length_error("l2_inner_products: need at most " + std::to_string(max_integers) +
+                            " integers in half the support, got " + std::to_string(last));
+  // w_k = sum over j of c_{arity*k - j} w_j, with w_{-j} = w_j.
+  const auto n = static_cast<std::size_t>(last) + 1;
+  RationalMatrix matrix(n, n);
+  for (long k = 0; k <= last; ++k)
+    for (long j = 0; j <= last; ++j) {
+      Rational entry = c.coefficient(mask.arity() * k - j);
+      if (j > 0) entry += c.coefficient(mask.arity() * k + j);
+      matrix(static_cast<std::size_t>(k), static_cast<std::size_t>(j)) = entry - (k == j ? 1 : 0);
+    }
+  const auto basis = kernel(matrix);
+  Rational sum = 0;
+  if (basis.size() == 1) {
+    for (const Rational& x : basis.front()) sum += 2 * x;
+    sum -= basis.front().front();
+  }
+  if (sum == 0) throw std::domain_error("l2_inner_products: not determined by the refinement equation; the scheme does not converge");
+  std::vector<Rational> products = basis.front();
+  for (Rational& x : products) x /= sum;
+  return products;
 }
+
+Rational squared_l2_norm(const Mask& mask) { return l2_inner_products(mask).front(); }
 
 }  // namespace subcert

@@ -25,8 +25,12 @@ struct LimitValues {
 /// Cost: one exact elimination at the integers, then one sparse product for each level. Ref: [DHHS15, sec. 2.2].
 LimitValues limit_values(const Mask& mask, int level, int order = 0);
 
-/// The integral of phi^2: the value at 0 of the autocorrelation of phi, which the mask a(z) a(1/z) / arity refines.
-/// Domain: the scheme converges. Errors: as limit_values.
+/// [k] = the integral of phi(x) phi(x + k), k = 0, 1, ..., up to the last that is not zero for its support: the values
+/// at the integers of the autocorrelation of phi, which the mask a(z) a(1/z) / arity refines.
+/// Domain: the scheme converges. Errors: as limit_values. Cost: one exact elimination of half the size of that mask.
+std::vector<Rational> l2_inner_products(const Mask& mask);
+
+/// The integral of phi^2, l2_inner_products(mask)[0].
 Rational squared_l2_norm(const Mask& mask);
 
 }  // namespace subcert

@@ -25,6 +25,9 @@
 #include <flint/fmpz_mat.h>
 #include <flint/fmpz_poly.h>
 
+#include <cstddef>
+#include <utility>
+
 namespace subcert::flint {
 
 inline void set(fmpz_t target, const Integer& value) { fmpz_set_mpz(target, value.backend().data()); }
@@ -105,6 +108,29 @@ class Ball {
 
  private:
   arb_t value_;
+};
+
+/// A vector of real balls.
+class BallVector {
+ public:
+  explicit BallVector(std::size_t size) : size_(static_cast<slong>(size)), entries_(_arb_vec_init(size_)) {}
+  BallVector(const BallVector&) = delete;
+  BallVector(BallVector&& other) noexcept : size_(std::exchange(other.size_, 0)), entries_(std::exchange(other.entries_, nullptr)) {}
+  BallVector& operator=(BallVector other) noexcept {
+    std::swap(size_, other.size_);
+    std::swap(entries_, other.entries_);
+    return *this;
+  }
+  ~BallVector() {
+    if (entries_) _arb_vec_clear(entries_, size_);
+  }
+  std::size_t size() const { return static_cast<std::size_t>(size_); }
+  arb_ptr operator[](std::size_t i) { return entries_ + i; }
+  arb_srcptr operator[](std::size_t i) const { return entries_ + i; }
+
+ private:
+  slong size_;
+  arb_ptr entries_;
 };
 
 }  // namespace subcert::flint

@@ -75,6 +75,7 @@ void add_variance(CLI::App& app);
 void add_reproduce(CLI::App& app);
 void add_jsr(CLI::App& app);
 void add_verify(CLI::App& app);
+void add_conjecture(CLI::App& app);
 void add_merge(CLI::App& app);
 
 }  // namespace subcert::cli

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   cli::add_verify(app);
   cli::add_limit(app);
   cli::add_variance(app);
+  cli::add_conjecture(app);
   cli::add_merge(app);
   try {
     app.parse(argc, argv);

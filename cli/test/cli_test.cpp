@@ -137,7 +137,9 @@ TEST_CASE("wrong usage is one line and exit code 64") {
         "mask 'mask:[1,3,3,2]/4'", "mask primal:n=3 --nonsense", "mask primal:n=3 extra", "limit primal:n=2 --level -1",
         "limit primal:n=2 --level 50", "limit primal:n=2000", "regularity dual:n=2 --levels 0",
         "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "reproduce nobody-1900",
-        "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "analyze $'mask:[1,\\n]'"}) {
+        "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "conjecture", "conjecture 9", "conjecture 7 --n 0",
+        "conjecture 7 --n 4..1", "conjecture 7 --n 1,,2", "conjecture 7 --d x", "conjecture 7 --shard 0/8",
+        "conjecture 7 --shard 9/8", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
     const Run result = run(arguments);
     CAPTURE(arguments, result.out, result.err);
     CHECK(result.code == 64);
@@ -155,6 +157,39 @@ TEST_CASE("verdicts have exit codes of their own") {
   CHECK(run("variance 'mask:[1,0,0,1]'").code == 1);
   CHECK(run("limit dd:n=2 --derivative 2").code == 2);
   CHECK(run("regularity primal:n=300 --budget 0.01").code == 2);
+}
+
+TEST_CASE("conjectures over a range, whole, split and continued") {
+  const fs::path folder = fs::temp_directory_path() / ("subcert-cli-conjecture-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const auto seven = run_json("conjecture 7 --n 1..4 --d 1,3");
+  CHECK(seven.at("conjecture") == 7);
+  REQUIRE(seven.at("rows").size() == 7);
+  CHECK(seven.at("rows").at(2).at("n") == 3);
+  CHECK(seven.at("rows").at(2).at("sup").at("lower").get<std::string>().substr(0, 6) == "0.1489");
+  CHECK(seven.at("rows").at(2).at("derivative_sup").at("upper").is_string());
+  CHECK(seven.at("skipped").at(0).at("scheme") == "primal:n=1,d=3");
+  CHECK(seven.at("verdict") == "holds");
+
+  std::string journals;
+  for (int shard = 1; shard <= 3; ++shard) {
+    const std::string journal = (folder / std::to_string(shard)).string();
+    const auto part = run_json("conjecture 7 --n 1..4 --d 1,3 --shard " + std::to_string(shard) + "/3 --journal " + journal);
+    CHECK(part.at("verdict").is_null());
+    CHECK(part.at("rows").size() == (shard == 1 ? 3 : 2));
+    journals += " " + journal;
+  }
+  const std::string whole = (folder / "whole").string();
+  CHECK(run("merge" + journals + " --out " + whole).out == whole + ": 7 cases\n");
+  const std::string before = read(whole);
+  CHECK(run_json("conjecture 7 --n 1..4 --d 1,3 --journal " + whole) == seven);
+  CHECK(read(whole) == before);
+  CHECK(run("conjecture 7 --n 1..4 --d 1,3").out == run("conjecture 7 --n 1..4 --d 1,3 --jobs 1 --journal " + whole).out);
+
+  const auto eight = run_json("conjecture 8 --n 1..4 --d 1..3");
+  CHECK(eight.at("rows").size() == 8);
+  CHECK(eight.at("verdict") == "holds");
+  fs::remove_all(folder);
 }
 
 TEST_CASE("journals are joined") {

@@ -3,8 +3,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/variance/variance.hpp>
+#include <subcert/analysis/variance/variance_range.hpp>
 
 #include <iostream>
 #include <sstream>
@@ -12,55 +11,65 @@
 namespace subcert::cli {
 namespace {
 
-struct VarianceOptions : CommonOptions {
+struct Options : CommonOptions {
   std::string scheme;
-  int level = 8;
+  std::string width = "1/1000000";
+  double budget = 60;
 };
 
-int run(const VarianceOptions& options) {
+int run(const Options& options) {
   const Scheme scheme = make_scheme(options.scheme);
-  const SmoothnessProof smoothness = proved_smoothness(scheme.mask);
-  if (smoothness.order < 0) {
-    const Decision convergence = converges(scheme.mask);
-    std::cerr << "subcert: " << scheme.specification << ": no variance curve; convergence: "
-              << to_text(convergence.truth) << " (" << convergence.reason << ")\n";
+  const auto width = parse_rational(options.width);
+  if (!width || *width <= 0) throw UsageError("--width: expected a positive number p or p/q, got '" + options.width + "'");
+  const Decision convergence = converges(scheme.mask);
+  const auto refuse = [&](const std::string& reason) {
+    std::cerr << "subcert: " << scheme.specification << ": no variance curve; convergence: " << to_text(convergence.truth)
+              << " (" << reason << ")\n";
     return convergence.is_no() ? failed : undecided;
+  };
+  if (!convergence.is_yes()) return refuse(convergence.reason);
+  VarianceRange range;
+  try {
+    range = variance_range(scheme.mask, {*width, options.budget});
+  } catch (const std::domain_error& error) {
+    return refuse(error.what());
   }
-  const VarianceGrid grid = variance_grid(scheme.mask, options.level, smoothness.order >= 1);
-  const Enclosure sup{grid.largest(), variance_ceiling(scheme.mask)};
-  const Enclosure inf{variance_floor(scheme.mask), grid.smallest()};
-  const Enclosure slope = Enclosure::at_least(grid.steepest());
-  const Rational mean = squared_l2_norm(scheme.mask);
+  const ExitCode code = range.complete ? done : undecided;
   if (options.json) {
-    options.answer(Json{{"scheme", scheme.specification},
-                        {"level", grid.level},
-                        {"sup", enclosure_json(sup)},
-                        {"inf", enclosure_json(inf)},
-                        {"derivative_sup", enclosure_json(slope)},
-                        {"mean", to_text(mean)}});
-    return done;
+    Json json{{"scheme", scheme.specification},
+              {"sup", enclosure_json(range.maximum)},
+              {"inf", enclosure_json(range.minimum)},
+              {"derivative_sup", range.slope ? enclosure_json(*range.slope) : Json()},
+              {"mean", to_text(range.mean)},
+              {"complete", range.complete},
+              {"cells", range.cells}};
+    if (!range.slope_reason.empty()) json["derivative_note"] = range.slope_reason;
+    options.answer(json);
+    return code;
   }
   std::ostringstream text;
-  text << "scheme        " << scheme.specification << "  (" << scheme.title << ")\n"
-       << "psi           exact on the grid of level " << grid.level << "; one-sided bounds follow\n"
-       << "maximum       " << enclosure_text(sup) << "\n"
-       << "minimum       " << enclosure_text(inf) << "\n"
-       << "largest |psi'|" << " " << enclosure_text(slope) << "\n"
-       << "mean          " << to_decimal(mean, 15, Rounding::nearest) << "  = " << to_text(mean) << "\n";
+  text << "scheme          " << scheme.specification << "  (" << scheme.title << ")\n"
+       << "maximum         " << enclosure_text(range.maximum) << "\n"
+       << "minimum         " << enclosure_text(range.minimum) << "\n";
+  if (range.slope)
+    text << "largest |psi'|  " << enclosure_text(*range.slope)
+         << (range.slope_reason.empty() ? "" : "  (best Lipschitz constant; " + range.slope_reason + ")") << "\n";
+  else
+    text << "largest |psi'|  not known: " << range.slope_reason << "\n";
+  text << "mean            " << to_decimal(range.mean, 15, Rounding::nearest) << "  = " << to_text(range.mean) << "\n"
+       << (range.complete ? "" : "The enclosures are wider than asked for: the budget ran out.\n");
   options.answer(text.str());
-  return done;
+  return code;
 }
 
 }  // namespace
 
 void add_variance(CLI::App& app) {
-  auto options = std::make_shared<VarianceOptions>();
-  CLI::App& command =
-      add_command(app, "variance", "The variance curve psi on a grid, with rigorous one-sided bounds",
-                  "subcert variance primal:n=5", options, [=] { return run(*options); });
-  command.add_option("--level", options->level, "Grid of arity^LEVEL points in a period")
-      ->check(CLI::Range(0, 60))
-      ->capture_default_str();
+  auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(app, "variance", "The variance curve psi: maximum, minimum and largest slope, enclosed with proof",
+                                  "subcert variance primal:n=5", options, [=] { return run(*options); });
+  command.add_option("--width", options->width, "Relative width of the enclosures, p or p/q")->capture_default_str();
+  command.add_option("--budget", options->budget, "Seconds")->check(CLI::PositiveNumber)->capture_default_str();
   add_scheme(command, options->scheme);
 }
 

@@ -902,6 +902,7 @@ struct Rest {
 CellRange range_of(const std::vector<double>& c, const std::vector<double>& r, double speed, const Rest& rest,
                    double slack, double slope_slack, double square_low, double square_high, double square_slope, bool slopes) {
   CellRange range{};
+  range.remainder = up(rest.value + std::max(square_low, square_high));
   const Span value = polynomial_span(c, r);
   const auto outward = [](double low, double high, double margin) {
     const double room = up(margin + (std::abs(low) + std::abs(high)) * 0x1p-50);

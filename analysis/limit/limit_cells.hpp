@@ -33,7 +33,7 @@ struct CellForm {
 
 /// What a form says about its function on the cell: value_lower <= f <= value_upper; slope_lower <= f' <= slope_upper
 /// (where C^1 is proved); left and right enclose the values at the ends; some |f'| in the cell, and so the Lipschitz
-/// constant there, is at least steepness. square_share is the part of the width of the slope range (without C^1: of
+/// constant there, is at least steepness; f differs from its polynomial by at most remainder. square_share is the part of the width of the slope range (without C^1: of
 /// the value range) that the square of the remainder causes.
 struct CellRange {
   double value_lower, value_upper;
@@ -41,6 +41,7 @@ struct CellRange {
   double left_lower, left_upper;
   double right_lower, right_upper;
   double steepness;
+  double remainder;
   double square_share;
 };
 

@@ -2,12 +2,14 @@
 
 #include "variance.hpp"
 
+#include <subcert/analysis/limit/extreme.hpp>
 #include <subcert/analysis/limit/limit_cells.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace subcert {
@@ -15,18 +17,6 @@ namespace {
 
 constexpr long exact_width = 64;  // integers in the support up to which psi is evaluated exactly on level 1
 constexpr std::size_t most_cells = 4'000'000;
-
-/// Maxima over cells: a lower bound that some point attains, and an upper bound of what was put aside.
-struct Extreme {
-  double attained;
-  double aside;
-
-  explicit Extreme(double start) : attained(start), aside(start) {}
-  void attain(double value) { attained = std::max(attained, value); }
-  bool is_settled(double upper, double margin) const { return upper <= attained + margin; }
-  void put_aside(double upper) { aside = std::max(aside, upper); }
-  Enclosure enclosure() const { return {Rational(attained), Rational(std::max(attained, aside))}; }
-};
 
 }  // namespace
 
@@ -61,14 +51,14 @@ VarianceRange variance_range(const Mask& mask, const VarianceOptions& options) {
       if (slopes) steepest.attain(range.steepness);
     }
     result.cells += active.size();
-    const LimitCells::Spare spare{highest.attained * tolerance / 50, steepest.attained * tolerance / 50};
+    const LimitCells::Spare spare{highest.attained() * tolerance / 50, steepest.attained() * tolerance / 50};
     std::vector<CellForm> next;
     for (std::size_t i = 0; i < active.size(); ++i) {
       const CellRange& range = ranges[i];
       const double slope = std::max(std::abs(range.slope_lower), std::abs(range.slope_upper));
-      const bool settled = highest.is_settled(range.value_upper, tolerance * highest.attained) &&
-                           lowest.is_settled(-range.value_lower, tolerance * std::abs(lowest.attained)) &&
-                           (!slopes || steepest.is_settled(slope, tolerance * steepest.attained));
+      const bool settled = highest.is_settled(range.value_upper, tolerance * highest.attained()) &&
+                           lowest.is_settled(-range.value_lower, tolerance * std::abs(lowest.attained())) &&
+                           (!slopes || steepest.is_settled(slope, tolerance * steepest.attained()));
       if (settled || stopped) {
         if (!settled) result.complete = false;
         highest.put_aside(range.value_upper);
@@ -89,8 +79,7 @@ VarianceRange variance_range(const Mask& mask, const VarianceOptions& options) {
     active = std::move(next);
   }
   result.maximum = highest.enclosure();
-  const Enclosure mirrored = lowest.enclosure();
-  result.minimum = {Rational(-*mirrored.upper), Rational(-*mirrored.lower)};
+  result.minimum = lowest.negated();
   if (slopes) result.slope = steepest.enclosure();
 
   // What is known exactly.

@@ -1,0 +1,52 @@
+#pragma once
+/// The basic limit function between grid points: certified extremes, norms, sign and monotonicity.
+
+#include <subcert/analysis/symbol/mask.hpp>
+
+#include <cstdint>
+
+namespace subcert {
+
+struct LimitOptions {
+  Rational relative_width = Rational(1, 1'000'000);
+  double seconds = 60;
+};
+
+/// phi over the line: maximum, minimum (0 or below), largest |phi|, largest |phi'| (the best Lipschitz constant where phi
+/// is not C^1 but a proved polynomial between integers; absent, with the reason, where nothing is proved), and the
+/// integral of |phi|.
+struct LimitRange {
+  Enclosure maximum;
+  Enclosure minimum;
+  Enclosure sup_norm;
+  std::optional<Enclosure> slope;
+  std::string slope_reason;
+  Enclosure l1_norm;
+  bool complete = false;    ///< all widths are as asked for; else the seconds ran out
+  std::uint64_t cells = 0;  ///< cells looked at
+};
+
+/// Branch and bound over arity-adic cells. Domain: convergence proved by contraction. Error: widths at most
+/// relative_width times the largest |phi| (times the largest |phi'|, the integral of |phi|) where `complete`. Errors: throws
+/// std::invalid_argument, and as LimitCells. Proofs: docs/limit-enclosures.md.
+LimitRange limit_range(const Mask& mask, const LimitOptions& options = {});
+
+/// phi and phi' on one cell [index, index + 1] / arity^level; no slope where it is not proved to exist.
+struct LimitCell {
+  Enclosure value;
+  std::optional<Enclosure> slope;
+};
+
+/// Domain: as LimitCells; |index| < 2^61, level as LimitCells::deepest_level(). For many cells use LimitCells.
+LimitCell limit_cell(const Mask& mask, std::int64_t index, int level);
+
+/// Whether phi > 0 on [from, to]. `no` names a point. Positive masks are decided at once (docs/limit-enclosures.md,
+/// section 8); else cells are split down to `levels`. Domain: as LimitCells; from < to.
+Decision is_positive(const Mask& mask, const Rational& from, const Rational& to, int levels = 20);
+
+/// Whether phi' >= 0 on [from, to], so that phi does not decrease there. `no` names a cell where it decreases; unknown
+/// where a zero of phi' is met that neither the enclosures nor the differences of the control data resolve, as at an inner
+/// maximum. Domain: as LimitCells, slopes proved; from < to.
+Decision is_increasing(const Mask& mask, const Rational& from, const Rational& to, int levels = 20);
+
+}  // namespace subcert

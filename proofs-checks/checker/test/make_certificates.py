@@ -154,7 +154,7 @@ def exponent(mask_text, mask, arity, m, word, symmetric, stability=True, section
     if abs(s - round(s)) < 1e-14:
         lower = upper = Q(round(s))
     head = ["subcert-certificate 1", f"exponent {mask_text} {arity}", f"bounds {lower} {upper}", f"sum-rules {m}"]
-    head += ["stability 1000003"] if stability else []
+    head += ["stability"] if stability else []
     head += [f"product 0 {value} 0 " + " ".join(map(str, word))]
     return ["--mask", mask_text, "--arity", str(arity), "--lower", str(lower), "--upper", str(upper)], \
         head + (section or lines) + ["end"]
@@ -231,7 +231,7 @@ def main(out):
     assert multiply(basis, inverse) == [[Q(int(i == k)) for k in range(3)] for i in range(3)]
     blocks = [[[*golden[t][0], Q(5)], [*golden[t][1], Q(-7, 3)], [Q(0), Q(0), (Q(3, 2), Q(-1))[t]]] for t in range(2)]
     write_matrices("blocks.mat", [multiply(multiply(basis, m), inverse) for m in blocks])
-    split = [f"blocks 1000003 2 1", "basis"] + ["row " + " ".join(map(str, r)) for r in basis]
+    split = ["blocks 2 1", "basis"] + ["row " + " ".join(map(str, r)) for r in basis]
     for t, m in enumerate(blocks):
         split += [f"triangular {t}"] + ["row " + " ".join(map(str, r)) for r in m]
     write("blocks", (["--matrices", "blocks.mat"] + arguments[2:], ["subcert-certificate 1", "radius 2 3", lines[2]] + split +

@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -22,11 +24,13 @@ using Rationals = std::vector<mpq_class>;
 using Fields = std::vector<std::string_view>;
 
 constexpr std::size_t max_bytes = 1UL << 28;          // of a file
+constexpr std::size_t max_line = 1UL << 24;           // characters
 constexpr std::size_t max_digits = 2000;              // of a number
 constexpr std::size_t max_denominator_bits = 10'000;  // of the common denominator of a mask or a family
 constexpr std::size_t max_family_bits = 1UL << 32;    // of that denominator times the number of entries
 constexpr std::size_t max_power_bits = 20'000'000;    // of a number times the power to which it is raised
 constexpr std::uint64_t max_work = 10'000'000'000;    // all in all: about ten seconds
+constexpr const char* too_much_work = "more work than the checker allows";
 
 /// The reason, and the exit code: 1 the certificate does not prove the claim, 64 wrong arguments, 65 malformed
 /// matrices, 66 a missing file.
@@ -35,19 +39,15 @@ struct Rejected {
   int code = 64;
 };
 
-void require(bool condition, const std::string& why) {
-  if (!condition) throw Rejected{why};
+void require(bool condition, std::string_view why) {
+  if (!condition) throw Rejected{std::string(why)};
 }
 
 // ---- numbers ---------------------------------------------------------------------------------------------------
 
 std::size_t bits(const mpz_class& x) { return mpz_sizeinbase(x.get_mpz_t(), 2); }
 
-mpq_class ratio(const mpz_class& numerator, const mpz_class& denominator) {
-  mpq_class result(numerator, denominator);
-  result.canonicalize();
-  return result;
-}
+mpq_class ratio(const mpz_class& top, const mpz_class& bottom) { return mpq_class(top) / mpq_class(bottom); }
 
 mpq_class power(const mpq_class& base, std::size_t exponent) {
   require((bits(base.get_num()) + bits(base.get_den())) * exponent <= max_power_bits, "power of a number too large");
@@ -82,30 +82,18 @@ class Arithmetic {
     mpz_addmul(sum.get_mpz_t(), x.get_mpz_t(), y.get_mpz_t());
   }
   /// matrix * x. Matrices are stored column by column; x may be several columns, one after another.
-  Vector multiply(const Vector& matrix, const Vector& x, std::size_t size) {
+  Vector multiply(std::span<const mpz_class> matrix, const Vector& x, std::size_t size) {
     spend(100 * x.size());
     Vector result(x.size());
     for (std::size_t i = 0; i < x.size(); ++i)
       for (std::size_t j = 0; j < size; ++j) add_product(result[i - i % size + j], matrix[i % size * size + j], x[i]);
     return result;
   }
-  /// Coefficients of det(z - matrix), highest power first, by the method of Faddeev and LeVerrier.
-  Vector characteristic_polynomial(const Vector& matrix, std::size_t size) {
-    Vector p{1}, m(size * size);
-    for (std::size_t k = 1; k <= size; ++k) {
-      mpz_class trace = 0;
-      for (std::size_t i = 0; i < size; ++i) m[i * size + i] += p.back();
-      m = multiply(matrix, m, size);
-      for (std::size_t i = 0; i < size; ++i) trace += m[i * size + i];
-      p.emplace_back(-trace / k);
-    }
-    return p;
-  }
 
  private:
   void spend(std::uint64_t work) {
     spent_ += work;
-    require(spent_ <= max_work, "more work than the checker allows");
+    require(spent_ <= max_work, too_much_work);
   }
   std::uint64_t spent_ = 0;
 };
@@ -130,14 +118,6 @@ mpz_class parse_integer(std::string_view text) {
   return mpz_class(std::string(text), 10);
 }
 
-/// `count` integers between commas.
-Vector parse_integers(std::string_view text, std::size_t count) {
-  Vector values;
-  for (const std::string_view part : split(text, ',')) values.push_back(parse_integer(part));
-  require(values.size() == count, "wrong number of parts");
-  return values;
-}
-
 std::size_t parse_size(std::string_view text, std::size_t low, std::size_t high) {
   const mpz_class value = parse_integer(text);
   require(value >= low && value <= high, "number outside " + std::to_string(low) + ".." + std::to_string(high));
@@ -155,9 +135,9 @@ mpq_class parse_rational(std::string_view text) {
 /// The coefficients of a mask [c0,c1,...]/D@first. Nothing that is proved depends on `first`.
 Rationals parse_mask(std::string_view text) {
   const Fields halves = split(text, ']'), tail = split(halves.back(), '@');
-  require(
-      halves.size() == 2 && text.starts_with('[') && (tail[0].empty() || tail[0].starts_with('/')) && tail.size() <= 2,
-      "a mask is [c0,c1,...]/D@first");
+  const bool divided = tail[0].starts_with('/');
+  require(halves.size() == 2 && text.starts_with('[') && (tail[0].empty() || divided) && tail.size() <= 2,
+          "a mask is [c0,c1,...]/D@first");
   const mpq_class scale = parse_rational("1" + std::string(tail[0]));
   if (tail.size() == 2) parse_integer(tail[1]);
   Rationals mask;
@@ -167,38 +147,32 @@ Rationals parse_mask(std::string_view text) {
   return mask;
 }
 
-/// A file line by line. A line starts with its head, `image 3 0` for instance, and goes on with fields.
+/// A file line by line. A line is its head, `image 3 0` for instance, and fields, each after one space.
 class Reader {
  public:
   explicit Reader(const std::string& file) : input_(file, std::ios::binary) {}
 
   std::size_t line() const { return line_; }
-  /// Whether the next line has this head. All lines have the empty one; after the last line there is none.
-  bool at(const std::string& head) {
-    load();
-    return head.empty() ? !text_.empty() : text_ == head || text_.starts_with(head + " ");
+  bool at_end() {
+    if (std::exchange(taken_, false)) {
+      ++line_;
+      require(!std::getline(input_, text_) || !input_.eof(), "last line without line feed");
+      require(text_.size() <= max_line, "line too long");
+    }
+    return !input_;
   }
+  bool at(const std::string& head) { return !at_end() && (text_ == head || text_.starts_with(head + " ")); }
   /// Takes the next line, which must have the head and `low` to `high` fields; they are valid until the next call.
   Fields take(const std::string& head, std::size_t low, std::size_t high) {
     require(at(head), "expected '" + head + "'");
     taken_ = true;
-    const std::string_view rest = std::string_view(text_).substr(head.size());
-    const Fields fields = rest.empty() ? Fields{} : split(rest.substr(head.empty() ? 0 : 1), ' ');
+    Fields fields = split(std::string_view(text_).substr(head.size()), ' ');
+    fields.erase(fields.begin());  // what is before the first space: nothing
     require(fields.size() >= low && fields.size() <= high, "wrong number of fields");
     return fields;
   }
 
  private:
-  void load() {
-    if (!std::exchange(taken_, false)) return;
-    ++line_;
-    if (!std::getline(input_, text_)) return;
-    require(!input_.eof(), "last line without line feed");
-    require(std::all_of(text_.begin(), text_.end(), [](char c) { return c >= ' ' && c <= '~'; }), "bad character");
-    require(!text_.empty() && text_.front() != ' ' && text_.back() != ' ' && text_.find("  ") == std::string::npos,
-            "empty line or misplaced space");
-  }
-
   std::ifstream input_;
   std::string text_;
   std::size_t line_ = 0;
@@ -221,15 +195,24 @@ void read(const std::string& file, int code, Use use) {
 
 // ---- families and masks ----------------------------------------------------------------------------------------
 
-/// Square matrices of one size: entry (j,k) of matrix t is matrices[t][k * size + j] / denominator, denominator > 0.
+/// Square matrices of one size, one after another, each column by column; all entries over one denominator > 0.
 struct Family {
-  std::size_t size = 0;
+  std::size_t size = 1;
+  Vector entries;
   mpz_class denominator = 1;
-  std::vector<Vector> matrices;
+
+  std::size_t count() const { return entries.size() / (size * size); }
+  std::span<const mpz_class> matrix(std::size_t t) const { return {&entries.at(t * size * size), size * size}; }
+  void transpose() {
+    for (std::size_t t = 0; t < count(); ++t)
+      for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          std::swap(entries[(t * size + i) * size + j], entries[(t * size + j) * size + i]);
+  }
 };
 
-/// The values times their common denominator, and that.
-std::pair<Vector, mpz_class> clear_denominators(const Rationals& values) {
+/// The matrices with these entries.
+Family clear_denominators(std::size_t size, const Rationals& values) {
   mpz_class denominator = 1;
   for (const mpq_class& x : values) {
     denominator = lcm(denominator, x.get_den());
@@ -238,29 +221,16 @@ std::pair<Vector, mpz_class> clear_denominators(const Rationals& values) {
   require(values.size() * bits(denominator) <= max_family_bits, "matrices too large");
   Vector cleared;
   for (const mpq_class& x : values) cleared.emplace_back(x.get_num() * (denominator / x.get_den()));
-  return {cleared, denominator};
+  return {size, cleared, denominator};
 }
 
-/// Reads matrices, each after a line with its title unless that is empty, row by row, each row after the head.
-Family read_family(Reader& reader, std::size_t size, const std::vector<std::string>& titles, const std::string& head) {
+/// Reads matrices row by row, each row after the head.
+Family read_family(Reader& reader, const std::string& head, std::size_t count, std::size_t size) {
   Rationals rows;
-  for (const std::string& title : titles) {
-    if (!title.empty()) reader.take(title, 0, 0);
-    for (std::size_t j = 0; j < size; ++j)
-      for (const std::string_view field : reader.take(head, size, size)) rows.push_back(parse_rational(field));
-  }
-  const auto [entries, denominator] = clear_denominators(rows);
-  Family family{size, denominator, std::vector<Vector>(titles.size(), Vector(size * size))};
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    family.matrices[i / (size * size)][i % size * size + i / size % size] = entries[i];
-  return family;
-}
-
-Family read_matrices(Reader& reader) {
-  const Fields fields = reader.take("matrices", 2, 2);
-  const std::size_t count = parse_size(fields[0], 1, 64), size = parse_size(fields[1], 1, 256);
-  const Family family = read_family(reader, size, std::vector<std::string>(count), "");
-  require(!reader.at(""), "text after the last row");
+  for (std::size_t i = 0; i < count * size; ++i)
+    for (const std::string_view field : reader.take(head, size, size)) rows.push_back(parse_rational(field));
+  Family family = clear_denominators(size, rows);
+  family.transpose();
   return family;
 }
 
@@ -276,13 +246,12 @@ Family transition_family(Vector b, const mpz_class& denominator, unsigned arity,
   for (mpz_class& x : b) x *= scale;
   const std::size_t size = std::max<std::size_t>(1, (b.size() + arity - 3) / (arity - 1));
   require(size <= 256, "transition matrices larger than 256");
-  Family family{size, denominator, std::vector<Vector>(arity, Vector(size * size))};
+  Vector entries;
   for (std::size_t t = 0; t < arity; ++t)
-    for (std::size_t j = 0; j < size; ++j)
-      for (std::size_t k = 0; k < size; ++k)
-        if (const std::size_t i = arity * j + t; i >= k && i - k < b.size())
-          family.matrices[t][k * size + j] = b[i - k];
-  return family;
+    for (std::size_t k = 0; k < size; ++k)
+      for (std::size_t i = t; i < t + arity * size; i += arity)
+        entries.push_back(i >= k && i - k < b.size() ? b[i - k] : mpz_class(0));
+  return {size, entries, denominator};
 }
 
 /// The sum of a[start + i * step] * 2^(k * i).
@@ -324,7 +293,7 @@ struct Claim {
   Rationals mask;
   Family family;
   std::optional<mpq_class> lower, upper;
-  std::string head, text;  // of the line for it in certificates, and to be printed
+  std::string head, text, file;  // its line in a certificate; what to print; the certificate
 };
 
 class Checker {
@@ -334,28 +303,23 @@ class Checker {
 
   /// Returns if the certificate proves the claim.
   void run() {
-    reader_.take("subcert-certificate 1", 0, 0);
-    const bool exponent = claim_.arity != 0;
-    require(reader_.at(claim_.head), "certificate for another scheme or family");
+    reader_.take("subcert-certificate 2", 0, 0);
     reader_.take(claim_.head, 0, 0);
     reader_.take("bounds", 2, 2);
-    const Family family = exponent ? read_scheme() : claim_.family;
-    const bool divided = reader_.at("blocks");
+    const Family family = claim_.arity != 0 ? read_scheme() : claim_.family;
+    const bool divided = reader_.at("blocks"), first_columns = claim_.arity != 0 && !divided;
     const std::vector<Family> blocks = divided ? read_blocks(family) : std::vector{family};
-    const bool product = reader_.at("product");
-    require(product || !lower_, "the claim needs a 'product' line");
-    if (product) read_product(blocks);
-    const bool sections = reader_.at("block 0");
-    require(sections || !upper_, "the claim needs a norm or a polytope");
+    if (lower_ || reader_.at("product")) read_product(blocks);
+    const bool sections = upper_ || reader_.at("block 0");
     for (std::size_t i = 0; sections && i < blocks.size(); ++i) {
-      const Fields fields = reader_.take("block " + std::to_string(i), 2, 7);
+      const Fields fields = reader_.take("block " + std::to_string(i), 2, 8);
       if (fields[0] == "norm")
-        read_norm(blocks[i], fields, exponent && !divided ? 1 : blocks[i].size);
+        read_norm(blocks[i], fields, first_columns ? 1 : blocks[i].size);
       else
         read_polytope(blocks[i], fields);
     }
     reader_.take("end", 0, 0);
-    require(!reader_.at(""), "text after 'end'");
+    require(reader_.at_end(), "text after 'end'");
   }
 
  private:
@@ -363,51 +327,45 @@ class Checker {
   Family read_scheme() {
     require(*claim_.lower > 0, "the lower end of an exponent must be positive");
     const std::size_t sum_rules = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 500);
-    const auto [mask, denominator] = clear_denominators(claim_.mask);
-    require(std::accumulate(mask.begin(), mask.end(), mpz_class(0)) == denominator * claim_.arity,
+    const Family mask = clear_denominators(1, claim_.mask);
+    require(std::accumulate(mask.entries.begin(), mask.entries.end(), mpz_class(0)) == mask.denominator * claim_.arity,
             "the coefficients of the mask do not sum to the arity");
     upper_ = power_lower(claim_.arity, sum_rules - *claim_.lower);
     lower_.reset();
     if (claim_.upper) lower_ = power(claim_.arity, sum_rules) / power_lower(claim_.arity, *claim_.upper);
-    if (reader_.at("stability")) {
+    if (claim_.upper || reader_.at("stability")) {
       reader_.take("stability", 0, 0);
-      check_stability(mask, claim_.arity);
-    } else {
-      require(!lower_, "the upper end needs a 'stability' line");
+      check_stability(mask.entries, claim_.arity);
     }
-    return transition_family(mask, denominator, claim_.arity, sum_rules);
+    return transition_family(mask.entries, mask.denominator, claim_.arity, sum_rules);
   }
 
   /// Section 4.4: the diagonal blocks.
   std::vector<Family> read_blocks(const Family& family) {
-    const std::size_t n = family.size, count = family.matrices.size();
+    const std::size_t n = family.size;
     std::vector<std::size_t> sizes;
     for (const std::string_view field : reader_.take("blocks", 1, n)) sizes.push_back(parse_size(field, 1, n));
     require(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) == n, "the block sizes do not sum to n");
-    const Vector basis = read_family(reader_, n, {"basis"}, "row").matrices[0];
-    require(arithmetic_.characteristic_polynomial(basis, n).back() != 0, "the determinant of the basis is 0");
-    std::vector<std::string> titles;
-    for (std::size_t t = 0; t < count; ++t) titles.push_back("triangular " + std::to_string(t));
-    const Family triangular = read_family(reader_, n, titles, "row");
-    for (std::size_t t = 0; t < count; ++t) {
-      const Vector left = arithmetic_.multiply(family.matrices[t], basis, n);
-      const Vector right = arithmetic_.multiply(basis, triangular.matrices[t], n);
-      for (std::size_t i = 0; i < n * n; ++i)
-        require(left[i] * triangular.denominator == right[i] * family.denominator, "T B = B M does not hold");
+    const Family basis = read_family(reader_, "basis", 1, n), inverse = read_family(reader_, "inverse", 1, n);
+    const mpz_class denominator = basis.denominator * inverse.denominator;
+    const Vector unit = arithmetic_.multiply(basis.entries, inverse.entries, n);
+    for (std::size_t i = 0; i < n * n; ++i)
+      require(unit[i] == (i % (n + 1) == 0 ? denominator : mpz_class(0)), "basis times inverse is not the unit matrix");
+    std::vector<Rationals> entries(sizes.size());
+    for (std::size_t t = 0; t < family.count(); ++t) {
+      const Vector images = arithmetic_.multiply(family.matrix(t), basis.entries, n);
+      const Vector triangular = arithmetic_.multiply(inverse.entries, images, n);
+      for (std::size_t block = 0, start = 0; block < sizes.size(); start += sizes[block++])
+        for (std::size_t k = start; k < start + sizes[block]; ++k)
+          for (std::size_t j = start; j < n; ++j) {
+            const mpz_class& entry = triangular[k * n + j];
+            const bool inside = j < start + sizes[block];
+            require(inside || entry == 0, "not block upper triangular");
+            if (inside) entries[block].push_back(ratio(entry, family.denominator * denominator));
+          }
     }
     std::vector<Family> blocks;
-    std::size_t start = 0;
-    for (const std::size_t size : sizes) {
-      blocks.push_back({size, triangular.denominator, std::vector<Vector>(count)});
-      for (std::size_t t = 0; t < count; ++t)
-        for (std::size_t k = start; k < start + size; ++k)
-          for (std::size_t j = start; j < n; ++j) {
-            const mpz_class& entry = triangular.matrices[t][k * n + j];
-            require(j < start + size || entry == 0, "not block upper triangular");
-            if (j < start + size) blocks.back().matrices[t].push_back(entry);
-          }
-      start += size;
-    }
+    for (std::size_t i = 0; i < sizes.size(); ++i) blocks.push_back(clear_denominators(sizes[i], entries[i]));
     return blocks;
   }
 
@@ -421,20 +379,27 @@ class Checker {
     const mpz_class q = lcm(re.get_den(), im.get_den());
     const mpz_class scale = power(family.denominator, length).get_num() * q;
     const mpz_class x = mpq_class(re * scale).get_num(), y = mpq_class(im * scale).get_num();
-    Vector product(n * n);
+    Vector product(n * n), m(n * n);
     for (std::size_t i = 0; i < n; ++i) product[i * n + i] = q;
-    for (std::size_t i = 3; i < fields.size(); ++i)
-      product = arithmetic_.multiply(product, family.matrices[parse_size(fields[i], 0, family.matrices.size() - 1)], n);
+    for (std::size_t i = fields.size(); i-- > 3;)
+      product = arithmetic_.multiply(family.matrix(parse_size(fields[i], 0, family.count() - 1)), product, n);
+    // The characteristic polynomial, highest coefficient first; by Horner's scheme its value and derivative at c.
+    mpz_class coefficient = 1;
     const Vector times_c{x, y, -y, x};
-    Vector value(2), slope(2);  // of the characteristic polynomial and its derivative at c: real and imaginary part
-    for (const mpz_class& coefficient : arithmetic_.characteristic_polynomial(product, n)) {
-      slope = arithmetic_.multiply(times_c, slope, 2);
-      for (std::size_t part = 0; part < 2; ++part) slope[part] += value[part];
-      value = arithmetic_.multiply(times_c, value, 2);
-      value[0] += coefficient;
+    Vector state{1, 0, 0, 0};  // real and imaginary part of the value, then of the derivative
+    for (std::size_t k = 1; k <= n; ++k) {
+      mpz_class trace = 0;
+      for (std::size_t i = 0; i < n; ++i) m[i * n + i] += coefficient;
+      m = arithmetic_.multiply(product, m, n);
+      for (std::size_t i = 0; i < n; ++i) trace += m[i * n + i];
+      coefficient = -trace / k;
+      Vector next = arithmetic_.multiply(times_c, state, 2);
+      next[0] += coefficient;
+      for (std::size_t part = 0; part < 2; ++part) next[2 + part] += state[part];
+      state = next;
     }
     const auto square = [](const mpz_class& a, const mpz_class& b) { return mpz_class(a * a + b * b); };
-    const mpz_class values = square(value[0], value[1]) * n * n, slopes = square(slope[0], slope[1]);
+    const mpz_class values = square(state[0], state[1]) * n * n, slopes = square(state[2], state[3]);
     require(slopes != 0, "the characteristic polynomial has derivative 0 at the given eigenvalue");
     const mpz_class modulus = sqrt(mpz_class(square(x, y) << 640)),
                     distance = sqrt(mpz_class((values << 640) / slopes));
@@ -449,25 +414,24 @@ class Checker {
   /// Section 4.6, with the first columns of the products.
   void read_norm(const Family& family, const Fields& fields, std::size_t columns) {
     require(fields.size() == 2, "wrong number of fields after 'norm'");
-    const std::size_t level = parse_size(fields[1], 1, 64), work = 20 * columns * family.size * family.size;
-    require(power(family.matrices.size(), level) * work <= max_work, "more work than the checker allows");
-    mpz_class most = 0;
+    const std::size_t n = family.size, level = parse_size(fields[1], 1, 64);
+    require(power(family.count(), level) * 20 * columns * n * n <= max_work, too_much_work);
+    mpz_class largest = 0;
     for (std::size_t k = 0; k < columns; ++k) {
-      Vector unit(family.size);
+      Vector unit(n);
       unit[k] = 1;
-      most = std::max(most, largest_norm(family, unit, level));
+      largest = std::max(largest, largest_norm(family, unit, level));
     }
-    use_upper_bound(ratio(most, power(family.denominator, level).get_num()), level);
+    use_upper_bound(ratio(largest, power(family.denominator, level).get_num()), level);
   }
 
   /// The largest 1-norm of product * x over all products of this many matrices.
   mpz_class largest_norm(const Family& family, const Vector& x, std::size_t level) {
     mpz_class largest = 0;
-    if (level == 0)
-      for (const mpz_class& value : x) largest += abs(value);
-    else
-      for (const Vector& matrix : family.matrices)
-        largest = std::max(largest, largest_norm(family, arithmetic_.multiply(matrix, x, family.size), level - 1));
+    for (std::size_t t = 0; level > 0 && t < family.count(); ++t)
+      largest = std::max(largest,
+                         largest_norm(family, arithmetic_.multiply(family.matrix(t), x, family.size), level - 1));
+    for (std::size_t i = 0; level == 0 && i < x.size(); ++i) largest += abs(x[i]);
     return largest;
   }
 
@@ -480,32 +444,25 @@ class Checker {
 
   /// Section 4.7.
   void read_polytope(Family family, const Fields& fields) {
-    const std::size_t n = family.size, count = family.matrices.size();
-    require(fields[0] == "polytope" && fields.size() >= 5, "expected 'norm' or 'polytope' and its numbers");
-    const bool symmetric = fields.size() > 5 && fields[5] == "symmetric", transposed = fields.back() == "transposed";
-    require(fields.size() == 5U + symmetric + transposed, "unknown polytope property");
-    Polytope body{n, fields[1] == "complex" ? 2U : 1U, fields[1] == "nonnegative", symmetric, {}};
-    require(body.parts == 2 || body.nonnegative || fields[1] == "real", "unknown polytope mode");
-    const std::size_t vertices = parse_size(fields[2], 1, max_bytes);
-    const std::size_t vertex_bits = parse_size(fields[3], 0, 4096), weight_bits = parse_size(fields[4], 0, 4096);
-    for (std::size_t t = 0; t < count; ++t)
-      for (std::size_t i = 0; i < n * n; ++i) {
-        const mpz_class& entry = family.matrices[t][i];
-        require(!symmetric || entry == family.matrices[count - 1 - t][n * n - 1 - i], "the family is not symmetric");
-        require(!body.nonnegative || entry >= 0, "a matrix is not non-negative");
-      }
-    for (Vector& matrix : family.matrices)
-      for (std::size_t j = 0; transposed && j < n; ++j)
-        for (std::size_t k = 0; k < j; ++k) std::swap(matrix[j * n + k], matrix[k * n + j]);
+    require(fields[0] == "polytope" && fields.size() >= 4, "expected 'norm' or 'polytope' and its numbers");
+    const std::size_t n = family.size, vertices = parse_size(fields[1], 1, max_bytes);
+    const std::size_t vertex_bits = parse_size(fields[2], 0, 4096), weight_bits = parse_size(fields[3], 0, 4096);
+    std::set<std::string_view> properties(fields.begin() + 4, fields.end());
+    if (properties.erase("transposed") != 0) family.transpose();
+    const bool complex = properties.erase("complex") != 0, nonnegative = properties.erase("nonnegative") != 0;
+    const bool symmetric = properties.erase("symmetric") != 0;
+    require(properties.empty() && !(complex && nonnegative), "unknown polytope property");
+    const Vector& entries = family.entries;
+    const auto negative = [](const mpz_class& x) { return x < 0; };
+    require(!symmetric || std::equal(entries.begin(), entries.end(), entries.rbegin()), "the family is not symmetric");
+    require(!nonnegative || std::none_of(entries.begin(), entries.end(), negative), "a matrix is not non-negative");
 
+    Polytope body{n, complex ? 2U : 1U, nonnegative, symmetric, {}};
     for (std::size_t i = 0; i < vertices; ++i) {
-      Vector& vertex = body.vertices.emplace_back(body.parts * n);
-      const Fields coordinates = reader_.take("vertex", n, n);
-      for (std::size_t k = 0; k < n; ++k) {
-        const Vector coordinate = parse_integers(coordinates[k], body.parts);
-        for (std::size_t part = 0; part < body.parts; ++part) vertex[part * n + k] = coordinate[part];
-        require(!body.nonnegative || vertex[k] >= 0, "negative coordinate");
-      }
+      Vector& vertex = body.vertices.emplace_back();
+      for (const std::string_view field : reader_.take("vertex", body.parts * n, body.parts * n))
+        vertex.push_back(parse_integer(field));
+      require(!nonnegative || std::none_of(vertex.begin(), vertex.end(), negative), "negative coordinate");
     }
     const mpz_class weight_one = mpz_class(1) << weight_bits, one = weight_one << vertex_bits;
     mpz_class most_residual = 0, most_weights = 0;  // R and S of Theorem 6, over `one` and over `weight_one`
@@ -520,8 +477,8 @@ class Checker {
     const mpz_class unit_norm = (most_weights << vertex_bits) / (one - most_residual) + 1;  // at least E
     mpz_class bound = 0;                                                                    // over `one` * denominator
     for (std::size_t j = 0; j < vertices; ++j)
-      for (std::size_t t = 0; t < count; ++t) {
-        const Vector image = arithmetic_.multiply(family.matrices[t], body.vertices[j], n);
+      for (std::size_t t = 0; t < family.count(); ++t) {
+        const Vector image = arithmetic_.multiply(family.matrix(t), body.vertices[j], n);
         const std::string head = "image " + std::to_string(j) + " " + std::to_string(t);
         const auto [weights, residual] = read_combination(head, body, image, weight_one, family.denominator);
         bound = std::max(bound, mpz_class((weights * family.denominator << vertex_bits) + residual * unit_norm));
@@ -533,23 +490,22 @@ class Checker {
   /// `target` * `target_scale` - (sum of the terms) * `sum_scale`.
   std::pair<mpz_class, mpz_class> read_combination(const std::string& head, const Polytope& body, const Vector& target,
                                                    const mpz_class& target_scale, const mpz_class& sum_scale) {
-    const bool complex = body.parts == 2;
     mpz_class weights = 0, residual = 0;
     Vector sum(target.size());
-    for (const std::string_view term : reader_.take(head, 0, max_bytes)) {
-      const Fields halves = split(term, ':');
-      require(halves.size() == 2, "a term is INDEX:WEIGHT");
-      std::string_view index = halves[0];
-      const bool conjugate = complex && index.ends_with('c');
+    for (const std::string_view term : reader_.take(head, 0, max_line)) {
+      const Fields parts = split(term, ':');
+      require(parts.size() == 1 + body.parts, "a term is INDEX:WEIGHT");
+      std::string_view index = parts[0];
+      const bool conjugate = body.parts == 2 && index.ends_with('c');
       if (conjugate) index.remove_suffix(1);
       const bool flipped = body.symmetric && index.ends_with('f');
       if (flipped) index.remove_suffix(1);
       const Vector& vertex = body.vertices[parse_size(index, 0, body.vertices.size() - 1)];
-      const Vector parts = parse_integers(halves[1], complex ? 3 : 1);
-      const mpz_class re = parts[0], im = complex ? parts[1] : mpz_class(0), modulus = complex ? parts[2] : abs(re);
+      const mpz_class re = parse_integer(parts[1]), im = body.parts == 2 ? parse_integer(parts[2]) : mpz_class(0);
       require(!body.nonnegative || re >= 0, "negative weight");
-      require(modulus >= 0 && modulus * modulus >= re * re + im * im, "a weight's modulus is too small");
-      weights += modulus;
+      mpz_class square = 0;
+      for (const mpz_class& x : {re, im}) arithmetic_.add_product(square, x, x);
+      if (square > 0) weights += sqrt(mpz_class(square - 1)) + 1;  // the modulus, rounded up
       // (Re, Im) of the term are this matrix times (Re, Im) of the vertex; only the first entry counts if not complex
       const Vector factor{re, im, conjugate ? im : -im, conjugate ? -re : re};
       for (std::size_t k = 0; k < body.size; ++k)
@@ -585,34 +541,39 @@ constexpr const char* usage =
     "prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)\n"
     "exit 64: wrong usage, 65: malformed MATRICES, 66: missing file";
 
-Claim read_claim(const std::vector<std::string>& arguments, std::string& file) {
-  static const std::set<std::string> known{"--mask", "--arity", "--matrices", "--lower", "--upper", "FILE"};
-  Claim claim;
-  std::string subject;
-  std::set<std::string> given;
+Claim read_claim(const std::vector<std::string>& arguments) {
+  std::map<std::string, std::optional<std::string>> given{{"--mask", {}},  {"--arity", {}}, {"--matrices", {}},
+                                                          {"--lower", {}}, {"--upper", {}}, {"FILE", {}}};
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
-    require(known.contains(name), "unknown option " + name);
-    require(i < arguments.size() && given.insert(name).second, name + " needs a value, and only one");
-    if (name == "--mask") claim.mask = parse_mask(arguments[i]);
-    if (name == "--arity") claim.arity = static_cast<unsigned>(parse_size(arguments[i], 2, 16));
-    if (name == "--lower") claim.lower = parse_rational(arguments[i]);
-    if (name == "--upper") claim.upper = parse_rational(arguments[i]);
-    if (name == "--mask" || name == "--matrices") subject = arguments[i];
-    if (name == "FILE") file = arguments[i];
+    require(given.contains(name), "unknown option " + name);
+    require(i < arguments.size() && !given[name], name + " needs a value, and only one");
+    given[name] = arguments[i];
   }
-  const bool exponent = given.contains("--mask");
-  require(given.contains("FILE") && exponent != given.contains("--matrices") && exponent == given.contains("--arity") &&
-              (claim.lower || (claim.upper && !exponent)),
+  const auto &mask = given["--mask"], &arity = given["--arity"], &matrices = given["--matrices"],
+             &lower = given["--lower"], &upper = given["--upper"], &file = given["FILE"];
+  require(file && mask.has_value() != matrices.has_value() && mask.has_value() == arity.has_value() &&
+              (lower || (upper && matrices)),
           usage);
-  if (!exponent) read(subject, 65, [&](Reader& reader) { claim.family = read_matrices(reader); });
-  const std::string arity = std::to_string(claim.arity), count = std::to_string(claim.family.matrices.size());
-  claim.head = exponent ? "exponent " + subject + " " + arity
-                        : "radius " + count + " " + std::to_string(claim.family.size);
-  claim.text = (claim.lower ? claim.lower->get_str() + " <= " : "") +
-               (exponent ? "Hoelder exponent" : "joint spectral radius") +
-               (claim.upper ? " <= " + claim.upper->get_str() : "") + " of " + subject +
-               (exponent ? " with arity " + arity : "");
+  Claim claim;
+  claim.file = *file;
+  if (lower) claim.lower = parse_rational(*lower);
+  if (upper) claim.upper = parse_rational(*upper);
+  if (mask) {
+    claim.mask = parse_mask(*mask);
+    claim.arity = static_cast<unsigned>(parse_size(*arity, 2, 16));
+    claim.head = "exponent " + *mask + " " + *arity;
+  } else {
+    read(*matrices, 65, [&](Reader& reader) {
+      const Fields fields = reader.take("matrices", 2, 2);
+      claim.family = read_family(reader, "row", parse_size(fields[0], 1, 64), parse_size(fields[1], 1, 256));
+      require(reader.at_end(), "text after the last row");
+    });
+    claim.head = "radius " + std::to_string(claim.family.count()) + " " + std::to_string(claim.family.size);
+  }
+  claim.text = (lower ? claim.lower->get_str() + " <= " : "") + (mask ? "Hoelder exponent" : "joint spectral radius") +
+               (upper ? " <= " + claim.upper->get_str() : "") + " of " +
+               (mask ? *mask + " with arity " + *arity : *matrices);
   return claim;
 }
 
@@ -620,17 +581,14 @@ Claim read_claim(const std::vector<std::string>& arguments, std::string& file) {
 
 int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
   try {
-    if (arguments == std::vector<std::string>{"--help"}) {
-      out << usage << std::endl;
-      return 0;
-    }
-    std::string file;
-    const Claim claim = read_claim(arguments, file);
-    read(file, 1, [&](Reader& reader) { Checker(claim, reader).run(); });
+    if (arguments == std::vector<std::string>{"--help"}) throw Rejected{usage, 0};
+    const Claim claim = read_claim(arguments);
+    read(claim.file, 1, [&](Reader& reader) { Checker(claim, reader).run(); });
     out << "VERIFIED " << claim.text << std::endl;
     return out ? 0 : 1;
   } catch (const Rejected& rejected) {
-    (rejected.code == 1 ? out << "REJECTED " : errors << "subcert-check: ") << rejected.why << std::endl;
+    const std::string prefix = rejected.code == 0 ? "" : rejected.code == 1 ? "REJECTED " : "subcert-check: ";
+    (rejected.code <= 1 ? out : errors) << prefix << rejected.why << std::endl;
     return rejected.code;
   } catch (const std::exception& error) {
     out << "REJECTED " << error.what() << ", line 0" << std::endl;

@@ -180,7 +180,7 @@ class Mutator {
 
  private:
   std::string shift_number(const std::string& field, int by) {
-    const std::size_t begin = field.find_last_of(":,") == std::string::npos ? 0 : field.find_last_of(":,") + 1;
+    const std::size_t begin = field.find_last_of(':') == std::string::npos ? 0 : field.find_last_of(':') + 1;
     try {
       return field.substr(0, begin) + mpz_class(mpz_class(field.substr(begin)) + by).get_str();
     } catch (const std::invalid_argument&) {
@@ -199,8 +199,8 @@ class Mutator {
         std::string result = token.substr(0, begin);
         std::istringstream parts(token.substr(begin));
         bool first = true;
-        for (std::string part; std::getline(parts, part, ','); first = false) {
-          if (!first) result += ',';
+        for (std::string part; std::getline(parts, part, ':'); first = false) {
+          if (!first) result += ':';
           result += mpz_class(mpf_class(part, 300) * factor).get_str();
         }
         token = result;
@@ -225,7 +225,7 @@ class Mutator {
     for (std::string& line : lines) {
       auto tokens = split(line);
       if (tokens.empty() || tokens[0] == "vertex" || tokens[0] == "unit" || tokens[0] == "image") continue;
-      if (tokens[0] == "block" && tokens.size() > 4) tokens[4].assign(1, below(2) == 0 ? '0' : '1');
+      if (tokens[0] == "block" && tokens.size() > 3) tokens[3].assign(1, below(2) == 0 ? '0' : '1');
       kept.push_back(join(tokens));
     }
     lines = kept;

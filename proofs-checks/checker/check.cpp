@@ -77,6 +77,10 @@ mpq_class power_lower(unsigned base, const mpq_class& exponent) {
 /// Sums of products; counts the work.
 class Arithmetic {
  public:
+  void spend(std::uint64_t work) {
+    spent_ += work;
+    require(spent_ <= max_work, too_much_work);
+  }
   void add_product(mpz_class& sum, const mpz_class& x, const mpz_class& y) {
     spend(20 + std::uint64_t{mpz_size(x.get_mpz_t())} * mpz_size(y.get_mpz_t()));
     mpz_addmul(sum.get_mpz_t(), x.get_mpz_t(), y.get_mpz_t());
@@ -91,10 +95,6 @@ class Arithmetic {
   }
 
  private:
-  void spend(std::uint64_t work) {
-    spent_ += work;
-    require(spent_ <= max_work, too_much_work);
-  }
   std::uint64_t spent_ = 0;
 };
 
@@ -415,7 +415,7 @@ class Checker {
   void read_norm(const Family& family, const Fields& fields, std::size_t columns) {
     require(fields.size() == 2, "wrong number of fields after 'norm'");
     const std::size_t n = family.size, level = parse_size(fields[1], 1, 64);
-    require(power(family.count(), level) * 20 * columns * n * n <= max_work, too_much_work);
+    require(power(family.count(), level) * columns * n * n * 20 <= max_work, too_much_work);
     mpz_class largest = 0;
     for (std::size_t k = 0; k < columns; ++k) {
       Vector unit(n);
@@ -493,6 +493,7 @@ class Checker {
     mpz_class weights = 0, residual = 0;
     Vector sum(target.size());
     for (const std::string_view term : reader_.take(head, 0, max_line)) {
+      arithmetic_.spend(1000);
       const Fields parts = split(term, ':');
       require(parts.size() == 1 + body.parts, "a term is INDEX:WEIGHT");
       std::string_view index = parts[0];

@@ -1,5 +1,4 @@
-// subcert-check: proves a claim about a mask or about a family of matrices from a certificate
-// (../certificates/SPEC.md).
+// subcert-check: proves a claim about a mask or a family of matrices from a certificate (../certificates/SPEC.md).
 #pragma once
 
 #include <ostream>

@@ -188,6 +188,14 @@ class Mutator {
     }
   }
 
+  static std::string scaled_number(const std::string& number, double factor) {
+    try {
+      return mpz_class(mpf_class(number, 300) * factor).get_str();
+    } catch (const std::invalid_argument&) {  // an earlier change left no number
+      return number;
+    }
+  }
+
   static void scale(Lines& lines, const std::string& keyword, double factor) {
     for (std::string& line : lines) {
       auto tokens = split(line);
@@ -201,7 +209,7 @@ class Mutator {
         bool first = true;
         for (std::string part; std::getline(parts, part, ':'); first = false) {
           if (!first) result += ':';
-          result += mpz_class(mpf_class(part, 300) * factor).get_str();
+          result += scaled_number(part, factor);
         }
         token = result;
       }

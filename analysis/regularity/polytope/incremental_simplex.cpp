@@ -21,8 +21,6 @@ constexpr int kMaxAge = 100;              // pivots between factorisations
 constexpr std::size_t kCacheSize = 512;
 constexpr std::size_t kStarts = 6;        // remembered bases that are tried as a start
 constexpr std::size_t kTrials = 1;        // columns tried per pivot
-constexpr double kPhaseStep = 3.14159265358979323846 / 8;  // 16 phases
-constexpr double kCos1 = 0.92387953251128674, kSin1 = 0.38268343236508977, kCos2 = 0.70710678118654752;
 constexpr std::size_t kListSize = 96;
 constexpr float kListDepth = 0.5F;         // a short list holds the profits in the upper half
 constexpr int kLongList = 60;             // vertices per coordinate beyond which short lists pay
@@ -323,14 +321,12 @@ IncrementalSimplex::Offer IncrementalSimplex::price_one(int vertex, const double
     double sum[4];
     for (int k = 0; k < 4; ++k) sum[k] = part[0][k] + f * part[1][k];
     const double re = sum[0] + c * sum[1], im = sum[3] - c * sum[2];
-    // Phases from a grid, so that the program is finite; the hull of the grid points lies inside the balanced hull.
-    const double large = std::max(std::abs(re), std::abs(im)), small = std::min(std::abs(re), std::abs(im));
-    const double value = std::max({large, large * kCos1 + small * kSin1, (large + small) * kCos2});
+    const double value = std::hypot(re, im);
     if (value > offer.profit) {
       offer.profit = value;
       offer.column.flipped = g >= 2;
       offer.column.conjugated = g % 2 == 1;
-      offer.column.phase = std::round(std::atan2(im, re) / kPhaseStep) * kPhaseStep;
+      offer.column.phase = std::atan2(im, re);
     }
   }
   return offer;

@@ -26,6 +26,12 @@ class Real {
   }
   ~Real() { arb_clear(value_); }
 
+  /// A ball that contains a bounded enclosure.
+  static Real containing(const Enclosure& enclosure, slong bits) {
+    const Real half(Rational((*enclosure.upper - *enclosure.lower) / 2), bits);
+    return Real(Rational((*enclosure.upper + *enclosure.lower) / 2), bits).widened(half);
+  }
+
   static Real pi(slong bits) {
     Real result(bits);
     arb_const_pi(result.value_, bits);

@@ -168,7 +168,9 @@ int run(const TheoremOptions& options) {
     return done;
   }
   options.progress("theorem " + options.id);
-  const Theorem theorem = theorems::prove(options.id, options.degree % 2 == 0 ? options.degree + 1 : options.degree);
+  const int degree = options.degree % 2 == 0 ? options.degree + 1 : options.degree;  // the same schemes
+  const Theorem theorem =
+      theorems::prove(options.id, degree, theorems::stated_constants(options.id, degree), options.threads());
   options.end_progress();
   options.json ? options.answer(theorem_json(theorem)) : options.answer(theorem_text(theorem, options.all));
   return verdict_code(theorem.decision.truth);

@@ -62,6 +62,17 @@ class Real {
     return result;
   }
 
+  /// The largest point, exact.
+  Real upper_end() const {
+    arf_t end;
+    arf_init(end);
+    arb_get_ubound_arf(end, value_, bits_);
+    Real result(bits_);
+    arb_set_arf(result.value_, end);
+    arf_clear(end);
+    return result;
+  }
+
   /// No point of this ball equals or exceeds any point of the other.
   bool is_less(const Real& other) const { return arb_lt(value_, other.value_); }
   bool is_at_most(const Real& other) const { return arb_le(value_, other.value_); }

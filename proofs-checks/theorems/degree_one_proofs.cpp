@@ -1,8 +1,6 @@
 // Conjectures 7 and 8 in n for degree 1 and every n. The numbers of the checks are those of docs/theorems/.
 
 #include "degree_one.hpp"
-#include "kernel.hpp"
-#include "limit_constant.hpp"
 #include "proofs.hpp"
 #include "variance_ends.hpp"
 
@@ -54,17 +52,9 @@ Real inverse_sines(int count) {
   return product;
 }
 
-/// The sum of u/sin u - 1 over u = pi 2^(-i-1); for u <= 1/2 a term is at most u^2/5.
-Real sum_of_excess() {
-  const Real pi = Real::pi(proof_bits);
-  Real sum(proof_bits);
-  for (int i = 0; i < 10; ++i) sum += pi.scaled(-i - 1) / sin(pi.scaled(-i - 1)) - 1;
-  return sum + (pi * pi).scaled(-20) / 15;
-}
-
 std::vector<Check> common_checks(const Constants& c) {
   const Real pi = Real::pi(proof_bits), N = exactly(first_N), square = N * N;
-  const Real limit = Real::containing(limit_constant(1, 40), proof_bits);
+  const Real limit = limit_ball(1);
   const auto stated = [&](const char* name) { return exactly(c[name]); };
   return {
       defining(c, "c-", "C_1", limit),
@@ -75,7 +65,7 @@ std::vector<Check> common_checks(const Constants& c) {
       defining(c, "K", "(8/9 + kappa_0) (1 - 1/(2 N_1))^-5 mu",
                (exactly(Rational(8, 9)) + stated("kappa_0")) * stated("mu") / (1 - 1 / N.scaled(1)).pow(5)),
       defining(c, "G", "N_1^2 / (N_1^2 - 1/4)", square / (square - exactly(Rational(1, 4)))),
-      defining(c, "sigma", "sum of u_i/sin u_i - 1", sum_of_excess()),
+      defining(c, "sigma", "sum of u_i/sin u_i - 1", excess_of_shells()),
       defining(c, "h", "(pi/4)/sin(pi/4)", pi.scaled(-2) / sin(pi.scaled(-2))),
       defining(c, "Y", "kappa (log2 n_1 + 1 + sigma)/(2 (2 n_1 - 1)) + h pi^2 (4 n_1 - 1)/(36 n_1^2)",
                stated("kappa") * (log2(tail) + 1 + stated("sigma")) / (2 * (2 * tail - 1)) +
@@ -92,16 +82,26 @@ struct Ends {
   Enclosure minimum, maximum;
 };
 
-Ends ends(int n) {
+Ends compute_ends(int n) {
   if (n < turn) return {variance_ends(n, 1).minimum, variance_ends(n, 1).maximum};
   const Enclosure mean = degree_one_mean(n).mean;
   const Rational ripple = *degree_one_bounds(n).ripple.upper;
   return {{*mean.lower - ripple, mean.upper}, {mean.lower, *mean.upper + ripple}};
 }
 
+/// Kept for the next call.
+const Ends& ends(int n) {
+  static const std::vector<Ends> known = [] {
+    std::vector<Ends> result(1);
+    for (int k = 1; k <= tail; ++k) result.push_back(compute_ends(k));
+    return result;
+  }();
+  return known[static_cast<std::size_t>(n)];
+}
+
 /// n^2 |(n - 1/4) psi/c - 1| for the larger and the smaller end of psi_n.
 std::vector<Check> deviation_checks(const Constants& c, const std::string& id, int n, const char* bound) {
-  const Ends psi = ends(n);
+  const Ends& psi = ends(n);
   const Rational scale(4 * n - 1, 4), square = Rational(n) * n;
   const auto excess = [&](const Rational& value, const char* limit) { return square * (scale * value / c[limit] - 1); };
   const auto lack = [&](const Rational& value, const char* limit) { return -excess(value, limit); };
@@ -149,6 +149,13 @@ std::vector<Check> slope_checks(const Constants& c) {
 
 }  // namespace
 
+Real excess_of_shells() {
+  const Real pi = Real::pi(proof_bits);
+  Real sum(proof_bits);
+  for (int i = 0; i < 10; ++i) sum += pi.scaled(-i - 1) / sin(pi.scaled(-i - 1)) - 1;
+  return sum + (pi * pi).scaled(-20) / 15;
+}
+
 Constants degree_one_constants_8() { return Constants(common_constants()); }
 
 Constants degree_one_constants_7() {
@@ -167,12 +174,9 @@ Constants degree_one_constants_7() {
 
 std::vector<Check> degree_one_checks_8(const Constants& c) {
   std::vector<Check> checks = common_checks(c);
-  Ends here = ends(1);
   for (int n = 1; n < tail; ++n) {
-    const Ends next = ends(n + 1);
     checks.push_back(less(n + 1 < turn ? "4.1" : "4.2", "max psi_" + text(n + 1) + " < min psi_" + text(n),
-                          next.maximum, here.minimum));
-    here = next;
+                          ends(n + 1).maximum, ends(n).minimum));
   }
   const Real N = exactly(first_N);
   checks.push_back(less("4.3", "N_1 (N_1 + 2) (2 K/N_1^5 + 2 Omega/N_1^6) < 4 c-",

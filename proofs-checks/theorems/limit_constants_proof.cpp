@@ -7,10 +7,13 @@
 #include "limit_constant.hpp"
 #include "proofs.hpp"
 
+#include <map>
+#include <mutex>
+
 namespace subcert::theorems {
 namespace {
 
-constexpr int digits = 40, quadrature_digits = 33;
+constexpr int quadrature_digits = 33;
 constexpr int large = 132;  // the n at which the remainder of the mean is below half a percent of the second term
 
 std::string name(int degree, const char* end) { return "C_" + std::to_string(degree) + end; }
@@ -42,7 +45,7 @@ const Numbers& numbers() {
   static const Numbers known = [] {
     Numbers result;
     for (int degree : stated_degrees()) {
-      result.sums.push_back(Real::containing(limit_constant(degree, digits), proof_bits));
+      result.sums.push_back(limit_ball(degree));
       result.integrals.push_back(
           Real::containing(limit_constant_by_quadrature(degree, quadrature_digits), proof_bits));
     }
@@ -68,6 +71,15 @@ Observed second_coefficient_at_large() {
 }
 
 }  // namespace
+
+const Real& limit_ball(int degree) {
+  static std::mutex mutex;
+  static std::map<int, Real> known;
+  const std::lock_guard lock(mutex);
+  const auto found = known.find(degree);
+  if (found != known.end()) return found->second;
+  return known.emplace(degree, Real::containing(limit_constant(degree, 40), proof_bits)).first->second;
+}
 
 Constants limit_constants_stated() {
   std::vector<Constant> list;

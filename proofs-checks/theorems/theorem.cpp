@@ -2,6 +2,7 @@
 
 #include "proofs.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <stdexcept>
 
@@ -12,7 +13,7 @@ namespace {
 struct Proof {
   int degree;
   std::function<Constants()> constants;
-  std::function<std::vector<Check>(const Constants&)> checks;
+  std::function<std::vector<Check>(const Constants&, int threads)> checks;
   std::function<void(Theorem&)> describe;
 };
 
@@ -43,6 +44,56 @@ void describe_8_degree_one(Theorem& t) {
               {"n >= 64", "the constants below, for all n at once"}};
 }
 
+std::string with_degree(const char* name, int degree) { return name + ("_" + std::to_string(degree)); }
+
+/// The two ranges of a proof of section 7.
+void describe_ranges(Theorem& t, int first, int first_uniform) {
+  const std::string start = std::to_string(first_uniform);
+  t.ranges = {{std::to_string(first) + " <= n < " + start, "psi_n enclosed over all of [0, 1], from exact values"},
+              {"n >= " + start, "the constants below, for all n at once"}};
+}
+
+void describe_7(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string d = std::to_string(degree), first = std::to_string((degree + 1) / 2),
+                    start = std::to_string(uniform_start(degree, true));
+  const auto number = [&](const std::string& name) { return plain(t.constants[name]); };
+  t.title = "Conjecture 7 for degree " + d + " and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem E";
+  t.statement = {
+      "First half. For all n >= " + first + " and all x, |(n - 1/4) psi_n(x)/C - 1| < " + number("beta") + "/n^2; for n >= " +
+          start + " even < " + number("beta_2") + "/n^2. Here C = lim n max psi_n, " + number(with_degree("c-", degree)) +
+          " < C < " + number(with_degree("c+", degree)) + ".",
+      "So max psi_n = C/n (1 + 1/(4n) + O(1/n^2)): the rate 1/n is true, with its constant.",
+      "Second half. For n >= " + first + ", psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") + " for all x; for n >= " +
+          start + ", |psi_n'(x)| < " + number(with_degree("Delta", degree)) + "/(2n - 1/2)^5.",
+      "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false.",
+      "For smaller n the scheme is the one of a smaller degree."};
+  describe_ranges(t, (degree + 1) / 2, uniform_start(degree, true));
+}
+
+void describe_8_n(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string first = std::to_string((degree + 1) / 2);
+  t.title = "Conjecture 8 in n for degree " + std::to_string(degree) + " and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem D";
+  t.statement = {"psi_{n+1}(x) < psi_n(x) for all n >= " + first + " and all x; even max psi_{n+1} < min psi_n.",
+                 "For smaller n the scheme is the one of a smaller degree."};
+  describe_ranges(t, (degree + 1) / 2, uniform_start(degree, false));
+}
+
+void describe_8_d(Theorem& t) {
+  const int degree = t.degrees.front(), next = degree + 2;
+  const std::string low = std::to_string(degree), high = std::to_string(next), first = std::to_string((next + 1) / 2);
+  t.degrees = {degree, next};
+  t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem F";
+  t.statement = {"psi_n of degree " + low + " is smaller than psi_n of degree " + high + " at all x, for all n >= " + first +
+                     "; even max psi_n^" + low + " < min psi_n^" + high + ".",
+                 "For smaller n the two schemes are the same, and so are the curves."};
+  describe_ranges(t, (next + 1) / 2, std::max(uniform_start(degree, false), uniform_start(next, false)));
+}
+
 void describe_limit_constants(Theorem& t) {
   t.title = "The limits of n max psi_n";
   t.degrees = {1, 3, 5, 7, 9};
@@ -63,21 +114,43 @@ struct Entry {
   std::vector<std::string> missing;  ///< for the degrees without proof
 };
 
+/// A proof whose functions take the degree.
+Proof uniform(int degree, Constants (*constants)(int), std::vector<Check> (*checks)(const Constants&, int, int),
+              void (*describe)(Theorem&)) {
+  return {degree, [=] { return constants(degree); },
+          [=](const Constants& c, int threads) { return checks(c, degree, threads); }, describe};
+}
+
+/// A proof for one degree that needs no threads.
+Proof single(int degree, Constants (*constants)(), std::vector<Check> (*checks)(const Constants&),
+             void (*describe)(Theorem&)) {
+  return {degree, constants, [=](const Constants& c, int) { return checks(c); }, describe};
+}
+
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> list = [] {
+    const std::vector<std::string> higher{
+        "bounds of the symbol that are sharp enough (section 7 of the text is written for every odd degree, but for "
+        "d >= 7 its constants begin at n_1 above 100)",
+        "the finite range 1 <= n < n_1 at that size"};
     std::vector<Entry> all;
     all.push_back({{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", {}},
-                   {{1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one}},
-                   {"explicit bounds of the symbol for all large n", "bounds of the remainder of the mean"}});
+                   {single(1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one),
+                    uniform(3, uniform_constants_7, uniform_checks_7, describe_7),
+                    uniform(5, uniform_constants_7, uniform_checks_7, describe_7)},
+                   higher});
     all.push_back({{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", {}},
-                   {{1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one}},
-                   {"explicit bounds of the symbol for all large n", "bounds of the remainder of the mean"}});
+                   {single(1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one),
+                    uniform(3, uniform_constants_8_n, uniform_checks_8_n, describe_8_n),
+                    uniform(5, uniform_constants_8_n, uniform_checks_8_n, describe_8_n)},
+                   higher});
     all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", {}},
-                   {},
-                   {"explicit bounds of the symbol for all large n in both degrees"}});
+                   {uniform(1, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
+                    uniform(3, uniform_constants_8_d, uniform_checks_8_d, describe_8_d)},
+                   higher});
     all.push_back({{"limit-constants", "the limits C_d of n max psi_n, d = 1, 3, 5, 7, 9", {}},
-                   {{1, limit_constants_stated, limit_constants_checks, describe_limit_constants}},
-                   {}});
+                   {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
+                   {"the limits of all five degrees are printed together: leave --d out"}});
     for (Entry& entry : all)
       for (const Proof& proof : entry.proofs) entry.entry.degrees.push_back(proof.degree);
     return all;
@@ -123,7 +196,7 @@ Constants stated_constants(const std::string& id, int degree) {
   return proof ? proof->constants() : Constants();
 }
 
-Theorem prove(const std::string& id, int degree, const Constants& constants) {
+Theorem prove(const std::string& id, int degree, const Constants& constants, int threads) {
   const Entry& entry = find(id);
   if (degree < 1 || degree > 99 || degree % 2 == 0)
     throw std::invalid_argument("prove: need an odd degree from 1 to 99, got " + std::to_string(degree));
@@ -138,7 +211,7 @@ Theorem prove(const std::string& id, int degree, const Constants& constants) {
     return theorem;
   }
   theorem.constants = constants;
-  theorem.checks = proof->checks(constants);
+  theorem.checks = proof->checks(constants, threads);
   proof->describe(theorem);
   theorem.decision = verdict(theorem.checks);
   return theorem;

@@ -4,6 +4,7 @@
 #include <subcert/analysis/symbol/numbers.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace subcert::theorems {
 
@@ -16,5 +17,8 @@ struct VarianceEnds {
 
 /// Of the scheme primal:n=N,d=D; kept for the next call. Domain and cost: as variance_range.
 const VarianceEnds& variance_ends(int n, int degree);
+
+/// Computes variance_ends for all n from first to last and these degrees, `threads` at a time.
+void prepare_variance_ends(int first, int last, const std::vector<int>& degrees, int threads);
 
 }  // namespace subcert::theorems

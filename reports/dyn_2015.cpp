@@ -460,7 +460,7 @@ Report report_dyn_2015(const ReportOptions& options) {
         "degree 1 falls from " + scaled_slope(1) + " at n = 1 through " + scaled_slope(3) + " at n = 3 and " +
         scaled_slope(7) + " at n = 7 to " + scaled_slope(longest_plot) + " at n = " + std::to_string(longest_plot) +
         ": on this range 1/n^2 is true as an upper bound and not the rate. For every n this is a theorem, see "
-        "docs/theorems/degree-one.md.");
+        "docs/theorems/README.md.");
   }
   if (wanted("fig9")) variance.figures.push_back(figure_9());
 

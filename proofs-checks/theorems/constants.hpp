@@ -4,6 +4,7 @@
 #include <subcert/analysis/symbol/numbers.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace subcert::theorems {
@@ -25,7 +26,8 @@ class Constants {
   Constants() = default;
   explicit Constants(std::vector<Constant> list);
 
-  const std::vector<Constant>& all() const { return list_; }
+  const std::vector<Constant>& all() const& { return list_; }
+  std::vector<Constant> all() && { return std::move(list_); }
   /// Errors: throws std::out_of_range with the name.
   const Rational& operator[](const std::string& name) const;
   /// The same constants, but `name` moved by a part in a hundred towards its wrong side.

@@ -50,7 +50,7 @@ const Numbers& numbers() {
           Real::containing(limit_constant_by_quadrature(degree, quadrature_digits), proof_bits));
     }
     for (int degree = 1; degree <= 19; degree += 2)
-      result.order.push_back(less("1.0", "C_" + std::to_string(degree) + " < C_" + std::to_string(degree + 2),
+      result.order.push_back(less("C0", "C_" + std::to_string(degree) + " < C_" + std::to_string(degree + 2),
                                   limit_constant(degree, 8), limit_constant(degree + 2, 8)));
     return result;
   }();
@@ -87,13 +87,13 @@ Constants limit_constants_stated() {
   for (int degree : stated_degrees()) {
     const std::string number = std::to_string(degree);
     const Rational value = decimal(stated_digits(degree));
-    list.push_back({name(degree, "-"), value, Side::below, "1." + number + "a", "limit of n max psi, degree " + number});
+    list.push_back({name(degree, "-"), value, Side::below, "C" + number + "a", "limit of n max psi, degree " + number});
     list.push_back(
-        {name(degree, "+"), value + unit, Side::above, "1." + number + "b", "limit of n max psi, degree " + number});
+        {name(degree, "+"), value + unit, Side::above, "C" + number + "b", "limit of n max psi, degree " + number});
   }
   const Rational coefficient = degree_one_second_coefficient();
-  list.push_back({"nu-", coefficient, Side::below, "2.1", "coefficient of 1/N^2 in N I_n/(2c), degree 1, from below"});
-  list.push_back({"nu+", coefficient, Side::above, "2.2", "coefficient of 1/N^2 in N I_n/(2c), degree 1, from above"});
+  list.push_back({"nu-", coefficient, Side::below, "N1", "coefficient of 1/N^2 in N I_n/(2c), degree 1, from below"});
+  list.push_back({"nu+", coefficient, Side::above, "N2", "coefficient of 1/N^2 in N I_n/(2c), degree 1, from above"});
   return Constants(list);
 }
 
@@ -105,16 +105,16 @@ std::vector<Check> limit_constants_checks(const Constants& c) {
     const Real &sum = numbers().sums[i], &integral = numbers().integrals[i];
     checks.push_back(defining(c, name(degree, "-"), symbol + " as a sum", sum));
     checks.push_back(defining(c, name(degree, "+"), symbol + " as a sum", sum));
-    checks.push_back(less("1." + number + "c", "|" + symbol + " as a sum - " + symbol + " as an integral| < 10^-32",
+    checks.push_back(less("C" + number + "c", "|" + symbol + " as a sum - " + symbol + " as an integral| < 10^-32",
                           abs(sum - integral).enclosure(), Enclosure::exactly(power(Rational(10), -32))));
   }
   checks.insert(checks.end(), numbers().order.begin(), numbers().order.end());
   static const Observed observed = second_coefficient_at_large();
   const Real slack = observed.error;
   const std::string where = " at n = " + std::to_string(large);
-  checks.push_back(less("2.1", "nu- < N^2 (N I_n/(2c) - 1) + remainder" + where, Enclosure::exactly(c["nu-"]),
+  checks.push_back(less("N1", "nu- < N^2 (N I_n/(2c) - 1) + remainder" + where, Enclosure::exactly(c["nu-"]),
                         (observed.coefficient + slack).enclosure()));
-  checks.push_back(less("2.2", "N^2 (N I_n/(2c) - 1) - remainder < nu+" + where,
+  checks.push_back(less("N2", "N^2 (N I_n/(2c) - 1) - remainder < nu+" + where,
                         (observed.coefficient - slack).enclosure(), Enclosure::exactly(c["nu+"])));
   return checks;
 }

@@ -22,7 +22,7 @@ std::string plain(const Rational& value) { return to_decimal(value, 40, Rounding
 void describe_7_degree_one(Theorem& t) {
   const auto number = [&](const char* name) { return plain(t.constants[name]); };
   t.title = "Conjecture 7 for degree 1 and every n";
-  t.text = "docs/theorems/degree-one.tex, Theorems B and C";
+  t.text = "docs/theorems/variance-curves.tex, Theorems B and C";
   t.statement = {
       "First half. For all n >= 1 and all x, |(n - 1/4) psi_n(x)/c - 1| < " + number("beta") + "/n^2; for n >= 2 even < " +
           number("beta_2") + "/n^2. Here c = lim n max psi_n, " + number("c-") + " < c < " + number("c+") + ".",
@@ -37,7 +37,7 @@ void describe_7_degree_one(Theorem& t) {
 
 void describe_8_degree_one(Theorem& t) {
   t.title = "Conjecture 8 in n for degree 1 and every n";
-  t.text = "docs/theorems/degree-one.tex, Theorem A";
+  t.text = "docs/theorems/variance-curves.tex, Theorem A";
   t.statement = {"psi_{n+1}(x) < psi_n(x) for all n >= 1 and all x; even max psi_{n+1} < min psi_n."};
   t.ranges = {{"1 <= n < 24", "psi_n enclosed over all of [0, 1], from exact values"},
               {"24 <= n < 64", "mean with its proved remainder, ripple of each n by the supersolution"},
@@ -130,9 +130,8 @@ Proof single(int degree, Constants (*constants)(), std::vector<Check> (*checks)(
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> list = [] {
     const std::vector<std::string> higher{
-        "bounds of the symbol that are sharp enough (section 7 of the text is written for every odd degree, but for "
-        "d >= 7 its constants begin at n_1 above 100)",
-        "the finite range 1 <= n < n_1 at that size"};
+        "stated constants of section 7 of the text, which holds for every odd degree but begins at n_1 about 100 for d = 7",
+        "the curves below that n_1, enclosed one by one"};
     std::vector<Entry> all;
     all.push_back({{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", {}},
                    {single(1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one),

@@ -2,6 +2,7 @@
 
 #include "parallel.hpp"
 #include "published.hpp"
+#include "theorem_section.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
@@ -399,7 +400,8 @@ std::string verdict_sentence(const ComparisonTable& table) {
 
 const std::vector<std::string>& dyn_2015_items() {
   static const std::vector<std::string> items{"masks",  "supports", "fig1",   "table1", "table2",
-                                              "levels", "exponents", "table3",   "fig2", "fig8",   "fig9"};
+                                              "levels", "exponents", "table3",   "fig2", "fig8",   "fig9",
+                                              "theorems"};
   return items;
 }
 
@@ -464,7 +466,13 @@ Report report_dyn_2015(const ReportOptions& options) {
   }
   if (wanted("fig9")) variance.figures.push_back(figure_9());
 
-  for (Section* section : {&masks, &bounds, &sharp, &variance})
+  Section theorems{"theorems", "", {}};
+  if (wanted("theorems")) {
+    workshop.say("theorems");
+    theorems = theorem_section(compare_variance(workshop.published("table3"), workshop).comparisons, options);
+  }
+
+  for (Section* section : {&masks, &bounds, &sharp, &variance, &theorems})
     if (!section->comparisons.empty() || !section->tables.empty() || !section->figures.empty())
       report.sections.push_back(std::move(*section));
   return report;

@@ -93,7 +93,7 @@ Section theorem_section(const std::vector<Comparison>& printed, const ReportOpti
   section.paragraphs.push_back(
       "Conjecture 7: for each degree, max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2. Conjecture 8: psi_n decreases pointwise in n "
       "and increases pointwise in the degree d. A table supports them up to some n; the theorems below settle them for "
-      "every n. Their proofs, docs/theorems/variance-curves.tex, rest on numbered inequalities, and each was run for this "
+      "every n, for the degrees 1, 3 and 5. Their proofs, docs/theorems/variance-curves.tex, rest on numbered inequalities, and each was run for this "
       "page ('subcert theorem ID --d D' prints them with their margins).");
   section.paragraphs.push_back(
       "What Table 3 suggested: for degree 1 it prints n^2 max |psi'| = " + printed_slopes(printed) +

@@ -2,6 +2,7 @@
 
 #include "parallel.hpp"
 #include "published.hpp"
+#include "theorem_section.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
@@ -404,7 +405,8 @@ std::string verdict_sentence(const ComparisonTable& table) {
 
 const std::vector<std::string>& dyn_2015_items() {
   static const std::vector<std::string> items{"masks",  "supports", "fig1",   "table1", "table2",
-                                              "levels", "exponents", "table3",   "fig2", "fig8",   "fig9"};
+                                              "levels", "exponents", "table3",   "fig2", "fig8",   "fig9",
+                                              "theorems"};
   return items;
 }
 
@@ -465,11 +467,17 @@ Report report_dyn_2015(const ReportOptions& options) {
         "degree 1 falls from " + scaled_slope(1) + " at n = 1 through " + scaled_slope(3) + " at n = 3 and " +
         scaled_slope(7) + " at n = 7 to " + scaled_slope(longest_plot) + " at n = " + std::to_string(longest_plot) +
         ": on this range 1/n^2 is true as an upper bound and not the rate. For every n this is a theorem, see "
-        "docs/theorems/degree-one.md.");
+        "docs/theorems/README.md.");
   }
   if (wanted("fig9")) variance.figures.push_back(figure_9());
 
-  for (Section* section : {&masks, &bounds, &sharp, &variance})
+  Section theorems{"theorems", "", {}};
+  if (wanted("theorems")) {
+    workshop.say("theorems");
+    theorems = theorem_section(compare_variance(workshop.published("table3"), workshop).comparisons, options);
+  }
+
+  for (Section* section : {&masks, &bounds, &sharp, &variance, &theorems})
     if (!section->comparisons.empty() || !section->tables.empty() || !section->figures.empty())
       report.sections.push_back(std::move(*section));
   return report;

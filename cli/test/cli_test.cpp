@@ -76,6 +76,8 @@ TEST_CASE("approved output") {
   check_baseline("regularity-dual.txt", "regularity dual:n=2");
   check_baseline("regularity-dd.txt", "regularity dd:n=2");
   check_baseline("variance-primal.txt", "variance primal:n=5");
+  check_baseline("theorem-list.txt", "theorem list");
+  check_baseline("theorem-degree-three.txt", "theorem conjecture-8-n --d 3");
 }
 
 TEST_CASE("the fields of the contract") {
@@ -131,6 +133,19 @@ TEST_CASE("the fields of the contract") {
   for (const auto& comparison : reproduce.at("comparisons")) CHECK(comparison.at("verdict") == "match");
 }
 
+TEST_CASE("theorems: proved, and unknown with what is missing") {
+  const auto proved = run_json("theorem conjecture-8-n --d 1");
+  CHECK(proved.at("theorem") == "conjecture-8-n");
+  CHECK(proved.at("d").at(0) == 1);
+  CHECK(proved.at("verdict") == "holds");
+  CHECK(proved.at("constants").size() == 13);
+  for (const auto& check : proved.at("checks")) CHECK(check.at("verdict") == "holds");
+  const auto unknown = run_json("theorem conjecture-7 --d 7", 2);
+  CHECK(unknown.at("verdict") == "unknown");
+  CHECK_FALSE(unknown.at("missing").empty());
+  CHECK(run_json("theorem list").at("theorems").size() == 4);
+}
+
 TEST_CASE("wrong usage is one line and exit code 64") {
   for (const char* arguments :
        {"", "nonsense", "mask", "mask nobody:n=3", "mask primal:n=100000", "mask primal:n=3,n=3", "mask 'mask:[1,1]/0'",
@@ -139,7 +154,7 @@ TEST_CASE("wrong usage is one line and exit code 64") {
         "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "reproduce nobody-1900",
         "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "conjecture", "conjecture 9", "conjecture 7 --n 0",
         "conjecture 7 --n 4..1", "conjecture 7 --n 1,,2", "conjecture 7 --d x", "conjecture 7 --shard 0/8",
-        "conjecture 7 --shard 9/8", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
+        "conjecture 7 --shard 9/8", "theorem", "theorem conjecture-9", "theorem conjecture-7 --d x", "theorem conjecture-7 --d 99", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
     const Run result = run(arguments);
     CAPTURE(arguments, result.out, result.err);
     CHECK(result.code == 64);

@@ -301,6 +301,11 @@ TEST_CASE("data are refined") {
   CHECK(json.at("step") == "1/8");
   CHECK(json.at("points").at(31).size() == 2);
 
+  CHECK(with("1\n2\n0\n4\n", "dd:n=2 " + data + " --limit --levels 0").out == "1\n2\n0\n4\n");
+  CHECK(with("0\n1\n0\n0\n", "dual:n=1 --closed " + data + " --limit --levels 0").out == "0.125\n0.75\n0.125\n0\n");
+  CHECK(run("refine 'mask:[1,1,1,1]/2@-2' " + data + " --limit").code == 0);
+  CHECK(run("refine 'mask:[1,0,0,1]' " + data + " --limit").code == 1);
+  CHECK(run("refine grid:points=2x2 " + data + " --limit").code == 64);
   const auto fails = [&](const std::string& content, const std::string& arguments, int code, const std::string& message) {
     const Run result = with(content, arguments);
     CAPTURE(arguments);
@@ -312,7 +317,7 @@ TEST_CASE("data are refined") {
   fails("1\n", "primal:n=2 " + data, 65, data + ": expected at least 4 rows for primal:n=2,d=1; found 1");
   fails("1,2\n3\n", "primal:n=2 " + data, 65, data + ", line 2, column 2: expected 2 columns as in the first row; found 1");
   fails("1\ninf\n", "primal:n=2 " + data, 65, data + ", line 2, column 1: expected a finite number; found 'inf'");
-  fails("1\n2\n3\n1\n", "primal:n=1 --closed " + data, 65,
+  fails("1,5\n2,6\n3,5\n1,5\n", "primal:n=1 --closed " + data, 65,
         data + ", line 4: expected each point of a closed curve once; found the first row again");
   fails("1\n2\n", "primal:n=1 --levels 100000000 " + data, 64,
         "100000000 levels would make about 10^30103000 numbers of 2; need at most 100000000");

@@ -13,13 +13,7 @@
 namespace subcert {
 namespace {
 
-typedef double Lanes __attribute__((vector_size(8 * L1Fitter::lanes), aligned(8 * L1Fitter::lanes)));
-
-SUBCERT_INLINE Lanes root(const Lanes& x) {
-  Lanes result;
-  for (std::size_t l = 0; l < L1Fitter::lanes; ++l) result[l] = std::sqrt(x[l]);
-  return result;
-}
+typedef double Lanes __attribute__((vector_size(8 * L1Fitter::lanes), aligned(8 * L1Fitter::lanes), may_alias));
 
 SUBCERT_INLINE void copy(const Lanes* from, std::size_t count, Lanes* to) { std::copy(from, from + count, to); }
 
@@ -65,8 +59,10 @@ SUBCERT_INLINE void set_weights(const Shape& s, const Arrays& a, double delta) {
   for (std::size_t i = 0; i < s.nodes; ++i) {
     Lanes square = Lanes{} + delta;
     for (std::size_t c = 0; c < s.dimension; ++c) square += a.residuals[c * s.nodes + i] * a.residuals[c * s.nodes + i];
-    a.weights[i] = 1.0 / root(square);
+    a.weights[i] = square;
   }
+  auto* const w = reinterpret_cast<double*>(a.weights);
+  for (std::size_t j = 0; j < s.nodes * L1Fitter::lanes; ++j) w[j] = 1.0 / std::sqrt(w[j]);
 }
 
 /// Freezes the lanes that were frozen, and those whose fit moved by at most `tolerance` from now on. True: all are frozen.

@@ -66,8 +66,8 @@ class L1Fitter {
   const RegressionWindow& window() const { return window_; }
   const L1Options& options() const { return options_; }
 
-  /// Windows that are fitted side by side.
-  static constexpr std::size_t lanes = 8;
+  /// Windows that are fitted side by side: the width of a register of 256 bits.
+  static constexpr std::size_t lanes = 4;
 
   /// Intermediate values of one thread; sized at its first use.
   class Workspace {

@@ -48,9 +48,9 @@ Scheme least_squares(const std::string& family, const std::string& title, bool o
   const long points = odd ? 2 * n + 1 : 2 * n;
   const long degree = read_degree(fields, points);
   fields.finish();
+  const LocalRegression rules = preset(static_cast<int>(n), static_cast<int>(degree));
   return {family + ":n=" + number(n) + ",d=" + number(degree),
-          title + ", " + number(points) + " points, degree " + number(degree),
-          regression_mask(preset(static_cast<int>(n), static_cast<int>(degree)))};
+          title + ", " + number(points) + " points, degree " + number(degree), regression_mask(rules), rules};
 }
 
 Scheme make_primal(Fields& f) { return least_squares("primal", "primal least squares scheme", false, primal, f); }
@@ -67,9 +67,10 @@ Scheme make_ary(Fields& fields) {
   if (arity * points > 4 * max_points) fail(points_piece, "a * points <= " + number(4 * max_points));
   const long degree = read_degree(fields, points);
   fields.finish();
+  const LocalRegression rules = ary(static_cast<int>(arity), static_cast<int>(points), static_cast<int>(degree));
   return {"ary:a=" + number(arity) + ",points=" + number(points) + ",d=" + number(degree),
           number(arity) + "-ary least squares scheme, " + number(points) + " points, degree " + number(degree),
-          regression_mask(ary(static_cast<int>(arity), static_cast<int>(points), static_cast<int>(degree)))};
+          regression_mask(rules), rules};
 }
 
 Scheme make_deslauriers_dubuc(Fields& fields) {
@@ -171,7 +172,7 @@ Scheme make_regression(Fields& fields) {
   std::string text = "regression:stencils=[" + stencils + "],at=[" + positions + "],d=" + number(scheme.degree);
   if (!weights.empty()) text += ",weights=[" + weights + "]";
   if (scheme.first_output != 0) text += ",first=" + number(scheme.first_output);
-  return {text, "local regression of degree " + number(scheme.degree), regression_mask(scheme)};
+  return {text, "local regression of degree " + number(scheme.degree), regression_mask(scheme), scheme};
 }
 
 Scheme make_mask(const Piece& family, const Piece& body, const std::string& usage) {

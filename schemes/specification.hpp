@@ -5,6 +5,7 @@
 
 #include <subcert/analysis/symbol/parse_error.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,11 +19,13 @@ class SpecificationError : public ParseError {
       : ParseError("scheme specification", token, position, expected) {}
 };
 
-/// A scheme of one variable: its canonical specification, a name for people, and its exact mask.
+/// A scheme of one variable: its canonical specification, a name for people, its exact mask, and the local regressions
+/// that it was made from.
 struct Scheme {
   std::string specification;
   std::string title;
   Mask mask;
+  std::optional<LocalRegression> rules = std::nullopt;
 };
 
 /// Reads a specification and makes the mask. Domain: at most 30,000 characters. Errors: throws SpecificationError

@@ -1,0 +1,197 @@
+#include "smoothing.hpp"
+
+#include <subcert/analysis/reproduction/reproduction.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace subcert {
+namespace {
+
+constexpr int max_shift_level = 12;
+
+Integer floor_of(const Rational& x) {
+  const Integer quotient = numerator(x) / denominator(x);
+  return numerator(x) < 0 && Rational(quotient) != x ? Integer(quotient - 1) : quotient;
+}
+
+long floor_index(const Rational& x) { return floor_of(x).convert_to<long>(); }
+long ceil_index(const Rational& x) { return -floor_index(-x); }
+
+/// The smallest level on whose grid x lies.
+int adic_level(const Rational& x, int arity) {
+  for (int level = 0; level <= max_shift_level; ++level)
+    if (denominator(Rational(x * power(Rational(arity), level))) == 1) return level;
+  throw std::domain_error("smoothing: the data of this scheme stand at " + to_text(x) + " from the integers, no " +
+                          std::to_string(arity) + "-adic number");
+}
+
+const PolynomialReproduction checked_reproduction(const Mask& mask) {
+  const PolynomialReproduction reproduction = polynomial_reproduction(mask);
+  if (reproduction.reproduction_degree < 0)
+    throw std::domain_error("smoothing: need a scheme that reproduces constants");
+  return reproduction;
+}
+
+LimitValues checked_values(const Mask& mask, const Rational& shift, const SmoothingOptions& options) {
+  if (options.level < 0) throw std::invalid_argument("smoothing: need level >= 0, got " + std::to_string(options.level));
+  return limit_values(mask, std::max(options.level, adic_level(shift, mask.arity())), options.derivative);
+}
+
+}  // namespace
+
+double SmoothingRow::value(const std::vector<double>& data, double constant) const {
+  double sum = static_cast<double>(outside) * constant;
+  for (std::size_t k = 0; k < weights.size(); ++k)
+    if (weights[k] != 0) sum += static_cast<double>(weights[k]) * data[first + k];
+  return sum;
+}
+
+ExtensionRule extension_rule(const Mask& mask, Extension kind) {
+  const long length = mask.symbol().length();
+  return {kind, static_cast<std::size_t>((length + mask.arity() - 1) / mask.arity()),
+          std::max(0, checked_reproduction(mask).reproduction_degree)};
+}
+
+LinearSmoother::LinearSmoother(const Mask& mask, std::size_t count, const SmoothingOptions& options,
+                               const std::optional<LocalRegression>& rules, std::vector<Rational> prior_weights)
+    : mask_(mask),
+      options_(options),
+      rules_(rules),
+      shift_(checked_reproduction(mask).parametrization),
+      phi_(checked_values(mask, shift_, options)),
+      data_(extension_rule(mask, options.extension), count, std::move(prior_weights)),
+      scale_(numerator(power(Rational(mask.arity()), options.level)).convert_to<std::size_t>()) {
+  if (data_.weighted() && !rules_)
+    throw std::invalid_argument("smoothing: prior weights and missing data need a scheme of local regressions");
+}
+
+std::size_t LinearSmoother::outputs() const { return (data_.count() - 1) * scale_ + 1; }
+
+Rational LinearSmoother::position(std::size_t output) const { return Rational(output) / Rational(scale_); }
+
+/// The integers j with a value of phi at scale * (position + shift) - j.
+std::pair<long, long> LinearSmoother::reach(std::size_t output, const Rational& scale) const {
+  const Interval range = limit_support(mask_);
+  const Rational x = scale * (position(output) + shift_);
+  return {ceil_index(x - range.upper), floor_index(x - range.lower)};
+}
+
+bool LinearSmoother::is_interior(std::size_t output) const {
+  const auto [first, last] = reach(output, 1);
+  return data_.is_inside(first) && data_.is_inside(last);
+}
+
+SmoothingRow LinearSmoother::to_row(const Combination& combination) const {
+  SmoothingRow row;
+  row.outside = combination.outside;
+  if (combination.terms.empty()) return row;
+  row.first = combination.terms.begin()->first;
+  row.weights.assign(combination.terms.rbegin()->first - row.first + 1, 0);
+  for (const auto& [index, weight] : combination.terms) {
+    row.weights[index - row.first] = weight;
+    if (weight != 0) row.variance += weight * weight / data_.weight(static_cast<long>(index));
+  }
+  return row;
+}
+
+SmoothingRow LinearSmoother::limit_row(std::size_t output) const {
+  const Rational grid = power(Rational(mask_.arity()), phi_.level);
+  const Rational x = position(output) + shift_;
+  const auto [first, last] = reach(output, 1);
+  Combination sum;
+  for (long j = first; j <= last; ++j) sum.add(data_.at(j), phi_.at(numerator(Rational((x - j) * grid)).convert_to<long>()));
+  return to_row(sum);
+}
+
+const std::vector<Rational>& LinearSmoother::rule_weights(std::size_t rule, const std::vector<std::size_t>& kept,
+                                                          const std::vector<Rational>& weights) const {
+  const auto found = cache_.find({rule, weights});
+  if (found != cache_.end()) return found->second;
+  const RegressionRule& r = rules_->rules[rule];
+  std::vector<Rational> nodes, positive;
+  for (const std::size_t k : kept) {
+    nodes.emplace_back(r.first + static_cast<long>(k));
+    positive.push_back(weights[k]);
+  }
+  return cache_[{rule, weights}] = regression_weights(nodes, positive, rules_->degree, r.position);
+}
+
+/// The datum of level 1 with this index, from a fit with the prior weights.
+Combination LinearSmoother::refined_datum(long index) const {
+  const long arity = mask_.arity();
+  const long offset = index - rules_->first_output;
+  const long residue = ((offset % arity) + arity) % arity;
+  const long i = (offset - residue) / arity;
+  const auto rule = static_cast<std::size_t>(residue);
+  const RegressionRule& r = rules_->rules[rule];
+  const auto points = static_cast<std::size_t>(r.last - r.first + 1);
+  std::vector<Rational> weights(points, 0);
+  std::vector<std::size_t> kept;
+  for (std::size_t k = 0; k < points; ++k) {
+    weights[k] = data_.weight(i + r.first + static_cast<long>(k)) * (r.weights.empty() ? Rational(1) : r.weights[k]);
+    if (weights[k] > 0) kept.push_back(k);
+  }
+  const std::size_t needed = std::min(points, static_cast<std::size_t>(rules_->degree) + 1);
+  if (kept.size() < needed)
+    throw std::domain_error("smoothing: " + std::to_string(kept.size()) + " of the " + std::to_string(points) +
+                            " data around datum " + std::to_string(i + 1) + " are present, a fit of degree " +
+                            std::to_string(rules_->degree) + " needs " + std::to_string(needed));
+  const std::vector<Rational>& fit = rule_weights(rule, kept, weights);
+  Combination sum;
+  for (std::size_t k = 0; k < kept.size(); ++k) sum.add(data_.at(i + r.first + static_cast<long>(kept[k])), fit[k]);
+  return sum;
+}
+
+SmoothingRow LinearSmoother::row(std::size_t output) const {
+  if (!data_.weighted()) return limit_row(output);
+  const Rational arity = mask_.arity();
+  const Rational grid = power(arity, phi_.level), factor = power(arity, options_.derivative);
+  const Rational x = arity * (position(output) + shift_);
+  const auto [first, last] = reach(output, arity);
+  Combination sum;
+  for (long m = first; m <= last; ++m) {
+    const Rational value = phi_.at(numerator(Rational((x - m) * grid)).convert_to<long>());
+    if (value != 0) sum.add(refined_datum(m), factor * value);
+  }
+  return to_row(sum);
+}
+
+LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data, double constant) const {
+  if (data.size() != data_.count())
+    throw std::invalid_argument("smoothing: need " + std::to_string(data_.count()) + " data, got " +
+                                std::to_string(data.size()));
+  struct Stencil {
+    long offset = 0;  // from the output's whole position to the first datum
+    std::vector<double> weights;
+    double variance = 0;
+  };
+  std::vector<std::optional<Stencil>> stencils(scale_);
+  Smoothed result;
+  result.values.reserve(outputs());
+  result.variances.reserve(outputs());
+  for (std::size_t o = 0; o < outputs(); ++o) {
+    if (data_.weighted() || !is_interior(o)) {
+      const SmoothingRow exact = row(o);
+      result.values.push_back(exact.value(data, constant));
+      result.variances.push_back(static_cast<double>(exact.variance));
+      continue;
+    }
+    auto& stencil = stencils[o % scale_];
+    if (!stencil) {
+      const SmoothingRow exact = row(o);
+      stencil.emplace();
+      stencil->offset = static_cast<long>(exact.first) - static_cast<long>(o / scale_);
+      stencil->variance = static_cast<double>(exact.variance);
+      for (const Rational& weight : exact.weights) stencil->weights.push_back(static_cast<double>(weight));
+    }
+    const double* from = data.data() + (static_cast<long>(o / scale_) + stencil->offset);
+    double sum = 0;
+    for (std::size_t k = 0; k < stencil->weights.size(); ++k) sum += stencil->weights[k] * from[k];
+    result.values.push_back(sum);
+    result.variances.push_back(stencil->variance);
+  }
+  return result;
+}
+
+}  // namespace subcert

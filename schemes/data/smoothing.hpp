@@ -1,0 +1,72 @@
+#pragma once
+/// Linear smoothing: the limit of a subdivision scheme from data on a uniform grid, with its exact variance.
+
+#include "extension.hpp"
+
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/schemes/local_regression.hpp>
+
+namespace subcert {
+
+struct SmoothingOptions {
+  Extension extension = Extension::interp;
+  int level = 0;       ///< outputs at the multiples of arity^-level of the spacing
+  int derivative = 0;  ///< of the limit, with respect to the index of the data
+};
+
+/// The limit, or its derivative, at position = output / arity^level in units of the spacing: a combination of the data.
+struct SmoothingRow {
+  std::size_t first = 0;          ///< the first datum with a weight below
+  std::vector<Rational> weights;
+  Rational outside = 0;           ///< weight of the constant of Extension::constant
+  Rational variance = 0;          ///< for independent noise of variance 1 / (prior weight): sum of weights^2 / prior weight
+
+  double value(const std::vector<double>& data, double constant = 0) const;
+};
+
+/// The linear map from data to values of the limit. The datum i stands at i + parametrization of the scheme, so that linear
+/// data are reproduced. With prior weights the first refinement fits with them, and those after it do not know them; a
+/// weight 0 leaves the datum out.
+class LinearSmoother {
+ public:
+  /// Domain: the scheme converges (for derivatives: proved_smoothness), reproduces constants, and its parametrization is
+  /// arity-adic; `rules` are those of `mask` and needed for prior weights. Errors: throws std::invalid_argument or
+  /// std::domain_error that says which of these fails; else as limit_values and ExtendedData.
+  LinearSmoother(const Mask& mask, std::size_t count, const SmoothingOptions& options,
+                 const std::optional<LocalRegression>& rules = std::nullopt, std::vector<Rational> prior_weights = {});
+
+  std::size_t outputs() const;
+  Rational position(std::size_t output) const;
+  /// Exact. Errors: throws std::domain_error where prior weights leave too few data for a fit, and names the datum.
+  SmoothingRow row(std::size_t output) const;
+
+  struct Smoothed {
+    std::vector<double> values;
+    std::vector<double> variances;  ///< as SmoothingRow::variance
+  };
+  /// All rows on the data, in double precision; equal rows are made once. Cost: outputs times the width of a row.
+  Smoothed apply(const std::vector<double>& data, double constant = 0) const;
+
+ private:
+  SmoothingRow limit_row(std::size_t output) const;
+  Combination refined_datum(long index) const;
+  const std::vector<Rational>& rule_weights(std::size_t rule, const std::vector<std::size_t>& kept,
+                                            const std::vector<Rational>& weights) const;
+  bool is_interior(std::size_t output) const;
+  std::pair<long, long> reach(std::size_t output, const Rational& scale) const;
+  SmoothingRow to_row(const Combination& combination) const;
+
+  Mask mask_;
+  SmoothingOptions options_;
+  std::optional<LocalRegression> rules_;
+  Rational shift_;
+  LimitValues phi_;
+  ExtendedData data_;
+  std::size_t scale_;  // arity^level
+  mutable std::map<std::pair<std::size_t, std::vector<Rational>>, std::vector<Rational>> cache_;
+};
+
+/// The data that one rule of the scheme combines at most, and the degree it reproduces: what Extension::interp fits.
+ExtensionRule extension_rule(const Mask& mask, Extension kind);
+
+}  // namespace subcert

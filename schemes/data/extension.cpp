@@ -67,7 +67,8 @@ std::size_t ExtendedData::source(long index) const {
   return index < 0 ? present_.front() : present_.back();
 }
 
-Combination ExtendedData::fitted(long index) const {
+const Combination& ExtendedData::fitted(long index) const {
+  if (const auto found = fitted_.find(index); found != fitted_.end()) return found->second;
   const std::size_t available = present_.empty() ? count_ : present_.size();
   const std::size_t used = std::min(rule_.window, available);
   std::vector<std::size_t> data;
@@ -79,7 +80,7 @@ Combination ExtendedData::fitted(long index) const {
     if (weighted()) weights.push_back(weights_[data.back()]);
   }
   const std::vector<Rational> coefficients = regression_weights(nodes, weights, rule_.degree, Rational(index));
-  Combination result;
+  Combination& result = fitted_[index];
   for (std::size_t k = 0; k < used; ++k) result.terms[data[k]] = coefficients[k];
   return result;
 }

@@ -52,13 +52,14 @@ class ExtendedData {
  private:
   /// The datum whose copy stands at an outside index, for mirror, nearest and wrap.
   std::size_t source(long index) const;
-  Combination fitted(long index) const;
+  const Combination& fitted(long index) const;
 
   ExtensionRule rule_;
   std::size_t count_;
   std::vector<Rational> weights_;
   std::vector<std::size_t> present_;  // data with positive weight, empty where none is given
   Rational mean_weight_ = 1;
+  mutable std::map<long, Combination> fitted_;  // made so far
 };
 
 }  // namespace subcert

@@ -40,13 +40,6 @@ LimitValues checked_values(const Mask& mask, const Rational& shift, const Smooth
 
 }  // namespace
 
-double SmoothingRow::value(const std::vector<double>& data, double constant) const {
-  double sum = static_cast<double>(outside) * constant;
-  for (std::size_t k = 0; k < weights.size(); ++k)
-    if (weights[k] != 0) sum += static_cast<double>(weights[k]) * data[first + k];
-  return sum;
-}
-
 ExtensionRule extension_rule(const Mask& mask, Extension kind) {
   const long length = mask.symbol().length();
   return {kind, static_cast<std::size_t>((length + mask.arity() - 1) / mask.arity()),
@@ -64,6 +57,8 @@ LinearSmoother::LinearSmoother(const Mask& mask, std::size_t count, const Smooth
       scale_(numerator(power(Rational(mask.arity()), options.level)).convert_to<std::size_t>()) {
   if (data_.weighted() && !rules_)
     throw std::invalid_argument("smoothing: prior weights and missing data need a scheme of local regressions");
+  for (std::size_t i = 0; i < count; ++i)
+    prior_weights_.push_back(static_cast<double>(data_.weight(static_cast<long>(i))));
 }
 
 std::size_t LinearSmoother::outputs() const { return (data_.count() - 1) * scale_ + 1; }
@@ -157,39 +152,77 @@ SmoothingRow LinearSmoother::row(std::size_t output) const {
   return to_row(sum);
 }
 
+/// The datum of level 0 or, with prior weights, of level 1, in double precision; made once.
+const LinearSmoother::RoundedDatum& LinearSmoother::rounded_datum(long index) const {
+  if (const auto found = rounded_.find(index); found != rounded_.end()) return found->second;
+  const Combination exact = data_.weighted() ? refined_datum(index) : data_.at(index);
+  RoundedDatum& result = rounded_[index];
+  result.outside = static_cast<double>(exact.outside);
+  for (const auto& [datum, weight] : exact.terms) result.terms.emplace_back(datum, static_cast<double>(weight));
+  return result;
+}
+
+/// row(), composed in double precision.
+LinearSmoother::RoundedRow LinearSmoother::rounded_row(std::size_t output) const {
+  const Rational scale = data_.weighted() ? mask_.arity() : 1;
+  const double factor = data_.weighted() ? static_cast<double>(power(scale, options_.derivative)) : 1;
+  const Rational origin = scale * (position(output) + shift_) * power(Rational(mask_.arity()), phi_.level);
+  const auto [first, last] = reach(output, scale);
+  const long grid = numerator(power(Rational(mask_.arity()), phi_.level)).convert_to<long>();
+  const long base = numerator(origin).convert_to<long>();
+  std::vector<std::pair<const RoundedDatum*, double>> parts;
+  std::size_t low = data_.count(), high = 0;
+  for (long j = first; j <= last; ++j) {
+    const Rational value = phi_.at(base - j * grid);
+    if (value == 0) continue;
+    parts.emplace_back(&rounded_datum(j), factor * static_cast<double>(value));
+    for (const auto& [datum, weight] : parts.back().first->terms) {
+      low = std::min(low, datum);
+      high = std::max(high, datum);
+    }
+  }
+  RoundedRow row;
+  row.first = low;
+  if (low <= high) row.weights.assign(high - low + 1, 0);
+  for (const auto& [datum, value] : parts) {
+    row.outside += value * datum->outside;
+    for (const auto& [index, weight] : datum->terms) row.weights[index - low] += value * weight;
+  }
+  for (std::size_t k = 0; k < row.weights.size(); ++k)
+    if (row.weights[k] != 0) row.variance += row.weights[k] * row.weights[k] / prior_weights_[low + k];
+  return row;
+}
+
 LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data, double constant) const {
   if (data.size() != data_.count())
     throw std::invalid_argument("smoothing: need " + std::to_string(data_.count()) + " data, got " +
                                 std::to_string(data.size()));
-  struct Stencil {
-    long offset = 0;  // from the output's whole position to the first datum
-    std::vector<double> weights;
-    double variance = 0;
-  };
-  std::vector<std::optional<Stencil>> stencils(scale_);
+  std::vector<std::optional<RoundedRow>> interior(scale_);
   Smoothed result;
   result.values.reserve(outputs());
   result.variances.reserve(outputs());
+  const auto append = [&](const RoundedRow& row, std::size_t output, std::size_t shift) {
+    double sum = row.outside * constant;
+    for (std::size_t k = 0; k < row.weights.size(); ++k)
+      if (row.weights[k] != 0) sum += row.weights[k] * data[row.first + shift + k];
+    result.values.push_back(sum);
+    result.variances.push_back(row.variance);
+    const std::size_t own = output / scale_ - shift - row.first;  // wraps around where the datum lies before the row
+    if (output % scale_ == 0) result.leverages.push_back(own < row.weights.size() ? row.weights[own] : 0);
+  };
+  std::size_t period = 0;  // the whole position at which the interior rows were made
   for (std::size_t o = 0; o < outputs(); ++o) {
     if (data_.weighted() || !is_interior(o)) {
-      const SmoothingRow exact = row(o);
-      result.values.push_back(exact.value(data, constant));
-      result.variances.push_back(static_cast<double>(exact.variance));
+      append(rounded_row(o), o, 0);
       continue;
     }
-    auto& stencil = stencils[o % scale_];
-    if (!stencil) {
-      const SmoothingRow exact = row(o);
-      stencil.emplace();
-      stencil->offset = static_cast<long>(exact.first) - static_cast<long>(o / scale_);
-      stencil->variance = static_cast<double>(exact.variance);
-      for (const Rational& weight : exact.weights) stencil->weights.push_back(static_cast<double>(weight));
+    auto& row = interior[o % scale_];
+    if (!row) {
+      if (period == 0) period = o / scale_;
+      row = rounded_row(o);
+      row->first -= o / scale_ - period;  // as if it were made at `period`
     }
-    const double* from = data.data() + (static_cast<long>(o / scale_) + stencil->offset);
-    double sum = 0;
-    for (std::size_t k = 0; k < stencil->weights.size(); ++k) sum += stencil->weights[k] * from[k];
-    result.values.push_back(sum);
-    result.variances.push_back(stencil->variance);
+    append(*row, o, o / scale_ - period);
   }
   return result;
 }

@@ -20,8 +20,6 @@ struct SmoothingRow {
   std::vector<Rational> weights;
   Rational outside = 0;           ///< weight of the constant of Extension::constant
   Rational variance = 0;          ///< for independent noise of variance 1 / (prior weight): sum of weights^2 / prior weight
-
-  double value(const std::vector<double>& data, double constant = 0) const;
 };
 
 /// The linear map from data to values of the limit. The datum i stands at i + parametrization of the scheme, so that linear
@@ -43,8 +41,10 @@ class LinearSmoother {
   struct Smoothed {
     std::vector<double> values;
     std::vector<double> variances;  ///< as SmoothingRow::variance
+    std::vector<double> leverages;  ///< [i]: the weight of datum i in the value at i
   };
-  /// All rows on the data, in double precision; equal rows are made once. Cost: outputs times the width of a row.
+  /// All rows on the data, composed and applied in double precision; equal rows are made once. Errors: as row().
+  /// Cost: outputs times the width of a row.
   Smoothed apply(const std::vector<double>& data, double constant = 0) const;
 
  private:
@@ -56,6 +56,19 @@ class LinearSmoother {
   std::pair<long, long> reach(std::size_t output, const Rational& scale) const;
   SmoothingRow to_row(const Combination& combination) const;
 
+  struct RoundedDatum {
+    std::vector<std::pair<std::size_t, double>> terms;
+    double outside = 0;
+  };
+  struct RoundedRow {
+    std::size_t first = 0;
+    std::vector<double> weights;
+    double outside = 0;
+    double variance = 0;
+  };
+  const RoundedDatum& rounded_datum(long index) const;
+  RoundedRow rounded_row(std::size_t output) const;
+
   Mask mask_;
   SmoothingOptions options_;
   std::optional<LocalRegression> rules_;
@@ -63,7 +76,9 @@ class LinearSmoother {
   LimitValues phi_;
   ExtendedData data_;
   std::size_t scale_;  // arity^level
+  std::vector<double> prior_weights_;  // of all data, 1 where none are given
   mutable std::map<std::pair<std::size_t, std::vector<Rational>>, std::vector<Rational>> cache_;
+  mutable std::map<long, RoundedDatum> rounded_;
 };
 
 /// The data that one rule of the scheme combines at most, and the degree it reproduces: what Extension::interp fits.

@@ -10,14 +10,11 @@ namespace {
 
 using namespace subcert;
 
-DataGrid noise(std::size_t columns, std::size_t rows, std::size_t dimension) {
+GridData<double> noise(const std::vector<Axis>& axes, std::size_t dimension) {
   std::mt19937 engine(1);
   std::normal_distribution<double> gauss;
-  DataGrid data;
-  data.columns = columns;
-  data.rows = rows;
-  data.dimension = dimension;
-  for (std::size_t i = 0; i < columns * rows * dimension; ++i) data.values.push_back(gauss(engine));
+  GridData<double> data{{}, dimension, axes};
+  for (std::size_t i = 0; i < data.points() * dimension; ++i) data.values.push_back(gauss(engine));
   return data;
 }
 
@@ -25,11 +22,11 @@ DataGrid noise(std::size_t columns, std::size_t rows, std::size_t dimension) {
 void BM_l1_curve(benchmark::State& state) {
   L1Scheme scheme{{static_cast<int>(state.range(0))}, static_cast<int>(state.range(1))};
   scheme.options.iterations = static_cast<int>(state.range(2));
-  const DataGrid data = noise(100'000, 1, static_cast<std::size_t>(state.range(3)));
+  const GridData<double> data = noise({Axis::of(100'000)}, static_cast<std::size_t>(state.range(3)));
   std::size_t outputs = 0;
   for (auto _ : state) {
-    const DataGrid fine = l1_refine_complete(scheme, data);
-    outputs += fine.columns;
+    const GridData<double> fine = refine(data, scheme, {});
+    outputs += fine.points();
     benchmark::DoNotOptimize(fine.values.data());
   }
   state.counters["outputs/s"] = benchmark::Counter(static_cast<double>(outputs), benchmark::Counter::kIsRate);
@@ -42,11 +39,11 @@ BENCHMARK(BM_l1_curve)
 void BM_l1_grid(benchmark::State& state) {
   const int points = static_cast<int>(state.range(0));
   const L1Scheme scheme{{points, points}, static_cast<int>(state.range(1))};
-  const DataGrid data = noise(120, 120, 1);
+  const GridData<double> data = noise({Axis::of(120), Axis::of(120)}, 1);
   std::size_t outputs = 0;
   for (auto _ : state) {
-    const DataGrid fine = l1_refine_complete(scheme, data);
-    outputs += fine.columns * fine.rows;
+    const GridData<double> fine = refine(data, scheme, {});
+    outputs += fine.points();
     benchmark::DoNotOptimize(fine.values.data());
   }
   state.counters["outputs/s"] = benchmark::Counter(static_cast<double>(outputs), benchmark::Counter::kIsRate);

@@ -1,7 +1,9 @@
 #pragma once
 /// The data-dependent schemes D of local l1 regression, on curves and on grids.
 
+#include "grid_data.hpp"
 #include "l1_regression.hpp"
+#include "refine.hpp"
 
 #include <subcert/schemes/local_regression.hpp>
 
@@ -25,26 +27,14 @@ RegressionWindow l1_window(const L1Scheme& scheme);
 /// The linear scheme that has all weights 1, for curves: dual(n, degree) or dual_odd(n, degree).
 LocalRegression l1_linear_part(const L1Scheme& scheme);
 
-/// Points on a regular grid of `columns` times `rows` (a curve has one row): coordinate c of the point in column i and row
-/// j is values[(j * columns + i) * dimension + c]; its parameters are first_x + i * step and first_y + j * step, in units
-/// of the spacing of the first data.
-struct DataGrid {
-  std::vector<double> values;
-  std::size_t columns = 0;
-  std::size_t rows = 1;
-  std::size_t dimension = 1;
-  Rational first_x = 0;
-  Rational first_y = 0;
-  Rational step = 1;
-};
-
-/// One refinement, outputs of the complete windows alone: 2 (columns - p + 1) columns, and likewise rows on grids.
-/// Domain: as many columns and rows as points; finite values. Errors: throws std::invalid_argument.
-/// Cost: as L1Fitter::fit, linear in the windows, on `threads` threads.
-DataGrid l1_refine_complete(const L1Scheme& scheme, const DataGrid& data, int threads = 1);
+/// Refines curves and grids `options.levels` times; the output has the points that refine() makes for linear schemes. At
+/// the ends, `regression` evaluates the l1 fit of the nearest complete window. Domain: one axis for each number of points,
+/// at least as many points along it, finite values, levels >= 0. Errors: as refine(). Cost: one L1Fitter::fit for every
+/// two outputs of a curve, four of a grid.
+GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options);
 
 /// The values at this level from the data 1 at 0 and 0 elsewhere, over the whole support of the scheme.
 /// Domain: a scheme for curves, 0 <= level <= 16. Ref: [MLZD15, sec. 2.4, Prop. 1].
-DataGrid l1_impulse_response(const L1Scheme& scheme, int level);
+GridData<double> l1_impulse_response(const L1Scheme& scheme, int level);
 
 }  // namespace subcert

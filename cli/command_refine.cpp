@@ -118,7 +118,7 @@ void add_refine(CLI::App& app) {
   add_scheme(command, options->scheme);
   command.add_option("DATA", options->data, "Points, one a row: CSV with one column for each coordinate")->required();
   command.add_option("--levels", options->levels, "How often the scheme is applied")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, 1000000000))
       ->capture_default_str();
   command.add_flag("--closed", options->closed, "The first point follows the last");
   command.add_option("--boundary", options->boundary, "What rules at the ends read")

@@ -1,7 +1,7 @@
 #include "specification.hpp"
 
 #include "classical.hpp"
-#include "specification_fields.hpp"
+#include "specification_text.hpp"
 
 #include <subcert/analysis/symbol/term_text.hpp>
 
@@ -15,18 +15,7 @@
 namespace subcert {
 namespace {
 
-using specification::fail;
-using specification::Fields;
-using specification::Piece;
-using specification::read_integer;
-using specification::read_rational;
-using specification::split;
-
-constexpr std::size_t max_text = 30'000;  // also bounds the digits that a common denominator can gather
-constexpr long max_points = 4096;
-constexpr long max_work = 200'000;  // points * degree: keeps every accepted mask within seconds
-constexpr long max_long_work = 1'000'000;  // points * degree^2 * digits, for weighted fits and long positions
-constexpr long max_arity = 64;
+using namespace specification_text;
 
 /// Degree of a fit on `points` data, bounded so that the mask is made in seconds.
 long read_degree(Fields& fields, long points) {
@@ -252,8 +241,7 @@ Scheme make_scheme(std::string_view specification) {
     known += (known.empty() ? "" : ", ") + candidate.help.family;
   }
   if (family.text == "l1") fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
-  if (family.text == "tensor" || family.text == "grid")
-    fail(family, "a univariate linear scheme; surfaces are not in this version yet (have: " + known + ")");
+  if (family.text == "tensor" || family.text == "grid") fail(family, "a linear scheme of one variable (" + known + ")");
   fail(family, "one of " + known);
 }
 

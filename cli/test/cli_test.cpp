@@ -275,8 +275,55 @@ TEST_CASE("matrices from a file") {
   CHECK(run("jsr " + file).code == 66);
 }
 
+TEST_CASE("data are refined") {
+  const fs::path folder = fs::temp_directory_path() / ("subcert-cli-refine-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const std::string data = (folder / "data.csv").string(), out = (folder / "out.csv").string();
+  const auto with = [&](const std::string& content, const std::string& arguments) {
+    std::ofstream(data, std::ios::binary) << content;
+    return run("refine " + arguments);
+  };
+  const std::string line = "x;y\n0;1\n1;3\n2;5\n3;7\n4;9\n";
+  CHECK(with(line, "primal:n=1 " + data + " --levels 1").out ==
+        "x;y\n0;1\n0.5;2\n1;3\n1.5;4\n2;5\n2.5;6\n3;7\n3.5;8\n4;9\n");
+  CHECK(with(line, "dual:n=1 " + data + " --levels 2 --out " + out + " --plot " + out + ".svg").out.empty());
+  CHECK(read(out).substr(0, 14) == "x;y\n0.125;1.25");
+  CHECK(read(out + ".svg").find("<svg") != std::string::npos);
+  CHECK(with("1\n0\n0\n0\n", "dual:n=1 " + data + " --closed --levels 1").out == "0.75\n0.25\n0\n0\n0\n0\n0.25\n0.75\n");
+  std::ofstream(data, std::ios::binary) << line;
+  const auto json = run_json("refine dual:n=1 " + data + " --levels 3");
+  CHECK(json.at("scheme") == "dual:n=1,d=1");
+  CHECK(json.at("count") == 32);
+  CHECK(json.at("first") == "1/16");
+  CHECK(json.at("step") == "1/8");
+  CHECK(json.at("points").at(31).size() == 2);
+
+  const auto fails = [&](const std::string& content, const std::string& arguments, int code, const std::string& message) {
+    const Run result = with(content, arguments);
+    CAPTURE(arguments);
+    CHECK(result.code == code);
+    CHECK(result.out.empty());
+    CHECK(result.err == "subcert: " + message + "\n");
+  };
+  fails("", "primal:n=2 " + data, 65, data + ": expected rows of numbers; found none");
+  fails("1\n", "primal:n=2 " + data, 65, data + ": expected at least 4 rows for primal:n=2,d=1; found 1");
+  fails("1,2\n3\n", "primal:n=2 " + data, 65, data + ", line 2, column 2: expected 2 columns as in the first row; found 1");
+  fails("1\ninf\n", "primal:n=2 " + data, 65, data + ", line 2, column 1: expected a finite number; found 'inf'");
+  fails("1\n2\n3\n1\n", "primal:n=1 --closed " + data, 65,
+        data + ", line 4: expected each point of a closed curve once; found the first row again");
+  fails("1\n2\n", "primal:n=1 --levels 100000000 " + data, 64,
+        "100000000 levels would make about 10^30103000 numbers of 2; need at most 100000000");
+  fails(line, "primal:n=1 --plot x.pdf " + data, 64, "--plot x.pdf: expected a name that ends in .svg or .png");
+  fails(line, "primal:n=1 --closed --boundary shrink " + data, 64,
+        "--boundary shrink: closed data have no boundary; leave out one of the two options");
+  CHECK(run("refine primal:n=1 " + data + " --boundary other").code == 64);
+  CHECK(run("refine primal:n=1 " + folder.string() + "/nowhere.csv").code == 66);
+  CHECK(run("refine primal:n=1 " + data + " --out /proc/nowhere/file").code == 70);
+  fs::remove_all(folder);
+}
+
 TEST_CASE("help names an example in every subcommand") {
-  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "jsr", "verify", "limit", "variance"}) {
+  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "jsr", "verify", "limit", "variance", "refine"}) {
     const Run result = run(std::string(command) + " --help");
     CAPTURE(command);
     CHECK(result.code == 0);

@@ -2,18 +2,14 @@
 
 #include "decimal.hpp"
 
-#include <subcert/schemes/specification_fields.hpp>
+#include <subcert/schemes/specification_text.hpp>
 
 #include <algorithm>
 
 namespace subcert {
 namespace {
 
-using specification::fail;
-using specification::Fields;
-using specification::Piece;
-using specification::read_integer;
-using specification::split;
+using namespace specification_text;
 
 constexpr std::string_view family_name = "l1";
 

@@ -17,7 +17,7 @@ struct RefineOptions {
 };
 
 /// Numbers (points times coordinates) that a refinement may make.
-constexpr double most_refined_numbers = 2e8;
+constexpr double most_refined_numbers = 1e8;
 
 /// Applies masks[k] along axis k, `levels` times. The output axes keep the domain of the data; docs/data.md says which
 /// points are made and how rules at the ends read. Polynomials of each mask's reproduction degree are refined exactly, up

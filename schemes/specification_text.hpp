@@ -1,11 +1,18 @@
 #pragma once
-/// The parts of scheme specifications: pieces of text with their places, and `key=value` fields.
+// What the readers of specifications share.
 
 #include "specification.hpp"
 
 #include <optional>
+#include <utility>
 
-namespace subcert::specification {
+namespace subcert::specification_text {
+
+constexpr std::size_t max_text = 30'000;  // also bounds the digits that a common denominator can gather
+constexpr long max_points = 4096;
+constexpr long max_work = 200'000;  // points * degree: keeps every accepted mask within seconds
+constexpr long max_long_work = 1'000'000;  // points * degree^2 * digits, for weighted fits and long positions
+constexpr long max_arity = 64;
 
 /// A piece of the specification and where it begins (0-based).
 struct Piece {
@@ -13,17 +20,39 @@ struct Piece {
   std::size_t at;
 };
 
-/// Throws SpecificationError for the piece.
-[[noreturn]] void fail(const Piece& piece, const std::string& expected);
+[[noreturn]] inline void fail(const Piece& piece, const std::string& expected) {
+  throw SpecificationError(piece.text, piece.at + 1, expected);
+}
 
 /// Splits at `separator` outside of brackets.
-std::vector<Piece> split(const Piece& piece, char separator);
+inline std::vector<Piece> split(const Piece& piece, char separator) {
+  std::vector<Piece> result;
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= piece.text.size(); ++i) {
+    const char c = i < piece.text.size() ? piece.text[i] : separator;
+    if (c == '[' || c == '(') ++depth;
+    if (c == ']' || c == ')') --depth;
+    if (i == piece.text.size() || (c == separator && depth <= 0)) {
+      result.push_back({piece.text.substr(begin, i - begin), piece.at + begin});
+      begin = i + 1;
+    }
+  }
+  return result;
+}
 
-/// Errors: fail().
-Rational read_rational(const Piece& piece);
+inline Rational read_rational(const Piece& piece) {
+  const auto value = parse_rational(piece.text);
+  if (!value) fail(piece, "an exact number p or p/q with q > 0 (for example 1/16)");
+  return *value;
+}
 
-/// An integer in low, ..., high. Errors: fail(), which calls the integer `name`.
-long read_integer(const Piece& piece, const std::string& name, long low, long high);
+inline long read_integer(const Piece& piece, const std::string& name, long low, long high) {
+  const std::string range = name + " as an integer from " + std::to_string(low) + " to " + std::to_string(high);
+  const auto value = parse_rational(piece.text);
+  if (!value || denominator(*value) != 1 || *value < low || *value > high) fail(piece, range);
+  return numerator(*value).convert_to<long>();
+}
 
 /// The `key=value` fields of a specification; each is to be taken once, and finish() refuses what is left.
 class Fields {
@@ -79,4 +108,4 @@ class Fields {
   std::vector<Field> fields_;
 };
 
-}  // namespace subcert::specification
+}  // namespace subcert::specification_text

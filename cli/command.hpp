@@ -78,5 +78,6 @@ void add_verify(CLI::App& app);
 void add_conjecture(CLI::App& app);
 void add_merge(CLI::App& app);
 void add_refine(CLI::App& app);
+void add_smooth(CLI::App& app);
 
 }  // namespace subcert::cli

@@ -4,6 +4,7 @@
 
 #include <subcert/reports/figure.hpp>
 #include <subcert/schemes/data/axis_refinement.hpp>
+#include <subcert/schemes/data/l1_specification.hpp>
 #include <subcert/schemes/data/refine.hpp>
 #include <subcert/schemes/data/table.hpp>
 
@@ -75,24 +76,43 @@ void draw_curve(const std::string& file, const std::string& scheme, const Table&
   draw_file({"refined", scheme, "", 1, {panel}}, file);
 }
 
+/// What refines a curve: a linear scheme or a data-dependent one.
+struct CurveRefiner {
+  std::string specification;
+  std::size_t fewest;  ///< points of a curve
+  std::function<GridData<double>(const GridData<double>&, const RefineOptions&)> refine;
+};
+
+CurveRefiner make_refiner(const std::string& specification, Boundary boundary) {
+  if (is_l1_specification(specification)) {
+    const NamedL1Scheme named = make_l1_scheme(specification);
+    if (named.scheme.points.size() != 1)
+      throw UsageError(named.specification + ": expected a scheme for curves, as l1:points=6");
+    return {named.specification, static_cast<std::size_t>(named.scheme.points[0]),
+            [=](const GridData<double>& data, const RefineOptions& options) { return refine(data, named.scheme, options); }};
+  }
+  const Scheme scheme = make_scheme(specification);
+  return {scheme.specification, AxisRefiner(scheme.mask, boundary).window(),
+          [=](const GridData<double>& data, const RefineOptions& options) { return refine(data, scheme.mask, options); }};
+}
+
 int run(const RefineCommand& options) {
-  const Scheme scheme = make_scheme(options.scheme);
   const Boundary boundary = *parse_boundary(options.boundary);
   if (options.closed && boundary != Boundary::regression && boundary != Boundary::periodic)
     throw UsageError("--boundary " + options.boundary + ": closed data have no boundary; leave out one of the two options");
   if (!options.plot.empty() && !is_picture_name(options.plot))
     throw UsageError("--plot " + options.plot + ": expected a name that ends in .svg or .png");
   const bool closed = options.closed || boundary == Boundary::periodic;
-  const auto [table, data] =
-      read_curve(options.data, closed, AxisRefiner(scheme.mask, boundary).window(), scheme.specification);
+  const CurveRefiner refiner = make_refiner(options.scheme, boundary);
+  const auto [table, data] = read_curve(options.data, closed, refiner.fewest, refiner.specification);
   if (!options.plot.empty() && data.dimension > 2)
     throw UsageError("--plot " + options.plot + ": pictures need one or two columns; " + options.data + " has " +
                      std::to_string(data.dimension));
-  const GridData<double> refined = refine(data, scheme.mask, {options.levels, boundary, options.threads()});
-  if (!options.plot.empty()) draw_curve(options.plot, scheme.specification, table, data, refined);
+  const GridData<double> refined = refiner.refine(data, {options.levels, boundary, options.threads()});
+  if (!options.plot.empty()) draw_curve(options.plot, refiner.specification, table, data, refined);
   const Axis& axis = refined.axes[0];
   if (options.json) {
-    options.answer(Json{{"scheme", scheme.specification},
+    options.answer(Json{{"scheme", refiner.specification},
                         {"levels", options.levels},
                         {"boundary", to_text(closed ? Boundary::periodic : boundary)},
                         {"closed", closed},

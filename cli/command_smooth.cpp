@@ -60,6 +60,14 @@ std::string risk_text(const SmoothingCandidate& candidate) {
          number_text(candidate.risk.bias_squared) + " + variance " + number_text(candidate.risk.variance);
 }
 
+/// The largest n among the candidates of a degree.
+int widest(const std::vector<SmoothingCandidate>& candidates, int degree) {
+  int n = 0;
+  for (const SmoothingCandidate& candidate : candidates)
+    if (candidate.degree == degree) n = std::max(n, candidate.n);
+  return n;
+}
+
 /// The scheme of the smallest estimated risk whose limits are smooth enough.
 Scheme choose_scheme(const SmoothCommand& options, const Samples& samples, Smooth& result) {
   if (samples.count() < 4)
@@ -78,6 +86,8 @@ Scheme choose_scheme(const SmoothCommand& options, const Samples& samples, Smoot
                            std::to_string(ranked.size()) + " schemes" +
                            (i == 0 ? "" : ", among those with continuous derivatives of this order"));
     result.notes.push_back("  " + risk_text(ranked[i]));
+    if (ranked[i].n == widest(ranked, ranked[i].degree))
+      result.notes.push_back("  more points were not tried for this degree");
     for (std::size_t k = 0, shown = 0; k < ranked.size() && shown < 2; ++k)
       if (k != i) {
         result.notes.push_back("  " + risk_text(ranked[k]));
@@ -240,7 +250,7 @@ Json result_json(const SmoothCommand& options, const Samples& samples, const Smo
 void draw_smooth(const SmoothCommand& options, const Samples& samples, const Smooth& smooth, const Table& table) {
   Figure figure{"smooth", smooth.specification, "", 1, {}};
   for (std::size_t c = 0; c < samples.columns.size(); ++c) {
-    Panel panel{smooth.specification, samples.x_name, samples.names[c], {}};
+    Panel panel{smooth.specification, samples.x_name, samples.names[c], {}, false, "below"};
     const auto curve = [&](const std::string& label, double sign) {
       subcert::Curve result{label, {}};
       for (std::size_t o = 0; o < smooth.positions.size(); ++o)

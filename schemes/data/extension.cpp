@@ -1,5 +1,7 @@
 #include "extension.hpp"
 
+#include "rounded_regression.hpp"
+
 #include <subcert/schemes/local_regression.hpp>
 
 #include <algorithm>
@@ -67,21 +69,49 @@ std::size_t ExtendedData::source(long index) const {
   return index < 0 ? present_.front() : present_.back();
 }
 
-const Combination& ExtendedData::fitted(long index) const {
-  if (const auto found = fitted_.find(index); found != fitted_.end()) return found->second;
+std::vector<std::size_t> ExtendedData::fitted_data(long index) const {
   const std::size_t available = present_.empty() ? count_ : present_.size();
   const std::size_t used = std::min(rule_.window, available);
   std::vector<std::size_t> data;
-  std::vector<Rational> nodes, weights;
   for (std::size_t k = 0; k < used; ++k) {
     const std::size_t rank = index < 0 ? k : available - used + k;
     data.push_back(present_.empty() ? rank : present_[rank]);
-    nodes.emplace_back(data.back());
-    if (weighted()) weights.push_back(weights_[data.back()]);
+  }
+  return data;
+}
+
+const Combination& ExtendedData::fitted(long index) const {
+  if (const auto found = fitted_.find(index); found != fitted_.end()) return found->second;
+  std::vector<Rational> nodes, weights;
+  const std::vector<std::size_t> data = fitted_data(index);
+  for (const std::size_t i : data) {
+    nodes.emplace_back(i);
+    if (weighted()) weights.push_back(weights_[i]);
   }
   const std::vector<Rational> coefficients = regression_weights(nodes, weights, rule_.degree, Rational(index));
   Combination& result = fitted_[index];
-  for (std::size_t k = 0; k < used; ++k) result.terms[data[k]] = coefficients[k];
+  for (std::size_t k = 0; k < data.size(); ++k) result.terms[data[k]] = coefficients[k];
+  return result;
+}
+
+RoundedCombination rounded(const Combination& combination) {
+  RoundedCombination result;
+  result.outside = static_cast<double>(combination.outside);
+  for (const auto& [datum, weight] : combination.terms) result.terms.emplace_back(datum, static_cast<double>(weight));
+  return result;
+}
+
+RoundedCombination ExtendedData::rounded_at(long index) const {
+  if (!weighted() || is_inside(index) || rule_.kind != Extension::interp) return rounded(at(index));
+  std::vector<double> nodes, weights;
+  const std::vector<std::size_t> data = fitted_data(index);
+  for (const std::size_t i : data) {
+    nodes.push_back(static_cast<double>(static_cast<long>(i) - index));
+    weights.push_back(static_cast<double>(weights_[i]));
+  }
+  const std::vector<double> coefficients = rounded_regression_weights(nodes, weights, rule_.degree, 0);
+  RoundedCombination result;
+  for (std::size_t k = 0; k < data.size(); ++k) result.terms.emplace_back(data[k], coefficients[k]);
   return result;
 }
 

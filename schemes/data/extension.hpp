@@ -27,6 +27,14 @@ struct Combination {
   void add(const Combination& other, const Rational& factor);
 };
 
+/// A combination in double precision.
+struct RoundedCombination {
+  std::vector<std::pair<std::size_t, double>> terms = {};
+  double outside = 0;
+};
+
+RoundedCombination rounded(const Combination& combination);
+
 /// How to continue.
 struct ExtensionRule {
   Extension kind = Extension::interp;
@@ -46,6 +54,8 @@ class ExtendedData {
   /// The datum at `index`. Missing data that lie outside or next to the ends are replaced by the rule, those inside are
   /// not to be asked for.
   Combination at(long index) const;
+  /// at() in double precision; fits with prior weights are computed in it.
+  RoundedCombination rounded_at(long index) const;
   /// The prior weight there: that of the datum which is repeated, the mean of the weights for interp and constant.
   Rational weight(long index) const;
 
@@ -53,6 +63,8 @@ class ExtendedData {
   /// The datum whose copy stands at an outside index, for mirror, nearest and wrap.
   std::size_t source(long index) const;
   const Combination& fitted(long index) const;
+  /// The data that `interp` fits beyond the end next to `index`.
+  std::vector<std::size_t> fitted_data(long index) const;
 
   ExtensionRule rule_;
   std::size_t count_;

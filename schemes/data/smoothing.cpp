@@ -1,5 +1,7 @@
 #include "smoothing.hpp"
 
+#include "rounded_regression.hpp"
+
 #include <subcert/analysis/reproduction/reproduction.hpp>
 
 #include <algorithm>
@@ -99,42 +101,65 @@ SmoothingRow LinearSmoother::limit_row(std::size_t output) const {
   return to_row(sum);
 }
 
-const std::vector<Rational>& LinearSmoother::rule_weights(std::size_t rule, const std::vector<std::size_t>& kept,
-                                                          const std::vector<Rational>& weights) const {
-  const auto found = cache_.find({rule, weights});
-  if (found != cache_.end()) return found->second;
+LinearSmoother::Window LinearSmoother::window_of(long index) const {
+  const long arity = mask_.arity();
+  const long offset = index - rules_->first_output;
+  const long residue = ((offset % arity) + arity) % arity;
+  const auto rule = static_cast<std::size_t>(residue);
   const RegressionRule& r = rules_->rules[rule];
-  std::vector<Rational> nodes, positive;
-  for (const std::size_t k : kept) {
-    nodes.emplace_back(r.first + static_cast<long>(k));
-    positive.push_back(weights[k]);
+  const auto points = static_cast<std::size_t>(r.last - r.first + 1);
+  const long group = (offset - residue) / arity;
+  Window window{rule, group + r.first, group, std::vector<Rational>(points, 0), {}};
+  for (std::size_t k = 0; k < points; ++k) {
+    window.weights[k] = data_.weight(window.first + static_cast<long>(k)) * (r.weights.empty() ? Rational(1) : r.weights[k]);
+    if (window.weights[k] > 0) window.kept.push_back(k);
   }
-  return cache_[{rule, weights}] = regression_weights(nodes, positive, rules_->degree, r.position);
+  const std::size_t needed = std::min(points, static_cast<std::size_t>(rules_->degree) + 1);
+  if (window.kept.size() < needed)
+    throw std::domain_error("smoothing: " + std::to_string(window.kept.size()) + " of the " + std::to_string(points) +
+                            " data around datum " + std::to_string(group + 1) + " are present, a fit of degree " +
+                            std::to_string(rules_->degree) + " needs " + std::to_string(needed));
+  return window;
+}
+
+const std::vector<Rational>& LinearSmoother::fit_of(const Window& window) const {
+  const auto found = fits_.find({window.rule, window.weights});
+  if (found != fits_.end()) return found->second;
+  const RegressionRule& r = rules_->rules[window.rule];
+  std::vector<Rational> nodes, positive;
+  for (const std::size_t k : window.kept) {
+    nodes.emplace_back(r.first + static_cast<long>(k));
+    positive.push_back(window.weights[k]);
+  }
+  return fits_[{window.rule, window.weights}] = regression_weights(nodes, positive, rules_->degree, r.position);
 }
 
 /// The datum of level 1 with this index, from a fit with the prior weights.
 Combination LinearSmoother::refined_datum(long index) const {
-  const long arity = mask_.arity();
-  const long offset = index - rules_->first_output;
-  const long residue = ((offset % arity) + arity) % arity;
-  const long i = (offset - residue) / arity;
-  const auto rule = static_cast<std::size_t>(residue);
-  const RegressionRule& r = rules_->rules[rule];
-  const auto points = static_cast<std::size_t>(r.last - r.first + 1);
-  std::vector<Rational> weights(points, 0);
-  std::vector<std::size_t> kept;
-  for (std::size_t k = 0; k < points; ++k) {
-    weights[k] = data_.weight(i + r.first + static_cast<long>(k)) * (r.weights.empty() ? Rational(1) : r.weights[k]);
-    if (weights[k] > 0) kept.push_back(k);
-  }
-  const std::size_t needed = std::min(points, static_cast<std::size_t>(rules_->degree) + 1);
-  if (kept.size() < needed)
-    throw std::domain_error("smoothing: " + std::to_string(kept.size()) + " of the " + std::to_string(points) +
-                            " data around datum " + std::to_string(i + 1) + " are present, a fit of degree " +
-                            std::to_string(rules_->degree) + " needs " + std::to_string(needed));
-  const std::vector<Rational>& fit = rule_weights(rule, kept, weights);
+  const Window window = window_of(index);
+  const std::vector<Rational>& fit = fit_of(window);
   Combination sum;
-  for (std::size_t k = 0; k < kept.size(); ++k) sum.add(data_.at(i + r.first + static_cast<long>(kept[k])), fit[k]);
+  for (std::size_t k = 0; k < window.kept.size(); ++k)
+    sum.add(data_.at(window.first + static_cast<long>(window.kept[k])), fit[k]);
+  return sum;
+}
+
+/// refined_datum() in double precision.
+RoundedCombination LinearSmoother::rounded_refined_datum(long index) const {
+  const Window window = window_of(index);
+  const RegressionRule& r = rules_->rules[window.rule];
+  std::vector<double> nodes, weights;
+  for (const std::size_t k : window.kept) {
+    nodes.push_back(static_cast<double>(Rational(r.first + static_cast<long>(k) - r.position)));
+    weights.push_back(static_cast<double>(window.weights[k]));
+  }
+  const std::vector<double> fit = rounded_regression_weights(nodes, weights, rules_->degree, 0);
+  RoundedCombination sum;
+  for (std::size_t k = 0; k < fit.size(); ++k) {
+    const RoundedCombination datum = data_.rounded_at(window.first + static_cast<long>(window.kept[k]));
+    sum.outside += fit[k] * datum.outside;
+    for (const auto& [i, weight] : datum.terms) sum.terms.emplace_back(i, fit[k] * weight);
+  }
   return sum;
 }
 
@@ -153,13 +178,9 @@ SmoothingRow LinearSmoother::row(std::size_t output) const {
 }
 
 /// The datum of level 0 or, with prior weights, of level 1, in double precision; made once.
-const LinearSmoother::RoundedDatum& LinearSmoother::rounded_datum(long index) const {
+const RoundedCombination& LinearSmoother::rounded_datum(long index) const {
   if (const auto found = rounded_.find(index); found != rounded_.end()) return found->second;
-  const Combination exact = data_.weighted() ? refined_datum(index) : data_.at(index);
-  RoundedDatum& result = rounded_[index];
-  result.outside = static_cast<double>(exact.outside);
-  for (const auto& [datum, weight] : exact.terms) result.terms.emplace_back(datum, static_cast<double>(weight));
-  return result;
+  return rounded_[index] = data_.weighted() ? rounded_refined_datum(index) : data_.rounded_at(index);
 }
 
 /// row(), composed in double precision.
@@ -170,7 +191,7 @@ LinearSmoother::RoundedRow LinearSmoother::rounded_row(std::size_t output) const
   const auto [first, last] = reach(output, scale);
   const long grid = numerator(power(Rational(mask_.arity()), phi_.level)).convert_to<long>();
   const long base = numerator(origin).convert_to<long>();
-  std::vector<std::pair<const RoundedDatum*, double>> parts;
+  std::vector<std::pair<const RoundedCombination*, double>> parts;
   std::size_t low = data_.count(), high = 0;
   for (long j = first; j <= last; ++j) {
     const Rational value = phi_.at(base - j * grid);

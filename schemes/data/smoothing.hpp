@@ -48,25 +48,30 @@ class LinearSmoother {
   Smoothed apply(const std::vector<double>& data, double constant = 0) const;
 
  private:
+  /// Where the window of a datum of level 1 lies, and which of its data have weight.
+  struct Window {
+    std::size_t rule;
+    long first;                     ///< datum
+    long group;                     ///< the rule's position counts from this datum
+    std::vector<Rational> weights;  ///< of all points of the rule
+    std::vector<std::size_t> kept;  ///< the points with weight
+  };
+  Window window_of(long index) const;
   SmoothingRow limit_row(std::size_t output) const;
   Combination refined_datum(long index) const;
-  const std::vector<Rational>& rule_weights(std::size_t rule, const std::vector<std::size_t>& kept,
-                                            const std::vector<Rational>& weights) const;
+  const std::vector<Rational>& fit_of(const Window& window) const;
   bool is_interior(std::size_t output) const;
   std::pair<long, long> reach(std::size_t output, const Rational& scale) const;
   SmoothingRow to_row(const Combination& combination) const;
 
-  struct RoundedDatum {
-    std::vector<std::pair<std::size_t, double>> terms;
-    double outside = 0;
-  };
   struct RoundedRow {
     std::size_t first = 0;
     std::vector<double> weights;
     double outside = 0;
     double variance = 0;
   };
-  const RoundedDatum& rounded_datum(long index) const;
+  RoundedCombination rounded_refined_datum(long index) const;
+  const RoundedCombination& rounded_datum(long index) const;
   RoundedRow rounded_row(std::size_t output) const;
 
   Mask mask_;
@@ -77,8 +82,8 @@ class LinearSmoother {
   ExtendedData data_;
   std::size_t scale_;  // arity^level
   std::vector<double> prior_weights_;  // of all data, 1 where none are given
-  mutable std::map<std::pair<std::size_t, std::vector<Rational>>, std::vector<Rational>> cache_;
-  mutable std::map<long, RoundedDatum> rounded_;
+  mutable std::map<std::pair<std::size_t, std::vector<Rational>>, std::vector<Rational>> fits_;
+  mutable std::map<long, RoundedCombination> rounded_;
 };
 
 /// The data that one rule of the scheme combines at most, and the degree it reproduces: what Extension::interp fits.

@@ -178,6 +178,29 @@ TEST_CASE("double precision agrees with the exact rows") {
   }
 }
 
+TEST_CASE("fits with prior weights in double precision agree with the exact ones") {
+  Random random;
+  for (const auto& [text, extension] : {std::pair{"primal:n=3", Extension::interp}, {"primal:n=5,d=5", Extension::interp},
+                                        {"dual:n=4,d=3", Extension::mirror}, {"primal:n=1", Extension::constant}}) {
+    const Scheme scheme = make_scheme(text);
+    std::vector<Rational> weights, exact;
+    std::vector<double> data;
+    for (int i = 0; i < 30; ++i) {
+      weights.push_back(random.chance(10) && i % 3 == 0 && scheme.rules->degree > 1 ? Rational(0) : Rational(random.integer(1, 300), 100));
+      data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
+      exact.emplace_back(data.back());
+    }
+    const LinearSmoother smoother(scheme.mask, data.size(), {extension, 1, 0}, scheme.rules, weights);
+    const auto smoothed = smoother.apply(data, 2.5);
+    for (std::size_t o = 0; o < smoother.outputs(); ++o) {
+      const SmoothingRow row = smoother.row(o);
+      const double value = static_cast<double>(Rational(apply_exactly(row, exact) + row.outside * Rational(5, 2)));
+      CHECK(smoothed.values[o] == Approx(value).epsilon(1e-10).margin(1e-10));
+      CHECK(smoothed.variances[o] == Approx(static_cast<double>(row.variance)).epsilon(1e-10));
+    }
+  }
+}
+
 TEST_CASE("smoothers that do not exist say why") {
   const auto contains = [](const std::string& part) { return Catch::Matchers::Contains(part); };
   const Scheme scheme = make_scheme("primal:n=3"), spline = make_scheme("bspline:degree=3");

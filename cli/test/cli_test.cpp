@@ -342,8 +342,14 @@ TEST_CASE("data are refined by l1 regression") {
   fails("l1:points=10 " + data, 65,
         data + ": expected at least 10 rows for l1:points=10,d=1,iterations=6,delta=1e-8; found 9");
   fails("l1:points=6,d=4 " + data, 64, "scheme specification, position 15: '4'; expected d as an integer from 0 to 3");
-  fails("l1:points=4x4 " + data, 64,
-        "l1:points=4x4,d=1,iterations=6,delta=1e-8: expected a scheme for curves, as l1:points=6");
+  std::string matrix;
+  for (int j = 0; j < 7; ++j)
+    for (int i = 0; i < 8; ++i) matrix += (i == 3 && j == 3 ? "500" : std::to_string(i + 2 * j)) + (i < 7 ? "," : "\n");
+  std::ofstream(data) << matrix;
+  const auto surface = run_json("refine l1:points=4x4,iterations=60 " + data + " --levels 1");
+  REQUIRE(surface.at("points").size() == 14 * 12);
+  for (int o = 0; o < 14 * 12; ++o)
+    CHECK(std::abs(surface["points"][o][0].get<double>() - (0.25 + 0.5 * (o % 14) + 2 * (0.25 + 0.5 * (o / 14)))) < 1e-3);
   CHECK(run("mask l1:points=6").code == 64);
   fs::remove(file);
 }

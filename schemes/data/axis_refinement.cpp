@@ -1,5 +1,6 @@
 #include "axis_refinement.hpp"
 
+#include "in_ranges.hpp"
 #include "weighted_sum.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
@@ -9,86 +10,48 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string>
-#include <thread>
 
 namespace subcert {
-namespace {
-
-long floor_divide(long a, long b) { return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0); }
-long modulo(long a, long b) { return a - b * floor_divide(a, b); }
-
-Integer floor_of(const Rational& x) {
-  const Integer p = numerator(x), q = denominator(x);
-  return p >= 0 ? p / q : -((-p + q - 1) / q);
-}
-long to_long(const Integer& x) { return x.convert_to<long>(); }
-long floor_index(const Rational& x) { return to_long(floor_of(x)); }
-long ceil_index(const Rational& x) { return -to_long(floor_of(-x)); }
-
-/// The datum 0, ..., count - 1 that stands at index j after mirroring about twice_low / 2 and twice_high / 2, which
-/// enclose the data. Domain: count >= 2.
-std::size_t mirrored(long j, long count, long twice_low, long twice_high) {
-  while (j < 0 || j >= count) j = (j < 0 ? twice_low : twice_high) - j;
-  return static_cast<std::size_t>(j);
-}
-
-}  // namespace
-
-AxisRefiner::AxisRefiner(const Mask& mask, Boundary boundary) : mask_(mask), boundary_(boundary) {
+AxisStencils axis_stencils(const Mask& mask) {
   if (!is_affine(mask)) throw std::invalid_argument("refine: need coset sums 1");
   const PolynomialReproduction polynomials = polynomial_reproduction(mask);
-  const long arity = mask.arity();
-  degree_ = polynomials.reproduction_degree;
-  centre_ = polynomials.parametrization * (arity - 1);
-  window_ = std::max<std::size_t>(2, static_cast<std::size_t>(degree_) + 1);
-  const LaurentPolynomial& symbol = mask.symbol();
-  for (long residue = 0; residue < arity; ++residue) {
-    const LaurentPolynomial coset = symbol.coset(mask.arity(), residue);
-    std::vector<Rational> weights = coset.coefficients();
-    std::reverse(weights.begin(), weights.end());
-    window_ = std::max(window_, weights.size());
-    cosets_.push_back({residue + arity * coset.lowest(), residue + arity * coset.highest(), std::move(weights)});
+  std::vector<AxisStencils::Class> classes;
+  for (long residue = 0; residue < mask.arity(); ++residue) {
+    const LaurentPolynomial coset = mask.symbol().coset(mask.arity(), residue);
+    classes.push_back({residue + mask.arity() * coset.lowest(), residue + mask.arity() * coset.highest()});
   }
+  return {std::move(classes), polynomials.parametrization * (mask.arity() - 1), polynomials.reproduction_degree};
 }
 
-const AxisRefiner::Coset& AxisRefiner::coset_of(long output) const {
-  return cosets_[static_cast<std::size_t>(modulo(output, mask_.arity()))];
+AxisRefiner::AxisRefiner(const Mask& mask, Boundary boundary) : boundary_(boundary), stencils_(axis_stencils(mask)) {
+  for (long residue = 0; residue < mask.arity(); ++residue) {
+    weights_.push_back(mask.symbol().coset(mask.arity(), residue).coefficients());
+    std::reverse(weights_.back().begin(), weights_.back().end());
+  }
 }
-long AxisRefiner::first_read(long output) const { return (output - coset_of(output).highest) / mask_.arity(); }
-long AxisRefiner::last_read(long output) const { return (output - coset_of(output).lowest) / mask_.arity(); }
 
 const std::vector<Rational>& AxisRefiner::fit(const Rational& position) {
   auto found = fits_.find(position);
   if (found == fits_.end()) {
     std::vector<Rational> nodes;
-    for (std::size_t i = 0; i < window_; ++i) nodes.emplace_back(i);
-    found = fits_.emplace(position, regression_weights(nodes, {}, degree_, position)).first;
+    for (std::size_t i = 0; i < window(); ++i) nodes.emplace_back(i);
+    found = fits_.emplace(position, regression_weights(nodes, {}, stencils_.degree(), position)).first;
   }
   return found->second;
 }
 
-/// Output i, numbered so that f'_i = sum of a_{i - arity*j} f_j with the data of the axis numbered from 0.
 WeightRow<Rational> AxisRefiner::row(long output, const Axis& axis) {
-  const auto count = static_cast<long>(axis.count);
-  const long first = first_read(output), last = last_read(output);
-  const bool complete = first >= 0 && last < count;
+  const long count = static_cast<long>(axis.count), first = stencils_.first_read(output), last = stencils_.last_read(output);
   WeightRow<Rational> result;
-  if (!complete && !axis.closed && boundary_ == Boundary::regression) {
-    const long shift = first < 0 ? 0 : count - static_cast<long>(window_);
-    result.weights = fit(Rational(output - centre_) / mask_.arity() - shift);
-    for (std::size_t k = 0; k < window_; ++k) result.at.push_back(static_cast<std::size_t>(shift) + k);
+  if ((first < 0 || last >= count) && !axis.closed && boundary_ == Boundary::regression) {
+    const long shift = first < 0 ? 0 : count - static_cast<long>(window());
+    result.weights = fit(stencils_.position(output) - shift);
+    for (std::size_t k = 0; k < window(); ++k) result.at.push_back(static_cast<std::size_t>(shift) + k);
     return result;
   }
-  const Rational low = -2 * axis.first / axis.step, high = 2 * axis.length / axis.step + low;
   std::map<std::size_t, Rational> collected;
-  const std::vector<Rational>& weights = coset_of(output).weights;
-  for (long j = first; j <= last; ++j) {
-    const bool mirror = !complete && !axis.closed && boundary_ == Boundary::reflect;
-    const std::size_t at = mirror ? mirrored(j, count, floor_index(low), floor_index(high))
-                                  : static_cast<std::size_t>(modulo(j, count));
-    collected[at] += weights[static_cast<std::size_t>(j - first)];
-  }
+  const std::vector<Rational>& weights = weights_[stencils_.residue(output)];
+  for (long j = first; j <= last; ++j) collected[source(j, axis, boundary_)] += weights[static_cast<std::size_t>(j - first)];
   for (auto& [at, weight] : collected) {
     result.at.push_back(at);
     result.weights.push_back(std::move(weight));
@@ -96,55 +59,18 @@ WeightRow<Rational> AxisRefiner::row(long output, const Axis& axis) {
   return result;
 }
 
-AxisRefinement<Rational> AxisRefiner::step(const Axis& input) {
-  Axis axis = input;
-  if (boundary_ == Boundary::periodic && !axis.closed) {
-    axis.closed = true;
-    axis.length += axis.step;
-  }
-  if (axis.count < window_)
-    throw std::invalid_argument("refine: need at least " + std::to_string(window_) + " points, got " +
-                                std::to_string(axis.count));
-  const long arity = mask_.arity(), count = static_cast<long>(axis.count);
-  // Output i stands at (i + base) new steps from the beginning of the domain.
-  const Rational base = arity * axis.first / axis.step - centre_;
-  if (!axis.closed && boundary_ == Boundary::reflect && denominator(Rational(2 * centre_)) != 1)
-    throw std::invalid_argument("refine: reflect needs 2 tau to be an integer, got tau = " + to_text(centre_) +
-                                " (tau = a'(1) / arity, the centre of a symmetric mask)");
-  long begin = ceil_index(-base), end = 0;  // outputs begin, ..., end - 1
-  if (axis.closed) {
-    end = begin + arity * count;
-  } else if (boundary_ == Boundary::shrink) {
-    begin = std::numeric_limits<long>::min();
-    end = std::numeric_limits<long>::max();
-    for (const Coset& coset : cosets_) {  // outputs of this class are complete from `highest` on, up to the last
-      begin = std::max(begin, coset.highest - arity + 1);
-      end = std::min(end, coset.lowest + arity * count);
-    }
-  } else {
-    end = floor_index(arity * axis.length / axis.step - base) + 1;
-  }
-  if (end <= begin)
-    throw std::invalid_argument("refine: need more points for one output, got " + std::to_string(axis.count));
-
-  // The complete stencils, from the first phase on which all are.
-  long complete_begin = begin, complete_end = end;
-  for (const Coset& coset : cosets_) {
-    complete_begin = std::max(complete_begin, coset.highest - arity + 1);
-    complete_end = std::min(complete_end, coset.lowest + arity * count);
-  }
-  complete_begin = std::min(complete_begin, end);
-  AxisRefinement<Rational> result{axis, axis, {}, {}, 0, {}};
-  result.groups = static_cast<std::size_t>(std::max(0L, floor_divide(complete_end - complete_begin, arity)));
-  if (result.groups == 0) complete_begin = begin;
-  for (long i = begin; i < complete_begin; ++i) result.head.push_back(row(i, axis));
-  for (long i = complete_begin; result.groups > 0 && i < complete_begin + arity; ++i)
-    result.phases.push_back({static_cast<std::size_t>(first_read(i)), coset_of(i).weights});
-  for (long i = complete_begin + arity * static_cast<long>(result.groups); i < end; ++i)
-    result.tail.push_back(row(i, axis));
-  result.output.count = static_cast<std::size_t>(end - begin);
-  result.output.step = axis.step / arity;
-  result.output.first = (begin + base) * result.output.step;
+AxisRefinement<Rational> AxisRefiner::step(const Axis& axis) {
+  const OutputRange range = stencils_.outputs(axis, boundary_);
+  const long arity = stencils_.arity();
+  AxisRefinement<Rational> result{range.input, range.output, {}, {}, 0, {}};
+  const long groups = std::max(0L, (range.complete_end - range.complete_begin) / arity);
+  const long begin = groups > 0 ? range.complete_begin : range.begin;
+  result.groups = static_cast<std::size_t>(groups);
+  for (long i = range.begin; i < begin; ++i) result.head.push_back(row(i, range.input));
+  if (groups > 0)
+    for (long i = begin; i < begin + arity; ++i)
+      result.phases.push_back({static_cast<std::size_t>(stencils_.first_read(i)), weights_[stencils_.residue(i)]});
+  for (long i = begin + arity * groups; i < range.end; ++i) result.tail.push_back(row(i, range.input));
   return result;
 }
 
@@ -217,19 +143,6 @@ void apply_groups(const std::vector<Phase<double>>& phases, const double* in, do
                    groups * inner, parts.data() + p * block * inner);
     interleave(parts.data(), block * inner, arity, groups, inner, out + g * arity * inner);
   }
-}
-
-constexpr std::size_t least_work = 1 << 16;  // outputs that are worth a thread
-
-/// Calls work(begin, end) on disjoint ranges that cover 0, ..., count - 1.
-template <class Work>
-void in_ranges(std::size_t count, std::size_t numbers, int threads, const Work& work) {
-  const std::size_t team = std::clamp<std::size_t>(
-      std::min(numbers / least_work, count), 1, static_cast<std::size_t>(std::max(threads, 1)));
-  std::vector<std::jthread> helpers;
-  for (std::size_t t = 1; t < team; ++t)
-    helpers.emplace_back([&work, count, team, t] { work(count * t / team, count * (t + 1) / team); });
-  work(0, count / team);
 }
 
 }  // namespace

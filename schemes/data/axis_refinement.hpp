@@ -1,8 +1,7 @@
 #pragma once
 /// One refinement step along one axis, written as rows of weights.
 
-#include "boundary.hpp"
-#include "grid_data.hpp"
+#include "axis_stencils.hpp"
 
 #include <subcert/analysis/symbol/mask.hpp>
 
@@ -45,36 +44,23 @@ class AxisRefiner {
   /// Domain: coset sums 1. Errors: throws std::invalid_argument.
   AxisRefiner(const Mask& mask, Boundary boundary);
 
-  /// The number of data that one rule or fit reads at most, and at least 2.
-  std::size_t window() const { return window_; }
-  const Mask& mask() const { return mask_; }
-  Boundary boundary() const { return boundary_; }
+  std::size_t window() const { return stencils_.window(); }
 
-  /// Domain: input.count >= window(); `reflect` asks twice the centre tau = a'(1) / arity of the mask to be an integer.
-  /// Errors: throws std::invalid_argument that names the inequality. Cost: exact arithmetic for the outputs near the ends.
-  AxisRefinement<Rational> step(const Axis& input);
+  /// Domain and errors: as AxisStencils::outputs. Cost: exact arithmetic for the outputs near the ends.
+  AxisRefinement<Rational> step(const Axis& axis);
 
  private:
-  struct Coset {
-    long lowest;  // exponents lowest, lowest + arity, ..., highest
-    long highest;
-    std::vector<Rational> weights;  // in the order of the data: exponents falling
-  };
-
-  const Coset& coset_of(long output) const;
-  long first_read(long output) const;
-  long last_read(long output) const;
   const std::vector<Rational>& fit(const Rational& position);
   WeightRow<Rational> row(long output, const Axis& axis);
 
-  Mask mask_;
   Boundary boundary_;
-  Rational centre_;
-  int degree_;
-  std::size_t window_;
-  std::vector<Coset> cosets_;
+  AxisStencils stencils_;
+  std::vector<std::vector<Rational>> weights_;  // of each residue class, in the order of the data
   std::map<Rational, std::vector<Rational>> fits_;
 };
+
+/// The stencils of a mask of one variable. Domain: coset sums 1. Errors: throws std::invalid_argument.
+AxisStencils axis_stencils(const Mask& mask);
 
 /// The same rows in another number type; doubles are the nearest ones.
 template <class Number>

@@ -28,8 +28,8 @@ const bool use_wide = __builtin_cpu_supports("avx2") != 0;
 #endif
 
 void weighted_sum(const double* in, std::size_t stride, const double* weights, std::size_t taps, std::size_t length,
-                  double* out) {
-  SUBCERT_DISPATCH(weighted_sum(in, stride, weights, taps, length, out));
+                  double* out, bool add) {
+  SUBCERT_DISPATCH(weighted_sum(in, stride, weights, taps, length, out, add));
 }
 
 void interleave(const double* parts, std::size_t pitch, std::size_t arity, std::size_t groups, std::size_t size, double* out) {

@@ -1,7 +1,9 @@
+#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/data/axis_refinement.hpp>
+#include <subcert/schemes/data/grid_refinement.hpp>
 #include <subcert/schemes/data/refine.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -220,6 +222,100 @@ TEST_CASE("tensor products on grids reproduce products of polynomials") {
                 1e-12 * scale);
         }
     }
+}
+
+TEST_CASE("fits on grids reproduce polynomials of their total degree, up to the ends") {
+  Random random;
+  struct Case {
+    const char* scheme;
+    std::vector<std::size_t> counts;
+    int levels;
+  };
+  const std::vector<Case> cases{{"grid:points=4x4,d=3", {6, 5}, 2},   {"grid:points=5x5,d=2", {5, 7}, 2},
+                                {"grid:points=4x5,d=1", {9, 6}, 3},   {"grid:points=3x3,d=2,a=3", {4, 5}, 2},
+                                {"grid:points=2x2x2,d=1", {4, 3, 5}, 2}, {"grid:points=3x4x3,d=2", {4, 4, 5}, 1}};
+  for (const Case& one : cases)
+    for (const Boundary boundary : {Boundary::regression, Boundary::shrink})
+      for (const std::size_t dimension : {1, 3}) {
+        const MultivariateScheme scheme = std::get<MultivariateScheme>(make_any_scheme(one.scheme));
+        const int degree = polynomial_reproduction(scheme.mask).reproduction_degree;
+        std::vector<Axis> axes;
+        for (const std::size_t count : one.counts) axes.push_back(Axis::of(count + (boundary == Boundary::shrink ? 3 : 0)));
+        // A power of a linear form has total degree `degree` and all mixed terms.
+        std::vector<Rational> form;
+        for (std::size_t k = 0; k <= axes.size(); ++k) form.push_back(random.nonzero());
+        const auto value_at = [&](const std::vector<Axis>& grid, std::size_t point) {
+          Rational linear = form.back(), product = 1;
+          for (std::size_t k = 0; k < grid.size(); ++k) {
+            linear += form[k] * grid[k].parameter(point % grid[k].count);
+            point /= grid[k].count;
+          }
+          for (int k = 0; k < degree; ++k) product *= linear;
+          return product;
+        };
+        GridData<Rational> data{{}, dimension, axes};
+        for (std::size_t i = 0; i < data.points(); ++i)
+          for (std::size_t c = 0; c < dimension; ++c) data.values.push_back(value_at(axes, i) - Rational(c));
+        const GridData<double> rounded{doubles(data.values), dimension, axes};
+        CAPTURE(one.scheme, to_text(boundary), dimension);
+        const auto exact = refine(data, scheme.mask, {one.levels, boundary, 2});
+        const auto approximate = refine(rounded, scheme.mask, {one.levels, boundary, 1});
+        REQUIRE(exact.is_canonical());
+        REQUIRE(approximate.values.size() == exact.values.size());
+        double scale = 1;
+        for (double value : rounded.values) scale = std::max(scale, std::abs(value));
+        bool equal = true, near = true;
+        for (std::size_t i = 0; i < exact.points(); ++i)
+          for (std::size_t c = 0; c < dimension; ++c) {
+            equal = equal && exact.values[i * dimension + c] == value_at(exact.axes, i) - Rational(c);
+            near = near && std::abs(approximate.values[i * dimension + c] - nearest_double(exact.values[i * dimension + c])) <=
+                               1e-12 * scale;
+          }
+        CHECK(equal);
+        CHECK(near);
+      }
+}
+
+TEST_CASE("a product is refined the same by its factors and by its mask") {
+  Random random;
+  for (const char* text : {"tensor:(primal:n=2)x(dual:n=2)", "tensor:(dd:n=2)x(bspline:degree=2)", "tensor:(dual:n=1)x(dual:n=1)x(primal:n=1)"})
+    for (const Boundary boundary : {Boundary::reflect, Boundary::periodic, Boundary::shrink})
+      for (const bool closed : {false, true}) {
+        const MultivariateScheme scheme = std::get<MultivariateScheme>(make_any_scheme(text));
+        std::vector<Axis> axes;
+        for (std::size_t v = 0; v < scheme.factors.size(); ++v)
+          axes.push_back(Axis::of(6 + static_cast<std::size_t>(random.integer(0, 2)), closed && v == 0));
+        GridData<Rational> data{{}, 2, axes};
+        for (std::size_t i = 0; i < 2 * data.points(); ++i) data.values.push_back(random.rational());
+        CAPTURE(text, to_text(boundary), closed);
+        const auto by_factors = refine(data, scheme.factors, {2, boundary, 1});
+        const auto by_mask = refine(data, scheme.mask, {2, boundary, 1});
+        CHECK(by_factors.values == by_mask.values);
+        for (std::size_t v = 0; v < axes.size(); ++v) {
+          CHECK(by_factors.axes[v].first == by_mask.axes[v].first);
+          CHECK(by_factors.axes[v].closed == by_mask.axes[v].closed);
+        }
+      }
+}
+
+TEST_CASE("doubles and exact numbers agree on closed grids, for any number of threads") {
+  Random random;
+  for (const char* text : {"grid:points=4x4,d=3", "grid:points=3x3,d=1,a=3", "grid:points=2x3x2,d=1"}) {
+    const MultivariateScheme scheme = std::get<MultivariateScheme>(make_any_scheme(text));
+    std::vector<Axis> axes{Axis::of(9, true), Axis::of(6, false)};
+    if (scheme.mask.dimension() == 3) axes.push_back(Axis::of(4, true));
+    GridData<Rational> data{{}, 3, axes};
+    for (std::size_t i = 0; i < 3 * data.points(); ++i) data.values.push_back(random.integer(-99, 99));
+    const GridData<double> rounded{doubles(data.values), 3, axes};
+    const auto exact = refine(data, scheme.mask, {2, Boundary::regression, 1});
+    const auto one = refine(rounded, scheme.mask, {2, Boundary::regression, 1});
+    double largest = 0;
+    for (std::size_t i = 0; i < exact.values.size(); ++i)
+      largest = std::max(largest, std::abs(one.values[i] - nearest_double(exact.values[i])));
+    CHECK(largest <= 1e-11);
+    CHECK(refine(rounded, scheme.mask, {3, Boundary::regression, 1}).values ==
+          refine(rounded, scheme.mask, {3, Boundary::regression, 4}).values);
+  }
 }
 
 TEST_CASE("questions without an answer are refused") {

@@ -190,6 +190,7 @@ void smooth_by_l1(const SmoothCommand& options, const Samples& samples, Smooth& 
   result.notes.push_back("values " + std::to_string(finer_levels) +
                          " levels below the output grid, interpolated; no bands, as the scheme is not linear");
   const long scale = 1L << options.level;
+  require_smoothable(samples.count(), static_cast<std::size_t>(scale));
   for (long o = 0; o <= static_cast<long>(samples.count() - 1) * scale; ++o) result.positions.emplace_back(o, scale);
   for (const auto& column : samples.columns)
     result.values.push_back(interpolate(

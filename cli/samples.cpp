@@ -10,6 +10,8 @@
 namespace subcert::cli {
 namespace {
 
+constexpr double largest_value = 1e150;  // squares stay finite
+
 std::string column_name(const Table& table, std::size_t column) {
   return table.header.empty() ? "column " + std::to_string(column + 1) : table.header[column];
 }
@@ -131,6 +133,8 @@ Samples read_samples(const SampleOptions& options) {
     auto& column = samples.columns.emplace_back();
     for (std::size_t i = 0; i < table.rows(); ++i) {
       const double value = table.values[i * table.columns + c];
+      if (std::abs(value) > largest_value)
+        throw DataFormatError(place(options, table, i, c) + ": expected at most 1e150 in modulus; found " + shortest_text(value));
       column.push_back(std::isnan(value) ? 0 : value);
     }
   }

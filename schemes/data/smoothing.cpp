@@ -42,6 +42,12 @@ LimitValues checked_values(const Mask& mask, const Rational& shift, const Smooth
 
 }  // namespace
 
+void require_smoothable(std::size_t count, std::size_t scale) {
+  if (count - 1 > (most_smoothed_values - 1) / scale)
+    throw std::length_error("smoothing: need at most " + std::to_string(most_smoothed_values) + " outputs, got " +
+                            std::to_string(count) + " data with " + std::to_string(scale) + " outputs each");
+}
+
 ExtensionRule extension_rule(const Mask& mask, Extension kind) {
   const long length = mask.symbol().length();
   return {kind, static_cast<std::size_t>((length + mask.arity() - 1) / mask.arity()),
@@ -57,6 +63,7 @@ LinearSmoother::LinearSmoother(const Mask& mask, std::size_t count, const Smooth
       phi_(checked_values(mask, shift_, options)),
       data_(extension_rule(mask, options.extension), count, std::move(prior_weights)),
       scale_(numerator(power(Rational(mask.arity()), options.level)).convert_to<std::size_t>()) {
+  require_smoothable(count, scale_);
   if (data_.weighted() && !rules_)
     throw std::invalid_argument("smoothing: prior weights and missing data need a scheme of local regressions");
   for (std::size_t i = 0; i < count; ++i)

@@ -8,6 +8,12 @@
 
 namespace subcert {
 
+/// Outputs that one smoother may have.
+constexpr std::size_t most_smoothed_values = 4'000'000;
+
+/// Throws std::length_error where (count - 1) * scale + 1 outputs would pass most_smoothed_values. Domain: count >= 1.
+void require_smoothable(std::size_t count, std::size_t scale);
+
 struct SmoothingOptions {
   Extension extension = Extension::interp;
   int level = 0;       ///< outputs at the multiples of arity^-level of the spacing
@@ -29,7 +35,8 @@ class LinearSmoother {
  public:
   /// Domain: the scheme converges (for derivatives: proved_smoothness), reproduces constants, and its parametrization is
   /// arity-adic; `rules` are those of `mask` and needed for prior weights. Errors: throws std::invalid_argument or
-  /// std::domain_error that says which of these fails; else as limit_values and ExtendedData.
+  /// std::domain_error that says which of these fails; else as limit_values, ExtendedData
+  /// and require_smoothable.
   LinearSmoother(const Mask& mask, std::size_t count, const SmoothingOptions& options,
                  const std::optional<LocalRegression>& rules = std::nullopt, std::vector<Rational> prior_weights = {});
 

@@ -208,7 +208,7 @@ TEST_CASE("smoothers that do not exist say why") {
   CHECK_THROWS_WITH(LinearSmoother(spline.mask, 3, {}, std::nullopt, {1, 1, 1}), contains("scheme of local regressions"));
   CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 3, {}, scheme.rules, {1, 1}), contains("got 2 for 3"));
   CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 0, {}), contains("count >= 1"));
-  CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 2'000'000, {Extension::interp, 1}), contains("at most 4000000 outputs"));
+  CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 2'000'001, {Extension::interp, 1}), contains("at most 4000000 outputs"));
   CHECK_NOTHROW(require_smoothable(1, 1L << 40));
   std::vector<Rational> weights(20, 0);
   weights[0] = weights[19] = 1;

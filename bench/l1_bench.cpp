@@ -32,8 +32,16 @@ void BM_l1_curve(benchmark::State& state) {
   state.counters["outputs/s"] = benchmark::Counter(static_cast<double>(outputs), benchmark::Counter::kIsRate);
 }
 BENCHMARK(BM_l1_curve)
-    ->Args({6, 1, 6, 1})->Args({6, 1, 6, 2})->Args({6, 1, 6, 3})->Args({6, 1, 0, 1})->Args({6, 1, 12, 1})
-    ->Args({8, 1, 6, 1})->Args({6, 0, 6, 1})->Args({6, 2, 6, 1})->Args({8, 3, 6, 1})->Unit(benchmark::kMillisecond);
+    ->Args({6, 1, 6, 1})
+    ->Args({6, 1, 6, 2})
+    ->Args({6, 1, 6, 3})
+    ->Args({6, 1, 0, 1})
+    ->Args({6, 1, 12, 1})
+    ->Args({8, 1, 6, 1})
+    ->Args({6, 0, 6, 1})
+    ->Args({6, 2, 6, 1})
+    ->Args({8, 3, 6, 1})
+    ->Unit(benchmark::kMillisecond);
 
 /// points along each axis, degree.
 void BM_l1_grid(benchmark::State& state) {

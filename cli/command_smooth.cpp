@@ -75,8 +75,9 @@ Scheme choose_scheme(const SmoothCommand& options, const Samples& samples, Smoot
                           std::to_string(samples.count()) + "; name one with --scheme");
   for (const NoiseEstimate& noise : result.noise)
     if (noise.terms == 0)
-      throw DataFormatError(options.samples.file +
-                            ": expected three neighbouring data to estimate the noise; found none; name a scheme with --scheme");
+      throw DataFormatError(
+          options.samples.file +
+          ": expected three neighbouring data to estimate the noise; found none; name a scheme with --scheme");
   const auto ranked = rank_schemes(samples.columns, result.noise, *parse_extension(options.boundary), samples.weights,
                                    options.constant);
   for (std::size_t i = 0; i < ranked.size(); ++i) {
@@ -97,7 +98,8 @@ Scheme choose_scheme(const SmoothCommand& options, const Samples& samples, Smoot
     for (const SmoothingCandidate& candidate : ranked) result.choice["candidates"].push_back(risk_json(candidate));
     return scheme;
   }
-  throw UsageError("--derivative " + std::to_string(options.derivative) + ": no scheme tried has limits proved to be so smooth");
+  throw UsageError("--derivative " + std::to_string(options.derivative) +
+                   ": no scheme tried has limits proved to be so smooth");
 }
 
 void require_limits(const Scheme& scheme, int derivative) {
@@ -137,8 +139,8 @@ void smooth_linearly(const SmoothCommand& options, const Samples& samples, Smoot
     const NoiseEstimate& noise = result.noise[c];
     result.notes.push_back("noise of " + samples.names[c] + ": " +
                            (noise.terms == 0 ? std::string("not estimated, there are no three neighbouring data")
-                                             : "standard deviation " + number_text(std::sqrt(noise.variance)) + " from " +
-                                                   std::to_string(noise.terms) + " second differences, " +
+                                             : "standard deviation " + number_text(std::sqrt(noise.variance)) +
+                                                   " from " + std::to_string(noise.terms) + " second differences, " +
                                                    number_text(noise.degrees_of_freedom) + " degrees of freedom"));
     if (noise.terms == 0) continue;
     auto& deviations = result.deviations.emplace_back();
@@ -172,7 +174,9 @@ constexpr int finer_levels = 6;
 
 void smooth_by_l1(const SmoothCommand& options, const Samples& samples, Smooth& result) {
   const NamedL1Scheme named = make_l1_scheme(options.scheme);
-  const auto refuse = [&](const std::string& what) { throw UsageError(what + " needs a linear scheme; " + named.specification + " is none"); };
+  const auto refuse = [&](const std::string& what) {
+    throw UsageError(what + " needs a linear scheme; " + named.specification + " is none");
+  };
   if (named.scheme.points.size() != 1) throw UsageError(named.specification + ": expected a scheme for curves");
   if (options.derivative != 0) refuse("--derivative");
   if (options.bands_given && options.bands != 0) refuse("--bands");
@@ -194,7 +198,8 @@ void smooth_by_l1(const SmoothCommand& options, const Samples& samples, Smooth& 
   for (long o = 0; o <= static_cast<long>(samples.count() - 1) * scale; ++o) result.positions.emplace_back(o, scale);
   for (const auto& column : samples.columns)
     result.values.push_back(interpolate(
-        refine(curve_data(column), named.scheme, {options.level + finer_levels, boundary, options.threads()}), result.positions));
+        refine(curve_data(column), named.scheme, {options.level + finer_levels, boundary, options.threads()}),
+        result.positions));
 }
 
 /// Columns x, then value, deviation, lower and upper end for each column of the data.
@@ -240,12 +245,18 @@ Json result_json(const SmoothCommand& options, const Samples& samples, const Smo
     for (std::size_t c = 0; c < table.columns; ++c) row.push_back(table.values[i * table.columns + c]);
     rows.push_back(row);
   }
-  return {{"scheme", smooth.specification},   {"auto", options.scheme.empty()},
-          {"choice", smooth.choice},          {"boundary", options.boundary},
-          {"origin", to_text(samples.origin)}, {"spacing", to_text(samples.spacing)},
-          {"level", options.level},           {"derivative", options.derivative},
-          {"noise", noise},                   {"bands", smooth.half_widths.empty() ? Json() : Json(options.bands)},
-          {"columns", table.header},          {"rows", rows}};
+  return {{"scheme", smooth.specification},
+          {"auto", options.scheme.empty()},
+          {"choice", smooth.choice},
+          {"boundary", options.boundary},
+          {"origin", to_text(samples.origin)},
+          {"spacing", to_text(samples.spacing)},
+          {"level", options.level},
+          {"derivative", options.derivative},
+          {"noise", noise},
+          {"bands", smooth.half_widths.empty() ? Json() : Json(options.bands)},
+          {"columns", table.header},
+          {"rows", rows}};
 }
 
 void draw_smooth(const SmoothCommand& options, const Samples& samples, const Smooth& smooth, const Table& table) {
@@ -263,7 +274,8 @@ void draw_smooth(const SmoothCommand& options, const Samples& samples, const Smo
       subcert::Curve data{"data", {}, true, false};
       for (std::size_t i = 0; i < samples.count(); ++i)
         if (samples.weights.empty() || samples.weights[i] > 0)
-          data.points.emplace_back(nearest_double(samples.origin + samples.spacing * Rational(i)), samples.columns[c][i]);
+          data.points.emplace_back(nearest_double(samples.origin + samples.spacing * Rational(i)),
+                                   samples.columns[c][i]);
       panel.curves.push_back(data);
     }
     panel.curves.push_back(curve("limit", 0));
@@ -315,13 +327,16 @@ int run(const SmoothCommand& options) {
 void add_smooth(CLI::App& app) {
   auto options = std::make_shared<SmoothCommand>();
   CLI::App& command = add_command(app, "smooth", "Smooths data on a uniform grid by the limit of a scheme, with bands",
-                                  "subcert smooth samples.csv --bands 0.95 --plot smooth.svg", options, [=] { return run(*options); });
-  command.add_option("DATA", options->samples.file, "CSV: a column of positions, then one or more of values")->required();
+                                  "subcert smooth samples.csv --bands 0.95 --plot smooth.svg", options,
+                                  [=] { return run(*options); });
+  command.add_option("DATA", options->samples.file, "CSV: a column of positions, then one or more of values")
+      ->required();
   command.add_option("--scheme", options->scheme, "Scheme specification, also l1:...");
   command.add_flag("--auto", options->automatic, "Choose the scheme from noise and bias (the default)");
   command.add_option("--x", options->samples.x, "Column of positions, by name or number; none: 0, 1, 2, ...");
   command.add_option("--y", options->samples.y, "Columns of values, by name or number")->delimiter(',');
-  command.add_option("--weights", options->samples.weights, "Column of prior weights, inverse to the variance of the noise");
+  command.add_option("--weights", options->samples.weights,
+                     "Column of prior weights, inverse to the variance of the noise");
   command.add_option("--missing", options->samples.missing, "Missing values")
       ->check(CLI::IsMember({"raise", "drop"}))
       ->capture_default_str();
@@ -331,10 +346,14 @@ void add_smooth(CLI::App& app) {
   command.add_option("--constant", options->constant, "The value of --boundary constant")
       ->check(CLI::Range(-1e300, 1e300))
       ->capture_default_str();
-  command.add_option_function<double>("--bands", [options](const double& level) {
-        options->bands = level;
-        options->bands_given = true;
-      }, "Level of the pointwise confidence bands, 0 for none (default 0.95)")
+  command
+      .add_option_function<double>(
+          "--bands",
+          [options](const double& level) {
+            options->bands = level;
+            options->bands_given = true;
+          },
+          "Level of the pointwise confidence bands, 0 for none (default 0.95)")
       ->check(CLI::Range(0.0, 0.999999));
   command.add_option("--level", options->level, "Values at the multiples of arity^-LEVEL of the spacing")
       ->check(CLI::Range(0, 12))

@@ -90,7 +90,8 @@ void set_weights(const SampleOptions& options, const Table& table, const std::ve
     for (const std::size_t column : values) {
       if (!std::isnan(table.values[i * table.columns + column])) continue;
       if (options.missing != "drop")
-        throw DataFormatError(place(options, table, i, column) + ": expected a number; found a missing value (--missing drop leaves it out)");
+        throw DataFormatError(place(options, table, i, column) +
+                              ": expected a number; found a missing value (--missing drop leaves it out)");
       weight = 0;
       needed = true;
     }
@@ -134,7 +135,8 @@ Samples read_samples(const SampleOptions& options) {
     for (std::size_t i = 0; i < table.rows(); ++i) {
       const double value = table.values[i * table.columns + c];
       if (std::abs(value) > largest_value)
-        throw DataFormatError(place(options, table, i, c) + ": expected at most 1e150 in modulus; found " + shortest_text(value));
+        throw DataFormatError(place(options, table, i, c) + ": expected at most 1e150 in modulus; found " +
+                              shortest_text(value));
       column.push_back(std::isnan(value) ? 0 : value);
     }
   }

@@ -38,13 +38,15 @@ SimulatedError simulated_error(const SmoothingRow& row, const std::vector<double
   double mean = 0, squares = 0;  // running mean and sum of squared deviations
   for (std::size_t run = 1; run <= runs; ++run) {
     double value = -truth;
-    for (std::size_t k = 0; k < weights.size(); ++k) value += weights[k] * (samples[row.first + k] + sigma * noise(engine));
+    for (std::size_t k = 0; k < weights.size(); ++k)
+      value += weights[k] * (samples[row.first + k] + sigma * noise(engine));
     const double step = value * value - mean;
     mean += step / static_cast<double>(run);
     squares += step * (value * value - mean);
   }
   const auto n = static_cast<double>(runs);
-  const double width = boost::math::quantile(boost::math::normal(), 0.5 + confidence / 2) * std::sqrt(squares / (n - 1) / n);
+  const double width = boost::math::quantile(boost::math::normal(), 0.5 + confidence / 2) *
+                       std::sqrt(squares / (n - 1) / n);
   return {mean, mean - width, mean + width, runs};
 }
 

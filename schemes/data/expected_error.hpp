@@ -14,8 +14,8 @@ struct ExpectedError {
   Rational total() const { return bias * bias + variance; }
 };
 
-/// Eq. (16) of [DHHS15] at the position of the row, for data of any number and any extension. Domain: as many samples as
-/// data; `outside` is the constant of Extension::constant. Ref: [DHHS15, eq. (16)].
+/// Eq. (16) of [DHHS15] at the position of the row, for data of any number and any extension. Domain: as many samples
+/// as data; `outside` is the constant of Extension::constant. Ref: [DHHS15, eq. (16)].
 ExpectedError expected_error(const SmoothingRow& row, const std::vector<Rational>& samples, const Rational& truth,
                              const Rational& sigma_squared, const Rational& outside = 0);
 

@@ -42,7 +42,8 @@ void Combination::add(const Combination& other, const Rational& factor) {
 ExtendedData::ExtendedData(const ExtensionRule& rule, std::size_t count, std::vector<Rational> weights)
     : rule_(rule), count_(count), weights_(std::move(weights)) {
   if (count == 0) throw std::invalid_argument("ExtendedData: need count >= 1, got 0");
-  if (rule.window == 0 || rule.degree < 0) throw std::invalid_argument("ExtendedData: need window >= 1 and degree >= 0");
+  if (rule.window == 0 || rule.degree < 0)
+    throw std::invalid_argument("ExtendedData: need window >= 1 and degree >= 0");
   if (weights_.empty()) return;
   if (weights_.size() != count)
     throw std::invalid_argument("ExtendedData: need as many weights as data, got " + std::to_string(weights_.size()) +

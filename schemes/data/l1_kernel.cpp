@@ -65,7 +65,8 @@ SUBCERT_INLINE void set_weights(const Shape& s, const Arrays& a, double delta) {
   for (std::size_t j = 0; j < s.nodes * L1Fitter::lanes; ++j) w[j] = 1.0 / std::sqrt(w[j]);
 }
 
-/// Freezes the lanes that were frozen, and those whose fit moved by at most `tolerance` from now on. True: all are frozen.
+/// Freezes the lanes that were frozen, and those whose fit moved by at most `tolerance` from now on. True: all are
+/// frozen.
 SUBCERT_INLINE bool freeze(const Shape& s, const Arrays& a, double tolerance, bool (&frozen)[L1Fitter::lanes]) {
   bool all = true;
   for (std::size_t l = 0; l < L1Fitter::lanes; ++l) {
@@ -94,10 +95,9 @@ SUBCERT_INLINE void fit_lanes(const Shape& s, const Arrays& a, const L1Options& 
       copy(a.residuals, s.dimension * s.nodes, a.old_residuals);
       copy(a.fits, s.dimension * s.outputs, a.old_fits);
     }
-    project<Lanes>({s.nodes, s.outputs, s.terms, s.dimension, a.weights, a.at_nodes, a.at_outputs, a.residuals, a.fits},
-                   Lanes{}, [](const Lanes& norm) __attribute__((always_inline)) {
-                     return norm > 0.0 ? 1.0 / norm : Lanes{};
-                   });
+    project<Lanes>(
+        {s.nodes, s.outputs, s.terms, s.dimension, a.weights, a.at_nodes, a.at_outputs, a.residuals, a.fits}, Lanes{},
+        [](const Lanes& norm) __attribute__((always_inline)) { return norm > 0.0 ? 1.0 / norm : Lanes{}; });
     if (options.tolerance > 0 && freeze(s, a, options.tolerance, frozen)) break;
   }
 }
@@ -132,8 +132,13 @@ const bool use_wide = __builtin_cpu_supports("avx2") != 0;
 void L1Fitter::fit(const double* data, std::size_t dimension, double* out, Workspace& workspace) const {
   const Shape s{window_.nodes(),  window_.outputs(),  window_.terms(),      dimension,
                 at_nodes_.data(), at_outputs_.data(), inverse_norms_.data()};
-  const std::size_t counts[] = {s.nodes,     s.terms * s.nodes, s.terms * s.outputs, dimension * s.nodes,
-                                dimension * s.outputs, dimension * s.nodes, dimension * s.outputs};
+  const std::size_t counts[] = {s.nodes,
+                                s.terms * s.nodes,
+                                s.terms * s.outputs,
+                                dimension * s.nodes,
+                                dimension * s.outputs,
+                                dimension * s.nodes,
+                                dimension * s.outputs};
   std::size_t total = 1;
   for (std::size_t count : counts) total += count;
   if (workspace.storage_.size() < total * lanes) workspace.storage_.resize(total * lanes);

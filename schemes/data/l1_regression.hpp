@@ -46,9 +46,9 @@ class RegressionWindow {
 /// The weights of the next fit are (r^2 + delta)^(-1/2), r the residuals of the last one, which begins with ordinary
 /// least squares. Ref: [MLZD15, eq. (3), (6)].
 struct L1Options {
-  double delta = 1e-8;        ///< in squared units of the data, positive
-  int iterations = 6;         ///< reweighted fits after the ordinary one; 0 leaves the ordinary one
-  double tolerance = 0;       ///< a window stops once no fitted value at a node moves by more than this
+  double delta = 1e-8;           ///< in squared units of the data, positive
+  int iterations = 6;            ///< reweighted fits after the ordinary one; 0 leaves the ordinary one
+  double tolerance = 0;          ///< a window stops once no fitted value at a node moves by more than this
   bool joint_residuals = false;  ///< r is the Euclidean norm over the coordinates of a point, else each has its own
 };
 
@@ -76,16 +76,17 @@ class L1Fitter {
   };
 
   /// Fits `lanes` windows of points with `dimension` coordinates: data[(c * nodes + i) * lanes + l] is coordinate c of
-  /// the datum at node i of window l, out[(c * outputs + o) * lanes + l] the fit. A window's result does not depend on the
-  /// others. Domain: finite data; where |residual| exceeds 1e150, or sqrt(delta) times 1e13, weights lose their meaning in
-  /// double precision (docs/l1.md). Cost: (iterations + 1) * nodes * terms^2 operations for each coordinate and window.
+  /// the datum at node i of window l, out[(c * outputs + o) * lanes + l] the fit. A window's result does not depend on
+  /// the others. Domain: finite data; where |residual| exceeds 1e150, or sqrt(delta) times 1e13, weights lose their
+  /// meaning in double precision (docs/l1.md). Cost: (iterations + 1) * nodes * terms^2 operations for each coordinate
+  /// and window.
   void fit(const double* data, std::size_t dimension, double* out, Workspace& workspace) const;
 
   /// One window: data[i * dimension + c] to the fits at out[o * dimension + c].
   std::vector<double> fit(const std::vector<double>& data, std::size_t dimension = 1) const;
 
-  /// Smoothed objective: the sum over nodes and coordinates of (r^2 + delta)^(1/2), joint residuals summed over nodes, for
-  /// the polynomials with values `fitted` at the nodes, both ordered as in fit(). Ref: [MLZD15, eq. (2)].
+  /// Smoothed objective: the sum over nodes and coordinates of (r^2 + delta)^(1/2), joint residuals summed over nodes,
+  /// for the polynomials with values `fitted` at the nodes, both ordered as in fit(). Ref: [MLZD15, eq. (2)].
   double objective(const std::vector<double>& data, const std::vector<double>& fitted, std::size_t dimension = 1) const;
 
  private:

@@ -14,8 +14,8 @@ void require_sizes(const L1Scheme& scheme) {
                                 std::to_string(scheme.points.size()));
   for (const int points : scheme.points)
     if (points < 2 || points <= scheme.degree)
-      throw std::invalid_argument("l1 scheme: need points >= 2 and points > degree = " +
-                                  std::to_string(scheme.degree) + ", got " + std::to_string(points));
+      throw std::invalid_argument("l1 scheme: need points >= 2 and points > degree = " + std::to_string(scheme.degree) +
+                                  ", got " + std::to_string(points));
 }
 
 /// The first datum of a window about 0.
@@ -42,7 +42,8 @@ std::vector<LatticePoint> product(const std::vector<Rational>& xs, const std::ve
 }
 
 /// Consecutive windows whose outputs stand alike: window k begins at datum start + k and makes the outputs
-/// out + k * outputs, ..., the first of them at (first_output + o) / 2 + output_at(0) from the datum at which it begins.
+/// out + k * outputs, ..., the first of them at (first_output + o) / 2 + output_at(0) from the datum at which it
+/// begins.
 struct WindowClass {
   long start;
   std::size_t windows;
@@ -100,7 +101,8 @@ AxisPlan plan_axis(Axis axis, int points, Boundary boundary) {
     const long start = start_of(o);
     long next = o + 1;
     while (next < end && start_of(next) == start) ++next;
-    plan.classes.push_back({start, 1, static_cast<std::size_t>(o - begin), static_cast<std::size_t>(next - o), o - 2 * start});
+    plan.classes.push_back(
+        {start, 1, static_cast<std::size_t>(o - begin), static_cast<std::size_t>(next - o), o - 2 * start});
     // Whole windows like this one follow each other, up to the last that is not clamped.
     if (next - o == 2 && o - 2 * start == -2 * first_node(points)) {
       const long more = std::min((end - next) / 2, clamp ? last_start - 1 - start : end);
@@ -132,7 +134,7 @@ struct Job {
 };
 
 struct Sizes {
-  std::size_t columns;      ///< of the padded data
+  std::size_t columns;  ///< of the padded data
   std::size_t out_columns;
   std::size_t dimension;
 };
@@ -154,8 +156,9 @@ std::vector<Rational> positions(const WindowClass& windows, int points) {
 Job make_job(const L1Scheme& scheme, const WindowClass& x, const WindowClass& y, const Sizes& sizes) {
   const bool grid = scheme.points.size() == 2;
   const auto p = static_cast<std::size_t>(scheme.points[0]), q = grid ? static_cast<std::size_t>(scheme.points[1]) : 1;
-  const RegressionWindow window(product(integers(p), integers(q)), scheme.degree,
-                                product(positions(x, scheme.points[0]), grid ? positions(y, scheme.points[1]) : integers(1)));
+  const RegressionWindow window(
+      product(integers(p), integers(q)), scheme.degree,
+      product(positions(x, scheme.points[0]), grid ? positions(y, scheme.points[1]) : integers(1)));
   Job job{L1Fitter(window, scheme.options), &x, &y, {}, {}};
   for (std::size_t j = 0; j < q; ++j)
     for (std::size_t i = 0; i < p; ++i) job.node_offsets.push_back((j * sizes.columns + i) * sizes.dimension);
@@ -179,7 +182,8 @@ void fit_range(const Job& job, const Sizes& sizes, const std::vector<double>& da
     for (std::size_t l = 0; l < lanes; ++l) {
       const std::size_t w = window + std::min(l, used - 1);
       const std::size_t x = w % job.x->windows, y = w / job.x->windows;
-      from[l] = ((static_cast<std::size_t>(job.y->start) + y) * sizes.columns + static_cast<std::size_t>(job.x->start) + x) *
+      from[l] = ((static_cast<std::size_t>(job.y->start) + y) * sizes.columns + static_cast<std::size_t>(job.x->start) +
+                 x) *
                 sizes.dimension;
       to[l] = ((job.y->out + y * job.y->outputs) * sizes.out_columns + job.x->out + x * job.x->outputs) *
               sizes.dimension;
@@ -200,9 +204,11 @@ void fit_range(const Job& job, const Sizes& sizes, const std::vector<double>& da
 
 constexpr std::size_t least_share = 4096;  // windows that are worth a thread
 
-void run_job(const Job& job, const Sizes& sizes, const std::vector<double>& data, int threads, std::vector<double>& out) {
+void run_job(const Job& job, const Sizes& sizes, const std::vector<double>& data, int threads,
+             std::vector<double>& out) {
   const std::size_t windows = job.x->windows * job.y->windows;
-  const auto team_size = std::clamp<std::size_t>(windows / least_share, 1, static_cast<std::size_t>(std::max(threads, 1)));
+  const auto team_size = std::clamp<std::size_t>(windows / least_share, 1,
+                                                 static_cast<std::size_t>(std::max(threads, 1)));
   const std::size_t share = (windows / team_size / L1Fitter::lanes + 1) * L1Fitter::lanes;
   std::vector<std::jthread> team;  // joins at the end
   for (std::size_t begin = share; begin < windows; begin += share)
@@ -270,7 +276,8 @@ GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, co
     throw std::invalid_argument("refine: need one number of points for each axis, got " +
                                 std::to_string(scheme.points.size()) + " for " + std::to_string(data.axes.size()));
   if (!data.is_canonical()) throw std::invalid_argument("refine: need points * dimension values");
-  if (options.levels < 0) throw std::invalid_argument("refine: need levels >= 0, got " + std::to_string(options.levels));
+  if (options.levels < 0)
+    throw std::invalid_argument("refine: need levels >= 0, got " + std::to_string(options.levels));
   require_refinable(data.values.size(), scheme.points.size() == 2 ? 4 : 2, options.levels);
   GridData<double> result = data;
   for (int level = 0; level < options.levels; ++level) result = refine_once(result, scheme, options);

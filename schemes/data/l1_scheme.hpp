@@ -11,9 +11,9 @@
 
 namespace subcert {
 
-/// points = {p}: windows of p consecutive data; points = {p, q}: p columns times q rows of a grid. Along each axis an even
-/// number 2n takes the data -n+1, ..., n and gives the outputs at 1/4 and 3/4, an odd number 2n+1 takes -n, ..., n and
-/// gives -1/4 and 1/4. Ref: [MLZD15, eq. (4), (10), App. A.2, Lemma 1], [MH, sec. 2].
+/// points = {p}: windows of p consecutive data; points = {p, q}: p columns times q rows of a grid. Along each axis an
+/// even number 2n takes the data -n+1, ..., n and gives the outputs at 1/4 and 3/4, an odd number 2n+1 takes -n, ..., n
+/// and gives -1/4 and 1/4. Ref: [MLZD15, eq. (4), (10), App. A.2, Lemma 1], [MH, sec. 2].
 struct L1Scheme {
   std::vector<int> points;
   int degree = 1;
@@ -27,10 +27,10 @@ RegressionWindow l1_window(const L1Scheme& scheme);
 /// The linear scheme that has all weights 1, for curves: dual(n, degree) or dual_odd(n, degree).
 LocalRegression l1_linear_part(const L1Scheme& scheme);
 
-/// Refines curves and grids `options.levels` times; the output has the points that refine() makes for linear schemes. At
-/// the ends, `regression` evaluates the l1 fit of the nearest complete window. Domain: one axis for each number of points,
-/// at least as many points along it, finite values, levels >= 0. Errors: as refine(). Cost: one L1Fitter::fit for every
-/// two outputs of a curve, four of a grid.
+/// Refines curves and grids `options.levels` times; the output has the points that refine() makes for linear schemes.
+/// At the ends, `regression` evaluates the l1 fit of the nearest complete window. Domain: one axis for each number of
+/// points, at least as many points along it, finite values, levels >= 0. Errors: as refine(). Cost: one L1Fitter::fit
+/// for every two outputs of a curve, four of a grid.
 GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options);
 
 /// The values at this level from the data 1 at 0 and 0 elsewhere, over the whole support of the scheme.

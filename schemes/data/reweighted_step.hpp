@@ -18,11 +18,11 @@ struct StepArrays {
   std::size_t outputs;
   std::size_t terms;
   std::size_t dimension;
-  const Number* weights;   ///< [i]
-  Number* at_nodes;        ///< [k][i] basis, made orthogonal for the weights
-  Number* at_outputs;      ///< [k][o]
-  Number* residuals;       ///< [c][i], projected
-  Number* fits;            ///< [c][o], increased by the projections
+  const Number* weights;  ///< [i]
+  Number* at_nodes;       ///< [k][i] basis, made orthogonal for the weights
+  Number* at_outputs;     ///< [k][o]
+  Number* residuals;      ///< [c][i], projected
+  Number* fits;           ///< [c][o], increased by the projections
 };
 
 /// Takes the weighted projection onto the polynomials out of the residuals and adds its values at the outputs to the

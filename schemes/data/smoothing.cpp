@@ -36,7 +36,8 @@ const PolynomialReproduction checked_reproduction(const Mask& mask) {
 }
 
 LimitValues checked_values(const Mask& mask, const Rational& shift, const SmoothingOptions& options) {
-  if (options.level < 0) throw std::invalid_argument("smoothing: need level >= 0, got " + std::to_string(options.level));
+  if (options.level < 0)
+    throw std::invalid_argument("smoothing: need level >= 0, got " + std::to_string(options.level));
   return limit_values(mask, std::max(options.level, adic_level(shift, mask.arity())), options.derivative);
 }
 
@@ -104,7 +105,8 @@ SmoothingRow LinearSmoother::limit_row(std::size_t output) const {
   const Rational x = position(output) + shift_;
   const auto [first, last] = reach(output, 1);
   Combination sum;
-  for (long j = first; j <= last; ++j) sum.add(data_.at(j), phi_.at(numerator(Rational((x - j) * grid)).convert_to<long>()));
+  for (long j = first; j <= last; ++j)
+    sum.add(data_.at(j), phi_.at(numerator(Rational((x - j) * grid)).convert_to<long>()));
   return to_row(sum);
 }
 
@@ -118,7 +120,8 @@ LinearSmoother::Window LinearSmoother::window_of(long index) const {
   const long group = (offset - residue) / arity;
   Window window{rule, group + r.first, group, std::vector<Rational>(points, 0), {}};
   for (std::size_t k = 0; k < points; ++k) {
-    window.weights[k] = data_.weight(window.first + static_cast<long>(k)) * (r.weights.empty() ? Rational(1) : r.weights[k]);
+    window.weights[k] = data_.weight(window.first + static_cast<long>(k)) *
+                        (r.weights.empty() ? Rational(1) : r.weights[k]);
     if (window.weights[k] > 0) window.kept.push_back(k);
   }
   const std::size_t needed = std::min(points, static_cast<std::size_t>(rules_->degree) + 1);

@@ -22,19 +22,19 @@ struct SmoothingOptions {
 
 /// The limit, or its derivative, at position = output / arity^level in units of the spacing: a combination of the data.
 struct SmoothingRow {
-  std::size_t first = 0;          ///< the first datum with a weight below
+  std::size_t first = 0;  ///< the first datum with a weight below
   std::vector<Rational> weights;
-  Rational outside = 0;           ///< weight of the constant of Extension::constant
-  Rational variance = 0;          ///< for independent noise of variance 1 / (prior weight): sum of weights^2 / prior weight
+  Rational outside = 0;   ///< weight of the constant of Extension::constant
+  Rational variance = 0;  ///< for independent noise of variance 1 / (prior weight): sum of weights^2 / prior weight
 };
 
-/// The linear map from data to values of the limit. The datum i stands at i + parametrization of the scheme, so that linear
-/// data are reproduced. With prior weights the first refinement fits with them, and those after it do not know them; a
-/// weight 0 leaves the datum out.
+/// The linear map from data to values of the limit. The datum i stands at i + parametrization of the scheme, so that
+/// linear data are reproduced. With prior weights the first refinement fits with them, and those after it do not know
+/// them; a weight 0 leaves the datum out.
 class LinearSmoother {
  public:
-  /// Domain: the scheme converges (for derivatives: proved_smoothness), reproduces constants, and its parametrization is
-  /// arity-adic; `rules` are those of `mask` and needed for prior weights. Errors: throws std::invalid_argument or
+  /// Domain: the scheme converges (for derivatives: proved_smoothness), reproduces constants, and its parametrization
+  /// is arity-adic; `rules` are those of `mask` and needed for prior weights. Errors: throws std::invalid_argument or
   /// std::domain_error that says which of these fails; else as limit_values, ExtendedData
   /// and require_smoothable.
   LinearSmoother(const Mask& mask, std::size_t count, const SmoothingOptions& options,
@@ -87,7 +87,7 @@ class LinearSmoother {
   Rational shift_;
   LimitValues phi_;
   ExtendedData data_;
-  std::size_t scale_;  // arity^level
+  std::size_t scale_;                  // arity^level
   std::vector<double> prior_weights_;  // of all data, 1 where none are given
   mutable std::map<std::pair<std::size_t, std::vector<Rational>>, std::vector<Rational>> fits_;
   mutable std::map<long, RoundedCombination> rounded_;

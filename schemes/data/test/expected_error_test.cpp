@@ -17,7 +17,8 @@ TEST_CASE("away from the ends the expected squared error is eq. (16)") {
     const VarianceGrid psi = variance_grid(scheme.mask, 2, false);
     for (std::size_t o = 80; o < 84; ++o) {
       Rational limit = 0;
-      for (long j = 0; j < 41; ++j) limit += samples[static_cast<std::size_t>(j)] * phi.at(static_cast<long>(o) - 4 * j);
+      for (long j = 0; j < 41; ++j)
+        limit += samples[static_cast<std::size_t>(j)] * phi.at(static_cast<long>(o) - 4 * j);
       const Rational truth = f(h * static_cast<long>(o) / 4);
       const ExpectedError error = expected_error(smoother.row(o), samples, truth, sigma_squared);
       CHECK(error.bias == limit - truth);

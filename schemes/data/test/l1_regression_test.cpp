@@ -112,8 +112,10 @@ std::vector<double> noisy_window(Random& random, std::size_t count) {
   return data;
 }
 
-/// Exact sum of moduli of the residuals of the polynomial next to `fitted`, which rounding has moved off the polynomials.
-Rational sum_of_moduli(const RegressionWindow& window, const std::vector<double>& data, const std::vector<double>& fitted) {
+/// Exact sum of moduli of the residuals of the polynomial next to `fitted`, which rounding has moved off the
+/// polynomials.
+Rational sum_of_moduli(const RegressionWindow& window, const std::vector<double>& data,
+                       const std::vector<double>& fitted) {
   const std::vector<Rational> values(fitted.begin(), fitted.end());
   const auto polynomial = weighted_fit(window, std::vector<Rational>(window.nodes(), 1), values);
   Rational sum = 0;
@@ -260,7 +262,8 @@ TEST_CASE("the smoothed objective reaches the least absolute deviation as delta 
 }
 
 TEST_CASE("fits exist where the quotients of the closed forms vanish") {
-  // psi_1 of eq. (10) is 0 for some node: the bracket 1 + psi_2 / (4 psi_1) + ... has no value, its product with psi_1 has.
+  // psi_1 of eq. (10) is 0 for some node: the bracket 1 + psi_2 / (4 psi_1) + ... has no value, its product with psi_1
+  // has.
   const RegressionWindow grid = l1_window({{3, 3}, 1});
   const std::vector<Rational> w(9, 1), f{1, 2, 3, 4, 5, 6, 7, 8, 10};
   CHECK_NOTHROW(weighted_fit(grid, w, f));

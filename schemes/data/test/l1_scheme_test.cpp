@@ -133,7 +133,8 @@ TEST_CASE("without reweighting the schemes refine as the linear ones, with every
           scheme.options.iterations = 0;
           const Mask mask = regression_mask(l1_linear_part(scheme));
           const GridData<double> data = curve_data(values, 2);
-          const GridData<double> expected = refine(data, mask, {2, boundary}), got = refine(data, scheme, {2, boundary});
+          const GridData<double> expected = refine(data, mask, {2, boundary}),
+                                 got = refine(data, scheme, {2, boundary});
           INFO("points " << points << ", degree " << degree << ", count " << count << ", " << to_text(boundary));
           REQUIRE(got.axes[0].count == expected.axes[0].count);
           CHECK(got.axes[0].first == expected.axes[0].first);

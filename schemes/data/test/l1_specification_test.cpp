@@ -62,7 +62,8 @@ TEST_CASE("decimal numbers are read exactly") {
   CHECK(parse_decimal("0.250")->unit == Rational(1, 1000));
   CHECK(parse_decimal("25.0e-2")->unit == Rational(1, 1000));
   CHECK(parse_decimal("1e3")->unit == 1000);
-  for (const char* text : {"", ".", "-", "1e", "1e+", "e5", "1.2.3", "1,5", "0x10", "nan", "inf", " 1", "1 ", "1e401", "1e99999", "--1"})
+  for (const char* text :
+       {"", ".", "-", "1e", "1e+", "e5", "1.2.3", "1,5", "0x10", "nan", "inf", " 1", "1 ", "1e401", "1e99999", "--1"})
     CHECK_FALSE(parse_decimal(text));
   for (const Rational& number : {Rational(1, 400), Rational(7), Rational(1, 3), Rational(12000), Rational(-1, 8)}) {
     const std::string text = to_short_text(number);

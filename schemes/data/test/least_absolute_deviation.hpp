@@ -16,7 +16,8 @@ struct LeastAbsoluteDeviation {
   bool unique;                   // no other vertex of the enumeration is optimal
 };
 
-inline LeastAbsoluteDeviation least_absolute_deviation(const RegressionWindow& window, const std::vector<Rational>& data) {
+inline LeastAbsoluteDeviation least_absolute_deviation(const RegressionWindow& window,
+                                                       const std::vector<Rational>& data) {
   const std::size_t m = window.nodes(), terms = window.terms();
   std::vector<bool> chosen(m, false);
   std::fill_n(chosen.begin(), terms, true);

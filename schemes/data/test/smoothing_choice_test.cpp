@@ -73,8 +73,8 @@ TEST_CASE("the estimated risk is unbiased for data with known mean") {
     double sum = 0, squares = 0;
     const int runs = weighted ? 60 : 3000;
     for (int seed = 0; seed < runs; ++seed) {
-      const RiskEstimate risk = estimate_risk(smoother, {samples(count, 0.5, sigma, static_cast<unsigned long>(seed), w)},
-                                              {{sigma * sigma, 100, 1}}, w);
+      const RiskEstimate risk = estimate_risk(
+          smoother, {samples(count, 0.5, sigma, static_cast<unsigned long>(seed), w)}, {{sigma * sigma, 100, 1}}, w);
       sum += risk.bias_squared;
       squares += risk.bias_squared * risk.bias_squared;
     }
@@ -93,5 +93,6 @@ TEST_CASE("more noise asks for more points, none for interpolation") {
   const auto ranked = rank_schemes({samples(120, 0.2, 0.1, 7)}, {{0.01, 60, 118}}, Extension::mirror);
   for (std::size_t i = 1; i < ranked.size(); ++i) CHECK(ranked[i - 1].risk.total() <= ranked[i].risk.total());
   CHECK(ranked.size() == 20 + 19 + 18);
-  CHECK_THROWS_WITH(rank_schemes({{1, 2, 3}}, {{}}, Extension::interp), Catch::Matchers::Contains("at least 4 data, got 3"));
+  CHECK_THROWS_WITH(rank_schemes({{1, 2, 3}}, {{}}, Extension::interp),
+                    Catch::Matchers::Contains("at least 4 data, got 3"));
 }

@@ -19,17 +19,25 @@ Rational apply_exactly(const SmoothingRow& row, const std::vector<Rational>& dat
 
 std::vector<Rational> polynomial_data(std::size_t count, int degree) {
   std::vector<Rational> data;
-  for (std::size_t i = 0; i < count; ++i) data.push_back(power(Rational(i) - 3, degree) + (degree > 0 ? Rational(i, 2) : 0));
+  for (std::size_t i = 0; i < count; ++i)
+    data.push_back(power(Rational(i) - 3, degree) + (degree > 0 ? Rational(i, 2) : 0));
   return data;
 }
 
-Rational polynomial_at(const Rational& x, int degree) { return power(x - 3, degree) + (degree > 0 ? Rational(x / 2) : 0); }
+Rational polynomial_at(const Rational& x, int degree) {
+  return power(x - 3, degree) + (degree > 0 ? Rational(x / 2) : 0);
+}
 
 }  // namespace
 
 TEST_CASE("interp reproduces the polynomials of the scheme up to the ends, exactly") {
-  for (const auto& [text, degree] : {std::pair{"primal:n=3", 1}, {"dual:n=2", 1}, {"primal:n=3,d=3", 3}, {"dual-odd:n=2,d=2", 2},
-                                     {"dd:n=2", 3}, {"bspline:degree=3", 1}, {"ary:a=3,points=5,d=1", 1}}) {
+  for (const auto& [text, degree] : {std::pair{"primal:n=3", 1},
+                                     {"dual:n=2", 1},
+                                     {"primal:n=3,d=3", 3},
+                                     {"dual-odd:n=2,d=2", 2},
+                                     {"dd:n=2", 3},
+                                     {"bspline:degree=3", 1},
+                                     {"ary:a=3,points=5,d=1", 1}}) {
     const Scheme scheme = make_scheme(text);
     for (const std::size_t count : {std::size_t{9}, std::size_t{25}}) {
       const LinearSmoother smoother(scheme.mask, count, {Extension::interp, 1, 0});
@@ -44,7 +52,8 @@ TEST_CASE("interp reproduces the polynomials of the scheme up to the ends, exact
 
 TEST_CASE("every extension keeps constants, but for constant, and sums up variances") {
   const Scheme scheme = make_scheme("primal:n=2");
-  for (const Extension kind : {Extension::interp, Extension::mirror, Extension::nearest, Extension::constant, Extension::wrap})
+  for (const Extension kind :
+       {Extension::interp, Extension::mirror, Extension::nearest, Extension::constant, Extension::wrap})
     for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{20}}) {
       const LinearSmoother smoother(scheme.mask, count, {kind, 1, 0});
       for (std::size_t o = 0; o < smoother.outputs(); ++o) {
@@ -180,13 +189,17 @@ TEST_CASE("double precision agrees with the exact rows") {
 
 TEST_CASE("fits with prior weights in double precision agree with the exact ones") {
   Random random;
-  for (const auto& [text, extension] : {std::pair{"primal:n=3", Extension::interp}, {"primal:n=5,d=5", Extension::interp},
-                                        {"dual:n=4,d=3", Extension::mirror}, {"primal:n=1", Extension::constant}}) {
+  for (const auto& [text, extension] : {std::pair{"primal:n=3", Extension::interp},
+                                        {"primal:n=5,d=5", Extension::interp},
+                                        {"dual:n=4,d=3", Extension::mirror},
+                                        {"primal:n=1", Extension::constant}}) {
     const Scheme scheme = make_scheme(text);
     std::vector<Rational> weights, exact;
     std::vector<double> data;
     for (int i = 0; i < 30; ++i) {
-      weights.push_back(random.chance(10) && i % 3 == 0 && scheme.rules->degree > 1 ? Rational(0) : Rational(random.integer(1, 300), 100));
+      weights.push_back(random.chance(10) && i % 3 == 0 && scheme.rules->degree > 1
+                            ? Rational(0)
+                            : Rational(random.integer(1, 300), 100));
       data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
       exact.emplace_back(data.back());
     }
@@ -205,10 +218,12 @@ TEST_CASE("smoothers that do not exist say why") {
   const auto contains = [](const std::string& part) { return Catch::Matchers::Contains(part); };
   const Scheme scheme = make_scheme("primal:n=3"), spline = make_scheme("bspline:degree=3");
   CHECK_THROWS_WITH(LinearSmoother(make_scheme("ary:a=3,points=4").mask, 10, {}), contains("no 3-adic number"));
-  CHECK_THROWS_WITH(LinearSmoother(spline.mask, 3, {}, std::nullopt, {1, 1, 1}), contains("scheme of local regressions"));
+  CHECK_THROWS_WITH(LinearSmoother(spline.mask, 3, {}, std::nullopt, {1, 1, 1}),
+                    contains("scheme of local regressions"));
   CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 3, {}, scheme.rules, {1, 1}), contains("got 2 for 3"));
   CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 0, {}), contains("count >= 1"));
-  CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 2'000'001, {Extension::interp, 1}), contains("at most 4000000 outputs"));
+  CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 2'000'001, {Extension::interp, 1}),
+                    contains("at most 4000000 outputs"));
   CHECK_NOTHROW(require_smoothable(1, 1L << 40));
   std::vector<Rational> weights(20, 0);
   weights[0] = weights[19] = 1;

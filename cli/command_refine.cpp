@@ -8,6 +8,7 @@
 #include <subcert/reports/surface_figure.hpp>
 #include <subcert/schemes/data/axis_refinement.hpp>
 #include <subcert/schemes/data/grid_refinement.hpp>
+#include <subcert/schemes/data/l1_specification.hpp>
 #include <subcert/schemes/data/limit_of_data.hpp>
 #include <subcert/schemes/data/refine.hpp>
 
@@ -28,7 +29,7 @@ struct RefineCommand : CommonOptions {
   bool limit = false;
 };
 
-/// What refines data: a linear scheme of one, two or three variables.
+/// What refines data: a linear scheme of one, two or three variables, or a data-dependent one of one or two.
 struct DataRefiner {
   std::string specification;
   std::vector<std::size_t> fewest;  ///< points in each direction
@@ -37,6 +38,11 @@ struct DataRefiner {
 };
 
 DataRefiner make_refiner(const std::string& specification, Boundary boundary) {
+  if (is_l1_specification(specification)) {
+    const NamedL1Scheme named = make_l1_scheme(specification);
+    return {named.specification, {named.scheme.points.begin(), named.scheme.points.end()},
+            [scheme = named.scheme](const GridData<double>& data, const RefineOptions& options) { return refine(data, scheme, options); }};
+  }
   const AnyScheme any = make_any_scheme(specification);
   if (const auto* scheme = std::get_if<Scheme>(&any))
     return {scheme->specification, {AxisRefiner(scheme->mask, boundary).window()},

@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   cli::add_limit(app);
   cli::add_variance(app);
   cli::add_refine(app);
+  cli::add_smooth(app);
   cli::add_conjecture(app);
   cli::add_merge(app);
   cli::add_theorem(app);

@@ -37,9 +37,9 @@ Scheme least_squares(const std::string& family, const std::string& title, bool o
   const long points = odd ? 2 * n + 1 : 2 * n;
   const long degree = read_degree(fields, points);
   fields.finish();
+  const LocalRegression rules = preset(static_cast<int>(n), static_cast<int>(degree));
   return {family + ":n=" + number(n) + ",d=" + number(degree),
-          title + ", " + number(points) + " points, degree " + number(degree),
-          regression_mask(preset(static_cast<int>(n), static_cast<int>(degree)))};
+          title + ", " + number(points) + " points, degree " + number(degree), regression_mask(rules), rules};
 }
 
 Scheme make_primal(Fields& f) { return least_squares("primal", "primal least squares scheme", false, primal, f); }
@@ -56,9 +56,10 @@ Scheme make_ary(Fields& fields) {
   if (arity * points > 4 * max_points) fail(points_piece, "a * points <= " + number(4 * max_points));
   const long degree = read_degree(fields, points);
   fields.finish();
+  const LocalRegression rules = ary(static_cast<int>(arity), static_cast<int>(points), static_cast<int>(degree));
   return {"ary:a=" + number(arity) + ",points=" + number(points) + ",d=" + number(degree),
           number(arity) + "-ary least squares scheme, " + number(points) + " points, degree " + number(degree),
-          regression_mask(ary(static_cast<int>(arity), static_cast<int>(points), static_cast<int>(degree)))};
+          regression_mask(rules), rules};
 }
 
 Scheme make_deslauriers_dubuc(Fields& fields) {
@@ -160,7 +161,7 @@ Scheme make_regression(Fields& fields) {
   std::string text = "regression:stencils=[" + stencils + "],at=[" + positions + "],d=" + number(scheme.degree);
   if (!weights.empty()) text += ",weights=[" + weights + "]";
   if (scheme.first_output != 0) text += ",first=" + number(scheme.first_output);
-  return {text, "local regression of degree " + number(scheme.degree), regression_mask(scheme)};
+  return {text, "local regression of degree " + number(scheme.degree), regression_mask(scheme), scheme};
 }
 
 Scheme make_mask(const Piece& family, const Piece& body, const std::string& usage) {
@@ -239,8 +240,8 @@ Scheme make_scheme(std::string_view specification) {
     }
     known += (known.empty() ? "" : ", ") + candidate.help.family;
   }
-  if (family.text == "tensor" || family.text == "grid" || family.text == "l1")
-    fail(family, "a linear scheme of one variable (" + known + ")");
+  if (family.text == "l1") fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
+  if (family.text == "tensor" || family.text == "grid") fail(family, "a linear scheme of one variable (" + known + ")");
   fail(family, "one of " + known);
 }
 

@@ -5,6 +5,7 @@
 
 #include <subcert/analysis/symbol/parse_error.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -19,11 +20,13 @@ class SpecificationError : public ParseError {
       : ParseError("scheme specification", token, position, expected) {}
 };
 
-/// A scheme of one variable: its canonical specification, a name for people, and its exact mask.
+/// A scheme of one variable: its canonical specification, a name for people, its exact mask, and the local regressions
+/// that it was made from.
 struct Scheme {
   std::string specification;
   std::string title;
   Mask mask;
+  std::optional<LocalRegression> rules = std::nullopt;
 };
 
 /// A scheme of two or three variables.

@@ -77,5 +77,6 @@ void add_jsr(CLI::App& app);
 void add_verify(CLI::App& app);
 void add_conjecture(CLI::App& app);
 void add_merge(CLI::App& app);
+void add_statements(CLI::App& app);
 
 }  // namespace subcert::cli

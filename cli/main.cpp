@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   cli::add_variance(app);
   cli::add_conjecture(app);
   cli::add_merge(app);
+  cli::add_statements(app);
   try {
     app.parse(argc, argv);
     return cli::exit_code;

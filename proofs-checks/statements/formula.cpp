@@ -152,14 +152,14 @@ Rational evaluate(const Node& n, const Values& values) {
   }
 }
 
-Degrees degrees_of(const Node& n, const std::string& variable) {
+Degrees degrees_of(const Node& n, const std::vector<std::string>& variables) {
   switch (n.kind) {
     case '#': return {0, 0};
-    case 'v': return {n.name == variable ? 1 : 0, 0};
+    case 'v': return {std::find(variables.begin(), variables.end(), n.name) == variables.end() ? 0 : 1, 0};
     case '(':
-    case '~': return degrees_of(*n.left, variable);
+    case '~': return degrees_of(*n.left, variables);
     case '^': {
-      const Degrees base = degrees_of(*n.left, variable);
+      const Degrees base = degrees_of(*n.left, variables);
       long exponent = 0;
       try {
         exponent = exponent_of(evaluate(*n.right, {}));
@@ -171,7 +171,7 @@ Degrees degrees_of(const Node& n, const std::string& variable) {
     }
     default: break;
   }
-  const Degrees a = degrees_of(*n.left, variable), b = degrees_of(*n.right, variable);
+  const Degrees a = degrees_of(*n.left, variables), b = degrees_of(*n.right, variables);
   switch (n.kind) {
     case '*': return {a.numerator + b.numerator, a.denominator + b.denominator};
     case '/': return {a.numerator + b.denominator, a.denominator + b.numerator};
@@ -221,6 +221,12 @@ Fraction substitute(const Node& n, const Substitution& values) {
   }
 }
 
+Tree replace(const Tree& tree, const std::string& name, const Tree& by) {
+  if (tree->kind == 'v') return tree->name == name ? node('(', by) : tree;
+  if (!tree->left) return tree;
+  return node(tree->kind, replace(tree->left, name, by), tree->right ? replace(tree->right, name, by) : nullptr);
+}
+
 std::string latex_of(const Node& n) {
   const auto bare = [](const Node& part) { return latex_of(part.kind == '(' ? *part.left : part); };
   switch (n.kind) {
@@ -255,7 +261,13 @@ Formula Formula::parse(std::string_view text) { return Formula(Reader(text).whol
 
 Rational Formula::operator()(const Values& values) const { return evaluate(*root_, values); }
 
-Degrees Formula::degrees(const std::string& variable) const { return degrees_of(*root_, variable); }
+Degrees Formula::degrees(const std::vector<std::string>& variables) const { return degrees_of(*root_, variables); }
+
+Formula Formula::replaced(const std::string& name, const Formula& by) const { return Formula(replace(root_, name, by.root_)); }
+
+Formula Formula::joined(char kind, const Formula& a, const Formula& b) {
+  return Formula(node(kind, node('(', a.root_), node('(', b.root_)));
+}
 
 Fraction Formula::substituted(const Substitution& values) const { return substitute(*root_, values); }
 

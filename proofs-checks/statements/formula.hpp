@@ -43,18 +43,30 @@ class Formula {
   /// modulus at most 1000, std::out_of_range for a name without value.
   Rational operator()(const Values& values) const;
 
-  /// The expression is a quotient of two polynomials in this variable with at most these degrees, whatever the other
-  /// variables are. Nothing is cancelled. Domain: exponents are constants. Errors: throws std::domain_error otherwise.
-  Degrees degrees(const std::string& variable) const;
+  /// The expression is a quotient of two polynomials in these variables together with at most these total degrees,
+  /// whatever the other variables are. Nothing is cancelled. Domain: exponents are constants. Errors: throws
+  /// std::domain_error otherwise.
+  Degrees degrees(const std::vector<std::string>& variables) const;
+  Degrees degrees(const std::string& variable) const { return degrees(std::vector<std::string>{variable}); }
 
   /// The expression with every name replaced by a polynomial. Domain: constant exponents. Errors: as operator().
   Fraction substituted(const std::vector<std::pair<std::string, MultivariatePolynomial>>& values) const;
+
+  /// The expression with the name replaced by another expression.
+  Formula replaced(const std::string& name, const Formula& by) const;
+
+  friend Formula operator+(const Formula& a, const Formula& b) { return joined('+', a, b); }
+  friend Formula operator-(const Formula& a, const Formula& b) { return joined('-', a, b); }
+  friend Formula operator*(const Formula& a, const Formula& b) { return joined('*', a, b); }
+  friend Formula operator/(const Formula& a, const Formula& b) { return joined('/', a, b); }
 
   /// For `$...$`: fractions set as \frac, names of several letters as commands.
   std::string to_latex() const;
 
  private:
   explicit Formula(std::shared_ptr<const Node> root) : root_(std::move(root)) {}
+  static Formula joined(char kind, const Formula& a, const Formula& b);
+
   std::shared_ptr<const Node> root_;
 };
 

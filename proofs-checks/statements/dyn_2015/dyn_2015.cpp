@@ -9,6 +9,12 @@ PaperStatements dyn_2015() {
                         {},
                         {}};
   add_dyn_2015_section_2(paper);
+  add_dyn_2015_section_2_2(paper);
+  add_dyn_2015_section_3(paper);
+  add_dyn_2015_section_4(paper);
+  add_dyn_2015_section_4_3(paper);
+  add_dyn_2015_section_5(paper);
+  add_dyn_2015_appendix(paper);
   return paper;
 }
 

@@ -94,7 +94,7 @@ Outcome invertible(const Context& context) {
 /// beta by the pseudo-inverse that the remark gives for d >= m, in the order of its factors; interpolation is asked for.
 Trial interpolates_beyond(bool printed_order, int most) {
   Trial trial;
-  for (int m = 1; m <= most && !trial.failed(); ++m)
+  for (int m = 2; m <= most && !trial.failed(); ++m)
     for (int d = m; d <= m + 2; ++d) {
       const RationalMatrix a = design_matrix(scattered(m), monomials(d));
       const RationalMatrix inverse = solve(a * transposed(a), RationalMatrix::identity(a.rows()));
@@ -108,7 +108,7 @@ Trial interpolates_beyond(bool printed_order, int most) {
       }
       if (!trial.require(a * (transposed(a) * inverse) == RationalMatrix::identity(a.rows()), where + ": p* does not interpolate")) return trial;
     }
-  return trial.over("m = 1.." + std::to_string(most) + ", d = m..m+2, scattered nodes");
+  return trial.over("m = 2.." + std::to_string(most) + ", d = m..m+2, scattered nodes");
 }
 
 Outcome remark_9(const Context& context) {
@@ -228,12 +228,12 @@ Outcome corollary_11_proof(const Context& context) {
     Trial& trial = form == Form::printed ? printed : corrected;
     for (int n = 1; n <= 4; ++n)
       for (int k = 0; k <= 3; ++k)
-        for (int i = -2; i <= 2; ++i)
+        for (int i = 0; i <= 3; ++i)
           for (int j = -2 * n + 2; j <= 2 * n - 2; j += 2) {
             const Values where{{"n", n}, {"k", k}, {"i", i}, {"j", j}};
             trial.equal(point(where), map({{"k", k}, {"i", i}, {"x", j}}), to_text(where) + ": the point t and phi(j)");
           }
-    trial.over("n = 1..4, k = 0..3, i = -2..2");
+    trial.over("n = 1..4, k = 0..3, i = 0..3");
   }
   return printed.outcome(corrected);
 }

@@ -94,7 +94,7 @@ Outcome psi_slope_like_1_over_n2(const Context& context) {
   const Rational before = *first->lower / rate({{"n", 2}}), after = *last->upper / rate({{"n", most}});
   const Decision bound = theorems::verdict(theorems::conjecture_7_degree_one());
   Trial printed, corrected;
-  printed.require(after * 1000 > before, "n^2 max |psi_n'| is at least " + to_decimal(before, 4, Rounding::down) + " at n = 2 and at most " +
+  printed.require(10 * after > before, "n^2 max |psi_n'| is at least " + to_decimal(before, 4, Rounding::down) + " at n = 2 and at most " +
                                    to_decimal(after, 4, Rounding::up) + " at n = " + std::to_string(most) +
                                    "; n^4 max |psi_n'| stays bounded, so the ratio of the two sides tends to 0");
   corrected.require(bound.is_yes(), bound.reason);

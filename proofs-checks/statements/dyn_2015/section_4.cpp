@@ -41,7 +41,7 @@ Outcome equation_20(const Context& context) {
   // The exponents 2j and 2j+1 belong to the datum at -j.
   trial.follow(fit({parts[0].coefficient, "j", {-1, 0}, {1, -1}, {-1, 0}, f("1/4"), 1, 1, {}}, most));
   trial.follow(fit({parts[1].coefficient, "j", {-1, 0}, {1, -1}, {-1, 0}, f("3/4"), 1, 1, {}}, most));
-  return trial.outcome();
+  return trial.for_all("all n >= 1", "each coefficient is a weight of a local fit; compared with the masks for " + range(1, most)).outcome();
 }
 
 Outcome even_symmetry(const Context& context) {

@@ -7,4 +7,8 @@ namespace subcert::statements {
 
 PaperStatements mustafa_bari_2016();
 
+/// One part of the paper each; `to` grows.
+void add_mustafa_bari_2016_univariate(PaperStatements& to);
+void add_mustafa_bari_2016_bivariate(PaperStatements& to);
+
 }  // namespace subcert::statements

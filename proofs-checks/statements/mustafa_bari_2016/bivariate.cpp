@@ -197,12 +197,15 @@ Outcome smallest_grid(const Context&) {
   return trial.over("n = 1..3, both grids").outcome();
 }
 
-Outcome volumes(const Context&) {
+Outcome volumes(const Context& context) {
+  const Rational bound = context.formula("mustafa-bari-2016/volumes-bound")({});
   Trial printed, corrected;
-  printed.require(false, "n = 2: t = -1 belongs to -n+1 <= t <= n and is not above 1");
   for (long n = 1; n <= 2; ++n)
-    for (long first : {-n + 1, -n})
-      corrected.require(determines_cubics(first, n, 3) == (n > 1), at("n", n) + ", grid from " + std::to_string(first));
+    for (long first : {-n + 1, -n}) {
+      const bool determined = determines_cubics(first, n, 3);
+      corrected.require(determined == (n > bound), at("n", n) + ", grid from " + std::to_string(first));
+      if (determined) printed.require(first > bound, at("n", n) + ": the grid from " + std::to_string(first) + " determines a cubic, but holds t = " + std::to_string(first));
+    }
   return printed.outcome(corrected.over("n = 1, 2, both grids: trivariate cubics are determined for n > 1 only"));
 }
 
@@ -224,6 +227,7 @@ void add_mustafa_bari_2016_bivariate(PaperStatements& to) {
     {"mustafa-bari-2016/eq-3.8-beta-7", "{1050*(2*r - 1)*(5*r^2 - 5*r - 9) => -560*R*nu*(3*nu - 5*R^2 - 1)}"},
     {"mustafa-bari-2016/eq-3.8-beta-8", "{1890*(2*s - 1)*(r^2 - r - 1) => -720*S*(nu - 2)*(nu - 3*R^2)}"},
     {"mustafa-bari-2016/eq-3.8-divisor", "4*(n - 1)*(2*n + 3)*(2*n - 3)*(n + 1)*n^2*(2*n - 1)^2*(2*n + 1)^2"},
+    {"mustafa-bari-2016/volumes-bound", "1"},
     {"mustafa-bari-2016/eq-3.9-shift", "0"},
     {"mustafa-bari-2016/eq-3.9-beta-1", "(n - 1)*(n + 2)*n^2*(n + 1)^2*(14*n^2 + 14*n - 15*r^2 - 15*s^2 - 3)"},
     {"mustafa-bari-2016/eq-3.9-beta-2",

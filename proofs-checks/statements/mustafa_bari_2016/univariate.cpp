@@ -94,7 +94,8 @@ Outcome smallest_size(const Context& context) {
   Trial printed, corrected;
   for (int n = 1; n <= 6; ++n) {
     const bool unique = kernel(design_matrix(equidistant(-n + 1, 1, 2 * n), monomials(3))).empty();
-    printed.require(unique == (n > printed_bound), at("n", n) + ": the cubic fit to " + std::to_string(2 * n) + " data is unique, and the paper uses it after (2.6)");
+    printed.require(unique == (n > printed_bound), at("n", n) + ": the cubic fit to " + std::to_string(2 * n) + " data is unique, and the paper uses it after (2.6), but " +
+                                                                subcert::to_text(printed_bound) + " is not exceeded");
     corrected.require(unique == (n > corrected_bound), at("n", n));
   }
   return printed.outcome(corrected.over("n = 1..6"));
@@ -165,7 +166,7 @@ Outcome support(const Context& context, const std::string& id, bool even_points)
   const Formula width = context.formula(id + "-width"), end = context.formula(id + "-end");
   const int sizes = context.reach(6, 10), arities = context.reach(5, 8);
   Trial trial;
-  for (int n = even_points ? 2 : 2; n <= sizes && !trial.failed(); ++n)
+  for (int n = 2; n <= sizes && !trial.failed(); ++n)
     for (int a = 2; a <= arities; ++a) {
       const Mask mask = regression_mask(ary(a, even_points ? 2 * n : 2 * n + 1, 3));
       const Interval derived = limit_support(mask);

@@ -78,5 +78,6 @@ void add_verify(CLI::App& app);
 void add_conjecture(CLI::App& app);
 void add_merge(CLI::App& app);
 void add_statements(CLI::App& app);
+void add_check(CLI::App& app);
 
 }  // namespace subcert::cli

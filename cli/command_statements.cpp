@@ -2,19 +2,15 @@
 
 #include "command.hpp"
 
-#include <subcert/proofs-checks/statements/registry.hpp>
-#include <subcert/reports/parallel.hpp>
+#include <subcert/reports/errata.hpp>
+#include <subcert/reports/files.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
-#include <mutex>
-#include <sstream>
 
 namespace subcert::cli {
 namespace {
 
-using statements::Context;
 using statements::Outcome;
 using statements::Statement;
 using statements::Tier;
@@ -24,6 +20,7 @@ struct StatementsOptions : CommonOptions {
   std::vector<std::string> wanted;
   bool ids = false;
   bool wide = false;
+  std::string page;
 };
 
 /// All statements, or those asked for, each once and in the order of the papers.
@@ -70,35 +67,15 @@ int list(const StatementsOptions& options) {
       text += (text.empty() ? "" : "\n") + paper + "\n";
     }
     const std::string verdict = to_text(statement->recorded);
-    text += "  " + verdict + std::string(17 - verdict.size(), ' ') + statement->id + "  " + statement->paraphrase + "\n";
+    text += "  " + verdict + std::string(17 - verdict.size(), ' ') + statement->id + "  " + statement->paraphrase +
+            "\n";
   }
   options.answer(text);
   return done;
 }
 
-struct Checked {
-  Outcome outcome;
-  double seconds = 0;
-};
-
-std::vector<Checked> run_checks(const std::vector<const Statement*>& chosen, const StatementsOptions& options) {
-  std::vector<Checked> results(chosen.size());
-  std::mutex terminal;
-  parallel_for_each(chosen.size(), options.threads(), [&](std::size_t i) {
-    {
-      const std::lock_guard lock(terminal);
-      options.progress(chosen[i]->id);
-    }
-    const auto start = std::chrono::steady_clock::now();
-    results[i].outcome =
-        check(*chosen[i], Context(statements::transcriptions(), options.wide ? Tier::wide : Tier::quick));
-    results[i].seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  });
-  options.end_progress();
-  return results;
-}
-
-Json outcome_json(const Statement& statement, const Checked& checked) {
+Json outcome_json(const CheckedStatement& checked) {
+  const Statement& statement = *checked.statement;
   Json json = statement_json(statement);
   json["verdict"] = to_text(checked.outcome.verdict);
   json["range"] = checked.outcome.range;
@@ -111,7 +88,8 @@ Json outcome_json(const Statement& statement, const Checked& checked) {
 
 std::string outcome_text(const Statement& statement, const Outcome& outcome) {
   const std::string verdict = to_text(outcome.verdict);
-  std::string text = verdict + std::string(17 - verdict.size(), ' ') + statement.id + "  " + statement.paraphrase + "\n";
+  std::string text = verdict + std::string(17 - verdict.size(), ' ') + statement.id + "  " + statement.paraphrase +
+                     "\n";
   const auto line = [&](const char* name, const std::string& content) {
     if (!content.empty()) text += std::string(19, ' ') + name + content + "\n";
   };
@@ -120,28 +98,30 @@ std::string outcome_text(const Statement& statement, const Outcome& outcome) {
   if (outcome.verdict == Verdict::misprint || outcome.verdict == Verdict::false_claim)
     line("corrected: ", corrected_latex(statement));
   line("", outcome.argument);
-  if (outcome.verdict != statement.recorded) line("NOT AS RECORDED: the verdict on record is ", to_text(statement.recorded));
+  if (outcome.verdict != statement.recorded)
+    line("NOT AS RECORDED: the verdict on record is ", to_text(statement.recorded));
   return text;
 }
 
-int check_statements(const StatementsOptions& options) {
-  const auto chosen = selected(options.wanted);
-  const auto results = run_checks(chosen, options);
+int run_checks(const StatementsOptions& options) {
+  const auto results = check_statements(selected(options.wanted), options.wide ? Tier::wide : Tier::quick,
+                                        options.threads(), [&](const std::string& id) { options.progress(id); });
+  options.end_progress();
+  if (!options.page.empty()) write_file(options.page, errata_page(results));
   int code = done;
   Json json{{"statements", Json::array()}};
   std::string text;
   std::map<Verdict, int> counts;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const Outcome& outcome = results[i].outcome;
-    ++counts[outcome.verdict];
-    if (outcome.verdict == Verdict::undecided)
+  for (const CheckedStatement& checked : results) {
+    ++counts[checked.outcome.verdict];
+    if (checked.outcome.verdict == Verdict::undecided)
       code = code == done ? undecided : code;
-    else if (outcome.verdict != chosen[i]->recorded)
+    else if (!checked.as_recorded())
       code = failed;
-    json["statements"].push_back(outcome_json(*chosen[i], results[i]));
-    text += outcome_text(*chosen[i], outcome);
+    json["statements"].push_back(outcome_json(checked));
+    text += outcome_text(*checked.statement, checked.outcome);
   }
-  text += "\n" + std::to_string(chosen.size()) + (chosen.size() == 1 ? " statement:" : " statements:");
+  text += "\n" + std::to_string(results.size()) + (results.size() == 1 ? " statement:" : " statements:");
   for (const auto& [verdict, count] : counts) text += " " + std::to_string(count) + " " + to_text(verdict) + ",";
   text.back() = '.';
   text += std::string(code == done ? " All verdicts are the ones on record." : "") + "\n";
@@ -156,23 +136,29 @@ int check_statements(const StatementsOptions& options) {
 
 void add_statements(CLI::App& app) {
   CLI::App* group = app.add_subcommand("statements", "The statements of the papers as executable checks");
-  group->require_subcommand(1);
+  group->require_subcommand(0, 1);
   std::string known;
   for (const auto& paper : statements::papers()) known += (known.empty() ? "" : ", ") + paper.key;
   const std::string meaning = "Statements or papers (" + known + "; default: all)";
 
   auto list_options = std::make_shared<StatementsOptions>();
   CLI::App& list_command = add_command(*group, "list", "Lists the statements with the verdicts on record",
-                                       "subcert statements list dyn-2015", list_options, [=] { return list(*list_options); });
+                                       "subcert statements list dyn-2015", list_options,
+                                       [=] { return list(*list_options); });
   list_command.add_option("ID", list_options->wanted, meaning);
   list_command.add_flag("--ids", list_options->ids, "Only the ids, one a line");
 
+  group->callback([=] {
+    if (group->get_subcommands().empty()) exit_code = list(*list_options);
+  });
+
   auto check_options = std::make_shared<StatementsOptions>();
-  CLI::App& check_command =
-      add_command(*group, "check", "Checks statements and compares with the verdicts on record",
-                  "subcert statements check dyn-2015/eq-2", check_options, [=] { return check_statements(*check_options); });
+  CLI::App& check_command = add_command(*group, "check", "Checks statements and compares with the verdicts on record",
+                                        "subcert statements check dyn-2015/eq-2", check_options,
+                                        [=] { return run_checks(*check_options); });
   check_command.add_option("ID", check_options->wanted, meaning);
   check_command.add_flag("--wide", check_options->wide, "Larger ranges");
+  check_command.add_option("--page", check_options->page, "Write the page 'errata and confirmations' there");
 }
 
 }  // namespace subcert::cli

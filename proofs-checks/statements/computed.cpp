@@ -9,7 +9,7 @@
 namespace subcert::statements {
 namespace {
 
-constexpr int holder_levels = 16;       // as in Tables 1 and 2 of [DHHS15]
+constexpr int holder_levels = 16;  // as in Tables 1 and 2 of [DHHS15]
 constexpr double regularity_seconds = 10;
 
 /// The value that `make` gives for this key the first time.

@@ -121,7 +121,8 @@ class Reader {
 
 long exponent_of(const Rational& value) {
   if (denominator(value) != 1 || abs(value) > largest_exponent)
-    throw std::domain_error("formula: need an integer exponent of modulus at most 1000, got " + subcert::to_text(value));
+    throw std::domain_error("formula: need an integer exponent of modulus at most 1000, got " +
+                            subcert::to_text(value));
   return static_cast<long>(numerator(value));
 }
 
@@ -175,8 +176,7 @@ Degrees degrees_of(const Node& n, const std::vector<std::string>& variables) {
   switch (n.kind) {
     case '*': return {a.numerator + b.numerator, a.denominator + b.denominator};
     case '/': return {a.numerator + b.denominator, a.denominator + b.numerator};
-    default:
-      return {std::max(a.numerator + b.denominator, b.numerator + a.denominator), a.denominator + b.denominator};
+    default: return {std::max(a.numerator + b.denominator, b.numerator + a.denominator), a.denominator + b.denominator};
   }
 }
 
@@ -232,8 +232,7 @@ std::string latex_of(const Node& n) {
   switch (n.kind) {
     case '#': return subcert::to_text(n.number);
     case 'v': return n.name.size() > 1 ? "\\" + n.name + " " : n.name;
-    case '(':
-      return n.left->kind == '/' || n.left->kind == '(' ? latex_of(*n.left) : "(" + latex_of(*n.left) + ")";
+    case '(': return n.left->kind == '/' || n.left->kind == '(' ? latex_of(*n.left) : "(" + latex_of(*n.left) + ")";
     case '~': return "-" + latex_of(*n.left);
     case '+': return latex_of(*n.left) + " + " + latex_of(*n.right);
     case '-': return latex_of(*n.left) + " - " + latex_of(*n.right);
@@ -263,7 +262,9 @@ Rational Formula::operator()(const Values& values) const { return evaluate(*root
 
 Degrees Formula::degrees(const std::vector<std::string>& variables) const { return degrees_of(*root_, variables); }
 
-Formula Formula::replaced(const std::string& name, const Formula& by) const { return Formula(replace(root_, name, by.root_)); }
+Formula Formula::replaced(const std::string& name, const Formula& by) const {
+  return Formula(replace(root_, name, by.root_));
+}
 
 Formula Formula::joined(char kind, const Formula& a, const Formula& b) {
   return Formula(node(kind, node('(', a.root_), node('(', b.root_)));

@@ -53,9 +53,11 @@ Values with(Values values, const std::string& name, const Rational& value) {
 
 Trial identity(const Formula& left, const Formula& right, const std::vector<Variable>& variables) {
   std::vector<long> counts;
-  for (const Variable& v : variables) counts.push_back(difference_degree(left.degrees(v.name), right.degrees(v.name)) + 1);
+  for (const Variable& v : variables)
+    counts.push_back(difference_degree(left.degrees(v.name), right.degrees(v.name)) + 1);
   Trial trial;
-  on_grid(variables, counts, [&](const Values& point) { return trial.equal(left(point), right(point), to_text(point)); });
+  on_grid(variables, counts,
+          [&](const Values& point) { return trial.equal(left(point), right(point), to_text(point)); });
   return trial.for_all("all parameters", "an identity of rational functions");
 }
 
@@ -79,8 +81,11 @@ Trial sum_identity(const FiniteSum& sum, const Formula& value, const std::vector
 }
 
 Trial positive(const Formula& formula, const std::vector<std::pair<std::string, std::string>>& substitution) {
-  const auto variable = [](int i) { return MultivariatePolynomial::in_variable(3, i, LaurentPolynomial::monomial(1, 1)); };
-  const std::vector<std::pair<std::string, MultivariatePolynomial>> names{{"x", variable(0)}, {"y", variable(1)}, {"z", variable(2)}};
+  const auto variable = [](int i) {
+    return MultivariatePolynomial::in_variable(3, i, LaurentPolynomial::monomial(1, 1));
+  };
+  const std::vector<std::pair<std::string, MultivariatePolynomial>> names{
+      {"x", variable(0)}, {"y", variable(1)}, {"z", variable(2)}};
   std::vector<std::pair<std::string, MultivariatePolynomial>> values;
   for (const auto& [name, text] : substitution) {
     const Fraction f = Formula::parse(text).substituted(names);
@@ -94,8 +99,10 @@ Trial positive(const Formula& formula, const std::vector<std::pair<std::string, 
   };
   const Fraction fraction = formula.substituted(values);
   Trial trial;
-  trial.require(sign(fraction.numerator) * sign(fraction.denominator) > 0, "the signs of the coefficients do not show that " + formula.to_latex() + " > 0");
-  return trial.for_all("all parameters", "all coefficients have one sign after a substitution of non-negative variables");
+  trial.require(sign(fraction.numerator) * sign(fraction.denominator) > 0,
+                "the signs of the coefficients do not show that " + formula.to_latex() + " > 0");
+  return trial.for_all("all parameters",
+                       "all coefficients have one sign after a substitution of non-negative variables");
 }
 
 namespace {
@@ -104,8 +111,9 @@ namespace {
 Trial moments(const Fit& fit) {
   Trial trial;
   const Degrees in_index = fit.weight.degrees(fit.index);
-  if (!trial.require(in_index.denominator == 0 && in_index.numerator <= fit.degree,
-                     "the weights are not shown to be a polynomial of degree " + std::to_string(fit.degree) + " in " + fit.index))
+  if (!trial.require(
+          in_index.denominator == 0 && in_index.numerator <= fit.degree,
+          "the weights are not shown to be a polynomial of degree " + std::to_string(fit.degree) + " in " + fit.index))
     return trial;
   std::vector<Variable> variables{{"n", fit.smallest_n}};
   variables.insert(variables.end(), fit.parameters.begin(), fit.parameters.end());
@@ -151,15 +159,18 @@ Trial fit(const Fit& fit, long largest_n, const Cases& cases) {
       const auto derived = regression_weights(nodes, {}, fit.degree, fit.position(point));
       for (long j = fit.first(n); j <= fit.last(n); ++j) {
         const Values where = with(point, fit.index, j);
-        if (!trial.equal(fit.weight(where), derived[static_cast<std::size_t>(j - fit.first(n))], to_text(where))) return trial;
+        if (!trial.equal(fit.weight(where), derived[static_cast<std::size_t>(j - fit.first(n))], to_text(where)))
+          return trial;
       }
     }
   }
   trial.follow(moments(fit));
-  return trial.for_all("all n >= " + std::to_string(fit.smallest_n),
-                       "the weights are a polynomial of degree <= " + std::to_string(fit.degree) +
-                           " in the node and reproduce all monomials up to that degree, for all parameters; also compared "
-                           "weight by weight with the library up to n = " + std::to_string(largest_n));
+  return trial.for_all(
+      "all n >= " + std::to_string(fit.smallest_n),
+      "the weights are a polynomial of degree <= " + std::to_string(fit.degree) +
+          " in the node and reproduce all monomials up to that degree, for all parameters; also compared "
+          "weight by weight with the library up to n = " +
+          std::to_string(largest_n));
 }
 
 }  // namespace subcert::statements

@@ -31,8 +31,8 @@ struct FiniteSum {
   Line last;
 };
 
-/// sum = value for all integers n from variables[0].start on, and for all values of the other variables. Domain: as identity, and
-/// last(n) >= first(n) - 1 for those n. A term that is not a polynomial in the index fails.
+/// sum = value for all integers n from variables[0].start on, and for all values of the other variables. Domain: as
+/// identity, and last(n) >= first(n) - 1 for those n. A term that is not a polynomial in the index fails.
 Trial sum_identity(const FiniteSum& sum, const Formula& value, const std::vector<Variable>& variables);
 
 /// formula > 0 wherever its names have the values given as polynomials in x, y, z with x, y, z >= 0 (all real): decided

@@ -36,9 +36,11 @@ Trial mask_list(const std::vector<Formula>& printed, const Mask& derived, const 
   Trial trial;
   if (values.size() != static_cast<std::size_t>(derived.symbol().length())) {
     std::string sums;
-    for (const Rational& sum : coset_sums({symbol, derived.arity()})) sums += (sums.empty() ? "" : " and ") + subcert::to_text(sum);
+    for (const Rational& sum : coset_sums({symbol, derived.arity()}))
+      sums += (sums.empty() ? "" : " and ") + subcert::to_text(sum);
     trial.require(false, name + ": printed " + symbol.to_mask_text() + " with " + std::to_string(values.size()) +
-                             " entries, which sum to " + sums + " over the residue classes where a mask needs 1; derived " +
+                             " entries, which sum to " + sums +
+                             " over the residue classes where a mask needs 1; derived " +
                              derived.symbol().to_mask_text() + " with " + std::to_string(derived.symbol().length()));
     return trial;
   }

@@ -25,8 +25,8 @@ Trial symbol_family(const std::vector<SymbolPart>& parts, const std::function<La
 /// A printed list of coefficients against a derived mask, in order. The paper prints no indices with it.
 Trial mask_list(const std::vector<Formula>& printed, const Mask& derived, const std::string& name);
 
-/// Printed decimals against certified enclosures, cell by cell: a failure names all cells that cannot be right. A cell that the
-/// enclosure does not decide fails too.
+/// Printed decimals against certified enclosures, cell by cell: a failure names all cells that cannot be right. A cell
+/// that the enclosure does not decide fails too.
 Trial table_row(const std::vector<std::string>& printed, const std::vector<std::string>& labels,
                 const std::function<Enclosure(std::size_t)>& certified);
 

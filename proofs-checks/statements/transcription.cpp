@@ -25,7 +25,8 @@ std::vector<Number> numbers(const std::string& text) {
       continue;
     }
     const std::size_t begin = i;
-    while (i < text.size() && (is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1])))) ++i;
+    while (i < text.size() && (is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1]))))
+      ++i;
     result.push_back({begin, i - begin});
   }
   return result;
@@ -134,7 +135,8 @@ std::vector<Formula> Transcriptions::list(const std::string& id, Form form) cons
   const std::string divisor = whole.substr(close + 1);
   std::vector<Formula> result;
   std::istringstream entries(whole.substr(1, close - 1));
-  for (std::string entry; std::getline(entries, entry, ',');) result.push_back(Formula::parse("(" + entry + ")" + divisor));
+  for (std::string entry; std::getline(entries, entry, ',');)
+    result.push_back(Formula::parse("(" + entry + ")" + divisor));
   return result;
 }
 

@@ -3,7 +3,8 @@
 namespace subcert::statements {
 
 bool Trial::equal(const Rational& printed, const Rational& derived, const std::string& where) {
-  return require(printed == derived, where + ": printed " + subcert::to_text(printed) + ", derived " + subcert::to_text(derived));
+  return require(printed == derived,
+                 where + ": printed " + subcert::to_text(printed) + ", derived " + subcert::to_text(derived));
 }
 
 bool Trial::require(bool holds, const std::string& witness) {

@@ -38,7 +38,8 @@ TEST_CASE("misprints are marked in the transcription") {
   CHECK(with_changed_number("0.0018 9", 0) == "0.0021 9");
   CHECK(is_in_misprint("{8 => 6}*n", 0));
   CHECK_FALSE(is_in_misprint("{8 => 6}*n", 1));
-  for (const char* bad : {"{a => b", "a}", "{a}", "{a {b => c}}"}) CHECK_THROWS_AS(form_text(bad, Form::printed), ParseError);
+  for (const char* bad : {"{a => b", "a}", "{a}", "{a {b => c}}"})
+    CHECK_THROWS_AS(form_text(bad, Form::printed), ParseError);
 }
 
 TEST_CASE("identities are proved, and refuted with the first point") {

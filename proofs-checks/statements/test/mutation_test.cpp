@@ -34,8 +34,8 @@ struct Reader {
 
 }  // namespace
 
-// Every number of every transcription is changed, one at a time. Where the printed form is wrong, a wrong number stays a
-// wrong number: in the printed side of a misprint and in what a false claim reads, the witness must change.
+// Every number of every transcription is changed, one at a time. Where the printed form is wrong, a wrong number stays
+// a wrong number: in the printed side of a misprint and in what a false claim reads, the witness must change.
 TEST_CASE("a wrong number in any transcription changes a verdict") {
   std::map<std::string, std::vector<Reader>> readers;
   for (const Statement& statement : statements()) {

@@ -17,7 +17,8 @@ TEST_CASE("the registry is complete and well formed") {
       CHECK_FALSE(statement.paraphrase.empty());
       CHECK_FALSE(statement.printed.empty());
       CHECK(static_cast<bool>(statement.check));
-      CHECK(statement.corrected.empty() == (statement.recorded != Verdict::misprint && statement.recorded != Verdict::false_claim));
+      CHECK(statement.corrected.empty() ==
+            (statement.recorded != Verdict::misprint && statement.recorded != Verdict::false_claim));
       CHECK_NOTHROW(printed_latex(statement));
       CHECK_NOTHROW(corrected_latex(statement));
     }

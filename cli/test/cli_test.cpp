@@ -82,6 +82,8 @@ TEST_CASE("approved output") {
   check_baseline("variance-primal.txt", "variance primal:n=5");
   check_baseline("theorem-list.txt", "theorem list");
   check_baseline("theorem-degree-three.txt", "theorem conjecture-8-n --d 3");
+  check_baseline("statements-list.txt", "statements list");
+  check_baseline("statements-check.txt", "statements check mustafa-bari-2016/eq-2.6 dyn-2015/eq-2 dyn-2015/figs-3-7");
 }
 
 TEST_CASE("the fields of the contract") {
@@ -509,4 +511,56 @@ TEST_CASE("answers go to a file when asked") {
   CHECK(read(file) == "[1,3,3,1]/4@-2\n");
   fs::remove(file);
   CHECK(run("mask dual:n=1 --out /proc/nowhere/file").code == 70);
+}
+
+TEST_CASE("statements: the fields of the contract") {
+  const auto json = run_json("statements check dyn-2015/corollary-4 mustafa-bari-2016/eq-2.6");
+  REQUIRE(json.at("statements").size() == 2);
+  const auto& proved = json.at("statements").at(0);
+  CHECK(proved.at("id") == "dyn-2015/corollary-4");
+  CHECK(proved.at("verdict") == "holds-for-all-n");
+  CHECK(proved.at("range") == "all n >= 2");
+  const auto& misprint = json.at("statements").at(1);
+  CHECK(misprint.at("verdict") == "misprint");
+  CHECK(misprint.at("witness") == "n = 2, a = 3, q = 0, r = -2: printed 37/35, derived -3/35");
+  CHECK_FALSE(misprint.at("corrected").get<std::string>().empty());
+
+  const Run unknown = run("statements check nobody-1900/eq-1");
+  CHECK(unknown.code == 64);
+  CHECK(unknown.err.find("no statement or paper 'nobody-1900/eq-1'") != std::string::npos);
+  CHECK(run("statements").out == run("statements list").out);
+
+  const fs::path page = fs::temp_directory_path() / ("subcert-errata-" + std::to_string(getpid()) + ".html");
+  CHECK(run("statements check dyn-2015/remark-9 --page " + page.string()).code == 0);
+  const std::string text = read(page);
+  fs::remove(page);
+  CHECK(text.find("<h1>Errata and confirmations</h1>") != std::string::npos);
+  CHECK(text.find("A^\\dagger = A^T (A A^T)^{-1}") != std::string::npos);
+}
+
+TEST_CASE("expected properties as a gate") {
+  const std::string example = std::string(SUBCERT_DOCS) + "/examples/properties.toml";
+  const Run good = run("check " + example);
+  CHECK(good.code == 0);
+  CHECK(good.out.find("FAILS") == std::string::npos);
+  CHECK(good.out.find("9 properties: 9 hold, 0 fail, 0 undecided.") != std::string::npos);
+  CHECK(read(std::string(SUBCERT_DOCS) + "/properties.md").find(read(example)) != std::string::npos);
+
+  const fs::path file = fs::temp_directory_path() / ("subcert-properties-" + std::to_string(getpid()) + ".toml");
+  const auto write = [&](const std::string& text) { std::ofstream(file, std::ios::binary) << text; };
+  write("mask = 'dd:n=2'\nreproduces = 5\nstable = true\n");
+  const Run bad = run("check " + file.string());
+  CHECK(bad.code == 1);
+  CHECK(bad.out.find(":2: dd:n=2: reproduces 5 (it is 3)") != std::string::npos);
+  const auto json = run_json("check " + file.string(), 1);
+  CHECK(json.at("properties").at(0).at("holds") == "no");
+  CHECK(json.at("properties").at(1).at("holds") == "yes");
+  write("mask = 'dd:n=2'\nreproduces = three\n");
+  const Run broken = run("check " + file.string());
+  CHECK(broken.code == 65);
+  CHECK(broken.out.empty());
+  CHECK(broken.err.find(", line 2, column ") != std::string::npos);
+  fs::remove(file);
+  CHECK(run("check " + file.string()).code == 66);
+  CHECK(run("check").code == 64);
 }

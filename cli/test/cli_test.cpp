@@ -150,6 +150,7 @@ TEST_CASE("theorems: proved, and unknown with what is missing") {
   CHECK(unknown.at("verdict") == "unknown");
   CHECK_FALSE(unknown.at("missing").empty());
   CHECK(run_json("theorem list").at("theorems").size() == 4);
+  CHECK(run("theorem").out == run("theorem list").out);
 }
 
 TEST_CASE("wrong usage is one line and exit code 64") {
@@ -160,7 +161,7 @@ TEST_CASE("wrong usage is one line and exit code 64") {
         "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "reproduce nobody-1900",
         "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "conjecture", "conjecture 9", "conjecture 7 --n 0",
         "conjecture 7 --n 4..1", "conjecture 7 --n 1,,2", "conjecture 7 --d x", "conjecture 7 --shard 0/8",
-        "conjecture 7 --shard 9/8", "theorem", "theorem conjecture-9", "theorem conjecture-7 --d x", "theorem conjecture-7 --d 99", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
+        "conjecture 7 --shard 9/8", "theorem conjecture-9", "theorem conjecture-7 --d x", "theorem conjecture-7 --d 99", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
     const Run result = run(arguments);
     CAPTURE(arguments, result.out, result.err);
     CHECK(result.code == 64);

@@ -7,7 +7,7 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/variance/variance.hpp>
-#include <subcert/proofs-checks/theorems/conjectures.hpp>
+#include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 namespace subcert::statements {
@@ -89,7 +89,7 @@ Outcome shape_of_psi(const Context& context) {
 }
 
 Outcome psi_like_1_over_n(const Context&) {
-  const Decision proof = theorems::verdict(theorems::conjecture_7_degree_one());
+  const Decision proof = theorems::prove("conjecture-7", 1).decision;
   Trial trial;
   trial.require(proof.is_yes(), proof.reason);
   return trial
@@ -106,7 +106,7 @@ Outcome psi_slope_like_1_over_n2(const Context& context) {
   const auto scaled = [&](int n) { return variance_of(specification("primal", n)).slope; };
   const auto first = scaled(2), last = scaled(most);
   const Rational before = *first->lower / rate({{"n", 2}}), after = *last->upper / rate({{"n", most}});
-  const Decision bound = theorems::verdict(theorems::conjecture_7_degree_one());
+  const Decision bound = theorems::prove("conjecture-7", 1).decision;
   Trial printed, corrected;
   printed.require(10 * after > before,
                   "n^2 max |psi_n'| is at least " + to_decimal(before, 4, Rounding::down) + " at n = 2 and at most " +
@@ -158,7 +158,7 @@ Outcome figure_2(const Context&) {
     trial.require(*variance_of(specification("primal", n + 1)).maximum.upper <
                       *variance_of(specification("primal", n)).minimum.lower,
                   at("n", n));
-  const Decision proof = theorems::verdict(theorems::conjecture_8_in_n_degree_one());
+  const Decision proof = theorems::prove("conjecture-8-n", 1).decision;
   trial.require(proof.is_yes(), proof.reason);
   return trial
       .for_all("all n >= 1",

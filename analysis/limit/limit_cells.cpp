@@ -232,6 +232,11 @@ struct LimitCells::Impl : Interpolation {
       const bool rougher = order == 2 ? rest_slope < smooth.rest_slope : rest_bound < smooth.rest_bound;
       if (!rougher) static_cast<Interpolation&>(*this) = std::move(smooth);
     }
+    if (std::isinf(rest_bound)) throw std::domain_error("limit cells: the difference scheme contracts too slowly");
+    if (order == 2 && std::isinf(rest_slope)) {
+      slopes = false;
+      reason = "C^1 is proved, but the difference scheme contracts too slowly for a bound of the slope";
+    }
   }
 
   static long first_integer_of(const Mask& given) {
@@ -548,7 +553,7 @@ struct LimitCells::Impl : Interpolation {
     contraction.assign(1, 1.0);
     for (int j = 1;; ++j) {
       const double work = real_power(arity, j) * static_cast<double>(width * width) * static_cast<double>(2 * moments + 2);
-      if (j > 1 && work > 1.5e7) break;
+      if (j > 1 && work > 4e6) break;
       std::vector<double> finer(mask_coefficients.size() + (coefficients.size() - 1) * static_cast<std::size_t>(arity), 0.0);
       for (std::size_t q = 0; q < coefficients.size(); ++q)
         for (std::size_t i = 0; i < mask_coefficients.size(); ++i)
@@ -593,7 +598,8 @@ struct LimitCells::Impl : Interpolation {
   std::pair<double, double> square_bounds(int level) const {
     if (rest_bound == 0) return {0, 0};
     const double factor = contraction_bound(level);
-    const double value = up(factor * rest_bound), slope = up(up(factor * rest_slope) * real_power(arity, level));
+    const double value = up(factor * rest_bound);
+    const double slope = slopes ? up(up(factor * rest_slope) * real_power(arity, level)) : 0;
     return {up(value * value / 2), up(value * slope)};
   }
 

@@ -16,7 +16,7 @@
 namespace subcert {
 namespace {
 
-constexpr std::size_t most_cells = 4'000'000;
+constexpr std::size_t most_cells = 1'000'000;  // of one level
 
 bool has_negative(const Mask& mask) {
   const auto coefficients = mask.symbol().coefficients();

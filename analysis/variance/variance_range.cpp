@@ -16,7 +16,7 @@ namespace subcert {
 namespace {
 
 constexpr long exact_width = 64;  // integers in the support up to which psi is evaluated exactly on level 1
-constexpr std::size_t most_cells = 4'000'000;
+constexpr std::size_t most_cells = 1'000'000;  // of one level
 
 }  // namespace
 

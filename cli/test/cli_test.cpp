@@ -108,6 +108,13 @@ TEST_CASE("the fields of the contract") {
   CHECK(variance.at("sup").at("lower") == "1");
   CHECK(variance.at("sup").at("upper") == "1");
   CHECK(variance.at("inf").at("upper") == "0.5");
+  CHECK(variance.at("derivative_sup").at("upper").get<std::string>().substr(0, 10) == "2.00000000");
+  const auto smooth = run_json("variance dd:n=2");
+  CHECK(smooth.at("sup").at("lower") == "1");
+  CHECK(smooth.at("complete") == true);
+  CHECK(smooth.at("derivative_sup").at("lower").get<std::string>().substr(0, 7) == "1.09267");
+  CHECK(run_json("variance four-point:w=1/5").at("derivative_sup").is_null());
+  CHECK(run_json("variance primal:n=10 --budget 0.000001", 2).at("complete") == false);
 
   const auto reproduce = run_json("reproduce dyn-2015 --only table1,table2");
   CHECK(reproduce.at("comparisons").size() == 18);
@@ -119,7 +126,8 @@ TEST_CASE("wrong usage is one line and exit code 64") {
        {"", "nonsense", "mask", "mask nobody:n=3", "mask primal:n=100000", "mask primal:n=3,n=3", "mask 'mask:[1,1]/0'",
         "mask 'mask:[1,3,3,2]/4'", "mask primal:n=3 --nonsense", "mask primal:n=3 extra", "limit primal:n=2 --level -1",
         "limit primal:n=2 --level 50", "limit primal:n=2000", "regularity dual:n=2 --levels 0",
-        "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "reproduce nobody-1900",
+        "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "variance dd:n=2 --width 0", "variance dd:n=2 --width x",
+        "reproduce nobody-1900",
         "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "analyze $'mask:[1,\\n]'"}) {
     const Run result = run(arguments);
     CAPTURE(arguments, result.out, result.err);

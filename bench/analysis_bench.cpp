@@ -115,7 +115,8 @@ struct PolytopeCase {
       family.matrices.emplace_back(size, size);
       for (Eigen::Index i = 0; i < size; ++i)
         for (Eigen::Index j = 0; j < size; ++j)
-          family.matrices.back()(i, j) = m(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).convert_to<double>();
+          family.matrices.back()(i,
+                                 j) = m(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).convert_to<double>();
     }
     family.flip_symmetric = true;  // the masks are palindromes
   }
@@ -152,11 +153,13 @@ BENCHMARK(BM_variance_grid)->Arg(3)->Arg(7)->Unit(benchmark::kMillisecond);
 
 /// Maximum, minimum and largest slope of psi to a relative width of 1e-6, and the mean.
 void BM_variance_range(benchmark::State& state) {
-  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=" + std::to_string(state.range(1))).mask;
+  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=" + std::to_string(state.range(1)))
+                        .mask;
   VarianceRange range;
   for (auto _ : state) range = variance_range(mask);
   state.counters["cells"] = static_cast<double>(range.cells);
-  state.counters["slope_width"] = Rational((*range.slope->upper - *range.slope->lower) / *range.slope->upper).convert_to<double>();
+  state.counters["slope_width"] = Rational((*range.slope->upper - *range.slope->lower) / *range.slope->upper)
+                                      .convert_to<double>();
 }
 BENCHMARK(BM_variance_range)->ArgsProduct({{5, 20, 40}, {1, 3}})->Unit(benchmark::kMillisecond);
 

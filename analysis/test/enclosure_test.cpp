@@ -17,10 +17,25 @@ namespace {
 Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
 
 const std::vector<std::string>& specimens() {
-  static const std::vector<std::string> list{
-      "primal:n=1", "primal:n=2", "primal:n=5", "primal:n=9", "dual:n=2", "primal-odd:n=3", "dual-odd:n=2", "primal:n=4,d=3",
-      "dd:n=2", "dd:n=3", "bspline:degree=3", "bspline:degree=2,a=3", "ary:a=3,points=4,d=3", "ary:a=3,points=3",
-      "ary:a=4,points=5,d=1", "ary:a=5,points=6,d=3", "four-point:w=1/9", "four-point:w=1/5", "mask:[1,2,1,2,4,2,1,2,1]/8"};
+  static const std::vector<std::string> list{"primal:n=1",
+                                             "primal:n=2",
+                                             "primal:n=5",
+                                             "primal:n=9",
+                                             "dual:n=2",
+                                             "primal-odd:n=3",
+                                             "dual-odd:n=2",
+                                             "primal:n=4,d=3",
+                                             "dd:n=2",
+                                             "dd:n=3",
+                                             "bspline:degree=3",
+                                             "bspline:degree=2,a=3",
+                                             "ary:a=3,points=4,d=3",
+                                             "ary:a=3,points=3",
+                                             "ary:a=4,points=5,d=1",
+                                             "ary:a=5,points=6,d=3",
+                                             "four-point:w=1/9",
+                                             "four-point:w=1/5",
+                                             "mask:[1,2,1,2,4,2,1,2,1]/8"};
   return list;
 }
 
@@ -28,14 +43,17 @@ std::vector<Mask> masks() {
   std::vector<Mask> result;
   for (const std::string& text : specimens()) result.push_back(mask_of(text));
   // Without symmetry: products of smoothing factors and a positive factor.
-  const LaurentPolynomial two({Rational(1, 2), Rational(1, 2)}, 0), three({Rational(1, 3), Rational(1, 3), Rational(1, 3)}, 0);
+  const LaurentPolynomial two({Rational(1, 2), Rational(1, 2)}, 0),
+      three({Rational(1, 3), Rational(1, 3), Rational(1, 3)}, 0);
   const LaurentPolynomial uneven({Rational(3, 5), Rational(1, 2), Rational(-1, 10)}, -4);
   result.push_back({two.pow(4) * uneven * LaurentPolynomial(2), 2});
   result.push_back({three.pow(3) * uneven * LaurentPolynomial(3), 3});
   return result;
 }
 
-bool within(const Rational& value, double lower, double upper) { return Rational(lower) <= value && value <= Rational(upper); }
+bool within(const Rational& value, double lower, double upper) {
+  return Rational(lower) <= value && value <= Rational(upper);
+}
 
 Enclosure scaled(const Enclosure& e, const Rational& factor) { return {*e.lower * factor, *e.upper * factor}; }
 
@@ -187,9 +205,11 @@ TEST_CASE("Table 3 of Dyn, Heard, Hormann and Sharon") {
     Rational maximum, slope;
   };
   const Rational unit(1, 10'000);
-  for (const Row& row : {Row{"primal:n=2,d=3", 1, Rational(10926, 10000)}, Row{"primal:n=3,d=3", Rational(4156, 10000), Rational(296, 10000)},
+  for (const Row& row : {Row{"primal:n=2,d=3", 1, Rational(10926, 10000)},
+                         Row{"primal:n=3,d=3", Rational(4156, 10000), Rational(296, 10000)},
                          Row{"primal:n=5,d=3", Rational(2254, 10000), Rational(7, 10000)},
-                         Row{"primal:n=3,d=5", 1, Rational(9048, 10000)}, Row{"primal:n=5,d=5", Rational(3793, 10000), Rational(22, 10000)}}) {
+                         Row{"primal:n=3,d=5", 1, Rational(9048, 10000)},
+                         Row{"primal:n=5,d=5", Rational(3793, 10000), Rational(22, 10000)}}) {
     CAPTURE(row.scheme);
     const VarianceRange range = variance_range(mask_of(row.scheme));
     CHECK(range.complete);
@@ -222,7 +242,8 @@ TEST_CASE("variance curves in order") {
     const VarianceOrder order = is_below(mask_of(text), mask_of(before));
     CHECK(order.below == Truth::yes);
     const VarianceGrid a = variance_grid(mask_of(text), 4, false), b = variance_grid(mask_of(before), 4, false);
-    for (std::size_t i = 0; i < a.values.size(); ++i) CHECK(b.values[i] - a.values[i] >= *order.smallest_difference.lower);
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+      CHECK(b.values[i] - a.values[i] >= *order.smallest_difference.lower);
     const VarianceOrder reversed = is_below(mask_of(before), mask_of(text));
     CHECK(reversed.below == Truth::no);
     CHECK(reversed.difference < 0);

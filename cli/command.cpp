@@ -70,6 +70,12 @@ Json enclosure_json(const Enclosure& enclosure) {
   return {{"lower", enclosure.lower_text()}, {"upper", enclosure.upper_text()}};
 }
 
+std::string sizes_text(const std::vector<std::size_t>& sizes) {
+  std::string text;
+  for (const std::size_t size : sizes) text += (text.empty() ? "" : " + ") + std::to_string(size);
+  return text;
+}
+
 std::string enclosure_text(const Enclosure& enclosure, int digits) {
   if (!enclosure.lower && !enclosure.upper) return "unknown";
   if (!enclosure.upper) return ">= " + enclosure.lower_text(digits);

@@ -61,6 +61,9 @@ Json enclosure_json(const Enclosure& enclosure);
 /// Exact decimal ends for people: `1.2345`, or `1.2345 ... 1.2346`, `>= 1.2345`.
 std::string enclosure_text(const Enclosure& enclosure, int digits = 12);
 
+/// `2 + 3 + 1`: the sizes of diagonal blocks.
+std::string sizes_text(const std::vector<std::size_t>& sizes);
+
 /// Set by the callback of the command that ran.
 extern int exit_code;
 
@@ -72,5 +75,7 @@ void add_variance(CLI::App& app);
 void add_reproduce(CLI::App& app);
 void add_jsr(CLI::App& app);
 void add_verify(CLI::App& app);
+void add_conjecture(CLI::App& app);
+void add_merge(CLI::App& app);
 
 }  // namespace subcert::cli

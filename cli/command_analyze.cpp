@@ -1,11 +1,12 @@
 // subcert analyze SCHEME: one page about one scheme
 
-#include "command.hpp"
+#include "sobolev_text.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/holder_bound.hpp>
+#include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 
@@ -32,6 +33,8 @@ struct Page {
   Decision convergence;
   SmoothnessProof smoothness;
   std::optional<HolderBounds> bounds;
+  Decision stable;
+  std::optional<SobolevRegularity> sobolev;
   std::optional<LimitValues> integers;
   std::optional<VarianceGrid> grid;
   std::optional<Rational> mean;
@@ -45,7 +48,7 @@ Page make_page(const AnalyzeOptions& options) {
   Page page{std::move(scheme), rules,
             *mask.symbol().exact_quotient(LaurentPolynomial::all_ones(mask.arity()).pow(rules)),
             limit_support(mask), symmetry(mask), polynomial_reproduction(mask),
-            {}, {}, {}, {}, {}, {}, {}};
+            {}, {}, {}, {}, {}, {}, {}, {}, {}};
   options.progress("convergence");
   const ProofLimits limits{options.levels, options.budget};
   page.convergence = converges(mask, limits);
@@ -56,6 +59,8 @@ Page make_page(const AnalyzeOptions& options) {
   page.smoothness = proved_smoothness(mask, limits);
   options.progress("norms of the difference scheme");
   page.bounds = holder_bounds(mask, options.levels, options.budget);
+  page.stable = has_stable_shifts(mask);
+  page.sobolev = sobolev_if_small(mask);
   options.progress("limit values");
   try {
     page.integers = limit_values(mask, 0);
@@ -98,6 +103,8 @@ Json page_json(const Page& page) {
                         {"obstacle", page.smoothness.obstacle}};
   const HolderBound& bound = page.bounds->last();
   json["bound"] = {{"levels", bound.levels}, {"norm", to_text(bound.norm)}, {"holder", enclosure_json(bound.exponent)}};
+  json["stable"] = {{"verdict", to_text(page.stable.truth)}, {"reason", page.stable.reason}};
+  json["sobolev"] = sobolev_json(page.sobolev, page.stable);
   if (page.integers) {
     Json values = Json::array();
     for (const Rational& value : page.integers->values) values.push_back(to_text(value));
@@ -143,6 +150,8 @@ std::string page_text(const Page& page) {
   const HolderBound& bound = page.bounds->last();
   text << "Hoelder       >= " << bound.exponent.lower_text(12) << " after " << bound.levels << " levels; ||S_b^"
        << bound.levels << "|| = " << to_decimal(bound.norm, 12, Rounding::nearest) << "\n";
+  if (page.sobolev) text << "Sobolev       " << sobolev_text(*page.sobolev, page.stable) << "\n";
+  text << "stable        " << to_text(page.stable.truth) << ": " << page.stable.reason << "\n";
   if (!page.skipped.empty()) text << "values        skipped: " << page.skipped << "\n";
   if (page.integers) {
     text << "at integers  ";

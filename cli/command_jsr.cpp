@@ -61,6 +61,7 @@ int run(const JsrOptions& options) {
     write_file(options.certificate, radius_certificate(matrices, radius).text);
     write_file(options.certificate + ".matrices", matrices_text(matrices));
   }
+  // For a reducible family, of the block with the largest radius.
   const std::string method = radius.method == JsrMethod::invariant_polytope ? "invariant polytope" : "norms of products";
   if (options.json) {
     options.answer(Json{{"radius", enclosure_json(radius.radius)},
@@ -69,14 +70,16 @@ int run(const JsrOptions& options) {
                         {"closed", radius.closed},
                         {"product", radius.product.word},
                         {"method", method},
-                        {"vertices", radius.vertices}});
+                        {"vertices", radius.vertices},
+                        {"blocks", radius.triangular ? Json(radius.triangular->sizes) : Json({matrices.front().rows()})}});
   } else {
     std::ostringstream text;
     text << "matrices     " << matrices.size() << " of size " << matrices.front().rows() << "\n"
-         << "radius       " << enclosure_text(radius.radius, 14) << "  (" << method << ")\n"
+         << (radius.triangular ? "blocks       " + sizes_text(radius.triangular->sizes) + "\n" : "") << "radius       " << enclosure_text(radius.radius, 14) << "  (" << method << ")\n"
          << "product     ";
     for (int letter : radius.product.word) text << " " << letter;
-    text << "  (radius " << enclosure_text(radius.product.radius, 14) << ")\n";
+    text << "  (radius " << enclosure_text(radius.product.radius, 14)
+         << (radius.exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
     if (radius.vertices > 0) text << "vertices     " << radius.vertices << "\n";
     options.answer(text.str());
   }

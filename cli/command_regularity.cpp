@@ -1,6 +1,6 @@
 // subcert regularity SCHEME
 
-#include "command.hpp"
+#include "sobolev_text.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
@@ -21,7 +21,31 @@ struct RegularityOptions : CommonOptions {
 };
 
 std::string method_text(const JointSpectralRadius& radius) {
-  return radius.method == JsrMethod::invariant_polytope ? "invariant polytope" : "norms of the difference scheme";
+  switch (radius.method) {
+    case JsrMethod::invariant_polytope: return "invariant polytope";
+    case JsrMethod::single_spectral_radius: return "single spectral radius";
+    default: return "norms of the difference scheme";
+  }
+}
+
+/// Whether the exponent is attained: the modulus of continuity of the derivative that decides.
+std::string attained_text(const HolderRegularity& regularity) {
+  const LogarithmicFactor& factor = regularity.logarithm;
+  if (!factor.derivative) return "unknown: " + factor.reason;
+  const auto modulus = [&](int power) {
+    const Rational difference = *regularity.exponent.lower - *factor.derivative;
+    return "h" + (difference == 1 ? "" : "^" + to_decimal(difference, 6, Rounding::nearest)) +
+           (power == 0 ? "" : power == 1 ? " |log h|" : " |log h|^" + std::to_string(power));
+  };
+  const std::string subject =
+      *factor.derivative == 0 ? "the limits" : "the derivatives of order " + std::to_string(*factor.derivative);
+  if (!factor.at_most)
+    return factor.at_least == 0 ? "unknown: " + factor.reason
+                                : "no: " + subject + " have no smaller modulus of continuity than " + modulus(factor.at_least);
+  const std::string has = subject + " have the modulus of continuity " + modulus(*factor.at_most);
+  if (*factor.at_most == 0) return "yes: " + has;
+  if (factor.at_least == 0) return "unknown: " + has + " or a smaller one";
+  return "no: " + has + (factor.at_least == *factor.at_most ? ", and no smaller one" : " or a smaller one");
 }
 
 std::string word_text(const std::vector<int>& word) {
@@ -34,6 +58,7 @@ std::string word_text(const std::vector<int>& word) {
 struct Answer {
   Scheme scheme;
   HolderRegularity regularity;
+  std::optional<SobolevRegularity> sobolev;
   Decision convergence;
   Enclosure holder;
   bool complete;
@@ -49,7 +74,9 @@ Answer compute(const RegularityOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Scheme scheme = make_scheme(options.scheme);
   options.progress("norms, products and polytopes");
-  HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, options.budget);
+  const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
+  HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, options.budget, proof);
+  std::optional<SobolevRegularity> sobolev = sobolev_if_small(scheme.mask);
   options.end_progress();
   // A bound that is not positive proves nothing, not even convergence.
   const bool proves = *regularity.exponent.lower > 0;
@@ -62,7 +89,7 @@ Answer compute(const RegularityOptions& options) {
     holder = {0, regularity.exponent.upper};
   const bool complete = regularity.radius.closed;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {std::move(scheme), std::move(regularity), std::move(convergence), holder, complete, seconds};
+  return {std::move(scheme), std::move(regularity), std::move(sobolev), std::move(convergence), holder, complete, seconds};
 }
 
 Json to_json(const Answer& answer) {
@@ -71,6 +98,7 @@ Json to_json(const Answer& answer) {
   Json by_level = Json::array();
   for (const HolderBound& bound : bounds.levels) by_level.push_back(bound.exponent.lower_text(12));
   const HolderBound& last = bounds.last();
+  const LogarithmicFactor& logarithm = answer.regularity.logarithm;
   return {{"scheme", answer.scheme.specification},
           {"sum_rules", bounds.sum_rules},
           {"bound", {{"levels", last.levels}, {"norm", to_text(last.norm)}, {"holder", enclosure_json(last.exponent)}}},
@@ -84,8 +112,16 @@ Json to_json(const Answer& answer) {
           {"method", method_text(radius)},
           {"product", word_text(radius.product.word)},
           {"vertices", radius.vertices},
+          {"blocks", radius.triangular ? Json(radius.triangular->sizes) : Json()},
           {"stable", answer.regularity.stable.is_yes() && answer.holder.upper.has_value()},
           {"stability", answer.regularity.stable.reason},
+          {"logarithm",
+           {{"at_least", logarithm.at_least},
+            {"at_most", logarithm.at_most ? Json(*logarithm.at_most) : Json()},
+            {"derivative", logarithm.derivative ? Json(*logarithm.derivative) : Json()},
+            {"reason", logarithm.reason}}},
+          {"single", {{"verdict", to_text(answer.regularity.single.applies.truth)}, {"reason", answer.regularity.single.applies.reason}}},
+          {"sobolev", sobolev_json(answer.sobolev, answer.regularity.stable)},
           {"seconds", answer.seconds}};
 }
 
@@ -100,8 +136,9 @@ std::string to_text(const Answer& answer) {
        << "bound        >= " << last.exponent.lower_text(12) << " after " << last.levels << " levels; ||S_b^"
        << last.levels << "|| = " << to_decimal(last.norm, 12, Rounding::nearest) << "\n"
        << "radius       " << enclosure_text(radius.radius, 15) << "  (joint spectral radius, " << method_text(radius);
-  if (radius.vertices > 0) text << " with " << radius.vertices << (radius.vertices == 1 ? " vertex" : " vertices");
+  if (radius.method == JsrMethod::invariant_polytope) text << " with " << radius.vertices << (radius.vertices == 1 ? " vertex" : " vertices");
   text << ")\n";
+  if (radius.triangular) text << "blocks       " << sizes_text(radius.triangular->sizes) << "\n";
   if (!radius.product.word.empty())
     text << "product      " << word_text(radius.product.word) << "  (radius "
          << enclosure_text(radius.product.radius, 15)
@@ -114,21 +151,46 @@ std::string to_text(const Answer& answer) {
     text << "enclosed with proof, " << answer.holder.lower_text(17) << " ... " << answer.holder.upper_text(17) << ")\n";
   else
     text << "enclosed with proof)\n";
+  if (answer.holder.lower && *answer.regularity.exponent.lower > 0)
+    text << "attained     " << attained_text(answer.regularity) << "\n";
+  if (answer.sobolev) text << "Sobolev      " << sobolev_text(*answer.sobolev, answer.regularity.stable) << "\n";
   if (!answer.complete) text << "budget       the polytope did not close; the enclosure reached is printed\n";
   return text.str();
 }
 
+/// A word where the certificate proves less than the answer says.
+std::string certificate_text(const HolderRegularity& regularity, const CertificateClaim& claim) {
+  const bool sharp = regularity.radius.certified_upper <= *regularity.radius.radius.lower * (1 + power(Rational(10), -12));
+  if (!regularity.radius.closed || sharp) return "";
+  const auto decimal = [](const std::optional<std::string>& end, Rounding rounding) {
+    return to_decimal(*parse_rational(*end), 12, rounding);
+  };
+  return "certificate  proves only " + decimal(claim.lower, Rounding::down) + " <= exponent" +
+         (claim.upper ? " <= " + decimal(claim.upper, Rounding::up) : "") +
+         ": no polytope closed, and " + method_text(regularity.radius) + " has no certificate\n";
+}
+
 int run(const RegularityOptions& options) {
   const Answer answer = compute(options);
+  std::optional<CertificateClaim> claim;
   if (!options.certificate.empty()) {
-    if (!(*answer.regularity.exponent.lower > 0))
-      throw UsageError("--certificate: nothing positive is proved about " + answer.scheme.specification);
-    write_file(options.certificate, exponent_certificate(answer.scheme.mask, answer.regularity).text);
+    // Other arguments may prove more than rational numbers do.
+    const Rational& radius = answer.regularity.radius.certified_upper;
+    const int rules = answer.regularity.bounds.sum_rules;
+    if (!(radius < power(Rational(answer.scheme.mask.arity()), rules)))
+      throw UsageError("--certificate: rational numbers prove nothing positive about " + answer.scheme.specification);
+    const Certificate certificate = exponent_certificate(answer.scheme.mask, answer.regularity);
+    write_file(options.certificate, certificate.text);
+    claim = certificate.claim;
   }
-  if (options.json)
-    options.answer(to_json(answer));
-  else
-    options.answer(to_text(answer));
+  if (options.json) {
+    Json json = to_json(answer);
+    if (claim) json["certificate"] = {{"lower", claim->lower ? Json(*claim->lower) : Json()},
+                                      {"upper", claim->upper ? Json(*claim->upper) : Json()}};
+    options.answer(json);
+  } else {
+    options.answer(to_text(answer) + (claim ? certificate_text(answer.regularity, *claim) : ""));
+  }
   return answer.code();
 }
 

@@ -2,6 +2,8 @@
 
 #include "command.hpp"
 
+#include <subcert/reports/sweep/journal.hpp>
+
 #include <csignal>
 #include <iostream>
 #include <new>
@@ -33,6 +35,8 @@ int main(int argc, char** argv) {
   cli::add_verify(app);
   cli::add_limit(app);
   cli::add_variance(app);
+  cli::add_conjecture(app);
+  cli::add_merge(app);
   try {
     app.parse(argc, argv);
     return cli::exit_code;
@@ -40,12 +44,16 @@ int main(int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     return complain(std::string(error.what()) + "; see 'subcert --help'", cli::usage);
-  } catch (const SpecificationError& error) {
+  } catch (const ParseError& error) {
     return complain(error.what(), cli::usage);
   } catch (const cli::UsageError& error) {
     return complain(error.what(), cli::usage);
   } catch (const cli::DataError& error) {
     return complain(error.what(), error.code);
+  } catch (const JournalInUse& error) {
+    return complain(error.what(), cli::usage);
+  } catch (const JournalError& error) {
+    return complain(error.what(), cli::bad_data);
   } catch (const std::length_error& error) {
     return complain(error.what(), cli::usage);
   } catch (const std::bad_alloc&) {

@@ -366,9 +366,41 @@ class Proof {
     const Vertex& aim = result_.vertices[target];
     const bool plain = !image.terms.front().flipped && !image.terms.front().conjugated;
     if (plain && aim.parent == image.vertex && aim.letter == image.letter) return true;
+    if (follows_from_extra_vertex(source, image.letter, target, image.terms.front().flipped)) return true;
     if (image.terms.front().conjugated) return false;
     if (follows_from_cycle(source, image.letter, target, plain)) return true;
     return follows_linearly(source, image.letter, target, !plain);
+  }
+
+  /// The extra vertex that a true vertex stems from, and the letters in between.
+  std::optional<std::pair<std::size_t, std::vector<int>>> extra_origin(std::size_t index) const {
+    std::vector<int> letters;
+    for (; result_.vertices[index].parent >= 0; index = static_cast<std::size_t>(result_.vertices[index].parent))
+      letters.push_back(result_.vertices[index].letter);
+    if (result_.vertices[index].cycle >= 0) return std::nullopt;
+    std::reverse(letters.begin(), letters.end());
+    return std::pair(index, letters);
+  }
+
+  /// Whether image = +- radius * target because the rational extra vertices behind both are led to the same point, up to
+  /// its sign, by equally many letters. Real extra vertices only, for which conjugation changes nothing.
+  bool follows_from_extra_vertex(std::size_t source, int image_letter, std::size_t target, bool flipped) const {
+    auto from = extra_origin(source);
+    const auto to = extra_origin(target);
+    if (!from || !to || from->second.size() + 1 != to->second.size()) return false;
+    from->second.push_back(image_letter);
+    RationalComplex left = vertex(from->first), right = vertex(to->first);
+    for (const RationalVector* y : {&left.y, &right.y})
+      if (std::any_of(y->begin(), y->end(), [](const Rational& c) { return c != 0; })) return false;
+    left.x = along(from->second, 0, left.x);
+    right.x = along(to->second, 0, right.x);
+    if (flipped) std::reverse(right.x.begin(), right.x.end());
+    bool same = true, opposite = true;
+    for (std::size_t i = 0; i < left.x.size(); ++i) {
+      same = same && left.x[i] == right.x[i];
+      opposite = opposite && left.x[i] == -right.x[i];
+    }
+    return same || opposite;
   }
 
   bool follows_from_cycle(std::size_t source, int image_letter, std::size_t target, bool plain) const {

@@ -1,5 +1,7 @@
 #include "sobolev.hpp"
 
+#include "transition.hpp"
+
 #include <subcert/analysis/difference/difference.hpp>
 
 #include <stdexcept>
@@ -13,15 +15,7 @@ SobolevRegularity sobolev_regularity(const Mask& mask) {
   const LaurentPolynomial autocorrelation = b * b.reversed();
   const long reach = (b.length() - 1) / (arity - 1);
   if (reach > 400) throw std::length_error("sobolev_regularity: need masks up to length 400, got " + std::to_string(b.length()));
-  // The autocorrelation is symmetric, and so is the leading eigenvector: fold k and -k together.
-  const auto size = static_cast<std::size_t>(reach) + 1;
-  RationalMatrix matrix(size, size);
-  for (long j = 0; j <= reach; ++j)
-    for (long k = 0; k <= reach; ++k) {
-      Rational entry = autocorrelation.coefficient(arity * j - k);
-      if (k > 0) entry += autocorrelation.coefficient(arity * j + k);
-      matrix(static_cast<std::size_t>(j), static_cast<std::size_t>(k)) = entry;
-    }
+  const RationalMatrix matrix = central_matrix(autocorrelation, arity);
   const Enclosure radius = largest_root_modulus(characteristic_polynomial(matrix)).largest;
   const Enclosure low = log_ratio(*radius.lower / arity, arity), high = log_ratio(*radius.upper / arity, arity);
   return {rules, radius, {rules - *high.upper / 2, rules - *low.lower / 2}};

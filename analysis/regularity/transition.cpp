@@ -1,6 +1,7 @@
 #include "transition.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace subcert {
 
@@ -20,6 +21,21 @@ std::vector<RationalMatrix> transition_matrices(const Mask& mask) {
     result.push_back(std::move(matrix));
   }
   return result;
+}
+
+RationalMatrix central_matrix(const LaurentPolynomial& symbol, int arity) {
+  if (symbol.is_zero() || !(symbol.reversed() == symbol))
+    throw std::invalid_argument("central_matrix: need b(z) = b(1/z), not zero, got " + symbol.to_text());
+  const long reach = symbol.highest() / (arity - 1);
+  const auto size = static_cast<std::size_t>(reach) + 1;
+  RationalMatrix matrix(size, size);
+  for (long j = 0; j <= reach; ++j)
+    for (long k = 0; k <= reach; ++k) {
+      Rational entry = symbol.coefficient(arity * j - k);
+      if (k > 0) entry += symbol.coefficient(arity * j + k);
+      matrix(static_cast<std::size_t>(j), static_cast<std::size_t>(k)) = entry;
+    }
+  return matrix;
 }
 
 }  // namespace subcert

@@ -7,10 +7,12 @@
 
 #if __has_include(<flint/arb.h>)
 #include <flint/acb.h>
+#include <flint/acb_calc.h>
 #include <flint/arb.h>
 #include <flint/arb_fmpz_poly.h>
 #else
 #include <acb.h>
+#include <acb_calc.h>
 #include <arb.h>
 #include <arb_fmpz_poly.h>
 #endif
@@ -52,6 +54,7 @@ class Whole {
   Whole& operator=(const Whole&) = delete;
   ~Whole() { fmpz_clear(value_); }
   fmpz* get() { return value_; }
+  const fmpz* get() const { return value_; }
 
  private:
   fmpz_t value_;
@@ -78,10 +81,12 @@ class IntegerPolynomial {
     slong index = 0;
     for (const Integer& c : p.numerators()) fmpz_poly_set_coeff_fmpz(value_, index++, Whole(c).get());
   }
+  IntegerPolynomial() { fmpz_poly_init(value_); }
   IntegerPolynomial(const IntegerPolynomial&) = delete;
   IntegerPolynomial& operator=(const IntegerPolynomial&) = delete;
   ~IntegerPolynomial() { fmpz_poly_clear(value_); }
   fmpz_poly_struct* get() { return value_; }
+  const fmpz_poly_struct* get() const { return value_; }
 
  private:
   fmpz_poly_t value_;
@@ -90,7 +95,7 @@ class IntegerPolynomial {
 /// The exact value of a finite binary float.
 Rational to_rational(const arf_t value);
 
-/// A real ball. Its enclosure has exact ends and an absent end where the ball is not finite.
+/// A real ball. Its enclosure has ends with at most `bits` bits, and none where the ball is not finite.
 class Ball {
  public:
   Ball() { arb_init(value_); }
@@ -99,7 +104,7 @@ class Ball {
   ~Ball() { arb_clear(value_); }
   arb_ptr get() { return value_; }
   arb_srcptr get() const { return value_; }
-  Enclosure enclosure() const;
+  Enclosure enclosure(slong bits = 256) const;
 
  private:
   arb_t value_;

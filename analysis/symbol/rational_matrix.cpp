@@ -25,10 +25,25 @@ class FlintMatrix {
   fmpq* entry(std::size_t i, std::size_t j) {
     return fmpq_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
   }
+  RationalMatrix matrix() {
+    RationalMatrix result(static_cast<std::size_t>(fmpq_mat_nrows(value_)), static_cast<std::size_t>(fmpq_mat_ncols(value_)));
+    for (std::size_t i = 0; i < result.rows(); ++i)
+      for (std::size_t j = 0; j < result.columns(); ++j) result(i, j) = flint::to_rational(entry(i, j));
+    return result;
+  }
 
  private:
   fmpq_mat_t value_;
 };
+
+/// Brings a matrix to reduced echelon form; the pivot columns, one for each of the first rows.
+std::vector<std::size_t> reduce(FlintMatrix& matrix) {
+  const auto rank = static_cast<std::size_t>(fmpq_mat_rref(matrix.get(), matrix.get()));
+  std::vector<std::size_t> pivots;
+  for (std::size_t column = 0; pivots.size() < rank; ++column)
+    if (!fmpq_is_zero(matrix.entry(pivots.size(), column))) pivots.push_back(column);
+  return pivots;
+}
 
 std::string shape(const RationalMatrix& m) { return std::to_string(m.rows()) + " x " + std::to_string(m.columns()); }
 
@@ -45,10 +60,7 @@ RationalMatrix operator*(const RationalMatrix& a, const RationalMatrix& b) {
     throw std::invalid_argument("matrix product: need matching sizes, got " + shape(a) + " and " + shape(b));
   FlintMatrix left(a), right(b), product(a.rows(), b.columns());
   fmpq_mat_mul(product.get(), left.get(), right.get());
-  RationalMatrix result(a.rows(), b.columns());
-  for (std::size_t i = 0; i < result.rows(); ++i)
-    for (std::size_t j = 0; j < result.columns(); ++j) result(i, j) = flint::to_rational(product.entry(i, j));
-  return result;
+  return product.matrix();
 }
 
 LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix) {
@@ -70,13 +82,7 @@ LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix) {
 
 std::vector<std::vector<Rational>> kernel(const RationalMatrix& matrix) {
   FlintMatrix reduced(matrix);
-  const auto rank = static_cast<std::size_t>(fmpq_mat_rref(reduced.get(), reduced.get()));
-  std::vector<std::size_t> pivots;
-  for (std::size_t row = 0, column = 0; row < rank; ++column)
-    if (!fmpq_is_zero(reduced.entry(row, column))) {
-      pivots.push_back(column);
-      ++row;
-    }
+  const std::vector<std::size_t> pivots = reduce(reduced);
   std::vector<std::vector<Rational>> basis;
   std::size_t next_pivot = 0;
   for (std::size_t column = 0; column < matrix.columns(); ++column) {
@@ -86,10 +92,23 @@ std::vector<std::vector<Rational>> kernel(const RationalMatrix& matrix) {
     }
     std::vector<Rational> vector(matrix.columns(), 0);
     vector[column] = 1;
-    for (std::size_t row = 0; row < rank; ++row) vector[pivots[row]] = -flint::to_rational(reduced.entry(row, column));
+    for (std::size_t row = 0; row < pivots.size(); ++row) vector[pivots[row]] = -flint::to_rational(reduced.entry(row, column));
     basis.push_back(std::move(vector));
   }
   return basis;
+}
+
+std::vector<std::size_t> pivot_columns(const RationalMatrix& matrix) {
+  FlintMatrix reduced(matrix);
+  return reduce(reduced);
+}
+
+RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b) {
+  if (a.rows() != a.columns() || a.rows() != b.rows())
+    throw std::invalid_argument("solve: need a square matrix and as many rows, got " + shape(a) + " and " + shape(b));
+  FlintMatrix left(a), right(b), solution(b.rows(), b.columns());
+  if (fmpq_mat_solve(solution.get(), left.get(), right.get()) == 0) throw std::domain_error("solve: need a non-singular matrix");
+  return solution.matrix();
 }
 
 RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {

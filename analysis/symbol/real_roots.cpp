@@ -5,12 +5,17 @@
 #include <flint/fmpz_poly_factor.h>
 #include <flint/ulong_extras.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
+#include <vector>
 
 namespace subcert {
 namespace {
 
 using flint::IntegerPolynomial;
+using flint::Whole;
 
 LaurentPolynomial from_flint(const fmpz_poly_t p) {
   std::vector<Rational> coefficients;
@@ -18,35 +23,122 @@ LaurentPolynomial from_flint(const fmpz_poly_t p) {
   return LaurentPolynomial(coefficients, 0);
 }
 
-/// c with c(z + 1/z) = p(z), for p = its own reversal, as a polynomial c in its variable.
-LaurentPolynomial in_sum_of_inverses(LaurentPolynomial p) {
-  LaurentPolynomial result;
-  const LaurentPolynomial sum({1, 0, 1}, -1);
-  while (!p.is_zero()) {
-    const long degree = p.highest();
-    const LaurentPolynomial term = LaurentPolynomial(p.coefficient(degree));
-    result += term.shifted(degree);
-    p -= term * sum.pow(degree);
-  }
+/// z and the factors that a FLINT factorisation finds, with their multiplicities.
+template <class Factorise>
+std::vector<PolynomialFactor> factors_of(const LaurentPolynomial& p, const Factorise& factorise) {
+  std::vector<PolynomialFactor> result;
+  if (p.lowest() > 0) result.push_back({LaurentPolynomial::monomial(1, 1), static_cast<int>(p.lowest())});
+  IntegerPolynomial q(p);
+  fmpz_poly_factor_t factors;
+  fmpz_poly_factor_init(factors);
+  factorise(factors, q.get());
+  for (slong i = 0; i < factors->num; ++i) result.push_back({from_flint(factors->p + i), static_cast<int>(factors->exp[i])});
+  fmpz_poly_factor_clear(factors);
   return result;
 }
 
-/// (1 + t^2)^d c(2 (1 - t^2) / (1 + t^2)): its real zeros t > 0 and t < 0 both run once over the zeros of c in (-2, 2),
-/// t = 0 over 2; -2 is left out.
-LaurentPolynomial on_whole_line(const LaurentPolynomial& c) {
-  const long degree = c.highest();
-  const LaurentPolynomial plus({1, 0, 1}, 0), minus({2, 0, -2}, 0);
-  LaurentPolynomial result;
-  for (long k = 0; k <= degree; ++k)
-    result += LaurentPolynomial(c.coefficient(k)) * minus.pow(k) * plus.pow(degree - k);
-  return result;
+/// c with c(z + 1/z) = p(z), for p = its own reversal, as a polynomial c in its variable. With V_k(z + 1/z) = z^k + z^-k,
+/// V_k(x) = x V_{k-1}(x) - V_{k-2}(x), by Clenshaw's recurrence.
+LaurentPolynomial in_sum_of_inverses(const LaurentPolynomial& p) {
+  if (p.is_zero()) return p;
+  LaurentPolynomial next, after;
+  for (long k = p.highest(); k >= 1; --k) {
+    LaurentPolynomial current = LaurentPolynomial(p.coefficient(k)) + next.shifted(1) - after;
+    after = std::move(next);
+    next = std::move(current);
+  }
+  return LaurentPolynomial(p.coefficient(0)) + next.shifted(1) - LaurentPolynomial(2) * after;
+}
+
+/// The number of zeros x with -2 < x < 2, each counted once. Domain: c not zero, c(-2) != 0 != c(2).
+int count_roots_between(const LaurentPolynomial& c) {
+  IntegerPolynomial q(c.lowest() > 0 ? c.shifted(-c.lowest()) : c), factor(LaurentPolynomial({2, -4}, 0));
+  // x = 2 - 4 v, v = 1/u, u = 1 + t^2: then -2 < x < 2 where t is real and not 0, and t and -t give the same x.
+  fmpz_poly_compose(q.get(), q.get(), factor.get());
+  fmpz_poly_reverse(q.get(), q.get(), fmpz_poly_length(q.get()));
+  fmpz_poly_taylor_shift(q.get(), q.get(), Whole(1).get());
+  fmpz_poly_derivative(factor.get(), q.get());
+  fmpz_poly_gcd(factor.get(), factor.get(), q.get());
+  fmpz_poly_div(q.get(), q.get(), factor.get());
+  fmpz_poly_inflate(q.get(), q.get(), 2);
+  return static_cast<int>(fmpz_poly_num_real_roots(q.get())) / 2 + (c.lowest() > 0 ? 1 : 0);
 }
 
 /// Whether c has a zero x with -2 < x < 2.
 bool has_root_between(const LaurentPolynomial& c) {
-  if (c.highest() == 0) return false;
-  const LaurentPolynomial line = on_whole_line(c);
-  return count_real_roots(line) > (line.coefficient(0) == 0 ? 1 : 0);
+  LaurentPolynomial inside = c;
+  for (const int end : {2, -2})
+    while (inside.length() > 1 && inside(end) == 0) inside = *inside.exact_quotient(LaurentPolynomial({-end, 1}, 0));
+  return inside.highest() > 0 && count_roots_between(inside) > 0;
+}
+
+/// Whether c is negative at some of a few points x with -2 < x < 2.
+bool is_negative_somewhere(const LaurentPolynomial& c) {
+  const long points = 2 * c.highest() + 3;
+  for (long k = 1; k < points; ++k) {
+    const auto cosine = static_cast<long>(std::lround(2048 * std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(points))));
+    if (c(Rational(2 * cosine, 2049)) < 0) return true;
+  }
+  return false;
+}
+
+/// Of the largest coefficient.
+slong bits_of(const IntegerPolynomial& q) { return std::abs(fmpz_poly_max_bits(q.get())); }
+
+/// A ball around the largest real zero of a squarefree polynomial and around no other; false where there is no real zero.
+bool isolate_largest(const IntegerPolynomial& q, flint::Ball& ball, slong bits) {
+  // The real zeros come first, in ascending order, with imaginary parts that are exactly zero; the balls are disjoint.
+  const slong degree = fmpz_poly_degree(q.get());
+  acb_ptr roots = _acb_vec_init(degree);
+  arb_fmpz_poly_complex_roots(roots, q.get(), 0, bits);
+  slong real = 0;
+  while (real < degree && arb_is_zero(acb_imagref(roots + real))) ++real;
+  if (real > 0) arb_set(ball.get(), acb_realref(roots + real - 1));
+  _acb_vec_clear(roots, degree);
+  return real > 0;
+}
+
+/// Interval Newton: the zero in `ball`, the only one there, to this many bits if the derivative has no zero in the ball.
+void refine(const IntegerPolynomial& q, flint::Ball& ball, slong bits) {
+  IntegerPolynomial derivative;
+  fmpz_poly_derivative(derivative.get(), q.get());
+  flint::Ball middle, value, slope;
+  for (slong reached = 0;;) {
+    const slong precision = 2 * bits + bits_of(q) + 64;
+    arb_get_mid_arb(middle.get(), ball.get());
+    arb_fmpz_poly_evaluate_arb(value.get(), q.get(), middle.get(), precision);
+    arb_fmpz_poly_evaluate_arb(slope.get(), derivative.get(), ball.get(), precision);
+    if (arb_contains_zero(slope.get())) return;
+    arb_div(value.get(), value.get(), slope.get(), precision);
+    arb_sub(middle.get(), middle.get(), value.get(), precision);
+    if (arb_intersection(ball.get(), ball.get(), middle.get(), precision) == 0) return;
+    const slong accuracy = arb_rel_accuracy_bits(ball.get());
+    if (accuracy >= bits || accuracy <= reached) return;
+    reached = accuracy;
+  }
+}
+
+/// The largest real zero of a squarefree polynomial, if there is one.
+std::optional<Enclosure> largest_simple_root(const LaurentPolynomial& factor, int bits) {
+  IntegerPolynomial q(factor);
+  flint::Ball ball;
+  slong start = 64;
+  if (!isolate_largest(q, ball, start)) return std::nullopt;
+  // A rational zero times the leading coefficient is an integer, at most twice the largest coefficient.
+  const Whole leading(factor.numerators().back());
+  for (slong wanted = std::max<slong>(bits, bits_of(q) + 8);; wanted *= 2) {
+    while (refine(q, ball, wanted), arb_rel_accuracy_bits(ball.get()) < wanted) isolate_largest(q, ball, start *= 2);
+    flint::Ball multiple;
+    arb_mul_fmpz(multiple.get(), ball.get(), leading.get(), 2 * wanted);
+    Whole candidate;
+    if (arb_get_unique_fmpz(candidate.get(), multiple.get()) != 0) {
+      const Rational rational(flint::to_integer(candidate.get()), factor.numerators().back());
+      if (factor(rational) == 0) return Enclosure::exactly(rational);
+      break;
+    }
+    if (!arb_contains_int(multiple.get())) break;
+  }
+  return ball.enclosure();
 }
 
 }  // namespace
@@ -60,6 +152,32 @@ int count_real_roots(const LaurentPolynomial& p) {
   fmpz_poly_gcd(derivative.get(), derivative.get(), q.get());
   fmpz_poly_div(q.get(), q.get(), derivative.get());
   return static_cast<int>(fmpz_poly_num_real_roots(q.get())) + (p.lowest() > 0 ? 1 : 0);
+}
+
+std::vector<PolynomialFactor> irreducible_factors(const LaurentPolynomial& p) {
+  if (p.is_zero()) throw std::domain_error("irreducible_factors: need a non-zero polynomial, got 0");
+  return factors_of(p, fmpz_poly_factor);
+}
+
+std::optional<RealRoot> largest_real_root(const LaurentPolynomial& p, int bits) {
+  if (p.is_zero()) throw std::domain_error("largest_real_root: need a non-zero polynomial, got 0");
+  const std::vector<PolynomialFactor> candidates = factors_of(p, fmpz_poly_factor_squarefree);
+  // The squarefree factors are coprime, so that enough bits tell which zero is the largest.
+  for (;; bits *= 2) {
+    std::vector<RealRoot> roots;
+    std::size_t best = 0;
+    for (const PolynomialFactor& factor : candidates) {
+      const auto value = factor.polynomial.lowest() > 0 ? std::optional(Enclosure::exactly(0)) : largest_simple_root(factor.polynomial, bits);
+      if (!value) continue;
+      roots.push_back({*value, factor.multiplicity});
+      if (*value->lower > *roots[best].value.lower) best = roots.size() - 1;
+    }
+    if (roots.empty()) return std::nullopt;
+    const auto separated = [&](const RealRoot& root) {
+      return &root == &roots[best] || *root.value.upper < *roots[best].value.lower;
+    };
+    if (std::all_of(roots.begin(), roots.end(), separated)) return roots[best];
+  }
 }
 
 bool has_root_on_unit_circle(const LaurentPolynomial& p) {
@@ -76,6 +194,7 @@ bool is_nonnegative_on_unit_circle(const LaurentPolynomial& p) {
   if (!(p.reversed() == p)) throw std::invalid_argument("is_nonnegative_on_unit_circle: need p(z) = p(1/z)");
   if (p.is_zero()) return true;
   const LaurentPolynomial c = in_sum_of_inverses(p);
+  if (is_negative_somewhere(c)) return false;
   // The product of the squarefree factors of odd multiplicity has the same sign changes.
   LaurentPolynomial odd_part(1);
   if (c.lowest() % 2 != 0) odd_part = LaurentPolynomial::monomial(1, 1);

@@ -1,5 +1,5 @@
 #pragma once
-/// Exact questions about the zeros of a Laurent polynomial on the unit circle.
+/// Exact questions about the zeros of a Laurent polynomial on the real line and on the unit circle.
 
 #include "laurent_polynomial.hpp"
 
@@ -7,6 +7,26 @@ namespace subcert {
 
 /// The number of distinct real zeros. Domain: p not zero. Cost: one Sturm sequence. Ref: [BPR06].
 int count_real_roots(const LaurentPolynomial& p);
+
+/// Canonical: irreducible over the rationals, with integer coefficients and lowest exponent 0, or z itself.
+struct PolynomialFactor {
+  LaurentPolynomial polynomial;
+  int multiplicity;
+};
+
+/// The irreducible factors, without constants and powers of 1/z. Domain: p not zero. Cost: polynomial, by lattices.
+std::vector<PolynomialFactor> irreducible_factors(const LaurentPolynomial& p);
+
+/// The largest real zero, enclosed, with its multiplicity. Canonical: `value` is one number exactly where the zero is
+/// rational, and only there.
+struct RealRoot {
+  Enclosure value;
+  int multiplicity;
+};
+
+/// Nothing where p has no real zero. Domain: p not zero. Error: relative width below 2^-bits, or none for a rational
+/// zero. Cost: one squarefree factorisation and the balls of the zeros of its factors.
+std::optional<RealRoot> largest_real_root(const LaurentPolynomial& p, int bits = 64);
 
 /// Whether p has a zero of modulus 1. Domain: p not zero. Decided exactly: such zeros are zeros of the gcd of p with
 /// its reversal, which is a polynomial in x = z + 1/z whose zeros in (-2, 2) Sturm's theorem counts.

@@ -1,63 +1,24 @@
+#include "specimens.hpp"
+
 #include <subcert/analysis/limit/limit_cells.hpp>
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
-#include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
-#include <subcert/schemes/specification.hpp>
 
 using namespace subcert;
 using subcert::testing::Random;
+using subcert::testing::mask_of;
+using subcert::testing::masks;
 using subcert::testing::rounds;
 
 namespace {
 
-Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
-
-const std::vector<std::string>& specimens() {
-  static const std::vector<std::string> list{"primal:n=1",
-                                             "primal:n=2",
-                                             "primal:n=5",
-                                             "primal:n=9",
-                                             "dual:n=2",
-                                             "primal-odd:n=3",
-                                             "dual-odd:n=2",
-                                             "primal:n=4,d=3",
-                                             "dd:n=2",
-                                             "dd:n=3",
-                                             "bspline:degree=3",
-                                             "bspline:degree=2,a=3",
-                                             "ary:a=3,points=4,d=3",
-                                             "ary:a=3,points=3",
-                                             "ary:a=4,points=5,d=1",
-                                             "ary:a=5,points=6,d=3",
-                                             "four-point:w=1/9",
-                                             "four-point:w=1/5",
-                                             "mask:[1,2,1,2,4,2,1,2,1]/8"};
-  return list;
-}
-
-std::vector<Mask> masks() {
-  std::vector<Mask> result;
-  for (const std::string& text : specimens()) result.push_back(mask_of(text));
-  // Without symmetry: products of smoothing factors and a positive factor.
-  const LaurentPolynomial two({Rational(1, 2), Rational(1, 2)}, 0),
-      three({Rational(1, 3), Rational(1, 3), Rational(1, 3)}, 0);
-  const LaurentPolynomial uneven({Rational(3, 5), Rational(1, 2), Rational(-1, 10)}, -4);
-  result.push_back({two.pow(4) * uneven * LaurentPolynomial(2), 2});
-  result.push_back({three.pow(3) * uneven * LaurentPolynomial(3), 3});
-  return result;
-}
-
 bool within(const Rational& value, double lower, double upper) {
   return Rational(lower) <= value && value <= Rational(upper);
 }
-
-Enclosure scaled(const Enclosure& e, const Rational& factor) { return {*e.lower * factor, *e.upper * factor}; }
-
-Rational relative_width(const Enclosure& e) { return (*e.upper - *e.lower) / *e.upper; }
 
 }  // namespace
 
@@ -140,117 +101,6 @@ TEST_CASE("deep cells keep the scale of the oscillation") {
   CHECK(within(slope, range.slope_lower, range.slope_upper));
   CHECK(range.slope_upper - range.slope_lower < 1e-11);
   CHECK(Rational(range.steepness) <= abs(slope) * Rational(1000001, 1000000));
-}
-
-TEST_CASE("variance ranges that are known in closed form") {
-  const VarianceRange hat = variance_range(mask_of("primal:n=1"));  // psi(x) = x^2 + (1 - x)^2
-  CHECK(hat.complete);
-  CHECK(hat.maximum.contains(1));
-  CHECK(hat.minimum.contains(Rational(1, 2)));
-  REQUIRE(hat.slope);
-  CHECK(hat.slope->contains(2));
-  CHECK_FALSE(hat.slope_reason.empty());
-  CHECK(hat.mean == Rational(2, 3));
-
-  const VarianceRange quadratic = variance_range(mask_of("bspline:degree=2"));
-  CHECK(quadratic.maximum.contains(Rational(19, 32)));
-  CHECK(quadratic.minimum.contains(Rational(1, 2)));
-  // psi = 1/2 + 3 (y^2 - 1/4)^2 / 2 about y = 1/2 from an integer, so the largest slope is 1/sqrt(12).
-  REQUIRE(quadratic.slope);
-  CHECK(*quadratic.slope->lower * *quadratic.slope->lower <= Rational(1, 12));
-  CHECK(*quadratic.slope->upper * *quadratic.slope->upper >= Rational(1, 12));
-
-  for (const char* text : {"bspline:degree=3", "bspline:degree=3,a=3"}) {
-    const VarianceRange cubic = variance_range(mask_of(text));
-    CHECK(cubic.maximum.contains(Rational(1, 2)));
-    CHECK(cubic.minimum.contains(Rational(265, 576)));
-    CHECK(cubic.complete);
-  }
-  for (const char* text : {"dd:n=2", "dd:n=3"}) CHECK(variance_range(mask_of(text)).maximum.contains(1));
-}
-
-TEST_CASE("variance ranges of all families hold the exact grid") {
-  for (const Mask& mask : masks()) {
-    CAPTURE(mask.symbol().to_mask_text(), mask.arity());
-    const VarianceRange range = variance_range(mask), rough = variance_range(mask, {Rational(1, 1000), 60});
-    CHECK(range.complete);
-    CHECK(relative_width(range.maximum) <= Rational(1, 1'000'000));
-    CHECK(relative_width(range.minimum) <= Rational(1, 1'000'000));
-    const VarianceGrid grid = variance_grid(mask, mask.arity() == 2 ? 7 : 4, false);
-    CHECK(grid.largest() <= *range.maximum.upper);
-    CHECK(grid.smallest() >= *range.minimum.lower);
-    CHECK(*range.maximum.lower >= grid.largest() * Rational(999'999, 1'000'000));
-    CHECK(*range.minimum.upper <= grid.smallest() * Rational(1'000'001, 1'000'000));
-    CHECK(*rough.maximum.lower <= *range.maximum.upper);
-    CHECK(*rough.minimum.lower <= *range.minimum.upper);
-    CHECK(*rough.maximum.upper >= *range.maximum.lower);
-    CHECK(range.mean <= *range.maximum.upper);
-    CHECK(range.mean >= *range.minimum.lower);
-    if (!range.slope) {
-      CHECK_FALSE(range.slope_reason.empty());
-      continue;
-    }
-    CHECK(relative_width(*range.slope) <= Rational(1, 1'000'000));
-    CHECK(grid.steepest() <= *range.slope->upper);
-    CHECK(*range.slope->lower <= *rough.slope->upper);
-    CHECK(*rough.slope->lower <= *range.slope->upper);
-  }
-}
-
-TEST_CASE("Table 3 of Dyn, Heard, Hormann and Sharon") {
-  // The maxima of psi that the table prints correctly to four places, and those of the slope. The largest |psi'| of the
-  // others is not what is printed.
-  struct Row {
-    const char* scheme;
-    Rational maximum, slope;
-  };
-  const Rational unit(1, 10'000);
-  for (const Row& row : {Row{"primal:n=2,d=3", 1, Rational(10926, 10000)},
-                         Row{"primal:n=3,d=3", Rational(4156, 10000), Rational(296, 10000)},
-                         Row{"primal:n=5,d=3", Rational(2254, 10000), Rational(7, 10000)},
-                         Row{"primal:n=3,d=5", 1, Rational(9048, 10000)},
-                         Row{"primal:n=5,d=5", Rational(3793, 10000), Rational(22, 10000)}}) {
-    CAPTURE(row.scheme);
-    const VarianceRange range = variance_range(mask_of(row.scheme));
-    CHECK(range.complete);
-    CHECK(abs(*range.maximum.upper - row.maximum) <= unit);
-    REQUIRE(range.slope);
-    CHECK(abs(*range.slope->upper - row.slope) <= unit);
-  }
-  const VarianceRange fifth = variance_range(mask_of("primal:n=5"));
-  CHECK(*scaled(*fifth.slope, 25).upper < Rational(1, 1000));  // printed: 0.0256
-}
-
-TEST_CASE("budgets and bad arguments") {
-  CHECK_THROWS_AS(variance_range(mask_of("dd:n=2"), {0, 60}), std::invalid_argument);
-  CHECK_THROWS_AS(variance_range(mask_of("dd:n=2"), {Rational(1, 10), 0}), std::invalid_argument);
-  CHECK_THROWS_AS(variance_range(mask_of("mask:[1,1]")), std::domain_error);
-  CHECK_THROWS_AS(is_below(mask_of("dd:n=2"), mask_of("ary:a=3,points=4,d=3")), std::invalid_argument);
-  const VarianceRange partial = variance_range(mask_of("primal:n=10"), {Rational(1, 1'000'000), 1e-9});
-  CHECK_FALSE(partial.complete);
-  CHECK(partial.maximum.contains(Rational(4152017505, 100000000000)));
-  REQUIRE(partial.slope);
-  CHECK(partial.slope->contains(Rational(101421690, 1000000000000000)));
-  const VarianceRange unknown = variance_range(mask_of("four-point:w=1/5"));
-  CHECK_FALSE(unknown.slope);
-  CHECK_FALSE(unknown.slope_reason.empty());
-}
-
-TEST_CASE("variance curves in order") {
-  for (int n = 2; n <= 6; ++n) {
-    const std::string text = "primal:n=" + std::to_string(n), before = "primal:n=" + std::to_string(n - 1);
-    const VarianceOrder order = is_below(mask_of(text), mask_of(before));
-    CHECK(order.below == Truth::yes);
-    const VarianceGrid a = variance_grid(mask_of(text), 4, false), b = variance_grid(mask_of(before), 4, false);
-    for (std::size_t i = 0; i < a.values.size(); ++i)
-      CHECK(b.values[i] - a.values[i] >= *order.smallest_difference.lower);
-    const VarianceOrder reversed = is_below(mask_of(before), mask_of(text));
-    CHECK(reversed.below == Truth::no);
-    CHECK(reversed.difference < 0);
-  }
-  const VarianceOrder equal = is_below(mask_of("dd:n=2"), mask_of("dd:n=2"));
-  CHECK(equal.below == Truth::no);
-  CHECK(equal.difference == 0);
 }
 
 TEST_CASE("inner products of integer shifts") {

@@ -74,6 +74,7 @@ TEST_CASE("approved output") {
   check_baseline("analyze-divergent.txt", "analyze 'mask:[1,1]'");
   check_baseline("limit-primal.json", "limit 'primal:n=2' --level 3 --json");
   check_baseline("regularity-dual.txt", "regularity dual:n=2");
+  check_baseline("regularity-dd.txt", "regularity dd:n=2");
   check_baseline("variance-primal.txt", "variance primal:n=5");
 }
 
@@ -103,6 +104,22 @@ TEST_CASE("the fields of the contract") {
   CHECK(closed.at("method") == "invariant polytope");
   CHECK(closed.at("holder").at("lower").get<std::string>().substr(0, 13) == "1.99014395938");
 
+  const auto single = run_json("regularity 'mask:[-5,-7,35,105,105,35,-7,-5]/128'");
+  CHECK(single.at("method") == "single spectral radius");
+  CHECK(single.at("exact") == true);
+  CHECK(single.at("holder").at("lower").get<std::string>().substr(0, 14) == "2.830074998557");
+  CHECK(single.at("logarithm").at("at_most") == 0);
+  CHECK(run_json("regularity four-point:w=1/16").at("logarithm").at("at_least") == 1);
+  for (const char* command : {"regularity", "analyze"}) {
+    const auto sobolev = run_json(std::string(command) + " dd:n=2").at("sobolev");
+    CHECK(sobolev.at("exponent").at("lower").get<std::string>().substr(0, 8) == "2.440765");
+    CHECK(sobolev.at("stable") == true);
+    // Dependent shifts: no upper end.
+    const auto unstable = run_json(std::string(command) + " 'mask:[1,2,2,2,1]/4'", -1).at("sobolev");
+    CHECK(unstable.at("exponent").at("upper") == "inf");
+    CHECK(unstable.at("stable") == false);
+  }
+
   const auto variance = run_json("variance primal:n=1");
   CHECK(variance.at("mean") == "2/3");
   CHECK(variance.at("sup").at("lower") == "1");
@@ -126,9 +143,11 @@ TEST_CASE("wrong usage is one line and exit code 64") {
        {"", "nonsense", "mask", "mask nobody:n=3", "mask primal:n=100000", "mask primal:n=3,n=3", "mask 'mask:[1,1]/0'",
         "mask 'mask:[1,3,3,2]/4'", "mask primal:n=3 --nonsense", "mask primal:n=3 extra", "limit primal:n=2 --level -1",
         "limit primal:n=2 --level 50", "limit primal:n=2000", "regularity dual:n=2 --levels 0",
-        "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "variance dd:n=2 --width 0", "variance dd:n=2 --width x",
-        "reproduce nobody-1900",
-        "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "analyze $'mask:[1,\\n]'"}) {
+        "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "variance dd:n=2 --width 0",
+        "variance dd:n=2 --width x", "reproduce nobody-1900",
+        "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "conjecture", "conjecture 9", "conjecture 7 --n 0",
+        "conjecture 7 --n 4..1", "conjecture 7 --n 1,,2", "conjecture 7 --d x", "conjecture 7 --shard 0/8",
+        "conjecture 7 --shard 9/8", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
     const Run result = run(arguments);
     CAPTURE(arguments, result.out, result.err);
     CHECK(result.code == 64);
@@ -148,8 +167,70 @@ TEST_CASE("verdicts have exit codes of their own") {
   CHECK(run("regularity primal:n=300 --budget 0.01").code == 2);
 }
 
+TEST_CASE("conjectures over a range, whole, split and continued") {
+  const fs::path folder = fs::temp_directory_path() / ("subcert-cli-conjecture-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const auto seven = run_json("conjecture 7 --n 1..4 --d 1,3");
+  CHECK(seven.at("conjecture") == 7);
+  REQUIRE(seven.at("rows").size() == 7);
+  CHECK(seven.at("rows").at(2).at("n") == 3);
+  CHECK(seven.at("rows").at(2).at("sup").at("lower").get<std::string>().substr(0, 6) == "0.1489");
+  CHECK(seven.at("rows").at(2).at("derivative_sup").at("upper").is_string());
+  CHECK(seven.at("skipped").at(0).at("scheme") == "primal:n=1,d=3");
+  CHECK(seven.at("verdict") == "holds");
+
+  std::string journals;
+  for (int shard = 1; shard <= 3; ++shard) {
+    const std::string journal = (folder / std::to_string(shard)).string();
+    const auto part = run_json("conjecture 7 --n 1..4 --d 1,3 --shard " + std::to_string(shard) + "/3 --journal " + journal);
+    CHECK(part.at("verdict").is_null());
+    CHECK(part.at("rows").size() == (shard == 1 ? 3 : 2));
+    journals += " " + journal;
+  }
+  const std::string whole = (folder / "whole").string();
+  CHECK(run("merge" + journals + " --out " + whole).out == whole + ": 7 cases\n");
+  const std::string before = read(whole);
+  CHECK(run_json("conjecture 7 --n 1..4 --d 1,3 --journal " + whole) == seven);
+  CHECK(read(whole) == before);
+  CHECK(run("conjecture 7 --n 1..4 --d 1,3").out == run("conjecture 7 --n 1..4 --d 1,3 --jobs 1 --journal " + whole).out);
+
+  const auto eight = run_json("conjecture 8 --n 1..4 --d 1..3");
+  CHECK(eight.at("rows").size() == 8);
+  CHECK(eight.at("verdict") == "holds");
+  fs::remove_all(folder);
+}
+
+TEST_CASE("journals are joined") {
+  const fs::path folder = fs::temp_directory_path() / ("subcert-cli-merge-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const std::string a = (folder / "a").string(), b = (folder / "b").string(), out = (folder / "out").string();
+  const std::string header = "subcert journal 1\n";
+  const std::string id = "d6577dd8-55dc-533f-954a-d4b797e9f6ab";
+  const std::string line = "494ce316 " + id + R"( {"version":"toy 1","case":"toy n=6","result":{"n":6,"value":"1","long":"xxx"}})" + "\n";
+  std::ofstream(a, std::ios::binary) << header << line;
+  std::ofstream(b, std::ios::binary) << header << "damaged\n" << line;
+  const Run merged = run("merge " + a + " " + b + " --out " + out);
+  CHECK(merged.code == 0);
+  CHECK(merged.out == out + ": 1 case\n");
+  CHECK(merged.err == "subcert: " + b + " line 2 is damaged; its case is left out\n");
+  CHECK(read(out) == header + line);
+  CHECK(run_json("merge " + a + " --out " + out).at("cases") == 1);
+  CHECK(run("merge " + a).code == 64);
+  CHECK(run("merge --out " + out).code == 64);
+  CHECK(run("merge " + a + " " + folder.string() + "/nowhere --out " + out).code == 66);
+  std::ofstream(b, std::ios::binary) << "thesis\n";
+  CHECK(run("merge " + a + " " + b + " --out " + out).code == 65);
+  CHECK(run("merge " + a + " --out " + b).code == 65);
+  CHECK(read(b) == "thesis\n");
+  fs::remove_all(folder);
+}
+
 TEST_CASE("certificates are written and verified") {
   const std::string file = (fs::temp_directory_path() / ("subcert-cli-test-" + std::to_string(getpid()) + ".cert")).string();
+  for (const char* scheme : {"dd:n=3", "four-point:w=1/20"}) {
+    CHECK(run(std::string("regularity ") + scheme + " --certificate " + file).code == 0);
+    CHECK(run("verify " + file).code == 0);
+  }
   CHECK(run("regularity dual-odd:n=2 --certificate " + file).code == 0);
   const Run verified = run("verify " + file);
   CHECK(verified.code == 0);
@@ -180,6 +261,16 @@ TEST_CASE("matrices from a file") {
   CHECK(golden.code == 0);
   CHECK(nlohmann::json::parse(golden.out).at("product").size() == 2);
   CHECK(nlohmann::json::parse(golden.out).at("radius").at("lower").get<std::string>().substr(0, 12) == "1.6180339887");
+  CHECK(run("verify " + file + ".cert").code == 0);
+  const Run blocks = with(R"({"matrices": [[["2","7"],["0","1"]], [["1","5"],["0","-3"]]]})", " --json --certificate " + file + ".cert");
+  CHECK(blocks.code == 0);
+  CHECK(nlohmann::json::parse(blocks.out).at("blocks") == nlohmann::json({1, 1}));
+  CHECK(nlohmann::json::parse(blocks.out).at("exact") == true);
+  CHECK(nlohmann::json::parse(blocks.out).at("radius").at("upper") == "3");
+  CHECK(run("verify " + file + ".cert").code == 0);
+  const Run nilpotent = with(R"({"matrices": [[["0","7"],["0","0"]], [["0","5"],["0","0"]]]})", " --json --certificate " + file + ".cert");
+  CHECK(nilpotent.code == 0);
+  CHECK(nlohmann::json::parse(nilpotent.out).at("radius").at("upper") == "0");
   CHECK(run("verify " + file + ".cert").code == 0);
   for (const char* text : {"", "{", "[]", "{}", R"({"matrices": []})", R"({"matrices": 5})", R"({"matrices": [[]]})",
                            R"({"matrices": [[["1","0"],["1"]]]})", R"({"matrices": [[["1/0"]]]})",

@@ -20,7 +20,8 @@ struct Certificate {
 };
 
 /// Proves bounds of the Hoelder exponent for this mask. Domain: `regularity` is that of the mask. Errors: throws
-/// std::domain_error where nothing positive is proved from below.
+/// std::domain_error where the rational evidence (polytope or norms) proves nothing positive from below; what the
+/// single spectral radius proves beyond that has no certificate.
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity);
 
 /// Proves bounds of the joint spectral radius of these matrices.

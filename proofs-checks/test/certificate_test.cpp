@@ -1,4 +1,7 @@
+#include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/regularity/transition.hpp>
 #include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/random.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -17,7 +20,7 @@ namespace {
 Rational q(const char* text) { return *parse_rational(text); }
 
 HolderRegularity regularity_of(const std::string& specification, int levels = 8) {
-  return holder_regularity(make_scheme(specification).mask, levels, 60);
+  return holder_regularity(make_scheme(specification).mask, levels, 60, HolderProof::certificate);
 }
 
 /// Whether the checker proves this claim from the certificate.
@@ -97,12 +100,6 @@ TEST_CASE("the product that attains the radius is proved") {
     CAPTURE(regularity.radius.exact.reason);
     CHECK(regularity.radius.exact.is_yes());
   }
-  // A Jordan block of the leading eigenvalue: the radius is 1, attained, but no polytope can close.
-  RationalMatrix jordan = RationalMatrix::identity(2);
-  jordan(0, 1) = 1;
-  const JointSpectralRadius radius = joint_spectral_radius({jordan}, 2);
-  CHECK(radius.radius.contains(1));
-  CHECK_FALSE(radius.exact.is_no());
 }
 
 TEST_CASE("a complex leading pair") {
@@ -127,6 +124,126 @@ TEST_CASE("a complex leading pair") {
   CHECK(regularity.radius.closed);
   const Certificate certificate = exponent_certificate(mask, regularity);
   CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
+}
+
+TEST_CASE("reducible families: radii and certificates by blocks") {
+  subcert::testing::Random random;
+  const fs::path file = fs::temp_directory_path() / ("subcert-proofs-test-" + std::to_string(getpid()) + ".matrices");
+  const auto check = [&](const std::vector<RationalMatrix>& family, const JointSpectralRadius& radius) {
+    std::ofstream(file, std::ios::binary) << matrices_text(family);
+    const Certificate certificate = radius_certificate(family, radius);
+    CHECK(proves("--matrices " + file.string(), certificate.claim.lower.value_or(""), *certificate.claim.upper, certificate.text));
+    CHECK_FALSE(proves("--matrices " + file.string(), "",
+                       to_text(*parse_rational(*certificate.claim.upper) - power(Rational(10), -6)), certificate.text));
+    fs::remove(file);
+  };
+  // The matrices of the four-point scheme, of radius 4, and a smaller pair, coupled and hidden by integer shears.
+  const auto put = [](std::vector<RationalMatrix>& family, std::size_t start) {
+    family[0](start, start) = family[0](start + 1, start) = family[1](start + 1, start + 1) = family[1](start, start + 1) = -1;
+    family[0](start + 1, start + 1) = family[1](start, start) = 4;
+  };
+  for (int round = 0; round < 5; ++round) {
+    std::vector<RationalMatrix> family(2, RationalMatrix(4, 4));
+    put(family, 0);
+    for (std::size_t t = 0; t < 2; ++t) {
+      RationalMatrix& m = family[t];
+      m(2, 2) = q("1/2");
+      m(3, 3) = q("-2/3");
+      m(3 - t, 2 + t) = 1;
+      for (std::size_t i : {0, 1})
+        for (std::size_t j : {2, 3}) m(i, j) = random.integer(-3, 3);
+    }
+    for (int k = 0; k < 8 * std::min(round, 1); ++k) {
+      const auto i = static_cast<std::size_t>(random.integer(0, 3)), j = (i + static_cast<std::size_t>(random.integer(1, 3))) % 4;
+      RationalMatrix shear = RationalMatrix::identity(4), back = shear;
+      shear(i, j) = random.integer(-2, 2);
+      back(i, j) = -shear(i, j);
+      for (RationalMatrix& m : family) m = shear * m * back;
+    }
+    const JointSpectralRadius radius = joint_spectral_radius(family, 2);
+    REQUIRE(radius.triangular);
+    CHECK(radius.triangular->sizes == std::vector<std::size_t>{2, 2});
+    CHECK(radius.radius.contains(4));
+    CHECK(*radius.radius.upper < 4 + power(Rational(10), -5));
+    if (round == 0) {
+      CHECK(radius.radius.is_exact());
+      CHECK(radius.exact.is_yes());
+      CHECK(radius.growth.at_most == 0);
+    }
+    check(family, radius);
+  }
+
+  // Twice the same pair, coupled: equal radii, compared exactly; products grow by one power faster.
+  std::vector<RationalMatrix> twice(2, RationalMatrix(4, 4));
+  put(twice, 0);
+  put(twice, 2);
+  for (RationalMatrix& m : twice) m(0, 2) = m(1, 3) = 1;
+  const JointSpectralRadius coupled = joint_spectral_radius(twice, 20);
+  CHECK((coupled.radius.is_exact() && *coupled.radius.lower == 4));
+  CHECK(coupled.exact.is_yes());
+  CHECK(coupled.growth.at_least == 1);
+  CHECK(coupled.growth.at_most == 1);
+  check(twice, coupled);
+
+  // The same for an irrational radius.
+  const Mask scheme = make_scheme("four-point:w=1/20").mask;
+  const auto small = transition_matrices(divided_difference_scheme(scheme, 2));
+  const std::size_t n = small.front().rows();
+  std::vector<RationalMatrix> irrational(2, RationalMatrix(2 * n, 2 * n));
+  for (std::size_t t = 0; t < 2; ++t)
+    for (std::size_t i = 0; i < n; ++i) {
+      irrational[t](i, n + i) = 1;
+      for (std::size_t j = 0; j < n; ++j) irrational[t](i, j) = irrational[t](n + i, n + j) = small[t](i, j);
+    }
+  const JointSpectralRadius double_root = joint_spectral_radius(irrational, 20);
+  CHECK(double_root.triangular->sizes == std::vector<std::size_t>{n, n});
+  CHECK(double_root.exact.is_yes());
+  CHECK(double_root.growth.at_least == 1);
+  CHECK(double_root.growth.at_most == 1);
+  check(irrational, double_root);
+
+  // A Jordan block, and a nilpotent family.
+  RationalMatrix jordan = RationalMatrix::identity(2);
+  jordan(0, 1) = 1;
+  const JointSpectralRadius one = joint_spectral_radius({jordan}, 5);
+  CHECK((one.radius.is_exact() && *one.radius.lower == 1));
+  CHECK(one.exact.is_yes());
+  CHECK(one.growth.at_least == 1);
+  check({jordan}, one);
+  RationalMatrix up(3, 3), further(3, 3);
+  up(0, 1) = up(1, 2) = 5;
+  further(0, 2) = further(0, 1) = q("-1/3");
+  const JointSpectralRadius zero = joint_spectral_radius({up, further}, 5);
+  CHECK((zero.radius.is_exact() && *zero.radius.upper == 0));
+  CHECK(zero.exact.is_yes());
+  CHECK(zero.closed);
+  std::ofstream(file, std::ios::binary) << matrices_text({up, further});
+  CHECK(proves("--matrices " + file.string(), "", "0", radius_certificate({up, further}, zero).text));
+  fs::remove(file);
+}
+
+TEST_CASE("reducible masks: certificates by blocks") {
+  // (1+z)^4 (1 - z + z^2) r: the multiples of 1 + z + z^2 are an invariant subspace. The scheme is not stable.
+  const LaurentPolynomial factor({1, -1, 1}, 0), rest({3, 5, 6, 4, 2}, 0);
+  const LaurentPolynomial binary = LaurentPolynomial({1, 1}, 0).pow(4) * factor * rest;
+  const Mask mask(binary * LaurentPolynomial(2 / binary(1)), 2);
+  const HolderRegularity regularity = holder_regularity(mask, 8, 30, HolderProof::certificate);
+  REQUIRE(regularity.radius.triangular);
+  CHECK(regularity.radius.triangular->sizes.size() > 1);
+  CHECK(regularity.stable.is_no());
+  const Certificate certificate = exponent_certificate(mask, regularity);
+  CHECK(certificate.text.find("\nblocks ") != std::string::npos);
+  CHECK(proves(subject_of(mask), *certificate.claim.lower, "", certificate.text));
+  CHECK_FALSE(proves(subject_of(mask), to_text(*parse_rational(*certificate.claim.lower) + power(Rational(10), -6)), "",
+                     certificate.text));
+  // Arity 3, p = (1 - z^4)/(1 - z).
+  const LaurentPolynomial ternary = LaurentPolynomial({1, 1, 1}, 0).pow(3) * LaurentPolynomial({1, 0, 0, 0, 1, 0, 0, 0, 1}, 0) *
+                                    LaurentPolynomial({2, 5, 1, 1}, 0);
+  const Mask other(ternary * LaurentPolynomial(3 / ternary(1)), 3);
+  const HolderRegularity second = holder_regularity(other, 6, 30, HolderProof::certificate);
+  REQUIRE(second.radius.triangular);
+  const Certificate proof = exponent_certificate(other, second);
+  CHECK(proves(subject_of(other), *proof.claim.lower, "", proof.text));
 }
 
 TEST_CASE("joint spectral radii from the literature") {

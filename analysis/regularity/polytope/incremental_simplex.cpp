@@ -3,6 +3,7 @@
 #include "kernels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -15,11 +16,11 @@ namespace {
 constexpr double kArtificialCost = 1e6;   // cost of the unit vectors that complete a basis
 constexpr double kPivotTolerance = 1e-7;  // relative to the largest entry of the pivot column
 constexpr double kPriceTolerance = 1e-10;
+constexpr double kSlack = 1e-6;           // of prices in single precision
 constexpr int kMaxAge = 100;              // pivots between factorisations
-constexpr std::size_t kCacheSize = 32;
+constexpr std::size_t kCacheSize = 512;
+constexpr std::size_t kStarts = 6;        // remembered bases that are tried as a start
 constexpr std::size_t kTrials = 1;        // columns tried per pivot
-constexpr double kPhaseStep = 3.14159265358979323846 / 8;  // 16 phases
-constexpr double kCos1 = 0.92387953251128674, kSin1 = 0.38268343236508977, kCos2 = 0.70710678118654752;
 constexpr std::size_t kListSize = 96;
 constexpr float kListDepth = 0.5F;         // a short list holds the profits in the upper half
 constexpr int kLongList = 60;             // vertices per coordinate beyond which short lists pay
@@ -59,10 +60,13 @@ int IncrementalSimplex::add(const Eigen::VectorXd& vertex) {
     float* block = lanes_.data() + at(count_ / kLane) * at(kLane) * at(size_);
     for (int k = 0; k < size_; ++k) block[k * kLane + count_ % kLane] = static_cast<float>(vertex[k]);
   }
+  for (Basis& basis : cache_) {
+    if (basis.largest > 0) basis.largest = std::max(basis.largest, price_one(count_, basis.y.data()).profit);
+  }
   return count_++;
 }
 
-void IncrementalSimplex::fill_column(const ColumnRef& column, double* out) const {
+void IncrementalSimplex::fill_column(const BasisColumn& column, double* out) const {
   std::fill(out, out + stride_, 0.0);
   if (column.vertex < 0) {
     if (column.slack) {
@@ -98,11 +102,11 @@ void IncrementalSimplex::fill_column(const ColumnRef& column, double* out) const
 }
 
 void IncrementalSimplex::cold_basis(const Eigen::VectorXd& x, Basis& basis) const {
-  basis.columns.assign(at(size_), ColumnRef{});
+  basis.columns.assign(at(size_), BasisColumn{});
   int largest = 0;
   x.maxCoeff(&largest);
   for (int k = 0; k < size_; ++k) {
-    ColumnRef& column = basis.columns[at(k)];
+    BasisColumn& column = basis.columns[at(k)];
     column.axis = k;
     column.slack = kind_ == PolytopeKind::nonnegative && k != largest;
     column.cost = column.slack ? 0 : kArtificialCost;
@@ -133,19 +137,55 @@ double IncrementalSimplex::evaluate() {
 double IncrementalSimplex::artificial_part() const {
   double sum = 0;
   for (int k = 0; k < size_; ++k) {
-    const ColumnRef& column = work_.columns[at(k)];
+    const BasisColumn& column = work_.columns[at(k)];
     if (column.vertex < 0 && !column.slack) sum += std::abs(lambda_[at(k)]);
   }
   return sum;
 }
 
-// Starts from the remembered basis that values `x` least.
-void IncrementalSimplex::choose_start(const Eigen::VectorXd& x) {
+// y.x / max |y.v|, a lower bound of the norm of x, or of its mirror image, which has the same norm.
+double IncrementalSimplex::score(const Basis& basis, const Eigen::VectorXd& x, bool& flipped) const {
+  if (basis.largest == 0) return 0;
+  const double* y = basis.y.data();
+  flipped = false;
+  if (kind_ != PolytopeKind::real || odd_ == 0) return std::abs(kernels::dot(y, x.data(), at(size_))) / basis.largest;
+  const std::size_t even = at(size_ - odd_);
+  const double p = kernels::dot(y, x.data(), even), q = kernels::dot(y + even, x.data() + even, at(odd_));
+  flipped = p * q < 0;
+  return (std::abs(p) + std::abs(q)) / basis.largest;
+}
+
+// Starts from the remembered bases whose multipliers say most about `x`, from the one of them that values it least.
+// Leaves the best multipliers in y_ and returns the lower bound that they give; |y.v| <= 1.
+double IncrementalSimplex::choose_start(const Eigen::VectorXd& x) {
+  std::array<std::pair<double, std::size_t>, kStarts> top;
+  std::size_t found = 0;
+  bool flipped = false;
+  for (std::size_t b = 0; b < cache_.size(); ++b) {
+    const double value = score(cache_[b], x, flipped);
+    if (found == kStarts && value <= top[kStarts - 1].first) continue;
+    if (found < kStarts) ++found;
+    std::size_t k = found - 1;
+    for (; k > 0 && top[k - 1].first < value; --k) top[k] = top[k - 1];
+    top[k] = {value, b};
+  }
+  if (found > 0) {
+    const Basis& basis = cache_[top[0].second];
+    score(basis, x, flipped);
+    for (int k = 0; k < size_; ++k) {
+      y_[at(k)] = basis.y[at(k)] / (flipped && k >= size_ - odd_ ? -basis.largest : basis.largest);
+    }
+  }
+  const double lower = found > 0 ? top[0].first : 0;
   double best = std::numeric_limits<double>::infinity();
   std::size_t chosen = cache_.size();
-  for (std::size_t b = 0; b < cache_.size(); ++b) {
-    const Basis& basis = cache_[b];
-    kernels::multiply(basis.inverse.data(), at(stride_), at(size_), x.data(), scratch_.data());
+  bool chosen_flipped = false;
+  for (std::size_t t = 0; t < found; ++t) {
+    const Basis& basis = cache_[top[t].second];
+    score(basis, x, flipped);
+    turned_ = x;
+    if (flipped) turned_.tail(odd_) *= -1;
+    kernels::multiply(basis.inverse.data(), at(stride_), at(size_), turned_.data(), scratch_.data());
     double sum = 0, least = 0;
     for (int k = 0; k < size_; ++k) {
       const double l = scratch_[at(k)];
@@ -155,22 +195,74 @@ void IncrementalSimplex::choose_start(const Eigen::VectorXd& x) {
     if (kind_ == PolytopeKind::nonnegative && least < -1e-13) continue;
     if (sum < best) {
       best = sum;
-      chosen = b;
+      chosen = top[t].second;
+      chosen_flipped = flipped;
       lambda_.swap(scratch_);
     }
   }
   changed_ = false;
-  if (chosen < cache_.size()) {
-    cache_[chosen].used = ++clock_;
-    work_ = cache_[chosen];
-    return;
+  if (chosen == cache_.size()) {
+    cold_basis(x, work_);
+    kernels::multiply(work_.inverse.data(), at(stride_), at(size_), x.data(), lambda_.data());
+    return lower;
   }
-  cold_basis(x, work_);
+  cache_[chosen].used = ++clock_;
+  work_ = cache_[chosen];
+  if (!chosen_flipped) return lower;
+  // The mirror image of the whole basis: the odd coordinates change sign.
+  for (BasisColumn& column : work_.columns) column.flipped = !column.flipped && column.vertex >= 0;
+  for (int c = 0; c < size_; ++c) {
+    for (int k = size_ - odd_; k < size_; ++k) {
+      work_.matrix[at(c) * at(stride_) + at(k)] *= -1;
+      work_.inverse[at(k) * at(stride_) + at(c)] *= -1;
+    }
+  }
+  return lower;
+}
+
+bool IncrementalSimplex::start_from(const std::vector<BasisColumn>& columns, const Eigen::VectorXd& x) {
+  work_.columns = columns;
+  work_.largest = 0;
+  changed_ = true;
+  if (!refactor(work_)) return false;
   kernels::multiply(work_.inverse.data(), at(stride_), at(size_), x.data(), lambda_.data());
+  return true;
+}
+
+// Do the multipliers of the hint, held against the vertices added since, still show that the point is outside?
+bool IncrementalSimplex::still_outside(Hint& hint, double reject) {
+  std::copy(hint.multipliers.data(), hint.multipliers.data() + size_, y_.begin());
+  std::fill(y_.begin() + size_, y_.end(), 0.0);
+  for (; hint.seen < count_; ++hint.seen) {
+    hint.largest = std::max(hint.largest, price_one(hint.seen, y_.data()).profit);
+    if (hint.value <= hint.largest * reject * (1 + kSlack)) return false;
+  }
+  return true;
+}
+
+void IncrementalSimplex::know(double largest) {
+  work_.y = y_;
+  work_.largest = largest;
+}
+
+// The answer is `outside`, shown by y_ with |y.v| <= largest for all vertices.
+void IncrementalSimplex::keep(Hint* hint, const Membership& result, double largest) const {
+  if (hint == nullptr) return;
+  hint->multipliers = Eigen::Map<const Eigen::VectorXd>(y_.data(), size_);
+  hint->value = result.lower * largest;
+  hint->upper = result.upper;
+  hint->largest = largest;
+  hint->seen = count_;
+  hint->basis = work_.columns;
 }
 
 void IncrementalSimplex::remember() {
   if (!changed_) return;
+  if (work_.largest == 0) {  // answered from above: the multipliers have not met all vertices yet
+    double largest = std::numeric_limits<double>::min();
+    for (int j = 0; j < count_; ++j) largest = std::max(largest, price_one(j, y_.data()).profit);
+    know(largest);
+  }
   work_.used = ++clock_;
   if (cache_.size() < kCacheSize) {
     cache_.push_back(work_);
@@ -191,14 +283,14 @@ void IncrementalSimplex::multipliers() {
 }
 
 // Prices a vertex in all its guises in double precision; the column returned is the best of them.
-IncrementalSimplex::Offer IncrementalSimplex::price_one(int vertex) const {
+IncrementalSimplex::Offer IncrementalSimplex::price_one(int vertex, const double* y) const {
   const double* v = vertices_.data() + at(vertex) * at(stride_);
   Offer offer;
   offer.column.vertex = vertex;
   if (kind_ == PolytopeKind::real) {
     const std::size_t even = at(size_ - odd_);
-    const double p = kernels::dot(v, y_.data(), even);
-    const double q = odd_ == 0 ? 0.0 : kernels::dot(v + even, y_.data() + even, at(odd_));
+    const double p = kernels::dot(v, y, even);
+    const double q = odd_ == 0 ? 0.0 : kernels::dot(v + even, y + even, at(odd_));
     offer.profit = std::abs(p) + std::abs(q);
     offer.column.flipped = p * q < 0;
     return offer;
@@ -206,8 +298,8 @@ IncrementalSimplex::Offer IncrementalSimplex::price_one(int vertex) const {
   if (kind_ == PolytopeKind::nonnegative) {
     double p = 0, q = 0;
     for (int k = 0; k < size_; ++k) {
-      p += v[k] * y_[at(k)];
-      q += v[k] * y_[at(size_ - 1 - k)];
+      p += v[k] * y[k];
+      q += v[k] * y[size_ - 1 - k];
     }
     offer.column.flipped = flip_ && q > p;
     offer.profit = offer.column.flipped ? q : p;
@@ -217,7 +309,7 @@ IncrementalSimplex::Offer IncrementalSimplex::price_one(int vertex) const {
   double part[2][4] = {};  // even and odd coordinates; re.re, im.im, re.im, im.re
   for (int k = 0; k < half_; ++k) {
     double* sum = part[k >= half_ - odd_ ? 1 : 0];
-    const double yr = y_[at(k)], yi = y_[at(half_ + k)], vr = v[k], vi = v[half_ + k];
+    const double yr = y[k], yi = y[half_ + k], vr = v[k], vi = v[half_ + k];
     sum[0] += yr * vr;
     sum[1] += yi * vi;
     sum[2] += yr * vi;
@@ -229,14 +321,12 @@ IncrementalSimplex::Offer IncrementalSimplex::price_one(int vertex) const {
     double sum[4];
     for (int k = 0; k < 4; ++k) sum[k] = part[0][k] + f * part[1][k];
     const double re = sum[0] + c * sum[1], im = sum[3] - c * sum[2];
-    // Phases from a grid, so that the program is finite; the hull of the grid points lies inside the balanced hull.
-    const double large = std::max(std::abs(re), std::abs(im)), small = std::min(std::abs(re), std::abs(im));
-    const double value = std::max({large, large * kCos1 + small * kSin1, (large + small) * kCos2});
+    const double value = std::hypot(re, im);
     if (value > offer.profit) {
       offer.profit = value;
       offer.column.flipped = g >= 2;
       offer.column.conjugated = g % 2 == 1;
-      offer.column.phase = std::round(std::atan2(im, re) / kPhaseStep) * kPhaseStep;
+      offer.column.phase = std::atan2(im, re);
     }
   }
   return offer;
@@ -258,7 +348,7 @@ double IncrementalSimplex::price_all() {
   } else {
     std::fill(peaks_.begin(), peaks_.end(), 0.0F);
     for (int j = 0; j < count_; ++j) {
-      prices_[at(j)] = static_cast<float>(price_one(j).profit);
+      prices_[at(j)] = static_cast<float>(price_one(j, y_.data()).profit);
       peaks_[at(j / kLane)] = std::max(peaks_[at(j / kLane)], prices_[at(j)]);
     }
     for (float peak : peaks_) largest = std::max(largest, peak);
@@ -279,7 +369,7 @@ double IncrementalSimplex::price_all() {
 bool IncrementalSimplex::collect_offers() {
   offers_.clear();
   for (int j : list_) {
-    const Offer offer = price_one(j);
+    const Offer offer = price_one(j, y_.data());
     if (offer.profit <= 1 + kPriceTolerance) continue;
     if (offers_.size() == kTrials && offer.profit <= offers_.back().profit) continue;
     if (offers_.size() < kTrials) offers_.push_back(offer);
@@ -384,20 +474,40 @@ bool IncrementalSimplex::pivot(const std::vector<Offer>& offers) {
   kernels::rank_one(work_.inverse.data(), n, at(size_), direction_.data(), row_.data());
   std::copy(column_.begin(), column_.end(), work_.matrix.begin() + static_cast<std::ptrdiff_t>(r * n));
   work_.columns[r] = chosen->column;
+  work_.largest = 0;
   ++work_.age;
   ++pivots_;
   changed_ = true;
   return true;
 }
 
-Membership IncrementalSimplex::solve(const Eigen::VectorXd& x, double accept, double reject) {
+Membership IncrementalSimplex::solve(const Eigen::VectorXd& x, double accept, double reject, Hint* hint) {
   if (x.size() != size_) {
     throw std::invalid_argument("IncrementalSimplex::solve: need " + std::to_string(size_) + " numbers, got " +
                                 std::to_string(x.size()));
   }
   ++programs_;
   Membership result;
-  choose_start(x);
+  bool warm = false;
+  if (hint != nullptr && hint->multipliers.size() > 0) {
+    if (still_outside(*hint, reject)) {
+      result.answer = Membership::Answer::outside;
+      result.lower = hint->value / hint->largest;
+      result.upper = hint->upper;
+      return result;
+    }
+    warm = start_from(hint->basis, x);
+  }
+  if (!warm) {
+    result.lower = choose_start(x);
+    if (result.lower > reject * (1 + kSlack)) {
+      result.answer = Membership::Answer::outside;
+      result.upper = evaluate();
+      keep(hint, result, 1);
+      return result;
+    }
+    result.lower = 0;
+  }
   list_.clear();
   const int limit = 200 + 20 * size_;
   // A short list serves as many pivots as make it as expensive as pricing everything once.
@@ -451,8 +561,10 @@ Membership IncrementalSimplex::solve(const Eigen::VectorXd& x, double accept, do
       stale = 0;
       const double largest = price_all();
       result.lower = std::max(result.lower, result.upper / largest);
-      if (result.lower > reject * (1 + 1e-6)) {
+      if (result.lower > reject * (1 + kSlack)) {
         result.answer = Membership::Answer::outside;
+        know(largest);
+        keep(hint, result, largest);
         break;
       }
       found = collect_offers();
@@ -461,11 +573,13 @@ Membership IncrementalSimplex::solve(const Eigen::VectorXd& x, double accept, do
     // Optimal up to the pricing tolerance, or no acceptable pivot: then only the upper bound counts.
     const bool sound = refine(x);
     result.upper = evaluate();
-    if (!found) result.lower = std::max(result.lower, result.upper * (1 - 1e-6));
+    if (!found) result.lower = std::max(result.lower, result.upper * (1 - kSlack));
     if (sound && result.upper <= accept && artificial_part() < 1e-13) {
       result.answer = Membership::Answer::inside;
     } else if (sound && !found) {
       result.answer = Membership::Answer::outside;
+      know(1 + kSlack);
+      keep(hint, result, 1 + kSlack);
     }
     break;
   }
@@ -476,7 +590,7 @@ Membership IncrementalSimplex::solve(const Eigen::VectorXd& x, double accept, do
 std::vector<Term> IncrementalSimplex::combination() const {
   std::vector<Term> terms;
   for (int k = 0; k < size_; ++k) {
-    const ColumnRef& column = work_.columns[at(k)];
+    const BasisColumn& column = work_.columns[at(k)];
     const double l = lambda_[at(k)];
     if (column.vertex < 0 || l == 0) continue;
     Term term{column.vertex, column.flipped, column.conjugated, std::polar(std::abs(l), column.phase)};

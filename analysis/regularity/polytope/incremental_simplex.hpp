@@ -31,6 +31,26 @@ struct Membership {
   double upper = 0;
 };
 
+/// A column of a basis: a guise of a vertex, or a unit vector or slack.
+struct BasisColumn {
+  int vertex = -1;  // -1: unit vector or slack `axis`
+  int axis = 0;
+  bool flipped = false;
+  bool conjugated = false;
+  bool slack = false;
+  double phase = 0;
+  double cost = 1;
+};
+
+/// What a question answered `outside` leaves behind, for asking it again after vertices were added: multipliers y with
+/// y.x = value and |y.v| <= largest for the first `seen` vertices, and the last basis. Empty multipliers: nothing yet.
+struct Hint {
+  Eigen::VectorXd multipliers;
+  double value = 0, largest = 0, upper = 0;
+  int seen = 0;
+  std::vector<BasisColumn> basis;
+};
+
 /// The norm ||x||_P = min { sum |l_j| : sum l_j v_j = x } of a polytope that grows vertex by vertex, by a primal simplex
 /// method with an explicit basis inverse.
 ///
@@ -57,7 +77,8 @@ class IncrementalSimplex {
 
   /// Is ||x||_P <= accept? `outside` is answered when the norm exceeds `reject` (or optimum > accept).
   /// Domain: accept <= reject; `x` shaped like a vertex.
-  Membership solve(const Eigen::VectorXd& x, double accept, double reject);
+  /// A hint left by the same question spares most of the work; it is updated when the answer is `outside`.
+  Membership solve(const Eigen::VectorXd& x, double accept, double reject, Hint* hint = nullptr);
 
   /// The combination behind the upper bound of the last `solve`; at most `dimension` terms (complex: twice that).
   /// Terms of the unit vectors that stand in for missing vertices are left out.
@@ -71,27 +92,19 @@ class IncrementalSimplex {
  private:
   static constexpr int kLane = 16;  // vertices per block of the single precision copy
 
-  struct ColumnRef {
-    int vertex = -1;  // -1: unit vector or slack `axis`
-    int axis = 0;
-    bool flipped = false;
-    bool conjugated = false;
-    bool slack = false;
-    double phase = 0;
-    double cost = 1;
-  };
-
   struct Basis {
     std::vector<double> inverse;  // column major, leading dimension stride_
     std::vector<double> matrix;   // the columns themselves
-    std::vector<ColumnRef> columns;
+    std::vector<BasisColumn> columns;
+    std::vector<double> y;  // multipliers of the last point it was optimal or outside for
+    double largest = 0;     // max |y.v| over all vertices; 0: y is worth nothing
     int age = 0;  // pivots since the last factorisation
     std::int64_t used = 0;
   };
 
   struct Offer {  // a column that may enter
     double profit = 0;
-    ColumnRef column;
+    BasisColumn column;
   };
 
   struct Step {
@@ -99,14 +112,19 @@ class IncrementalSimplex {
     int leaving = 0;
   };
 
-  void fill_column(const ColumnRef& column, double* out) const;
+  void fill_column(const BasisColumn& column, double* out) const;
   void cold_basis(const Eigen::VectorXd& x, Basis& basis) const;
   bool refactor(Basis& basis) const;
-  void choose_start(const Eigen::VectorXd& x);
+  double choose_start(const Eigen::VectorXd& x);
+  bool start_from(const std::vector<BasisColumn>& columns, const Eigen::VectorXd& x);
+  bool still_outside(Hint& hint, double reject);
+  void know(double largest);
+  void keep(Hint* hint, const Membership& result, double largest) const;
   void remember();
   void multipliers();
   double price_all();
-  Offer price_one(int vertex) const;
+  Offer price_one(int vertex, const double* y) const;
+  double score(const Basis& basis, const Eigen::VectorXd& x, bool& flipped) const;
   double evaluate();
   double artificial_part() const;
   bool refine(const Eigen::VectorXd& x);
@@ -134,6 +152,7 @@ class IncrementalSimplex {
   std::vector<Offer> offers_;
   std::vector<float> single_;
   std::vector<std::pair<double, int>> breaks_;
+  Eigen::VectorXd turned_;
   int patience_ = 0;
   bool changed_ = false;
 

@@ -48,7 +48,8 @@ class PolytopeRun {
   State state() const { return state_; }
   std::size_t size() const { return vertices_.size(); }
   std::size_t waiting() const { return waiting_.size() + fresh_.size(); }
-  double growth() const;  ///< largest norm estimate among the open images
+  /// Images that are open, per vertex.
+  double open_share() const { return static_cast<double>(waiting()) / static_cast<double>(std::max<std::size_t>(size(), 1)); }
   double spent() const { return spent_; }
   void count(SearchCounters& counters) const;
 
@@ -65,12 +66,14 @@ class PolytopeRun {
   struct Pending {
     int vertex = 0, letter = 0;
     double key = 0;
+    Hint hint;
   };
 
   Eigen::VectorXd apply(int letter, const Eigen::VectorXd& x) const;
   Eigen::VectorXd real_form(const Eigen::VectorXcd& x) const;
   int add(Node node);
   void add_roots();
+  void add_extra_vertices();
   void add_spanning_vertices();
   bool settle(Pending& pending, bool optimum = false);
   bool match(const Eigen::VectorXd& x, Image& entry) const;

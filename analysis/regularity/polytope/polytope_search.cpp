@@ -54,7 +54,7 @@ class Search {
     look_for_products({std::min(12, options_.max_product_length), 12, options_.seconds / 4, 5e-3});
     const double first_look = elapsed();
     if (candidates_.front().radius == 0) return vanishing();
-    if (race(std::min(20 * first_look, 0.6 * options_.seconds), false)) return closed();
+    if (race(std::min(0.1 + 20 * first_look, 0.6 * options_.seconds), false)) return closed();
     for (int width : {32, 200}) {
       look_for_products({options_.max_product_length, width, options_.seconds / 8, 5e-3});
       const double patience = width == 200 ? 0.65 * options_.seconds - elapsed() : 60 * elapsed();
@@ -133,12 +133,22 @@ class Search {
     return std::make_unique<PolytopeRun>(family_[side], std::move(products), maximizing_, kind(), scale, options_);
   }
 
+  // The side that is clearly nearer to its end, judged by the share of its images that are still outside, or -1.
+  int side_ahead() const {
+    if (!runs_[0] || !runs_[1]) return -1;
+    const double a = runs_[0]->open_share(), b = runs_[1]->open_share();
+    if (a < 0.6 * b) return 0;
+    return b < 0.6 * a ? 1 : -1;
+  }
+
   // Advances the family and its transpose in turn by slices that grow; true when one closes.
   bool race(double seconds, bool both) {
     const double begin = elapsed();
     double slice = both ? std::max(0.02, seconds / 64) : seconds;
-    while (elapsed() - begin < seconds && !full()) {
+    for (int round = 0; elapsed() - begin < seconds && !full(); ++round) {
+      const int ahead = round % 4 == 3 ? -1 : side_ahead();
       for (int side = 0; side < (both ? 2 : 1); ++side) {
+        if (both && ahead == 1 - side) continue;
         auto& run = runs_[side];
         if (!run) run = start(side, candidates_.front().radius);
         const double share = std::min(slice, begin + seconds - elapsed());
@@ -201,10 +211,12 @@ class Search {
   SearchResult enclosed() {
     SearchResult best;
     const double radius = candidates_.front().radius;
-    const int side = runs_[1] && runs_[0] && runs_[1]->growth() < runs_[0]->growth() ? 1 : 0;
+    const int side = runs_[1] && runs_[0] && runs_[1]->open_share() < runs_[0]->open_share() ? 1 : 0;
     for (auto& run : runs_) retire(run);
     double eps = 0.1;
     for (int k = 0; k < 24 && left() > 0; ++k, eps *= 0.4) {
+      if (k == 1) eps = 0.01;
+      if (k == 2) eps = 6e-4;  // encloses the logarithm to base 2 within 1e-3
       auto run = start(side, radius * (1 + eps));
       if (run->advance(left(), options_.max_vertices) != PolytopeRun::State::closed) break;
       run->finish(left() / 2);

@@ -18,7 +18,6 @@ struct SearchOptions {
   int max_product_length = 40;
   std::size_t max_vertices = 40000;
   double tolerance = 1e-9;            ///< an image is inside when its norm is at most 1 - tolerance
-  double selection = 0;               ///< 0: generation by generation; towards 1: only the largest images are added per round
 };
 
 enum class SearchStatus {

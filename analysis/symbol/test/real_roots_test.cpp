@@ -20,6 +20,35 @@ TEST_CASE("real zeros are counted once each") {
   CHECK(count_real_roots(LaurentPolynomial(7)) == 0);
 }
 
+TEST_CASE("the largest real zero and its multiplicity") {
+  Random random;
+  for (int i = 0; i < rounds(60); ++i) {
+    // (z - r)^k (z^2 - s)^l (z^2 + 1): r = +-s^(1/2) is avoided by s = 2, 3, 5.
+    const Rational r(random.integer(-9, 9), random.integer(1, 3));
+    const long square = random.chance(50) ? 2 : random.chance(50) ? 3 : 5;
+    const int k = static_cast<int>(random.integer(1, 3)), l = static_cast<int>(random.integer(1, 3));
+    const LaurentPolynomial p =
+        LaurentPolynomial({-r, 1}, 0).pow(k) * LaurentPolynomial({-square, 0, 1}, 0).pow(l) * LaurentPolynomial({1, 0, 1}, 0);
+    const auto root = largest_real_root(p, 100);
+    REQUIRE(root);
+    if (r > 0 && r * r > square) {
+      CHECK((root->value.is_exact() && *root->value.lower == r));
+      CHECK(root->multiplicity == k);
+    } else {
+      CHECK(*root->value.lower * *root->value.lower < square);
+      CHECK(*root->value.upper * *root->value.upper > square);
+      CHECK(*root->value.upper - *root->value.lower < power(Rational(2), -98));
+      CHECK(root->multiplicity == l);
+    }
+  }
+  // Two zeros 10^-40 apart; no zero; zero itself.
+  const LaurentPolynomial near = LaurentPolynomial({-2, 0, 1}, 0) * LaurentPolynomial({-2 - power(Rational(10), -40), 0, 1}, 0).pow(2);
+  CHECK(largest_real_root(near, 20)->multiplicity == 2);
+  CHECK_FALSE(largest_real_root(LaurentPolynomial({1, 0, 1}, 0)));
+  CHECK(largest_real_root(LaurentPolynomial({1, 1}, 3))->multiplicity == 3);
+  CHECK_THROWS_AS(largest_real_root(LaurentPolynomial()), std::domain_error);
+}
+
 TEST_CASE("zeros on the unit circle are decided, not sampled") {
   Random random;
   for (int i = 0; i < rounds(60); ++i) {

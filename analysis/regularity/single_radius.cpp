@@ -1,0 +1,50 @@
+#include "single_radius.hpp"
+
+#include "transition.hpp"
+
+#include <subcert/analysis/symbol/real_roots.hpp>
+
+#include <stdexcept>
+
+namespace subcert {
+namespace {
+
+constexpr int radius_bits = 192;
+constexpr long most_central = 401;    // coefficients about the centre
+constexpr long most_for_sturm = 100;  // degree of the cosine polynomial
+
+}  // namespace
+
+CoefficientGrowth central_growth(const LaurentPolynomial& symbol, int arity) {
+  if (symbol.highest() / (arity - 1) >= most_central)
+    throw std::length_error("central_growth: need at most " + std::to_string(most_central) + " central coefficients");
+  const RationalMatrix matrix = central_matrix(symbol, arity);
+  RationalMatrix minor(matrix.rows() - 1, matrix.columns() - 1);
+  for (std::size_t i = 0; i < minor.rows(); ++i)
+    for (std::size_t j = 0; j < minor.columns(); ++j) minor(i, j) = matrix(i + 1, j + 1);
+  // The generating function of the (C^n)_{00} is det(x - minor) / det(x - C) at x = 1/z, times x.
+  const LaurentPolynomial denominator = characteristic_polynomial(matrix);
+  const LaurentPolynomial common =
+      minor.rows() == 0 ? LaurentPolynomial(1) : gcd(denominator, characteristic_polynomial(minor));
+  const auto pole = largest_real_root(denominator.divided_by(common).quotient, radius_bits);
+  if (!pole || !(*pole->value.lower > 0))
+    throw std::invalid_argument("central_growth: need a symbol that is non-negative on the unit circle");
+  return {pole->value, pole->multiplicity - 1};
+}
+
+SingleRadius single_spectral_radius(const Mask& mask) {
+  const SymmetryReport report = symmetry(mask);
+  if (report.kind == Symmetry::none) return {{Truth::no, "the difference mask is not symmetric"}, {}, 0};
+  if (report.kind == Symmetry::even)
+    return {{Truth::no, "the difference mask has an even number of coefficients"}, {}, 0};
+  const LaurentPolynomial centred = mask.symbol().shifted(-(mask.symbol().lowest() + mask.symbol().highest()) / 2);
+  if (centred.highest() > most_for_sturm) return {{Truth::unknown, "the difference mask is too long"}, {}, 0};
+  if (!(centred(1) > 0) || !is_nonnegative_on_unit_circle(centred))
+    return {{Truth::no, "the cosine polynomial of the difference mask takes negative values"}, {}, 0};
+  const int letter = static_cast<int>(centred.highest() % (mask.arity() - 1));
+  return {{Truth::yes, "the cosine polynomial of the difference mask is non-negative"},
+          central_growth(centred, mask.arity()),
+          letter};
+}
+
+}  // namespace subcert

@@ -1,0 +1,31 @@
+#pragma once
+/// Joint spectral radii of transition matrices that are one spectral radius: Rioul's method, for any arity.
+
+#include <subcert/analysis/symbol/mask.hpp>
+
+namespace subcert {
+
+/// How the largest coefficient of b(z) b(z^a) ... b(z^(a^(n-1))) grows: between two positive multiples of n^power radius^n.
+struct CoefficientGrowth {
+  Enclosure radius;  ///< one number exactly where it is rational
+  int power = 0;
+};
+
+/// Domain: b(z) = b(1/z), b >= 0 on the unit circle, b(1) > 0; arity >= 2. Errors: throws std::invalid_argument for a
+/// symbol that is not symmetric, std::length_error for more than 401 central coefficients. Error: radius to 2^-192.
+/// Cost: two characteristic polynomials of the central matrix, one factorisation. Ref: docs/single-radius.md, theorem 2.
+CoefficientGrowth central_growth(const LaurentPolynomial& symbol, int arity);
+
+/// The joint spectral radius of the transition matrices T_0, ..., T_{arity-1} of a mask, where its cosine polynomial is
+/// proved to be non-negative: then it is the spectral radius of T_letter.
+struct SingleRadius {
+  Decision applies;  ///< yes, or no with the hypothesis that fails, or unknown where the mask is too long to decide
+  CoefficientGrowth growth;
+  int letter = 0;
+};
+
+/// Domain: any mask; meant for the divided difference scheme of the largest order, as no lower order does better
+/// (docs/single-radius.md, proposition 3). Cost: one Sturm sequence and central_growth. Ref: [Rio92], [FM13], [Mun17].
+SingleRadius single_spectral_radius(const Mask& mask);
+
+}  // namespace subcert

@@ -1,0 +1,354 @@
+// subcert conjecture 7|8: certified tables and verdicts over ranges of n and d
+
+#include "sweep_arguments.hpp"
+
+#include <subcert/analysis/variance/variance_order.hpp>
+#include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/reports/conjectures.hpp>
+#include <subcert/reports/sweep/number_list.hpp>
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace subcert::cli {
+namespace {
+
+struct ConjectureOptions : CommonOptions, SweepArguments {
+  int number = 7;
+  std::string n = "1..40";
+  std::string d = "1,3,5";
+  double width = 1e-6;
+  double budget = 60;
+};
+
+constexpr int largest_n = 2047, largest_d = 2 * largest_n - 1;
+
+std::string budget_text(const ConjectureOptions& options) {
+  std::ostringstream text;
+  text << "relative width " << options.width << ", " << options.budget << " seconds";
+  return text.str();
+}
+
+subcert::VarianceOptions variance_options(const ConjectureOptions& options) {
+  subcert::VarianceOptions result;
+  result.relative_width = Rational(options.width);
+  result.seconds = options.budget;
+  return result;
+}
+
+Json skipped_json(const PrimalSchemes& range) {
+  Json skipped = Json::array();
+  for (const auto& one : range.skipped)
+    skipped.push_back({{"scheme", one.scheme.specification()}, {"reason", one.reason()}});
+  return skipped;
+}
+
+std::string skipped_text(const PrimalSchemes& range) {
+  std::string text;
+  for (const std::string& line : range.skipped_lines()) text += "left out: " + line + "\n";
+  return text;
+}
+
+/// Columns as wide as their widest word.
+std::string table_text(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) line += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+Json answer_head(const ConjectureOptions& options, const SweepOptions& sweep) {
+  Json json{{"conjecture", options.number}, {"n", options.n}, {"d", options.d}};
+  if (!sweep.shard.is_whole()) json["shard"] = options.shard;
+  return json;
+}
+
+std::string shard_note(const ConjectureOptions& options) {
+  return "shard " + options.shard + ": no verdict; join the journals with 'subcert merge' and run without --shard\n";
+}
+
+/// no before unknown before yes.
+Truth all_of(const std::vector<Truth>& truths) {
+  Truth result = Truth::yes;
+  for (Truth truth : truths) {
+    if (truth == Truth::no) return Truth::no;
+    if (truth == Truth::unknown) result = Truth::unknown;
+  }
+  return result;
+}
+
+std::string verdict_text(Truth truth) {
+  return truth == Truth::yes ? "holds" : truth == Truth::no ? "violated" : "undecided";
+}
+
+ExitCode verdict_code(Truth truth) { return truth == Truth::yes ? done : truth == Truth::no ? failed : undecided; }
+
+// Conjecture 7
+
+Json range_json(const VarianceRange& range) {
+  Json json{{"sup", exact_json(range.maximum)}};
+  json["derivative_sup"] = range.slope ? exact_json(*range.slope) : Json();
+  json["derivative_reason"] = range.slope_reason;
+  json["mean"] = to_text(range.mean);
+  json["complete"] = range.complete;
+  return json;
+}
+
+struct Row {
+  PrimalScheme scheme;
+  Enclosure sup;
+  std::optional<Enclosure> slope;
+  std::string slope_reason;
+  std::string mean;
+  bool complete = false;
+
+  Row(const PrimalScheme& of, const Json& json)
+      : scheme(of),
+        sup(enclosure_from(json.at("sup"))),
+        slope_reason(json.at("derivative_reason")),
+        mean(json.at("mean")),
+        complete(json.at("complete")) {
+    if (!json.at("derivative_sup").is_null()) slope = enclosure_from(json.at("derivative_sup"));
+  }
+};
+
+Json row_json(const Row& row) {
+  const int n = row.scheme.n;
+  Json json{{"d", row.scheme.d},
+            {"n", n},
+            {"scheme", row.scheme.specification()},
+            {"sup", enclosure_json(row.sup)},
+            {"n_sup", enclosure_json(scaled(row.sup, n))}};
+  json["derivative_sup"] = row.slope ? enclosure_json(*row.slope) : Json();
+  json["n2_derivative_sup"] = row.slope ? enclosure_json(scaled(*row.slope, n * n)) : Json();
+  if (!row.slope) json["derivative_reason"] = row.slope_reason;
+  json["mean"] = row.mean;
+  json["complete"] = row.complete;
+  return json;
+}
+
+struct Finding {
+  int d;
+  std::string quantity;
+  DecayFinding decay;
+};
+
+std::vector<Finding> findings_of(const std::vector<Row>& rows) {
+  std::vector<Finding> findings;
+  for (std::size_t begin = 0; begin < rows.size();) {
+    std::size_t end = begin;
+    std::vector<CertifiedMaximum> sups, slopes;
+    for (; end < rows.size() && rows[end].scheme.d == rows[begin].scheme.d; ++end) {
+      sups.push_back({rows[end].scheme.n, rows[end].sup});
+      if (rows[end].slope) slopes.push_back({rows[end].scheme.n, *rows[end].slope});
+    }
+    findings.push_back({rows[begin].scheme.d, "max psi", decay_finding(1, sups)});
+    if (!slopes.empty()) findings.push_back({rows[begin].scheme.d, "max |psi'|", decay_finding(2, slopes)});
+    begin = end;
+  }
+  return findings;
+}
+
+Json finding_json(const Finding& finding) {
+  const DecayFinding& decay = finding.decay;
+  Json json{{"d", finding.d},
+            {"quantity", finding.quantity},
+            {"power", decay.power},
+            {"largest", enclosure_json(decay.largest)},
+            {"smallest", enclosure_json(decay.smallest)}};
+  if (decay.exponent) {
+    json["exponent"] = enclosure_json(*decay.exponent);
+    json["exponent_n"] = {decay.rate_from, decay.last_n};
+  }
+  json["upper_bound"] = to_text(decay.upper_bound.truth);
+  json["rate"] = to_text(decay.rate.truth);
+  json["sentence"] = decay.sentence(finding.quantity);
+  return json;
+}
+
+int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
+  std::vector<SweepCase> cases;
+  for (const PrimalScheme& scheme : range.schemes)
+    cases.push_back(
+        {"variance range: " + scheme.specification() + ": " + budget_text(options), static_cast<double>(scheme.n)});
+  const SweepOptions sweep = sweep_options(options, options, "conjecture 7");
+  const auto results = run_sweep(
+      cases,
+      [&](std::size_t i) {
+        return range_json(
+            variance_range(make_scheme(range.schemes[i].specification()).mask, variance_options(options)));
+      },
+      sweep);
+  if (!results) return done;
+  options.end_progress();
+
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < range.schemes.size(); ++i)
+    if (results->values[i]) rows.push_back(Row(range.schemes[i], *results->values[i]));
+  const std::vector<Finding> findings = sweep.shard.is_whole() ? findings_of(rows) : std::vector<Finding>();
+  bool has_rate = false;
+  std::vector<Truth> truths;
+  for (const Row& row : rows) truths.push_back(row.complete ? Truth::yes : Truth::unknown);
+  for (const Finding& finding : findings)
+    if (finding.decay.exponent) {
+      has_rate = true;
+      truths.push_back(finding.decay.upper_bound.truth);
+    }
+  const Truth verdict = all_of(truths);
+
+  if (options.json) {
+    Json json = answer_head(options, sweep);
+    json["rows"] = Json::array();
+    for (const Row& row : rows) json["rows"].push_back(row_json(row));
+    json["skipped"] = skipped_json(range);
+    if (sweep.shard.is_whole()) {
+      json["findings"] = Json::array();
+      for (const Finding& finding : findings) json["findings"].push_back(finding_json(finding));
+    }
+    json["verdict"] = has_rate ? Json(verdict_text(verdict)) : Json();
+    options.answer(json);
+    return verdict_code(verdict);
+  }
+  constexpr int digits = 6;
+  std::vector<std::vector<std::string>> table{{"d", "n", "max psi", "n max psi", "max |psi'|", "n^2 max |psi'|"}};
+  for (const Row& row : rows) {
+    const int n = row.scheme.n;
+    table.push_back({std::to_string(row.scheme.d), std::to_string(n), enclosure_text(row.sup, digits),
+                     enclosure_text(scaled(row.sup, n), digits)});
+    if (row.slope) {
+      table.back().push_back(enclosure_text(*row.slope, digits));
+      table.back().push_back(enclosure_text(scaled(*row.slope, n * n), digits));
+    } else {
+      table.back().insert(table.back().end(), {"-", row.slope_reason});
+    }
+    if (!row.complete) table.back().push_back("(budget spent)");
+  }
+  std::ostringstream text;
+  text << table_text(table) << "\n" << skipped_text(range);
+  if (!sweep.shard.is_whole()) text << shard_note(options);
+  for (const Finding& finding : findings)
+    text << "d = " << finding.d << ": " << finding.decay.sentence(finding.quantity) << "\n";
+  options.answer(text.str());
+  return verdict_code(verdict);
+}
+
+// Conjecture 8
+
+int conjecture_8(const ConjectureOptions& options, const PrimalSchemes& range) {
+  const std::vector<VariancePair> pairs = neighbouring_pairs(range.schemes);
+  if (pairs.empty()) throw UsageError("conjecture 8 compares: give two different n or two different d");
+  std::vector<SweepCase> cases;
+  for (const VariancePair& pair : pairs)
+    cases.push_back({"variance order: " + pair.smaller.specification() + " <= " + pair.larger.specification() + ": " +
+                         budget_text(options),
+                     static_cast<double>(pair.smaller.n)});
+  const SweepOptions sweep = sweep_options(options, options, "conjecture 8");
+  const auto results = run_sweep(
+      cases,
+      [&](std::size_t i) -> Json {
+        VarianceOrderOptions order_options;
+        order_options.seconds = options.budget;
+        const VarianceOrder order = is_below(make_scheme(pairs[i].smaller.specification()).mask,
+                                             make_scheme(pairs[i].larger.specification()).mask, order_options);
+        // The conjecture allows equality: curves that touch do not refute it.
+        if (order.below == Truth::no && order.difference == 0)
+          return {{"verdict", to_text(Truth::unknown)}, {"reason", "the curves touch at x = " + to_text(order.witness)}};
+        Json json{{"verdict", to_text(order.below)}, {"reason", order.reason}};
+        if (order.below == Truth::no) {
+          json["witness"] = to_text(order.witness);
+          json["difference"] = to_text(order.difference);
+        }
+        return json;
+      },
+      sweep);
+  if (!results) return done;
+  options.end_progress();
+
+  std::vector<Truth> truths;
+  Json rows = Json::array();
+  std::ostringstream text;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (!results->values[i]) continue;
+    const Json& value = *results->values[i];
+    const std::string word = value.at("verdict");
+    truths.push_back(word == "yes" ? Truth::yes : word == "no" ? Truth::no : Truth::unknown);
+    Json row{{"larger", pairs[i].larger.specification()}, {"smaller", pairs[i].smaller.specification()}};
+    row.update(value);
+    rows.push_back(row);
+    text << std::left << std::setw(10) << verdict_text(truths.back()) << "psi of "
+         << row.at("larger").get<std::string>() << " >= psi of " << row.at("smaller").get<std::string>();
+    if (value.contains("witness")) text << ", false at x = " << value.at("witness").get<std::string>();
+    if (truths.back() == Truth::unknown) text << " (" << value.at("reason").get<std::string>() << ")";
+    text << "\n";
+  }
+  const Truth verdict = all_of(truths);
+  if (options.json) {
+    Json json = answer_head(options, sweep);
+    json["rows"] = rows;
+    json["skipped"] = skipped_json(range);
+    json["verdict"] = sweep.shard.is_whole() ? Json(verdict_text(verdict)) : Json();
+    options.answer(json);
+    return verdict_code(verdict);
+  }
+  text << "\n" << skipped_text(range);
+  const auto count = [&](Truth truth) { return std::count(truths.begin(), truths.end(), truth); };
+  text << truths.size() << " comparisons: " << count(Truth::yes) << " hold, " << count(Truth::no) << " violated, "
+       << count(Truth::unknown) << " undecided.\n";
+  if (!sweep.shard.is_whole())
+    text << shard_note(options);
+  else
+    text << "Conjecture 8 "
+         << (verdict == Truth::yes  ? "holds"
+             : verdict == Truth::no ? "is violated"
+                                    : "is undecided")
+         << " for n in " << options.n << " and d in " << options.d
+         << (verdict == Truth::yes ? "; all other comparisons follow by transitivity.\n" : ".\n");
+  options.answer(text.str());
+  return verdict_code(verdict);
+}
+
+int run(ConjectureOptions& options) {
+  const std::vector<int> n = parse_number_list("--n", options.n, 1, largest_n);
+  const std::vector<int> d = parse_number_list("--d", options.d, 0, largest_d);
+  options.n = number_list_text(n);
+  options.d = number_list_text(d);
+  const PrimalSchemes range = distinct_primal_schemes(n, d);
+  if (range.schemes.empty())
+    throw UsageError(range.skipped.front().scheme.specification() + " is left out: " + range.skipped.front().reason() +
+                     "; no scheme remains");
+  return options.number == 7 ? conjecture_7(options, range) : conjecture_8(options, range);
+}
+
+}  // namespace
+
+void add_conjecture(CLI::App& app) {
+  auto options = std::make_shared<ConjectureOptions>();
+  CLI::App& command = add_command(
+      app, "conjecture", "Conjectures 7 and 8 of Dyn et al. over ranges of n and d, certified",
+      "subcert conjecture 7 --n 1..40 --d 1,3,5 --journal seven.journal", options, [=] { return run(*options); });
+  command
+      .add_option("NUMBER", options->number, "7: max psi ~ 1/n and max |psi'| ~ 1/n^2; 8: psi is monotone in d and n")
+      ->required()
+      ->check(CLI::IsMember({7, 8}));
+  command.add_option("--n", options->n, "Values of n, as 1..40 or 1,2,5..9")->capture_default_str();
+  command.add_option("--d", options->d, "Degrees")->capture_default_str();
+  command.add_option("--width", options->width, "Relative width of the enclosures")
+      ->check(CLI::Range(1e-15, 0.5))
+      ->capture_default_str();
+  command.add_option("--budget", options->budget, "Seconds for each case")
+      ->check(CLI::Range(0.001, 1e6))
+      ->capture_default_str();
+  add_sweep_arguments(command, *options);
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,43 @@
+// subcert merge JOURNAL... --out JOURNAL: joins the journals of shards
+
+#include "command.hpp"
+
+#include <subcert/reports/sweep/journal.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace subcert::cli {
+namespace {
+
+struct MergeOptions : CommonOptions {
+  std::vector<std::string> journals;
+};
+
+int run(const MergeOptions& options) {
+  for (const std::string& journal : options.journals)
+    if (!std::filesystem::exists(journal)) throw DataError(journal + ": no such file", missing_file);
+  const MergedJournals merged = merge_journals({options.journals.begin(), options.journals.end()}, options.out);
+  for (const std::string& report : merged.damage) std::cerr << "subcert: " << report << "\n";
+  if (options.json)
+    std::cout << Json{{"journal", options.out}, {"cases", merged.cases}, {"damaged_lines", merged.damage.size()}}.dump(
+                     2)
+              << "\n";
+  else
+    std::cout << options.out << ": " << merged.cases << (merged.cases == 1 ? " case\n" : " cases\n");
+  if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+  return done;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app) {
+  auto options = std::make_shared<MergeOptions>();
+  CLI::App& command = add_command(app, "merge", "Joins the journals of the shards of a sweep",
+                                  "subcert merge shard-*.journal --out whole.journal", options,
+                                  [=] { return run(*options); });
+  command.add_option("JOURNAL", options->journals, "Journals to join")->required();
+  command.get_option("--out")->description("The journal that takes them; its own cases are kept")->required();
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,17 @@
+#pragma once
+/// The Sobolev exponent, as the commands print it.
+
+#include "command.hpp"
+
+#include <subcert/analysis/regularity/sobolev.hpp>
+
+namespace subcert::cli {
+
+/// Nothing for masks whose matrices take more than about a second. Domain: at least one sum rule.
+std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask);
+
+/// The exponent and what stability makes of it; null where there is none.
+Json sobolev_json(const std::optional<SobolevRegularity>& sobolev, const Decision& stable);
+std::string sobolev_text(const SobolevRegularity& sobolev, const Decision& stable);
+
+}  // namespace subcert::cli

@@ -1,0 +1,33 @@
+#include "sweep_arguments.hpp"
+
+#include <subcert/reports/sweep/ranks.hpp>
+
+#include <iostream>
+
+namespace subcert::cli {
+
+void add_sweep_arguments(CLI::App& command, SweepArguments& arguments) {
+  command.add_option("--journal", arguments.journal, "Keep finished cases there and go on from those it has");
+  command.add_option("--shard", arguments.shard, "Only part I of N, as I/N with I from 1 to N; see 'subcert merge'");
+}
+
+SweepOptions sweep_options(const CommonOptions& common, const SweepArguments& arguments, const std::string& title) {
+  SweepOptions options;
+  options.journal = arguments.journal;
+  options.shard = parse_shard(arguments.shard);
+  try {
+    rank_count();
+  } catch (const std::runtime_error& error) {
+    throw UsageError(error.what());
+  }
+  options.jobs = common.jobs;
+  options.version = SUBCERT_VERSION;
+  options.progress = [&common, title](const std::string& line) { common.progress(title + ": " + line); };
+  options.warn = [&common](const std::string& line) {
+    common.end_progress();
+    std::cerr << "subcert: " << line << "\n";
+  };
+  return options;
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,94 @@
+#pragma once
+/// The journal of a sweep: finished cases, one checksummed line each, safe against kills and power cuts.
+/// The format is specified in docs/sweeps.md.
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace subcert {
+
+using Json = nlohmann::ordered_json;
+
+/// A journal that cannot be used: not a journal, not readable or writable, or with two results for one case.
+struct JournalError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Another process holds the journal.
+struct JournalInUse : JournalError {
+  using JournalError::JournalError;
+};
+
+/// The name of a case in a journal: the name-based UUID (version 5, SHA-1) of the program's version and the canonical
+/// specification, which states the scheme(s) and every option that the result depends on. Ref: RFC 4122, sec. 4.3.
+std::string case_id(const std::string& version, const std::string& specification);
+
+/// One finished case and the 1-based line it stands on.
+struct JournalEntry {
+  std::string version;
+  std::string specification;
+  Json result;
+  std::size_t line = 0;
+
+  std::string id() const { return case_id(version, specification); }
+};
+
+/// What a journal holds. A last line that is torn or damaged is left out without notice, for that is what a kill or a
+/// power cut leaves behind; other damaged lines are named by their 1-based numbers in `damaged` and left out.
+struct JournalContent {
+  std::vector<JournalEntry> entries;  ///< one for each id: repeated lines with the same result are one entry
+  std::vector<std::size_t> damaged;
+  std::uintmax_t whole_bytes = 0;  ///< the length of the file without a torn or damaged last line
+};
+
+/// Reads a journal, also one that is being written. Errors: throws JournalError that names the file for a file that
+/// cannot be read or is no journal, and the file and both lines where one case has two different results.
+JournalContent read_journal(const std::filesystem::path& path);
+
+/// "FILE line 7 is damaged; CONSEQUENCE" for each damaged line.
+std::vector<std::string> damage_reports(const std::filesystem::path& path, const JournalContent& content,
+                                        const std::string& consequence);
+
+/// A journal that this process alone writes to, until it is destroyed.
+class Journal {
+ public:
+  /// Opens the journal or makes a new one, locks it, reads it and cuts off a torn or damaged last line. Errors: throws
+  /// JournalInUse where another process holds it, JournalError as read_journal does.
+  explicit Journal(const std::filesystem::path& path);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  const JournalContent& content() const { return content_; }
+
+  /// Appends one case: one write, then fsync, so that afterwards the line survives whatever happens to the process or
+  /// the machine. Errors: throws JournalError; the journal then ends with its last whole line.
+  void append(const JournalEntry& entry);
+
+ private:
+  void lock();
+  void write_whole(const std::string& text);
+
+  std::filesystem::path path_;
+  int file_ = -1;
+  std::uintmax_t bytes_ = 0;
+  JournalContent content_;
+};
+
+struct MergedJournals {
+  std::size_t cases = 0;
+  std::vector<std::string> damage;  ///< reports on damaged lines, which are left out
+};
+
+/// Joins journals, and the one at `out` where it exists, into `out`; cases stand in the order of their first
+/// occurrence. Errors: throws JournalError as read_journal does, and one that names both files and lines where two
+/// journals have different results for one case; JournalInUse where another process holds `out`. The file at `out` is
+/// then as it was.
+MergedJournals merge_journals(const std::vector<std::filesystem::path>& sources, const std::filesystem::path& out);
+
+}  // namespace subcert

@@ -55,7 +55,7 @@ int IncrementalSimplex::add(const Eigen::VectorXd& vertex) {
   const std::size_t begin = vertices_.size();
   vertices_.resize(begin + at(stride_), 0.0);
   std::copy(vertex.data(), vertex.data() + size_, vertices_.begin() + static_cast<std::ptrdiff_t>(begin));
-  if (kind_ == PolytopeKind::real) {
+  if (kind_ != PolytopeKind::nonnegative) {
     if (count_ % kLane == 0) lanes_.resize(lanes_.size() + at(kLane) * at(size_), 0.0F);
     float* block = lanes_.data() + at(count_ / kLane) * at(kLane) * at(size_);
     for (int k = 0; k < size_; ++k) block[k * kLane + count_ % kLane] = static_cast<float>(vertex[k]);
@@ -338,11 +338,15 @@ double IncrementalSimplex::price_all() {
   prices_.resize(at(blocks) * kLane);
   peaks_.resize(at(blocks));
   float largest = 1;
-  if (kind_ == PolytopeKind::real) {
+  if (kind_ != PolytopeKind::nonnegative) {
     for (int k = 0; k < size_; ++k) single_[at(k)] = static_cast<float>(y_[at(k)]);
+    const std::size_t even = at(half_ - odd_);
     for (int b = 0; b < blocks; ++b) {
-      peaks_[at(b)] = kernels::price_block(lanes_.data() + at(b) * at(kLane) * at(size_), at(size_ - odd_), at(odd_),
-                                           single_.data(), prices_.data() + at(b) * kLane);
+      const float* block = lanes_.data() + at(b) * at(kLane) * at(size_);
+      float* prices = prices_.data() + at(b) * kLane;
+      peaks_[at(b)] = kind_ == PolytopeKind::real
+                          ? kernels::price_block(block, even, at(odd_), single_.data(), prices)
+                          : kernels::price_complex_block(block, even, at(odd_), flip_, single_.data(), prices);
       largest = std::max(largest, peaks_[at(b)]);
     }
   } else {
@@ -511,7 +515,7 @@ Membership IncrementalSimplex::solve(const Eigen::VectorXd& x, double accept, do
   list_.clear();
   const int limit = 200 + 20 * size_;
   // A short list serves as many pivots as make it as expensive as pricing everything once.
-  patience_ = kind_ == PolytopeKind::real ? count_ / (kLongList * size_) : count_ / 500;
+  patience_ = kind_ == PolytopeKind::nonnegative ? count_ / 500 : count_ / (kLongList * size_);
   int stale = 0;
   bool cold = false;
   for (int iteration = 0; iteration < limit; ++iteration) {

@@ -295,7 +295,10 @@ void PolytopeRun::add_roots() {
           known = known && std::abs(w.norm() - v.norm()) <= 1e-8 * v.norm();
         }
       }
-      if (!known) add({real_form(v), -1, -1, cycle.product, static_cast<int>(t)});
+      if (known) continue;
+      // The real part of a complex eigenvector is a vertex like any other.
+      const bool eigenvector = kind_ == PolytopeKind::complex || std::abs(cycle.phase.imag()) < 1e-9;
+      add(eigenvector ? Node{real_form(v), -1, -1, cycle.product, static_cast<int>(t)} : Node{real_form(v)});
     }
   }
 }

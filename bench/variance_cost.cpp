@@ -32,7 +32,7 @@ class Collector : public benchmark::ConsoleReporter {
     for (const Run& run : runs) {
       int n = 0, degree = 0;
       if (std::sscanf(run.run_name.function_name.c_str(), "primal:n=%d,d=%d", &n, &degree) == 2)
-        seconds_[degree][n] = run.real_accumulated_time / static_cast<double>(run.iterations);
+        seconds_[degree][n] = run.cpu_accumulated_time / static_cast<double>(run.iterations);
     }
     ConsoleReporter::ReportRuns(runs);
   }
@@ -53,7 +53,7 @@ double exponent(const std::map<int, double>& seconds) {
 }
 
 void draw_cost(const Seconds& all, const std::string& file) {
-  Panel panel{"", "n", "seconds", {}, true, "top left"};
+  Panel panel{"", "n", "seconds of one core", {}, true, "top left"};
   panel.log_x = true;
   for (const auto& [degree, seconds] : all) {
     char label[64];

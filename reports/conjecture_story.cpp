@@ -80,13 +80,14 @@ Figure plot(const std::vector<Course>& courses, const Suggested& suggested) {
   }
   for (const Course& course : courses) {
     const double limit = upper_as_double(course.limit.constant);
-    values.curves.push_back({"C_" + std::to_string(course.degree), {{1, limit}, {last_n_of_figure_8, limit}}});
+    const std::string label = course.degree == degrees().front() ? "limits C_d" : "";
+    values.curves.push_back({label, {{1, limit}, {last_n_of_figure_8, limit}}});
   }
   Curve printed{"printed in Table 3", {}, true}, shortcut{"shortcut", {}, true};
   for (const auto& [n, text] : suggested.printed) printed.points.emplace_back(n, std::stod(text));
   for (const auto& [n, value] : suggested.shortcut) shortcut.points.emplace_back(n, value.convert_to<double>());
   printed.joined = false;
-  degree_one.curves = {scaled_curve("certified", courses.front().slopes, 2), printed, shortcut};
+  degree_one.curves = {scaled_curve("certified", courses.front().slopes, 2), shortcut, printed};
   return {"conjecture7", "Conjecture 7, both halves",
           "Above: n max psi tends to its limits (horizontal lines), with an error that falls like 1/n. Below: n^2 max "
           "|psi'| falls to 0 (left); for d = 1 the printed values and the shortcut that gives their digits stay far "
@@ -143,13 +144,14 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
       "What Table 3 suggested. Its caption reads the columns n max psi and n^2 max |psi'| as approximately constant. For "
       "d = 1 and n = " + joined(sizes) + " it prints n^2 max |psi'| = " + joined(printed) +
           ". Over all x, n^2 max |psi'| is proved to be at most " + joined(certified) + " there.",
-      "Where the printed values may come from. " + std::to_string(search.cells_given()) +
-          " cells of the table have the digits of one numerical shortcut: " +
+      "Where the printed values may come from. Of the " + std::to_string(search.cells()) + " printed values, " +
+          std::to_string(search.cells_given()) +
+          " have the digits of one numerical shortcut: " +
           variance_shortcuts()[search.best()].text() + ". For d = 1 and n = " + joined(sizes) +
           " it gives n^2 max |psi'| = " + joined(by_shortcut) + " and at n = " + last + " still " +
           to_fixed(suggested.shortcut_at(last_n_of_figure_8), 4, Rounding::nearest) +
-          ". Terms that enter or leave a sum as x grows have slopes of their own, and for large n these are all that is "
-          "left. What was really computed for the paper we cannot know.",
+          ". The terms that such a sum leaves out have slopes of their own, far larger than those of psi, and these are "
+          "what it measures. What was really computed for the paper we cannot know.",
       "What is true of the first half. It holds, as a rate and for every degree: n max psi tends to a constant, " +
           joined(constants) + " (docs/limit-constants.md, with proof and any number of digits).",
       "What is true of the second half. As an upper bound it holds, as a rate it does not: for every degree max |psi'| "

@@ -125,9 +125,9 @@ Section variance_section(const ReportOptions& options, Workshop& workshop) {
         "difference of two such values, which bounds the largest slope from below.");
     section.paragraphs.push_back(
         "Where the digits may come from. " + workshop.shortcuts().summary() +
-        " The notes call it the shortcut of the table. That it gives the digits does not prove that the authors took "
-        "it. It leaves out the ends of the support, which lowers the maxima of psi a little and adds a slope that psi "
-        "does not have. docs/table-3.md lists what was tried.");
+        " That it gives the digits does not prove that it is what was computed. It leaves out the ends of the support, "
+        "which lowers the maxima of psi a little and adds a slope that psi does not have. docs/table-3.md lists what "
+        "was tried.");
   }
   for (const char* item : {"fig2", "fig8", "fig9"}) {
     if (!wanted(item)) continue;

@@ -5,6 +5,7 @@
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace subcert {
 
@@ -42,23 +43,25 @@ bool ShortcutSearch::gives(const PublishedCell& cell, std::size_t shortcut) cons
 }
 
 std::string ShortcutSearch::note(const PublishedCell& cell) const {
-  const auto shown = [&](std::size_t s) { return to_fixed(value(cell, s), 6, Rounding::nearest); };
-  if (gives(cell, best_)) return "the shortcut of the table gives the printed digits (" + shown(best_) + ")";
-  for (std::size_t s = 0; s < variance_shortcuts().size(); ++s)
+  std::vector<std::size_t> order(variance_shortcuts().size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(best_),
+              order.begin() + static_cast<std::ptrdiff_t>(best_) + 1);
+  for (std::size_t s : order)
     if (gives(cell, s))
-      return "the shortcut of the table gives " + shown(best_) + "; the printed digits come from " +
-             variance_shortcuts()[s].text() + " (" + shown(s) + ")";
+      return "the printed digits are those of " + variance_shortcuts()[s].text(VarianceCell(cell).slope) + ": " +
+             to_fixed(value(cell, s), 6, Rounding::nearest);
   return "no shortcut tried reproduces it";
 }
 
 std::string ShortcutSearch::summary() const {
   std::string others;
   for (const PublishedCell& cell : table_.cells)
-    if (!gives(cell, best_)) others += (others.empty() ? "" : "; ") + cell.row + ", " + cell.column;
+    if (!gives(cell, best_)) others += (others.empty() ? "" : " and ") + cell.column + " of " + cell.row;
   return "Of " + std::to_string(variance_shortcuts().size()) +
          " numerical shortcuts, each evaluated exactly, one gives the printed digits (rounded or cut) of " +
          std::to_string(cells_given_) + " of the " + std::to_string(table_.cells.size()) + " cells: " +
-         variance_shortcuts()[best_].text() + "." + (others.empty() ? "" : " It does not give: " + others + ".");
+         variance_shortcuts()[best_].text() + "." + (others.empty() ? "" : " It does not give " + others + ".");
 }
 
 }  // namespace subcert

@@ -26,12 +26,13 @@ class ShortcutSearch {
   /// The index of the shortcut that gives the digits of the most cells; of several the first.
   std::size_t best() const { return best_; }
   std::size_t cells_given() const { return cells_given_; }
+  std::size_t cells() const { return table_.cells.size(); }
 
   Rational value(const PublishedCell& cell, std::size_t shortcut) const;
   bool gives(const PublishedCell& cell, std::size_t shortcut) const;
 
-  /// For a cell whose printed value is wrong: the best shortcut where it gives the digits, else the first that does,
-  /// else that none does.
+  /// For a cell whose printed value is wrong: the best shortcut where it gives the digits, else the first other one that
+  /// does, else that none tried does.
   std::string note(const PublishedCell& cell) const;
 
   /// How far one shortcut explains the table, in sentences.

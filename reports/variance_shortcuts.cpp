@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace subcert {
 namespace {
@@ -36,7 +37,10 @@ struct Squares {
   }
 
   std::size_t steps() const { return std::size_t{1} << level; }
-  long shifts() const { return static_cast<long>(values.size() / steps()) + std::abs(first) / static_cast<long>(steps()) + 2; }
+  /// Beyond this no j adds anything.
+  long shifts() const {
+    return static_cast<long>(values.size() / steps()) + std::abs(first) / static_cast<long>(steps()) + 2;
+  }
 
   /// Adds f(x - j)^2 to a curve.
   void add(std::vector<Integer>& curve, long j) const {
@@ -46,12 +50,10 @@ struct Squares {
     }
   }
 
-  std::vector<Integer> curve(const std::optional<SampledVariance::Window>& window, int n) const {
-    const long low = window ? -(n + window->beyond) : -shifts();
-    const long high = window ? n + window->beyond + (window->one_more ? 1 : 0) : shifts();
-    std::vector<Integer> result(steps() + 1, 0);
-    for (long j = low; j <= high; ++j) add(result, j);
-    return result;
+  /// First and last j of a sum.
+  std::pair<long, long> bounds(const std::optional<SampledVariance::Window>& window, int n) const {
+    if (!window) return {-shifts(), shifts()};
+    return {-(n + window->beyond), n + window->beyond + (window->one_more ? 1 : 0)};
   }
 
   ShortcutValues of(const std::vector<Integer>& curve, bool two_steps) const {
@@ -71,6 +73,29 @@ std::vector<std::optional<SampledVariance::Window>> windows() {
   return result;
 }
 
+/// The sum over growing ranges of j.
+class GrowingSum {
+ public:
+  explicit GrowingSum(const Squares& squares) : squares_(squares), curve_(squares.steps() + 1, 0) {}
+
+  /// Domain: `first` and `last` enclose the range before, or it was empty.
+  const std::vector<Integer>& grow(long first, long last) {
+    if (first > last) return curve_;
+    if (low_ > high_) {
+      low_ = first;
+      high_ = first - 1;
+    }
+    while (high_ < last) squares_.add(curve_, ++high_);
+    while (low_ > first) squares_.add(curve_, --low_);
+    return curve_;
+  }
+
+ private:
+  const Squares& squares_;
+  std::vector<Integer> curve_;
+  long low_ = 1, high_ = 0;  // nothing added
+};
+
 std::string bound_text(int beyond) {
   if (beyond == 0) return "n";
   return beyond > 0 ? "n+" + std::to_string(beyond) : "n-" + std::to_string(-beyond);
@@ -78,15 +103,18 @@ std::string bound_text(int beyond) {
 
 }  // namespace
 
-std::string Shortcut::text() const {
-  std::string text = curve.window ? "the sum over j = -" +
-                                        (curve.window->beyond == 0 ? "n" : "(" + bound_text(curve.window->beyond) + ")") +
-                                        ", ..., " + bound_text(curve.window->beyond + (curve.window->one_more ? 1 : 0)) +
-                                        " alone"
-                                  : "the whole sum";
-  text += curve.refined_pulse ? ", the pulse after " + std::to_string(curve.level) + " refinements in place of phi"
-                              : ", phi at the multiples of 2^-" + std::to_string(curve.level);
-  return text + ", slopes as divided differences of step 2^-" + std::to_string(curve.level - (two_steps ? 1 : 0));
+std::string Shortcut::text(bool slope) const {
+  std::string text = curve.refined_pulse ? "a pulse refined " + std::to_string(curve.level) + " times"
+                                         : "phi at the multiples of 2^-" + std::to_string(curve.level);
+  if (curve.window) {
+    const int left = curve.window->beyond, right = left + (curve.window->one_more ? 1 : 0);
+    text += ", squares summed over j = -" + (left == 0 ? "n" : "(" + bound_text(left) + ")") + ", ..., " +
+            bound_text(right) + " alone";
+  } else {
+    text += ", squares summed over all j";
+  }
+  if (slope) text += ", divided differences of step 2^-" + std::to_string(curve.level - (two_steps ? 1 : 0));
+  return text;
 }
 
 const std::vector<Shortcut>& variance_shortcuts() {
@@ -103,20 +131,26 @@ const std::vector<Shortcut>& variance_shortcuts() {
 
 ShortcutValues evaluate_shortcut(const Shortcut& shortcut, const Mask& mask, int n) {
   const Squares squares(samples(shortcut.curve, mask), shortcut.curve.level);
-  return squares.of(squares.curve(shortcut.curve.window, n), shortcut.two_steps);
+  const auto [first, last] = squares.bounds(shortcut.curve.window, n);
+  return squares.of(GrowingSum(squares).grow(first, last), shortcut.two_steps);
 }
 
 std::vector<ShortcutValues> evaluate_shortcuts(const Mask& mask, int n) {
-  std::vector<Squares> squares;
-  for (bool refined : {false, true})
-    for (int level = first_level; level <= last_level; ++level)
-      squares.emplace_back(samples({refined, level, std::nullopt}, mask), level);
-  std::vector<ShortcutValues> result;
-  for (const auto& window : windows())
-    for (const Squares& one : squares) {
-      const std::vector<Integer> curve = one.curve(window, n);
-      for (bool two_steps : {false, true}) result.push_back(one.of(curve, two_steps));
+  std::vector<ShortcutValues> result(variance_shortcuts().size());
+  const auto sums = windows();
+  constexpr std::size_t levels = last_level - first_level + 1;
+  for (std::size_t source = 0; source < 2 * levels; ++source) {
+    const int level = first_level + static_cast<int>(source % levels);
+    const Squares squares(samples({source >= levels, level, std::nullopt}, mask), level);
+    GrowingSum sum(squares);
+    for (std::size_t k = 1; k <= sums.size(); ++k) {  // the windows grow; the whole sum, the first, comes last
+      const std::size_t w = k % sums.size();
+      const auto [first, last] = squares.bounds(sums[w], n);
+      const std::vector<Integer>& curve = sum.grow(first, last);
+      for (std::size_t two_steps : {0, 1})
+        result[(w * 2 * levels + source) * 2 + two_steps] = squares.of(curve, two_steps == 1);
     }
+  }
   return result;
 }
 

@@ -28,7 +28,8 @@ struct Shortcut {
   SampledVariance curve;
   bool two_steps = false;
 
-  std::string text() const;
+  /// In words; the divided difference only where `slope`.
+  std::string text(bool slope = true) const;
 };
 
 /// All that are tried, the simple ones first: 264.
@@ -40,7 +41,7 @@ struct ShortcutValues {
 };
 
 /// What variance_shortcuts() give, in that order, exact. Domain: a binary convergent scheme on 2n data, n >= 1.
-/// Cost: for n = 7 about a second. Errors: as limit_values.
+/// Cost: for n = 7 some tenths of a second. Errors: as limit_values.
 std::vector<ShortcutValues> evaluate_shortcuts(const Mask& mask, int n);
 
 /// One of them alone.

@@ -141,8 +141,8 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
   return {
       "What was conjectured. For every degree d, max psi ~ 1/n and max |psi'| ~ 1/n^2 (Conjecture 7); for d = 1 the "
       "same is Theorem 6 of the paper.",
-      "What Table 3 suggested. Its caption reads the columns n max psi and n^2 max |psi'| as approximately constant. For "
-      "d = 1 and n = " + joined(sizes) + " it prints n^2 max |psi'| = " + joined(printed) +
+      "What Table 3 suggested. Its caption reads the columns n max psi and n^2 max |psi'| as approximately constant. "
+      "For d = 1 and n = " + joined(sizes) + " it prints n^2 max |psi'| = " + joined(printed) +
           ". Over all x, n^2 max |psi'| is proved to be at most " + joined(certified) + " there.",
       "Where the printed values may come from. Of the " + std::to_string(search.cells()) + " printed values, " +
           std::to_string(search.cells_given()) +
@@ -150,8 +150,8 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
           variance_shortcuts()[search.best()].text() + ". For d = 1 and n = " + joined(sizes) +
           " it gives n^2 max |psi'| = " + joined(by_shortcut) + " and at n = " + last + " still " +
           to_fixed(suggested.shortcut_at(last_n_of_figure_8), 4, Rounding::nearest) +
-          ". The terms that such a sum leaves out have slopes of their own, far larger than those of psi, and these are "
-          "what it measures. What was really computed for the paper we cannot know.",
+          ". The terms that such a sum leaves out have slopes of their own, far larger than those of psi, and these "
+          "are what it measures. What was really computed for the paper we cannot know.",
       "What is true of the first half. It holds, as a rate and for every degree: n max psi tends to a constant, " +
           joined(constants) + " (docs/limit-constants.md, with proof and any number of digits).",
       "What is true of the second half. As an upper bound it holds, as a rate it does not: for every degree max |psi'| "

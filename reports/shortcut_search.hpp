@@ -31,8 +31,8 @@ class ShortcutSearch {
   Rational value(const PublishedCell& cell, std::size_t shortcut) const;
   bool gives(const PublishedCell& cell, std::size_t shortcut) const;
 
-  /// For a cell whose printed value is wrong: the best shortcut where it gives the digits, else the first other one that
-  /// does, else that none tried does.
+  /// For a cell whose printed value is wrong: the best shortcut where it gives the digits, else the first other one
+  /// that does, else that none tried does.
   std::string note(const PublishedCell& cell) const;
 
   /// How far one shortcut explains the table, in sentences.

@@ -12,7 +12,8 @@
 namespace subcert {
 
 /// The sum of the squares f(x - j)^2 over j at x = i / 2^level, 0 <= i <= 2^level. f is the basic limit function, or
-/// the unit pulse after `level` refinements; j runs over all integers, or from -(n + beyond) to n + beyond, or one more.
+/// the unit pulse after `level` refinements; j runs over all integers, or from -(n + beyond) to n + beyond, or one
+/// more.
 struct SampledVariance {
   bool refined_pulse = false;
   int level = 0;

@@ -3,10 +3,13 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
+#include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/certified_polytope.hpp>
 #include <subcert/analysis/regularity/transition.hpp>
 #include <subcert/analysis/variance/variance.hpp>
+#include <subcert/analysis/variance/variance_order.hpp>
+#include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <benchmark/benchmark.h>
@@ -112,7 +115,8 @@ struct PolytopeCase {
       family.matrices.emplace_back(size, size);
       for (Eigen::Index i = 0; i < size; ++i)
         for (Eigen::Index j = 0; j < size; ++j)
-          family.matrices.back()(i, j) = m(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).convert_to<double>();
+          family.matrices.back()(i,
+                                 j) = m(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).convert_to<double>();
     }
     family.flip_symmetric = true;  // the masks are palindromes
   }
@@ -160,5 +164,30 @@ void BM_variance_grid(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(variance_grid(mask, 7, true));
 }
 BENCHMARK(BM_variance_grid)->Arg(3)->Arg(7)->Unit(benchmark::kMillisecond);
+
+/// Maximum, minimum and largest slope of psi to a relative width of 1e-6, and the mean.
+void BM_variance_range(benchmark::State& state) {
+  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=" + std::to_string(state.range(1)))
+                        .mask;
+  VarianceRange range;
+  for (auto _ : state) range = variance_range(mask);
+  state.counters["cells"] = static_cast<double>(range.cells);
+  state.counters["slope_width"] = Rational((*range.slope->upper - *range.slope->lower) / *range.slope->upper)
+                                      .convert_to<double>();
+}
+BENCHMARK(BM_variance_range)->ArgsProduct({{5, 20, 40}, {1, 3}})->Unit(benchmark::kMillisecond);
+
+void BM_variance_order(benchmark::State& state) {
+  const Mask first = make_scheme("primal:n=" + std::to_string(state.range(0))).mask;
+  const Mask second = make_scheme("primal:n=" + std::to_string(state.range(0) - 1)).mask;
+  for (auto _ : state) benchmark::DoNotOptimize(is_below(first, second));
+}
+BENCHMARK(BM_variance_order)->Arg(5)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
+
+void BM_limit_range(benchmark::State& state) {
+  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=3").mask;
+  for (auto _ : state) benchmark::DoNotOptimize(limit_range(mask));
+}
+BENCHMARK(BM_limit_range)->Arg(5)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
 
 }  // namespace

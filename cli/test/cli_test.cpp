@@ -133,6 +133,13 @@ TEST_CASE("the fields of the contract") {
   CHECK(variance.at("sup").at("lower") == "1");
   CHECK(variance.at("sup").at("upper") == "1");
   CHECK(variance.at("inf").at("upper") == "0.5");
+  CHECK(variance.at("derivative_sup").at("upper").get<std::string>().substr(0, 10) == "2.00000000");
+  const auto smooth = run_json("variance dd:n=2");
+  CHECK(smooth.at("sup").at("lower") == "1");
+  CHECK(smooth.at("complete") == true);
+  CHECK(smooth.at("derivative_sup").at("lower").get<std::string>().substr(0, 7) == "1.09267");
+  CHECK(run_json("variance four-point:w=1/5").at("derivative_sup").is_null());
+  CHECK(run_json("variance primal:n=10 --budget 0.000001", 2).at("complete") == false);
 
   const auto reproduce = run_json("reproduce dyn-2015 --only table1,table2");
   CHECK(reproduce.at("comparisons").size() == 18);
@@ -158,7 +165,8 @@ TEST_CASE("wrong usage is one line and exit code 64") {
        {"", "nonsense", "mask", "mask nobody:n=3", "mask primal:n=100000", "mask primal:n=3,n=3", "mask 'mask:[1,1]/0'",
         "mask 'mask:[1,3,3,2]/4'", "mask primal:n=3 --nonsense", "mask primal:n=3 extra", "limit primal:n=2 --level -1",
         "limit primal:n=2 --level 50", "limit primal:n=2000", "regularity dual:n=2 --levels 0",
-        "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "reproduce nobody-1900",
+        "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "variance dd:n=2 --width 0",
+        "variance dd:n=2 --width x", "reproduce nobody-1900",
         "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "conjecture", "conjecture 9", "conjecture 7 --n 0",
         "conjecture 7 --n 4..1", "conjecture 7 --n 1,,2", "conjecture 7 --d x", "conjecture 7 --shard 0/8",
         "conjecture 7 --shard 9/8", "theorem conjecture-9", "theorem conjecture-7 --d x", "theorem conjecture-7 --d 99", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
@@ -186,6 +194,9 @@ TEST_CASE("conjectures over a range, whole, split and continued") {
   fs::create_directories(folder);
   const auto seven = run_json("conjecture 7 --n 1..4 --d 1,3");
   CHECK(seven.at("conjecture") == 7);
+  CHECK(seven.at("limits").size() == 2);
+  CHECK(seven.at("limits").at(0).at("constant").at("lower").get<std::string>().substr(0, 22) == "0.40443676798398528146");
+  CHECK(seven.at("rows").at(3).at("limit_deviation").at("lower").get<std::string>().substr(0, 4) == "0.06");
   REQUIRE(seven.at("rows").size() == 7);
   CHECK(seven.at("rows").at(2).at("n") == 3);
   CHECK(seven.at("rows").at(2).at("sup").at("lower").get<std::string>().substr(0, 6) == "0.1489");

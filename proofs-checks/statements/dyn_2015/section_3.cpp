@@ -94,8 +94,8 @@ Outcome psi_like_1_over_n(const Context&) {
   trial.require(proof.is_yes(), proof.reason);
   return trial
       .for_all("all n >= 1",
-               "|(n - 1/4) psi_n(x)/c - 1| < 2/n^2 for all x, with c = 0.40443..., every inequality of the proof "
-               "certified (docs/theorems/degree-one.md, theorem B)")
+               "|(n - 1/4) psi_n(x)/c - 1| < 0.855/n^2 for all x, with c = 0.40443..., every inequality of the proof "
+               "certified (docs/theorems/README.md, conjecture-7)")
       .outcome();
 }
 
@@ -113,12 +113,12 @@ Outcome psi_slope_like_1_over_n2(const Context& context) {
                       to_decimal(after, 4, Rounding::up) + " at n = " + std::to_string(most) +
                       "; n^4 max |psi_n'| stays bounded, so the ratio of the two sides tends to 0");
   corrected.require(bound.is_yes(), bound.reason);
-  corrected.for_all("all n >= 1", "n^2 max |psi_n'| <= 5 for n >= 3 (docs/theorems/degree-one.md, theorem C)");
+  corrected.for_all("all n >= 1", "n^2 max |psi_n'| < 0.0575 for n >= 2 (docs/theorems/README.md, conjecture-7)");
   Outcome outcome = printed.outcome(corrected);
   if (outcome.verdict == Verdict::misprint)
     outcome.verdict = Verdict::false_claim;  // not a slip: the rate is another one
   outcome.argument =
-      "read as a rate; read as an upper bound it is true for all n (docs/theorems/degree-one.md, theorem C)";
+      "read as a rate; read as an upper bound it is true for all n (docs/theorems/README.md, conjecture-7)";
   return outcome;
 }
 
@@ -162,7 +162,7 @@ Outcome figure_2(const Context&) {
   trial.require(proof.is_yes(), proof.reason);
   return trial
       .for_all("all n >= 1",
-               "max psi_{n+1} < min psi_n (docs/theorems/degree-one.md, theorem A), certified maxima and minima for n "
+               "max psi_{n+1} < min psi_n (docs/theorems/README.md, conjecture-8-n), certified maxima and minima for n "
                "= 1..5")
       .outcome();
 }

@@ -270,8 +270,8 @@ Outcome conjecture_8_degree_one(const Context&) {
   trial.require(proof.is_yes(), proof.reason);
   return trial
       .for_all("d = 1, all n >= 1",
-               "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/degree-one.md, "
-               "theorem A)")
+               "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/README.md, "
+               "conjecture-8-n)")
       .outcome();
 }
 

@@ -49,5 +49,7 @@ function(subcert_test name)
   add_executable(${name} ${test_SOURCES})
   target_link_libraries(${name} PRIVATE ${test_DEPENDS} Catch2::Catch2WithMain)
   subcert_warnings(${name})
+  # What is tested is optimised; the tests themselves are compiled quickly.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   catch_discover_tests(${name} TEST_PREFIX "${name}: " PROPERTIES LABELS quick TIMEOUT 300)
 endfunction()

@@ -1,8 +1,8 @@
-# subcert_floor(NAME SOURCES ... HEADERS ... DEPENDS ... PRIVATE ...)
+# subcert_floor(NAME [QUICK] SOURCES ... HEADERS ... DEPENDS ... PRIVATE ...)
 # One static library for a floor of the house: alias subcert::NAME, exported, with its public headers installed
-# below include/subcert under their path in the source tree.
+# below include/subcert under their path in the source tree. QUICK: compiled quickly, for a floor that only calls others.
 function(subcert_floor name)
-  cmake_parse_arguments(PARSE_ARGV 1 floor "" "" "SOURCES;HEADERS;DEPENDS;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 floor "QUICK" "" "SOURCES;HEADERS;DEPENDS;PRIVATE")
   add_library(subcert_${name} STATIC ${floor_SOURCES} ${floor_HEADERS})
   add_library(subcert::${name} ALIAS subcert_${name})
   set_target_properties(subcert_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
@@ -14,6 +14,11 @@ function(subcert_floor name)
     target_link_libraries(subcert_${name} PRIVATE ${library})
   endforeach()
   subcert_warnings(subcert_${name})
+  if(floor_QUICK)
+    subcert_precompiled(subcert_${name} quick_floors)
+  else()
+    subcert_precompiled(subcert_${name} floors)
+  endif()
   file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
   foreach(header IN LISTS floor_HEADERS)
     get_filename_component(inside "${header}" DIRECTORY)
@@ -25,9 +30,38 @@ function(subcert_floor name)
   endif()
 endfunction()
 
+# subcert_precompiled(TARGET KIND): what almost every source reads is parsed once for all targets of a kind, which have
+# the same options.
+#   floors        optimised, position independent
+#   quick_floors  the same for floors that only call others: compiled quickly
+#   programs      tests, examples, reports: compiled quickly
+function(subcert_precompiled target kind)
+  if(NOT kind STREQUAL "floors")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+  if(NOT TARGET subcert_precompiled_${kind})
+    set(headers "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
+    if(kind STREQUAL "programs" AND SUBCERT_BUILD_TESTS)
+      list(APPEND headers "${PROJECT_SOURCE_DIR}/cmake/catch.hpp")
+    endif()
+    set(source "${PROJECT_BINARY_DIR}/precompiled_${kind}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "")
+    add_library(subcert_precompiled_${kind} OBJECT "${source}")
+    target_compile_features(subcert_precompiled_${kind} PRIVATE cxx_std_20)
+    target_link_libraries(subcert_precompiled_${kind} PRIVATE Boost::headers)
+    get_target_property(options ${target} COMPILE_OPTIONS)
+    get_target_property(independent ${target} POSITION_INDEPENDENT_CODE)
+    set_target_properties(subcert_precompiled_${kind} PROPERTIES COMPILE_OPTIONS "${options}"
+      POSITION_INDEPENDENT_CODE "${independent}")
+    target_precompile_headers(subcert_precompiled_${kind} PRIVATE ${headers})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM subcert_precompiled_${kind})
+endfunction()
+
 function(subcert_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # GCC 12 warns wrongly about joined strings (its bug 105651)
+    # GCC 12 warns wrongly about joined strings (its bug 105651), with precompiled headers in three ways.
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
 endfunction()
 
 # Each public header compiles as a source of its own, so that it needs no other include before it: a long test a floor.
@@ -50,9 +84,8 @@ endfunction()
 function(subcert_test name)
   cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;DEPENDS")
   add_executable(${name} ${test_SOURCES})
-  target_link_libraries(${name} PRIVATE ${test_DEPENDS} Catch2::Catch2WithMain)
+  target_link_libraries(${name} PRIVATE ${test_DEPENDS} Boost::headers Catch2::Catch2WithMain)
   subcert_warnings(${name})
-  # What is tested is optimised; the tests themselves are compiled quickly.
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  subcert_precompiled(${name} programs)
   catch_discover_tests(${name} TEST_PREFIX "${name}: " PROPERTIES LABELS quick TIMEOUT 300)
 endfunction()

@@ -1,11 +1,11 @@
 #include "joint_spectral_radius.hpp"
 
 #include "exact_radius.hpp"
+#include "polytope/decompositions.hpp"
 
 #include <subcert/analysis/symbol/flint.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <boost/multiprecision/mpfr.hpp>
 
 #include <algorithm>
@@ -155,7 +155,7 @@ ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const
   const LaurentPolynomial p = characteristic_polynomial(product);
   const std::vector<Rational> coefficients = coefficients_of(p);
 
-  const Eigen::VectorXcd eigenvalues = to_double(product).eigenvalues();
+  const Eigen::VectorXcd eigenvalues = detail::eigenvalues(to_double(product));
   Eigen::Index leading = 0;
   for (Eigen::Index k = 0; k < eigenvalues.size(); ++k)
     if (std::abs(eigenvalues[k]) > std::abs(eigenvalues[leading]) * (1 + 1e-12)) leading = k;

@@ -1,5 +1,7 @@
 #include "polytope_run.hpp"
 
+#include "decompositions.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -20,10 +22,10 @@ double since(Clock::time_point start) { return std::chrono::duration<double>(Clo
 
 // x' = to x turns the symmetric positive definite block into the identity.
 void whiten(const Eigen::MatrixXd& shape, Eigen::MatrixXd& to, Eigen::MatrixXd& from) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(shape);
-  const Eigen::VectorXd root = eigen.eigenvalues().cwiseMax(1e-12 * eigen.eigenvalues().maxCoeff()).cwiseSqrt();
-  to = root.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
-  from = eigen.eigenvectors() * root.asDiagonal();
+  const SymmetricDecomposition eigen = symmetric_decomposition(shape);
+  const Eigen::VectorXd root = eigen.values.cwiseMax(1e-12 * eigen.values.maxCoeff()).cwiseSqrt();
+  to = root.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
+  from = eigen.vectors * root.asDiagonal();
 }
 
 Eigen::VectorXcd mirrored(Eigen::VectorXcd x, PolytopeKind kind, int odd) {
@@ -181,14 +183,14 @@ std::vector<RootCycle> leading_cycles(const std::vector<Eigen::MatrixXd>& matric
     const Candidate& candidate = products[index];
     Eigen::MatrixXd product = Eigen::MatrixXd::Identity(d, d);
     for (int letter : candidate.word) product = matrices[static_cast<std::size_t>(letter)] * product / candidate.radius;
-    const Eigen::EigenSolver<Eigen::MatrixXd> right(product), left(product.transpose());
+    const EigenDecomposition right = eigen_decomposition(product), left = eigen_decomposition(product.transpose());
     for (Eigen::Index k = 0; k < d; ++k) {
-      const std::complex<double> value = right.eigenvalues()[k];
-      if (std::abs(value) < (1 - tolerance) * right.eigenvalues().cwiseAbs().maxCoeff() || value.imag() < 0) continue;
+      const std::complex<double> value = right.values[k];
+      if (std::abs(value) < (1 - tolerance) * right.values.cwiseAbs().maxCoeff() || value.imag() < 0) continue;
       RootCycle cycle;
       cycle.product = static_cast<int>(index);
       cycle.phase = value / std::abs(value);
-      Eigen::VectorXcd v = right.eigenvectors().col(k);
+      Eigen::VectorXcd v = right.vectors.col(k);
       v.normalize();
       // A Jordan block shows as parallel eigenvectors: one root only, and no polytope will close.
       const bool repeated = std::any_of(cycles.begin(), cycles.end(), [&](const RootCycle& c) {
@@ -198,8 +200,8 @@ std::vector<RootCycle> leading_cycles(const std::vector<Eigen::MatrixXd>& matric
       Eigen::Index match = 0;
       double most = -1;
       for (Eigen::Index l = 0; l < d; ++l) {  // among close eigenvalues the dual vector that pairs best
-        if (std::abs(left.eigenvalues()[l] - value) > 1e-6) continue;
-        const double pairing = std::abs(left.eigenvectors().col(l).conjugate().dot(v));
+        if (std::abs(left.values[l] - value) > 1e-6) continue;
+        const double pairing = std::abs(left.vectors.col(l).conjugate().dot(v));
         if (pairing > most) {
           most = pairing;
           match = l;
@@ -211,7 +213,7 @@ std::vector<RootCycle> leading_cycles(const std::vector<Eigen::MatrixXd>& matric
       }
       if (most > 1e-9) {
         // left[t] applies the rest of the word first.
-        Eigen::VectorXcd u = left.eigenvectors().col(match);
+        Eigen::VectorXcd u = left.vectors.col(match);
         cycle.left.resize(candidate.word.size());
         for (std::size_t t = candidate.word.size(); t-- > 0;) {
           u = matrices[static_cast<std::size_t>(candidate.word[t])].transpose() * u / candidate.radius;
@@ -320,10 +322,10 @@ void PolytopeRun::add_extra_vertices() {
   const int even = dimension_ - coordinates_.odd;
   for (const auto& [begin, size] : {std::pair(0, even), std::pair(even, coordinates_.odd)}) {
     if (size == 0) continue;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram.block(begin, begin, size, size));
+    const SymmetricDecomposition eigen = symmetric_decomposition(gram.block(begin, begin, size, size));
     for (int k = 0; k < size; ++k) {
       Eigen::VectorXd direction = Eigen::VectorXd::Zero(vertices_.front().value.size());
-      direction.segment(begin, size) = eigen.eigenvectors().col(k);
+      direction.segment(begin, size) = eigen.vectors.col(k);
       const Eigen::VectorXcd x = direction.head(dimension_).cast<std::complex<double>>();
       double reach = value(x);
       follow_orbit({x}, matrices_, 20, 16, value, [&](const auto& y) { reach = std::max(reach, value(y)); });
@@ -347,7 +349,7 @@ void PolytopeRun::add_spanning_vertices() {
       gram += v * v.transpose();
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
+  const SymmetricDecomposition eigen = symmetric_decomposition(gram);
   if (kind_ == PolytopeKind::nonnegative) {
     // The cone hull has inner points once every coordinate is reached.
     for (int k = 0; k < dimension_; ++k) {
@@ -357,9 +359,9 @@ void PolytopeRun::add_spanning_vertices() {
     return;
   }
   for (Eigen::Index k = 0; k < dimension_; ++k) {
-    if (eigen.eigenvalues()[k] > 1e-16 * eigen.eigenvalues().maxCoeff() * static_cast<double>(dimension_)) continue;
+    if (eigen.values[k] > 1e-16 * eigen.values.maxCoeff() * static_cast<double>(dimension_)) continue;
     Eigen::VectorXd v = Eigen::VectorXd::Zero(rows);
-    v.head(dimension_) = eigen.eigenvectors().col(k) * (kExtraSize * size);
+    v.head(dimension_) = eigen.vectors.col(k) * (kExtraSize * size);
     add({v});
   }
 }

@@ -1,5 +1,6 @@
 #include "product_search.hpp"
 
+#include "decompositions.hpp"
 #include "kernels.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ constexpr std::size_t kMaxCandidates = 64;
 
 double spectral_radius(const Eigen::MatrixXd& matrix) {
   if (matrix.isZero(0)) return 0;
-  return Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues().cwiseAbs().maxCoeff();
+  return detail::eigenvalues(matrix).cwiseAbs().maxCoeff();
 }
 
 struct Partial {
@@ -116,10 +117,10 @@ std::vector<Candidate> search_products(const SearchFamily& family, const Product
   // In the coordinates of the averaged orbit the Frobenius norm says more about the radius.
   const OrbitShape orbit = orbit_shape(family.matrices);
   if (orbit.radius_bound == 0) return {Candidate{{0}, 0.0}};
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(orbit.shape);
-  const Eigen::VectorXd root = eigen.eigenvalues().cwiseMax(1e-14 * eigen.eigenvalues().maxCoeff()).cwiseSqrt();
-  const Eigen::MatrixXd to = root.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
-  const Eigen::MatrixXd from = eigen.eigenvectors() * root.asDiagonal();
+  const detail::SymmetricDecomposition eigen = detail::symmetric_decomposition(orbit.shape);
+  const Eigen::VectorXd root = eigen.values.cwiseMax(1e-14 * eigen.values.maxCoeff()).cwiseSqrt();
+  const Eigen::MatrixXd to = root.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
+  const Eigen::MatrixXd from = eigen.vectors * root.asDiagonal();
   std::vector<Eigen::MatrixXd> matrices;
   for (const Eigen::MatrixXd& a : family.matrices) matrices.push_back(to * a * from / orbit.radius_bound);
 

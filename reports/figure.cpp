@@ -36,10 +36,11 @@ void plot(const Figure& figure, const std::string& terminal, const std::filesyst
     gnuplot << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.x_label) << "\nset ylabel "
             << quoted(panel.y_label) << "\nset key " << panel.key << "\n"
             << (panel.log_y ? "set logscale y\nset format y '10^{%T}'\n" : "unset logscale y\nset format y '%g'\n")
+            << (panel.equal_units ? "set size ratio -1\n" : "set size noratio\n")
             << "set offsets graph 0, graph 0, graph 0.08, graph 0.03\nplot ";
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
       const Curve& curve = panel.curves[i];
-      gnuplot << (i ? ", " : "") << "'-' with " << (curve.marked ? "linespoints" : "lines");
+      gnuplot << (i ? ", " : "") << "'-' with " << (!curve.joined ? "points" : curve.marked ? "linespoints" : "lines");
       if (curve.label.empty())
         gnuplot << " notitle";
       else
@@ -63,14 +64,20 @@ void draw(const Figure& figure, const std::filesystem::path& folder) {
       for (const auto& [x, y] : curve.points)
         csv << '"' << panel.title << "\",\"" << curve.label << "\"," << x << ',' << y << '\n';
   write_file(folder / (figure.id + ".csv"), csv.str());
-  const std::pair<const char*, const char*> outputs[] = {{".svg", "svg font 'DejaVu Sans,12' background rgb 'white'"},
-                                                         {".png", "pngcairo font 'DejaVu Sans,11' fontscale 1.0"}};
-  for (const auto& [ending, terminal] : outputs)
-    write_file_with(folder / (figure.id + ending), [&, t = std::string(terminal)](const std::filesystem::path& temporary) {
-      plot(figure, t, temporary);  // gnuplot has ended when this returns
-      if (!std::filesystem::exists(temporary) || std::filesystem::file_size(temporary) == 0)
-        throw std::runtime_error("gnuplot did not draw " + figure.id + " (is gnuplot installed?)");
-    });
+  for (const char* ending : {".svg", ".png"}) draw_file(figure, folder / (figure.id + ending));
+}
+
+bool is_picture_name(const std::filesystem::path& file) { return file.extension() == ".svg" || file.extension() == ".png"; }
+
+void draw_file(const Figure& figure, const std::filesystem::path& file) {
+  if (!is_picture_name(file)) throw std::invalid_argument("draw_file: need a name that ends in .svg or .png, got " + file.string());
+  const char* terminal = file.extension() == ".svg" ? "svg font 'DejaVu Sans,12' background rgb 'white'"
+                                                    : "pngcairo font 'DejaVu Sans,11' fontscale 1.0";
+  write_file_with(file, [&](const std::filesystem::path& temporary) {
+    plot(figure, terminal, temporary);  // gnuplot has ended when this returns
+    if (!std::filesystem::exists(temporary) || std::filesystem::file_size(temporary) == 0)
+      throw std::runtime_error("gnuplot did not draw " + file.string() + " (is gnuplot installed?)");
+  });
 }
 
 }  // namespace subcert

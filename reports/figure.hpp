@@ -12,6 +12,7 @@ struct Curve {
   std::string label;
   std::vector<std::pair<double, double>> points;
   bool marked = false;  ///< points with marks, as for a sequence over n
+  bool joined = true;   ///< a line through the points; else marks alone
 };
 
 struct Panel {
@@ -21,6 +22,7 @@ struct Panel {
   std::vector<Curve> curves;
   bool log_y = false;
   std::string key = "top right";  ///< where gnuplot puts the legend
+  bool equal_units = false;       ///< the same scale on both axes, as for curves in the plane
 };
 
 /// Panels side by side, at most `columns` in a row.
@@ -35,5 +37,11 @@ struct Figure {
 /// Writes FOLDER/ID.svg, FOLDER/ID.png and FOLDER/ID.csv (panel, curve, x, y). Errors: throws std::runtime_error where
 /// gnuplot is missing or fails; the CSV file is written first.
 void draw(const Figure& figure, const std::filesystem::path& folder);
+
+/// Whether draw_file() knows the ending of this name: .svg or .png.
+bool is_picture_name(const std::filesystem::path& file);
+
+/// Writes one picture, its kind by the ending. Errors: throws std::invalid_argument for another ending, else as draw().
+void draw_file(const Figure& figure, const std::filesystem::path& file);
 
 }  // namespace subcert

@@ -1,0 +1,14 @@
+#include "mustafa_hameed.hpp"
+
+namespace subcert::statements {
+
+PaperStatements mustafa_hameed() {
+  PaperStatements paper{"mustafa-hameed",
+                        "G. Mustafa, R. Hameed: Families of non-linear subdivision schemes for scattered data fitting "
+                        "and their non-tensor product extensions.",
+                        {},
+                        {}};
+  return paper;
+}
+
+}  // namespace subcert::statements

@@ -8,6 +8,9 @@ PaperStatements mustafa_hameed() {
                         "and their non-tensor product extensions.",
                         {},
                         {}};
+  add_mustafa_hameed_claims(paper);
+  add_mustafa_hameed_iteration(paper);
+  add_mustafa_hameed_starting_values(paper);
   return paper;
 }
 

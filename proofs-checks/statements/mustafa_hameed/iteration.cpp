@@ -48,6 +48,29 @@ Values computed(const Context& context, const WeightedWindow& window, long first
   return values;
 }
 
+std::vector<std::string> names_of(const std::string& name, int count) {
+  std::vector<std::string> result;
+  for (const Variable& variable : variables(name, count)) result.push_back(variable.name);
+  return result;
+}
+
+/// 0 and the unit vectors of the names.
+std::vector<Values> corners(const std::vector<std::string>& names) {
+  std::vector<Values> result;
+  for (std::size_t one = 0; one <= names.size(); ++one) {
+    Values corner;
+    for (std::size_t k = 0; k < names.size(); ++k) corner.emplace_back(names[k], k == one ? 1 : 0);
+    result.push_back(corner);
+  }
+  return result;
+}
+
+/// Of total degree at most 1 in the names, which a polynomial shows by its values at the corners.
+bool is_linear_in(const Formula& formula, const std::vector<std::string>& names) {
+  const Degrees degrees = formula.degrees(names);
+  return degrees.numerator <= 1 && degrees.denominator == 0;
+}
+
 std::string case_text(long n, unsigned seed) { return at("n", n) + ", random weights " + std::to_string(seed); }
 
 /// Windows of 2n data, n >= 2, with random weights.
@@ -116,8 +139,6 @@ Outcome adjoint(const Context& context) {
 }
 
 Outcome coefficients(const Context& context) {
-  std::vector<Variable> names = variables("lambda", 10);
-  for (const Variable& chi : variables("chi", 4)) names.push_back(chi);
   Trial trial = on_windows(context.reach(4, 6), [&](long n, const WeightedWindow& window, const std::string& where) {
     const std::vector<Rational> beta = weighted_coefficients(window, cubics);
     const Values values = computed(context, window, 1 - n, n);
@@ -127,10 +148,27 @@ Outcome coefficients(const Context& context) {
                 where + ", " + numbered("beta_", k));
     return one;
   });
+  const std::vector<std::string> lambdas = names_of("lambda", 10), chis = names_of("chi", 4);
+  for (std::size_t k = 0; k < terms && !trial.failed(); ++k) {
+    const Formula beta = context.formula(paper + "eq-2." + std::to_string(13 + k));
+    const Formula expected = row_times(k, {f("chi1"), f("chi2"), f("chi3"), f("chi4")});
+    const Degrees in_kappa = beta.degrees("kappa");
+    trial.require(is_linear_in(beta, lambdas) && is_linear_in(beta, chis) && in_kappa.numerator == 0 &&
+                      in_kappa.denominator == 1,
+                  numbered("beta_", k) + " is not shown to be linear in lambda and in chi, over kappa");
+    for (const Values& one : corners(lambdas))
+      for (const Values& other : corners(chis))
+        for (long kappa : {1, 2}) {
+          Values values = one;
+          values.insert(values.end(), other.begin(), other.end());
+          values.emplace_back("kappa", kappa);
+          trial.equal(beta(values) * kappa, expected(values), numbered("beta_", k) + ", " + to_text(values));
+        }
+  }
   return derived(trial
                      .for_all("all n >= 2 and all positive weights",
-                              "rows of the adjoint times the right-hand sides over kappa; compared with the normal "
-                              "equations for n = 2.." +
+                              "bilinear in lambda and chi, and equal on a basis to rows of the adjoint times the "
+                              "right-hand sides over kappa; compared with the normal equations for n = 2.." +
                                   std::to_string(context.reach(4, 6)) + " with random weights")
                      .outcome());
 }
@@ -168,13 +206,14 @@ Outcome rules(const Context& context) {
   for (std::size_t k = 0; k < terms && !trial.failed(); ++k) {
     const Formula psi = context.formula(paper + "eq-2." + std::to_string(26 + k));
     const Formula expected = row_times(k, cubics);
-    for (int one = 1; one <= 10; ++one)
-      for (long r = 0; r <= 4; ++r) {
-        Values values;
-        for (int other = 1; other <= 10; ++other)
-          values.emplace_back("lambda" + std::to_string(other), other == one ? 1 : 0);
+    const Degrees in_node = psi.degrees("r");
+    trial.require(is_linear_in(psi, names_of("lambda", 10)) && in_node.numerator <= 3 && in_node.denominator == 0,
+                  numbered("psi_", k + 1) + " is not shown to be linear in lambda and cubic in r");
+    for (const Values& corner : corners(names_of("lambda", 10)))
+      for (long r = 0; r <= 3; ++r) {
+        Values values = corner;
         values.emplace_back("r", r);
-        trial.equal(psi(values), expected(values), numbered("psi_", k + 1) + ", lambda_" + std::to_string(one));
+        trial.equal(psi(values), expected(values), numbered("psi_", k + 1) + ", " + to_text(values));
       }
   }
   return derived(trial

@@ -230,7 +230,8 @@ Outcome ordinary(const Context& context) {
   for (int n = 2; n <= context.reach(5, 10); ++n)
     for (int degree = 1; degree <= 3; ++degree)
       for (bool even : {true, false}) {
-        const Mask mask = regression_mask(even ? dual(n, degree) : dual_odd(n, degree));
+        const LocalRegression scheme = even ? dual(n, degree) : dual_odd(n, degree);
+        const Mask mask = regression_mask(scheme);
         const long first = even ? 1 - n : -n;
         std::vector<Formula> basis;
         for (int k = 0; k <= degree; ++k) basis.push_back(cubics[static_cast<std::size_t>(k)]);
@@ -242,7 +243,7 @@ Outcome ordinary(const Context& context) {
             const Rational x = Rational(even ? 1 + 2 * k : 2 * k - 1, 4);
             Rational value = 0;
             for (std::size_t b = beta.size(); b-- > 0;) value = value * x + beta[b];
-            trial.equal(mask.symbol().coefficient(k - 2 * r), value,
+            trial.equal(mask.symbol().coefficient(scheme.first_output + k - 2 * r), value,
                         at("n", n) + ", degree " + std::to_string(degree) + ", " + at("r", r));
           }
         }

@@ -140,9 +140,11 @@ Outcome least_squares_rules(const Context& context, const std::string& id, const
     const Formula weight = context.formula(paper + id + (rule == 0 ? "-even" : "-odd"));
     trial.follow(fit({weight, index, {-1, even ? 1 : 0}, {1, 0}, {1, 0}, positions.at(rule), 1, 1, {}}, most));
     for (int n = 1; n <= most && !trial.failed(); ++n) {
-      const Mask mask = regression_mask(even ? dual(n, 1) : dual_odd(n, 1));
+      const LocalRegression scheme = even ? dual(n, 1) : dual_odd(n, 1);
+      const Mask mask = regression_mask(scheme);
+      const long output = scheme.first_output + static_cast<long>(rule);
       for (long r = even ? 1 - n : -n; r <= n; ++r)
-        trial.equal(weight({{"n", n}, {index, r}}), mask.symbol().coefficient(static_cast<long>(rule) - 2 * r),
+        trial.equal(weight({{"n", n}, {index, r}}), mask.symbol().coefficient(output - 2 * r),
                     at("n", n) + ", " + at(index, r) + ", mask");
     }
     // All weights 1 in (4): tau_1, tau_2, tau_3 are the power sums.

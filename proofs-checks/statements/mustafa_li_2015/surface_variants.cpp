@@ -4,6 +4,7 @@
 #include "reweighting.hpp"
 
 #include <subcert/schemes/grid_regression.hpp>
+#include <subcert/schemes/local_regression.hpp>
 
 namespace subcert::statements {
 namespace {
@@ -40,7 +41,9 @@ Trial least_squares(const Context& context, const std::string& id, bool even, Fo
     for (int n = 1; n <= most && !trial.failed(); ++n) {
       const int points = even ? 2 * n : 2 * n + 1;
       const MultivariateMask mask = grid_regression_mask({{points, points}, 1, 2});
-      const auto along_x = static_cast<long>(k % 2), along_y = static_cast<long>(k / 2);
+      // The library numbers the two outputs about a datum -1 and 0.
+      const long first_output = ary(2, points, 1).first_output;
+      const long along_x = first_output + static_cast<long>(k % 2), along_y = first_output + static_cast<long>(k / 2);
       for (int r = even ? 1 - n : -n; r <= n; ++r)
         for (int s = even ? 1 - n : -n; s <= n; ++s)
           trial.equal(weight({{"n", n}, {"r", r}, {"s", s}}), mask.symbol().coefficient({along_x - 2 * r, along_y - 2 * s}),

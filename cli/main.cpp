@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   cli::add_smooth(app);
   cli::add_conjecture(app);
   cli::add_merge(app);
+  cli::add_theorem(app);
   cli::add_statements(app);
   cli::add_check(app);
   try {

@@ -6,7 +6,7 @@
 #include "dyn_2015.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/proofs-checks/theorems/conjectures.hpp>
+#include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
@@ -225,7 +225,7 @@ Outcome conjecture_7(const Context& context) {
                     pair(n, d) + ": n max psi is not between C_d and 3 C_d");
     }
   }
-  const Decision degree_one = theorems::verdict(theorems::conjecture_7_degree_one());
+  const Decision degree_one = theorems::prove("conjecture-7", 1).decision;
   trial.require(degree_one.is_yes(), degree_one.reason);
   return trial
       .for_all("every d, n large; d = 1, all n >= 1",
@@ -265,13 +265,13 @@ Outcome conjecture_8(const Context& context, bool over_degrees) {
 }
 
 Outcome conjecture_8_degree_one(const Context&) {
-  const Decision proof = theorems::verdict(theorems::conjecture_8_in_n_degree_one());
+  const Decision proof = theorems::prove("conjecture-8-n", 1).decision;
   Trial trial;
   trial.require(proof.is_yes(), proof.reason);
   return trial
       .for_all("d = 1, all n >= 1",
-               "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/degree-one.md, "
-               "theorem A)")
+               "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/README.md, "
+               "conjecture-8-n)")
       .outcome();
 }
 

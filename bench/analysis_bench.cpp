@@ -109,7 +109,7 @@ BENCHMARK(BM_level_norms)->ArgsProduct({{3, 5, 10}, {8, 12, 16}})->Unit(benchmar
 struct PolytopeCase {
   std::vector<RationalMatrix> matrices;
   SearchFamily family;
-  explicit PolytopeCase(long n) : matrices(transition_matrices(derived("primal:n=" + std::to_string(n)))) {
+  explicit PolytopeCase(const std::string& scheme) : matrices(transition_matrices(derived(scheme))) {
     for (const RationalMatrix& m : matrices) {
       const auto size = static_cast<Eigen::Index>(m.rows());
       family.matrices.emplace_back(size, size);
@@ -122,20 +122,34 @@ struct PolytopeCase {
   }
 };
 
-void BM_polytope_search(benchmark::State& state) {
-  const PolytopeCase input(state.range(0));
+void BM_polytope_search(benchmark::State& state, const std::string& scheme) {
+  const PolytopeCase input(scheme);
   std::size_t vertices = 0;
   for (auto _ : state) vertices = search_polytope(input.family, {}).vertices.size();
   state.counters["vertices"] = static_cast<double>(vertices);
+  state.counters["dimension"] = static_cast<double>(input.matrices.front().rows());
 }
-BENCHMARK(BM_polytope_search)->DenseRange(2, 7)->Unit(benchmark::kMillisecond);
 
-void BM_polytope_proof(benchmark::State& state) {
-  const PolytopeCase input(state.range(0));
+void BM_polytope_proof(benchmark::State& state, const std::string& scheme) {
+  const PolytopeCase input(scheme);
   const SearchResult result = search_polytope(input.family, {});
   for (auto _ : state) benchmark::DoNotOptimize(certify_polytope(input.matrices, true, result));
 }
-BENCHMARK(BM_polytope_proof)->DenseRange(2, 7)->Unit(benchmark::kMillisecond);
+
+/// All 38 schemes of degree 1 in the paper's tables.
+const bool polytope_benchmarks = [] {
+  for (const std::string family : {"primal", "dual", "primal-odd", "dual-odd"}) {
+    const bool odd = family.ends_with("odd");
+    for (int n = odd ? 1 : 2; n <= 10; ++n) {
+      const std::string scheme = family + ":n=" + std::to_string(n);
+      benchmark::RegisterBenchmark(("BM_polytope_search/" + scheme).c_str(), BM_polytope_search, scheme)
+          ->Unit(benchmark::kMillisecond);
+      benchmark::RegisterBenchmark(("BM_polytope_proof/" + scheme).c_str(), BM_polytope_proof, scheme)
+          ->Unit(benchmark::kMillisecond);
+    }
+  }
+  return true;
+}();
 
 void BM_limit_values(benchmark::State& state) {
   const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0))).mask;

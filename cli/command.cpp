@@ -59,9 +59,11 @@ CLI::App& add_command(CLI::App& app, const std::string& name, const std::string&
   return *command;
 }
 
-void add_scheme(CLI::App& command, std::string& target) {
+void add_scheme(CLI::App& command, std::string& target, bool any) {
+  std::vector<FamilyHelp> help = families();
+  if (any) help.insert(help.end(), multivariate_families().begin(), multivariate_families().end());
   std::string known;
-  for (const FamilyHelp& family : families()) known += "\n  " + family.usage + "\n      " + family.meaning;
+  for (const FamilyHelp& family : help) known += "\n  " + family.usage + "\n      " + family.meaning;
   command.add_option("SCHEME", target, "Scheme specification")->required();
   command.footer(command.get_footer() + "\n\nSchemes:" + known);
 }

@@ -54,8 +54,8 @@ CLI::App& add_command(CLI::App& app, const std::string& name, const std::string&
                       const std::string& example, const std::shared_ptr<CommonOptions>& options,
                       const std::function<int()>& run);
 
-/// The positional argument SCHEME.
-void add_scheme(CLI::App& command, std::string& target);
+/// The positional argument SCHEME; `any` names the families of two and three variables in the help too.
+void add_scheme(CLI::App& command, std::string& target, bool any = false);
 
 Json enclosure_json(const Enclosure& enclosure);
 /// Exact decimal ends for people: `1.2345`, or `1.2345 ... 1.2346`, `>= 1.2345`.
@@ -77,5 +77,10 @@ void add_jsr(CLI::App& app);
 void add_verify(CLI::App& app);
 void add_conjecture(CLI::App& app);
 void add_merge(CLI::App& app);
+void add_theorem(CLI::App& app);
+void add_refine(CLI::App& app);
+void add_smooth(CLI::App& app);
+void add_statements(CLI::App& app);
+void add_check(CLI::App& app);
 
 }  // namespace subcert::cli

@@ -1,5 +1,6 @@
 // subcert analyze SCHEME: one page about one scheme
 
+#include "multivariate_page.hpp"
 #include "sobolev_text.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
@@ -41,8 +42,7 @@ struct Page {
   std::string skipped;  ///< why values are missing although the scheme converges
 };
 
-Page make_page(const AnalyzeOptions& options) {
-  Scheme scheme = make_scheme(options.scheme);
+Page make_page(Scheme scheme, const AnalyzeOptions& options) {
   const Mask mask = scheme.mask;
   const int rules = sum_rules(mask);
   Page page{std::move(scheme), rules,
@@ -170,7 +170,10 @@ std::string page_text(const Page& page) {
 }
 
 int run(const AnalyzeOptions& options) {
-  const Page page = make_page(options);
+  const AnyScheme scheme = make_any_scheme(options.scheme);
+  if (const auto* multivariate = std::get_if<MultivariateScheme>(&scheme))
+    return analyze_multivariate(*multivariate, {options.levels, options.budget}, options);
+  const Page page = make_page(std::get<Scheme>(scheme), options);
   if (options.json)
     options.answer(page_json(page));
   else
@@ -190,7 +193,7 @@ void add_analyze(CLI::App& app) {
   command.add_option("--budget", options->budget, "Seconds for each proof")
       ->check(CLI::Range(0.001, 1e6))
       ->capture_default_str();
-  add_scheme(command, options->scheme);
+  add_scheme(command, options->scheme, true);
 }
 
 }  // namespace subcert::cli

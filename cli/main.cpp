@@ -3,6 +3,7 @@
 #include "command.hpp"
 
 #include <subcert/reports/sweep/journal.hpp>
+#include <subcert/schemes/data/table.hpp>
 
 #include <csignal>
 #include <iostream>
@@ -35,8 +36,13 @@ int main(int argc, char** argv) {
   cli::add_verify(app);
   cli::add_limit(app);
   cli::add_variance(app);
+  cli::add_refine(app);
+  cli::add_smooth(app);
   cli::add_conjecture(app);
   cli::add_merge(app);
+  cli::add_theorem(app);
+  cli::add_statements(app);
+  cli::add_check(app);
   try {
     app.parse(argc, argv);
     return cli::exit_code;
@@ -50,6 +56,8 @@ int main(int argc, char** argv) {
     return complain(error.what(), cli::usage);
   } catch (const cli::DataError& error) {
     return complain(error.what(), error.code);
+  } catch (const DataFormatError& error) {
+    return complain(error.what(), cli::bad_data);
   } catch (const JournalInUse& error) {
     return complain(error.what(), cli::usage);
   } catch (const JournalError& error) {

@@ -6,7 +6,7 @@
 
 namespace subcert {
 
-/// Ref: [DHHS15, sec. 4.3]; proofs: docs/limit-constants.md, docs/theorems/degree-one.md.
+/// Ref: [DHHS15, sec. 4.3]; proofs: docs/limit-constants.md, docs/theorems/README.md.
 Section conjecture_7_section(Workshop& workshop);
 
 }  // namespace subcert

@@ -104,7 +104,7 @@ std::string slope_sentence(Workshop& workshop) {
          scaled_slope(1) + " at n = 1 through " + scaled_slope(3) + " at n = 3 and " + scaled_slope(7) +
          " at n = 7 to " + scaled_slope(last_n_of_figure_8) + " at n = " + std::to_string(last_n_of_figure_8) +
          ": on this range 1/n^2 is true as an upper bound and not the rate. For every n this is a theorem, see "
-         "docs/theorems/degree-one.md.";
+         "docs/theorems/README.md.";
 }
 
 }  // namespace

@@ -25,43 +25,44 @@ std::vector<Rational> interpolation_weights(const std::vector<Rational>& nodes, 
   return result;
 }
 
-void require_distinct(std::vector<Rational> nodes) {
+void require_fit(std::vector<Rational> nodes, const std::vector<Rational>& weights, int degree) {
   if (nodes.empty()) throw std::invalid_argument("regression_weights: need at least one node, got 0");
   std::sort(nodes.begin(), nodes.end());
   if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end())
     throw std::invalid_argument("regression_weights: need distinct nodes");
+  if (!weights.empty() && weights.size() != nodes.size())
+    throw std::invalid_argument("regression_weights: need as many weights as nodes, got " +
+                                std::to_string(weights.size()) + " for " + std::to_string(nodes.size()));
+  if (std::any_of(weights.begin(), weights.end(), [](const Rational& w) { return w <= 0; }))
+    throw std::invalid_argument("regression_weights: need weights > 0");
+  if (degree < 0) throw std::invalid_argument("regression_weights: need degree >= 0, got " + std::to_string(degree));
 }
 
 }  // namespace
 
-std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
-                                         int degree, const Rational& x) {
-  require_distinct(nodes);
+std::vector<std::vector<Rational>> regression_terms(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
+                                                    int degree, const Rational& x) {
+  require_fit(nodes, weights, degree);
   const std::size_t m = nodes.size();
-  if (!weights.empty() && weights.size() != m)
-    throw std::invalid_argument("regression_weights: need as many weights as nodes, got " +
-                                std::to_string(weights.size()) + " for " + std::to_string(m));
-  if (std::any_of(weights.begin(), weights.end(), [](const Rational& w) { return w <= 0; }))
-    throw std::invalid_argument("regression_weights: need weights > 0");
-  if (degree < 0) throw std::invalid_argument("regression_weights: need degree >= 0, got " + std::to_string(degree));
-  if (static_cast<std::size_t>(degree) + 1 >= m) return interpolation_weights(nodes, x);
-
-  // Monic orthogonal polynomials P_k by Stieltjes' recurrence P_{k+1} = (t - alpha) P_k - beta P_{k-1}, carried as
-  // their values at the nodes and at x; c_i = w_i sum_k P_k(x) P_k(t_i) / <P_k, P_k>.
-  const auto weight = [&](std::size_t i) { return weights.empty() ? Rational(1) : weights[i]; };
-  std::vector<Rational> previous(m, 0), current(m, 1), result(m, 0);
+  const int last = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(degree), m - 1));
+  // Monic orthogonal polynomials by Stieltjes' recurrence P_{k+1} = (t - alpha) P_k - beta P_{k-1}, carried as their
+  // values at the nodes and at x.
+  std::vector<Rational> previous(m, 0), current(m, 1);
+  std::vector<std::vector<Rational>> result;
   Rational previous_x = 0, current_x = 1, previous_norm = 1;
   for (int k = 0;; ++k) {
     Rational norm = 0, moment = 0;
     for (std::size_t i = 0; i < m; ++i) {
-      const Rational square = weight(i) * current[i] * current[i];
+      Rational square = current[i] * current[i];
+      if (!weights.empty()) square *= weights[i];
       norm += square;
       moment += square * nodes[i];
     }
+    result.emplace_back(m, Rational(0));
     const Rational scale = current_x / norm;
     if (scale != 0)
-      for (std::size_t i = 0; i < m; ++i) result[i] += scale * current[i];
-    if (k == degree) break;
+      for (std::size_t i = 0; i < m; ++i) result.back()[i] = scale * current[i];
+    if (k == last) return result;
     const Rational alpha = moment / norm;
     const Rational beta = k == 0 ? Rational(0) : norm / previous_norm;
     for (std::size_t i = 0; i < m; ++i) {
@@ -72,8 +73,17 @@ std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, con
     std::swap(previous_x, current_x);
     previous_norm = norm;
   }
+}
+
+std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
+                                         int degree, const Rational& x) {
+  require_fit(nodes, weights, degree);
+  if (static_cast<std::size_t>(degree) + 1 >= nodes.size()) return interpolation_weights(nodes, x);
+  std::vector<Rational> result(nodes.size(), 0);
+  for (const std::vector<Rational>& term : regression_terms(nodes, weights, degree, x))
+    for (std::size_t i = 0; i < nodes.size(); ++i) result[i] += term[i];
   if (!weights.empty())
-    for (std::size_t i = 0; i < m; ++i) result[i] *= weights[i];
+    for (std::size_t i = 0; i < nodes.size(); ++i) result[i] *= weights[i];
   return result;
 }
 

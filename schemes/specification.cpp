@@ -1,6 +1,7 @@
 #include "specification.hpp"
 
 #include "classical.hpp"
+#include "specification_text.hpp"
 
 #include <subcert/analysis/symbol/term_text.hpp>
 
@@ -14,105 +15,7 @@
 namespace subcert {
 namespace {
 
-constexpr std::size_t max_text = 30'000;  // also bounds the digits that a common denominator can gather
-constexpr long max_points = 4096;
-constexpr long max_work = 200'000;  // points * degree: keeps every accepted mask within seconds
-constexpr long max_long_work = 1'000'000;  // points * degree^2 * digits, for weighted fits and long positions
-constexpr long max_arity = 64;
-
-/// A piece of the specification and where it begins (0-based).
-struct Piece {
-  std::string_view text;
-  std::size_t at;
-};
-
-[[noreturn]] void fail(const Piece& piece, const std::string& expected) {
-  throw SpecificationError(piece.text, piece.at + 1, expected);
-}
-
-/// Splits at `separator` outside of brackets.
-std::vector<Piece> split(const Piece& piece, char separator) {
-  std::vector<Piece> result;
-  int depth = 0;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= piece.text.size(); ++i) {
-    const char c = i < piece.text.size() ? piece.text[i] : separator;
-    if (c == '[' || c == '(') ++depth;
-    if (c == ']' || c == ')') --depth;
-    if (i == piece.text.size() || (c == separator && depth <= 0)) {
-      result.push_back({piece.text.substr(begin, i - begin), piece.at + begin});
-      begin = i + 1;
-    }
-  }
-  return result;
-}
-
-Rational read_rational(const Piece& piece) {
-  const auto value = parse_rational(piece.text);
-  if (!value) fail(piece, "an exact number p or p/q with q > 0 (for example 1/16)");
-  return *value;
-}
-
-long read_integer(const Piece& piece, const std::string& name, long low, long high) {
-  const std::string range = name + " as an integer from " + std::to_string(low) + " to " + std::to_string(high);
-  const auto value = parse_rational(piece.text);
-  if (!value || denominator(*value) != 1 || *value < low || *value > high) fail(piece, range);
-  return numerator(*value).convert_to<long>();
-}
-
-/// The `key=value` fields of a specification; each is to be taken once, and finish() refuses what is left.
-class Fields {
- public:
-  Fields(const Piece& family, const Piece& body, std::string usage)
-      : family_(family), end_(body.at + body.text.size()), usage_(std::move(usage)) {
-    if (body.text.empty()) return;
-    for (const Piece& piece : split(body, ',')) add(piece);
-  }
-  Fields(const Piece& family, const std::vector<Piece>& pieces, std::size_t end, std::string usage)
-      : family_(family), end_(end), usage_(std::move(usage)) {
-    for (const Piece& piece : pieces) add(piece);
-  }
-
-  std::optional<Piece> optional(std::string_view key) {
-    for (Field& field : fields_)
-      if (field.key.text == key) {
-        field.used = true;
-        return field.value;
-      }
-    return std::nullopt;
-  }
-
-  Piece required(std::string_view key) {
-    if (const auto value = optional(key)) return *value;
-    throw SpecificationError(family_.text, end_ + 1, "the key '" + std::string(key) + "', as in " + usage_);
-  }
-
-  void finish() const {
-    for (const Field& field : fields_)
-      if (!field.used) fail(field.key, "a key of " + usage_);
-  }
-
- private:
-  struct Field {
-    Piece key;
-    Piece value;
-    bool used = false;
-  };
-
-  void add(const Piece& piece) {
-    const std::size_t equals = piece.text.find('=');
-    if (equals == std::string_view::npos) fail(piece, "key=value, as in " + usage_);
-    const Piece key{piece.text.substr(0, equals), piece.at};
-    for (const Field& field : fields_)
-      if (field.key.text == key.text) fail(key, "each key once");
-    fields_.push_back({key, {piece.text.substr(equals + 1), piece.at + equals + 1}});
-  }
-
-  Piece family_;
-  std::size_t end_;
-  std::string usage_;
-  std::vector<Field> fields_;
-};
+using namespace specification_text;
 
 /// Degree of a fit on `points` data, bounded so that the mask is made in seconds.
 long read_degree(Fields& fields, long points) {
@@ -134,9 +37,9 @@ Scheme least_squares(const std::string& family, const std::string& title, bool o
   const long points = odd ? 2 * n + 1 : 2 * n;
   const long degree = read_degree(fields, points);
   fields.finish();
+  const LocalRegression rules = preset(static_cast<int>(n), static_cast<int>(degree));
   return {family + ":n=" + number(n) + ",d=" + number(degree),
-          title + ", " + number(points) + " points, degree " + number(degree),
-          regression_mask(preset(static_cast<int>(n), static_cast<int>(degree)))};
+          title + ", " + number(points) + " points, degree " + number(degree), regression_mask(rules), rules};
 }
 
 Scheme make_primal(Fields& f) { return least_squares("primal", "primal least squares scheme", false, primal, f); }
@@ -153,9 +56,10 @@ Scheme make_ary(Fields& fields) {
   if (arity * points > 4 * max_points) fail(points_piece, "a * points <= " + number(4 * max_points));
   const long degree = read_degree(fields, points);
   fields.finish();
+  const LocalRegression rules = ary(static_cast<int>(arity), static_cast<int>(points), static_cast<int>(degree));
   return {"ary:a=" + number(arity) + ",points=" + number(points) + ",d=" + number(degree),
           number(arity) + "-ary least squares scheme, " + number(points) + " points, degree " + number(degree),
-          regression_mask(ary(static_cast<int>(arity), static_cast<int>(points), static_cast<int>(degree)))};
+          regression_mask(rules), rules};
 }
 
 Scheme make_deslauriers_dubuc(Fields& fields) {
@@ -257,7 +161,7 @@ Scheme make_regression(Fields& fields) {
   std::string text = "regression:stencils=[" + stencils + "],at=[" + positions + "],d=" + number(scheme.degree);
   if (!weights.empty()) text += ",weights=[" + weights + "]";
   if (scheme.first_output != 0) text += ",first=" + number(scheme.first_output);
-  return {text, "local regression of degree " + number(scheme.degree), regression_mask(scheme)};
+  return {text, "local regression of degree " + number(scheme.degree), regression_mask(scheme), scheme};
 }
 
 Scheme make_mask(const Piece& family, const Piece& body, const std::string& usage) {
@@ -336,8 +240,8 @@ Scheme make_scheme(std::string_view specification) {
     }
     known += (known.empty() ? "" : ", ") + candidate.help.family;
   }
-  if (family.text == "tensor" || family.text == "grid" || family.text == "l1")
-    fail(family, "a univariate linear scheme; surfaces and l1 schemes are not in this version yet (have: " + known + ")");
+  if (family.text == "l1") fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
+  if (family.text == "tensor" || family.text == "grid") fail(family, "a linear scheme of one variable (" + known + ")");
   fail(family, "one of " + known);
 }
 

@@ -26,6 +26,12 @@ class Real {
   }
   ~Real() { arb_clear(value_); }
 
+  /// A ball that contains a bounded enclosure.
+  static Real containing(const Enclosure& enclosure, slong bits) {
+    const Real half(Rational((*enclosure.upper - *enclosure.lower) / 2), bits);
+    return Real(Rational((*enclosure.upper + *enclosure.lower) / 2), bits).widened(half);
+  }
+
   static Real pi(slong bits) {
     Real result(bits);
     arb_const_pi(result.value_, bits);
@@ -53,6 +59,17 @@ class Real {
   Real widened(const Real& error) const {
     Real result(*this);
     arb_add_error(result.value_, error.value_);
+    return result;
+  }
+
+  /// The largest point, exact.
+  Real upper_end() const {
+    arf_t end;
+    arf_init(end);
+    arb_get_ubound_arf(end, value_, bits_);
+    Real result(bits_);
+    arb_set_arf(result.value_, end);
+    arf_clear(end);
     return result;
   }
 

@@ -326,7 +326,7 @@ void PolytopeRun::add_extra_vertices() {
       direction.segment(begin, size) = eigen.eigenvectors().col(k);
       const Eigen::VectorXcd x = direction.head(dimension_).cast<std::complex<double>>();
       double reach = value(x);
-      follow_orbit({x}, matrices_, 20, 128, value, [&](const auto& y) { reach = std::max(reach, value(y)); });
+      follow_orbit({x}, matrices_, 20, 16, value, [&](const auto& y) { reach = std::max(reach, value(y)); });
       if (reach > 0) add({direction * (kExtraReach / reach)});
     }
   }

@@ -1,0 +1,30 @@
+#pragma once
+/// Sum rules, polynomial generation and reproduction in two and three variables.
+
+#include <subcert/analysis/symbol/mask.hpp>
+
+#include <vector>
+
+namespace subcert {
+
+/// Degrees are total degrees of one step; for the meaning in one variable see PolynomialReproduction. Ref: [CH11].
+struct MultivariateReproduction {
+  /// The order of the sum rules: moments of total degree below it are the same over all residue classes.
+  int sum_rules;
+  /// The multiplicity of 1 + z_i + ... + z_i^(arity-1) in the symbol, for each variable.
+  std::vector<int> factors;
+  /// Polynomials of this total degree are reproduced, with the datum f_j attached to j + parametrization; -1 for none.
+  int reproduction_degree;
+  std::vector<Rational> parametrization;
+
+  int generation_degree() const { return sum_rules - 1; }
+};
+
+/// Cost: the terms of the mask times the number of moments. Proof: docs/reproduction.md.
+MultivariateReproduction polynomial_reproduction(const MultivariateMask& mask);
+
+/// Where the closed box ends that contains the support of the basic limit function: lowest and highest exponent over
+/// arity - 1, for each variable.
+std::vector<Interval> limit_support(const MultivariateMask& mask);
+
+}  // namespace subcert

@@ -1,0 +1,113 @@
+#include "multivariate_page.hpp"
+
+#include <subcert/analysis/difference/multivariate_convergence.hpp>
+#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+
+#include <sstream>
+
+namespace subcert::cli {
+namespace {
+
+constexpr const char* names[] = {"x", "y", "z"};
+
+Json nested(const MultivariatePolynomial& symbol, MultivariatePolynomial::Exponents& at, std::size_t variable) {
+  Json list = Json::array();
+  const long first = symbol.lowest()[variable], last = symbol.highest()[variable];
+  for (at[variable] = first; at[variable] <= last; ++at[variable])
+    list.push_back(variable == 0 ? Json(to_text(symbol.coefficient(at))) : nested(symbol, at, variable - 1));
+  return list;
+}
+
+std::string list_text(const std::vector<Rational>& values) {
+  std::string text;
+  for (const Rational& value : values) text += (text.empty() ? "(" : ", ") + to_text(value);
+  return text + ")";
+}
+
+struct Page {
+  MultivariateReproduction polynomials;
+  std::vector<Interval> support;
+  Decision convergence;
+  std::optional<SmoothnessProof> smoothness;  ///< of tensor products: that of the roughest factor
+};
+
+Page make_page(const MultivariateScheme& scheme, const ProofLimits& limits) {
+  Page page{polynomial_reproduction(scheme.mask), limit_support(scheme.mask), {}, {}};
+  if (scheme.factors.empty()) {
+    page.convergence = converges(scheme.mask, limits);
+    return page;
+  }
+  page.convergence = tensor_product_converges(scheme.factors, limits);
+  for (const Mask& factor : scheme.factors) {
+    const SmoothnessProof proof = proved_smoothness(factor, limits);
+    if (!page.smoothness || proof.order < page.smoothness->order) page.smoothness = proof;
+  }
+  return page;
+}
+
+std::string page_text(const MultivariateScheme& scheme, const Page& page) {
+  std::ostringstream text;
+  text << "scheme        " << scheme.specification << "  (" << scheme.title << ")\n";
+  const std::string mask = to_mask_text(scheme.mask);
+  text << "mask          " << (mask.size() <= 2000 ? mask : std::to_string(scheme.mask.symbol().count()) +
+                                                               " coefficients, see subcert mask") << "\n";
+  text << "support       basic limit function in ";
+  for (std::size_t v = 0; v < page.support.size(); ++v)
+    text << (v ? " x [" : "[") << to_text(page.support[v].lower) << ", " << to_text(page.support[v].upper) << "]";
+  text << "\nsum rules     " << page.polynomials.sum_rules << "; factors";
+  for (std::size_t v = 0; v < page.polynomials.factors.size(); ++v) {
+    text << (v ? ", (" : " (") << "1 + " << (scheme.mask.arity() == 2 ? "" : "... + ") << names[v];
+    if (scheme.mask.arity() > 2) text << "^" << scheme.mask.arity() - 1;
+    text << ")^" << page.polynomials.factors[v];
+  }
+  text << "\npolynomials   generates total degree " << page.polynomials.generation_degree() << ", reproduces total degree "
+       << page.polynomials.reproduction_degree << " with f_j at j + " << list_text(page.polynomials.parametrization) << "\n"
+       << "convergence   " << to_text(page.convergence.truth) << ": " << page.convergence.reason << "\n";
+  if (page.smoothness && page.convergence.is_yes())
+    text << "smoothness    C^" << page.smoothness->order << " proved, by the factors; C^" << page.smoothness->order + 1
+         << " not proved: " << page.smoothness->obstacle << "\n";
+  return text.str();
+}
+
+}  // namespace
+
+Json coefficients_json(const MultivariateMask& mask) {
+  MultivariatePolynomial::Exponents at = mask.symbol().lowest();
+  return nested(mask.symbol(), at, at.size() - 1);
+}
+
+Json limit_support_json(const MultivariateMask& mask) {
+  Json list = Json::array();
+  for (const Interval& side : limit_support(mask))
+    list.push_back({{"lower", to_text(side.lower)}, {"upper", to_text(side.upper)}});
+  return list;
+}
+
+int analyze_multivariate(const MultivariateScheme& scheme, const ProofLimits& limits, const CommonOptions& options) {
+  const Page page = make_page(scheme, limits);
+  if (options.json) {
+    Json shift = Json::array();
+    for (const Rational& s : page.polynomials.parametrization) shift.push_back(to_text(s));
+    Json json{{"scheme", scheme.specification},
+              {"title", scheme.title},
+              {"variables", scheme.mask.dimension()},
+              {"arity", scheme.mask.arity()},
+              {"first_index", scheme.mask.symbol().lowest()},
+              {"coefficients", coefficients_json(scheme.mask)},
+              {"sum_rules", page.polynomials.sum_rules},
+              {"factors", page.polynomials.factors},
+              {"support", limit_support_json(scheme.mask)},
+              {"generation_degree", page.polynomials.generation_degree()},
+              {"reproduction_degree", page.polynomials.reproduction_degree},
+              {"parametrization", shift},
+              {"convergence", {{"verdict", to_text(page.convergence.truth)}, {"reason", page.convergence.reason}}}};
+    if (page.smoothness && page.convergence.is_yes())
+      json["smoothness"] = {{"proved", page.smoothness->order}, {"obstacle", page.smoothness->obstacle}};
+    options.answer(json);
+  } else {
+    options.answer(page_text(scheme, page));
+  }
+  return page.convergence.truth == Truth::unknown ? undecided : done;
+}
+
+}  // namespace subcert::cli

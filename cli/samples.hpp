@@ -1,0 +1,38 @@
+#pragma once
+/// Samples of functions on a uniform grid, read from a table.
+
+#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/schemes/data/table.hpp>
+
+#include <string>
+#include <vector>
+
+namespace subcert::cli {
+
+struct SampleOptions {
+  std::string file;
+  std::string x;               ///< column by name or number from 1, `none`, or empty: the first of several columns
+  std::vector<std::string> y;  ///< columns by name or number; empty: all that are left
+  std::string weights;         ///< column by name or number, or empty
+  std::string missing = "raise";
+};
+
+/// columns[c][i] is the datum of name c at origin + i * spacing; weights[i] is 0 where it is missing.
+struct Samples {
+  std::string x_name;
+  std::vector<std::string> names;
+  Rational origin = 0;
+  Rational spacing = 1;
+  std::vector<std::vector<double>> columns;
+  std::vector<Rational> weights;  ///< empty: all 1
+  char separator = ',';
+
+  std::size_t count() const { return columns.front().size(); }
+};
+
+/// Positions must be uniform up to the rounding of their decimal text: each within one unit of the finest decimal place
+/// in the column, and within a twentieth of the spacing, of its place on the grid. Errors: throws UsageError for
+/// unknown columns, DataFormatError that names the line; for a grid that is not uniform the worst spacing.
+Samples read_samples(const SampleOptions& options);
+
+}  // namespace subcert::cli

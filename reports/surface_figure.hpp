@@ -1,0 +1,27 @@
+#pragma once
+/// Pictures of surfaces, drawn by gnuplot.
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace subcert {
+
+/// A grid of points in space: points[j * columns + i]; closed directions are joined.
+struct DrawnSurface {
+  std::string title;
+  std::size_t columns;
+  std::size_t rows;
+  bool closed_x;
+  bool closed_y;
+  std::vector<std::array<double, 3>> points;
+  bool heights = false;  ///< a function over a grid: x and y scaled freely against z
+};
+
+/// Writes one picture with the surfaces side by side, as .svg or .png. Errors: throws std::invalid_argument for another
+/// ending, std::runtime_error where gnuplot is missing or fails.
+void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file);
+
+}  // namespace subcert

@@ -1,0 +1,76 @@
+#include "decimal.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace subcert {
+namespace {
+
+constexpr std::size_t max_digits = 1000;
+constexpr long max_exponent = 400;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Moves the digits at the front of `text` to `digits`.
+void take_digits(std::string_view& text, std::string& digits) {
+  while (!text.empty() && is_digit(text.front())) {
+    digits += text.front();
+    text.remove_prefix(1);
+  }
+}
+
+bool take_sign(std::string_view& text) {
+  if (text.empty() || (text.front() != '-' && text.front() != '+')) return false;
+  const bool minus = text.front() == '-';
+  text.remove_prefix(1);
+  return minus;
+}
+
+}  // namespace
+
+std::optional<Decimal> parse_decimal(std::string_view text) {
+  const bool minus = take_sign(text);
+  std::string digits;
+  take_digits(text, digits);
+  long exponent = 0;
+  if (!text.empty() && text.front() == '.') {
+    text.remove_prefix(1);
+    const std::size_t whole = digits.size();
+    take_digits(text, digits);
+    exponent = -static_cast<long>(digits.size() - whole);
+  }
+  if (digits.empty() || digits.size() > max_digits) return std::nullopt;
+  if (!text.empty() && (text.front() == 'e' || text.front() == 'E')) {
+    text.remove_prefix(1);
+    const bool negative = take_sign(text);
+    std::string power_digits;
+    take_digits(text, power_digits);
+    if (power_digits.empty() || power_digits.size() > 4) return std::nullopt;
+    const long shift = std::strtol(power_digits.c_str(), nullptr, 10);
+    if (shift > max_exponent) return std::nullopt;
+    exponent += negative ? -shift : shift;
+  }
+  if (!text.empty()) return std::nullopt;
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));  // a leading 0 would mean octal
+  const Rational unit = power(Rational(10), exponent);
+  const Rational value = Rational(Integer(digits)) * unit;
+  return Decimal{minus ? Rational(-value) : value, unit};
+}
+
+std::string to_short_text(const Rational& value) {
+  if (value == 0) return "0";
+  // value = m 10^k with m an integer, if the denominator has no prime factors but 2 and 5.
+  Integer rest = denominator(value);
+  long twos = 0, fives = 0;
+  for (; rest % 2 == 0; rest /= 2) ++twos;
+  for (; rest % 5 == 0; rest /= 5) ++fives;
+  if (rest != 1) return to_text(value);
+  long exponent = -std::max(twos, fives);
+  Integer mantissa = numerator(Rational(value * power(Rational(10), -exponent)));
+  for (; mantissa % 10 == 0; mantissa /= 10) ++exponent;
+  const std::string scientific = mantissa.str() + (exponent == 0 ? "" : "e" + std::to_string(exponent));
+  const std::string plain = to_text(value);
+  return plain.size() <= scientific.size() ? plain : scientific;
+}
+
+}  // namespace subcert

@@ -1,0 +1,133 @@
+#include "extension.hpp"
+
+#include "rounded_regression.hpp"
+
+#include <subcert/schemes/local_regression.hpp>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace subcert {
+namespace {
+
+constexpr std::array<std::pair<Extension, std::string_view>, 5> names{{{Extension::interp, "interp"},
+                                                                       {Extension::mirror, "mirror"},
+                                                                       {Extension::nearest, "nearest"},
+                                                                       {Extension::constant, "constant"},
+                                                                       {Extension::wrap, "wrap"}}};
+
+long floor_mod(long a, long b) { return ((a % b) + b) % b; }
+
+}  // namespace
+
+std::optional<Extension> parse_extension(std::string_view name) {
+  for (const auto& [extension, text] : names)
+    if (text == name) return extension;
+  return std::nullopt;
+}
+
+std::string to_text(Extension extension) {
+  for (const auto& [candidate, text] : names)
+    if (candidate == extension) return std::string(text);
+  throw std::invalid_argument("to_text: no such extension");
+}
+
+void Combination::add(const Combination& other, const Rational& factor) {
+  if (factor == 0) return;
+  for (const auto& [index, coefficient] : other.terms) terms[index] += factor * coefficient;
+  outside += factor * other.outside;
+}
+
+ExtendedData::ExtendedData(const ExtensionRule& rule, std::size_t count, std::vector<Rational> weights)
+    : rule_(rule), count_(count), weights_(std::move(weights)) {
+  if (count == 0) throw std::invalid_argument("ExtendedData: need count >= 1, got 0");
+  if (rule.window == 0 || rule.degree < 0)
+    throw std::invalid_argument("ExtendedData: need window >= 1 and degree >= 0");
+  if (weights_.empty()) return;
+  if (weights_.size() != count)
+    throw std::invalid_argument("ExtendedData: need as many weights as data, got " + std::to_string(weights_.size()) +
+                                " for " + std::to_string(count));
+  Rational sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (weights_[i] < 0) throw std::invalid_argument("ExtendedData: need weights >= 0");
+    if (weights_[i] > 0) present_.push_back(i);
+    sum += weights_[i];
+  }
+  if (present_.empty()) throw std::invalid_argument("ExtendedData: need a positive weight");
+  mean_weight_ = sum / Rational(present_.size());
+}
+
+std::size_t ExtendedData::source(long index) const {
+  const auto n = static_cast<long>(count_);
+  if (rule_.kind == Extension::wrap) return static_cast<std::size_t>(floor_mod(index, n));
+  if (rule_.kind == Extension::mirror) {
+    if (n == 1) return 0;
+    const long folded = floor_mod(index, 2 * (n - 1));
+    return static_cast<std::size_t>(std::min(folded, 2 * (n - 1) - folded));
+  }
+  if (present_.empty()) return index < 0 ? 0 : count_ - 1;
+  return index < 0 ? present_.front() : present_.back();
+}
+
+std::vector<std::size_t> ExtendedData::fitted_data(long index) const {
+  const std::size_t available = present_.empty() ? count_ : present_.size();
+  const std::size_t used = std::min(rule_.window, available);
+  std::vector<std::size_t> data;
+  for (std::size_t k = 0; k < used; ++k) {
+    const std::size_t rank = index < 0 ? k : available - used + k;
+    data.push_back(present_.empty() ? rank : present_[rank]);
+  }
+  return data;
+}
+
+const Combination& ExtendedData::fitted(long index) const {
+  if (const auto found = fitted_.find(index); found != fitted_.end()) return found->second;
+  std::vector<Rational> nodes, weights;
+  const std::vector<std::size_t> data = fitted_data(index);
+  for (const std::size_t i : data) {
+    nodes.emplace_back(i);
+    if (weighted()) weights.push_back(weights_[i]);
+  }
+  const std::vector<Rational> coefficients = regression_weights(nodes, weights, rule_.degree, Rational(index));
+  Combination& result = fitted_[index];
+  for (std::size_t k = 0; k < data.size(); ++k) result.terms[data[k]] = coefficients[k];
+  return result;
+}
+
+RoundedCombination rounded(const Combination& combination) {
+  RoundedCombination result;
+  result.outside = static_cast<double>(combination.outside);
+  for (const auto& [datum, weight] : combination.terms) result.terms.emplace_back(datum, static_cast<double>(weight));
+  return result;
+}
+
+RoundedCombination ExtendedData::rounded_at(long index) const {
+  if (!weighted() || is_inside(index) || rule_.kind != Extension::interp) return rounded(at(index));
+  std::vector<double> nodes, weights;
+  const std::vector<std::size_t> data = fitted_data(index);
+  for (const std::size_t i : data) {
+    nodes.push_back(static_cast<double>(static_cast<long>(i) - index));
+    weights.push_back(static_cast<double>(weights_[i]));
+  }
+  const std::vector<double> coefficients = rounded_regression_weights(nodes, weights, rule_.degree, 0);
+  RoundedCombination result;
+  for (std::size_t k = 0; k < data.size(); ++k) result.terms.emplace_back(data[k], coefficients[k]);
+  return result;
+}
+
+Combination ExtendedData::at(long index) const {
+  if (is_inside(index)) return {{{static_cast<std::size_t>(index), 1}}};
+  if (rule_.kind == Extension::constant) return {{}, 1};
+  if (rule_.kind == Extension::interp) return fitted(index);
+  return {{{source(index), 1}}};
+}
+
+Rational ExtendedData::weight(long index) const {
+  if (!weighted()) return 1;
+  if (is_inside(index)) return weights_[static_cast<std::size_t>(index)];
+  if (rule_.kind == Extension::constant || rule_.kind == Extension::interp) return mean_weight_;
+  return weights_[source(index)];
+}
+
+}  // namespace subcert

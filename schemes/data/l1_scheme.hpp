@@ -1,0 +1,40 @@
+#pragma once
+/// The data-dependent schemes D of local l1 regression, on curves and on grids.
+
+#include "grid_data.hpp"
+#include "l1_regression.hpp"
+#include "refine.hpp"
+
+#include <subcert/schemes/local_regression.hpp>
+
+#include <vector>
+
+namespace subcert {
+
+/// points = {p}: windows of p consecutive data; points = {p, q}: p columns times q rows of a grid. Along each axis an
+/// even number 2n takes the data -n+1, ..., n and gives the outputs at 1/4 and 3/4, an odd number 2n+1 takes -n, ..., n
+/// and gives -1/4 and 1/4. Ref: [MLZD15, eq. (4), (10), App. A.2, Lemma 1], [MH, sec. 2].
+struct L1Scheme {
+  std::vector<int> points;
+  int degree = 1;
+  L1Options options = {};
+};
+
+/// The window of a scheme, about the datum at 0; its outputs are numbered with x running fastest.
+/// Domain: one or two numbers of points, each >= 2 and > degree. Errors: throws std::invalid_argument.
+RegressionWindow l1_window(const L1Scheme& scheme);
+
+/// The linear scheme that has all weights 1, for curves: dual(n, degree) or dual_odd(n, degree).
+LocalRegression l1_linear_part(const L1Scheme& scheme);
+
+/// Refines curves and grids `options.levels` times; the output has the points that refine() makes for linear schemes.
+/// At the ends, `regression` evaluates the l1 fit of the nearest complete window. Domain: one axis for each number of
+/// points, at least as many points along it, finite values, levels >= 0. Errors: as refine(). Cost: one L1Fitter::fit
+/// for every two outputs of a curve, four of a grid.
+GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options);
+
+/// The values at this level from the data 1 at 0 and 0 elsewhere, over the whole support of the scheme.
+/// Domain: a scheme for curves, 0 <= level <= 16. Ref: [MLZD15, sec. 2.4, Prop. 1].
+GridData<double> l1_impulse_response(const L1Scheme& scheme, int level);
+
+}  // namespace subcert

@@ -1,0 +1,111 @@
+#pragma once
+// What the readers of specifications share.
+
+#include "specification.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace subcert::specification_text {
+
+constexpr std::size_t max_text = 30'000;  // also bounds the digits that a common denominator can gather
+constexpr long max_points = 4096;
+constexpr long max_work = 200'000;  // points * degree: keeps every accepted mask within seconds
+constexpr long max_long_work = 1'000'000;  // points * degree^2 * digits, for weighted fits and long positions
+constexpr long max_arity = 64;
+
+/// A piece of the specification and where it begins (0-based).
+struct Piece {
+  std::string_view text;
+  std::size_t at;
+};
+
+[[noreturn]] inline void fail(const Piece& piece, const std::string& expected) {
+  throw SpecificationError(piece.text, piece.at + 1, expected);
+}
+
+/// Splits at `separator` outside of brackets.
+inline std::vector<Piece> split(const Piece& piece, char separator) {
+  std::vector<Piece> result;
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= piece.text.size(); ++i) {
+    const char c = i < piece.text.size() ? piece.text[i] : separator;
+    if (c == '[' || c == '(') ++depth;
+    if (c == ']' || c == ')') --depth;
+    if (i == piece.text.size() || (c == separator && depth <= 0)) {
+      result.push_back({piece.text.substr(begin, i - begin), piece.at + begin});
+      begin = i + 1;
+    }
+  }
+  return result;
+}
+
+inline Rational read_rational(const Piece& piece) {
+  const auto value = parse_rational(piece.text);
+  if (!value) fail(piece, "an exact number p or p/q with q > 0 (for example 1/16)");
+  return *value;
+}
+
+inline long read_integer(const Piece& piece, const std::string& name, long low, long high) {
+  const std::string range = name + " as an integer from " + std::to_string(low) + " to " + std::to_string(high);
+  const auto value = parse_rational(piece.text);
+  if (!value || denominator(*value) != 1 || *value < low || *value > high) fail(piece, range);
+  return numerator(*value).convert_to<long>();
+}
+
+/// The `key=value` fields of a specification; each is to be taken once, and finish() refuses what is left.
+class Fields {
+ public:
+  Fields(const Piece& family, const Piece& body, std::string usage)
+      : family_(family), end_(body.at + body.text.size()), usage_(std::move(usage)) {
+    if (body.text.empty()) return;
+    for (const Piece& piece : split(body, ',')) add(piece);
+  }
+  Fields(const Piece& family, const std::vector<Piece>& pieces, std::size_t end, std::string usage)
+      : family_(family), end_(end), usage_(std::move(usage)) {
+    for (const Piece& piece : pieces) add(piece);
+  }
+
+  std::optional<Piece> optional(std::string_view key) {
+    for (Field& field : fields_)
+      if (field.key.text == key) {
+        field.used = true;
+        return field.value;
+      }
+    return std::nullopt;
+  }
+
+  Piece required(std::string_view key) {
+    if (const auto value = optional(key)) return *value;
+    throw SpecificationError(family_.text, end_ + 1, "the key '" + std::string(key) + "', as in " + usage_);
+  }
+
+  void finish() const {
+    for (const Field& field : fields_)
+      if (!field.used) fail(field.key, "a key of " + usage_);
+  }
+
+ private:
+  struct Field {
+    Piece key;
+    Piece value;
+    bool used = false;
+  };
+
+  void add(const Piece& piece) {
+    const std::size_t equals = piece.text.find('=');
+    if (equals == std::string_view::npos) fail(piece, "key=value, as in " + usage_);
+    const Piece key{piece.text.substr(0, equals), piece.at};
+    for (const Field& field : fields_)
+      if (field.key.text == key.text) fail(key, "each key once");
+    fields_.push_back({key, {piece.text.substr(equals + 1), piece.at + equals + 1}});
+  }
+
+  Piece family_;
+  std::size_t end_;
+  std::string usage_;
+  std::vector<Field> fields_;
+};
+
+}  // namespace subcert::specification_text

@@ -17,7 +17,7 @@ using theorems::Theorem;
 using theorems::TheoremEntry;
 
 struct TheoremOptions : CommonOptions {
-  std::string id;
+  std::string id = "list";
   int degree = 1;
   bool all = false;
 };
@@ -184,7 +184,7 @@ void add_theorem(CLI::App& app) {
   for (const TheoremEntry& entry : theorems::theorem_list()) ids.push_back(entry.id);
   CLI::App& command = add_command(app, "theorem", "Computer-assisted theorems: runs every certified inequality of a proof",
                                   "subcert theorem conjecture-8-n --d 1", options, [=] { return run(*options); });
-  command.add_option("ID", options->id, "list, or a theorem of the list")->required()->check(CLI::IsMember(ids));
+  command.add_option("ID", options->id, "list, or a theorem of the list")->check(CLI::IsMember(ids))->capture_default_str();
   command.add_option("--d", options->degree, "Degree; for conjecture-8-d the smaller one of two neighbouring odd degrees")
       ->check(CLI::Range(0, 98))
       ->capture_default_str();

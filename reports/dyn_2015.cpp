@@ -224,10 +224,8 @@ Report report_dyn_2015(const ReportOptions& options) {
   Section sharp{"exponents", "", {}};
   if (wanted("exponents")) sharp = exponents(workshop);
 
-  Section variance = variance_section(options, workshop), conjecture;
+  Section variance = variance_section(options, workshop), conjecture, theorems;
   if (wanted("conjecture7")) conjecture = conjecture_7_section(workshop);
-
-  Section theorems{"theorems", "", {}};
   if (wanted("theorems")) {
     workshop.say("theorems");
     theorems = theorem_section(options);

@@ -5,7 +5,8 @@
 
 namespace subcert {
 
-/// Statements, the verdicts of the theorems, means and ripples over n. Cost: half a minute on one thread, as all inequalities are run.
+/// Statements, the verdicts of the theorems, means and ripples over n. Cost: half a minute on one thread,
+/// as all inequalities are run.
 Section theorem_section(const ReportOptions& options);
 
 }  // namespace subcert

@@ -92,6 +92,8 @@ class Real {
   Real& operator+=(const Real& b) { return *this = *this + b; }
   Real& operator*=(const Real& b) { return *this = *this * b; }
 
+  /// Contains both balls and all between them.
+  friend Real join(const Real& a, const Real& b) { return combine(arb_union, a, b); }
   friend Real min(const Real& a, const Real& b) { return combine(arb_min, a, b); }
   friend Real max(const Real& a, const Real& b) { return combine(arb_max, a, b); }
   friend Real sin(const Real& a) { return a.map(arb_sin); }

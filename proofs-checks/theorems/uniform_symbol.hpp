@@ -2,21 +2,12 @@
 /// Bounds of the symbols of the primal least squares schemes of one odd degree d that hold for all n >= n_1 at
 /// once, for the sources of this floor. Proofs: docs/theorems/variance-curves.tex, section 7; its notation is used.
 
+#include "kernel_coefficients.hpp"
 #include "sinc_sum.hpp"
 
 #include <vector>
 
 namespace subcert::theorems {
-
-/// kappa_q(tau), q <= (d-1)/2, for all tau in [0, last], with kappa_q(tau) = kappa_q(0) + tau slope_q(tau), and the
-/// derivative in tau.
-struct KernelCoefficients {
-  std::vector<Rational> limit;  ///< kappa_q(0)
-  std::vector<Real> value, slope, derivative;
-};
-
-/// Errors: throws std::runtime_error where the system is not proved regular on [0, last].
-KernelCoefficients kernel_coefficients(int degree, const Rational& last, slong bits);
 
 class UniformSymbol {
  public:

@@ -7,7 +7,7 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/variance/variance.hpp>
-#include <subcert/proofs-checks/theorems/conjectures.hpp>
+#include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 namespace subcert::statements {
@@ -89,13 +89,13 @@ Outcome shape_of_psi(const Context& context) {
 }
 
 Outcome psi_like_1_over_n(const Context&) {
-  const Decision proof = theorems::verdict(theorems::conjecture_7_degree_one());
+  const Decision proof = theorems::prove("conjecture-7", 1).decision;
   Trial trial;
   trial.require(proof.is_yes(), proof.reason);
   return trial
       .for_all("all n >= 1",
-               "|(n - 1/4) psi_n(x)/c - 1| < 2/n^2 for all x, with c = 0.40443..., every inequality of the proof "
-               "certified (docs/theorems/degree-one.md, theorem B)")
+               "|(n - 1/4) psi_n(x)/c - 1| < 0.855/n^2 for all x, with c = 0.40443..., every inequality of the proof "
+               "certified (docs/theorems/README.md, conjecture-7)")
       .outcome();
 }
 
@@ -106,19 +106,19 @@ Outcome psi_slope_like_1_over_n2(const Context& context) {
   const auto scaled = [&](int n) { return variance_of(specification("primal", n)).slope; };
   const auto first = scaled(2), last = scaled(most);
   const Rational before = *first->lower / rate({{"n", 2}}), after = *last->upper / rate({{"n", most}});
-  const Decision bound = theorems::verdict(theorems::conjecture_7_degree_one());
+  const Decision bound = theorems::prove("conjecture-7", 1).decision;
   Trial printed, corrected;
   printed.require(10 * after > before,
                   "n^2 max |psi_n'| is at least " + to_decimal(before, 4, Rounding::down) + " at n = 2 and at most " +
                       to_decimal(after, 4, Rounding::up) + " at n = " + std::to_string(most) +
                       "; n^4 max |psi_n'| stays bounded, so the ratio of the two sides tends to 0");
   corrected.require(bound.is_yes(), bound.reason);
-  corrected.for_all("all n >= 1", "n^2 max |psi_n'| <= 5 for n >= 3 (docs/theorems/degree-one.md, theorem C)");
+  corrected.for_all("all n >= 1", "n^2 max |psi_n'| < 0.0575 for n >= 2 (docs/theorems/README.md, conjecture-7)");
   Outcome outcome = printed.outcome(corrected);
   if (outcome.verdict == Verdict::misprint)
     outcome.verdict = Verdict::false_claim;  // not a slip: the rate is another one
   outcome.argument =
-      "read as a rate; read as an upper bound it is true for all n (docs/theorems/degree-one.md, theorem C)";
+      "read as a rate; read as an upper bound it is true for all n (docs/theorems/README.md, conjecture-7)";
   return outcome;
 }
 
@@ -158,11 +158,11 @@ Outcome figure_2(const Context&) {
     trial.require(*variance_of(specification("primal", n + 1)).maximum.upper <
                       *variance_of(specification("primal", n)).minimum.lower,
                   at("n", n));
-  const Decision proof = theorems::verdict(theorems::conjecture_8_in_n_degree_one());
+  const Decision proof = theorems::prove("conjecture-8-n", 1).decision;
   trial.require(proof.is_yes(), proof.reason);
   return trial
       .for_all("all n >= 1",
-               "max psi_{n+1} < min psi_n (docs/theorems/degree-one.md, theorem A), certified maxima and minima for n "
+               "max psi_{n+1} < min psi_n (docs/theorems/README.md, conjecture-8-n), certified maxima and minima for n "
                "= 1..5")
       .outcome();
 }

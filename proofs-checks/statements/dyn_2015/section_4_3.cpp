@@ -6,7 +6,7 @@
 #include "dyn_2015.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/proofs-checks/theorems/conjectures.hpp>
+#include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
@@ -225,7 +225,7 @@ Outcome conjecture_7(const Context& context) {
                     pair(n, d) + ": n max psi is not between C_d and 3 C_d");
     }
   }
-  const Decision degree_one = theorems::verdict(theorems::conjecture_7_degree_one());
+  const Decision degree_one = theorems::prove("conjecture-7", 1).decision;
   trial.require(degree_one.is_yes(), degree_one.reason);
   return trial
       .for_all("every d, n large; d = 1, all n >= 1",
@@ -265,13 +265,13 @@ Outcome conjecture_8(const Context& context, bool over_degrees) {
 }
 
 Outcome conjecture_8_degree_one(const Context&) {
-  const Decision proof = theorems::verdict(theorems::conjecture_8_in_n_degree_one());
+  const Decision proof = theorems::prove("conjecture-8-n", 1).decision;
   Trial trial;
   trial.require(proof.is_yes(), proof.reason);
   return trial
       .for_all("d = 1, all n >= 1",
-               "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/degree-one.md, "
-               "theorem A)")
+               "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/README.md, "
+               "conjecture-8-n)")
       .outcome();
 }
 
@@ -331,16 +331,17 @@ void add_dyn_2015_section_4_3(PaperStatements& to) {
        "proved Hoelder exponents", R"(\bar S_n^3 \text{ generates } C^3 \text{ limit functions for } n = 4, 5)",
        R"(\bar S_5^3 \text{ generates } C^3 \text{ limit functions, } \bar S_4^3 \text{ does not})",
        Verdict::false_claim, dual_cubic});
-  const auto column = [&](const std::string& name, const std::string& latex, bool slope, int power_of_n) {
+  const auto column = [&](const std::string& name, const std::string& number, const std::string& latex, bool slope,
+                          int power_of_n) {
     const std::string id = "dyn-2015/table-3-" + name;
-    add({id, "Table 3, column " + latex, "Maxima of the variance curve and of its slope.",
+    add({id, "Table 3, " + number + " column", "Maxima of the variance curve or of its slope.",
          "certified enclosures, to one unit of the last place", latex + ": <<" + id + ">>", latex + ": <<" + id + ">>",
          Verdict::misprint, [=](const Context& c) { return table_3(c, id, slope, power_of_n); }});
   };
-  column("sup", R"(\|\psi_n^d\|_\infty)", false, 0);
-  column("n-sup", R"(n\|\psi_n^d\|_\infty)", false, 1);
-  column("slope", R"(\|(\psi_n^d)'\|_\infty)", true, 0);
-  column("n2-slope", R"(n^2\|(\psi_n^d)'\|_\infty)", true, 2);
+  column("sup", "first", R"(\|\psi_n^d\|_\infty)", false, 0);
+  column("n-sup", "second", R"(n\|\psi_n^d\|_\infty)", false, 1);
+  column("slope", "third", R"(\|(\psi_n^d)'\|_\infty)", true, 0);
+  column("n2-slope", "fourth", R"(n^2\|(\psi_n^d)'\|_\infty)", true, 2);
   add({"dyn-2015/fig-8-left", "Table 3 and Fig. 8, left", "n max psi becomes approximately constant.",
        "certified maxima against the limit C_d", R"(n\|\psi_n^d\|_\infty \approx \mathrm{const})", "", Verdict::holds,
        scaled_maxima});

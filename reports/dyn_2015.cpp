@@ -228,7 +228,7 @@ Report report_dyn_2015(const ReportOptions& options) {
   if (wanted("conjecture7")) conjecture = conjecture_7_section(workshop);
   if (wanted("theorems")) {
     workshop.say("theorems");
-    theorems = theorem_section(compare_table_3(workshop.published("table3"), workshop).comparisons, options);
+    theorems = theorem_section(options);
   }
 
   for (Section* section : {&masks, &bounds, &sharp, &variance, &conjecture, &theorems})

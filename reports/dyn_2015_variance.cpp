@@ -9,6 +9,9 @@
 #include <algorithm>
 
 namespace subcert {
+namespace {
+
+constexpr int plot_level = 7;
 
 ComparisonTable compare_table_3(const PublishedTable& table, Workshop& workshop) {
   workshop.need_variance(schemes_of(table));
@@ -30,10 +33,6 @@ ComparisonTable compare_table_3(const PublishedTable& table, Workshop& workshop)
   }
   return result;
 }
-
-namespace {
-
-constexpr int plot_level = 7;
 
 Curve variance_curve(int n, int degree, const std::string& label) {
   const VarianceGrid grid = variance_grid(make_scheme(scheme_text("primal", n, degree)).mask, plot_level, false);

@@ -66,40 +66,15 @@ Figure mean_and_ripple() {
           {means, ripples}};
 }
 
-/// `0.0163, 0.0256, 0.0245 at n = 3, 5, 7` from the printed column, without n = 1, where psi is not C^1.
-std::string printed_slopes(const std::vector<Comparison>& printed) {
-  std::string values, where;
-  for (const Comparison& cell : printed) {
-    if (cell.column != "n^2 max |psi'|" || !cell.row.starts_with("d=1, n=") || cell.row == "d=1, n=1") continue;
-    values += (values.empty() ? "" : ", ") + cell.printed;
-    where += (where.empty() ? "" : ", ") + cell.row.substr(7);
-  }
-  return values + " at n = " + where;
-}
-
-std::string computed_slopes(const std::vector<Comparison>& printed) {
-  std::string values;
-  for (const Comparison& cell : printed)
-    if (cell.column == "n^2 max |psi'|" && cell.row.starts_with("d=1, n=") && cell.row != "d=1, n=1")
-      if (const auto* enclosure = std::get_if<Enclosure>(&cell.computed); enclosure && enclosure->upper)
-        values += (values.empty() ? "" : ", ") + to_decimal(*enclosure->upper, 3, Rounding::up);
-  return values;
-}
-
 }  // namespace
 
-Section theorem_section(const std::vector<Comparison>& printed, const ReportOptions& options) {
+Section theorem_section(const ReportOptions& options) {
   Section section{"theorems", "Conjectures 7 and 8 for every n", {}};
   section.paragraphs.push_back(
       "Conjecture 7: for each degree, max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2. Conjecture 8: psi_n decreases pointwise in n "
       "and increases pointwise in the degree d. A table supports them up to some n; the theorems below settle them for "
-      "every n, for the degrees 1, 3 and 5. Their proofs, docs/theorems/variance-curves.tex, rest on numbered inequalities, and each was run for this "
-      "page ('subcert theorem ID --d D' prints them with their margins).");
-  section.paragraphs.push_back(
-      "What Table 3 suggested: for degree 1 it prints n^2 max |psi'| = " + printed_slopes(printed) +
-      ", which looks like a constant. Certified, these maxima are at most " + computed_slopes(printed) +
-      ". What is true: 1/n is the rate of max psi_n, with the constant C_d and the explicit errors below; 1/n^2 is a bound of "
-      "max |psi_n'| but not its rate, since n^2 max |psi_n'| tends to 0.");
+      "every n, for the degrees 1, 3 and 5. Their proofs, docs/theorems/variance-curves.tex, rest on numbered inequalities, and "
+      "each was run for this page ('subcert theorem ID --d D' prints them with their margins).");
   PlainTable table{"theorems", "Theorems, and the inequalities behind them",
                    {"theorem", "degrees", "inequalities", "verdict"}, {}};
   for (const Claim& claim : claims())

@@ -5,8 +5,8 @@
 
 namespace subcert {
 
-/// Statements, what Table 3 suggested, the verdicts of the theorems, means and ripples over n.
-/// `printed`: cells of Table 3. Cost: half a minute on one thread, as all inequalities are run.
-Section theorem_section(const std::vector<Comparison>& printed, const ReportOptions& options);
+/// Statements, the verdicts of the theorems, means and ripples over n. Cost: half a minute on one thread,
+/// as all inequalities are run.
+Section theorem_section(const ReportOptions& options);
 
 }  // namespace subcert

@@ -80,6 +80,7 @@ class Reader {
     if (std::isalpha(static_cast<unsigned char>(c))) {
       const std::size_t begin = at_;
       while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_]))) ++at_;
+      while (at_ < text_.size() && std::isdigit(static_cast<unsigned char>(text_[at_]))) ++at_;
       return name_node(std::string(text_.substr(begin, at_ - begin)));
     }
     fail("a number, a name or '('");
@@ -227,11 +228,19 @@ Tree replace(const Tree& tree, const std::string& name, const Tree& by) {
   return node(tree->kind, replace(tree->left, name, by), tree->right ? replace(tree->right, name, by) : nullptr);
 }
 
+/// `tau12` as \tau_{12}.
+std::string name_latex(const std::string& name) {
+  const std::size_t digits = std::min(name.find_first_of("0123456789"), name.size());
+  const std::string letters = name.substr(0, digits), index = name.substr(digits);
+  return (digits > 1 ? "\\" + letters : letters) +
+         (index.empty() ? std::string(digits > 1 ? " " : "") : "_{" + index + "}");
+}
+
 std::string latex_of(const Node& n) {
   const auto bare = [](const Node& part) { return latex_of(part.kind == '(' ? *part.left : part); };
   switch (n.kind) {
     case '#': return subcert::to_text(n.number);
-    case 'v': return n.name.size() > 1 ? "\\" + n.name + " " : n.name;
+    case 'v': return name_latex(n.name);
     case '(': return n.left->kind == '/' || n.left->kind == '(' ? latex_of(*n.left) : "(" + latex_of(*n.left) + ")";
     case '~': return "-" + latex_of(*n.left);
     case '+': return latex_of(*n.left) + " + " + latex_of(*n.right);

@@ -30,7 +30,8 @@ struct Fraction {
   MultivariatePolynomial denominator;
 };
 
-/// An expression in +, -, *, /, ^ and brackets over names and non-negative decimal numbers. Immutable.
+/// An expression in +, -, *, /, ^ and brackets over names and non-negative decimal numbers. A name is letters,
+/// perhaps with digits behind them for an index. Immutable.
 class Formula {
  public:
   struct Node;
@@ -60,7 +61,7 @@ class Formula {
   friend Formula operator*(const Formula& a, const Formula& b) { return joined('*', a, b); }
   friend Formula operator/(const Formula& a, const Formula& b) { return joined('/', a, b); }
 
-  /// For `$...$`: fractions set as \frac, names of several letters as commands.
+  /// For `$...$`: fractions set as \frac, names of several letters as commands, digits as indices.
   std::string to_latex() const;
 
  private:

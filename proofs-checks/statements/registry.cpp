@@ -2,6 +2,8 @@
 
 #include "dyn_2015/dyn_2015.hpp"
 #include "mustafa_bari_2016/mustafa_bari_2016.hpp"
+#include "mustafa_hameed/mustafa_hameed.hpp"
+#include "mustafa_li_2015/mustafa_li_2015.hpp"
 
 #include <stdexcept>
 
@@ -20,7 +22,7 @@ std::string expanded(std::string text, Form form) {
 }  // namespace
 
 const std::vector<PaperStatements>& papers() {
-  static const std::vector<PaperStatements> all{dyn_2015(), mustafa_bari_2016()};
+  static const std::vector<PaperStatements> all{dyn_2015(), mustafa_li_2015(), mustafa_hameed(), mustafa_bari_2016()};
   return all;
 }
 

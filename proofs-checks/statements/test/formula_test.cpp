@@ -14,6 +14,8 @@ TEST_CASE("formulas have the values that arithmetic gives them") {
   CHECK(Formula::parse("-n^2 + 2*n - 1.25")(at) == Rational(-17, 4));
   CHECK(Formula::parse("2^(n - 5)")(at) == Rational(1, 4));
   CHECK(Formula::parse("8/2/2")({}) == 2);
+  CHECK(Formula::parse("tau1*tau12")({{"tau1", 3}, {"tau12", 5}}) == 15);
+  CHECK(Formula::parse("tau12^2 + n").to_latex() == "\\tau_{12}^{2} + n");
   CHECK_THROWS_AS(Formula::parse("1/(n - 3)")(at), std::domain_error);
   CHECK_THROWS_AS(Formula::parse("m")(at), std::out_of_range);
   for (const char* text : {"", "1 +", "(1", "1)", "2n", "a b", "1..2", "1,2", "n^", "^2", "()", "1/*2"})

@@ -1,0 +1,17 @@
+#include "mustafa_hameed.hpp"
+
+namespace subcert::statements {
+
+PaperStatements mustafa_hameed() {
+  PaperStatements paper{"mustafa-hameed",
+                        "G. Mustafa, R. Hameed: Families of non-linear subdivision schemes for scattered data fitting "
+                        "and their non-tensor product extensions.",
+                        {},
+                        {}};
+  add_mustafa_hameed_claims(paper);
+  add_mustafa_hameed_iteration(paper);
+  add_mustafa_hameed_starting_values(paper);
+  return paper;
+}
+
+}  // namespace subcert::statements

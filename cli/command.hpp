@@ -79,5 +79,6 @@ void add_conjecture(CLI::App& app);
 void add_merge(CLI::App& app);
 void add_refine(CLI::App& app);
 void add_smooth(CLI::App& app);
+void add_experiment(CLI::App& app);
 
 }  // namespace subcert::cli

@@ -1,0 +1,14 @@
+#pragma once
+// The experiments of each kind, in the order of their papers.
+
+#include "experiment.hpp"
+
+namespace subcert {
+
+std::vector<Experiment> function_experiments();
+std::vector<Experiment> curve_experiments();
+std::vector<Experiment> surface_experiments();
+std::vector<Experiment> expected_error_experiments();
+std::vector<Experiment> outlier_experiments();
+
+}  // namespace subcert

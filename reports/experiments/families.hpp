@@ -6,9 +6,6 @@
 namespace subcert {
 
 std::vector<Experiment> function_experiments();
-std::vector<Experiment> curve_experiments();
-std::vector<Experiment> surface_experiments();
 std::vector<Experiment> expected_error_experiments();
-std::vector<Experiment> outlier_experiments();
 
 }  // namespace subcert

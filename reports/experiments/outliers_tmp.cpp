@@ -1,2 +1,0 @@
-#include "families.hpp"
-namespace subcert { std::vector<Experiment> outlier_experiments() { return {}; } }

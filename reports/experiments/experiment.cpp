@@ -28,7 +28,7 @@ bool ExperimentResult::all_confirmed() const {
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = [] {
     std::vector<Experiment> result;
-    for (const auto& family : {function_experiments, expected_error_experiments}) {
+    for (const auto& family : {function_experiments, curve_experiments, expected_error_experiments}) {
       const auto more = family();
       result.insert(result.end(), more.begin(), more.end());
     }

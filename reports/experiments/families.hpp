@@ -6,6 +6,7 @@
 namespace subcert {
 
 std::vector<Experiment> function_experiments();
+std::vector<Experiment> curve_experiments();
 std::vector<Experiment> expected_error_experiments();
 
 }  // namespace subcert

@@ -3,10 +3,13 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
+#include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/certified_polytope.hpp>
 #include <subcert/analysis/regularity/transition.hpp>
 #include <subcert/analysis/variance/variance.hpp>
+#include <subcert/analysis/variance/variance_order.hpp>
+#include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <benchmark/benchmark.h>
@@ -106,32 +109,47 @@ BENCHMARK(BM_level_norms)->ArgsProduct({{3, 5, 10}, {8, 12, 16}})->Unit(benchmar
 struct PolytopeCase {
   std::vector<RationalMatrix> matrices;
   SearchFamily family;
-  explicit PolytopeCase(long n) : matrices(transition_matrices(derived("primal:n=" + std::to_string(n)))) {
+  explicit PolytopeCase(const std::string& scheme) : matrices(transition_matrices(derived(scheme))) {
     for (const RationalMatrix& m : matrices) {
       const auto size = static_cast<Eigen::Index>(m.rows());
       family.matrices.emplace_back(size, size);
       for (Eigen::Index i = 0; i < size; ++i)
         for (Eigen::Index j = 0; j < size; ++j)
-          family.matrices.back()(i, j) = m(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).convert_to<double>();
+          family.matrices.back()(i,
+                                 j) = m(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).convert_to<double>();
     }
     family.flip_symmetric = true;  // the masks are palindromes
   }
 };
 
-void BM_polytope_search(benchmark::State& state) {
-  const PolytopeCase input(state.range(0));
+void BM_polytope_search(benchmark::State& state, const std::string& scheme) {
+  const PolytopeCase input(scheme);
   std::size_t vertices = 0;
   for (auto _ : state) vertices = search_polytope(input.family, {}).vertices.size();
   state.counters["vertices"] = static_cast<double>(vertices);
+  state.counters["dimension"] = static_cast<double>(input.matrices.front().rows());
 }
-BENCHMARK(BM_polytope_search)->DenseRange(2, 7)->Unit(benchmark::kMillisecond);
 
-void BM_polytope_proof(benchmark::State& state) {
-  const PolytopeCase input(state.range(0));
+void BM_polytope_proof(benchmark::State& state, const std::string& scheme) {
+  const PolytopeCase input(scheme);
   const SearchResult result = search_polytope(input.family, {});
   for (auto _ : state) benchmark::DoNotOptimize(certify_polytope(input.matrices, true, result));
 }
-BENCHMARK(BM_polytope_proof)->DenseRange(2, 7)->Unit(benchmark::kMillisecond);
+
+/// All 38 schemes of degree 1 in the paper's tables.
+const bool polytope_benchmarks = [] {
+  for (const std::string family : {"primal", "dual", "primal-odd", "dual-odd"}) {
+    const bool odd = family.ends_with("odd");
+    for (int n = odd ? 1 : 2; n <= 10; ++n) {
+      const std::string scheme = family + ":n=" + std::to_string(n);
+      benchmark::RegisterBenchmark(("BM_polytope_search/" + scheme).c_str(), BM_polytope_search, scheme)
+          ->Unit(benchmark::kMillisecond);
+      benchmark::RegisterBenchmark(("BM_polytope_proof/" + scheme).c_str(), BM_polytope_proof, scheme)
+          ->Unit(benchmark::kMillisecond);
+    }
+  }
+  return true;
+}();
 
 void BM_limit_values(benchmark::State& state) {
   const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0))).mask;
@@ -146,5 +164,30 @@ void BM_variance_grid(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(variance_grid(mask, 7, true));
 }
 BENCHMARK(BM_variance_grid)->Arg(3)->Arg(7)->Unit(benchmark::kMillisecond);
+
+/// Maximum, minimum and largest slope of psi to a relative width of 1e-6, and the mean.
+void BM_variance_range(benchmark::State& state) {
+  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=" + std::to_string(state.range(1)))
+                        .mask;
+  VarianceRange range;
+  for (auto _ : state) range = variance_range(mask);
+  state.counters["cells"] = static_cast<double>(range.cells);
+  state.counters["slope_width"] = Rational((*range.slope->upper - *range.slope->lower) / *range.slope->upper)
+                                      .convert_to<double>();
+}
+BENCHMARK(BM_variance_range)->ArgsProduct({{5, 20, 40}, {1, 3}})->Unit(benchmark::kMillisecond);
+
+void BM_variance_order(benchmark::State& state) {
+  const Mask first = make_scheme("primal:n=" + std::to_string(state.range(0))).mask;
+  const Mask second = make_scheme("primal:n=" + std::to_string(state.range(0) - 1)).mask;
+  for (auto _ : state) benchmark::DoNotOptimize(is_below(first, second));
+}
+BENCHMARK(BM_variance_order)->Arg(5)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
+
+void BM_limit_range(benchmark::State& state) {
+  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=3").mask;
+  for (auto _ : state) benchmark::DoNotOptimize(limit_range(mask));
+}
+BENCHMARK(BM_limit_range)->Arg(5)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
 
 }  // namespace

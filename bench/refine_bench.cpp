@@ -1,12 +1,12 @@
 // Refinement of data. BM_copy moves the same memory as one level: one read, and one write of `arity` times as much.
 
 #include <subcert/schemes/data/axis_refinement.hpp>
+#include <subcert/schemes/data/grid_refinement.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <benchmark/benchmark.h>
 
 #include <random>
-#include <thread>
 
 namespace {
 
@@ -46,9 +46,23 @@ void BM_refine(benchmark::State& state) {
     benchmark::ClobberMemory();
   }
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) * 24 * static_cast<std::int64_t>(points));
-  state.counters["points/s"] = benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(rows.outputs()),
-                                                  benchmark::Counter::kIsRate);
+  state.counters["points/s"] = benchmark::Counter(
+      static_cast<double>(state.iterations()) * static_cast<double>(rows.outputs()), benchmark::Counter::kIsRate);
 }
 BENCHMARK(BM_refine)->ArgsProduct({{2, 4, 6, 8, 16}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// One level of heights on a grid of 2000 x 2000 points, 4 x 4 data for each output: as a product and as one mask.
+void BM_refine_surface(benchmark::State& state) {
+  const auto scheme = std::get<MultivariateScheme>(
+      make_any_scheme(state.range(0) == 0 ? "tensor:(dual:n=2)x(dual:n=2)" : "grid:points=4x4,d=1"));
+  const GridData<double> data{random_data(4'000'000), 1, {Axis::of(2000), Axis::of(2000)}};
+  const RefineOptions options{1, Boundary::regression, 1};
+  for (auto _ : state)
+    benchmark::DoNotOptimize(scheme.factors.empty() ? refine(data, scheme.mask, options)
+                                                    : refine(data, scheme.factors, options));
+  state.counters["points/s"] = benchmark::Counter(static_cast<double>(state.iterations()) * 16'000'000,
+                                                  benchmark::Counter::kIsRate);
+}
+BENCHMARK(BM_refine_surface)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

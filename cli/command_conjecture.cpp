@@ -4,12 +4,15 @@
 
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/reports/conjecture_limit.hpp>
 #include <subcert/reports/conjectures.hpp>
 #include <subcert/reports/sweep/number_list.hpp>
 
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <map>
+#include <optional>
 #include <sstream>
 
 namespace subcert::cli {
@@ -122,13 +125,42 @@ struct Row {
   }
 };
 
-Json row_json(const Row& row) {
+/// n max psi / C_d - 1 for each degree that the rows have.
+using Limits = std::map<int, LimitComparison>;
+
+Limits limits_of(const std::vector<Row>& rows) {
+  std::map<int, std::vector<CertifiedMaximum>> maxima;
+  for (const Row& row : rows) maxima[row.scheme.d].push_back({row.scheme.n, row.sup});
+  Limits limits;
+  for (const auto& [degree, values] : maxima)
+    if (const auto limit = limit_comparison(degree, values)) limits.emplace(degree, *limit);
+  return limits;
+}
+
+/// Nothing for degrees without a constant.
+std::optional<Enclosure> deviation_of(const Row& row, const Limits& limits) {
+  const auto found = limits.find(row.scheme.d);
+  if (found == limits.end()) return std::nullopt;
+  for (const CertifiedMaximum& one : found->second.deviation)
+    if (one.n == row.scheme.n) return one.value;
+  return std::nullopt;
+}
+
+Json constant_json(const LimitComparison& limit) {
+  constexpr int digits = 26;
+  return {{"lower", limit.constant.lower_text(digits)}, {"upper", limit.constant.upper_text(digits)}};
+}
+
+Json row_json(const Row& row, const Limits& limits) {
   const int n = row.scheme.n;
   Json json{{"d", row.scheme.d},
             {"n", n},
             {"scheme", row.scheme.specification()},
             {"sup", enclosure_json(row.sup)},
             {"n_sup", enclosure_json(scaled(row.sup, n))}};
+  const auto deviation = deviation_of(row, limits);
+  json["limit_constant"] = deviation ? constant_json(limits.at(row.scheme.d)) : Json();
+  json["limit_deviation"] = deviation ? enclosure_json(*deviation) : Json();
   json["derivative_sup"] = row.slope ? enclosure_json(*row.slope) : Json();
   json["n2_derivative_sup"] = row.slope ? enclosure_json(scaled(*row.slope, n * n)) : Json();
   if (!row.slope) json["derivative_reason"] = row.slope_reason;
@@ -176,6 +208,16 @@ Json finding_json(const Finding& finding) {
   return json;
 }
 
+Json limit_json(const LimitComparison& limit) {
+  Json json{{"d", limit.degree}, {"constant", constant_json(limit)}};
+  if (limit.exponent) {
+    json["deviation_exponent"] = enclosure_json(*limit.exponent);
+    json["exponent_n"] = {limit.rate_from, limit.deviation.back().n};
+  }
+  json["sentence"] = limit.sentence();
+  return json;
+}
+
 int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
   std::vector<SweepCase> cases;
   for (const PrimalScheme& scheme : range.schemes)
@@ -196,6 +238,7 @@ int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
   for (std::size_t i = 0; i < range.schemes.size(); ++i)
     if (results->values[i]) rows.push_back(Row(range.schemes[i], *results->values[i]));
   const std::vector<Finding> findings = sweep.shard.is_whole() ? findings_of(rows) : std::vector<Finding>();
+  const Limits limits = limits_of(rows);
   bool has_rate = false;
   std::vector<Truth> truths;
   for (const Row& row : rows) truths.push_back(row.complete ? Truth::yes : Truth::unknown);
@@ -209,22 +252,27 @@ int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
   if (options.json) {
     Json json = answer_head(options, sweep);
     json["rows"] = Json::array();
-    for (const Row& row : rows) json["rows"].push_back(row_json(row));
+    for (const Row& row : rows) json["rows"].push_back(row_json(row, limits));
     json["skipped"] = skipped_json(range);
     if (sweep.shard.is_whole()) {
       json["findings"] = Json::array();
       for (const Finding& finding : findings) json["findings"].push_back(finding_json(finding));
+      json["limits"] = Json::array();
+      for (const auto& [degree, limit] : limits) json["limits"].push_back(limit_json(limit));
     }
     json["verdict"] = has_rate ? Json(verdict_text(verdict)) : Json();
     options.answer(json);
     return verdict_code(verdict);
   }
   constexpr int digits = 6;
-  std::vector<std::vector<std::string>> table{{"d", "n", "max psi", "n max psi", "max |psi'|", "n^2 max |psi'|"}};
+  std::vector<std::vector<std::string>> table{{"d", "n", "max psi", "n max psi", "n max psi / C_d - 1",
+                                               "max |psi'|", "n^2 max |psi'|"}};
   for (const Row& row : rows) {
     const int n = row.scheme.n;
     table.push_back({std::to_string(row.scheme.d), std::to_string(n), enclosure_text(row.sup, digits),
                      enclosure_text(scaled(row.sup, n), digits)});
+    const auto deviation = deviation_of(row, limits);
+    table.back().push_back(deviation ? enclosure_text(*deviation, 4) : "-");
     if (row.slope) {
       table.back().push_back(enclosure_text(*row.slope, digits));
       table.back().push_back(enclosure_text(scaled(*row.slope, n * n), digits));
@@ -238,6 +286,8 @@ int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
   if (!sweep.shard.is_whole()) text << shard_note(options);
   for (const Finding& finding : findings)
     text << "d = " << finding.d << ": " << finding.decay.sentence(finding.quantity) << "\n";
+  if (sweep.shard.is_whole())
+    for (const auto& [degree, limit] : limits) text << "d = " << degree << ": " << limit.sentence() << "\n";
   options.answer(text.str());
   return verdict_code(verdict);
 }

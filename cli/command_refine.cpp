@@ -3,12 +3,17 @@
 #include "command.hpp"
 #include "data_file.hpp"
 
+#include <subcert/analysis/difference/multivariate_convergence.hpp>
 #include <subcert/reports/figure.hpp>
 #include <subcert/reports/surface_figure.hpp>
 #include <subcert/schemes/data/axis_refinement.hpp>
 #include <subcert/schemes/data/grid_refinement.hpp>
 #include <subcert/schemes/data/l1_specification.hpp>
+#include <subcert/schemes/data/limit_of_data.hpp>
 #include <subcert/schemes/data/refine.hpp>
+
+#include <algorithm>
+#include <iostream>
 
 namespace subcert::cli {
 namespace {
@@ -21,6 +26,7 @@ struct RefineCommand : CommonOptions {
   std::array<bool, 3> closed_directions{false, false, false};
   std::string boundary = boundary_names().front();
   std::string plot;
+  bool limit = false;
 };
 
 /// What refines data: a linear scheme of one, two or three variables, or a data-dependent one of one or two.
@@ -28,6 +34,7 @@ struct DataRefiner {
   std::string specification;
   std::vector<std::size_t> fewest;  ///< points in each direction
   std::function<GridData<double>(const GridData<double>&, const RefineOptions&)> refine;
+  std::vector<Mask> factors = {};  ///< for limits: the masks of the directions, where there are such
 };
 
 DataRefiner make_refiner(const std::string& specification, Boundary boundary) {
@@ -39,7 +46,8 @@ DataRefiner make_refiner(const std::string& specification, Boundary boundary) {
   const AnyScheme any = make_any_scheme(specification);
   if (const auto* scheme = std::get_if<Scheme>(&any))
     return {scheme->specification, {AxisRefiner(scheme->mask, boundary).window()},
-            [mask = scheme->mask](const GridData<double>& data, const RefineOptions& options) { return refine(data, mask, options); }};
+            [mask = scheme->mask](const GridData<double>& data, const RefineOptions& options) { return refine(data, mask, options); },
+            {scheme->mask}};
   const auto& scheme = std::get<MultivariateScheme>(any);
   if (scheme.factors.empty())
     return {scheme.specification, windows(scheme.mask),
@@ -47,7 +55,19 @@ DataRefiner make_refiner(const std::string& specification, Boundary boundary) {
   std::vector<std::size_t> fewest;
   for (const Mask& factor : scheme.factors) fewest.push_back(AxisRefiner(factor, boundary).window());
   return {scheme.specification, fewest,
-          [masks = scheme.factors](const GridData<double>& data, const RefineOptions& options) { return refine(data, masks, options); }};
+          [masks = scheme.factors](const GridData<double>& data, const RefineOptions& options) { return refine(data, masks, options); },
+          scheme.factors};
+}
+
+/// The code to leave with where limits are not proved to exist; 0 else.
+int check_convergence(const DataRefiner& refiner) {
+  if (refiner.factors.empty())
+    throw UsageError("--limit: " + refiner.specification + ": limits are of schemes of one variable and their tensor products");
+  const Decision decision = tensor_product_converges(refiner.factors);
+  if (decision.is_yes()) return done;
+  std::cerr << "subcert: " << refiner.specification << ": no limit to evaluate; convergence: " << to_text(decision.truth) << " ("
+            << decision.reason << ")\n";
+  return decision.is_no() ? failed : undecided;
 }
 
 Json points_json(const GridData<double>& data) {
@@ -117,6 +137,7 @@ Json result_json(const RefineCommand& options, const DataRefiner& refiner, const
   const Axis& axis = refined.axes[0];
   Json json{{"scheme", refiner.specification},
             {"levels", options.levels},
+            {"limit", options.limit},
             {"boundary", to_text(boundary)}};
   if (refined.axes.size() == 1) {
     json["closed"] = axis.closed;
@@ -143,12 +164,15 @@ int run(const RefineCommand& options) {
   if (boundary == Boundary::reflect || boundary == Boundary::shrink)
     if (std::all_of(closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(variables), [](bool c) { return c; }))
       throw UsageError("--boundary " + options.boundary + ": closed data have no boundary; leave out one of the two options");
+  if (options.limit)
+    if (const int code = check_convergence(refiner); code != done) return code;
   DataFile file = read_data_file(options.data, variables, closed);
   if (boundary == Boundary::periodic)
     for (Axis& axis : file.data.axes) axis = Axis::of(axis.count, true);
   check_data(file, options.data, refiner.specification, refiner.fewest);
   check_plot(options.plot, file.data);
-  const GridData<double> refined = refiner.refine(file.data, {options.levels, boundary, options.threads()});
+  const RefineOptions how{options.levels, boundary, options.threads()};
+  const GridData<double> refined = options.limit ? limit_of_data(file.data, refiner.factors, how) : refiner.refine(file.data, how);
   if (!options.plot.empty()) {
     if (variables == 1)
       draw_curve(options.plot, refiner.specification, file.table, file.data, refined);
@@ -176,6 +200,7 @@ void add_refine(CLI::App& app) {
   command.add_option("--levels", options->levels, "How often the scheme is applied")
       ->check(CLI::Range(0, 1000000000))
       ->capture_default_str();
+  command.add_flag("--limit", options->limit, "Values of the limit at the parameters i / arity^LEVELS, at the data for 0");
   command.add_flag("--closed", options->closed, "The first point follows the last, in every direction");
   command.add_flag("--closed-x", options->closed_directions[0], "The same in the first direction alone");
   command.add_flag("--closed-y", options->closed_directions[1], "The same in the second direction alone");

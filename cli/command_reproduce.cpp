@@ -2,9 +2,12 @@
 
 #include "command.hpp"
 
+#include <subcert/reports/errata.hpp>
+#include <subcert/reports/files.hpp>
 #include <subcert/reports/report.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <mutex>
 #include <sstream>
@@ -60,6 +63,16 @@ std::string summary(const std::vector<Report>& reports) {
   return text.str();
 }
 
+/// Checks all statements and writes errata.html beside the page; whether all verdicts are the recorded ones.
+bool write_errata(const ReproduceOptions& options) {
+  std::vector<const statements::Statement*> all;
+  for (const statements::Statement& statement : statements::statements()) all.push_back(&statement);
+  const auto checked = check_statements(all, statements::Tier::quick, options.threads(),
+                                        [&](const std::string& id) { options.progress(id); });
+  write_file(std::filesystem::path(options.out) / "errata.html", errata_page(checked));
+  return std::all_of(checked.begin(), checked.end(), [](const CheckedStatement& one) { return one.as_recorded(); });
+}
+
 int run(ReproduceOptions& options) {
   const auto papers = options.papers.empty() ? reproducible_papers() : options.papers;
   require_known(options, papers);
@@ -70,7 +83,9 @@ int run(ReproduceOptions& options) {
                                  options.progress(line);
                                }};
   for (const std::string& paper : papers) reports.push_back(make_report(paper, report_options));
+  bool statements_as_recorded = true;
   if (!options.out.empty()) {
+    if (options.papers.empty() && options.only.empty()) statements_as_recorded = write_errata(options);
     options.progress("writing " + options.out);
     write_reports(reports, options.out);
   }
@@ -80,10 +95,11 @@ int run(ReproduceOptions& options) {
     std::cout << comparisons_json(reports) << "\n";
   } else {
     std::cout << summary(reports);
+    if (!statements_as_recorded) std::cout << "\nStatements NOT AS RECORDED: see 'subcert statements check'\n";
     if (!options.out.empty()) std::cout << "\nThe page: " << options.out << "/index.html\n";
   }
   if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
-  return as_recorded ? done : failed;
+  return as_recorded && statements_as_recorded ? done : failed;
 }
 
 }  // namespace

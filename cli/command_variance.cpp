@@ -20,11 +20,12 @@ struct Options : CommonOptions {
 int run(const Options& options) {
   const Scheme scheme = make_scheme(options.scheme);
   const auto width = parse_rational(options.width);
-  if (!width || *width <= 0) throw UsageError("--width: expected a positive number p or p/q, got '" + options.width + "'");
+  if (!width || *width <= 0)
+    throw UsageError("--width: expected a positive number p or p/q, got '" + options.width + "'");
   const Decision convergence = converges(scheme.mask);
   const auto refuse = [&](const std::string& reason) {
-    std::cerr << "subcert: " << scheme.specification << ": no variance curve; convergence: " << to_text(convergence.truth)
-              << " (" << reason << ")\n";
+    std::cerr << "subcert: " << scheme.specification
+              << ": no variance curve; convergence: " << to_text(convergence.truth) << " (" << reason << ")\n";
     return convergence.is_no() ? failed : undecided;
   };
   if (!convergence.is_yes()) return refuse(convergence.reason);
@@ -66,7 +67,8 @@ int run(const Options& options) {
 
 void add_variance(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(app, "variance", "The variance curve psi: maximum, minimum and largest slope, enclosed with proof",
+  CLI::App& command = add_command(app, "variance",
+                                  "The variance curve psi: maximum, minimum and largest slope, enclosed with proof",
                                   "subcert variance primal:n=5", options, [=] { return run(*options); });
   command.add_option("--width", options->width, "Relative width of the enclosures, p or p/q")->capture_default_str();
   command.add_option("--budget", options->budget, "Seconds")->check(CLI::PositiveNumber)->capture_default_str();

@@ -41,8 +41,9 @@ DataFile read_any(const std::string& path, std::size_t variables) {
   return {DataKind::vtk, std::move(data), {}, std::move(volume)};
 }
 
-/// Whether the last points in direction `axis` are the first ones again.
+/// Whether the last points in direction `axis` are the first ones again. One number alone proves nothing.
 bool repeats_first(const GridData<double>& data, std::size_t axis) {
+  if (data.values.size() == data.axes[axis].count) return false;
   std::size_t inner = data.dimension, outer = 1;
   for (std::size_t v = 0; v < axis; ++v) inner *= data.axes[v].count;
   for (std::size_t v = axis + 1; v < data.axes.size(); ++v) outer *= data.axes[v].count;

@@ -41,6 +41,9 @@ int main(int argc, char** argv) {
   cli::add_experiment(app);
   cli::add_conjecture(app);
   cli::add_merge(app);
+  cli::add_theorem(app);
+  cli::add_statements(app);
+  cli::add_check(app);
   try {
     app.parse(argc, argv);
     return cli::exit_code;

@@ -32,7 +32,10 @@ struct Page {
 };
 
 Page make_page(const MultivariateScheme& scheme, const ProofLimits& limits) {
-  Page page{polynomial_reproduction(scheme.mask), limit_support(scheme.mask), {}, {}};
+  Page page{scheme.factors.empty() ? polynomial_reproduction(scheme.mask) : tensor_product_reproduction(scheme.factors),
+            limit_support(scheme.mask),
+            {},
+            {}};
   if (scheme.factors.empty()) {
     page.convergence = converges(scheme.mask, limits);
     return page;
@@ -48,9 +51,9 @@ Page make_page(const MultivariateScheme& scheme, const ProofLimits& limits) {
 std::string page_text(const MultivariateScheme& scheme, const Page& page) {
   std::ostringstream text;
   text << "scheme        " << scheme.specification << "  (" << scheme.title << ")\n";
-  const std::string mask = to_mask_text(scheme.mask);
-  text << "mask          " << (mask.size() <= 2000 ? mask : std::to_string(scheme.mask.symbol().count()) +
-                                                               " coefficients, see subcert mask") << "\n";
+  const long count = scheme.mask.symbol().count();
+  text << "mask          "
+       << (count <= 150 ? to_mask_text(scheme.mask) : std::to_string(count) + " coefficients, see subcert mask") << "\n";
   text << "support       basic limit function in ";
   for (std::size_t v = 0; v < page.support.size(); ++v)
     text << (v ? " x [" : "[") << to_text(page.support[v].lower) << ", " << to_text(page.support[v].upper) << "]";

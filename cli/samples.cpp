@@ -125,7 +125,7 @@ Samples read_samples(const SampleOptions& options) {
     if (c == weights || c == x) throw UsageError("--y: column " + std::to_string(c + 1) + " has another use");
 
   Samples samples;
-  samples.separator = table.separator;
+  samples.separator = table.columns == 1 ? ',' : table.separator;
   samples.x_name = x ? column_name(table, *x) : "x";
   if (x) set_grid(options, table, *x, samples);
   set_weights(options, table, values, weights, samples);

@@ -30,7 +30,7 @@ function(subcert_warnings target)
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # GCC 12 warns wrongly about joined strings (its bug 105651)
 endfunction()
 
-# Each public header is compiled as a source of its own, so that it needs no other include before it.
+# Each public header compiles as a source of its own, so that it needs no other include before it: a long test a floor.
 function(subcert_headers_compile_alone name)
   set(sources)
   foreach(header IN LISTS ARGN)
@@ -39,8 +39,11 @@ function(subcert_headers_compile_alone name)
     file(CONFIGURE OUTPUT "${source}" CONTENT "#include \"${CMAKE_CURRENT_SOURCE_DIR}/${header}\"\n")
     list(APPEND sources "${source}")
   endforeach()
-  add_library(subcert_${name}_headers_alone OBJECT ${sources})
+  add_library(subcert_${name}_headers_alone OBJECT EXCLUDE_FROM_ALL ${sources})
   target_link_libraries(subcert_${name}_headers_alone PRIVATE subcert::${name})
+  add_test(NAME "headers alone: ${name}"
+    COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}" --target subcert_${name}_headers_alone)
+  set_tests_properties("headers alone: ${name}" PROPERTIES LABELS long TIMEOUT 900 RUN_SERIAL ON)
 endfunction()
 
 # subcert_test(NAME SOURCES ... DEPENDS ...): one Catch2 program, its cases registered one by one.
@@ -49,5 +52,7 @@ function(subcert_test name)
   add_executable(${name} ${test_SOURCES})
   target_link_libraries(${name} PRIVATE ${test_DEPENDS} Catch2::Catch2WithMain)
   subcert_warnings(${name})
+  # What is tested is optimised; the tests themselves are compiled quickly.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   catch_discover_tests(${name} TEST_PREFIX "${name}: " PROPERTIES LABELS quick TIMEOUT 300)
 endfunction()

@@ -1,5 +1,7 @@
 #include "comparison.hpp"
 
+#include <subcert/analysis/symbol/printed_decimal.hpp>
+
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -12,21 +14,6 @@ constexpr std::array<std::pair<Verdict, const char*>, 4> verdict_names{{{Verdict
                                                                         {Verdict::mismatch, "mismatch"},
                                                                         {Verdict::open, "open"},
                                                                         {Verdict::not_reproducible, "not-reproducible"}}};
-
-/// The value of a printed decimal and the count of its decimals.
-std::pair<Rational, int> read_decimal(const std::string& printed) {
-  const std::size_t point = printed.find('.');
-  std::string digits = printed;
-  int places = 0;
-  if (point != std::string::npos) {
-    places = static_cast<int>(printed.size() - point - 1);
-    digits.erase(point, 1);
-  }
-  const auto value = parse_rational(digits);
-  if (!value || digits.find('/') != std::string::npos)
-    throw std::invalid_argument("printed value: need a decimal number, got '" + printed + "'");
-  return {*value * power(Rational(10), -places), places};
-}
 
 }  // namespace
 
@@ -42,20 +29,17 @@ Verdict parse_verdict(const std::string& text) {
 }
 
 Verdict compare(const std::string& printed, const Enclosure& computed) {
-  const auto [value, places] = read_decimal(printed);
-  const Rational unit = power(Rational(10), -places);
-  const Rational low = value - unit, high = value + unit;
-  if ((computed.lower && *computed.lower > high) || (computed.upper && *computed.upper < low)) return Verdict::mismatch;
-  if (computed.is_bounded() && *computed.upper - *computed.lower < unit && *computed.lower >= low &&
-      *computed.upper <= high)
-    return Verdict::match;
-  return Verdict::open;
+  switch (agrees(read_printed_decimal(printed), computed)) {
+    case Truth::yes: return Verdict::match;
+    case Truth::no: return Verdict::mismatch;
+    default: return Verdict::open;
+  }
 }
 
 std::string Comparison::computed_text() const {
   if (const auto* text = std::get_if<std::string>(&computed)) return *text;
   const Enclosure& enclosure = std::get<Enclosure>(computed);
-  const int places = read_decimal(printed).second + 3;
+  const int places = read_printed_decimal(printed).places + 3;
   if (!enclosure.is_bounded()) {
     if (enclosure.lower) return ">= " + to_fixed(*enclosure.lower, places, Rounding::down);
     if (enclosure.upper) return "<= " + to_fixed(*enclosure.upper, places, Rounding::up);

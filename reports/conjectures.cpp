@@ -13,15 +13,6 @@
 namespace subcert {
 namespace {
 
-std::string shown(const Enclosure& enclosure) {
-  constexpr int digits = 6;
-  if (enclosure.is_bounded()) {
-    const std::string low = to_decimal(*enclosure.lower, digits, Rounding::nearest);
-    if (low == to_decimal(*enclosure.upper, digits, Rounding::nearest)) return low;
-  }
-  return enclosure.lower_text(digits) + " ... " + enclosure.upper_text(digits);
-}
-
 /// The quotient of a number and a positive one.
 Enclosure quotient(const Enclosure& number, const Enclosure& positive) {
   Enclosure result;
@@ -103,6 +94,15 @@ Enclosure decay_exponent(int first_n, const Enclosure& first, int second_n, cons
   return quotient(logarithm, log_ratio(Rational(second_n, first_n), 2));
 }
 
+std::size_t rate_start(const std::vector<CertifiedMaximum>& values) {
+  if (values.size() < 2) throw std::invalid_argument("rate_start: need at least two values");
+  const int last = values.back().n;
+  const auto distance = [&](const CertifiedMaximum& value) { return std::abs(2 * value.n - last); };
+  const auto half = std::min_element(values.begin(), values.end() - 1,
+                                     [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  return static_cast<std::size_t>(half - values.begin());
+}
+
 DecayFinding decay_finding(int power_of_n, const std::vector<CertifiedMaximum>& values) {
   if (values.empty()) throw std::invalid_argument("decay_finding: need at least one value");
   DecayFinding finding;
@@ -121,9 +121,7 @@ DecayFinding decay_finding(int power_of_n, const std::vector<CertifiedMaximum>& 
     finding.upper_bound = finding.rate = {Truth::unknown, "a single n has no rate"};
     return finding;
   }
-  const auto distance = [&](const CertifiedMaximum& value) { return std::abs(2 * value.n - finding.last_n); };
-  const auto half = std::min_element(values.begin(), values.end() - 1,
-                                     [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  const auto half = values.begin() + static_cast<std::ptrdiff_t>(rate_start(values));
   finding.rate_from = half->n;
   finding.exponent = decay_exponent(half->n, half->value, finding.last_n, values.back().value);
   const Rational below = power_of_n - Rational(1, 2), above = power_of_n + Rational(1, 2);
@@ -183,6 +181,15 @@ Enclosure scaled(const Enclosure& enclosure, const Rational& factor) {
   if (enclosure.lower) result.lower = *enclosure.lower * factor;
   if (enclosure.upper) result.upper = *enclosure.upper * factor;
   return result;
+}
+
+std::string shown(const Enclosure& enclosure) {
+  constexpr int digits = 6;
+  if (enclosure.is_bounded()) {
+    const std::string low = to_decimal(*enclosure.lower, digits, Rounding::nearest);
+    if (low == to_decimal(*enclosure.upper, digits, Rounding::nearest)) return low;
+  }
+  return enclosure.lower_text(digits) + " ... " + enclosure.upper_text(digits);
 }
 
 nlohmann::ordered_json exact_json(const Enclosure& enclosure) {

@@ -52,6 +52,10 @@ struct CertifiedMaximum {
   Enclosure value;
 };
 
+/// The index of the n nearest to half the last one, from which rates are observed. Domain: at least two values, n
+/// increasing.
+std::size_t rate_start(const std::vector<CertifiedMaximum>& values);
+
 /// What the values for one degree say about the claim "the maximum behaves like n^-power". A finite range proves
 /// nothing about all n; the finding speaks of the range.
 struct DecayFinding {
@@ -86,6 +90,9 @@ std::vector<VariancePair> neighbouring_pairs(const std::vector<PrimalScheme>& sc
 
 /// The enclosure times a positive factor.
 Enclosure scaled(const Enclosure& enclosure, const Rational& factor);
+
+/// Six digits for people: one number where both ends agree in them, else both ends rounded outward.
+std::string shown(const Enclosure& enclosure);
 
 /// Enclosures with exact ends, for journals: {"lower": "p/q", "upper": "p/q"}, an absent end left out.
 nlohmann::ordered_json exact_json(const Enclosure& enclosure);

@@ -36,6 +36,7 @@ void plot(const Figure& figure, const std::string& terminal, const std::filesyst
     gnuplot << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.x_label) << "\nset ylabel "
             << quoted(panel.y_label) << "\nset key " << panel.key << "\n"
             << (panel.log_y ? "set logscale y\nset format y '10^{%T}'\n" : "unset logscale y\nset format y '%g'\n")
+            << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
             << (panel.equal_units ? "set size ratio -1\n" : "set size noratio\n")
             << "set offsets graph 0, graph 0, graph 0.08, graph 0.03\nplot ";
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {

@@ -23,6 +23,7 @@ struct Panel {
   bool log_y = false;
   std::string key = "top right";  ///< where gnuplot puts the legend
   bool equal_units = false;       ///< the same scale on both axes, as for curves in the plane
+  bool log_x = false;
 };
 
 /// Panels side by side, at most `columns` in a row.

@@ -2,6 +2,7 @@
 
 #include "dyn_2015.hpp"
 #include "files.hpp"
+#include "html.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -32,23 +33,6 @@ std::string escaped(const std::string& text, const std::string& special, const s
   for (char c : text) {
     if (special.find(c) != std::string::npos) result += prefix;
     result += c;
-  }
-  return result;
-}
-
-std::string html(const std::string& text) {
-  std::string result;
-  for (char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
   }
   return result;
 }
@@ -158,49 +142,15 @@ std::string table_html(const PlainTable& table) {
   return result + "</table></div>\n";
 }
 
-constexpr const char* style = R"css(
-:root { color-scheme: light; }
-* { box-sizing: border-box; }
-body { font: 16px/1.55 system-ui, "DejaVu Sans", sans-serif; color: #1c2733; background: #fff; margin: 0 auto;
-       padding: 2rem 1.25rem 5rem; max-width: 64rem; }
-h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .5rem; }
-h2 { font-size: 1.4rem; margin: 3rem 0 .75rem; padding-top: .75rem; border-top: 2px solid #1c2733; }
-h3 { font-size: 1.05rem; margin: 2rem 0 .1rem; }
-p { max-width: 46rem; }
-.place, figcaption, .citation { color: #5a6773; font-size: .9rem; margin-top: 0; }
-.citation { margin-top: 1rem; }
-nav a { margin-right: 1.2rem; }
-a { color: #0b559f; }
-.scroll { overflow-x: auto; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .92rem; margin: .5rem 0 1rem; }
-th, td { padding: .35rem .7rem; border-bottom: 1px solid #d9dfe5; text-align: right; vertical-align: top;
-         white-space: nowrap; }
-th:first-child, th.left { text-align: left; }
-th { font-weight: 600; }
-td.wide { white-space: normal; text-align: left; overflow-wrap: anywhere; font-family: "DejaVu Sans Mono", monospace;
-          font-size: .82rem; min-width: 14rem; }
-td span { display: block; }
-.computed { color: #5a6773; font-size: .82rem; }
-.verdict { font-size: .75rem; font-weight: 600; letter-spacing: .02em; }
-.match .verdict { color: #1e7a43; }
-.mismatch { background: #fdecea; }
-.mismatch .verdict { color: #b3261e; }
-.open { background: #fff7e0; }
-.open .verdict { color: #8a5a00; }
-figure { margin: 1.5rem 0; }
-figure img { max-width: 100%; height: auto; display: block; }
-details { margin: .5rem 0 1rem; }
-details li { margin: .2rem 0; }
-.summary td, .summary th { text-align: left; }
-@media print { body { max-width: none; } .scroll { overflow: visible; } }
-)css";
-
-std::string page(const std::vector<Report>& reports) {
+std::string page(const std::vector<Report>& reports, bool with_errata) {
   std::string body =
       "<h1>Printed values, recomputed</h1>\n<p>Every number below was computed in exact rational arithmetic, or enclosed "
       "with outward rounding. In each cell the printed value stands first, ours below it, then the verdict: "
       "<b>match</b> where our enclosure is narrower than one unit of the last printed place and within one such unit of "
       "the printed value, <b>mismatch</b> where our result excludes that, <b>open</b> where it does not decide yet.</p>\n";
+  if (with_errata)
+    body += "<p><a href=\"errata.html\">Errata and confirmations</a>: every statement of the papers as a check, and what "
+            "is wrong in them.</p>\n";
   for (const Report& report : reports) {
     body += "<nav>";
     for (const Section& section : report.sections)
@@ -230,7 +180,7 @@ std::string page(const std::vector<Report>& reports) {
   }
   return "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
          "content=\"width=device-width, initial-scale=1\">\n<title>subcert: printed values, recomputed</title>\n<style>" +
-         std::string(style) + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
+         page_style() + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
 }
 
 }  // namespace
@@ -286,7 +236,7 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
       for (const Figure& figure : section.figures) draw(figure, inside);
     }
   }
-  write_file(folder / "index.html", page(reports));
+  write_file(folder / "index.html", page(reports, std::filesystem::exists(folder / "errata.html")));
 }
 
 std::string comparisons_json(const std::vector<Report>& reports) {

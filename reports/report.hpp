@@ -54,7 +54,8 @@ std::vector<std::string> report_items(const std::string& paper);
 /// Recomputes the paper and compares. Errors: throws std::out_of_range for an unknown paper or item.
 Report make_report(const std::string& paper, const ReportOptions& options);
 
-/// Writes DIR/index.html for the reports, and for each table DIR/PAPER/ID.csv, .tex, .json, for each figure .svg, .png
+/// Writes DIR/index.html for the reports, with a link to DIR/errata.html where that is there, and for each table
+/// DIR/PAPER/ID.csv, .tex, .json, for each figure .svg, .png
 /// and .csv. Errors: throws std::runtime_error that names the file.
 void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder);
 

@@ -5,18 +5,31 @@
 
 #include <gnuplot-iostream.h>
 
+#include <sstream>
 #include <stdexcept>
 
 namespace subcert {
 namespace {
 
+/// The points 0, ..., count - 1 that are drawn: all, or some 200 of them with both ends; closed directions end with 0.
+std::vector<std::size_t> drawn_indices(std::size_t count, bool closed) {
+  const std::size_t step = count / 200 + 1;
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < count; i += step) result.push_back(i);
+  if (closed)
+    result.push_back(0);
+  else if (result.back() + 1 < count)
+    result.push_back(count - 1);
+  return result;
+}
+
 /// Rows of points with an empty line after each, as splot reads a grid.
 std::string grid_text(const DrawnSurface& surface) {
   std::ostringstream text;
   text.precision(9);
-  for (std::size_t j = 0; j < surface.rows + (surface.closed_y ? 1 : 0); ++j) {
-    for (std::size_t i = 0; i < surface.columns + (surface.closed_x ? 1 : 0); ++i) {
-      const auto& p = surface.points[j % surface.rows * surface.columns + i % surface.columns];
+  for (const std::size_t j : drawn_indices(surface.rows, surface.closed_y)) {
+    for (const std::size_t i : drawn_indices(surface.columns, surface.closed_x)) {
+      const auto& p = surface.points[j * surface.columns + i];
       text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
     }
     text << '\n';
@@ -29,11 +42,14 @@ void plot(const std::vector<DrawnSurface>& surfaces, const std::string& terminal
   gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 520 * surfaces.size() << ",460\n"
           << "set output '" << target.string() << "'\n"
           << "set multiplot layout 1," << surfaces.size() << "\n"
-          << "set view 60,30\nset xyplane relative 0.05\nset tics textcolor rgb '#333333'\nset border lc rgb '#888888'\n"
+          << "set xyplane relative 0.05\nset tics textcolor rgb '#333333'\nset border lc rgb '#888888'\n"
           << "set palette defined (0 '#0b559f', 0.5 '#e8e8e8', 1 '#c0392b')\nunset colorbox\nunset key\n"
-          << "set pm3d depthorder border lc rgb '#40303030' lw 0.4\nset pm3d lighting primary 0.4 specular 0.1\n";
+          << "set pm3d lighting primary 0.4 specular 0.1\n";
   for (const DrawnSurface& surface : surfaces) {
-    gnuplot << "set title \"" << surface.title << "\"\n" << (surface.heights ? "unset view\nset view noequal\n" : "set view equal xyz\n")
+    const bool coarse = surface.columns * surface.rows <= 2500;
+    gnuplot << "set title \"" << surface.title << "\"\n"
+            << (surface.heights ? "set view 60,30,1\n" : "set view equal xyz\nset view 60,30,1.6\nunset tics\nunset border\n")
+            << "set pm3d depthorder " << (coarse ? "border lc rgb '#303030' lw 0.4\n" : "noborder\n")
             << "splot '-' with pm3d\n" << grid_text(surface) << "e\n";
   }
   gnuplot << "unset multiplot\nunset output\n";

@@ -11,7 +11,7 @@ namespace {
 
 using namespace specification_text;
 
-constexpr long max_coefficients = 200'000;
+constexpr long max_coefficients = 100'000;
 
 const FamilyHelp tensor_help{"tensor", "tensor:(primal:n=3)x(dual:n=2)",
                              "tensor product of two or three schemes of one variable and one arity"};
@@ -84,8 +84,8 @@ MultivariateScheme make_grid(const Piece& family, const Piece& body) {
   if (scheme.points.size() < 2) fail(points_piece, "two or three numbers of points, as 4x4");
   if (const auto piece = fields.optional("d")) {
     const long degree = read_integer(*piece, "d", 0, std::numeric_limits<std::int32_t>::max());
-    if (coefficients * std::min(degree, longest - 1) > 20 * max_work)
-      fail(*piece, "a degree d with (coefficients) * d <= " + std::to_string(20 * max_work) + " (here " +
+    if (coefficients * std::min(degree, longest - 1) > 5 * max_work)
+      fail(*piece, "a degree d with (coefficients) * d <= " + std::to_string(5 * max_work) + " (here " +
                        std::to_string(coefficients) + " coefficients)");
     scheme.degree = static_cast<int>(degree);
   }

@@ -110,7 +110,7 @@ Decision tensor_product_converges(const std::vector<Mask>& factors, const ProofL
   std::string evidence;
   for (std::size_t v = 0; v < factors.size(); ++v) {
     const Decision one = converges(factors[v], limits);
-    const std::string reason = std::string("factor ") + variable_names[v] + ": " + one.reason;
+    const std::string reason = (factors.size() == 1 ? "" : std::string("factor ") + variable_names[v] + ": ") + one.reason;
     if (one.is_no()) return {Truth::no, reason};
     if (!one.is_yes() && unknown.is_yes()) unknown = {Truth::unknown, reason};
     evidence += (v ? "; " : "") + reason;

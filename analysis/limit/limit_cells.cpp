@@ -1,6 +1,8 @@
 #include "limit_cells.hpp"
 
+#include "cell_range.hpp"
 #include "limit_values.hpp"
+#include "rounded.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
@@ -19,22 +21,13 @@ namespace subcert {
 namespace {
 
 using flint::BallVector;
+using namespace rounded;
 
 constexpr std::size_t most_nodes = 9;
 constexpr std::size_t rough_degree = 3;  // tried, too, where phi may be rough at the scale of the integers
 constexpr std::size_t rough_width = 64;  // widest vectors for which it is
-constexpr std::size_t most_words = 16;  // looked at one by one where the remainder of a cell is bounded
+constexpr std::size_t most_words = 16;   // looked at one by one where the remainder of a cell is bounded
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// Above the exact value of a sum of at most 2^10 products of non-negative numbers that was rounded to nearest.
-double up(double x) { return x * (1 + 0x1p-40) + 0x1p-1000; }
-double down(double x) { return x - std::abs(x) * 0x1p-40 - 0x1p-1000; }
-
-/// Relative error of sums of n products whose factors were rounded.
-double gamma(std::size_t n) { return static_cast<double>(n + 64) * 0x1p-52; }
-
-double to_double(const Rational& value) { return value.convert_to<double>(); }
-double to_double_above(const Rational& value) { return up(std::abs(to_double(value))); }
 
 /// The middle as a double; what is missing is added to `error`.
 double to_double(arb_srcptr ball, double& error) {
@@ -42,114 +35,6 @@ double to_double(arb_srcptr ball, double& error) {
   error = up(error + mag_get_d(arb_radref(ball)) + std::abs(middle) * 0x1p-52 + 0x1p-1000);
   return middle;
 }
-
-double dot(const double* x, const double* y, std::size_t n) {
-  double sums[4] = {0, 0, 0, 0};
-  std::size_t i = 0;
-  for (; i + 4 <= n; i += 4)
-    for (std::size_t j = 0; j < 4; ++j) sums[j] += x[i + j] * y[i + j];
-  for (; i < n; ++i) sums[0] += x[i] * y[i];
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
-
-double largest(const double* x, std::size_t n) {
-  double result = 0;
-  for (std::size_t i = 0; i < n; ++i) result = std::max(result, std::abs(x[i]));
-  return result;
-}
-
-double one_norm(const double* x, std::size_t n) {
-  double sum = 0;
-  for (std::size_t i = 0; i < n; ++i) sum += std::abs(x[i]);
-  return up(sum);
-}
-
-std::int64_t int_power(int base, int exponent) {
-  std::int64_t result = 1;
-  for (int k = 0; k < exponent; ++k) result *= base;
-  return result;
-}
-
-double half_power(std::size_t j) { return std::ldexp(1.0, -static_cast<int>(j)); }
-
-double real_power(int base, int exponent) { return std::pow(static_cast<double>(base), exponent); }
-
-/// A polynomial in u with vectors for coefficients, one after the other, and bounds for the 1-norms of their errors.
-struct VectorPolynomial {
-  std::vector<double> coefficients;
-  std::vector<double> errors;
-  std::vector<double> norms;  // above the 1-norms of the coefficients, where they are needed
-};
-
-/// p((u + delta) / arity) for polynomials p in u: matrix of the coefficients, row i holds what enters u^i.
-class Recentring {
- public:
-  Recentring(int arity, int digit, std::size_t size) : size_(size), entries_(size * size, 0.0) {
-    const Rational delta = Rational(2 * digit + 1 - arity) / 2;
-    for (std::size_t j = 0; j < size; ++j) {
-      Rational term = power(Rational(arity), -static_cast<long>(j));  // binomial(j, i) delta^(j-i) / arity^j
-      for (std::size_t i = j;; --i) {
-        entries_[i * size + j] = to_double(term);
-        if (i == 0) break;
-        term *= delta * Rational(static_cast<long>(i)) / Rational(static_cast<long>(j - i + 1));
-      }
-    }
-  }
-  double operator()(std::size_t i, std::size_t j) const { return entries_[i * size_ + j]; }
-
- private:
-  std::size_t size_;
-  std::vector<double> entries_;
-};
-
-/// The operator of a mask whose coefficients start at index 0, on vectors of its width, in double precision.
-class Transition {
- public:
-  Transition(const std::vector<Rational>& coefficients, int arity)
-      : arity_(arity),
-        top_(static_cast<long>(coefficients.size()) - 1),
-        width_(std::max(1L, (top_ + arity - 2) / (arity - 1))),
-        cosets_(static_cast<std::size_t>(arity)) {
-    for (std::size_t i = 0; i < coefficients.size(); ++i) {
-      reversed_.push_back(to_double(coefficients[coefficients.size() - 1 - i]));
-      cosets_[i % cosets_.size()].push_back(to_double(coefficients[i]));
-    }
-  }
-
-  std::size_t width() const { return static_cast<std::size_t>(width_); }
-
-  /// out = T_t in, (T_t)_{ji} = b_{arity j + t - i}.
-  void apply(const double* in, long t, double* __restrict out) const {
-    std::fill(out, out + width_, 0.0);
-    for (long i = 0; i < width_; ++i) {
-      const long residue = (((t - i) % arity_) + arity_) % arity_, offset = (t - i - residue) / arity_;
-      const std::vector<double>& coset = cosets_[static_cast<std::size_t>(residue)];
-      const long first = std::max(0L, -offset), last = std::min(width_, static_cast<long>(coset.size()) - offset);
-      const double factor = in[i];
-      const double* entries = coset.data();
-      for (long j = first; j < last; ++j) out[j] += factor * entries[j + offset];
-    }
-  }
-
-  /// out = transposed T_t in.
-  void apply_transposed(const double* in, long t, double* __restrict out) const {
-    std::fill(out, out + width_, 0.0);
-    for (long j = 0; j < width_; ++j) {
-      const long shift = top_ - (arity_ * j + t);  // b_{arity j + t - i} = reversed_[shift + i]
-      const long first = std::max(0L, -shift), last = std::min(width_, top_ + 1 - shift);
-      const double factor = in[j];
-      const double* entries = reversed_.data();
-      for (long i = first; i < last; ++i) out[i] += factor * entries[i + shift];
-    }
-  }
-
- private:
-  long arity_;
-  long top_;
-  long width_;
-  std::vector<double> reversed_;
-  std::vector<std::vector<double>> cosets_;
-};
 
 std::vector<Rational> coefficients_from_zero(const LaurentPolynomial& symbol) {
   std::vector<Rational> result(static_cast<std::size_t>(symbol.lowest()), 0);
@@ -160,38 +45,38 @@ std::vector<Rational> coefficients_from_zero(const LaurentPolynomial& symbol) {
 /// What depends on the degree of the polynomials that interpolate v.
 struct Interpolation {
   std::size_t degree = 0;
-  std::size_t nodes = 0;                     // degree + 1
-  std::vector<std::int64_t> node;            // node / arity^node_level
-  std::vector<BallVector> lagrange;          // lagrange[s][j]: coefficient of u^j in the s-th basis polynomial
-  std::vector<BallVector> at_nodes;          // v at the nodes
-  std::vector<VectorPolynomial> sources;     // k_t
-  int word_level = 0;                        // words[w]: eta on the w-th cell of this level, but for P_w eta
+  std::size_t nodes = 0;                  // degree + 1
+  std::vector<std::int64_t> node;         // node / arity^node_level
+  std::vector<BallVector> lagrange;       // lagrange[s][j]: coefficient of u^j in the s-th basis polynomial
+  std::vector<BallVector> at_nodes;       // v at the nodes
+  std::vector<VectorPolynomial> sources;  // k_t
+  int word_level = 0;                     // words[w]: eta on the w-th cell of this level, but for P_w eta
   std::vector<VectorPolynomial> words;
-  double rest_bound = 0;                     // sup of the 1-norm of epsilon
-  double rest_slope = 0;                     // and of epsilon'
+  double rest_bound = 0;  // sup of the 1-norm of epsilon
+  double rest_slope = 0;  // and of epsilon'
 };
 
 }  // namespace
 
 struct LimitCells::Impl : Interpolation {
   int arity;
-  int order;             // m: 2 with C^1, else 1
-  std::string reason;    // why not C^1
+  int order;           // m: 2 with C^1, else 1
+  std::string reason;  // why not C^1
   bool slopes;
   bool mirrored;
-  long first;            // of the integers around the support
-  Mask mask;             // moved so that phi lives on [0, width]
-  std::size_t width;     // v(x) = (phi(x), ..., phi(x + width - 1))
+  long first;         // of the integers around the support
+  Mask mask;          // moved so that phi lives on [0, width]
+  std::size_t width;  // v(x) = (phi(x), ..., phi(x + width - 1))
   slong bits;
   int node_level;
-  BallVector reversed;                      // mask coefficients from the highest down to index 0
-  BallVector at_zero;                       // v(0)
-  std::vector<Transition> transition;       // of the divided difference scheme of order m; one element
-  std::vector<Recentring> recentring;       // one for each digit
-  std::vector<double> norms;                // norms[j] >= || S_[m]^j ||
-  std::vector<double> contraction;          // contraction[j] >= sup of ||P epsilon|| / ||epsilon||, P of j steps
-  std::size_t moments;                      // epsilon is orthogonal to the polynomials of lower degree
-  std::vector<double> fit;                  // moments x width: coefficients of a fitted polynomial in position(k)
+  BallVector reversed;                 // mask coefficients from the highest down to index 0
+  BallVector at_zero;                  // v(0)
+  std::vector<Transition> transition;  // of the divided difference scheme of order m; one element
+  std::vector<Recentring> recentring;  // one for each digit
+  std::vector<double> norms;           // norms[j] >= || S_[m]^j ||
+  std::vector<double> contraction;     // contraction[j] >= sup of ||P epsilon|| / ||epsilon||, P of j steps
+  std::size_t moments;                 // epsilon is orthogonal to the polynomials of lower degree
+  std::vector<double> fit;             // moments x width: coefficients of a fitted polynomial in position(k)
 
   explicit Impl(const Mask& given)
       : arity(given.arity()),
@@ -231,6 +116,11 @@ struct LimitCells::Impl : Interpolation {
       set_bounds();
       const bool rougher = order == 2 ? rest_slope < smooth.rest_slope : rest_bound < smooth.rest_bound;
       if (!rougher) static_cast<Interpolation&>(*this) = std::move(smooth);
+    }
+    if (std::isinf(rest_bound)) throw std::domain_error("limit cells: the difference scheme contracts too slowly");
+    if (order == 2 && std::isinf(rest_slope)) {
+      slopes = false;
+      reason = "C^1 is proved, but the difference scheme contracts too slowly for a bound of the slope";
     }
   }
 
@@ -282,7 +172,8 @@ struct LimitCells::Impl : Interpolation {
   void set_values() {
     const LaurentPolynomial& symbol = mask.symbol();
     for (long i = 0; i <= symbol.highest(); ++i)
-      arb_set_fmpq(reversed[static_cast<std::size_t>(symbol.highest() - i)], flint::Quotient(symbol.coefficient(i)).get(), bits);
+      arb_set_fmpq(reversed[static_cast<std::size_t>(symbol.highest() - i)],
+                   flint::Quotient(symbol.coefficient(i)).get(), bits);
     const LimitValues integers = limit_values(mask, 0);
     for (std::size_t k = 0; k < width; ++k)
       arb_set_fmpq(at_zero[k], flint::Quotient(integers.at(static_cast<long>(k))).get(), bits);
@@ -294,15 +185,15 @@ struct LimitCells::Impl : Interpolation {
     nodes = degree + 1;
     const auto last = static_cast<double>(int_power(arity, node_level));
     for (std::size_t s = 0; s < nodes; ++s)
-      node.push_back(
-          std::llround(last / 2 * (1 - std::cos(std::numbers::pi * static_cast<double>(s) / static_cast<double>(degree)))));
+      node.push_back(std::llround(
+          last / 2 * (1 - std::cos(std::numbers::pi * static_cast<double>(s) / static_cast<double>(degree)))));
     for (std::size_t s = 0; s < nodes; ++s) {
       LaurentPolynomial basis(1);  // in u, of positive exponents
       for (std::size_t r = 0; r < nodes; ++r)
         if (r != s)
-          basis *= LaurentPolynomial({(Rational(1, 2) - node_point(r)) / (node_point(s) - node_point(r)),
-                                      1 / (node_point(s) - node_point(r))},
-                                     0);
+          basis *= LaurentPolynomial(
+              {(Rational(1, 2) - node_point(r)) / (node_point(s) - node_point(r)), 1 / (node_point(s) - node_point(r))},
+              0);
       lagrange.emplace_back(nodes);
       for (std::size_t j = 0; j < nodes; ++j)
         arb_set_fmpq(lagrange.back()[j], flint::Quotient(basis.coefficient(static_cast<long>(j))).get(), bits);
@@ -326,10 +217,12 @@ struct LimitCells::Impl : Interpolation {
     for (; level > 0; --level, index /= arity) {
       const long t = static_cast<long>(index % arity);
       for (long j = 0; j < static_cast<long>(width); ++j) {
-        const long low = std::max(0L, arity * j + t - top), high = std::min(static_cast<long>(width) - 1, arity * j + t);
+        const long low = std::max(0L, arity * j + t - top),
+                   high = std::min(static_cast<long>(width) - 1, arity * j + t);
         // b_{arity j + t - i} = reversed[top - arity j - t + i]
-        arb_dot(y[static_cast<std::size_t>(j)], nullptr, 0, reversed[static_cast<std::size_t>(top - arity * j - t + low)], 1,
-                x[static_cast<std::size_t>(low)], 1, high - low + 1, bits);
+        arb_dot(y[static_cast<std::size_t>(j)], nullptr, 0,
+                reversed[static_cast<std::size_t>(top - arity * j - t + low)], 1, x[static_cast<std::size_t>(low)], 1,
+                high - low + 1, bits);
       }
       std::swap(x, y);
     }
@@ -407,7 +300,8 @@ struct LimitCells::Impl : Interpolation {
       const double norm = one_norm(&p.coefficients[j * length], length);
       for (std::size_t i = 0; i <= j; ++i) {
         const double factor = matrix(i, j);
-        for (std::size_t k = 0; k < length; ++k) result.coefficients[i * length + k] += factor * p.coefficients[j * length + k];
+        for (std::size_t k = 0; k < length; ++k)
+          result.coefficients[i * length + k] += factor * p.coefficients[j * length + k];
         result.errors[i] += std::abs(factor) * (p.errors[j] + gamma(nodes) * norm);
       }
     }
@@ -479,7 +373,8 @@ struct LimitCells::Impl : Interpolation {
     rest_slope = order == 2 ? geometric(up(slope * real_power(arity, level)), level, 1) : infinite;
   }
 
-  /// The least bound B with B <= top (1 + r_1 + ... + r_{q-1}) + r_q B, r_i = arity^(growth i level) contraction(i level).
+  /// The least bound B with B <= top (1 + r_1 + ... + r_{q-1}) + r_q B, r_i = arity^(growth i level) contraction(i
+  /// level).
   double geometric(double top, int level, int growth) const {
     double sum = 1, best = infinite;
     for (int q = 1; q <= 64; ++q) {
@@ -547,9 +442,11 @@ struct LimitCells::Impl : Interpolation {
     double error = 0, size = 1;
     contraction.assign(1, 1.0);
     for (int j = 1;; ++j) {
-      const double work = real_power(arity, j) * static_cast<double>(width * width) * static_cast<double>(2 * moments + 2);
-      if (j > 1 && work > 1.5e7) break;
-      std::vector<double> finer(mask_coefficients.size() + (coefficients.size() - 1) * static_cast<std::size_t>(arity), 0.0);
+      const double work = real_power(arity, j) * static_cast<double>(width * width) *
+                          static_cast<double>(2 * moments + 2);
+      if (j > 1 && work > 4e6) break;
+      std::vector<double> finer(mask_coefficients.size() + (coefficients.size() - 1) * static_cast<std::size_t>(arity),
+                                0.0);
       for (std::size_t q = 0; q < coefficients.size(); ++q)
         for (std::size_t i = 0; i < mask_coefficients.size(); ++i)
           finer[q * static_cast<std::size_t>(arity) + i] += coefficients[q] * mask_coefficients[i];
@@ -563,7 +460,8 @@ struct LimitCells::Impl : Interpolation {
       for (std::size_t r = 0; r < count; ++r) {
         std::fill(sums.begin(), sums.end(), 0.0);
         for (std::size_t q = r; q < count * width; q += count) {
-          for (std::size_t l = 0; l < width; ++l) window[l] = l <= q && q - l < coefficients.size() ? coefficients[q - l] : 0;
+          for (std::size_t l = 0; l < width; ++l)
+            window[l] = l <= q && q - l < coefficients.size() ? coefficients[q - l] : 0;
           const double rounding = remove_polynomial(window.data());
           for (std::size_t l = 0; l < width; ++l) sums[l] += std::abs(window[l]) + rounding;
         }
@@ -593,7 +491,8 @@ struct LimitCells::Impl : Interpolation {
   std::pair<double, double> square_bounds(int level) const {
     if (rest_bound == 0) return {0, 0};
     const double factor = contraction_bound(level);
-    const double value = up(factor * rest_bound), slope = up(up(factor * rest_slope) * real_power(arity, level));
+    const double value = up(factor * rest_bound);
+    const double slope = slopes ? up(up(factor * rest_slope) * real_power(arity, level)) : 0;
     return {up(value * value / 2), up(value * slope)};
   }
 
@@ -666,6 +565,7 @@ struct LimitCells::Impl : Interpolation {
   }
 
   void drop_small_rows(CellForm& form, const Spare& spare) const;
+  CellParts parts(const CellForm& form) const;
 };
 
 LimitCells::LimitCells(const Mask& mask) : impl_(std::make_unique<Impl>(mask)) {}
@@ -781,7 +681,8 @@ CellForm LimitCells::variance_form(std::int64_t index, int level) const {
 CellForm LimitCells::variance_child(const CellForm& form, const CellRange& range, int digit, const Spare& spare) const {
   // Where cells are few: what is spare leaves no room for the square.
   const double cost = real_power(arity(), form.level + 1) * static_cast<double>(impl_->width * impl_->width);
-  const bool early = (cost < 1e5 || form.level < 4) && (form.square > 5 * spare.value || form.square_slope > 5 * spare.slope);
+  const bool early = (cost < 1e5 || form.level < 4) &&
+                     (form.square > 5 * spare.value || form.square_slope > 5 * spare.slope);
   if ((range.square_share > 0.1 || early) && form.level + impl_->node_level < deepest_level()) {
     const auto [value, slope] = impl_->square_bounds(form.level + 1);
     if (value < form.square / 2 || slope < form.square_slope / 2)
@@ -844,7 +745,8 @@ CellForm LimitCells::child(const CellForm& form, int digit, const Spare& spare) 
     for (std::size_t i = 0; i < count; ++i) {
       result.middle[i + l] += scale * dot(&rows[i * length], k, length);
       result.radius[i + l] = up(result.radius[i + l] +
-                                scale * (errors[i] * norm + sizes[i] * source.errors[l] + gamma(length) * sizes[i] * norm) +
+                                scale *
+                                    (errors[i] * norm + sizes[i] * source.errors[l] + gamma(length) * sizes[i] * norm) +
                                 gamma(4) * std::abs(result.middle[i + l]));
     }
   }
@@ -874,117 +776,50 @@ void LimitCells::Impl::drop_small_rows(CellForm& form, const Spare& spare) const
   form.rows.resize(keep * rows_width());
 }
 
-namespace {
-
-struct Span {
-  double lower, upper;
-};
-
-/// Values on |u| <= 1/2 of sum of (c[j] +- r[j]) u^j.
-Span polynomial_span(const std::vector<double>& c, const std::vector<double>& r) {
-  double low = 0, high = 0, error = 0;
-  for (std::size_t j = c.size(); j-- > 1;) {
-    const double term = std::ldexp(std::abs(c[j]), -static_cast<int>(j));
-    if (j % 2 == 1 || c[j] < 0) low += term;
-    if (j % 2 == 1 || c[j] > 0) high += term;
-    error += std::ldexp(r[j], -static_cast<int>(j));
-  }
-  const double centre_error = up(r.empty() ? 0 : r[0]) + (c.empty() ? 0 : std::abs(c[0]) * 0x1p-50);
-  const double centre = c.empty() ? 0 : c[0];
-  return {centre - up(up(low) + up(error) + centre_error), centre + up(up(high) + up(error) + centre_error)};
-}
-
-/// Bounds of the parts of a form other than its polynomial.
-struct Rest {
-  double value, slope;  // of the rows and the slack
-};
-
-CellRange range_of(const std::vector<double>& c, const std::vector<double>& r, double speed, const Rest& rest,
-                   double slack, double slope_slack, double square_low, double square_high, double square_slope, bool slopes) {
-  CellRange range{};
-  range.remainder = up(rest.value + std::max(square_low, square_high));
-  const Span value = polynomial_span(c, r);
-  const auto outward = [](double low, double high, double margin) {
-    const double room = up(margin + (std::abs(low) + std::abs(high)) * 0x1p-50);
-    return Span{low - room, high + room};
-  };
-  const Span all = outward(value.lower - square_low, value.upper + square_high, rest.value);
-  range.value_lower = all.lower;
-  range.value_upper = all.upper;
-  double odd = 0, odd_error = 0, even = 0, even_error = 0, sizes = 0;
-  for (std::size_t j = c.size(); j-- > 0;) {
-    const double term = std::ldexp(c[j], -static_cast<int>(j)), error = std::ldexp(r[j], -static_cast<int>(j));
-    (j % 2 == 1 ? odd : even) += term;
-    (j % 2 == 1 ? odd_error : even_error) += up(error + gamma(c.size()) * std::abs(term));
-    sizes += std::abs(term);
-  }
-  const double end_error = up(odd_error + even_error + slack + gamma(4) * sizes);
-  const Span left = outward(even - odd - square_low, even - odd + square_high, end_error);
-  const Span right = outward(even + odd - square_low, even + odd + square_high, end_error);
-  range.left_lower = left.lower;
-  range.left_upper = left.upper;
-  range.right_lower = right.lower;
-  range.right_upper = right.upper;
-  // What slack and square do to the mean slope over the cell is bounded by their slopes, too.
-  double loose = up(up(2 * slack + square_low + square_high) * speed);
-  if (slopes) loose = std::min(loose, up(slope_slack + square_slope));
-  const double rise = up(2 * odd_error) < 2 * std::abs(odd) ? down((2 * std::abs(odd) - up(2 * odd_error)) * speed) - loose : 0;
-  range.steepness = std::max(0.0, down(rise));
-  if (slopes) {
-    std::vector<double> d, e;
-    for (std::size_t j = 1; j < c.size(); ++j) {
-      const auto factor = static_cast<double>(j);
-      d.push_back(factor * c[j]);
-      e.push_back(up(factor * r[j] + std::abs(factor * c[j]) * 0x1p-50));
-    }
-    const Span slope = polynomial_span(d, e);
-    const Span moved = outward(slope.lower * speed, slope.upper * speed, rest.slope + square_slope);
-    range.slope_lower = moved.lower;
-    range.slope_upper = moved.upper;
-    range.steepness = std::max({range.steepness, range.slope_lower, -range.slope_upper});
-    range.square_share = square_slope == 0 ? 0 : 2 * square_slope / (range.slope_upper - range.slope_lower);
-  } else {
-    range.slope_lower = -infinite;
-    range.slope_upper = infinite;
-  }
-  const double square = square_low + square_high;
-  if (square > 0) range.square_share = std::max(range.square_share, square / (range.value_upper - range.value_lower));
-  return range;
-}
-
-Rest rest_of(const double* values, const double* slopes, const CellForm& form) {
-  Rest rest{form.value_slack, form.slope_slack};
+CellParts LimitCells::Impl::parts(const CellForm& form) const {
+  const RowBounds bounds = row_bounds(form);
+  CellParts parts{form.middle,
+                  form.radius,
+                  real_power(arity, form.level),
+                  form.value_slack,
+                  form.slope_slack,
+                  form.value_slack,
+                  form.slope_slack,
+                  0,
+                  form.square,
+                  form.square_slope,
+                  slopes};
   for (std::size_t j = 0; j < most_nodes; ++j) {
-    rest.value += values[j];
-    rest.slope += slopes[j];
+    parts.value_rest += bounds.value[j];
+    parts.slope_rest += bounds.slope[j];
   }
-  return {up(rest.value), up(rest.slope)};
+  parts.value_rest = up(parts.value_rest);
+  parts.slope_rest = up(parts.slope_rest);
+  return parts;
 }
 
-}  // namespace
-
-CellRange LimitCells::range(const CellForm& form) const {
-  const Impl::RowBounds bounds = impl_->row_bounds(form);
-  return range_of(form.middle, form.radius, real_power(arity(), form.level), rest_of(bounds.value, bounds.slope, form),
-                  form.value_slack, form.slope_slack, 0, form.square, form.square_slope, has_slopes());
-}
+CellRange LimitCells::range(const CellForm& form) const { return range_of(impl_->parts(form)); }
 
 CellRange LimitCells::difference(const LimitCells& first, const CellForm& form, const LimitCells& second,
                                  const CellForm& other) {
   if (first.arity() != second.arity() || form.level != other.level || form.index != other.index)
     throw std::invalid_argument("difference: need forms on one cell");
-  std::vector<double> c = form.middle, r = form.radius;
-  c.resize(std::max(c.size(), other.middle.size()), 0.0);
-  r.resize(c.size(), 0.0);
-  for (std::size_t j = 0; j < other.middle.size(); ++j) {
-    c[j] -= other.middle[j];
-    r[j] = up(r[j] + other.radius[j] + std::abs(c[j]) * 0x1p-50);
+  CellParts parts = first.impl_->parts(form);
+  const CellParts less = second.impl_->parts(other);
+  parts.middle.resize(std::max(parts.middle.size(), less.middle.size()), 0.0);
+  parts.radius.resize(parts.middle.size(), 0.0);
+  for (std::size_t j = 0; j < less.middle.size(); ++j) {
+    parts.middle[j] -= less.middle[j];
+    parts.radius[j] = up(parts.radius[j] + less.radius[j] + std::abs(parts.middle[j]) * 0x1p-50);
   }
-  const Impl::RowBounds one = first.impl_->row_bounds(form), two = second.impl_->row_bounds(other);
-  const Rest rest = rest_of(one.value, one.slope, form), more = rest_of(two.value, two.slope, other);
-  return range_of(c, r, real_power(first.arity(), form.level), {up(rest.value + more.value), up(rest.slope + more.slope)},
-                  up(form.value_slack + other.value_slack), up(form.slope_slack + other.slope_slack), other.square, form.square,
-                  up(form.square_slope + other.square_slope), first.has_slopes() && second.has_slopes());
+  parts.value_rest = up(parts.value_rest + less.value_rest);
+  parts.slope_rest = up(parts.slope_rest + less.slope_rest);
+  parts.value_slack = up(parts.value_slack + less.value_slack);
+  parts.slope_slack = up(parts.slope_slack + less.slope_slack);
+  parts.square_below = less.square_above;
+  parts.square_slope = up(parts.square_slope + less.square_slope);
+  parts.slopes = parts.slopes && less.slopes;
+  return range_of(parts);
 }
 
 }  // namespace subcert

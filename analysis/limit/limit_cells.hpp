@@ -33,8 +33,10 @@ struct CellForm {
 
 /// What a form says about its function on the cell: value_lower <= f <= value_upper; slope_lower <= f' <= slope_upper
 /// (where C^1 is proved); left and right enclose the values at the ends; some |f'| in the cell, and so the Lipschitz
-/// constant there, is at least steepness; f differs from its polynomial by at most remainder. square_share is the part of the width of the slope range (without C^1: of
-/// the value range) that the square of the remainder causes.
+/// constant there, is at least steepness; f differs from its polynomial by at most remainder. square_share is the part
+/// of the width of the slope range (without C^1: of the value range) that the square of the remainder causes;
+/// value_rounding and slope_rounding are the parts of both widths that rounding causes: a cell is not worth splitting
+/// where they are large.
 struct CellRange {
   double value_lower, value_upper;
   double slope_lower, slope_upper;
@@ -43,6 +45,8 @@ struct CellRange {
   double steepness;
   double remainder;
   double square_share;
+  double value_rounding;
+  double slope_rounding;
 };
 
 /// Refines forms of one mask. Domain: convergence proved by a contractive power of the difference scheme; at most 1,500

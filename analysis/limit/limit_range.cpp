@@ -16,7 +16,7 @@
 namespace subcert {
 namespace {
 
-constexpr std::size_t most_cells = 4'000'000;
+constexpr std::size_t most_cells = 1'000'000;  // of one level
 
 bool has_negative(const Mask& mask) {
   const auto coefficients = mask.symbol().coefficients();
@@ -46,7 +46,8 @@ Integral integral_of_modulus(const CellForm& form, const CellRange& range, doubl
     if (j % 2 == 0) sum += form.middle[j] * scale / static_cast<double>(j + 1);
   }
   const double rest = (range.remainder + error + size * 0x1p-45) * (1 + 0x1p-40);
-  return {std::max(0.0, (std::abs(sum) - rest) * width * (1 - 0x1p-50)), (std::abs(sum) + rest) * width * (1 + 0x1p-50)};
+  return {std::max(0.0, (std::abs(sum) - rest) * width * (1 - 0x1p-50)),
+          (std::abs(sum) + rest) * width * (1 + 0x1p-50)};
 }
 
 CellForm form_at(const LimitCells& cells, std::int64_t index, int level) {
@@ -67,15 +68,16 @@ Rational left_end(const LimitCells& cells, const CellForm& form) {
 
 Rational width_of(const LimitCells& cells, const CellForm& form) { return power(Rational(cells.arity()), -form.level); }
 
-/// Visits cells that meet (from, to) inside; `judge` says yes, no, or unknown for split; the rest is `no` or unknown at the
-/// deepest level.
+/// Visits cells that meet (from, to) inside; `judge` says yes, no, or unknown for split; the rest is `no` or unknown at
+/// the deepest level.
 Decision for_all_cells(const LimitCells& cells, const Rational& from, const Rational& to, int levels,
                        const std::function<Decision(const CellForm&, bool inside)>& judge) {
   if (from >= to) throw std::invalid_argument("need from < to, got " + to_text(from) + " and " + to_text(to));
   const Integer begin = numerator(from) / denominator(from) - 1, end = numerator(to) / denominator(to) + 1;
   if (begin < cells.first_integer() - 1 || end > cells.last_integer() + 1)
     throw std::invalid_argument("need an interval inside the support [" + std::to_string(cells.first_integer()) + ", " +
-                                std::to_string(cells.last_integer()) + "], got " + to_text(from) + " ... " + to_text(to));
+                                std::to_string(cells.last_integer()) + "], got " + to_text(from) + " ... " +
+                                to_text(to));
   std::vector<CellForm> stack;
   for (long k = end.convert_to<long>(); k >= begin.convert_to<long>(); --k) stack.push_back(cells.limit_form(k));
   while (!stack.empty()) {
@@ -109,7 +111,8 @@ LimitCell limit_cell(const Mask& mask, std::int64_t index, int level) {
 LimitRange limit_range(const Mask& mask, const LimitOptions& options) {
   if (options.relative_width <= 0)
     throw std::invalid_argument("limit_range: need relative_width > 0, got " + to_text(options.relative_width));
-  if (!(options.seconds > 0)) throw std::invalid_argument("limit_range: need seconds > 0, got " + std::to_string(options.seconds));
+  if (!(options.seconds > 0))
+    throw std::invalid_argument("limit_range: need seconds > 0, got " + std::to_string(options.seconds));
   const auto start = std::chrono::steady_clock::now();
   const LimitCells cells(mask);
   const double tolerance = options.relative_width.convert_to<double>() * 0.9;
@@ -126,7 +129,8 @@ LimitRange limit_range(const Mask& mask, const LimitOptions& options) {
     std::vector<CellRange> ranges;
     bool stopped = active.front().level >= cells.deepest_level() || active.size() > most_cells;
     for (const CellForm& form : active) {
-      stopped = stopped || std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > options.seconds;
+      stopped = stopped ||
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > options.seconds;
       ranges.push_back(cells.range(form));
       highest.attain(std::max(ranges.back().left_lower, ranges.back().right_lower));
       lowest.attain(-std::min(ranges.back().left_upper, ranges.back().right_upper));
@@ -144,7 +148,7 @@ LimitRange limit_range(const Mask& mask, const LimitOptions& options) {
                            lowest.is_settled(-range.value_lower, tolerance * size) &&
                            (!slopes || steepest.is_settled(slope, tolerance * steepest.attained())) &&
                            integral.upper - integral.lower <= tolerance * width / support;  // the integral is 1 or more
-      if (!settled && !stopped) {
+      if (!settled && !stopped && range.value_rounding < 0.5) {
         for (int t = 0; t < cells.arity(); ++t) next.push_back(cells.child(active[i], t, {}));
         continue;
       }
@@ -164,7 +168,8 @@ LimitRange limit_range(const Mask& mask, const LimitOptions& options) {
                      std::max(*result.maximum.upper, Rational(-*result.minimum.lower))};
   if (slopes) result.slope = steepest.enclosure();
   if (signs)
-    result.l1_norm = {std::max(Rational(1), Rational(lower_integral * (1 - 0x1p-40))), Rational(upper_integral * (1 + 0x1p-40))};
+    result.l1_norm = {std::max(Rational(1), Rational(lower_integral * (1 - 0x1p-40))),
+                      Rational(upper_integral * (1 + 0x1p-40))};
   else
     result.l1_norm = Enclosure::exactly(1);
   return result;
@@ -188,8 +193,8 @@ Decision is_positive(const Mask& mask, const Rational& from, const Rational& to,
 Decision is_increasing(const Mask& mask, const Rational& from, const Rational& to, int levels) {
   const LimitCells cells(mask);
   if (!cells.has_slopes()) return {Truth::unknown, cells.slope_reason()};
-  // With a derived scheme without negative coefficients, phi' >= 0 wherever no difference of the control data that matters
-  // is negative.
+  // With a derived scheme without negative coefficients, phi' >= 0 wherever no difference of the control data that
+  // matters is negative.
   constexpr int data_levels = 8;
   std::vector<LaurentPolynomial> differences;
   if (sum_rules(mask) > 0 && !has_negative(divided_difference_scheme(mask, 1))) {
@@ -208,7 +213,8 @@ Decision is_increasing(const Mask& mask, const Rational& from, const Rational& t
     if (inside && range.right_upper < range.left_lower)
       return Decision{Truth::no, "phi(" + to_text(left) + ") > phi(" + to_text(right) + ")"};
     if (static_cast<std::size_t>(form.level) < differences.size()) {
-      // phi' = arity^level sum of d_l phi_1(arity^level x - l), phi_1 with the same lower and a smaller upper end of support.
+      // phi' = arity^level sum of d_l phi_1(arity^level x - l), phi_1 with the same lower and a smaller upper end of
+      // support.
       const auto low = Rational(form.index) - support.upper, high = Rational(form.index + 1) - support.lower;
       const long first = Integer(numerator(low) / denominator(low)).convert_to<long>() - 1,
                  last = Integer(numerator(high) / denominator(high)).convert_to<long>() + 1;

@@ -12,8 +12,8 @@ struct LimitOptions {
   double seconds = 60;
 };
 
-/// phi over the line: maximum, minimum (0 or below), largest |phi|, largest |phi'| (the best Lipschitz constant where phi
-/// is not C^1 but a proved polynomial between integers; absent, with the reason, where nothing is proved), and the
+/// phi over the line: maximum, minimum (0 or below), largest |phi|, largest |phi'| (the best Lipschitz constant where
+/// phi is not C^1 but a proved polynomial between integers; absent, with the reason, where nothing is proved), and the
 /// integral of |phi|.
 struct LimitRange {
   Enclosure maximum;
@@ -22,13 +22,13 @@ struct LimitRange {
   std::optional<Enclosure> slope;
   std::string slope_reason;
   Enclosure l1_norm;
-  bool complete = false;    ///< all widths are as asked for; else the seconds ran out
+  bool complete = false;    ///< all widths are as asked for; else time or precision ran out
   std::uint64_t cells = 0;  ///< cells looked at
 };
 
 /// Branch and bound over arity-adic cells. Domain: convergence proved by contraction. Error: widths at most
-/// relative_width times the largest |phi| (times the largest |phi'|, the integral of |phi|) where `complete`. Errors: throws
-/// std::invalid_argument, and as LimitCells. Proofs: docs/limit-enclosures.md.
+/// relative_width times the largest |phi| (times the largest |phi'|, the integral of |phi|) where `complete`. Errors:
+/// throws std::invalid_argument, and as LimitCells. Proofs: docs/limit-enclosures.md.
 LimitRange limit_range(const Mask& mask, const LimitOptions& options = {});
 
 /// phi and phi' on one cell [index, index + 1] / arity^level; no slope where it is not proved to exist.
@@ -45,8 +45,8 @@ LimitCell limit_cell(const Mask& mask, std::int64_t index, int level);
 Decision is_positive(const Mask& mask, const Rational& from, const Rational& to, int levels = 20);
 
 /// Whether phi' >= 0 on [from, to], so that phi does not decrease there. `no` names a cell where it decreases; unknown
-/// where a zero of phi' is met that neither the enclosures nor the differences of the control data resolve, as at an inner
-/// maximum. Domain: as LimitCells, slopes proved; from < to.
+/// where a zero of phi' is met that neither the enclosures nor the differences of the control data resolve, as at an
+/// inner maximum. Domain: as LimitCells, slopes proved; from < to.
 Decision is_increasing(const Mask& mask, const Rational& from, const Rational& to, int levels = 20);
 
 }  // namespace subcert

@@ -37,8 +37,9 @@ LaurentPolynomial values_at_integers(const Mask& mask) {
   if (basis.size() == 1)
     for (const Rational& x : basis.front()) sum += x;
   if (sum == 0)
-    throw std::domain_error("limit_values: the values at the integers are not determined by the refinement equation; "
-                            "the divided difference scheme of this order does not converge");
+    throw std::domain_error(
+        "limit_values: the values at the integers are not determined by the refinement equation; "
+        "the divided difference scheme of this order does not converge");
   return LaurentPolynomial(basis.front(), first) * LaurentPolynomial(1 / sum);
 }
 
@@ -77,7 +78,8 @@ LimitValues limit_values(const Mask& mask, int level, int order) {
   const IndexRange range = support(mask);
   const long first = ceil_div(range.first * scale, mask.arity() - 1);
   const long last = floor_div(range.last * scale, mask.arity() - 1);
-  LimitValues result{mask.arity(), level, order, first, std::vector<Rational>(static_cast<std::size_t>(last - first + 1), 0)};
+  LimitValues result{mask.arity(), level, order, first,
+                     std::vector<Rational>(static_cast<std::size_t>(last - first + 1), 0)};
   if (values.is_zero()) return result;
   long index = values.lowest();
   for (const Rational& value : values.coefficients()) {
@@ -108,7 +110,9 @@ std::vector<Rational> l2_inner_products(const Mask& mask) {
     for (const Rational& x : basis.front()) sum += 2 * x;
     sum -= basis.front().front();
   }
-  if (sum == 0) throw std::domain_error("l2_inner_products: not determined by the refinement equation; the scheme does not converge");
+  if (sum == 0)
+    throw std::domain_error(
+        "l2_inner_products: not determined by the refinement equation; the scheme does not converge");
   std::vector<Rational> products = basis.front();
   for (Rational& x : products) x /= sum;
   return products;

@@ -79,22 +79,55 @@ Rational distance(acb_ptr ball, const Rational& re, const Rational& im) {
   return sum;
 }
 
+/// Whether the ball holds exactly one zero of p, a simple one, and all others but its conjugate are smaller in modulus.
+bool is_simple_and_leading(const LaurentPolynomial& p, const acb_t eigenvalue) {
+  const LaurentPolynomial q = p.shifted(-p.lowest());  // the zeros at 0 do not matter
+  const LaurentPolynomial repeated = gcd(q, q.derivative());
+  flint::IntegerPolynomial simple(*q.exact_quotient(repeated)), multiple(repeated);
+  const slong count = fmpz_poly_degree(simple.get());
+  if (count < 1) return false;
+  acb_ptr roots = _acb_vec_init(count);
+  arb_fmpz_poly_complex_roots(roots, simple.get(), 0, precision);
+  acb_t conjugate, value;
+  acb_init(conjugate);
+  acb_init(value);
+  acb_conj(conjugate, eigenvalue);
+  flint::Ball modulus, other;
+  acb_abs(modulus.get(), eigenvalue, precision);
+  int held = 0;
+  bool leading = true;
+  for (slong i = 0; i < count; ++i) {
+    if (acb_overlaps(roots + i, eigenvalue)) {
+      ++held;
+      continue;
+    }
+    if (acb_overlaps(roots + i, conjugate)) continue;
+    acb_abs(other.get(), roots + i, precision);
+    leading = leading && arb_lt(other.get(), modulus.get());
+  }
+  arb_fmpz_poly_evaluate_acb(value, multiple.get(), eigenvalue, precision);
+  const bool once = !acb_contains_zero(value);
+  acb_clear(conjugate);
+  acb_clear(value);
+  _acb_vec_clear(roots, count);
+  return leading && once && held == 1;
+}
+
 class Proof {
  public:
   Proof(const std::vector<RationalMatrix>& matrices, const SearchResult& result, const CertifiedPolytope& polytope,
         const Rational& lower)
-      : result_(result), polytope_(polytope), lower_(lower), word_(result.products.front().word), count_(matrices.size()) {
+      : result_(result), polytope_(polytope), lower_(lower), count_(matrices.size()) {
     for (const RationalMatrix& m : matrices) matrices_.push_back(polytope.transposed ? transposed(m) : m);
+    for (std::size_t k = 0; k < result.maximizing; ++k) cycles_.push_back({result.products[k].word, {}, {}, {}});
   }
 
   Decision run() {
     const auto unknown = [](const char* reason) { return Decision{Truth::unknown, reason}; };
     if (result_.status != SearchStatus::closed) return unknown("the polytope did not close");
     if (polytope_.kind == PolytopeKind::nonnegative) return unknown("polytopes of cones are only enclosed");
-    if (result_.maximizing != 1) return unknown("more than one product seems to attain the radius");
-    if (!simple_eigenvalues()) return unknown("the product has multiple eigenvalues");
-    find_mirror_shift();
-    if (!bound_vertex_errors()) return unknown("an eigenvector was not isolated");
+    for (Cycle& cycle : cycles_) cycle.mirror_shift = mirror_shift(cycle.word);
+    if (!bound_vertex_errors()) return unknown("a leading eigenvalue is not simple, or its eigenvector was not isolated");
     // kappa: norm by the true polytope / norm by the rational one.
     if (error_ >= 1) return unknown("the vertices are not known well enough");
     const Rational kappa = 1 / (1 - error_);
@@ -111,34 +144,40 @@ class Proof {
   }
 
  private:
-  const RationalMatrix& letter(std::size_t place) const {
-    return matrices_[static_cast<std::size_t>(word_[place % word_.size()])];
-  }
+  /// A product whose leading eigenvectors are roots of the polytope.
+  struct Cycle {
+    std::vector<int> word;
+    /// The mirror image of the word is the word shifted by so much.
+    std::optional<std::size_t> mirror_shift;
+    /// The root from which all others come, and the vertex it is.
+    std::optional<std::size_t> base;
+    /// See find_eigenspace.
+    std::vector<RationalVector> eigenspace;
+
+    int letter(std::size_t place) const { return word[place % word.size()]; }
+  };
+
+  const RationalMatrix& matrix(int letter) const { return matrices_[static_cast<std::size_t>(letter)]; }
+
+  std::size_t place_of(std::size_t vertex) const { return static_cast<std::size_t>(result_.vertices[vertex].place); }
+  const Cycle& cycle_of(std::size_t vertex) const { return cycles_[static_cast<std::size_t>(result_.vertices[vertex].cycle)]; }
 
   /// The product that starts at this place of the word.
-  RationalMatrix product_from(std::size_t place) const {
-    RationalMatrix product = letter(place);
-    for (std::size_t k = 1; k < word_.size(); ++k) product = letter(place + k) * product;
+  RationalMatrix product_from(const Cycle& cycle, std::size_t place) const {
+    RationalMatrix product = matrix(cycle.letter(place));
+    for (std::size_t k = 1; k < cycle.word.size(); ++k) product = matrix(cycle.letter(place + k)) * product;
     return product;
   }
 
-  bool simple_eigenvalues() const {
-    const LaurentPolynomial p = characteristic_polynomial(product_from(0));
-    return gcd(p.shifted(-p.lowest()), p.shifted(-p.lowest()).derivative()).length() == 1;
-  }
-
-  /// s with mirror image of the word = the word shifted by s, if there is one.
-  void find_mirror_shift() {
-    if (!polytope_.symmetric) return;
-    for (std::size_t shift = 0; shift < word_.size(); ++shift) {
+  std::optional<std::size_t> mirror_shift(const std::vector<int>& word) const {
+    if (!polytope_.symmetric) return std::nullopt;
+    for (std::size_t shift = 0; shift < word.size(); ++shift) {
       bool equal = true;
-      for (std::size_t k = 0; k < word_.size() && equal; ++k)
-        equal = static_cast<int>(count_) - 1 - word_[k] == word_[(k + shift) % word_.size()];
-      if (equal) {
-        mirror_shift_ = shift;
-        return;
-      }
+      for (std::size_t k = 0; k < word.size() && equal; ++k)
+        equal = static_cast<int>(count_) - 1 - word[k] == word[(k + shift) % word.size()];
+      if (equal) return shift;
     }
+    return std::nullopt;
   }
 
   RationalComplex vertex(std::size_t index) const {
@@ -176,7 +215,6 @@ class Proof {
   bool bound_vertex_errors() {
     std::vector<Rational> errors;
     const auto growth = [&] { return polytope_.bound / lower_; };  // of the norm of an error in one step
-    std::optional<std::size_t> base;
     for (std::size_t v = 0; v < result_.vertices.size(); ++v) {
       const Vertex& origin = result_.vertices[v];
       if (origin.parent >= 0) {
@@ -184,32 +222,32 @@ class Proof {
         errors.push_back(growth() * errors[parent] + step_error(parent, {origin.letter}, v));
       } else if (origin.cycle < 0) {
         errors.emplace_back(0);  // any vertex will do here: the true one is the rational one
-      } else if (!base) {
-        const auto error = eigenvector_error(v);
+      } else if (Cycle& cycle = cycles_[static_cast<std::size_t>(origin.cycle)]; !cycle.base) {
+        cycle.base = v;
+        const auto error = eigenvector_error(cycle);
         if (!error) return false;
         errors.push_back(*error);
-        base = v;
       } else {
         std::vector<int> letters;
-        for (int place = result_.vertices[*base].place; place != origin.place;
-             place = (place + 1) % static_cast<int>(word_.size()))
-          letters.push_back(word_[static_cast<std::size_t>(place)]);
+        const std::size_t end = place_of(v);
+        for (std::size_t place = place_of(*cycle.base); place != end; place = (place + 1) % cycle.word.size())
+          letters.push_back(cycle.word[place]);
         if (letters.empty()) return false;
-        Rational carried = errors[*base];
+        Rational carried = errors[*cycle.base];
         for (std::size_t k = 0; k < letters.size(); ++k) carried *= growth();
-        errors.push_back(carried + step_error(*base, letters, v));
+        errors.push_back(carried + step_error(*cycle.base, letters, v));
       }
       error_ = std::max(error_, errors.back());
     }
-    return base.has_value();
+    return std::all_of(cycles_.begin(), cycles_.end(), [](const Cycle& cycle) { return cycle.base.has_value(); });
   }
 
-  /// The norm of (rational root - an exact eigenvector of the product that starts at its place).
-  std::optional<Rational> eigenvector_error(std::size_t root) {
-    base_place_ = static_cast<std::size_t>(result_.vertices[root].place);
-    const RationalMatrix product = product_from(base_place_);
+  /// The norm of (rational base root - an exact eigenvector of the product that starts at its place), if its eigenvalue is
+  /// simple and of largest modulus.
+  std::optional<Rational> eigenvector_error(Cycle& cycle) {
+    const RationalMatrix product = product_from(cycle, place_of(*cycle.base));
     const std::size_t n = product.rows();
-    const RationalComplex v = vertex(root);
+    const RationalComplex v = vertex(*cycle.base);
     AcbMatrix matrix(n, n), approximate(n, 1), enclosure(n, 1), subspace(1, 1);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) acb_set_fmpq(matrix.entry(i, j), flint::Quotient(product(i, j)).get(), precision);
@@ -236,14 +274,14 @@ class Proof {
     arb_set_fmpq(acb_imagref(start), flint::Quotient(im / square).get(), precision);
     acb_get_mid(start, start);
     acb_mat_eig_enclosure_rump(eigenvalue, subspace.get(), enclosure.get(), matrix.get(), start, approximate.get(), precision);
-    const bool found = acb_is_finite(eigenvalue);
+    const bool found = acb_is_finite(eigenvalue) && is_simple_and_leading(characteristic_polynomial(product), eigenvalue);
     if (found) {
-      find_eigenspace(product, eigenvalue);
+      find_eigenspace(cycle, product, eigenvalue);
       flint::Ball modulus;
       acb_abs(modulus.get(), eigenvalue, precision);
       const Enclosure enclosed = modulus.enclosure();
       if (enclosed.lower && *enclosed.lower > 0)
-        lower_ = std::min(lower_, *root_enclosure(*enclosed.lower, static_cast<int>(word_.size())).lower);
+        lower_ = std::min(lower_, *root_enclosure(*enclosed.lower, static_cast<int>(cycle.word.size())).lower);
     }
     acb_clear(eigenvalue);
     acb_clear(start);
@@ -260,7 +298,7 @@ class Proof {
   /// The rational space that the base eigenvector and its algebraic conjugates span: the kernel of f(product), where f
   /// is the irreducible factor of the characteristic polynomial that vanishes at the eigenvalue. Whatever rational
   /// linear equations hold on that space hold for the eigenvector.
-  void find_eigenspace(const RationalMatrix& product, const acb_t eigenvalue) {
+  void find_eigenspace(Cycle& cycle, const RationalMatrix& product, const acb_t eigenvalue) {
     flint::IntegerPolynomial characteristic(characteristic_polynomial(product));
     fmpz_poly_factor_t factors;
     fmpz_poly_factor_init(factors);
@@ -286,25 +324,36 @@ class Proof {
       sum = sum * product;
       for (std::size_t i = 0; i < n; ++i) sum(i, i) += *c;
     }
-    eigenspace_ = kernel(sum);
+    cycle.eigenspace = kernel(sum);
   }
 
-  /// The letters that lead from the base root to a true vertex.
+  std::size_t root_of(std::size_t index) const {
+    while (result_.vertices[index].parent >= 0) index = static_cast<std::size_t>(result_.vertices[index].parent);
+    return index;
+  }
+
+  /// The letters that lead from the base root of its cycle to a true vertex.
   std::optional<std::vector<int>> path(std::size_t index) const {
     std::vector<int> letters;
     for (; result_.vertices[index].parent >= 0; index = static_cast<std::size_t>(result_.vertices[index].parent))
       letters.push_back(result_.vertices[index].letter);
     if (result_.vertices[index].cycle < 0) return std::nullopt;
-    const auto place = static_cast<std::size_t>(result_.vertices[index].place);
-    for (std::size_t k = place; k != base_place_; k = (k + word_.size() - 1) % word_.size())
-      letters.push_back(word_[(k + word_.size() - 1) % word_.size()]);
+    const Cycle& cycle = cycle_of(index);
+    const std::size_t length = cycle.word.size();
+    for (std::size_t k = place_of(index); k != place_of(*cycle.base); k = (k + length - 1) % length)
+      letters.push_back(cycle.letter(k + length - 1));
     std::reverse(letters.begin(), letters.end());
     return letters;
   }
 
-  RationalVector along(const std::vector<int>& letters, std::size_t turns, RationalVector v) const {
-    for (std::size_t k = 0; k < turns * word_.size(); ++k) v = times(letter(base_place_ + k), v);
-    for (int t : letters) v = times(matrices_[static_cast<std::size_t>(t)], v);
+  RationalVector along(const std::vector<int>& letters, RationalVector v) const {
+    for (int t : letters) v = times(matrix(t), v);
+    return v;
+  }
+
+  /// Turns of the cycle from its base on.
+  RationalVector around(const Cycle& cycle, std::size_t turns, RationalVector v) const {
+    for (std::size_t k = 0; k < turns * cycle.word.size(); ++k) v = times(matrix(cycle.letter(place_of(*cycle.base) + k)), v);
     return v;
   }
 
@@ -313,15 +362,16 @@ class Proof {
   bool follows_linearly(std::size_t source, int image_letter, std::size_t target, bool flipped) const {
     auto from = path(source);
     const auto to = path(target);
-    if (!from || !to || eigenspace_.empty()) return false;
+    if (!from || !to || result_.vertices[root_of(source)].cycle != result_.vertices[root_of(target)].cycle) return false;
+    const Cycle& cycle = cycle_of(root_of(source));
     from->push_back(image_letter);
-    const std::size_t steps = from->size(), other = to->size(), length = word_.size();
-    if (steps % length != other % length) return false;
+    const std::size_t steps = from->size(), other = to->size(), length = cycle.word.size();
+    if (cycle.eigenspace.empty() || steps % length != other % length) return false;
     const std::size_t more = (std::max(steps, other) - std::min(steps, other)) / length;
     bool same = true, opposite = true;
-    for (const RationalVector& v : eigenspace_) {
-      const RationalVector left = along(*from, steps < other ? more : 0, v);
-      RationalVector right = along(*to, steps > other ? more : 0, v);
+    for (const RationalVector& v : cycle.eigenspace) {
+      const RationalVector left = along(*from, around(cycle, steps < other ? more : 0, v));
+      RationalVector right = along(*to, around(cycle, steps > other ? more : 0, v));
       if (flipped) std::reverse(right.begin(), right.end());
       for (std::size_t i = 0; i < left.size(); ++i) {
         same = same && left[i] == right[i];
@@ -331,12 +381,13 @@ class Proof {
     return same || opposite;
   }
 
-  /// How a true vertex arises: a place of the cycle, then letters that leave it. The letters that follow the word only
+  /// How a true vertex arises: a place of a cycle, then letters that leave it. The letters that follow the word only
   /// move the place, as the root there is the image of the one before.
   struct History {
+    const Cycle* cycle;
     std::size_t place;
     std::vector<int> letters;
-    bool operator==(const History& other) const { return place == other.place && letters == other.letters; }
+    bool operator==(const History&) const = default;
   };
 
   std::optional<History> history(std::size_t index) const {
@@ -347,13 +398,13 @@ class Proof {
     }
     if (result_.vertices[index].cycle < 0) return std::nullopt;
     std::reverse(letters.begin(), letters.end());
-    return normalised({static_cast<std::size_t>(result_.vertices[index].place), letters});
+    return normalised({&cycle_of(index), place_of(index), letters});
   }
 
-  History normalised(History h) const {
+  static History normalised(History h) {
     std::size_t used = 0;
-    while (used < h.letters.size() && h.letters[used] == word_[h.place]) {
-      h.place = (h.place + 1) % word_.size();
+    while (used < h.letters.size() && h.letters[used] == h.cycle->letter(h.place)) {
+      h.place = (h.place + 1) % h.cycle->word.size();
       ++used;
     }
     h.letters.erase(h.letters.begin(), h.letters.begin() + static_cast<std::ptrdiff_t>(used));
@@ -366,9 +417,41 @@ class Proof {
     const Vertex& aim = result_.vertices[target];
     const bool plain = !image.terms.front().flipped && !image.terms.front().conjugated;
     if (plain && aim.parent == image.vertex && aim.letter == image.letter) return true;
+    if (follows_from_extra_vertex(source, image.letter, target, image.terms.front().flipped)) return true;
     if (image.terms.front().conjugated) return false;
     if (follows_from_cycle(source, image.letter, target, plain)) return true;
     return follows_linearly(source, image.letter, target, !plain);
+  }
+
+  /// The extra vertex that a true vertex stems from, and the letters in between.
+  std::optional<std::pair<std::size_t, std::vector<int>>> extra_origin(std::size_t index) const {
+    std::vector<int> letters;
+    for (; result_.vertices[index].parent >= 0; index = static_cast<std::size_t>(result_.vertices[index].parent))
+      letters.push_back(result_.vertices[index].letter);
+    if (result_.vertices[index].cycle >= 0) return std::nullopt;
+    std::reverse(letters.begin(), letters.end());
+    return std::pair(index, letters);
+  }
+
+  /// Whether image = +- radius * target because the rational extra vertices behind both are led to the same point, up to
+  /// its sign, by equally many letters. Real extra vertices only, for which conjugation changes nothing.
+  bool follows_from_extra_vertex(std::size_t source, int image_letter, std::size_t target, bool flipped) const {
+    auto from = extra_origin(source);
+    const auto to = extra_origin(target);
+    if (!from || !to || from->second.size() + 1 != to->second.size()) return false;
+    from->second.push_back(image_letter);
+    RationalComplex left = vertex(from->first), right = vertex(to->first);
+    for (const RationalVector* y : {&left.y, &right.y})
+      if (std::any_of(y->begin(), y->end(), [](const Rational& c) { return c != 0; })) return false;
+    left.x = along(from->second, left.x);
+    right.x = along(to->second, right.x);
+    if (flipped) std::reverse(right.x.begin(), right.x.end());
+    bool same = true, opposite = true;
+    for (std::size_t i = 0; i < left.x.size(); ++i) {
+      same = same && left.x[i] == right.x[i];
+      opposite = opposite && left.x[i] == -right.x[i];
+    }
+    return same || opposite;
   }
 
   bool follows_from_cycle(std::size_t source, int image_letter, std::size_t target, bool plain) const {
@@ -378,9 +461,10 @@ class Proof {
     from->letters.push_back(image_letter);
     const History moved = normalised(*from);
     if (plain) return moved == *to;
-    if (!mirror_shift_) return false;
-    // The mirror image of the eigenvector at a place is, up to a number of modulus 1, the one mirror_shift_ further on.
-    to->place = (to->place + *mirror_shift_) % word_.size();
+    const std::optional<std::size_t> shift = to->cycle->mirror_shift;
+    if (!shift) return false;
+    // The mirror image of the eigenvector at a place is, up to a number of modulus 1, the one a shift further on.
+    to->place = (to->place + *shift) % to->cycle->word.size();
     for (int& t : to->letters) t = static_cast<int>(count_) - 1 - t;
     return moved == normalised(*to);
   }
@@ -388,12 +472,9 @@ class Proof {
   const SearchResult& result_;
   const CertifiedPolytope& polytope_;
   Rational lower_;  // a lower bound for the radius of the product, by the very eigenvalue whose vector is used
-  std::vector<int> word_;
   std::size_t count_;
   std::vector<RationalMatrix> matrices_;
-  std::optional<std::size_t> mirror_shift_;
-  std::size_t base_place_ = 0;  // where the eigenvector starts from which all others come
-  std::vector<RationalVector> eigenspace_;
+  std::vector<Cycle> cycles_;
   Rational error_ = 0;
 };
 

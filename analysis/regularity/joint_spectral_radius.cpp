@@ -225,6 +225,40 @@ void set_closed(JointSpectralRadius& result) {
   result.closed = *result.radius.upper <= *result.radius.lower * (1 + 1000 * rounding);
 }
 
+/// Whether rho(second)^(1/length) <= rho(first)^(1/length'), exactly, for products over two families: all leading
+/// eigenvalues of a common power of the second are among those of the first, or smaller.
+bool is_dominated(const std::vector<RationalMatrix>& first, const ProductEvidence& above,
+                  const std::vector<RationalMatrix>& second, const ProductEvidence& below) {
+  const std::size_t common = 2 * std::lcm(above.word.size(), below.word.size());
+  if (common > 64) return false;
+  const auto power_of = [common](const std::vector<RationalMatrix>& family, const std::vector<int>& word) {
+    std::vector<int> repeated;
+    while (repeated.size() < common) repeated.insert(repeated.end(), word.begin(), word.end());
+    return characteristic_polynomial(product_of(family, repeated));
+  };
+  const LaurentPolynomial p = power_of(first, above.word);
+  LaurentPolynomial rest = power_of(second, below.word);
+  rest = rest.shifted(-rest.lowest());
+  for (;;) {
+    const LaurentPolynomial shared = gcd(rest, p);
+    if (shared.length() == 1) break;
+    rest = *rest.exact_quotient(shared);
+  }
+  const Rational bound = power(*above.radius.lower, static_cast<long>(common));
+  return *largest_root_modulus(rest).largest.upper <= bound;
+}
+
+/// Whether all maximizing products of the search have the radius of the first, exactly.
+bool have_equal_radii(const std::vector<RationalMatrix>& matrices, const SearchResult& search, const ProductEvidence& first) {
+  for (std::size_t k = 1; k < search.maximizing; ++k) {
+    std::vector<int> word = search.products[k].word;
+    if (!search.transposed) std::reverse(word.begin(), word.end());
+    const ProductEvidence other = prove_product(matrices, word);
+    if (!is_dominated(matrices, first, matrices, other) || !is_dominated(matrices, other, matrices, first)) return false;
+  }
+  return true;
+}
+
 /// Without looking for invariant subspaces.
 JointSpectralRadius radius_of_family(const std::vector<RationalMatrix>& matrices, double seconds,
                                      const std::optional<KnownNorm>& known) {
@@ -260,10 +294,12 @@ JointSpectralRadius radius_of_family(const std::vector<RationalMatrix>& matrices
   result.radius.upper = result.certified_upper;
   if (*result.radius.upper == *result.radius.lower)
     result.exact = {Truth::yes, "both ends of the enclosure are the same number"};
-  else if (result.method == JsrMethod::invariant_polytope && *result.radius.lower > 0)
-    result.exact = product_attains_radius(matrices, search, *result.polytope, *result.radius.lower);
-  else
+  else if (result.method != JsrMethod::invariant_polytope || *result.radius.lower <= 0)
     result.exact = {Truth::unknown, "no polytope closed"};
+  else if (search.status == SearchStatus::closed && !have_equal_radii(matrices, search, result.product))
+    result.exact = {Truth::unknown, "several products seem to attain the radius, but their radii were not proved equal"};
+  else
+    result.exact = product_attains_radius(matrices, search, *result.polytope, *result.radius.lower);
   if (result.exact.is_yes()) {
     if (result.product.exact) result.radius = Enclosure::exactly(*result.product.exact);
     // A norm that no matrix expands by more than the radius.
@@ -308,29 +344,6 @@ JointSpectralRadius first_look(const std::vector<RationalMatrix>& matrices, doub
   result.exact = {Truth::unknown, "only norms were computed"};
   set_closed(result);
   return result;
-}
-
-/// Whether rho(second)^(1/length) <= rho(first)^(1/length'), exactly, for products over two families: all leading
-/// eigenvalues of a common power of the second are among those of the first, or smaller.
-bool is_dominated(const std::vector<RationalMatrix>& first, const ProductEvidence& above,
-                  const std::vector<RationalMatrix>& second, const ProductEvidence& below) {
-  const std::size_t common = 2 * std::lcm(above.word.size(), below.word.size());
-  if (common > 64) return false;
-  const auto power_of = [common](const std::vector<RationalMatrix>& family, const std::vector<int>& word) {
-    std::vector<int> repeated;
-    while (repeated.size() < common) repeated.insert(repeated.end(), word.begin(), word.end());
-    return characteristic_polynomial(product_of(family, repeated));
-  };
-  const LaurentPolynomial p = power_of(first, above.word);
-  LaurentPolynomial rest = power_of(second, below.word);
-  rest = rest.shifted(-rest.lowest());
-  for (;;) {
-    const LaurentPolynomial shared = gcd(rest, p);
-    if (shared.length() == 1) break;
-    rest = *rest.exact_quotient(shared);
-  }
-  const Rational bound = power(*above.radius.lower, static_cast<long>(common));
-  return *largest_root_modulus(rest).largest.upper <= bound;
 }
 
 /// The size of the largest Jordan block of the leading eigenvalue of a product, less 1; 0 where that is not decided.

@@ -1,6 +1,9 @@
 #include "multivariate_reproduction.hpp"
 
+#include "reproduction.hpp"
+
 #include <algorithm>
+#include <limits>
 
 namespace subcert {
 namespace {
@@ -70,6 +73,18 @@ MultivariateReproduction polynomial_reproduction(const MultivariateMask& mask) {
     result.sum_rules = degree + 1;
     if (reproduces) result.reproduction_degree = degree;
   }
+}
+
+MultivariateReproduction tensor_product_reproduction(const std::vector<Mask>& factors) {
+  MultivariateReproduction result{std::numeric_limits<int>::max(), {}, std::numeric_limits<int>::max(), {}};
+  for (const Mask& factor : factors) {
+    const PolynomialReproduction one = polynomial_reproduction(factor);
+    result.factors.push_back(one.generation_degree + 1);
+    result.sum_rules = std::min(result.sum_rules, one.generation_degree + 1);
+    result.reproduction_degree = std::min(result.reproduction_degree, one.reproduction_degree);
+    result.parametrization.push_back(one.parametrization);
+  }
+  return result;
 }
 
 std::vector<Interval> limit_support(const MultivariateMask& mask) {

@@ -23,6 +23,9 @@ struct MultivariateReproduction {
 /// Cost: the terms of the mask times the number of moments. Proof: docs/reproduction.md.
 MultivariateReproduction polynomial_reproduction(const MultivariateMask& mask);
 
+/// The same for a tensor product, from its factors. Domain: two or three masks of one arity.
+MultivariateReproduction tensor_product_reproduction(const std::vector<Mask>& factors);
+
 /// Where the closed box ends that contains the support of the basic limit function: lowest and highest exponent over
 /// arity - 1, for each variable.
 std::vector<Interval> limit_support(const MultivariateMask& mask);

@@ -1,4 +1,5 @@
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/limit/limit_at_point.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -119,4 +120,40 @@ TEST_CASE("the variance curve") {
   }
   CHECK(variance_ceiling(mask_of("primal:n=4")) == Rational(1));
   CHECK_FALSE(variance_ceiling(mask_of("dd:n=2")).has_value());
+}
+
+TEST_CASE("values at rational points: on the grid as before, elsewhere as the refinement equation and splines say") {
+  for (const char* text : {"primal:n=2", "dual:n=3,d=3", "dd:n=2", "ary:a=3,points=4,d=1", "ary:a=3,points=5,d=2"}) {
+    const Mask mask = mask_of(text);
+    const LimitValues grid = limit_values(mask, 2);
+    for (long i = -3; i < 7; ++i) {
+      const Rational x = Rational(i) * power(Rational(mask.arity()), -2);
+      const ShiftedValues values = limit_values_at(mask, x);
+      Rational sum = 0;
+      for (std::size_t k = 0; k < values.values.size(); ++k) {
+        CHECK(values.values[k] == grid.at(i + (values.first + static_cast<long>(k)) * mask.arity() * mask.arity()));
+        sum += values.values[k];
+      }
+      CHECK(sum == 1);
+    }
+    // phi(x) = sum of a_n phi(arity x - n) at a point with a cycle of length 3 or 6.
+    const Rational x(3, 7);
+    const ShiftedValues here = limit_values_at(mask, x), there = limit_values_at(mask, mask.arity() * x);
+    for (std::size_t k = 0; k < here.values.size(); ++k) {
+      Rational sum = 0;
+      for (std::size_t l = 0; l < there.values.size(); ++l)
+        sum += mask.symbol().coefficient(mask.arity() * (here.first + static_cast<long>(k)) - there.first - static_cast<long>(l)) *
+               there.values[l];
+      CHECK(sum == here.values[k]);
+    }
+  }
+  for (int degree = 1; degree <= 4; ++degree) {
+    const Mask mask = mask_of("bspline:degree=" + std::to_string(degree) + ",a=3");
+    for (const Rational& x : {Rational(1, 4), Rational(-5, 7), Rational(2, 5), Rational(11, 2)}) {
+      const ShiftedValues values = limit_values_at(mask, x);
+      for (std::size_t k = 0; k < values.values.size(); ++k)
+        CHECK(values.values[k] == bspline(degree, x + values.first + static_cast<long>(k) - limit_support(mask).lower));
+    }
+  }
+  CHECK_THROWS_AS(limit_values_at(mask_of("primal:n=2"), Rational(1, 1000003)), std::length_error);
 }

@@ -28,6 +28,11 @@ TEST_CASE("tensor products have the smaller of the degrees, the factors their mu
       CHECK(p.reproduction_degree == std::min(pa.reproduction_degree, pb.reproduction_degree));
       CHECK(p.factors == std::vector<int>{sum_rules(a), sum_rules(b)});
       CHECK(p.parametrization == std::vector<Rational>{pa.parametrization, pb.parametrization});
+      const MultivariateReproduction by_factors = tensor_product_reproduction({a, b});
+      CHECK(by_factors.sum_rules == p.sum_rules);
+      CHECK(by_factors.factors == p.factors);
+      CHECK(by_factors.reproduction_degree == p.reproduction_degree);
+      CHECK(by_factors.parametrization == p.parametrization);
     }
   const MultivariateReproduction cube = polynomial_reproduction(tensor_product({binary[2], binary[3], binary[4]}));
   CHECK(cube.sum_rules == 3);

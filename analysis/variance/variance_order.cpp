@@ -17,8 +17,8 @@ long floor_div(long a, long b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
 Rational variance_at(const Mask& mask, std::int64_t index, int level) {
   if (level < 0 || index < 0 || Rational(index) > power(Rational(mask.arity()), level))
-    throw std::invalid_argument("variance_at: need level >= 0 and 0 <= index <= arity^level, got " + std::to_string(index) +
-                                " on level " + std::to_string(level));
+    throw std::invalid_argument("variance_at: need level >= 0 and 0 <= index <= arity^level, got " +
+                                std::to_string(index) + " on level " + std::to_string(level));
   // values[k] = phi(first + k + x) for the x reached so far; a digit t leads from x to (t + x) / arity.
   const int arity = mask.arity();
   const IndexRange range = support(mask);
@@ -49,7 +49,8 @@ VarianceOrder is_below(const Mask& first, const Mask& second, const VarianceOrde
   if (first.arity() != second.arity())
     throw std::invalid_argument("is_below: need masks of one arity, got " + std::to_string(first.arity()) + " and " +
                                 std::to_string(second.arity()));
-  if (!(options.seconds > 0)) throw std::invalid_argument("is_below: need seconds > 0, got " + std::to_string(options.seconds));
+  if (!(options.seconds > 0))
+    throw std::invalid_argument("is_below: need seconds > 0, got " + std::to_string(options.seconds));
   const auto start = std::chrono::steady_clock::now();
   const LimitCells lower(first), upper(second);
   const int arity = first.arity();
@@ -100,7 +101,9 @@ VarianceOrder is_below(const Mask& first, const Mask& second, const VarianceOrde
     }
     const CellRange one = lower.range(pair.lower), two = upper.range(pair.upper);
     const double spare = std::max(0.0, (range.value_upper - range.value_lower) * 0x1p-20);
-    const double spare_slope = lower.has_slopes() && upper.has_slopes() ? (range.slope_upper - range.slope_lower) * 0x1p-20 : 0;
+    const double spare_slope = lower.has_slopes() && upper.has_slopes()
+                                   ? (range.slope_upper - range.slope_lower) * 0x1p-20
+                                   : 0;
     std::int64_t count = arity;
     for (int l = 0; l < pair.lower.level; ++l) count *= arity;
     for (int t = arity - 1; t >= 0; --t) {

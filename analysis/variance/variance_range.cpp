@@ -16,7 +16,7 @@ namespace subcert {
 namespace {
 
 constexpr long exact_width = 64;  // integers in the support up to which psi is evaluated exactly on level 1
-constexpr std::size_t most_cells = 4'000'000;
+constexpr std::size_t most_cells = 1'000'000;  // of one level
 
 }  // namespace
 
@@ -56,11 +56,13 @@ VarianceRange variance_range(const Mask& mask, const VarianceOptions& options) {
     for (std::size_t i = 0; i < active.size(); ++i) {
       const CellRange& range = ranges[i];
       const double slope = std::max(std::abs(range.slope_lower), std::abs(range.slope_upper));
-      const bool settled = highest.is_settled(range.value_upper, tolerance * highest.attained()) &&
-                           lowest.is_settled(-range.value_lower, tolerance * std::abs(lowest.attained())) &&
-                           (!slopes || steepest.is_settled(slope, tolerance * steepest.attained()));
-      if (settled || stopped) {
-        if (!settled) result.complete = false;
+      const bool values_settled = highest.is_settled(range.value_upper, tolerance * highest.attained()) &&
+                                  lowest.is_settled(-range.value_lower, tolerance * std::abs(lowest.attained()));
+      const bool slope_settled = !slopes || steepest.is_settled(slope, tolerance * steepest.attained());
+      const bool worthwhile = (!values_settled && range.value_rounding < 0.5) ||
+                              (!slope_settled && range.slope_rounding < 0.5);
+      if (stopped || !worthwhile) {
+        if (!values_settled || !slope_settled) result.complete = false;
         highest.put_aside(range.value_upper);
         lowest.put_aside(-range.value_lower);
         if (slopes) steepest.put_aside(slope);
@@ -83,10 +85,11 @@ VarianceRange variance_range(const Mask& mask, const VarianceOptions& options) {
   if (slopes) result.slope = steepest.enclosure();
 
   // What is known exactly.
-  const bool small = cells.last_integer() - cells.first_integer() <= exact_width;
-  const VarianceGrid grid = variance_grid(mask, small ? 1 : 0, false);
-  result.maximum.lower = std::max(*result.maximum.lower, grid.largest());
-  result.minimum.upper = std::min(*result.minimum.upper, grid.smallest());
+  if (cells.last_integer() - cells.first_integer() <= exact_width) {
+    const VarianceGrid grid = variance_grid(mask, 1, false);
+    result.maximum.lower = std::max(*result.maximum.lower, grid.largest());
+    result.minimum.upper = std::min(*result.minimum.upper, grid.smallest());
+  }
   if (const auto ceiling = variance_ceiling(mask)) result.maximum.upper = std::min(*result.maximum.upper, *ceiling);
   result.minimum.lower = std::max(*result.minimum.lower, variance_floor(mask));
   result.mean = squared_l2_norm(mask);

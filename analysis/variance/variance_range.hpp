@@ -15,7 +15,7 @@ struct VarianceRange {
   std::optional<Enclosure> slope;
   std::string slope_reason;
   Rational mean;
-  bool complete = false;    ///< all enclosures have the relative width asked for; else the seconds ran out
+  bool complete = false;    ///< all enclosures have the relative width asked for; else time or precision ran out
   std::uint64_t cells = 0;  ///< cells looked at
 };
 

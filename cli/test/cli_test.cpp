@@ -73,10 +73,17 @@ TEST_CASE("approved output") {
   check_baseline("analyze-chaikin.txt", "analyze 'mask:[1,3,3,1]/4'");
   check_baseline("analyze-dd.txt", "analyze dd:n=2");
   check_baseline("analyze-divergent.txt", "analyze 'mask:[1,1]'");
+  check_baseline("analyze-grid.txt", "analyze grid:points=3x3,d=2");
+  check_baseline("analyze-tensor.json", "analyze 'tensor:(primal:n=2)x(dual:n=1)' --json");
+  check_baseline("mask-grid.txt", "mask grid:points=4x4");
   check_baseline("limit-primal.json", "limit 'primal:n=2' --level 3 --json");
   check_baseline("regularity-dual.txt", "regularity dual:n=2");
   check_baseline("regularity-dd.txt", "regularity dd:n=2");
   check_baseline("variance-primal.txt", "variance primal:n=5");
+  check_baseline("theorem-list.txt", "theorem list");
+  check_baseline("theorem-degree-three.txt", "theorem conjecture-8-n --d 3");
+  check_baseline("statements-list.txt", "statements list");
+  check_baseline("statements-check.txt", "statements check mustafa-bari-2016/eq-2.6 dyn-2015/eq-2 dyn-2015/figs-3-7");
 }
 
 TEST_CASE("the fields of the contract") {
@@ -126,10 +133,31 @@ TEST_CASE("the fields of the contract") {
   CHECK(variance.at("sup").at("lower") == "1");
   CHECK(variance.at("sup").at("upper") == "1");
   CHECK(variance.at("inf").at("upper") == "0.5");
+  CHECK(variance.at("derivative_sup").at("upper").get<std::string>().substr(0, 10) == "2.00000000");
+  const auto smooth = run_json("variance dd:n=2");
+  CHECK(smooth.at("sup").at("lower") == "1");
+  CHECK(smooth.at("complete") == true);
+  CHECK(smooth.at("derivative_sup").at("lower").get<std::string>().substr(0, 7) == "1.09267");
+  CHECK(run_json("variance four-point:w=1/5").at("derivative_sup").is_null());
+  CHECK(run_json("variance primal:n=10 --budget 0.000001", 2).at("complete") == false);
 
   const auto reproduce = run_json("reproduce dyn-2015 --only table1,table2");
   CHECK(reproduce.at("comparisons").size() == 18);
   for (const auto& comparison : reproduce.at("comparisons")) CHECK(comparison.at("verdict") == "match");
+}
+
+TEST_CASE("theorems: proved, and unknown with what is missing") {
+  const auto proved = run_json("theorem conjecture-8-n --d 1");
+  CHECK(proved.at("theorem") == "conjecture-8-n");
+  CHECK(proved.at("d").at(0) == 1);
+  CHECK(proved.at("verdict") == "holds");
+  CHECK(proved.at("constants").size() == 13);
+  for (const auto& check : proved.at("checks")) CHECK(check.at("verdict") == "holds");
+  const auto unknown = run_json("theorem conjecture-7 --d 7", 2);
+  CHECK(unknown.at("verdict") == "unknown");
+  CHECK_FALSE(unknown.at("missing").empty());
+  CHECK(run_json("theorem list").at("theorems").size() == 4);
+  CHECK(run("theorem").out == run("theorem list").out);
 }
 
 TEST_CASE("wrong usage is one line and exit code 64") {
@@ -137,10 +165,11 @@ TEST_CASE("wrong usage is one line and exit code 64") {
        {"", "nonsense", "mask", "mask nobody:n=3", "mask primal:n=100000", "mask primal:n=3,n=3", "mask 'mask:[1,1]/0'",
         "mask 'mask:[1,3,3,2]/4'", "mask primal:n=3 --nonsense", "mask primal:n=3 extra", "limit primal:n=2 --level -1",
         "limit primal:n=2 --level 50", "limit primal:n=2000", "regularity dual:n=2 --levels 0",
-        "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "reproduce nobody-1900",
+        "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "variance dd:n=2 --width 0",
+        "variance dd:n=2 --width x", "reproduce nobody-1900",
         "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "conjecture", "conjecture 9", "conjecture 7 --n 0",
         "conjecture 7 --n 4..1", "conjecture 7 --n 1,,2", "conjecture 7 --d x", "conjecture 7 --shard 0/8",
-        "conjecture 7 --shard 9/8", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
+        "conjecture 7 --shard 9/8", "theorem conjecture-9", "theorem conjecture-7 --d x", "theorem conjecture-7 --d 99", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
     const Run result = run(arguments);
     CAPTURE(arguments, result.out, result.err);
     CHECK(result.code == 64);
@@ -165,6 +194,9 @@ TEST_CASE("conjectures over a range, whole, split and continued") {
   fs::create_directories(folder);
   const auto seven = run_json("conjecture 7 --n 1..4 --d 1,3");
   CHECK(seven.at("conjecture") == 7);
+  CHECK(seven.at("limits").size() == 2);
+  CHECK(seven.at("limits").at(0).at("constant").at("lower").get<std::string>().substr(0, 22) == "0.40443676798398528146");
+  CHECK(seven.at("rows").at(3).at("limit_deviation").at("lower").get<std::string>().substr(0, 6) == "0.0736");
   REQUIRE(seven.at("rows").size() == 7);
   CHECK(seven.at("rows").at(2).at("n") == 3);
   CHECK(seven.at("rows").at(2).at("sup").at("lower").get<std::string>().substr(0, 6) == "0.1489");
@@ -299,6 +331,11 @@ TEST_CASE("data are refined") {
   CHECK(json.at("step") == "1/8");
   CHECK(json.at("points").at(31).size() == 2);
 
+  CHECK(with("1\n2\n0\n4\n", "dd:n=2 " + data + " --limit --levels 0").out == "1\n2\n0\n4\n");
+  CHECK(with("0\n1\n0\n0\n", "dual:n=1 --closed " + data + " --limit --levels 0").out == "0.125\n0.75\n0.125\n0\n");
+  CHECK(run("refine 'mask:[1,1,1,1]/2@-2' " + data + " --limit").code == 0);
+  CHECK(run("refine 'mask:[1,0,0,1]' " + data + " --limit").code == 1);
+  CHECK(run("refine grid:points=2x2 " + data + " --limit").code == 64);
   const auto fails = [&](const std::string& content, const std::string& arguments, int code, const std::string& message) {
     const Run result = with(content, arguments);
     CAPTURE(arguments);
@@ -310,7 +347,7 @@ TEST_CASE("data are refined") {
   fails("1\n", "primal:n=2 " + data, 65, data + ": expected at least 4 rows for primal:n=2,d=1; found 1");
   fails("1,2\n3\n", "primal:n=2 " + data, 65, data + ", line 2, column 2: expected 2 columns as in the first row; found 1");
   fails("1\ninf\n", "primal:n=2 " + data, 65, data + ", line 2, column 1: expected a finite number; found 'inf'");
-  fails("1\n2\n3\n1\n", "primal:n=1 --closed " + data, 65,
+  fails("1,5\n2,6\n3,5\n1,5\n", "primal:n=1 --closed " + data, 65,
         data + ", line 4: expected each point of a closed curve once; found the first row again");
   fails("1\n2\n", "primal:n=1 --levels 100000000 " + data, 64,
         "100000000 levels would make about 10^30103000 numbers of 2; need at most 100000000");
@@ -320,6 +357,49 @@ TEST_CASE("data are refined") {
   CHECK(run("refine primal:n=1 " + data + " --boundary other").code == 64);
   CHECK(run("refine primal:n=1 " + folder.string() + "/nowhere.csv").code == 66);
   CHECK(run("refine primal:n=1 " + data + " --out /proc/nowhere/file").code == 70);
+  fs::remove_all(folder);
+}
+
+TEST_CASE("surfaces and volumes are refined") {
+  const fs::path folder = fs::temp_directory_path() / ("subcert-cli-surfaces-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const auto file = [&](const char* name, const std::string& content) {
+    std::ofstream(folder / name, std::ios::binary) << content;
+    return (folder / name).string();
+  };
+  const std::string matrix = file("m.csv", "0,1,2\n4,5,6\n8,9,10\n");
+  CHECK(run("refine 'tensor:(primal:n=1)x(primal:n=1)' " + matrix + " --levels 1").out ==
+        "0,0.5,1,1.5,2\n2,2.5,3,3.5,4\n4,4.5,5,5.5,6\n6,6.5,7,7.5,8\n8,8.5,9,9.5,10\n");
+  CHECK(run("refine grid:points=2x2 " + matrix + " --levels 1").out ==
+        "1.25,1.75,2.25,2.75\n3.25,3.75,4.25,4.75\n5.25,5.75,6.25,6.75\n7.25,7.75,8.25,8.75\n");
+  const auto json = run_json("refine grid:points=3x2 " + matrix + " --levels 2 --closed-x");
+  CHECK(json.at("axes").at(0).at("count") == 12);
+  CHECK(json.at("axes").at(0).at("closed") == true);
+  CHECK(json.at("axes").at(1).at("count") == 8);
+  CHECK(json.at("points").size() == 96);
+
+  const std::string mesh = file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 4\nf 1 2 4 3\n");
+  const Run refined = run("refine 'tensor:(primal:n=1)x(primal:n=1)' " + mesh + " --levels 1 --plot " + (folder / "m.png").string());
+  CHECK(refined.out == "v 0 0 0\nv 0.5 0 0\nv 1 0 0\nv 0 0.5 0\nv 0.5 0.5 1\nv 1 0.5 2\nv 0 1 0\nv 0.5 1 2\nv 1 1 4\n"
+                       "f 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n");
+  CHECK(fs::file_size(folder / "m.png") > 1000);
+  const std::string volume = file("v.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
+                                           "POINT_DATA 8\nSCALARS d float\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7\n");
+  const std::string finer = run("refine grid:points=2x2x2 " + volume + " --levels 1").out;
+  CHECK(finer.find("DIMENSIONS 2 2 2\nORIGIN 0.25 0.25 0.25\nSPACING 0.5 0.5 0.5\nPOINT_DATA 8\n") != std::string::npos);
+
+  const auto code = [&](const std::string& arguments) { return run("refine " + arguments).code; };
+  CHECK(code("primal:n=1 " + mesh) == 64);
+  CHECK(code("grid:points=2x2 " + volume) == 64);
+  CHECK(code("grid:points=2x2x2 " + matrix) == 64);
+  CHECK(code("grid:points=2x2 " + mesh + " --closed-x") == 64);
+  CHECK(code("grid:points=2x2 " + matrix + " --closed-z") == 64);
+  CHECK(code("grid:points=4x4 " + matrix) == 65);
+  CHECK(code("grid:points=2x2 " + file("bad.obj", "v 0 0 0\nf 1 1 1 1\n")) == 65);
+  CHECK(code("grid:points=2x2 " + file("bad.ply", "ply\nformat ascii 1.0\n")) == 65);
+  CHECK(code("grid:points=2x2 " + file("bad.vtk", "nothing")) == 65);
+  CHECK(code("grid:points=2x2 " + folder.string() + "/nowhere.ply") == 66);
+  CHECK(code("grid:points=2x2 " + matrix + " --levels 90") == 64);
   fs::remove_all(folder);
 }
 
@@ -412,7 +492,7 @@ TEST_CASE("data are smoothed") {
   fails("0,1\n1,2\n", "", 65, data + ": expected at least 4 rows to choose a scheme; found 2; name one with --scheme");
   fails(line, "--weights u", 64, "--weights u: expected a column from 1 to 3 or one of t, v, w");
   fails(line, "--y v --scheme primal:n=2 --derivative 3", 64, "--derivative 3: primal:n=2,d=1 is not proved to have continuous "
-        "derivatives of that order; a transition matrix of the difference scheme has an eigenvalue of modulus 1");
+        "derivatives of that order; the mask has only 2 sum rules");
   fails(line, "--y v --weights w --scheme bspline:degree=3", 64,
         "smoothing: prior weights and missing data need a scheme of local regressions");
   fails(line, "--y v --scheme l1:points=6 --bands 0.9", 64,
@@ -443,4 +523,56 @@ TEST_CASE("answers go to a file when asked") {
   CHECK(read(file) == "[1,3,3,1]/4@-2\n");
   fs::remove(file);
   CHECK(run("mask dual:n=1 --out /proc/nowhere/file").code == 70);
+}
+
+TEST_CASE("statements: the fields of the contract") {
+  const auto json = run_json("statements check dyn-2015/corollary-4 mustafa-bari-2016/eq-2.6");
+  REQUIRE(json.at("statements").size() == 2);
+  const auto& proved = json.at("statements").at(0);
+  CHECK(proved.at("id") == "dyn-2015/corollary-4");
+  CHECK(proved.at("verdict") == "holds-for-all-n");
+  CHECK(proved.at("range") == "all n >= 2");
+  const auto& misprint = json.at("statements").at(1);
+  CHECK(misprint.at("verdict") == "misprint");
+  CHECK(misprint.at("witness") == "n = 2, a = 3, q = 0, r = -2: printed 37/35, derived -3/35");
+  CHECK_FALSE(misprint.at("corrected").get<std::string>().empty());
+
+  const Run unknown = run("statements check nobody-1900/eq-1");
+  CHECK(unknown.code == 64);
+  CHECK(unknown.err.find("no statement or paper 'nobody-1900/eq-1'") != std::string::npos);
+  CHECK(run("statements").out == run("statements list").out);
+
+  const fs::path page = fs::temp_directory_path() / ("subcert-errata-" + std::to_string(getpid()) + ".html");
+  CHECK(run("statements check dyn-2015/remark-9 --page " + page.string()).code == 0);
+  const std::string text = read(page);
+  fs::remove(page);
+  CHECK(text.find("<h1>Errata and confirmations</h1>") != std::string::npos);
+  CHECK(text.find("A^\\dagger = A^T (A A^T)^{-1}") != std::string::npos);
+}
+
+TEST_CASE("expected properties as a gate") {
+  const std::string example = std::string(SUBCERT_DOCS) + "/examples/properties.toml";
+  const Run good = run("check " + example);
+  CHECK(good.code == 0);
+  CHECK(good.out.find("FAILS") == std::string::npos);
+  CHECK(good.out.find("9 properties: 9 hold, 0 fail, 0 undecided.") != std::string::npos);
+  CHECK(read(std::string(SUBCERT_DOCS) + "/properties.md").find(read(example)) != std::string::npos);
+
+  const fs::path file = fs::temp_directory_path() / ("subcert-properties-" + std::to_string(getpid()) + ".toml");
+  const auto write = [&](const std::string& text) { std::ofstream(file, std::ios::binary) << text; };
+  write("mask = 'dd:n=2'\nreproduces = 5\nstable = true\n");
+  const Run bad = run("check " + file.string());
+  CHECK(bad.code == 1);
+  CHECK(bad.out.find(":2: dd:n=2: reproduces 5 (it is 3)") != std::string::npos);
+  const auto json = run_json("check " + file.string(), 1);
+  CHECK(json.at("properties").at(0).at("holds") == "no");
+  CHECK(json.at("properties").at(1).at("holds") == "yes");
+  write("mask = 'dd:n=2'\nreproduces = three\n");
+  const Run broken = run("check " + file.string());
+  CHECK(broken.code == 65);
+  CHECK(broken.out.empty());
+  CHECK(broken.err.find(", line 2, column ") != std::string::npos);
+  fs::remove(file);
+  CHECK(run("check " + file.string()).code == 66);
+  CHECK(run("check").code == 64);
 }

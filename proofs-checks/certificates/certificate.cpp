@@ -21,32 +21,33 @@ std::string terms_text(const std::vector<WeightedVertex>& terms, PolytopeKind ki
   for (const WeightedVertex& term : terms) {
     text += " " + std::to_string(term.vertex) + (term.flipped ? "f" : "") + (term.conjugated ? "c" : "") + ":" +
             term.weight.str();
-    if (kind == PolytopeKind::complex) text += "," + term.imaginary.str() + "," + term.modulus.str();
+    if (kind == PolytopeKind::complex) text += ":" + term.imaginary.str();
   }
   return text;
 }
 
-const char* mode_text(PolytopeKind kind) {
-  switch (kind) {
-    case PolytopeKind::nonnegative: return "nonnegative";
-    case PolytopeKind::complex: return "complex";
-    default: return "real";
-  }
+std::string numbers_text(const std::vector<Integer>& numbers) {
+  std::string text;
+  for (const Integer& number : numbers) text += " " + number.str();
+  return text;
+}
+
+std::string properties_text(const CertifiedPolytope& polytope) {
+  std::string text;
+  if (polytope.kind == PolytopeKind::complex) text += " complex";
+  if (polytope.kind == PolytopeKind::nonnegative) text += " nonnegative";
+  if (polytope.symmetric) text += " symmetric";
+  if (polytope.transposed) text += " transposed";
+  return text;
 }
 
 std::string polytope_text(const CertifiedPolytope& polytope, std::size_t block, std::size_t matrix_count) {
-  std::string text = "block " + std::to_string(block) + " polytope " + mode_text(polytope.kind) + " " +
-                     std::to_string(polytope.vertices.size()) + " " + std::to_string(polytope.vertex_bits) + " " +
-                     std::to_string(polytope.weight_bits) + (polytope.symmetric ? " symmetric" : "") +
-                     (polytope.transposed ? " transposed" : "") + "\n";
-  for (std::size_t v = 0; v < polytope.vertices.size(); ++v) {
-    text += "vertex";
-    for (std::size_t i = 0; i < polytope.vertices[v].size(); ++i) {
-      text += " " + polytope.vertices[v][i].str();
-      if (polytope.kind == PolytopeKind::complex) text += "," + polytope.imaginary[v][i].str();
-    }
-    text += "\n";
-  }
+  const bool complex = polytope.kind == PolytopeKind::complex;
+  std::string text = "block " + std::to_string(block) + " polytope " + std::to_string(polytope.vertices.size()) + " " +
+                     std::to_string(polytope.vertex_bits) + " " + std::to_string(polytope.weight_bits) +
+                     properties_text(polytope) + "\n";
+  for (std::size_t v = 0; v < polytope.vertices.size(); ++v)
+    text += "vertex" + numbers_text(polytope.vertices[v]) + (complex ? numbers_text(polytope.imaginary[v]) : "") + "\n";
   for (std::size_t k = 0; k < polytope.units.size(); ++k)
     text += "unit " + std::to_string(k) + terms_text(polytope.units[k], polytope.kind) + "\n";
   for (std::size_t i = 0; i < polytope.images.size(); ++i)
@@ -57,8 +58,8 @@ std::string polytope_text(const CertifiedPolytope& polytope, std::size_t block, 
 
 std::string product_text(const JointSpectralRadius& radius) {
   const ProductEvidence& product = radius.product;
-  std::string text =
-      "product " + std::to_string(radius.leading_block) + " " + to_text(product.re) + " " + to_text(product.im);
+  std::string text = "product " + std::to_string(radius.leading_block) + " " + to_text(product.re) + " " +
+                     to_text(product.im);
   for (int letter : product.word) text += " " + std::to_string(letter);
   return text + "\n";
 }
@@ -75,48 +76,29 @@ std::string sections_text(const JointSpectralRadius& radius, std::size_t matrix_
   return text;
 }
 
-std::string rows_text(const RationalMatrix& matrix) {
+/// A line for each row, after the head.
+std::string rows_text(const std::string& head, const RationalMatrix& matrix) {
   std::string text;
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    text += "row";
+    text += head;
     for (std::size_t j = 0; j < matrix.columns(); ++j) text += " " + to_text(matrix(i, j));
     text += "\n";
   }
   return text;
 }
 
-/// A prime modulo which the determinant of the matrix, its denominators cleared, is not zero.
-long regular_prime(const RationalMatrix& matrix) {
-  Integer den = 1;
-  for (std::size_t i = 0; i < matrix.rows(); ++i)
-    for (std::size_t j = 0; j < matrix.columns(); ++j) den = lcm(den, denominator(matrix(i, j)));
-  RationalMatrix cleared(matrix.rows(), matrix.columns());
-  for (std::size_t i = 0; i < matrix.rows(); ++i)
-    for (std::size_t j = 0; j < matrix.columns(); ++j) cleared(i, j) = matrix(i, j) * den;
-  const Integer determinant = numerator(characteristic_polynomial(cleared).coefficient(0));
-  for (const long prime : {2'147'483'647L, 2'147'483'629L, 2'147'483'587L, 2'147'483'579L, 2'147'483'563L})
-    if (determinant % prime != 0) return prime;
-  throw std::domain_error("certificate: no prime at hand for the determinant of the basis");
-}
-
 std::string blocks_text(const JointSpectralRadius& radius) {
   if (!radius.triangular) return "";
-  const BlockTriangular& triangular = *radius.triangular;
-  std::string text = "blocks " + std::to_string(regular_prime(triangular.basis));
-  for (const std::size_t size : triangular.sizes) text += " " + std::to_string(size);
-  text += "\nbasis\n" + rows_text(triangular.basis);
-  for (std::size_t t = 0; t < triangular.triangular.size(); ++t)
-    text += "triangular " + std::to_string(t) + "\n" + rows_text(triangular.triangular[t]);
-  return text;
+  const RationalMatrix& basis = radius.triangular->basis;
+  std::string text = "blocks";
+  for (const std::size_t size : radius.triangular->sizes) text += " " + std::to_string(size);
+  return text + "\n" + rows_text("basis", basis) +
+         rows_text("inverse", solve(basis, RationalMatrix::identity(basis.rows())));
 }
 
 std::string bounds_text(const CertificateClaim& claim) {
   return "bounds " + claim.lower.value_or("-") + " " + claim.upper.value_or("-") + "\n";
 }
-
-/// A prime modulo which the sub-symbols of a stable mask are coprime, as far as the checker's test goes; the checker
-/// refuses an unlucky one, so a large one is taken.
-constexpr long stability_prime = 2'147'483'647;
 
 }  // namespace
 
@@ -134,11 +116,10 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
   if (regularity.stable.is_yes() && radius.product.radius.lower && *radius.product.radius.lower > 1 &&
       common_factor_of_cosets(mask).length() == 1)
     certificate.claim.upper = outward(rules - *log_ratio(*radius.product.radius.lower, arity).lower, Rounding::up);
-  certificate.text = "subcert-certificate 1\nexponent " + mask.symbol().to_mask_text() + " " +
+  certificate.text = "subcert-certificate 2\nexponent " + mask.symbol().to_mask_text() + " " +
                      std::to_string(mask.arity()) + "\n" + bounds_text(certificate.claim) + "sum-rules " +
                      std::to_string(regularity.bounds.sum_rules) + "\n";
-  if (certificate.claim.upper)
-    certificate.text += "stability " + std::to_string(stability_prime) + "\n";
+  if (certificate.claim.upper) certificate.text += "stability\n";
   certificate.text += blocks_text(radius);
   if (certificate.claim.upper) certificate.text += product_text(radius);
   certificate.text += sections_text(radius, static_cast<std::size_t>(arity)) + "end\n";
@@ -149,7 +130,7 @@ Certificate radius_certificate(const std::vector<RationalMatrix>& matrices, cons
   Certificate certificate;
   if (*radius.product.radius.lower > 0) certificate.claim.lower = outward(*radius.product.radius.lower, Rounding::down);
   certificate.claim.upper = outward(radius.certified_upper, Rounding::up);
-  certificate.text = "subcert-certificate 1\nradius " + std::to_string(matrices.size()) + " " +
+  certificate.text = "subcert-certificate 2\nradius " + std::to_string(matrices.size()) + " " +
                      std::to_string(matrices.front().rows()) + "\n" + bounds_text(certificate.claim);
   certificate.text += blocks_text(radius);
   if (certificate.claim.lower) certificate.text += product_text(radius);
@@ -158,13 +139,9 @@ Certificate radius_certificate(const std::vector<RationalMatrix>& matrices, cons
 }
 
 std::string matrices_text(const std::vector<RationalMatrix>& matrices) {
-  std::string text =
-      "matrices " + std::to_string(matrices.size()) + " " + std::to_string(matrices.front().rows()) + "\n";
-  for (const RationalMatrix& m : matrices)
-    for (std::size_t i = 0; i < m.rows(); ++i) {
-      for (std::size_t j = 0; j < m.columns(); ++j) text += (j ? " " : "") + to_text(m(i, j));
-      text += "\n";
-    }
+  std::string text = "matrices " + std::to_string(matrices.size()) + " " + std::to_string(matrices.front().rows()) +
+                     "\n";
+  for (const RationalMatrix& m : matrices) text += rows_text("row", m);
   return text;
 }
 

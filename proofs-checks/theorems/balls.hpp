@@ -26,6 +26,12 @@ class Real {
   }
   ~Real() { arb_clear(value_); }
 
+  /// A ball that contains a bounded enclosure.
+  static Real containing(const Enclosure& enclosure, slong bits) {
+    const Real half(Rational((*enclosure.upper - *enclosure.lower) / 2), bits);
+    return Real(Rational((*enclosure.upper + *enclosure.lower) / 2), bits).widened(half);
+  }
+
   static Real pi(slong bits) {
     Real result(bits);
     arb_const_pi(result.value_, bits);
@@ -56,6 +62,17 @@ class Real {
     return result;
   }
 
+  /// The largest point, exact.
+  Real upper_end() const {
+    arf_t end;
+    arf_init(end);
+    arb_get_ubound_arf(end, value_, bits_);
+    Real result(bits_);
+    arb_set_arf(result.value_, end);
+    arf_clear(end);
+    return result;
+  }
+
   /// No point of this ball equals or exceeds any point of the other.
   bool is_less(const Real& other) const { return arb_lt(value_, other.value_); }
   bool is_at_most(const Real& other) const { return arb_le(value_, other.value_); }
@@ -75,6 +92,8 @@ class Real {
   Real& operator+=(const Real& b) { return *this = *this + b; }
   Real& operator*=(const Real& b) { return *this = *this * b; }
 
+  /// Contains both balls and all between them.
+  friend Real join(const Real& a, const Real& b) { return combine(arb_union, a, b); }
   friend Real min(const Real& a, const Real& b) { return combine(arb_min, a, b); }
   friend Real max(const Real& a, const Real& b) { return combine(arb_max, a, b); }
   friend Real sin(const Real& a) { return a.map(arb_sin); }

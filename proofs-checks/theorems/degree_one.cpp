@@ -2,6 +2,7 @@
 
 #include "kernel.hpp"
 #include "limit_constant.hpp"
+#include "proofs.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -16,12 +17,7 @@ void check_size(const char* function, int n) {
     throw std::invalid_argument(std::string(function) + ": need 2 <= n <= 10^6, got " + std::to_string(n));
 }
 
-Real from_enclosure(const Enclosure& enclosure, slong bits) {
-  const Real half = Real(Rational((*enclosure.upper - *enclosure.lower) / 2), bits);
-  return Real(Rational((*enclosure.upper + *enclosure.lower) / 2), bits).widened(half);
-}
-
-Real interval(const Rational& low, const Rational& high, slong bits) { return from_enclosure({low, high}, bits); }
+Real interval(const Rational& low, const Rational& high, slong bits) { return Real::containing({low, high}, bits); }
 
 Real sinc(const Real& x) {
   Real result(x.bits());
@@ -69,7 +65,7 @@ Real zero_to(const Real& bound) { return bound.scaled(-1).widened(bound.scaled(-
 
 Shells make_shells(int n) {
   const slong bits = precision;
-  const Real pi = Real::pi(bits), kappa = from_enclosure(cosine_minus_sinc_supremum(), bits);
+  const Real pi = Real::pi(bits), kappa = Real::containing(cosine_minus_sinc_supremum(), bits);
   const Real g(Rational(4 * static_cast<long>(n) - 1, 4 * static_cast<long>(n) * (2 * static_cast<long>(n) - 1)), bits);
   const Real one(1, bits);
   const long four = 4 * static_cast<long>(n) - 1;
@@ -179,25 +175,32 @@ Rational degree_one_second_coefficient() {
   return energy / 9 + (1 - energy / 3) / 4;
 }
 
+Real degree_one_moment() {
+  const slong bits = precision;
+  // On 2^j <= s <= 2^(j+1) M(s) = 2^(j(j+1)/2) s^-j, and M = 1 on [0, 2].
+  const int octaves = 24;
+  Rational half = Rational(32, 5);
+  for (int j = 1; j < octaves; ++j)
+    half += power(Rational(2), j * (j + 1)) *
+            (power(Rational(2), (j + 1) * (5 - 2 * j)) - power(Rational(2), j * (5 - 2 * j))) / (5 - 2 * j);
+  // An octave j >= 24 contributes at most 2^(6j - j^2), so all of them at most twice the first.
+  return (Real(half, bits) + zero_to(Real(2, bits).scaled(6 * octaves - octaves * octaves))) / Real::pi(bits);
+}
+
+Real degree_one_fourth_order() {
+  const Real pi = Real::pi(precision), phi = Kernel(1, precision).product(pi);
+  return (1 / (phi * phi) - 1 - pi * pi / 9) / pi.pow(4);
+}
+
 DegreeOneMean degree_one_mean(int n) {
   check_size("degree_one_mean", n);
   const slong bits = precision;
-  const Real pi = Real::pi(bits), N(Rational(4 * static_cast<long>(n) - 1, 2), bits);
+  const Real N(Rational(4 * static_cast<long>(n) - 1, 2), bits);
   static const Enclosure constant = limit_constant(1, 40);
-  const Real c = from_enclosure(constant, bits);
+  const Real c = Real::containing(constant, bits);
 
-  // J = integral over the real line of s^4 M(s)^2, M(s) = 2^(j(j+1)/2) s^-j on 2^j <= s <= 2^(j+1), M = 1 on [0, 2].
-  const int octaves = 24;
-  Rational quarter = Rational(32, 5);
-  for (int j = 1; j < octaves; ++j)
-    quarter += power(Rational(2), j * (j + 1)) *
-               (power(Rational(2), (j + 1) * (5 - 2 * j)) - power(Rational(2), j * (5 - 2 * j))) / (5 - 2 * j);
-  // An octave j >= 24 contributes at most 2^(6j - j^2), so all of them at most twice the first.
-  const Real moment = (Real(quarter, bits) + zero_to(Real(2, bits).scaled(6 * octaves - octaves * octaves))).scaled(1);
-
-  const Real phi = Kernel(1, bits).product(pi);
-  const Real fourth = (1 / (phi * phi) - 1 - pi * pi / 9) / pi.pow(4);
-  const Real factor = (Real(Rational(8, 9), bits) + fourth) * moment / pi.scaled(1) / (1 - 1 / N.scaled(1)).pow(5);
+  const Real factor = (Real(Rational(8, 9), bits) + degree_one_fourth_order()) * degree_one_moment() /
+                      (1 - 1 / N.scaled(1)).pow(5);
 
   DegreeOneMean result;
   result.n = n;

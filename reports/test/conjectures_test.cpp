@@ -1,4 +1,5 @@
 #include <subcert/cmake/catch.hpp>
+#include <subcert/reports/conjecture_limit.hpp>
 #include <subcert/reports/conjectures.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -125,4 +126,23 @@ TEST_CASE("enclosures survive a journal") {
   for (const char* text :
        {"3", R"({"lower": 1})", R"({"lower": "0.5"})", R"({"middle": "1"})", R"({"lower": "2", "upper": "1"})"})
     CHECK_THROWS_AS(enclosure_from(nlohmann::ordered_json::parse(text)), std::invalid_argument);
+}
+
+TEST_CASE("maxima beside their limit") {
+  // Synthetic maxima C (1 + 1/(4n)) / n: the deviation is 1/(4n), of rate 1.
+  const Rational constant = *limit_comparison(1, {{1, Enclosure::exactly(1)}})->constant.lower;
+  std::vector<CertifiedMaximum> maxima;
+  for (int n : {5, 10, 20}) maxima.push_back({n, Enclosure::exactly(constant * (1 + Rational(1, 4 * n)) / n)});
+  const auto limit = limit_comparison(1, maxima);
+  REQUIRE(limit);
+  CHECK(*limit->constant.upper - *limit->constant.lower < power(Rational(10), -24));
+  CHECK(to_decimal(*limit->constant.lower, 20, Rounding::down) == "0.40443676798398528146");
+  for (std::size_t i = 0; i < maxima.size(); ++i)
+    CHECK(limit->deviation[i].value.contains(Rational(1, 4 * maxima[i].n)));
+  CHECK(limit->rate_from == 10);
+  REQUIRE(limit->exponent);
+  CHECK(limit->exponent->contains(1));
+  CHECK(*limit->exponent->upper - *limit->exponent->lower < Rational(1, 1'000'000));
+  CHECK_FALSE(limit_comparison(1, {{3, Enclosure::exactly(1)}})->exponent);
+  CHECK_FALSE(limit_comparison(101, maxima));
 }

@@ -51,7 +51,7 @@ TEST_CASE("the published data are complete and well formed") {
 }
 
 TEST_CASE("every verdict on Dyn et al. is the recorded one") {
-  const Report report = make_report("dyn-2015", {{"masks", "supports", "table1", "table2", "table3"}, 2, {}});
+  const Report report = make_report("dyn-2015", {{"masks", "supports", "table1", "table2", "table3", "fig2", "fig8", "fig9"}, 2, {}});
   for (const ComparisonTable* table : report.comparison_tables())
     for (const Comparison& c : table->comparisons) {
       CAPTURE(table->id, c.cell(), c.printed, c.computed_text());
@@ -61,6 +61,18 @@ TEST_CASE("every verdict on Dyn et al. is the recorded one") {
         CHECK(to_fixed(*std::get<Enclosure>(c.computed).lower, 3, Rounding::nearest) == c.printed);
     }
   CHECK(report.as_recorded());
+}
+
+TEST_CASE("the story of Conjecture 7 comes with its numbers") {
+  const Report report = make_report("dyn-2015", {{"conjecture7"}, 2, {}});
+  REQUIRE(report.sections.size() == 1);
+  const Section& section = report.sections.front();
+  CHECK(section.paragraphs.size() == 5);
+  REQUIRE(section.tables.size() == 1);
+  CHECK(section.tables.front().rows.size() == 3);
+  CHECK(section.tables.front().rows.front().at(1).substr(0, 22) == "0.40443676798398528146");
+  REQUIRE(section.figures.size() == 1);
+  CHECK(section.figures.front().panels.size() == 4);
 }
 
 TEST_CASE("a changed verdict is noticed") {

@@ -109,22 +109,32 @@ void apply_row(const WeightRow<Number>& row, const Number* in, Number* out, std:
 }
 
 /// Groups begin, ..., end - 1; `out` is where group 0 goes.
-void apply_groups(const std::vector<Phase<Rational>>& phases, const Rational* in, Rational* out, std::size_t inner,
-                  std::size_t begin, std::size_t end) {
+template <class Number>
+void apply_groups_plainly(const AxisRefinement<Number>& rows, const Number* in, Number* out, std::size_t inner,
+                          std::size_t begin, std::size_t end) {
+  const std::size_t arity = rows.phases.size();
   for (std::size_t g = begin; g < end; ++g)
-    for (std::size_t p = 0; p < phases.size(); ++p)
+    for (std::size_t p = 0; p < arity; ++p)
       for (std::size_t c = 0; c < inner; ++c) {
-        Rational sum = 0;
-        for (std::size_t k = 0; k < phases[p].weights.size(); ++k)
-          sum += phases[p].weights[k] * in[(phases[p].first + g + k) * inner + c];
-        out[(g * phases.size() + p) * inner + c] = sum;
+        const Phase<Number>& phase = rows.phases[p];
+        Number sum = 0;
+        for (std::size_t k = 0; k < phase.weights.size(); ++k)
+          sum += phase.weights[k] * in[(phase.first + g * rows.stride + k) * inner + c];
+        out[(g * arity + p) * inner + c] = sum;
       }
+}
+
+void apply_groups(const AxisRefinement<Rational>& rows, const Rational* in, Rational* out, std::size_t inner,
+                  std::size_t begin, std::size_t end) {
+  apply_groups_plainly(rows, in, out, inner, begin, end);
 }
 
 constexpr std::size_t block_length = 512;  // numbers of a block: input, parts and output fit the nearest cache
 
-void apply_groups(const std::vector<Phase<double>>& phases, const double* in, double* out, std::size_t inner,
-                  std::size_t begin, std::size_t end) {
+void apply_groups(const AxisRefinement<double>& rows, const double* in, double* out, std::size_t inner, std::size_t begin,
+                  std::size_t end) {
+  if (rows.stride != 1) return apply_groups_plainly(rows, in, out, inner, begin, end);
+  const std::vector<Phase<double>>& phases = rows.phases;
   const std::size_t arity = phases.size();
   if (inner >= block_length / 2) {  // whole rows, no merging
     for (std::size_t g = begin; g < end; ++g)
@@ -149,7 +159,7 @@ void apply_groups(const std::vector<Phase<double>>& phases, const double* in, do
 
 template <class Number>
 AxisRefinement<Number> converted(const AxisRefinement<Rational>& rows) {
-  AxisRefinement<Number> result{rows.input, rows.output, {}, {}, rows.groups, {}};
+  AxisRefinement<Number> result{rows.input, rows.output, {}, {}, rows.groups, {}, rows.stride};
   for (const auto& row : rows.head) result.head.push_back({row.at, converted_weights<Number>(row.weights)});
   for (const auto& phase : rows.phases) result.phases.push_back({phase.first, converted_weights<Number>(phase.weights)});
   for (const auto& row : rows.tail) result.tail.push_back({row.at, converted_weights<Number>(row.weights)});
@@ -165,7 +175,7 @@ void apply(const AxisRefinement<Number>& rows, const Number* in, Number* out, st
     Number* const target = out + o * rows.outputs() * inner;
     if (begin == 0)
       for (std::size_t i = 0; i < rows.head.size(); ++i) apply_row(rows.head[i], source, target + i * inner, inner);
-    apply_groups(rows.phases, source, target + rows.head.size() * inner, inner, begin, end);
+    apply_groups(rows, source, target + rows.head.size() * inner, inner, begin, end);
     if (end == rows.groups)
       for (std::size_t i = 0; i < rows.tail.size(); ++i)
         apply_row(rows.tail[i], source, target + (rows.outputs() - rows.tail.size() + i) * inner, inner);
@@ -180,9 +190,24 @@ void apply(const AxisRefinement<Number>& rows, const Number* in, Number* out, st
                 [&](std::size_t begin, std::size_t end) { piece(o, begin, end); });
 }
 
+template <class Number>
+GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Rational>& rows, int threads) {
+  GridData<Number> result{{}, data.dimension, data.axes};
+  result.axes[k] = rows.output;
+  std::size_t inner = data.dimension, outer = 1;
+  for (std::size_t l = 0; l < k; ++l) inner *= data.axes[l].count;
+  for (std::size_t l = k + 1; l < data.axes.size(); ++l) outer *= data.axes[l].count;
+  result.values.resize(outer * rows.outputs() * inner);
+  apply(converted<Number>(rows), data.values.data(), result.values.data(), outer, inner, threads);
+  return result;
+}
+
 template AxisRefinement<double> converted<double>(const AxisRefinement<Rational>&);
 template AxisRefinement<Rational> converted<Rational>(const AxisRefinement<Rational>&);
 template void apply<double>(const AxisRefinement<double>&, const double*, double*, std::size_t, std::size_t, int);
 template void apply<Rational>(const AxisRefinement<Rational>&, const Rational*, Rational*, std::size_t, std::size_t, int);
+
+template GridData<double> apply_along<double>(const GridData<double>&, std::size_t, const AxisRefinement<Rational>&, int);
+template GridData<Rational> apply_along<Rational>(const GridData<Rational>&, std::size_t, const AxisRefinement<Rational>&, int);
 
 }  // namespace subcert

@@ -16,7 +16,8 @@ struct WeightRow {
   std::vector<Number> weights;
 };
 
-/// The rule of the outputs of one phase where every stencil is complete: output group g reads first + g, first + g + 1, ...
+/// The rule of the outputs of one phase where every stencil is complete: output group g reads first + g * stride and the data
+/// that follow, with the stride of the step.
 template <class Number>
 struct Phase {
   std::size_t first;
@@ -33,6 +34,7 @@ struct AxisRefinement {
   std::vector<Phase<Number>> phases;
   std::size_t groups = 0;
   std::vector<WeightRow<Number>> tail;
+  std::size_t stride = 1;
 
   std::size_t outputs() const { return head.size() + groups * phases.size() + tail.size(); }
 };
@@ -74,5 +76,9 @@ double nearest_double(const Rational& value);
 template <class Number>
 void apply(const AxisRefinement<Number>& rows, const Number* in, Number* out, std::size_t outer, std::size_t inner,
            int threads = 1);
+
+/// The data after the step along axis k, whose input is data.axes[k].
+template <class Number>
+GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Rational>& rows, int threads = 1);
 
 }  // namespace subcert

@@ -15,20 +15,6 @@ std::string estimate_text(double decimal_logarithm) {
   return "10^" + std::to_string(std::llround(decimal_logarithm));
 }
 
-/// One level along axis `k`.
-template <class Number>
-GridData<Number> refine_axis(const GridData<Number>& data, std::size_t k, AxisRefiner& refiner, int threads) {
-  const AxisRefinement<Rational> rows = refiner.step(data.axes[k]);
-  GridData<Number> result{{}, data.dimension, data.axes};
-  result.axes[k] = rows.output;
-  std::size_t inner = data.dimension, outer = 1;
-  for (std::size_t l = 0; l < k; ++l) inner *= data.axes[l].count;
-  for (std::size_t l = k + 1; l < data.axes.size(); ++l) outer *= data.axes[l].count;
-  result.values.resize(outer * rows.outputs() * inner);
-  apply(converted<Number>(rows), data.values.data(), result.values.data(), outer, inner, threads);
-  return result;
-}
-
 }  // namespace
 
 void require_refinable(std::size_t numbers, long growth, long levels) {
@@ -56,7 +42,8 @@ GridData<Number> refine(const GridData<Number>& data, const std::vector<Mask>& m
   require_refinable(data.values.size(), growth, options.levels);
   GridData<Number> result = data;
   for (int level = 0; level < options.levels; ++level)
-    for (std::size_t k = 0; k < masks.size(); ++k) result = refine_axis(result, k, refiners[k], options.threads);
+    for (std::size_t k = 0; k < masks.size(); ++k)
+      result = apply_along(result, k, refiners[k].step(result.axes[k]), options.threads);
   return result;
 }
 

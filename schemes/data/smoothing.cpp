@@ -241,7 +241,7 @@ LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data, 
     const std::size_t own = output / scale_ - shift - row.first;  // wraps around where the datum lies before the row
     if (output % scale_ == 0) result.leverages.push_back(own < row.weights.size() ? row.weights[own] : 0);
   };
-  std::size_t period = 0;  // the whole position at which the interior rows were made
+  std::optional<std::size_t> period;  // the whole position at which the interior rows were made
   for (std::size_t o = 0; o < outputs(); ++o) {
     if (data_.weighted() || !is_interior(o)) {
       append(rounded_row(o), o, 0);
@@ -249,11 +249,11 @@ LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data, 
     }
     auto& row = interior[o % scale_];
     if (!row) {
-      if (period == 0) period = o / scale_;
+      if (!period) period = o / scale_;
       row = rounded_row(o);
-      row->first -= o / scale_ - period;  // as if it were made at `period`
+      row->first -= o / scale_ - *period;  // as if it were made at `period`
     }
-    append(*row, o, o / scale_ - period);
+    append(*row, o, o / scale_ - *period);
   }
   return result;
 }

@@ -7,9 +7,12 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const subcert::Scheme once = subcert::make_scheme({reinterpret_cast<const char*>(data), size});
-    const subcert::Scheme twice = subcert::make_scheme(once.specification);
-    if (!(once.mask == twice.mask) || once.specification != twice.specification) std::abort();
+    const subcert::AnyScheme once = subcert::make_any_scheme({reinterpret_cast<const char*>(data), size});
+    const subcert::AnyScheme twice = subcert::make_any_scheme(subcert::specification_of(once));
+    const auto same = [&](const auto& scheme) {
+      return scheme.mask == std::get<std::decay_t<decltype(scheme)>>(twice).mask;
+    };
+    if (subcert::specification_of(once) != subcert::specification_of(twice) || !std::visit(same, once)) std::abort();
   } catch (const subcert::SpecificationError&) {
   }
   return 0;

@@ -151,6 +151,37 @@ TEST_CASE("the printed coefficients of degree 3 on (2n+1) x (2n+1) grids") {
   }
 }
 
+TEST_CASE("the printed coefficients of degree 3 on 4 x 4 data") {
+  // [MB16, eq. (3.7)]: the denominator is printed for every n, the coefficients are those of n = 2.
+  const long n = 2;
+  const Rational scale = Rational(4 * (n - 1)) * (2 * n + 3) * (2 * n - 3) * (n + 1) * n * n * (2 * n - 1) * (2 * n - 1) * (2 * n + 1) * (2 * n + 1);
+  const auto b1 = [](long r, long s) {
+    return 9450 * r * r * r + (1890 * s - 19845) * r * r + (1890 * s * s - 3024 * s - 10773) * r + 9450 * s * s * s - 19845 * s * s -
+           10773 * s + 35154;
+  };
+  const auto b2 = [](long r, long s) {
+    return -13650 * r * r * r + (1890 * s + 14805) * r * r - (3780 * s * s - 378 * s - 31731) * r + 1890 * s * s - 3024 * s - 10773;
+  };
+  const auto b4 = [](long r, long s) {
+    return -15750 * r * r * r - (1890 * s - 29295) * r * r + (1890 * s + 14805) * r + 1890 * s - 19845;
+  };
+  const auto b5 = [](long r, long s) {
+    return (-3780 * s + 1890) * r * r - (3780 * s * s - 10584 * s - 378) * r + 1890 * s * s + 378 * s - 3024;
+  };
+  const auto b7 = [](long r) { return 1050 * (2 * r - 1) * (5 * r * r - 5 * r - 9); };
+  const auto b8 = [](long r, long s) { return 1890 * (2 * s - 1) * (r * r - r - 1); };
+  const MultivariateScheme scheme = surface("grid:points=4x4,d=3");
+  for (long p = 0; p < 2; ++p)
+    for (long q = 0; q < 2; ++q)
+      for (long r = -1; r <= 2; ++r)
+        for (long s = -1; s <= 2; ++s) {
+          const Rational x(2 * p + 1, 4), y(2 * q + 1, 4);
+          const Rational value = b1(r, s) + b2(r, s) * x + b2(s, r) * y + b4(r, s) * x * x + b5(r, s) * x * y + b4(s, r) * y * y +
+                                 b7(r) * x * x * x + b8(r, s) * x * x * y + b8(s, r) * x * y * y + b7(s) * y * y * y;
+          CHECK(coefficient(scheme, p - 2 * r, q - 2 * s) == value / scale);
+        }
+}
+
 TEST_CASE("specifications of two and three variables are read and printed back") {
   for (const char* text : {"tensor:(primal:n=3,d=1)x(dual:n=2,d=1)", "tensor:(mask:[1,3,3,1]/4@-2)x(bspline:degree=3)x(dd:n=2)",
                            "grid:points=4x4,d=3", "grid:points=5x4,d=2", "grid:points=3x3x3,d=1", "grid:points=4x4,d=1,a=3",

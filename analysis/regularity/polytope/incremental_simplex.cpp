@@ -21,8 +21,6 @@ constexpr int kMaxAge = 100;              // pivots between factorisations
 constexpr std::size_t kCacheSize = 512;
 constexpr std::size_t kStarts = 6;        // remembered bases that are tried as a start
 constexpr std::size_t kTrials = 1;        // columns tried per pivot
-constexpr double kPhaseStep = 3.14159265358979323846 / 8;  // 16 phases
-constexpr double kCos1 = 0.92387953251128674, kSin1 = 0.38268343236508977, kCos2 = 0.70710678118654752;
 constexpr std::size_t kListSize = 96;
 constexpr float kListDepth = 0.5F;         // a short list holds the profits in the upper half
 constexpr int kLongList = 60;             // vertices per coordinate beyond which short lists pay
@@ -57,7 +55,7 @@ int IncrementalSimplex::add(const Eigen::VectorXd& vertex) {
   const std::size_t begin = vertices_.size();
   vertices_.resize(begin + at(stride_), 0.0);
   std::copy(vertex.data(), vertex.data() + size_, vertices_.begin() + static_cast<std::ptrdiff_t>(begin));
-  if (kind_ == PolytopeKind::real) {
+  if (kind_ != PolytopeKind::nonnegative) {
     if (count_ % kLane == 0) lanes_.resize(lanes_.size() + at(kLane) * at(size_), 0.0F);
     float* block = lanes_.data() + at(count_ / kLane) * at(kLane) * at(size_);
     for (int k = 0; k < size_; ++k) block[k * kLane + count_ % kLane] = static_cast<float>(vertex[k]);
@@ -323,14 +321,12 @@ IncrementalSimplex::Offer IncrementalSimplex::price_one(int vertex, const double
     double sum[4];
     for (int k = 0; k < 4; ++k) sum[k] = part[0][k] + f * part[1][k];
     const double re = sum[0] + c * sum[1], im = sum[3] - c * sum[2];
-    // Phases from a grid, so that the program is finite; the hull of the grid points lies inside the balanced hull.
-    const double large = std::max(std::abs(re), std::abs(im)), small = std::min(std::abs(re), std::abs(im));
-    const double value = std::max({large, large * kCos1 + small * kSin1, (large + small) * kCos2});
+    const double value = std::hypot(re, im);
     if (value > offer.profit) {
       offer.profit = value;
       offer.column.flipped = g >= 2;
       offer.column.conjugated = g % 2 == 1;
-      offer.column.phase = std::round(std::atan2(im, re) / kPhaseStep) * kPhaseStep;
+      offer.column.phase = std::atan2(im, re);
     }
   }
   return offer;
@@ -342,11 +338,15 @@ double IncrementalSimplex::price_all() {
   prices_.resize(at(blocks) * kLane);
   peaks_.resize(at(blocks));
   float largest = 1;
-  if (kind_ == PolytopeKind::real) {
+  if (kind_ != PolytopeKind::nonnegative) {
     for (int k = 0; k < size_; ++k) single_[at(k)] = static_cast<float>(y_[at(k)]);
+    const std::size_t even = at(half_ - odd_);
     for (int b = 0; b < blocks; ++b) {
-      peaks_[at(b)] = kernels::price_block(lanes_.data() + at(b) * at(kLane) * at(size_), at(size_ - odd_), at(odd_),
-                                           single_.data(), prices_.data() + at(b) * kLane);
+      const float* block = lanes_.data() + at(b) * at(kLane) * at(size_);
+      float* prices = prices_.data() + at(b) * kLane;
+      peaks_[at(b)] = kind_ == PolytopeKind::real
+                          ? kernels::price_block(block, even, at(odd_), single_.data(), prices)
+                          : kernels::price_complex_block(block, even, at(odd_), flip_, single_.data(), prices);
       largest = std::max(largest, peaks_[at(b)]);
     }
   } else {
@@ -515,7 +515,7 @@ Membership IncrementalSimplex::solve(const Eigen::VectorXd& x, double accept, do
   list_.clear();
   const int limit = 200 + 20 * size_;
   // A short list serves as many pivots as make it as expensive as pricing everything once.
-  patience_ = kind_ == PolytopeKind::real ? count_ / (kLongList * size_) : count_ / 500;
+  patience_ = kind_ == PolytopeKind::nonnegative ? count_ / 500 : count_ / (kLongList * size_);
   int stale = 0;
   bool cold = false;
   for (int iteration = 0; iteration < limit; ++iteration) {

@@ -1,5 +1,7 @@
 #include "kernels.hpp"
 
+#include <cmath>
+
 namespace subcert::kernels {
 
 // The sums may be reordered: a search needs no reproducible last bit.
@@ -42,6 +44,10 @@ double dot(const double* a, const double* b, std::size_t n) { SUBCERT_DISPATCH(d
 
 float price_block(const float* block, std::size_t even, std::size_t odd, const float* y, float* out) {
   SUBCERT_DISPATCH(price_block(block, even, odd, y, out));
+}
+
+float price_complex_block(const float* block, std::size_t even, std::size_t odd, bool flip, const float* y, float* out) {
+  SUBCERT_DISPATCH(price_complex_block(block, even, odd, flip, y, out));
 }
 
 }  // namespace subcert::kernels

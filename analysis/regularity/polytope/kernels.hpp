@@ -22,4 +22,8 @@ double dot(const double* a, const double* b, std::size_t n);
 /// returns the largest.
 float price_block(const float* block, std::size_t even, std::size_t odd, const float* y, float* out);
 
+/// One block of 16 complex vertices, coordinate major, all real parts before all imaginary parts: out[l] = the largest
+/// |<y, g v>| over g = identity, conjugation and, with `flip`, negation of the odd coordinates; returns the largest.
+float price_complex_block(const float* block, std::size_t even, std::size_t odd, bool flip, const float* y, float* out);
+
 }  // namespace subcert::kernels

@@ -14,6 +14,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kComfortable = 1e-4;  // images this far inside are not looked at again
 constexpr double kSame = 1e-8;         // an image this close to a vertex is that vertex
 constexpr double kExtraSize = 0.02;    // size of vertices added only to span the space
+constexpr double kExtraReach = 0.3;    // how far orbits of extra vertices come towards the faces at the roots
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -31,39 +32,79 @@ Eigen::VectorXcd mirrored(Eigen::VectorXcd x, PolytopeKind kind, int odd) {
   return x;
 }
 
+// Mirror images as the polytope counts them: u and, under flip symmetry, J u.
+std::vector<Eigen::VectorXcd> with_mirror_images(const std::vector<Eigen::VectorXcd>& vectors, bool flip,
+                                                 PolytopeKind kind, int odd) {
+  std::vector<Eigen::VectorXcd> result = vectors;
+  if (!flip) return result;
+  for (const Eigen::VectorXcd& u : vectors) result.push_back(mirrored(u, kind, odd));
+  return result;
+}
+
+// The largest modulus on x of the dual vectors and, where points are complex, of their conjugates.
+double largest_value(const std::vector<Eigen::VectorXcd>& duals, PolytopeKind kind, const Eigen::VectorXcd& x) {
+  double largest = 0;
+  for (const Eigen::VectorXcd& u : duals) {
+    largest = std::max(largest, std::abs(u.conjugate().dot(x)));
+    if (kind == PolytopeKind::complex) largest = std::max(largest, std::abs(u.dot(x)));
+  }
+  return largest;
+}
+
+// Makes a vector that is even or odd under the flip up to rounding exactly so; leaves others alone.
+void restore_symmetry(Eigen::VectorXcd& x) {
+  for (double sign : {1.0, -1.0}) {
+    const Eigen::VectorXcd symmetric = (x + sign * x.reverse()) / 2;
+    if ((x - symmetric).norm() <= 1e-12 * x.norm()) {
+      x = symmetric;
+      return;
+    }
+  }
+}
+
+// Calls visit(x) for the points of the orbit of `front`, at most `width` of them, of largest `value`, per generation.
+template <class Value, class Visit>
+void follow_orbit(std::vector<Eigen::VectorXcd> front, const std::vector<Eigen::MatrixXd>& matrices, int generations,
+                  std::size_t width, Value value, Visit visit) {
+  for (int generation = 0; generation < generations; ++generation) {
+    std::vector<std::pair<double, Eigen::VectorXcd>> next;
+    for (const Eigen::VectorXcd& v : front) {
+      for (const Eigen::MatrixXd& a : matrices) {
+        Eigen::VectorXcd x = a * v;
+        const double size = value(x);
+        next.emplace_back(size, std::move(x));
+      }
+    }
+    if (next.size() > width) {
+      std::nth_element(next.begin(), next.begin() + static_cast<std::ptrdiff_t>(width), next.end(),
+                       [](const auto& a, const auto& b) { return a.first > b.first; });
+      next.resize(width);
+    }
+    front.clear();
+    for (auto& [size, x] : next) {
+      visit(x);
+      front.push_back(std::move(x));
+    }
+  }
+}
+
 // Sizes of the root cycles so that no orbit of one sticks out at the roots of another: with q_ij the largest value of the
 // dual vectors of j on the orbit of i, maximise t in log size_i + log q_ij + t <= log size_j. Ref: [GP16].
 void balance(std::vector<RootCycle>& cycles, const std::vector<Eigen::MatrixXd>& matrices, bool flip, PolytopeKind kind,
              int odd) {
   const std::size_t n = cycles.size();
   if (n < 2) return;
+  std::vector<std::vector<Eigen::VectorXcd>> duals;
+  for (const RootCycle& cycle : cycles) duals.push_back(with_mirror_images(cycle.left, flip, kind, odd));
   Eigen::MatrixXd q = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n), -50.0);
   for (std::size_t i = 0; i < n; ++i) {
-    std::vector<Eigen::VectorXcd> front = cycles[i].right;
-    for (int depth = 0; depth < 14; ++depth) {
-      std::vector<Eigen::VectorXcd> next;
-      for (const Eigen::VectorXcd& v : front) {
-        for (const Eigen::MatrixXd& a : matrices) next.push_back(a * v);
-      }
-      if (next.size() > 256) {
-        std::nth_element(next.begin(), next.begin() + 256, next.end(),
-                         [](const auto& a, const auto& b) { return a.squaredNorm() > b.squaredNorm(); });
-        next.resize(256);
-      }
-      front = std::move(next);
-      for (const Eigen::VectorXcd& v : front) {
-        for (std::size_t j = 0; j < n; ++j) {
-          if (j == i) continue;
-          for (const Eigen::VectorXcd& u : cycles[j].left) {
-            double value = std::abs(u.conjugate().dot(v));
-            if (kind == PolytopeKind::complex) value = std::max(value, std::abs(u.dot(v)));
-            if (flip) value = std::max(value, std::abs(u.conjugate().dot(mirrored(v, kind, odd))));
-            double& entry = q(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-            entry = std::max(entry, std::log(value + 1e-20));
-          }
-        }
-      }
-    }
+    follow_orbit(cycles[i].right, matrices, 14, 256, [](const auto& x) { return x.squaredNorm(); },
+                 [&](const Eigen::VectorXcd& x) {
+                   for (std::size_t j = 0; j < n; ++j) {
+                     double& entry = q(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+                     if (j != i) entry = std::max(entry, std::log(largest_value(duals[j], kind, x) + 1e-20));
+                   }
+                 });
   }
   auto potentials = [&](double t, Eigen::VectorXd& p) {
     p.setZero(static_cast<Eigen::Index>(n));
@@ -205,6 +246,7 @@ PolytopeRun::PolytopeRun(const SearchFamily& family, std::vector<Candidate> prod
   }
   balance(cycles_, matrices_, flip_, kind_, coordinates_.odd);
   add_roots();
+  add_extra_vertices();
 }
 
 Eigen::VectorXd PolytopeRun::real_form(const Eigen::VectorXcd& x) const {
@@ -253,7 +295,39 @@ void PolytopeRun::add_roots() {
           known = known && std::abs(w.norm() - v.norm()) <= 1e-8 * v.norm();
         }
       }
-      if (!known) add({real_form(v), -1, -1, cycle.product, static_cast<int>(t)});
+      if (known) continue;
+      // The real part of a complex eigenvector is a vertex like any other.
+      const bool eigenvector = kind_ == PolytopeKind::complex || std::abs(cycle.phase.imag()) < 1e-9;
+      add(eigenvector ? Node{real_form(v), -1, -1, cycle.product, static_cast<int>(t)} : Node{real_form(v)});
+    }
+  }
+}
+
+// One vertex in each of a set of orthogonal directions, as long as its orbit allows: it must stay well behind the faces
+// u.x = 1 at the roots, u their dual vectors. The hull of the roots' orbit alone is flat where the matrices nearly share
+// an eigenvector, and then takes many vertices that differ little. Ref: [GP16] (balancing), [Mej20] (extra vertices).
+void PolytopeRun::add_extra_vertices() {
+  if (kind_ == PolytopeKind::nonnegative) return;
+  std::vector<Eigen::VectorXcd> duals;
+  for (const RootCycle& cycle : cycles_) {
+    for (const Eigen::VectorXcd& u : cycle.left) duals.push_back(u / cycle.size);
+  }
+  if (duals.empty()) return;
+  duals = with_mirror_images(duals, flip_, kind_, coordinates_.odd);
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(dimension_, dimension_);
+  for (const Eigen::VectorXcd& u : duals) gram += (u * u.adjoint()).real();
+  auto value = [&](const Eigen::VectorXcd& x) { return largest_value(duals, kind_, x); };
+  const int even = dimension_ - coordinates_.odd;
+  for (const auto& [begin, size] : {std::pair(0, even), std::pair(even, coordinates_.odd)}) {
+    if (size == 0) continue;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram.block(begin, begin, size, size));
+    for (int k = 0; k < size; ++k) {
+      Eigen::VectorXd direction = Eigen::VectorXd::Zero(vertices_.front().value.size());
+      direction.segment(begin, size) = eigen.eigenvectors().col(k);
+      const Eigen::VectorXcd x = direction.head(dimension_).cast<std::complex<double>>();
+      double reach = value(x);
+      follow_orbit({x}, matrices_, 20, 16, value, [&](const auto& y) { reach = std::max(reach, value(y)); });
+      if (reach > 0) add({direction * (kExtraReach / reach)});
     }
   }
 }
@@ -331,7 +405,7 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
   return true;
 }
 
-// Is x a multiple c of a vertex, |c| = 1 up to rounding? The linear programs know a grid of phases only.
+// Is x a multiple c of a vertex, |c| = 1 up to rounding? A linear program comes near that phase by many pivots only.
 bool PolytopeRun::match(const Eigen::VectorXd& x, Image& entry) const {
   Eigen::VectorXcd z(dimension_);
   z.real() = x.head(dimension_);
@@ -479,6 +553,7 @@ void PolytopeRun::report(SearchResult& result) const {
     vertex.value.real() = coordinates_.from * node.value.head(dimension_);
     vertex.value.imag().setZero();
     if (kind_ == PolytopeKind::complex) vertex.value.imag() = coordinates_.from * node.value.tail(dimension_);
+    if (flip_ && node.parent < 0 && node.cycle < 0) restore_symmetry(vertex.value);
     result.vertices.push_back(std::move(vertex));
   }
   double worst = 0, margin = 1;

@@ -73,6 +73,7 @@ class PolytopeRun {
   Eigen::VectorXd real_form(const Eigen::VectorXcd& x) const;
   int add(Node node);
   void add_roots();
+  void add_extra_vertices();
   void add_spanning_vertices();
   bool settle(Pending& pending, bool optimum = false);
   bool match(const Eigen::VectorXd& x, Image& entry) const;

@@ -123,14 +123,14 @@ class Search {
     return PolytopeKind::real;
   }
 
-  std::unique_ptr<PolytopeRun> start(int side, double scale) {
+  std::unique_ptr<PolytopeRun> start(int side, double scale, PolytopeKind kind) {
     ++counters_.runs;
     std::vector<Candidate> products(candidates_.begin(),
                                     candidates_.begin() + static_cast<std::ptrdiff_t>(maximizing_));
     if (side == 1) {
       for (Candidate& c : products) std::reverse(c.word.begin(), c.word.end());
     }
-    return std::make_unique<PolytopeRun>(family_[side], std::move(products), maximizing_, kind(), scale, options_);
+    return std::make_unique<PolytopeRun>(family_[side], std::move(products), maximizing_, kind, scale, options_);
   }
 
   // The side that is clearly nearer to its end, judged by the share of its images that are still outside, or -1.
@@ -150,7 +150,7 @@ class Search {
       for (int side = 0; side < (both ? 2 : 1); ++side) {
         if (both && ahead == 1 - side) continue;
         auto& run = runs_[side];
-        if (!run) run = start(side, candidates_.front().radius);
+        if (!run) run = start(side, candidates_.front().radius, kind());
         const double share = std::min(slice, begin + seconds - elapsed());
         if (share <= 0) break;
         if (run->advance(share, options_.max_vertices) == PolytopeRun::State::closed) {
@@ -213,11 +213,12 @@ class Search {
     const double radius = candidates_.front().radius;
     const int side = runs_[1] && runs_[0] && runs_[1]->open_share() < runs_[0]->open_share() ? 1 : 0;
     for (auto& run : runs_) retire(run);
+    // No image needs to come back to a vertex any more, so that real polytopes do for complex eigenvalues.
+    const PolytopeKind simple = kind() == PolytopeKind::nonnegative ? PolytopeKind::nonnegative : PolytopeKind::real;
     double eps = 0.1;
     for (int k = 0; k < 24 && left() > 0; ++k, eps *= 0.4) {
-      if (k == 1) eps = 0.01;
-      if (k == 2) eps = 6e-4;  // encloses the logarithm to base 2 within 1e-3
-      auto run = start(side, radius * (1 + eps));
+      if (k == 3) eps = 6e-4;  // encloses the logarithm to base 2 within 1e-3
+      auto run = start(side, radius * (1 + eps), simple);
       if (run->advance(left(), options_.max_vertices) != PolytopeRun::State::closed) break;
       run->finish(left() / 2);
       run->count(counters_);

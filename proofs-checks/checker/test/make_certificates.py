@@ -133,7 +133,7 @@ def polytope(family, word, symmetric, limit=14):
         done += 1
     exact = [[Q(c, ONE) for c in normal(v)] for v in vertices]
     vertices = exact
-    lines = [f"block 0 polytope real {len(vertices)} {BITS} {BITS}" + (" symmetric" if symmetric else "")]
+    lines = [f"block 0 polytope {len(vertices)} {BITS} {BITS}" + (" symmetric" if symmetric else "")]
     lines += ["vertex " + " ".join(map(str, normal(v))) for v in vertices]
     terms = lambda best: "".join(f" {label}:{round(w * ONE)}" for label, w in best[1] if round(w * ONE) != 0)
     for k in range((n + 1) // 2 if symmetric else n):
@@ -153,8 +153,8 @@ def exponent(mask_text, mask, arity, m, word, symmetric, stability=True, section
     lower, upper = near - Q(1, 10**13), near + Q(1, 10**13)
     if abs(s - round(s)) < 1e-14:
         lower = upper = Q(round(s))
-    head = ["subcert-certificate 1", f"exponent {mask_text} {arity}", f"bounds {lower} {upper}", f"sum-rules {m}"]
-    head += ["stability 1000003"] if stability else []
+    head = ["subcert-certificate 2", f"exponent {mask_text} {arity}", f"bounds {lower} {upper}", f"sum-rules {m}"]
+    head += ["stability"] if stability else []
     head += [f"product 0 {value} 0 " + " ".join(map(str, word))]
     return ["--mask", mask_text, "--arity", str(arity), "--lower", str(lower), "--upper", str(upper)], \
         head + (section or lines) + ["end"]
@@ -164,7 +164,7 @@ def radius(name, family, word, symmetric, width=Q(1, 10**13)):
     lines, value, rho = polytope(family, word, symmetric)
     near = Q(round(rho * 10**15), 10**15)
     lower, upper = near - width, near + width
-    head = ["subcert-certificate 1", f"radius {len(family)} {len(family[0])}", f"bounds {lower} {upper}",
+    head = ["subcert-certificate 2", f"radius {len(family)} {len(family[0])}", f"bounds {lower} {upper}",
             f"product 0 {value} 0 " + " ".join(map(str, word))]
     return ["--matrices", name, "--lower", str(lower), "--upper", str(upper)], head + lines + ["end"]
 
@@ -190,7 +190,7 @@ def main(out):
         cases.append(f"{name} " + " ".join(arguments))
 
     def write_matrices(name, family):
-        rows = [f"matrices {len(family)} {len(family[0])}"] + [" ".join(map(str, row)) for m in family for row in m]
+        rows = [f"matrices {len(family)} {len(family[0])}"] + ["row " + " ".join(map(str, row)) for m in family for row in m]
         (out / name).write_text("\n".join(rows) + "\n")
 
     for d in (1, 2, 3, 5):  # B-splines: exponent d
@@ -202,7 +202,7 @@ def main(out):
     write("four-point", exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True))
     case = exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True, section=["block 0 norm 1"])
     write("four-point-norm", case)
-    hand = ["block 0 polytope real 1 0 0 symmetric", "vertex 0 1", "unit 0 0f:1", "image 0 0 0:4", "image 0 1 0:-1 0f:-1"]
+    hand = ["block 0 polytope 1 0 0 symmetric", "vertex 0 1", "unit 0 0f:1", "image 0 0 0:4", "image 0 1 0:-1 0f:-1"]
     write("four-point-by-hand", exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True, section=hand))  # SPEC.md, section 3
     w = Q(1, 20)  # exponent 2 - log2(1 + sqrt(1 - 16 w)) = 1.466...
     tension = [-w, Q(0), Q(1, 2) + w, Q(1), Q(1, 2) + w, Q(0), -w]
@@ -217,7 +217,7 @@ def main(out):
     arguments, lines = radius("golden.mat", golden, [0, 1], False)
     phi = math.isqrt(5 * ONE * ONE)
     phi = (ONE + phi) // 2 + 1
-    two = ["block 0 polytope nonnegative 1 64 64 symmetric", f"vertex {phi} {ONE}", f"unit 0 0:{ONE}",
+    two = ["block 0 polytope 1 64 64 nonnegative symmetric", f"vertex {phi} {ONE}", f"unit 0 0:{ONE}",
            f"image 0 0 0:{phi + 2}", f"image 0 1 0f:{phi + 2}"]
     write("golden-nonnegative", (arguments, lines[:4] + two + ["end"]))
     swap = [[[row[c] for row in m] for c in range(2)] for m in golden]
@@ -231,10 +231,9 @@ def main(out):
     assert multiply(basis, inverse) == [[Q(int(i == k)) for k in range(3)] for i in range(3)]
     blocks = [[[*golden[t][0], Q(5)], [*golden[t][1], Q(-7, 3)], [Q(0), Q(0), (Q(3, 2), Q(-1))[t]]] for t in range(2)]
     write_matrices("blocks.mat", [multiply(multiply(basis, m), inverse) for m in blocks])
-    split = [f"blocks 1000003 2 1", "basis"] + ["row " + " ".join(map(str, r)) for r in basis]
-    for t, m in enumerate(blocks):
-        split += [f"triangular {t}"] + ["row " + " ".join(map(str, r)) for r in m]
-    write("blocks", (["--matrices", "blocks.mat"] + arguments[2:], ["subcert-certificate 1", "radius 2 3", lines[2]] + split +
+    split = ["blocks 2 1"] + [f"{head} " + " ".join(map(str, row)) for head, matrix in
+                              (("basis", basis), ("inverse", inverse)) for row in matrix]
+    write("blocks", (["--matrices", "blocks.mat"] + arguments[2:], ["subcert-certificate 2", "radius 2 3", lines[2]] + split +
                      lines[3:-1] + ["block 1 norm 3", "end"]))
 
     # a rotation by an angle with cosine 3/5 and half of it: radius exactly 1, complex leading eigenvalue
@@ -243,10 +242,10 @@ def main(out):
     tenth, unit = 1 << 62, 1 << 64
     re, im = 3 * unit // 5, 4 * unit // 5
     width = Q(1, 10**15)
-    rotation = ["subcert-certificate 1", "radius 2 2", f"bounds {1 - width} {1 + width}", "product 0 3/5 4/5 0",
-                "block 0 polytope complex 1 0 64", "vertex 1,0 0,-1", f"unit 0 0:{unit // 2},0,{unit // 2} 0c:{unit // 2},0,{unit // 2}",
-                f"unit 1 0:0,{unit // 2},{unit // 2} 0c:0,{-unit // 2},{unit // 2}", f"image 0 0 0:{re},{im},{unit}",
-                f"image 0 1 0:{re // 2},{im // 2},{unit // 2}", "end"]
+    rotation = ["subcert-certificate 2", "radius 2 2", f"bounds {1 - width} {1 + width}", "product 0 3/5 4/5 0",
+                "block 0 polytope 1 0 64 complex", "vertex 1 0 0 -1", f"unit 0 0:{unit // 2}:0 0c:{unit // 2}:0",
+                f"unit 1 0:0:{unit // 2} 0c:0:{-unit // 2}", f"image 0 0 0:{re}:{im}",
+                f"image 0 1 0:{re // 2}:{im // 2}", "end"]
     write("rotation", (["--matrices", "rotation.mat", "--lower", str(1 - width), "--upper", str(1 + width)], rotation))
     (out / "claims.txt").write_text("\n".join(cases) + "\n")
 

@@ -166,7 +166,6 @@ TEST_CASE("equal prior weights change nothing; missing data leave polynomials al
 }
 
 TEST_CASE("double precision agrees with the exact rows") {
-  const Scheme scheme = make_scheme("dual:n=3");
   Random random;
   std::vector<double> data;
   std::vector<Rational> exact;
@@ -174,17 +173,25 @@ TEST_CASE("double precision agrees with the exact rows") {
     data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
     exact.emplace_back(data.back());
   }
-  for (const Extension kind : {Extension::interp, Extension::mirror, Extension::constant}) {
-    const LinearSmoother smoother(scheme.mask, data.size(), {kind, 2, 0});
-    const auto smoothed = smoother.apply(data, 2.5);
-    REQUIRE(smoothed.values.size() == 29 * 4 + 1);
-    for (std::size_t o = 0; o < smoother.outputs(); ++o) {
-      const SmoothingRow row = smoother.row(o);
-      const Rational value = apply_exactly(row, exact) + row.outside * Rational(5, 2);
-      CHECK(std::abs(smoothed.values[o] - static_cast<double>(value)) < 1e-13);
-      CHECK(smoothed.variances[o] == Approx(static_cast<double>(row.variance)).epsilon(1e-14));
+  // The widest rows leave no interior, the narrowest have it from the first spacing on.
+  for (const char* text : {"primal:n=1", "dual:n=1", "dual:n=3", "primal:n=4,d=3", "primal:n=12", "ary:a=3,points=3,d=1"})
+    for (const Extension kind : {Extension::interp, Extension::mirror, Extension::constant}) {
+      const Scheme scheme = make_scheme(text);
+      const LinearSmoother smoother(scheme.mask, data.size(), {kind, 2, 0});
+      const auto smoothed = smoother.apply(data, 2.5);
+      REQUIRE(smoothed.values.size() == smoother.outputs());
+      REQUIRE(smoothed.leverages.size() == data.size());
+      const std::size_t scale = (smoother.outputs() - 1) / (data.size() - 1);
+      for (std::size_t o = 0; o < smoother.outputs(); ++o) {
+        const SmoothingRow row = smoother.row(o);
+        const Rational value = apply_exactly(row, exact) + row.outside * Rational(5, 2);
+        CHECK(std::abs(smoothed.values[o] - static_cast<double>(value)) < 1e-12);
+        CHECK(smoothed.variances[o] == Approx(static_cast<double>(row.variance)).epsilon(1e-13));
+        if (o % scale != 0) continue;
+        const std::size_t own = o / scale - row.first;
+        CHECK(smoothed.leverages[o / scale] == Approx(static_cast<double>(row.weights.at(own))).margin(1e-14));
+      }
     }
-  }
 }
 
 TEST_CASE("fits with prior weights in double precision agree with the exact ones") {

@@ -1,0 +1,164 @@
+// subcert statements list|check: the statements of the papers as executable checks
+
+#include "command.hpp"
+
+#include <subcert/reports/errata.hpp>
+#include <subcert/reports/files.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace subcert::cli {
+namespace {
+
+using statements::Outcome;
+using statements::Statement;
+using statements::Tier;
+using statements::Verdict;
+
+struct StatementsOptions : CommonOptions {
+  std::vector<std::string> wanted;
+  bool ids = false;
+  bool wide = false;
+  std::string page;
+};
+
+/// All statements, or those asked for, each once and in the order of the papers.
+std::vector<const Statement*> selected(const std::vector<std::string>& wanted) {
+  std::vector<const Statement*> chosen;
+  for (const std::string& one : wanted) try {
+      const auto found = statements::find_statements(one);
+      chosen.insert(chosen.end(), found.begin(), found.end());
+    } catch (const std::out_of_range& error) {
+      throw UsageError(error.what());
+    }
+  std::vector<const Statement*> result;
+  for (const Statement& statement : statements::statements())
+    if (wanted.empty() || std::find(chosen.begin(), chosen.end(), &statement) != chosen.end())
+      result.push_back(&statement);
+  return result;
+}
+
+Json statement_json(const Statement& statement) {
+  return {{"id", statement.id},
+          {"place", statement.place},
+          {"paraphrase", statement.paraphrase},
+          {"checked", statement.checked},
+          {"printed", printed_latex(statement)},
+          {"recorded", to_text(statement.recorded)}};
+}
+
+int list(const StatementsOptions& options) {
+  const auto chosen = selected(options.wanted);
+  if (options.json) {
+    Json json{{"statements", Json::array()}};
+    for (const Statement* statement : chosen) json["statements"].push_back(statement_json(*statement));
+    options.answer(json);
+    return done;
+  }
+  std::string text, paper;
+  for (const Statement* statement : chosen) {
+    if (options.ids) {
+      text += statement->id + "\n";
+      continue;
+    }
+    if (statement->paper() != paper) {
+      paper = statement->paper();
+      text += (text.empty() ? "" : "\n") + paper + "\n";
+    }
+    const std::string verdict = to_text(statement->recorded);
+    text += "  " + verdict + std::string(17 - verdict.size(), ' ') + statement->id + "  " + statement->paraphrase +
+            "\n";
+  }
+  options.answer(text);
+  return done;
+}
+
+Json outcome_json(const CheckedStatement& checked) {
+  const Statement& statement = *checked.statement;
+  Json json = statement_json(statement);
+  json["verdict"] = to_text(checked.outcome.verdict);
+  json["range"] = checked.outcome.range;
+  json["witness"] = checked.outcome.witness;
+  json["corrected"] = corrected_latex(statement);
+  json["argument"] = checked.outcome.argument;
+  json["seconds"] = checked.seconds;
+  return json;
+}
+
+std::string outcome_text(const Statement& statement, const Outcome& outcome) {
+  const std::string verdict = to_text(outcome.verdict);
+  std::string text = verdict + std::string(17 - verdict.size(), ' ') + statement.id + "  " + statement.paraphrase +
+                     "\n";
+  const auto line = [&](const char* name, const std::string& content) {
+    if (!content.empty()) text += std::string(19, ' ') + name + content + "\n";
+  };
+  line("range: ", outcome.range);
+  line("witness: ", outcome.witness);
+  if (outcome.verdict == Verdict::misprint || outcome.verdict == Verdict::false_claim)
+    line("corrected: ", corrected_latex(statement));
+  line("", outcome.argument);
+  if (outcome.verdict != statement.recorded)
+    line("NOT AS RECORDED: the verdict on record is ", to_text(statement.recorded));
+  return text;
+}
+
+int run_checks(const StatementsOptions& options) {
+  const auto results = check_statements(selected(options.wanted), options.wide ? Tier::wide : Tier::quick,
+                                        options.threads(), [&](const std::string& id) { options.progress(id); });
+  options.end_progress();
+  if (!options.page.empty()) write_file(options.page, errata_page(results));
+  int code = done;
+  Json json{{"statements", Json::array()}};
+  std::string text;
+  std::map<Verdict, int> counts;
+  for (const CheckedStatement& checked : results) {
+    ++counts[checked.outcome.verdict];
+    if (checked.outcome.verdict == Verdict::undecided)
+      code = code == done ? undecided : code;
+    else if (!checked.as_recorded())
+      code = failed;
+    json["statements"].push_back(outcome_json(checked));
+    text += outcome_text(*checked.statement, checked.outcome);
+  }
+  text += "\n" + std::to_string(results.size()) + (results.size() == 1 ? " statement:" : " statements:");
+  for (const auto& [verdict, count] : counts) text += " " + std::to_string(count) + " " + to_text(verdict) + ",";
+  text.back() = '.';
+  text += std::string(code == done ? " All verdicts are the ones on record." : "") + "\n";
+  if (options.json)
+    options.answer(json);
+  else
+    options.answer(text);
+  return code;
+}
+
+}  // namespace
+
+void add_statements(CLI::App& app) {
+  CLI::App* group = app.add_subcommand("statements", "The statements of the papers as executable checks");
+  group->require_subcommand(0, 1);
+  std::string known;
+  for (const auto& paper : statements::papers()) known += (known.empty() ? "" : ", ") + paper.key;
+  const std::string meaning = "Statements or papers (" + known + "; default: all)";
+
+  auto list_options = std::make_shared<StatementsOptions>();
+  CLI::App& list_command = add_command(*group, "list", "Lists the statements with the verdicts on record",
+                                       "subcert statements list dyn-2015", list_options,
+                                       [=] { return list(*list_options); });
+  list_command.add_option("ID", list_options->wanted, meaning);
+  list_command.add_flag("--ids", list_options->ids, "Only the ids, one a line");
+
+  group->callback([=] {
+    if (group->get_subcommands().empty()) exit_code = list(*list_options);
+  });
+
+  auto check_options = std::make_shared<StatementsOptions>();
+  CLI::App& check_command = add_command(*group, "check", "Checks statements and compares with the verdicts on record",
+                                        "subcert statements check dyn-2015/eq-2", check_options,
+                                        [=] { return run_checks(*check_options); });
+  check_command.add_option("ID", check_options->wanted, meaning);
+  check_command.add_flag("--wide", check_options->wide, "Larger ranges");
+  check_command.add_option("--page", check_options->page, "Write the page 'errata and confirmations' there");
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,114 @@
+#include "properties.hpp"
+
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/regularity/stability.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/variance/variance_range.hpp>
+
+namespace subcert::properties {
+namespace {
+
+constexpr int levels = 16;
+
+Decision decided(bool yes, const std::string& found) { return {yes ? Truth::yes : Truth::no, found}; }
+
+/// The answer to a question that has a yes or no of its own.
+Decision matches(const Decision& found, bool expected) {
+  if (found.truth == Truth::unknown) return found;
+  return decided(found.is_yes() == expected,
+                 std::string(found.is_yes() ? "yes" : "no") + (found.reason.empty() ? "" : ": " + found.reason));
+}
+
+bool compare(const Rational& value, const std::string& relation, const Rational& number) {
+  if (relation == "=") return value == number;
+  if (relation == ">=") return value >= number;
+  if (relation == "<=") return value <= number;
+  return relation == ">" ? value > number : value < number;
+}
+
+/// A comparison that holds for all numbers of the enclosure, or for none.
+Decision compare(const Enclosure& value, const Expectation& expectation, const std::string& what) {
+  const std::string& relation = expectation.relation;
+  const Rational& number = expectation.number;
+  const bool from_below = relation == ">=" || relation == ">";
+  const std::string found = what + " lies in [" + value.lower_text(8) + ", " + value.upper_text(8) + "]";
+  const auto& worst = from_below ? value.lower : value.upper;
+  const auto& best = from_below ? value.upper : value.lower;
+  if (worst && compare(*worst, relation, number)) return decided(true, found);
+  if (best && !compare(*best, relation, number)) return decided(false, found);
+  return {Truth::unknown, found};
+}
+
+Decision smoothness(const Mask& mask, const Expectation& expectation, double seconds) {
+  const Decision convergence = converges(mask, {levels, seconds});
+  if (convergence.is_no()) return decided(false, "not convergent: " + convergence.reason);
+  const SmoothnessProof proof = proved_smoothness(mask, {levels, seconds});
+  if (proof.order >= expectation.number)
+    return decided(true, "C^" + std::to_string(proof.order) + ": " + proof.evidence);
+  if (!is_affine(mask)) return {Truth::unknown, proof.obstacle};
+  const Enclosure exponent = holder_regularity(mask, levels, seconds).exponent;
+  const std::string found = "the Hoelder exponent lies in [" + exponent.lower_text(8) + ", " + exponent.upper_text(8) +
+                            "]";
+  if (exponent.lower && *exponent.lower > expectation.number) return decided(true, found);
+  if (exponent.upper && *exponent.upper < expectation.number) return decided(false, found);
+  return {Truth::unknown, "C^" + std::to_string(proof.order) + " is proved; " + found};
+}
+
+Decision holder(const Mask& mask, const Expectation& expectation, double seconds) {
+  if (!is_affine(mask)) return decided(false, "a coset sum is not 1, so the scheme does not converge");
+  return compare(holder_regularity(mask, levels, seconds).exponent, expectation, "the exponent");
+}
+
+Decision variance(const Mask& mask, const Expectation& expectation, double seconds) {
+  const Decision convergence = converges(mask, {levels, seconds});
+  if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
+  try {
+    VarianceOptions options;
+    options.seconds = seconds;
+    return compare(variance_range(mask, options).maximum, expectation, "the maximum");
+  } catch (const std::logic_error& error) {  // beyond what the library can enclose
+    return {Truth::unknown, error.what()};
+  }
+}
+
+std::string word_of(Symmetry kind) { return kind == Symmetry::odd ? "odd" : kind == Symmetry::even ? "even" : "none"; }
+
+bool is_interpolatory(const Mask& mask) { return mask.symbol().coset(mask.arity(), 0) == LaurentPolynomial(1); }
+
+Decision whole_number(long value, const Expectation& expectation) {
+  return decided(compare(Rational(value), expectation.relation, expectation.number), "it is " + std::to_string(value));
+}
+
+}  // namespace
+
+Decision has_property(const Mask& mask, const Expectation& expectation, double seconds) {
+  const std::string& property = expectation.property;
+  if (property == "convergent") return matches(converges(mask, {levels, seconds}), expectation.yes);
+  if (property == "stable") {
+    const Decision convergence = converges(mask, {levels, seconds});
+    if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
+    return matches(has_stable_shifts(mask), expectation.yes);
+  }
+  if (property == "interpolatory")
+    return matches({is_interpolatory(mask) ? Truth::yes : Truth::no, ""}, expectation.yes);
+  if (property == "smoothness") return smoothness(mask, expectation, seconds);
+  if (property == "holder") return holder(mask, expectation, seconds);
+  if (property == "variance") return variance(mask, expectation, seconds);
+  if (property == "sum_rules") return whole_number(sum_rules(mask), expectation);
+  if (property == "generates") return whole_number(polynomial_reproduction(mask).generation_degree, expectation);
+  if (property == "reproduces") return whole_number(polynomial_reproduction(mask).reproduction_degree, expectation);
+  if (property == "symmetry") {
+    const std::string found = word_of(symmetry(mask).kind);
+    return decided(found == expectation.word, "it is " + found);
+  }
+  if (property == "support") {
+    const Interval found = limit_support(mask);
+    return decided(found.lower == expectation.ends->lower && found.upper == expectation.ends->upper,
+                   "it is [" + subcert::to_text(found.lower) + ", " + subcert::to_text(found.upper) + "]");
+  }
+  throw std::invalid_argument("has_property: need a known property, got '" + property + "'");
+}
+
+}  // namespace subcert::properties

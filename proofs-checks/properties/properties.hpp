@@ -1,0 +1,63 @@
+#pragma once
+/// Expected properties of schemes, read from a TOML file and checked: docs/properties.md.
+
+#include <subcert/analysis/symbol/mask.hpp>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace subcert::properties {
+
+/// Counted from 1.
+struct Place {
+  unsigned line;
+  unsigned column;
+};
+
+/// A file that cannot be read as expected properties; what() is one line `line L, column C: MESSAGE`.
+class FileError : public std::runtime_error {
+ public:
+  FileError(const Place& at, const std::string& message);
+  const Place place;
+};
+
+/// One property with what is expected. `expected` is what follows the name in messages: `>= 2`, `yes`, `[-2, 2]`.
+/// Canonical: of relation/number, yes, word and ends exactly what the property needs is present.
+struct Expectation {
+  std::string property;
+  std::string expected;
+  Place place;
+  std::string relation;  ///< `=`, `>=`, `<=`, `>` or `<`, with `number`
+  Rational number;
+  bool yes = false;
+  std::string word;
+  std::optional<Interval> ends;
+};
+
+struct ExpectedScheme {
+  std::string name;  ///< the specification where the file gives none
+  std::string specification;
+  Mask mask;
+  std::vector<Expectation> expectations;
+};
+
+/// The names of the properties, each with the values that it takes.
+struct PropertyHelp {
+  std::string name;
+  std::string values;
+  std::string meaning;
+};
+const std::vector<PropertyHelp>& known_properties();
+
+/// Reads a file. Domain: at most 10^6 characters. Errors: throws FileError for what is no TOML, an unknown key, a value
+/// of the wrong kind, a scheme that cannot be made, a scheme without expected properties, a file without schemes.
+std::vector<ExpectedScheme> read_expectations(std::string_view text);
+
+/// Whether the scheme has the property. The reason says what was found. Cost: as the analysis that it needs, with about
+/// this many seconds for each search.
+Decision has_property(const Mask& mask, const Expectation& expectation, double seconds);
+
+}  // namespace subcert::properties

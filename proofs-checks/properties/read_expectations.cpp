@@ -1,0 +1,191 @@
+#include "properties.hpp"
+
+#include <subcert/analysis/symbol/printed_decimal.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#define TOML_HEADER_ONLY 1
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+namespace subcert::properties {
+
+FileError::FileError(const Place& at, const std::string& message)
+    : std::runtime_error("line " + std::to_string(at.line) + ", column " + std::to_string(at.column) + ": " + message),
+      place(at) {}
+
+const std::vector<PropertyHelp>& known_properties() {
+  static const std::vector<PropertyHelp> all{
+      {"convergent", "true or false", "uniform convergence for all bounded data"},
+      {"smoothness", "\">= K\"", "C^K limits"},
+      {"holder", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Hoelder exponent"},
+      {"sum_rules", "an integer or a comparison", "the number of sum rules"},
+      {"generates", "an integer or a comparison", "the largest degree of polynomials that are limits"},
+      {"reproduces", "an integer or a comparison", "the largest degree of polynomials that are reproduced"},
+      {"support", "[first, last]", "the ends of the support of the basic limit function"},
+      {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask"},
+      {"stable", "true or false", "stability of the integer shifts"},
+      {"interpolatory", "true or false", "whether old values are kept"},
+      {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve"}};
+  return all;
+}
+
+namespace {
+
+constexpr std::size_t longest_file = 1'000'000;
+
+Place place_of(const toml::source_region& source) { return {source.begin.line, source.begin.column}; }
+Place place_of(const toml::node& node) { return place_of(node.source()); }
+
+/// Text of the file in an error message: printable, not too long.
+std::string shown(std::string_view text) {
+  std::string result;
+  for (const char c : text.substr(0, 40)) result += c >= 32 && c < 127 ? c : '?';
+  return text.size() > 40 ? result + "..." : result;
+}
+
+/// An integer, or a rational or decimal number in a string.
+std::optional<Rational> number_in(std::string_view text) {
+  if (const auto rational = parse_rational(text)) return rational;
+  try {
+    return read_printed_decimal(std::string(text)).value;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Rational> exact_number(const toml::node& node) {
+  if (const auto* integer = node.as_integer()) return Rational(static_cast<long>(integer->get()));
+  if (const auto* text = node.as_string()) return number_in(text->get());
+  return std::nullopt;
+}
+
+const PropertyHelp* find_property(std::string_view name) {
+  const auto& all = known_properties();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const PropertyHelp& p) { return p.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+[[noreturn]] void refuse(const toml::node& node, const PropertyHelp& property) {
+  throw FileError(place_of(node), "'" + property.name + "' takes " + property.values);
+}
+
+void read_comparison(Expectation& to, const toml::node& node, const PropertyHelp& property) {
+  const bool whole = property.name == "sum_rules" || property.name == "generates" || property.name == "reproduces";
+  if (const auto* integer = node.as_integer(); integer && whole) {
+    to.relation = "=";
+    to.number = Rational(static_cast<long>(integer->get()));
+    to.expected = subcert::to_text(to.number);
+    return;
+  }
+  const auto* text = node.as_string();
+  if (!text) refuse(node, property);
+  const std::string& value = text->get();
+  for (const char* relation : {">=", "<=", ">", "<"}) {
+    if (value.rfind(relation, 0) != 0) continue;
+    const std::size_t begin = value.find_first_not_of(' ', std::string(relation).size());
+    const auto number = begin == std::string::npos ? std::nullopt : number_in(std::string_view(value).substr(begin));
+    const bool is_order = property.name == "smoothness";
+    if (!number ||
+        (is_order && (std::string(relation) != ">=" || denominator(*number) != 1 || *number < 0 || *number > 1000)))
+      refuse(node, property);
+    to.relation = relation;
+    to.number = *number;
+    to.expected = to.relation + " " + value.substr(begin);
+    return;
+  }
+  refuse(node, property);
+}
+
+Expectation read_expectation(const PropertyHelp& property, const toml::node& node, const Place& place) {
+  Expectation result{property.name, "", place, "", 0, false, "", std::nullopt};
+  if (property.values == "true or false") {
+    const auto* value = node.as_boolean();
+    if (!value) refuse(node, property);
+    result.yes = value->get();
+    result.expected = result.yes ? "yes" : "no";
+  } else if (property.name == "support") {
+    const auto* list = node.as_array();
+    if (!list || list->size() != 2) refuse(node, property);
+    const auto lower = exact_number(*list->get(0)), upper = exact_number(*list->get(1));
+    if (!lower || !upper) refuse(node, property);
+    result.ends = Interval{*lower, *upper};
+    result.expected = "[" + subcert::to_text(*lower) + ", " + subcert::to_text(*upper) + "]";
+  } else if (property.name == "symmetry") {
+    const auto* word = node.as_string();
+    if (!word || (word->get() != "odd" && word->get() != "even" && word->get() != "none")) refuse(node, property);
+    result.word = result.expected = word->get();
+  } else {
+    read_comparison(result, node, property);
+  }
+  return result;
+}
+
+std::string joined_names() {
+  std::string names = "mask, name";
+  for (const PropertyHelp& property : known_properties()) names += ", " + property.name;
+  return names;
+}
+
+ExpectedScheme read_scheme(const toml::table& table) {
+  const toml::node* mask = table.get("mask");
+  if (!mask) throw FileError(place_of(table), "a scheme needs 'mask', a scheme specification");
+  if (!mask->is_string()) throw FileError(place_of(*mask), "'mask' takes a scheme specification in quotes");
+  const std::string& specification = mask->as_string()->get();
+  std::optional<Scheme> scheme;
+  try {
+    scheme = make_scheme(specification);
+  } catch (const std::invalid_argument& error) {
+    throw FileError(place_of(*mask), error.what());
+  } catch (const std::length_error& error) {
+    throw FileError(place_of(*mask), error.what());
+  }
+  ExpectedScheme result{shown(specification), scheme->specification, scheme->mask, {}};
+  for (const auto& [key, node] : table) {
+    const Place place = place_of(key.source());
+    if (key.str() == "mask") continue;
+    if (key.str() == "name") {
+      if (!node.is_string()) throw FileError(place_of(node), "'name' takes a string");
+      result.name = shown(node.as_string()->get());
+      continue;
+    }
+    const PropertyHelp* property = find_property(key.str());
+    if (!property)
+      throw FileError(place, "unknown property '" + shown(key.str()) + "'; expected one of " + joined_names());
+    result.expectations.push_back(read_expectation(*property, node, place));
+  }
+  if (result.expectations.empty()) throw FileError(place_of(*mask), "the scheme has no expected property");
+  std::sort(result.expectations.begin(), result.expectations.end(), [](const Expectation& a, const Expectation& b) {
+    return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+  });
+  return result;
+}
+
+}  // namespace
+
+std::vector<ExpectedScheme> read_expectations(std::string_view text) {
+  if (text.size() > longest_file) throw FileError({1, 1}, "at most 1,000,000 characters");
+  toml::table table;
+  try {
+    table = toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw FileError(place_of(error.source()), "not TOML: " + shown(error.description()));
+  }
+  std::vector<ExpectedScheme> result;
+  const toml::node* list = table.get("scheme");
+  if (!list) {
+    if (table.empty()) throw FileError({1, 1}, "no scheme; expected 'mask' and properties, or tables [[scheme]]");
+    return {read_scheme(table)};
+  }
+  for (const auto& [key, node] : table)
+    if (key.str() != "scheme")
+      throw FileError(place_of(key.source()),
+                      "'" + shown(key.str()) + "' beside [[scheme]]; expected it inside of one");
+  if (!list->is_array_of_tables())
+    throw FileError(place_of(*list), "'scheme' is not a list of tables; expected [[scheme]]");
+  for (const toml::node& entry : *list->as_array()) result.push_back(read_scheme(*entry.as_table()));
+  return result;
+}
+
+}  // namespace subcert::properties

@@ -1,0 +1,93 @@
+#include "../properties.hpp"
+
+#include <subcert/cmake/catch.hpp>
+#include <subcert/schemes/specification.hpp>
+
+using namespace subcert;
+using namespace subcert::properties;
+
+namespace {
+
+Decision first_answer(const std::string& text) {
+  const auto schemes = read_expectations(text);
+  return has_property(schemes.at(0).mask, schemes.at(0).expectations.at(0), 10);
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    read_expectations(text);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("true properties are proved and false ones refuted") {
+  const std::string chaikin = "mask = 'mask:[1,3,3,1]/4'\n";
+  for (const char* text :
+       {"convergent = true", "smoothness = '>= 1'", "holder = '>= 2'", "holder = '<= 2'", "sum_rules = 3",
+        "generates = 2", "reproduces = 1", "reproduces = '>= 1'", "support = [-2, 1]", "support = ['-2', '1/1']",
+        "symmetry = 'even'", "stable = true", "interpolatory = false", "variance = '<= 0.6'", "variance = '> 0.49'"}) {
+    CAPTURE(text);
+    CHECK(first_answer(chaikin + text).is_yes());
+  }
+  for (const char* text : {"convergent = false", "smoothness = '>= 3'", "holder = '> 2.1'", "holder = '< 2'",
+                           "sum_rules = 2", "reproduces = 2", "support = [-2, 2]", "symmetry = 'odd'", "stable = false",
+                           "interpolatory = true", "variance = '<= 0.4'"}) {
+    CAPTURE(text);
+    CHECK(first_answer(chaikin + text).is_no());
+  }
+  CHECK(first_answer("mask = 'mask:[1,1]'\nconvergent = true").is_no());
+}
+
+TEST_CASE("several schemes, with names, in the order of the file") {
+  const auto schemes = read_expectations(
+      "[[scheme]]\nname = 'linear'\nmask = 'bspline:degree=1'\nholder = '>= 1'\nconvergent = true\n\n[[scheme]]\nmask "
+      "= 'dd:n=2'\ninterpolatory = true\n");
+  REQUIRE(schemes.size() == 2);
+  CHECK(schemes[0].name == "linear");
+  CHECK(schemes[0].expectations[0].property == "holder");
+  CHECK(schemes[0].expectations[1].place.line == 5);
+  CHECK(schemes[1].name == "dd:n=2");
+}
+
+TEST_CASE("bad files are refused with line and column") {
+  CHECK(error_of("") == "line 1, column 1: no scheme; expected 'mask' and properties, or tables [[scheme]]");
+  CHECK(error_of("mask = 'bspline:degree=1'") == "line 1, column 8: the scheme has no expected property");
+  CHECK(error_of("mask = 'bspline:degree=1'\nholder = 2") ==
+        "line 2, column 10: 'holder' takes \">= X\", \"<= X\", \"> X\" or \"< X\"");
+  CHECK(error_of("mask = 'bspline:degree=1'\n smothness = '>= 1'")
+            .rfind("line 2, column 2: unknown property 'smothness'; expected one of mask, name, convergent", 0) == 0);
+  CHECK(error_of("mask = 'nothing:n=1'\nstable = true")
+            .rfind("line 1, column 8: scheme specification, position 1: 'nothing'", 0) == 0);
+  CHECK(error_of("mask = 'dd:n=2'\nstable = true\nstable = true").rfind("line 3", 0) == 0);
+  for (const char* text : {"stable = true",
+                           "mask = 3\nstable = true",
+                           "mask = 'dd:n=2'\nstable = 'yes'",
+                           "mask = 'dd:n=2'\nsmoothness = '>= 1/2'",
+                           "mask = 'dd:n=2'\nsmoothness = '<= 1'",
+                           "mask = 'dd:n=2'\nsmoothness = '>='",
+                           "mask = 'dd:n=2'\nholder = '2'",
+                           "mask = 'dd:n=2'\nholder = '>= 1e3'",
+                           "mask = 'dd:n=2'\nsupport = [1]",
+                           "mask = 'dd:n=2'\nsupport = [1, 2.5]",
+                           "mask = 'dd:n=2'\nsymmetry = 'left'",
+                           "mask = 'dd:n=2'\nreproduces = 3.0",
+                           "mask = 'dd:n=2'\nname = 3\nstable = true",
+                           "scheme = 3",
+                           "scheme = []",
+                           "scheme = [3]",
+                           "x = 1\n[[scheme]]\nmask = 'dd:n=2'\nstable = true",
+                           "mask = \"dd:n=2",
+                           "mask = 'dd:n=2'\nholder = [[[[",
+                           "\xff\xfe",
+                           "mask = 'mask:[0]'\nstable = true",
+                           "mask = 'mask:[1]'\nstable = true"}) {
+    CAPTURE(text);
+    CHECK(error_of(text).rfind("line ", 0) == 0);
+  }
+  CHECK(error_of(std::string(1'000'001, '#')).rfind("line 1, column 1: at most", 0) == 0);
+  CHECK(error_of("a = " + std::string(100'000, '[')).rfind("line ", 0) == 0);
+}

@@ -1,0 +1,21 @@
+#include "dyn_2015.hpp"
+
+namespace subcert::statements {
+
+PaperStatements dyn_2015() {
+  PaperStatements paper{"dyn-2015",
+                        "N. Dyn, A. Heard, K. Hormann, N. Sharon: Univariate subdivision schemes for noisy data with "
+                        "geometric applications. Computer Aided Geometric Design 37 (2015), 85-104.",
+                        {},
+                        {}};
+  add_dyn_2015_section_2(paper);
+  add_dyn_2015_section_2_2(paper);
+  add_dyn_2015_section_3(paper);
+  add_dyn_2015_section_4(paper);
+  add_dyn_2015_section_4_3(paper);
+  add_dyn_2015_section_5(paper);
+  add_dyn_2015_appendix(paper);
+  return paper;
+}
+
+}  // namespace subcert::statements

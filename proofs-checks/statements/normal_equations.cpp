@@ -1,0 +1,44 @@
+#include "normal_equations.hpp"
+
+namespace subcert::statements {
+
+RationalMatrix transposed(const RationalMatrix& matrix) {
+  RationalMatrix result(matrix.columns(), matrix.rows());
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) result(j, i) = matrix(i, j);
+  return result;
+}
+
+RationalMatrix design_matrix(const std::vector<Rational>& nodes, const std::vector<Formula>& basis) {
+  RationalMatrix design(nodes.size(), basis.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t k = 0; k < basis.size(); ++k) design(i, k) = basis[k]({{"x", nodes[i]}});
+  return design;
+}
+
+std::vector<Formula> monomials(int degree) {
+  std::vector<Formula> result;
+  for (int k = 0; k <= degree; ++k) result.push_back(Formula::parse("x^" + std::to_string(k)));
+  return result;
+}
+
+RationalMatrix pseudo_inverse(const RationalMatrix& design) {
+  const RationalMatrix across = transposed(design);
+  return solve(across * design, across);
+}
+
+std::vector<Rational> weights_by_normal_equations(const std::vector<Rational>& nodes, const std::vector<Formula>& basis,
+                                                  const Rational& x) {
+  const RationalMatrix at_x = design_matrix({x}, basis) * pseudo_inverse(design_matrix(nodes, basis));
+  std::vector<Rational> weights;
+  for (std::size_t i = 0; i < nodes.size(); ++i) weights.push_back(at_x(0, i));
+  return weights;
+}
+
+std::vector<Rational> equidistant(const Rational& first, const Rational& step, int count) {
+  std::vector<Rational> result;
+  for (int i = 0; i < count; ++i) result.push_back(first + i * step);
+  return result;
+}
+
+}  // namespace subcert::statements

@@ -1,0 +1,29 @@
+#pragma once
+/// All statements of all papers.
+
+#include "statement.hpp"
+
+namespace subcert::statements {
+
+/// What one paper brings.
+struct PaperStatements {
+  std::string key;
+  std::string citation;
+  std::vector<Transcription> transcriptions;  ///< ids start with the key
+  std::vector<Statement> statements;          ///< in the order of the paper
+};
+
+const std::vector<PaperStatements>& papers();
+/// The transcriptions of all papers.
+const Transcriptions& transcriptions();
+/// All statements, paper by paper.
+const std::vector<Statement>& statements();
+
+/// The statements with this id or of this paper. Errors: throws std::out_of_range that names both.
+std::vector<const Statement*> find_statements(const std::string& id_or_paper);
+
+/// The printed and the corrected LaTeX with the transcriptions put in.
+std::string printed_latex(const Statement& statement);
+std::string corrected_latex(const Statement& statement);
+
+}  // namespace subcert::statements

@@ -1,0 +1,78 @@
+#pragma once
+/// Statements of papers as executable checks.
+
+#include "transcription.hpp"
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace subcert::statements {
+
+/// holds: on the range tried. holds_for_all: proved for every admissible parameter. misprint: the printed form fails at
+/// the witness, and a corrected form, tried in the same way, does not. false_claim: fails, and no correction of the
+/// formula saves it. not_checkable: the reason is in the outcome. undecided: the check ran out of its budget.
+enum class Verdict { holds, holds_for_all, misprint, false_claim, not_checkable, undecided };
+
+/// The words of the contract: `holds`, `holds-for-all-n`, `misprint`, `false`, `not-checkable`; and `undecided`.
+std::string to_text(Verdict verdict);
+
+/// What a check found. `range` says for which parameters; `witness` is the smallest exact counterexample, empty where
+/// there is none; `argument` says why the verdict holds where that is not a finite comparison, or what else is to be
+/// said.
+struct Outcome {
+  Verdict verdict;
+  std::string range;
+  std::string witness;
+  std::string argument;
+};
+
+/// quick: all statements in a minute; wide: larger ranges.
+enum class Tier { quick, wide };
+
+/// What a check may use. It remembers which transcriptions were read.
+class Context {
+ public:
+  Context(const Transcriptions& transcriptions, Tier tier) : transcriptions_(&transcriptions), tier_(tier) {}
+
+  /// The end of a range.
+  int reach(int quick, int wide) const { return tier_ == Tier::quick ? quick : wide; }
+  Formula formula(const std::string& id, Form form = Form::printed) const { return noted(id).formula(id, form); }
+  std::vector<Formula> list(const std::string& id, Form form = Form::printed) const { return noted(id).list(id, form); }
+  std::vector<std::string> words(const std::string& id, Form form = Form::printed) const {
+    return noted(id).words(id, form);
+  }
+  const std::set<std::string>& read() const { return read_; }
+
+ private:
+  const Transcriptions& noted(const std::string& id) const {
+    read_.insert(id);
+    return *transcriptions_;
+  }
+
+  const Transcriptions* transcriptions_;
+  Tier tier_;
+  mutable std::set<std::string> read_;
+};
+
+/// `printed` and `corrected` are LaTeX, where <<id>> stands for the LaTeX of a transcription in that form. The check
+/// depends on nothing but its context, so that statements can be checked in any order and on several threads.
+struct Statement {
+  std::string id;          ///< PAPER/NAME
+  std::string place;       ///< section, equation or page
+  std::string paraphrase;  ///< the claim in one line
+  std::string checked;     ///< what exactly is checked
+  std::string printed;
+  std::string corrected;  ///< empty where nothing is to be corrected
+  Verdict recorded;       ///< the verdict that this version is known to reach
+  std::function<Outcome(const Context&)> check;
+
+  std::string paper() const { return id.substr(0, id.find('/')); }
+};
+
+/// Runs the check. A formula that is undefined somewhere in its range is a counterexample. Errors: what the check
+/// throws, but for std::domain_error.
+Outcome check(const Statement& statement, const Context& context);
+
+}  // namespace subcert::statements

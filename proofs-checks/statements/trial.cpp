@@ -1,0 +1,51 @@
+#include "trial.hpp"
+
+namespace subcert::statements {
+
+bool Trial::equal(const Rational& printed, const Rational& derived, const std::string& where) {
+  return require(printed == derived,
+                 where + ": printed " + subcert::to_text(printed) + ", derived " + subcert::to_text(derived));
+}
+
+bool Trial::require(bool holds, const std::string& witness) {
+  if (failed()) return false;
+  if (!holds) failure_ = witness;
+  return holds;
+}
+
+bool Trial::follow(const Trial& other) {
+  if (failed()) return false;
+  if (other.failed()) failure_ = other.failure();
+  return !other.failed();
+}
+
+Trial& Trial::over(const std::string& range) {
+  range_ = range;
+  return *this;
+}
+
+Trial& Trial::for_all(const std::string& range, const std::string& argument) {
+  range_ = range;
+  argument_ = argument;
+  all_ = true;
+  return *this;
+}
+
+Outcome Trial::outcome() const {
+  if (failed()) return {Verdict::false_claim, range_, *failure_, ""};
+  return {all_ ? Verdict::holds_for_all : Verdict::holds, range_, "", argument_};
+}
+
+Outcome Trial::outcome(const Trial& corrected) const {
+  if (!failed()) return outcome();
+  if (corrected.failed())
+    return {Verdict::false_claim, range_, *failure_, "the corrected form fails too: " + corrected.failure()};
+  return {Verdict::misprint, corrected.range_, *failure_,
+          corrected.all_ ? "the corrected form holds for all: " + corrected.argument_ : corrected.argument_};
+}
+
+Outcome not_checkable(const std::string& reason) { return {Verdict::not_checkable, "", "", reason}; }
+
+std::string at(const std::string& name, const Rational& value) { return name + " = " + subcert::to_text(value); }
+
+}  // namespace subcert::statements

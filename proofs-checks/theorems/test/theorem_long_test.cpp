@@ -1,0 +1,7 @@
+#include "theorem_checks.hpp"
+
+using namespace subcert::theorems;
+
+TEST_CASE("degree 5: every inequality holds, and fails if its constant moves in the wrong direction") {
+  for (const char* id : {"conjecture-7", "conjecture-8-n"}) check_theorem(id, 5);
+}

@@ -1,0 +1,62 @@
+#include <subcert/analysis/variance/variance.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/proofs-checks/theorems/limit_constant.hpp>
+#include <subcert/proofs-checks/theorems/theorem.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include "theorem_checks.hpp"
+
+using namespace subcert;
+using namespace subcert::theorems;
+
+// One case, so that what several theorems compute is computed once. Degree 5 with all n below 60 is a long test.
+TEST_CASE("every inequality holds, and fails if its constant moves by a part in a hundred in the wrong direction") {
+  for (const TheoremEntry& entry : theorem_list())
+    for (int degree : entry.degrees)
+      if (degree != 5) check_theorem(entry.id, degree);
+}
+
+TEST_CASE("the theorems agree with exact values on a grid") {
+  const Rational c = *limit_constant(1, 30).lower;
+  VarianceGrid before;
+  for (int n = 1; n <= 12; ++n) {
+    const VarianceGrid grid = variance_grid(make_scheme("primal:n=" + std::to_string(n)).mask, 4, n > 1);
+    const Rational bound = stated_constants("conjecture-7", 1)[n == 1 ? "beta" : "beta_2"] / (n * n);
+    for (std::size_t i = 0; i < grid.values.size(); ++i) {
+      const Rational deviation = grid.values[i] * Rational(4 * n - 1, 4) / c - 1;
+      CHECK(deviation < bound);
+      CHECK(-deviation < bound);
+      if (n > 1) CHECK(grid.values[i] < before.values[i]);
+    }
+    if (n > 1) CHECK(grid.steepest() * (n * n) < stated_constants("conjecture-7", 1)["s"]);
+    before = grid;
+  }
+}
+
+TEST_CASE("where nothing is proved the answer is unknown and says what is missing") {
+  const Theorem theorem = prove("conjecture-7", 99);
+  CHECK(theorem.decision.truth == Truth::unknown);
+  CHECK_FALSE(theorem.missing.empty());
+  CHECK_THROWS_AS(prove("conjecture-9", 1), std::out_of_range);
+  CHECK_THROWS_AS(prove("conjecture-7", 2), std::invalid_argument);
+  CHECK_THROWS_AS(stated_constants("conjecture-7", 1)["nobody"], std::out_of_range);
+}
+
+TEST_CASE("a verdict is only as good as its weakest check") {
+  const auto exact = [](int value) { return Enclosure::exactly(value); };
+  const Check yes = less("1", "", exact(1), exact(2)), no = less("2", "", exact(2), exact(2)),
+              unknown = less("3", "", {Rational(0), Rational(2)}, exact(1)), open = less("4", "", Enclosure::at_least(0), exact(1));
+  CHECK(yes.decision.is_yes());
+  CHECK(no.decision.is_no());
+  CHECK(unknown.decision.truth == Truth::unknown);
+  CHECK(open.decision.truth == Truth::unknown);
+  CHECK(verdict({yes, yes}).is_yes());
+  CHECK(verdict({yes, unknown, no}).is_no());
+  CHECK(verdict({yes, unknown}).truth == Truth::unknown);
+}
+
+TEST_CASE("decimals") {
+  CHECK(decimal("193.31") == Rational(19331, 100));
+  CHECK(decimal("7") == 7);
+  for (const char* wrong : {"", ".", "1/2", "1.2.3", "x"}) CHECK_THROWS_AS(decimal(wrong), std::invalid_argument);
+}

@@ -1,0 +1,148 @@
+// docs/theorems/variance-curves.tex against the program: numbered inequalities, stated constants, and a source that builds.
+
+#include <subcert/cmake/catch.hpp>
+#include <subcert/proofs-checks/theorems/theorem.hpp>
+
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+using namespace subcert;
+using namespace subcert::theorems;
+
+namespace {
+
+std::string source() {
+  std::ifstream stream(SUBCERT_THEOREM_TEXT);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  REQUIRE(text.str().size() > 1000);
+  return text.str();
+}
+
+std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
+  std::vector<std::string> found;
+  const std::regex expression(pattern);
+  for (std::sregex_iterator it(text.begin(), text.end(), expression), end; it != end; ++it) found.push_back((*it)[1]);
+  return found;
+}
+
+std::set<std::string> as_set(const std::vector<std::string>& list) { return {list.begin(), list.end()}; }
+
+/// The cells of the row of a table that ends in `% TABLE:NAME`, without blanks.
+std::vector<std::string> row(const std::string& text, const std::string& key) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string end = "% " + key;
+    if (line.size() < end.size() || line.substr(line.size() - end.size()) != end) continue;
+    std::vector<std::string> cells(1);
+    for (char c : line.substr(0, line.find("\\\\")))
+      if (c == '&')
+        cells.emplace_back();
+      else if (c != ' ')
+        cells.back() += c;
+    return cells;
+  }
+  FAIL("no row " << key);
+  return {};
+}
+
+const Constant& constant(const Constants& constants, const std::string& name) {
+  for (const Constant& one : constants.all())
+    if (one.name == name) return one;
+  FAIL("no constant " << name);
+  throw std::logic_error(name);
+}
+
+/// "K" of "K_3"; names without a degree stay.
+std::string head(const std::string& name, int degree) {
+  const std::string end = "_" + std::to_string(degree);
+  const bool has = name.size() > end.size() && name.substr(name.size() - end.size()) == end;
+  return has ? name.substr(0, name.size() - end.size()) : name;
+}
+
+void check_cell(const std::string& text, const std::string& key, std::size_t column, const Constant& one) {
+  CAPTURE(key, one.name);
+  const std::vector<std::string> cells = row(text, key);
+  REQUIRE(cells.size() > column + 1);
+  CHECK(decimal(cells[column]) == one.value);
+  CHECK(cells.back() == "(" + one.check + ")");
+}
+
+}  // namespace
+
+TEST_CASE("the text has the numbered inequalities that the program runs") {
+  std::set<std::string> run;
+  for (const char* id : {"conjecture-7", "conjecture-8-n"}) {
+    for (const Check& check : prove(id, 1).checks) run.insert(check.id);
+    for (const Check& check : prove(id, 3).checks) run.insert(check.id);
+  }
+  for (const Check& check : prove("conjecture-8-d", 1).checks) run.insert(check.id);
+  const auto tags = matches(source(), R"(\\tag\{([^}]*)\})");
+  CHECK(as_set(tags).size() == tags.size());
+  CHECK(as_set(tags) == run);
+}
+
+TEST_CASE("the tables of the text state the constants of the program") {
+  const std::string text = source();
+  std::size_t rows = 0;
+  for (const Constant& one : stated_constants("conjecture-7", 1).all()) {
+    check_cell(text, "1:" + one.name, 1, one);
+    ++rows;
+  }
+  for (const Constant& one : stated_constants("conjecture-8-n", 1).all())
+    check_cell(text, "1:" + one.name, 1, one);
+  for (int degree : {1, 3}) {
+    const Constants stated = stated_constants("conjecture-8-d", degree);
+    for (const Constant& one : stated.all()) {
+      const bool first = head(one.name, degree) != one.name;
+      const int of = first ? degree : degree + 2;
+      check_cell(text, "8:" + head(one.name, of), static_cast<std::size_t>(of + 1) / 2, one);
+      if (of == 1) ++rows;
+    }
+  }
+  for (int degree : {3, 5}) {
+    for (const Constant& one : stated_constants("conjecture-8-n", degree).all())
+      CHECK(constant(stated_constants("conjecture-8-d", degree == 3 ? 1 : 3), one.name).value == one.value);
+    for (const Constant& one : stated_constants("conjecture-7", degree).all()) {
+      check_cell(text, "7:" + head(one.name, degree), static_cast<std::size_t>(degree - 1) / 2, one);
+      if (degree == 3) ++rows;
+    }
+  }
+  CHECK(matches(text, R"((% [0-9]:))").size() == rows);
+}
+
+TEST_CASE("the source of the text is balanced and uses only macros that exist") {
+  const std::string text = source();
+  for (char c : text) CHECK(static_cast<unsigned char>(c) < 128);
+  std::vector<std::string> open;
+  const std::regex environment(R"(\\(begin|end)\{([a-zA-Z*]+)\})");
+  for (std::sregex_iterator it(text.begin(), text.end(), environment), end; it != end; ++it) {
+    if ((*it)[1] == "begin") {
+      open.push_back((*it)[2]);
+      continue;
+    }
+    REQUIRE_FALSE(open.empty());
+    CHECK(open.back() == (*it)[2]);
+    open.pop_back();
+  }
+  CHECK(open.empty());
+  CHECK(std::count(text.begin(), text.end(), '{') == std::count(text.begin(), text.end(), '}'));
+  CHECK(std::count(text.begin(), text.end(), '$') % 2 == 0);
+
+  std::set<std::string> known = as_set(matches(text, R"(\\newcommand\{\\([a-zA-Z]+)\})"));
+  std::istringstream standard(
+      "documentclass usepackage newtheorem newcommand title author date begin end maketitle section subsection caption label "
+      "ref cite bibitem emph texttt text tag qed operatorname mathbb hat frac tfrac binom bigl bigr Bigl Bigr quad qquad "
+      "sum prod int sup inf max min lim log sin cos sinh cosh exp to mapsto in notin ne le ge pm sim cdot dots infty partial "
+      "lceil rceil alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu xi pi rho sigma tau varphi psi Gamma "
+      "Delta Pi Phi Psi Omega");
+  for (std::string name; standard >> name;) known.insert(name);
+  for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {
+    CAPTURE(name);
+    CHECK(known.count(name) == 1);
+  }
+  const auto labels = as_set(matches(text, R"(\\label\{([^}]*)\})"));
+  for (const std::string& name : matches(text, R"(\\ref\{([^}]*)\})")) CHECK(labels.count(name) == 1);
+}

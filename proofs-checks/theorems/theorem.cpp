@@ -1,0 +1,226 @@
+#include "theorem.hpp"
+
+#include "proofs.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+namespace subcert::theorems {
+namespace {
+
+/// One id and how each of its degrees is proved.
+struct Proof {
+  int degree;
+  std::function<Constants()> constants;
+  std::function<std::vector<Check>(const Constants&, int threads)> checks;
+  std::function<void(Theorem&)> describe;
+};
+
+std::string plain(const Rational& value) { return to_decimal(value, 40, Rounding::nearest); }
+
+void describe_7_degree_one(Theorem& t) {
+  const auto number = [&](const char* name) { return plain(t.constants[name]); };
+  t.title = "Conjecture 7 for degree 1 and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorems B and C";
+  t.statement = {
+      "First half. For all n >= 1 and all x, |(n - 1/4) psi_n(x)/c - 1| < " + number("beta") + "/n^2; for n >= 2 even < " +
+          number("beta_2") + "/n^2. Here c = lim n max psi_n, " + number("c-") + " < c < " + number("c+") + ".",
+      "So max psi_n = c/n (1 + 1/(4n) + O(1/n^2)): the rate 1/n is true, with its constant.",
+      "Second half. For n >= 2, psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") + " for all x; for n >= 64, |psi_n'(x)| < " +
+          number("Delta") + "/(2n - 1/2)^6.",
+      "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false."};
+  t.ranges = {{"1 <= n < 24", "psi_n and psi_n' enclosed over all of [0, 1], from exact values"},
+              {"24 <= n < 64", "mean with its proved remainder, ripple and slope of each n by the supersolution"},
+              {"n >= 64", "the constants below, for all n at once"}};
+}
+
+void describe_8_degree_one(Theorem& t) {
+  t.title = "Conjecture 8 in n for degree 1 and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem A";
+  t.statement = {"psi_{n+1}(x) < psi_n(x) for all n >= 1 and all x; even max psi_{n+1} < min psi_n."};
+  t.ranges = {{"1 <= n < 24", "psi_n enclosed over all of [0, 1], from exact values"},
+              {"24 <= n < 64", "mean with its proved remainder, ripple of each n by the supersolution"},
+              {"n >= 64", "the constants below, for all n at once"}};
+}
+
+std::string with_degree(const char* name, int degree) { return name + ("_" + std::to_string(degree)); }
+
+/// The two ranges of a proof of section 7.
+void describe_ranges(Theorem& t, int first, int first_uniform) {
+  const std::string start = std::to_string(first_uniform);
+  t.ranges = {{std::to_string(first) + " <= n < " + start, "psi_n enclosed over all of [0, 1], from exact values"},
+              {"n >= " + start, "the constants below, for all n at once"}};
+}
+
+void describe_7(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string d = std::to_string(degree), first = std::to_string((degree + 1) / 2),
+                    start = std::to_string(uniform_start(degree, true));
+  const auto number = [&](const std::string& name) { return plain(t.constants[name]); };
+  t.title = "Conjecture 7 for degree " + d + " and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem E";
+  t.statement = {
+      "First half. For all n >= " + first + " and all x, |(n - 1/4) psi_n(x)/C - 1| < " + number("beta") + "/n^2; for n >= " +
+          start + " even < " + number("beta_2") + "/n^2. Here C = lim n max psi_n, " + number(with_degree("c-", degree)) +
+          " < C < " + number(with_degree("c+", degree)) + ".",
+      "So max psi_n = C/n (1 + 1/(4n) + O(1/n^2)): the rate 1/n is true, with its constant.",
+      "Second half. For n >= " + first + ", psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") + " for all x; for n >= " +
+          start + ", |psi_n'(x)| < " + number(with_degree("Delta", degree)) + "/(2n - 1/2)^5.",
+      "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false.",
+      "For smaller n the scheme is the one of a smaller degree."};
+  describe_ranges(t, (degree + 1) / 2, uniform_start(degree, true));
+}
+
+void describe_8_n(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string first = std::to_string((degree + 1) / 2);
+  t.title = "Conjecture 8 in n for degree " + std::to_string(degree) + " and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem D";
+  t.statement = {"psi_{n+1}(x) < psi_n(x) for all n >= " + first + " and all x; even max psi_{n+1} < min psi_n.",
+                 "For smaller n the scheme is the one of a smaller degree."};
+  describe_ranges(t, (degree + 1) / 2, uniform_start(degree, false));
+}
+
+void describe_8_d(Theorem& t) {
+  const int degree = t.degrees.front(), next = degree + 2;
+  const std::string low = std::to_string(degree), high = std::to_string(next), first = std::to_string((next + 1) / 2);
+  t.degrees = {degree, next};
+  t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem F";
+  t.statement = {"psi_n of degree " + low + " is smaller than psi_n of degree " + high + " at all x, for all n >= " + first +
+                     "; even max psi_n^" + low + " < min psi_n^" + high + ".",
+                 "For smaller n the two schemes are the same, and so are the curves."};
+  describe_ranges(t, (next + 1) / 2, std::max(uniform_start(degree, false), uniform_start(next, false)));
+}
+
+void describe_limit_constants(Theorem& t) {
+  t.title = "The limits of n max psi_n";
+  t.degrees = {1, 3, 5, 7, 9};
+  t.text = "docs/limit-constants.md, theorems 5, 7 and 10";
+  t.statement = {
+      "For each odd d, n max psi_n^d tends to C_d, and so do n min psi_n^d and n times the mean of psi_n^d.",
+      "For d = 1, with c = C_1 and N = 2n - 1/2, the mean is I_n = 2c/N (1 + nu/N^2 + O(1/N^4)), nu = 13/36: the next term is "
+      "(13/18) c/N^3, an exact rational multiple of c."};
+  for (const Constant& constant : t.constants.all())
+    if (constant.name.starts_with("C_") && constant.side == Side::below)
+      t.values.emplace_back(constant.name.substr(0, constant.name.size() - 1), to_fixed(constant.value, 32, Rounding::down) + "...");
+  t.values.emplace_back("nu", to_text(t.constants["nu-"]));
+}
+
+struct Entry {
+  TheoremEntry entry;
+  std::vector<Proof> proofs;
+  std::vector<std::string> missing;  ///< for the degrees without proof
+  bool together = false;             ///< one proof for all its degrees
+};
+
+/// A proof whose functions take the degree.
+Proof uniform(int degree, Constants (*constants)(int), std::vector<Check> (*checks)(const Constants&, int, int),
+              void (*describe)(Theorem&)) {
+  return {degree, [=] { return constants(degree); },
+          [=](const Constants& c, int threads) { return checks(c, degree, threads); }, describe};
+}
+
+/// A proof for one degree that needs no threads.
+Proof single(int degree, Constants (*constants)(), std::vector<Check> (*checks)(const Constants&),
+             void (*describe)(Theorem&)) {
+  return {degree, constants, [=](const Constants& c, int) { return checks(c); }, describe};
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> list = [] {
+    const std::vector<std::string> higher{
+        "stated constants of section 7 of the text, which holds for every odd degree but begins at n_1 about 100 for d = 7",
+        "the curves below that n_1, enclosed one by one"};
+    std::vector<Entry> all;
+    all.push_back({{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", {}},
+                   {single(1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one),
+                    uniform(3, uniform_constants_7, uniform_checks_7, describe_7),
+                    uniform(5, uniform_constants_7, uniform_checks_7, describe_7)},
+                   higher});
+    all.push_back({{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", {}},
+                   {single(1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one),
+                    uniform(3, uniform_constants_8_n, uniform_checks_8_n, describe_8_n),
+                    uniform(5, uniform_constants_8_n, uniform_checks_8_n, describe_8_n)},
+                   higher});
+    all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", {}},
+                   {uniform(1, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
+                    uniform(3, uniform_constants_8_d, uniform_checks_8_d, describe_8_d)},
+                   higher});
+    all.push_back({{"limit-constants", "the limits C_d of n max psi_n, printed together", {1, 3, 5, 7, 9}},
+                   {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
+                   {"stated digits for this degree"},
+                   true});
+    for (Entry& entry : all)
+      if (!entry.together)
+        for (const Proof& proof : entry.proofs) entry.entry.degrees.push_back(proof.degree);
+    return all;
+  }();
+  return list;
+}
+
+const Entry& find(const std::string& id) {
+  for (const Entry& entry : entries())
+    if (entry.entry.id == id) return entry;
+  throw std::out_of_range("unknown theorem '" + id + "'");
+}
+
+const Proof* find(const Entry& entry, int degree) {
+  const std::vector<int>& degrees = entry.entry.degrees;
+  if (std::find(degrees.begin(), degrees.end(), degree) == degrees.end()) return nullptr;
+  for (const Proof& proof : entry.proofs)
+    if (proof.degree == degree || entry.together) return &proof;
+  return nullptr;
+}
+
+}  // namespace
+
+Check defining(const Constants& constants, const std::string& name, const std::string& formula, const Real& number) {
+  for (const Constant& constant : constants.all()) {
+    if (constant.name != name) continue;
+    const Enclosure stated = Enclosure::exactly(constant.value);
+    return constant.side == Side::above ? less(constant.check, formula + " < " + name, number.enclosure(), stated)
+                                        : less(constant.check, name + " < " + formula, stated, number.enclosure());
+  }
+  throw std::out_of_range("no constant is called '" + name + "'");
+}
+
+const std::vector<TheoremEntry>& theorem_list() {
+  static const std::vector<TheoremEntry> list = [] {
+    std::vector<TheoremEntry> result;
+    for (const Entry& entry : entries()) result.push_back(entry.entry);
+    return result;
+  }();
+  return list;
+}
+
+Constants stated_constants(const std::string& id, int degree) {
+  const Proof* proof = find(find(id), degree);
+  return proof ? proof->constants() : Constants();
+}
+
+Theorem prove(const std::string& id, int degree, const Constants& constants, int threads) {
+  const Entry& entry = find(id);
+  if (degree < 1 || degree > 99 || degree % 2 == 0)
+    throw std::invalid_argument("prove: need an odd degree from 1 to 99, got " + std::to_string(degree));
+  Theorem theorem;
+  theorem.id = id;
+  theorem.degrees = {degree};
+  theorem.title = entry.entry.title;
+  const Proof* proof = find(entry, degree);
+  if (!proof) {
+    theorem.missing = entry.missing;
+    theorem.decision = {Truth::unknown, "nothing is proved for degree " + std::to_string(degree)};
+    return theorem;
+  }
+  theorem.constants = constants;
+  theorem.checks = proof->checks(constants, threads);
+  proof->describe(theorem);
+  theorem.decision = verdict(theorem.checks);
+  return theorem;
+}
+
+Theorem prove(const std::string& id, int degree) { return prove(id, degree, stated_constants(id, degree)); }
+
+}  // namespace subcert::theorems

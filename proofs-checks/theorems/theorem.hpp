@@ -1,0 +1,45 @@
+#pragma once
+/// Computer-assisted theorems about the variance curves of the primal least squares schemes. Texts: docs/theorems/.
+
+#include "check.hpp"
+#include "constants.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace subcert::theorems {
+
+struct Theorem {
+  std::string id;
+  std::vector<int> degrees;  ///< that it speaks about
+  std::string title;
+  std::vector<std::string> statement;  ///< in words, one sentence each
+  std::string text;                    ///< where the proof stands
+  Constants constants;
+  std::vector<Check> checks;
+  std::vector<std::pair<std::string, std::string>> ranges;  ///< which n, and by what they are settled
+  std::vector<std::pair<std::string, std::string>> values;  ///< numbers that the theorem gives, with their names
+  std::vector<std::string> missing;                         ///< what would be needed where nothing is proved
+  Decision decision;  ///< the verdict on all checks; unknown where something is missing
+};
+
+/// A theorem that can be asked for; where nothing is proved for a degree the answer says what is missing.
+struct TheoremEntry {
+  std::string id;
+  std::string title;
+  std::vector<int> degrees;  ///< for which it can be asked and is proved
+};
+
+const std::vector<TheoremEntry>& theorem_list();
+
+/// The constants as the text states them. Errors: throws std::out_of_range for an unknown id.
+Constants stated_constants(const std::string& id, int degree);
+
+/// Runs every inequality of the proof with these constants. Domain: odd degree, 1 <= degree <= 99; even degrees have
+/// the schemes of degree + 1. Errors: throws std::out_of_range for an unknown id, std::invalid_argument for a degree.
+/// Cost: seconds, for degree 5 half a minute on one thread.
+Theorem prove(const std::string& id, int degree, const Constants& constants, int threads = 1);
+Theorem prove(const std::string& id, int degree);
+
+}  // namespace subcert::theorems

@@ -1,0 +1,177 @@
+#include "conjecture_story.hpp"
+
+#include "conjecture_limit.hpp"
+#include "variance_statements.hpp"
+
+#include <subcert/schemes/specification.hpp>
+
+#include <stdexcept>
+
+namespace subcert {
+namespace {
+
+const std::vector<int>& degrees() {
+  static const std::vector<int> list{1, 3, 5};
+  return list;
+}
+
+/// Certified maxima of psi and |psi'| for one degree, over the n of Figure 8.
+struct Course {
+  int degree;
+  std::vector<CertifiedMaximum> maxima, slopes;
+  LimitComparison limit;
+
+  Course(int of_degree, const Workshop& workshop) : degree(of_degree) {
+    for (int n = (degree + 1) / 2; n <= last_n_of_figure_8; ++n) {
+      const VarianceFacts& facts = workshop.variance(scheme_text("primal", n, degree));
+      maxima.push_back({n, facts.maximum});
+      slopes.push_back({n, facts.slope});
+    }
+    limit = *limit_comparison(degree, maxima);
+  }
+
+  const Enclosure& slope_at(int n) const {
+    for (const CertifiedMaximum& slope : slopes)
+      if (slope.n == n) return slope.value;
+    throw std::out_of_range("no slope for n = " + std::to_string(n));
+  }
+};
+
+double upper_as_double(const Enclosure& value) { return value.upper->convert_to<double>(); }
+
+Curve scaled_curve(const std::string& label, const std::vector<CertifiedMaximum>& values, int power_of_n) {
+  Curve curve{label, {}, true};
+  for (const CertifiedMaximum& value : values)
+    curve.points.emplace_back(value.n, upper_as_double(scaled(value.value, power(Rational(value.n), power_of_n))));
+  return curve;
+}
+
+/// n^2 max |psi'| for d = 1 as a shortcut gives it, and as printed.
+struct Suggested {
+  std::vector<std::pair<int, Rational>> shortcut;
+  std::vector<std::pair<int, std::string>> printed;
+
+  explicit Suggested(Workshop& workshop) {
+    const Shortcut& best = variance_shortcuts()[workshop.shortcuts().best()];
+    shortcut.resize(last_n_of_figure_8);
+    parallel_for_each(shortcut.size(), workshop.jobs(), [&](std::size_t i) {
+      const int n = static_cast<int>(i) + 1;
+      const ShortcutValues values = evaluate_shortcut(best, make_scheme(scheme_text("primal", n)).mask, n);
+      shortcut[i] = {n, n * n * values.slope};
+    });
+    for (const PublishedCell& cell : workshop.published("table3").cells)
+      if (cell.row.starts_with("d=1,") && cell.quantity == "n^2*slope")
+        printed.emplace_back(VarianceCell(cell).n, cell.printed);
+  }
+
+  Rational shortcut_at(int n) const { return shortcut.at(static_cast<std::size_t>(n) - 1).second; }
+};
+
+Figure plot(const std::vector<Course>& courses, const Suggested& suggested) {
+  Panel values{"n max psi, and its limits", "n", "", {}, false, "top right"};
+  Panel deviations{"n max psi / C_d - 1", "n", "", {}, true, "top right"};
+  Panel slopes{"n^2 max |psi'|, certified", "n", "", {}, true, "top right"};
+  Panel degree_one{"n^2 max |psi'| for d = 1", "n", "", {}, true, "bottom left"};
+  for (const Course& course : courses) {
+    const std::string label = "d = " + std::to_string(course.degree);
+    values.curves.push_back(scaled_curve(label, course.maxima, 1));
+    slopes.curves.push_back(scaled_curve(label, course.slopes, 2));
+    deviations.curves.push_back(scaled_curve(label, course.limit.deviation, 0));
+  }
+  for (const Course& course : courses) {
+    const double limit = upper_as_double(course.limit.constant);
+    const std::string label = course.degree == degrees().front() ? "limits C_d" : "";
+    values.curves.push_back({label, {{1, limit}, {last_n_of_figure_8, limit}}});
+  }
+  Curve printed{"printed in Table 3", {}, true}, shortcut{"shortcut", {}, true};
+  for (const auto& [n, text] : suggested.printed) printed.points.emplace_back(n, std::stod(text));
+  for (const auto& [n, value] : suggested.shortcut) shortcut.points.emplace_back(n, value.convert_to<double>());
+  printed.joined = false;
+  degree_one.curves = {scaled_curve("certified", courses.front().slopes, 2), shortcut, printed};
+  return {"conjecture7", "Conjecture 7, both halves",
+          "Above: n max psi tends to its limits (horizontal lines), with an error that falls like 1/n. Below: n^2 max "
+          "|psi'| falls to 0 (left); for d = 1 the printed values and the shortcut that gives their digits stay far "
+          "above it (right). Certified values have relative width 1e-6.",
+          2, {values, deviations, slopes, degree_one}};
+}
+
+PlainTable limits(const std::vector<Course>& courses) {
+  const std::string last = std::to_string(last_n_of_figure_8);
+  PlainTable table{"conjecture7-limits",
+                   "Limits of n max psi, and how near n = " + last + " is",
+                   {"d", "C_d, the limit of n max psi", "n max psi at n = " + last, "n max psi / C_d - 1",
+                    "falls like n^-r, r =", "n^2 max |psi'| at n = " + last},
+                   {}};
+  for (const Course& course : courses) {
+    const LimitComparison& limit = course.limit;
+    table.rows.push_back({std::to_string(course.degree), to_decimal(*limit.constant.lower, 22, Rounding::down) + "...",
+                          shown(scaled(course.maxima.back().value, last_n_of_figure_8)),
+                          shown(limit.deviation.back().value), shown(*limit.exponent),
+                          shown(scaled(course.slopes.back().value, last_n_of_figure_8 * last_n_of_figure_8))});
+  }
+  return table;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  return text;
+}
+
+std::vector<std::string> story(const std::vector<Course>& courses, const Suggested& suggested,
+                               const ShortcutSearch& search) {
+  const Course& first = courses.front();
+  std::vector<std::string> sizes, printed, certified, by_shortcut, constants, falls;
+  for (const auto& [n, text] : suggested.printed) {
+    if (n == 1) continue;  // the kink of the hat function, not of the rate
+    sizes.push_back(std::to_string(n));
+    printed.push_back(text);
+    certified.push_back(to_decimal(n * n * *first.slope_at(n).upper, 3, Rounding::up));
+    by_shortcut.push_back(to_fixed(suggested.shortcut_at(n), 4, Rounding::nearest));
+  }
+  for (const Course& course : courses) {
+    const DecayFinding finding = decay_finding(2, course.slopes);
+    constants.push_back(to_decimal(*course.limit.constant.lower, 7, Rounding::down) + "... for d = " +
+                        std::to_string(course.degree));
+    falls.push_back("like n^-" + to_fixed(*finding.exponent->lower, 1, Rounding::nearest) + " for d = " +
+                    std::to_string(course.degree));
+  }
+  const std::string last = std::to_string(last_n_of_figure_8);
+  return {
+      "What was conjectured. For every degree d, max psi ~ 1/n and max |psi'| ~ 1/n^2 (Conjecture 7); for d = 1 the "
+      "same is Theorem 6 of the paper.",
+      "What Table 3 suggested. Its caption reads the columns n max psi and n^2 max |psi'| as approximately constant. "
+      "For d = 1 and n = " + joined(sizes) + " it prints n^2 max |psi'| = " + joined(printed) +
+          ". Over all x, n^2 max |psi'| is proved to be at most " + joined(certified) + " there.",
+      "Where the printed values may come from. Of the " + std::to_string(search.cells()) + " printed values, " +
+          std::to_string(search.cells_given()) +
+          " have the digits of one numerical shortcut: " +
+          variance_shortcuts()[search.best()].text() + ". For d = 1 and n = " + joined(sizes) +
+          " it gives n^2 max |psi'| = " + joined(by_shortcut) + " and at n = " + last + " still " +
+          to_fixed(suggested.shortcut_at(last_n_of_figure_8), 4, Rounding::nearest) +
+          ". The terms that such a sum leaves out have slopes of their own, far larger than those of psi, and these "
+          "are what it measures. What was really computed for the paper we cannot know.",
+      "What is true of the first half. It holds, as a rate and for every degree: n max psi tends to a constant, " +
+          joined(constants) + " (docs/limit-constants.md, with proof and any number of digits).",
+      "What is true of the second half. As an upper bound it holds, as a rate it does not: for every degree max |psi'| "
+      "falls faster than every power of n. Between n = " + std::to_string(decay_finding(2, first.slopes).rate_from) +
+          " and n = " + last + " it falls " + joined(falls) +
+          ". For d = 1 there are explicit bounds for every n (docs/theorems/README.md)."};
+}
+
+}  // namespace
+
+Section conjecture_7_section(Workshop& workshop) {
+  workshop.need_variance(schemes_of_figure_8());
+  workshop.say("conjecture7");
+  std::vector<Course> courses;
+  for (int degree : degrees()) courses.emplace_back(degree, workshop);
+  const Suggested suggested(workshop);
+  Section section{"conjecture-7", "Conjecture 7: what is true", story(courses, suggested, workshop.shortcuts())};
+  section.tables.push_back(limits(courses));
+  section.figures.push_back(plot(courses, suggested));
+  return section;
+}
+
+}  // namespace subcert

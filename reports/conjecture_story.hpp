@@ -1,0 +1,12 @@
+#pragma once
+/// Conjecture 7 of [DHHS15] told with certified numbers: what was conjectured, what the paper's table suggested, what
+/// is true.
+
+#include "dyn_2015_workshop.hpp"
+
+namespace subcert {
+
+/// Ref: [DHHS15, sec. 4.3]; proofs: docs/limit-constants.md, docs/theorems/README.md.
+Section conjecture_7_section(Workshop& workshop);
+
+}  // namespace subcert

@@ -1,0 +1,158 @@
+#include "dyn_2015_variance.hpp"
+
+#include "conjectures.hpp"
+#include "variance_statements.hpp"
+
+#include <subcert/analysis/variance/variance.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <algorithm>
+
+namespace subcert {
+
+ComparisonTable compare_table_3(const PublishedTable& table, Workshop& workshop) {
+  workshop.need_variance(schemes_of(table));
+  const ShortcutSearch& search = workshop.shortcuts();
+  ComparisonTable result = empty_table(table);
+  for (const PublishedCell& cell : table.cells) {
+    const VarianceFacts& facts = workshop.variance(cell.scheme);
+    const VarianceCell what(cell);
+    Comparison comparison = compare_number(cell, scaled(what.slope ? facts.slope : facts.maximum, what.factor));
+    if (comparison.verdict == Verdict::mismatch) {
+      const Rational witnessed = what.factor * (what.slope ? facts.steepest : facts.largest);
+      comparison.note = compare(cell.printed, Enclosure::at_least(witnessed)) != Verdict::mismatch
+                            ? "not reached anywhere on [0, 1]"
+                        : what.slope ? "exceeded " + facts.steepest_at
+                                     : "exceeded at x = " + to_text(facts.largest_at);
+      comparison.note += "; " + search.note(cell);
+    }
+    result.comparisons.push_back(comparison);
+  }
+  return result;
+}
+
+namespace {
+
+constexpr int plot_level = 7;
+
+Curve variance_curve(int n, int degree, const std::string& label) {
+  const VarianceGrid grid = variance_grid(make_scheme(scheme_text("primal", n, degree)).mask, plot_level, false);
+  Curve curve{label, {}};
+  for (std::size_t i = 0; i < grid.values.size(); ++i)
+    curve.points.emplace_back((Rational(i) * grid.step()).convert_to<double>(), grid.values[i].convert_to<double>());
+  return curve;
+}
+
+const char* const curve_caption =
+    "Exact values at the multiples of 1/128. The table gives maximum, minimum and largest slope over all x.";
+
+Figure figure_2() {
+  Figure figure{"fig2", "Variance curves psi_1, ..., psi_5", std::string("The scales differ. ") + curve_caption, 3, {}};
+  for (int n = 1; n <= last_n_of_figure_2; ++n)
+    figure.panels.push_back({"psi_" + std::to_string(n), "x", "", {variance_curve(n, 1, "")}});
+  return figure;
+}
+
+Figure figure_8(Workshop& workshop) {
+  workshop.need_variance(schemes_of_figure_8());
+  Panel left{"n max psi", "n", "", {}}, right{"n^2 max |psi'|", "n", "", {}, true};
+  for (int degree : {1, 3, 5}) {
+    Curve values{"d = " + std::to_string(degree), {}, true}, slopes = values;
+    for (int n = (degree + 1) / 2; n <= last_n_of_figure_8; ++n) {
+      const VarianceFacts& facts = workshop.variance(scheme_text("primal", n, degree));
+      values.points.emplace_back(n, Rational(n * *facts.maximum.lower).convert_to<double>());
+      slopes.points.emplace_back(n, Rational(n * n * *facts.slope.lower).convert_to<double>());
+    }
+    left.curves.push_back(values);
+    right.curves.push_back(slopes);
+  }
+  return {"fig8", "The scaled maxima over n",
+          "Certified maxima, relative width 1e-6; the right panel is logarithmic, unlike the paper's.", 2,
+          {left, right}};
+}
+
+Figure figure_9() {
+  Panel by_degree{"n = 5", "x", "psi", {}, false, "outside right"}, by_n = by_degree;
+  by_n.title = "d = 3";
+  for (int degree : {5, 3, 1}) by_degree.curves.push_back(variance_curve(5, degree, "d = " + std::to_string(degree)));
+  for (int n : {3, 4, 5, 6, 7}) by_n.curves.push_back(variance_curve(n, 3, "n = " + std::to_string(n)));
+  return {"fig9", "Variance curves over degree and support", curve_caption, 2, {by_degree, by_n}};
+}
+
+/// The certified numbers beside a figure of curves.
+PlainTable extremes_table(const std::string& id, const std::string& title, const std::vector<std::string>& schemes,
+                          Workshop& workshop) {
+  workshop.need_variance(schemes);
+  const auto certain = [](const Enclosure& e) {
+    constexpr int digits = 6;
+    return e.is_exact() ? to_decimal(*e.lower, digits, Rounding::nearest)
+                        : e.lower_text(digits) + " ... " + e.upper_text(digits);
+  };
+  PlainTable table{id, title, {"scheme", "max psi", "min psi", "max |psi'|"}, {}};
+  for (const std::string& scheme : schemes) {
+    const VarianceFacts& facts = workshop.variance(scheme);
+    table.rows.push_back({scheme, certain(facts.maximum), certain(facts.minimum), certain(facts.slope)});
+  }
+  return table;
+}
+
+std::string slope_sentence(Workshop& workshop) {
+  const auto scaled_slope = [&](int n) {
+    return to_decimal(n * n * *workshop.variance(scheme_text("primal", n)).slope.upper, 3, Rounding::up);
+  };
+  return "Figure 8. The paper reads its right panel as nearly constant. Certified, n^2 times the largest slope for "
+         "degree 1 falls from " +
+         scaled_slope(1) + " at n = 1 through " + scaled_slope(3) + " at n = 3 and " + scaled_slope(7) +
+         " at n = 7 to " + scaled_slope(last_n_of_figure_8) + " at n = " + std::to_string(last_n_of_figure_8) +
+         ": on this range 1/n^2 is true as an upper bound and not the rate. For every n this is a theorem, see "
+         "docs/theorems/README.md.";
+}
+
+}  // namespace
+
+Section variance_section(const ReportOptions& options, Workshop& workshop) {
+  const auto wanted = [&](const char* item) {
+    return options.only.empty() || std::find(options.only.begin(), options.only.end(), item) != options.only.end();
+  };
+  Section section{"variance", "The variance curves", {}};
+  if (wanted("table3")) {
+    workshop.say("table3");
+    section.comparisons.push_back(compare_table_3(workshop.published("table3"), workshop));
+    section.paragraphs.push_back("Table 3: " + verdict_sentence(section.comparisons.back()));
+    section.paragraphs.push_back(
+        "What the verdicts mean. Maxima of psi and of |psi'| are enclosed over all of [0, 1], to a relative width of "
+        "1e-6, and a printed value that the enclosure excludes is a mismatch. Where the printed value is too small "
+        "there is also a witness that anyone can evaluate: an exact value of psi at a dyadic point, or a divided "
+        "difference of two such values, which bounds the largest slope from below.");
+    section.paragraphs.push_back(
+        "Where the digits may come from. " + workshop.shortcuts().summary() +
+        " That it gives the digits does not prove that it is what was computed. It leaves out the ends of the support, "
+        "which lowers the maxima of psi a little and adds a slope that psi does not have. docs/table-3.md lists what "
+        "was tried.");
+  }
+  for (const char* item : {"fig2", "fig8", "fig9"}) {
+    if (!wanted(item)) continue;
+    workshop.say(item);
+    section.comparisons.push_back(compare_statements(workshop.published(item), workshop));
+    section.paragraphs.push_back("Statements about Figure " + std::string(item + 3) + ": " +
+                                 std::to_string(section.comparisons.back().count(Verdict::match)) + " of " +
+                                 std::to_string(section.comparisons.back().comparisons.size()) + " hold.");
+  }
+  if (wanted("fig2")) {
+    section.tables.push_back(
+        extremes_table("fig2-values", "Figure 2, enclosed over all x", schemes_of_figure_2(), workshop));
+    section.figures.push_back(figure_2());
+  }
+  if (wanted("fig8")) {
+    section.figures.push_back(figure_8(workshop));
+    section.paragraphs.push_back(slope_sentence(workshop));
+  }
+  if (wanted("fig9")) {
+    section.tables.push_back(
+        extremes_table("fig9-values", "Figure 9, enclosed over all x", schemes_of_figure_9(), workshop));
+    section.figures.push_back(figure_9());
+  }
+  return section;
+}
+
+}  // namespace subcert

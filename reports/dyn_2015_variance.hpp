@@ -1,0 +1,14 @@
+#pragma once
+/// Table 3 and Figures 2, 8 and 9 of Dyn, Heard, Hormann & Sharon 2015.
+
+#include "dyn_2015_workshop.hpp"
+
+namespace subcert {
+
+/// Table 3 against certified maxima, each mismatch with witness and diagnosis.
+ComparisonTable compare_table_3(const PublishedTable& table, Workshop& workshop);
+
+/// The wanted ones among the items table3, fig2, fig8 and fig9. Ref: [DHHS15, sec. 3.1 and 4.3].
+Section variance_section(const ReportOptions& options, Workshop& workshop);
+
+}  // namespace subcert

@@ -1,0 +1,99 @@
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/variance/variance.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/reports/published.hpp>
+#include <subcert/reports/shortcut_search.hpp>
+#include <subcert/reports/variance_shortcuts.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <algorithm>
+
+using namespace subcert;
+
+namespace {
+
+Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
+
+}  // namespace
+
+TEST_CASE("the whole sum over limit values is the exact variance grid") {
+  const Mask mask = mask_of("primal:n=3,d=3");
+  for (int level : {5, 7}) {
+    const VarianceGrid grid = variance_grid(mask, level, false);
+    const ShortcutValues one = evaluate_shortcut({{false, level, std::nullopt}, false}, mask, 3);
+    CHECK(one.maximum == grid.largest());
+    CHECK(one.slope == grid.steepest());
+    // Points two steps apart: at most the mean of two neighbouring differences.
+    CHECK(evaluate_shortcut({{false, level, std::nullopt}, true}, mask, 3).slope <= one.slope);
+  }
+}
+
+TEST_CASE("a window leaves terms out, by the definition") {
+  const int n = 3, level = 5;
+  const Mask mask = mask_of("primal:n=3");
+  const LimitValues phi = limit_values(mask, level);
+  Rational largest = 0, steepest = 0, before;
+  for (long i = 0; i <= 32; ++i) {
+    Rational sum = 0;
+    for (long j = -n; j <= n + 1; ++j) sum += phi.at(i - 32 * j) * phi.at(i - 32 * j);
+    largest = std::max(largest, sum);
+    if (i > 0) steepest = std::max(steepest, Rational(abs(sum - before) * 32));
+    before = sum;
+  }
+  const ShortcutValues values = evaluate_shortcut({{false, level, SampledVariance::Window{0, true}}, false}, mask, n);
+  CHECK(values.maximum == largest);
+  CHECK(values.slope == steepest);
+}
+
+TEST_CASE("refined pulses of an interpolatory scheme are its limit values") {
+  const Mask mask = mask_of("primal:n=2,d=3");
+  const ShortcutValues limit = evaluate_shortcut({{false, 6, std::nullopt}, false}, mask, 2);
+  const ShortcutValues pulse = evaluate_shortcut({{true, 6, std::nullopt}, false}, mask, 2);
+  CHECK(limit.maximum == pulse.maximum);
+  CHECK(limit.slope == pulse.slope);
+}
+
+TEST_CASE("all shortcuts at once are each of them alone") {
+  const Mask mask = mask_of("primal:n=2");
+  const auto& list = variance_shortcuts();
+  const auto values = evaluate_shortcuts(mask, 2);
+  CHECK(list.size() == 264);
+  REQUIRE(values.size() == list.size());
+  for (std::size_t s = 0; s < list.size(); s += 13) {
+    CAPTURE(list[s].text());
+    const ShortcutValues alone = evaluate_shortcut(list[s], mask, 2);
+    CHECK(values[s].maximum == alone.maximum);
+    CHECK(values[s].slope == alone.slope);
+  }
+}
+
+TEST_CASE("printed digits: rounded or cut, nothing else") {
+  CHECK(gives_digits(Rational(84973, 1000000), "0.0850"));
+  CHECK(gives_digits(Rational(84973, 1000000), "0.0849"));
+  CHECK_FALSE(gives_digits(Rational(84973, 1000000), "0.0851"));
+  CHECK_FALSE(gives_digits(Rational(84873, 1000000), "0.0850"));
+  CHECK(gives_digits(2, "2"));
+}
+
+TEST_CASE("one shortcut gives the digits of Table 3") {
+  const PublishedPaper paper = published_paper("dyn-2015");
+  const ShortcutSearch search(paper.table("table3"), 2);
+  const Shortcut& best = variance_shortcuts()[search.best()];
+  CHECK(search.cells_given() == 42);
+  REQUIRE(best.curve.window);
+  CHECK(best.curve.refined_pulse);
+  CHECK(best.curve.level == 9);
+  CHECK(best.curve.window->beyond == 0);
+  CHECK(best.curve.window->one_more);
+  CHECK(best.two_steps);
+  for (const PublishedCell& cell : paper.table("table3").cells) {
+    CAPTURE(cell.row, cell.column);
+    CHECK(search.gives(cell, search.best()) == (cell.row != "d=1, n=1" || !VarianceCell(cell).slope));
+  }
+  for (std::size_t other = 0; other < variance_shortcuts().size(); ++other) {
+    if (other == search.best()) continue;
+    CAPTURE(variance_shortcuts()[other].text());
+    const auto& cells = paper.table("table3").cells;
+    CHECK(std::count_if(cells.begin(), cells.end(), [&](const auto& cell) { return search.gives(cell, other); }) <= 40);
+  }
+}

@@ -1,0 +1,198 @@
+#include "variance_statements.hpp"
+
+#include "conjectures.hpp"
+
+#include <subcert/analysis/variance/variance_order.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace subcert {
+namespace {
+
+constexpr int digits = 4;
+
+Truth truth_of(bool yes, bool no) { return yes ? Truth::yes : no ? Truth::no : Truth::unknown; }
+
+/// yes if all are, no if one is.
+Truth all_of(const std::vector<Truth>& truths) {
+  if (std::count(truths.begin(), truths.end(), Truth::no) > 0) return Truth::no;
+  return std::count(truths.begin(), truths.end(), Truth::yes) == static_cast<long>(truths.size()) ? Truth::yes
+                                                                                                 : Truth::unknown;
+}
+
+struct Answer {
+  Truth truth;
+  std::string text;
+};
+
+const VarianceFacts& facts_of(Workshop& workshop, int n, int degree = 1) {
+  workshop.need_variance({scheme_text("primal", n, degree)});
+  return workshop.variance(scheme_text("primal", n, degree));
+}
+
+std::string list(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// psi_n <= 1, with strict inequality for n > 1.
+Answer below_one(Workshop& workshop) {
+  std::vector<Truth> truths;
+  std::vector<std::string> bounds;
+  for (int n = 1; n <= last_n_of_figure_2; ++n) {
+    const Enclosure& maximum = facts_of(workshop, n).maximum;
+    truths.push_back(n == 1 ? truth_of(*maximum.upper <= 1, *maximum.lower > 1)
+                            : truth_of(*maximum.upper < 1, *maximum.lower >= 1));
+    bounds.push_back(maximum.upper_text(digits));
+  }
+  return {all_of(truths), "max psi_n for n = 1, ..., 5 is at most " + list(bounds)};
+}
+
+/// psi_1(x) = 1 at the integers.
+Answer one_at_integers() {
+  const Rational value = variance_at(make_scheme("primal:n=1").mask, 0, 0);
+  return {truth_of(value == 1, value != 1), "psi_1(0) = " + to_text(value) + ", and psi_1 has period 1"};
+}
+
+Answer ordered(const std::string& smaller, const std::string& larger) {
+  const VarianceOrder order = is_below(make_scheme(smaller).mask, make_scheme(larger).mask);
+  // Equality is allowed.
+  const Truth truth = order.below == Truth::no && order.difference == 0 ? Truth::unknown : order.below;
+  return {truth, order.reason};
+}
+
+/// psi becomes smaller from each n to the next.
+Answer decreasing_in_n(int first, int last, int degree) {
+  std::vector<Truth> truths;
+  std::vector<std::string> words;
+  for (int n = first; n < last; ++n) {
+    const Answer one = ordered(scheme_text("primal", n + 1, degree), scheme_text("primal", n, degree));
+    truths.push_back(one.truth);
+    words.push_back("n = " + std::to_string(n) + " to " + std::to_string(n + 1) + ": " + one.text);
+  }
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : "; ") + word;
+  return {all_of(truths), text};
+}
+
+/// The heights of the curves call for different scales: each is below half of the one before.
+Answer different_scales(Workshop& workshop) {
+  std::vector<Truth> truths;
+  std::vector<std::string> words;
+  Enclosure before;
+  for (int n = 1; n <= last_n_of_figure_2; ++n) {
+    const VarianceFacts& facts = facts_of(workshop, n);
+    const Enclosure height{*facts.maximum.lower - *facts.minimum.upper, *facts.maximum.upper - *facts.minimum.lower};
+    if (n > 1) truths.push_back(truth_of(2 * *height.upper < *before.lower, 2 * *height.lower >= *before.upper));
+    before = height;
+    words.push_back(to_decimal(*height.upper, 2, Rounding::up));
+  }
+  return {all_of(truths), "max psi_n - min psi_n is at most " + list(words) + ", each below half of the one before"};
+}
+
+/// Theorem 6, first sentence: positive, symmetric, of period 1.
+Answer positive_and_symmetric(Workshop& workshop) {
+  std::vector<Truth> truths;
+  std::vector<std::string> bounds;
+  for (int n = 1; n <= last_n_of_figure_2; ++n) {
+    const LaurentPolynomial symbol = make_scheme(scheme_text("primal", n)).mask.symbol();
+    truths.push_back(truth_of(symbol == symbol.reversed(), symbol != symbol.reversed()));
+    const Enclosure& minimum = facts_of(workshop, n).minimum;
+    truths.push_back(truth_of(*minimum.lower > 0, *minimum.upper <= 0));
+    bounds.push_back(minimum.lower_text(digits));
+  }
+  return {all_of(truths), "min psi_n for n = 1, ..., 5 is at least " + list(bounds) +
+                              "; the masks are palindromes about 0; the period is 1 by definition"};
+}
+
+/// Whether a scaled maximum is approximately constant: its observed rate is that of the scaling.
+Answer rate_over(Workshop& workshop, int degree, const std::vector<int>& sizes, bool slope) {
+  std::vector<std::string> schemes;
+  for (int n : sizes) schemes.push_back(scheme_text("primal", n, degree));
+  workshop.need_variance(schemes);
+  std::vector<CertifiedMaximum> values;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const VarianceFacts& facts = workshop.variance(schemes[i]);
+    values.push_back({sizes[i], slope ? facts.slope : facts.maximum});
+  }
+  const DecayFinding finding = decay_finding(slope ? 2 : 1, values);
+  return {finding.rate.truth, finding.sentence(slope ? "max |psi'|" : "max psi")};
+}
+
+std::vector<int> sizes_of_figure_8(int degree) {
+  std::vector<int> sizes;
+  for (int n = (degree + 1) / 2; n <= last_n_of_figure_8; ++n) sizes.push_back(n);
+  return sizes;
+}
+
+std::vector<int> sizes_of_table_3(const PublishedTable& table, int degree) {
+  std::vector<int> sizes;
+  for (const PublishedCell& cell : table.cells)
+    if (cell.row.starts_with("d=" + std::to_string(degree) + ",")) {
+      const int n = VarianceCell(cell).n;
+      if (sizes.empty() || sizes.back() != n) sizes.push_back(n);
+    }
+  return sizes;
+}
+
+Answer answer(const PublishedCell& cell, Workshop& workshop) {
+  const std::string& what = cell.quantity;
+  if (what == "below one") return below_one(workshop);
+  if (what == "one at integers") return one_at_integers();
+  if (what == "smaller with n") return decreasing_in_n(1, last_n_of_figure_2, 1);
+  if (what == "scales") return different_scales(workshop);
+  if (what == "positive") return positive_and_symmetric(workshop);
+  if (what == "larger with d") {
+    const Answer low = ordered(scheme_text("primal", 5, 1), scheme_text("primal", 5, 3));
+    const Answer high = ordered(scheme_text("primal", 5, 3), scheme_text("primal", 5, 5));
+    return {all_of({low.truth, high.truth}), "d = 1 and 3: " + low.text + "; d = 3 and 5: " + high.text};
+  }
+  if (what == "smaller with n for d = 3") return decreasing_in_n(2, 7, 3);
+  // "value 3 figure": the maxima of psi or of |psi'|, the degree, and where the sizes are taken from.
+  const std::size_t degree_at = what.find(' ') + 1, source_at = what.find(' ', degree_at) + 1;
+  const std::string kind = what.substr(0, degree_at - 1), source = what.substr(source_at);
+  if ((kind == "value" || kind == "slope") && (source == "figure" || source == "table")) {
+    const int degree = std::stoi(what.substr(degree_at));
+    return rate_over(workshop, degree,
+                     source == "figure" ? sizes_of_figure_8(degree)
+                                        : sizes_of_table_3(workshop.published("table3"), degree),
+                     kind == "slope");
+  }
+  throw std::invalid_argument("unknown statement '" + what + "'");
+}
+
+}  // namespace
+
+std::vector<std::string> schemes_of_figure_2() {
+  std::vector<std::string> schemes;
+  for (int n = 1; n <= last_n_of_figure_2; ++n) schemes.push_back(scheme_text("primal", n));
+  return schemes;
+}
+
+std::vector<std::string> schemes_of_figure_8() {
+  std::vector<std::string> schemes;
+  for (int degree : {1, 3, 5})
+    for (int n : sizes_of_figure_8(degree)) schemes.push_back(scheme_text("primal", n, degree));
+  return schemes;
+}
+
+std::vector<std::string> schemes_of_figure_9() {
+  std::vector<std::string> schemes;
+  for (int degree : {1, 3, 5}) schemes.push_back(scheme_text("primal", 5, degree));
+  for (int n : {3, 4, 6, 7}) schemes.push_back(scheme_text("primal", n, 3));
+  return schemes;
+}
+
+ComparisonTable compare_statements(const PublishedTable& table, Workshop& workshop) {
+  ComparisonTable result = empty_table(table);
+  for (const PublishedCell& cell : table.cells) {
+    const Answer given = answer(cell, workshop);
+    result.comparisons.push_back(compare_text(cell, given.text, given.truth));
+  }
+  return result;
+}
+
+}  // namespace subcert

@@ -2,8 +2,9 @@
 
 #include "command.hpp"
 
-#include <subcert/reports/experiments/experiment.hpp>
+#include <subcert/reports/report.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 
@@ -37,9 +38,10 @@ int list(const ExperimentCommand& options) {
   return done;
 }
 
-std::string page(const Experiment& experiment, const Section& section, const ExperimentResult& result) {
+std::string page(const RanExperiment& ran, const Section& section) {
+  const ExperimentResult& result = ran.result;
   std::ostringstream text;
-  text << experiment.title << " (" << experiment.paper << ")\n\n";
+  text << ran.experiment->title << " (" << ran.experiment->paper << ")\n\n";
   for (const std::string& paragraph : section.paragraphs) text << paragraph << "\n\n";
   for (const Claim& claim : result.claims)
     text << to_text(claim.finding) << ": " << claim.sentence << " [" << claim.place << "]\n  decided by: " << claim.statistic
@@ -62,15 +64,14 @@ int run(const ExperimentCommand& options) {
   if (std::none_of(all.begin(), all.end(), [&](const Experiment& e) { return e.id == options.id; }))
     throw UsageError("ID '" + options.id + "': unknown experiment; expected " + known());
   const Experiment& chosen = experiment(options.id);
-  const ExperimentOptions settings{options.seed, options.runs, options.threads()};
   options.progress("experiment " + chosen.id);
-  const ExperimentResult result = chosen.run(settings);
-  const Section section = experiment_section(chosen, result, settings);
-  if (!options.out.empty()) write_reports({{chosen.paper, chosen.title, {section}}}, options.out);
+  const RanExperiment ran = run_experiment(chosen, {options.seed, options.runs, options.threads()});
+  const Section section = experiment_section(ran);
+  if (!options.out.empty()) write_reports({{chosen.paper, chosen.title, {section}, {ran}}}, options.out);
   options.end_progress();
-  std::cout << (options.json ? experiment_json(chosen, result, settings) + "\n" : page(chosen, section, result));
+  std::cout << (options.json ? experiment_json(ran) + "\n" : page(ran, section));
   if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
-  return result.all_confirmed() ? done : failed;
+  return ran.result.all_confirmed() ? done : failed;
 }
 
 }  // namespace

@@ -25,6 +25,15 @@ bool ExperimentResult::all_confirmed() const {
   return std::none_of(claims.begin(), claims.end(), [](const Claim& c) { return c.finding == Finding::not_confirmed; });
 }
 
+bool ExperimentResult::as_recorded() const {
+  return std::all_of(claims.begin(), claims.end(), [](const Claim& c) { return c.finding == c.recorded; });
+}
+
+std::size_t ExperimentResult::count(Finding finding) const {
+  return static_cast<std::size_t>(
+      std::count_if(claims.begin(), claims.end(), [&](const Claim& c) { return c.finding == finding; }));
+}
+
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = [] {
     std::vector<Experiment> result;
@@ -43,33 +52,50 @@ const Experiment& experiment(const std::string& id) {
   throw std::out_of_range("unknown experiment '" + id + "'");
 }
 
-Section experiment_section(const Experiment& experiment, const ExperimentResult& result, const ExperimentOptions& options) {
-  Section section{experiment.id, experiment.title, result.setup, {}, {}, result.figures};
-  section.paragraphs.push_back("Seed " + std::to_string(options.seed) + ", " + std::to_string(options.runs) +
-                               " samples of the noise; intervals are means with 95 % confidence (Student's t).");
-  if (!result.claims.empty()) {
-    PlainTable claims{experiment.id + "-claims", "What the paper says, and what decides it",
-                      {"claim", "place", "statistic", "finding", "numbers"}, {}};
-    for (const Claim& c : result.claims)
-      claims.rows.push_back({c.sentence, c.place, c.statistic, to_text(c.finding), c.numbers});
-    section.tables.push_back(claims);
+RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options) {
+  return {&experiment, options, experiment.run(options)};
+}
+
+namespace {
+
+PlainTable claims_table(const RanExperiment& ran) {
+  PlainTable table{ran.experiment->id + "-claims", "What the paper says, and what decides it",
+                   {"claim", "place", "statistic", "finding", "numbers"}, {}};
+  for (const Claim& c : ran.result.claims) {
+    table.rows.push_back({c.sentence, c.place, c.statistic, to_text(c.finding), c.numbers});
+    table.row_classes.push_back(c.finding == Finding::confirmed       ? "match"
+                                : c.finding == Finding::not_confirmed ? "mismatch"
+                                                                      : "open");
   }
+  return table;
+}
+
+}  // namespace
+
+Section experiment_section(const RanExperiment& ran) {
+  const ExperimentResult& result = ran.result;
+  Section section{ran.experiment->id, ran.experiment->title, result.setup, result.comparisons, {}, result.figures,
+                  result.surface_figures};
+  section.paragraphs.push_back("Seed " + std::to_string(ran.options.seed) + ", " + std::to_string(ran.options.runs) +
+                               " samples of the noise; intervals are means with 95 % confidence (Student's t).");
+  if (!result.claims.empty()) section.tables.push_back(claims_table(ran));
   section.tables.insert(section.tables.end(), result.tables.begin(), result.tables.end());
   return section;
 }
 
-std::string experiment_json(const Experiment& experiment, const ExperimentResult& result, const ExperimentOptions& options) {
-  nlohmann::ordered_json json{{"experiment", experiment.id}, {"paper", experiment.paper}, {"title", experiment.title},
-                              {"seed", options.seed},        {"runs", options.runs},      {"setup", result.setup},
-                              {"claims", nlohmann::ordered_json::array()},
-                              {"tables", nlohmann::ordered_json::array()}};
-  for (const Claim& c : result.claims)
+std::string experiment_json(const RanExperiment& ran) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"experiment", ran.experiment->id}, {"paper", ran.experiment->paper}, {"title", ran.experiment->title},
+            {"seed", ran.options.seed},         {"runs", ran.options.runs},       {"setup", ran.result.setup},
+            {"claims", Json::array()},          {"tables", Json::array()}};
+  for (const Claim& c : ran.result.claims)
     json["claims"].push_back({{"claim", c.sentence},
                               {"place", c.place},
                               {"statistic", c.statistic},
                               {"finding", to_text(c.finding)},
+                              {"recorded", to_text(c.recorded)},
                               {"numbers", c.numbers}});
-  for (const PlainTable& table : result.tables)
+  for (const PlainTable& table : ran.result.tables)
     json["tables"].push_back({{"id", table.id}, {"title", table.title}, {"head", table.head}, {"rows", table.rows}});
   return json.dump(2);
 }

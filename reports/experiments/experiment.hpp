@@ -1,9 +1,10 @@
 #pragma once
 /// Experiments with random noise, and what they say about the claims that a paper makes.
 
-#include <subcert/reports/report.hpp>
+#include <subcert/reports/section.hpp>
 
 #include <cstdint>
+#include <functional>
 
 namespace subcert {
 
@@ -19,6 +20,8 @@ struct Claim {
   std::string statistic;
   Finding finding;
   std::string numbers;
+  /// What this version of the toolkit is known to find with the default seed.
+  Finding recorded = Finding::confirmed;
 };
 
 struct ExperimentOptions {
@@ -32,8 +35,12 @@ struct ExperimentResult {
   std::vector<Claim> claims = {};
   std::vector<PlainTable> tables = {};
   std::vector<Figure> figures = {};
+  std::vector<SurfaceFigure> surface_figures = {};
+  std::vector<ComparisonTable> comparisons = {};  ///< printed values beside ours, where the paper prints any
 
   bool all_confirmed() const;
+  bool as_recorded() const;
+  std::size_t count(Finding finding) const;
 };
 
 struct Experiment {
@@ -48,11 +55,20 @@ const std::vector<Experiment>& experiments();
 /// Errors: throws std::out_of_range for an unknown id.
 const Experiment& experiment(const std::string& id);
 
+/// An experiment with its outcome. The same seed and runs give the same outcome for any number of jobs.
+struct RanExperiment {
+  const Experiment* experiment;
+  ExperimentOptions options;
+  ExperimentResult result;
+};
+
+/// Domain: options.runs >= 2.
+RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options);
+
 /// As a section of a page: the setup, the claims as a table, and the experiment's tables and figures.
-/// Domain: options.runs >= 2. The same seed and runs give the same numbers for any number of jobs.
-Section experiment_section(const Experiment& experiment, const ExperimentResult& result, const ExperimentOptions& options);
+Section experiment_section(const RanExperiment& ran);
 
 /// {"experiment", "paper", "title", "seed", "runs", "setup", "claims", "tables"} as text.
-std::string experiment_json(const Experiment& experiment, const ExperimentResult& result, const ExperimentOptions& options);
+std::string experiment_json(const RanExperiment& ran);
 
 }  // namespace subcert

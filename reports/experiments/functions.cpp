@@ -37,6 +37,7 @@ struct Assertion {
   std::string place;
   std::string better;
   std::string worse;
+  Finding recorded = Finding::confirmed;
   int from = loudest;
   int to = quietest;
   std::optional<double> tolerance = std::nullopt;
@@ -136,7 +137,7 @@ Claim decide(const Assertion& assertion, const std::vector<std::string>& names, 
   const auto& better = errors[index(assertion.better)];
   const auto& worse = errors[index(assertion.worse)];
   const std::string range = std::to_string(assertion.from) + " to " + std::to_string(assertion.to) + " dB";
-  Claim claim{assertion.sentence, assertion.place, "", Finding::confirmed, ""};
+  Claim claim{assertion.sentence, assertion.place, "", Finding::confirmed, "", assertion.recorded};
   std::vector<int> shown, contrary, undecided;
   double least = INFINITY, largest = 0;
   for (int decibel = assertion.from; decibel <= assertion.to; ++decibel) {
@@ -224,17 +225,17 @@ std::vector<FunctionFigure> figures() {
       {"fig3", f1, s3, regression, 6.5,
        {{"For all levels of noise, LLR gives a smaller error than S_3.", "Sec. 3.2, Fig. 3", regression, s3}}},
       {"fig4", f1, s5, regression, 7,
-       {{"S_5 behaves almost identically to LLR.", "Sec. 3.2, Fig. 4", s5, regression, loudest, quietest, 0.1}}},
+       {{"S_5 behaves almost identically to LLR.", "Sec. 3.2, Fig. 4", s5, regression, Finding::confirmed, loudest, quietest, 0.1}}},
       {"fig5", f1, s7, regression, 7.9, {{"S_7 is even better than LLR.", "Sec. 3.2, Fig. 5", s7, regression}}},
       {"fig6", f2, s3, regression, 6.2,
        {{"S_3 suits f_2 better than LLR, except for extremely high noise (read as: from 5 dB).", "Sec. 3.2, Fig. 6", s3,
-         regression, 5}}},
+         regression, Finding::confirmed, 5}}},
       {"fig7", f2, s5, regression, 8,
        {{"S_5 is inferior to LLR for any reasonable level of noise (read as: from 5 dB).", "Sec. 3.2, Fig. 7", regression,
-         s5, 5}}},
+         s5, Finding::confirmed, 5}}},
       {"fig10", f3, s5, s53, 8.2,
-       {{"S_5^1 is better as long as the noise is significant (read as: to 12 dB).", "Sec. 4.4, Fig. 10", s5, s53, 1, 12},
-        {"S_5^3 is more accurate as the noise decays (read as: from 18 dB).", "Sec. 4.4, Fig. 10", s53, s5, 18}}},
+       {{"S_5^1 is better as long as the noise is significant (read as: to 12 dB).", "Sec. 4.4, Fig. 10", s5, s53, Finding::confirmed, 1, 12},
+        {"S_5^3 is more accurate as the noise decays (read as: from 18 dB).", "Sec. 4.4, Fig. 10", s53, s5, Finding::confirmed, 18}}},
       {"fig11", f4, s5, s53, 7.2,
        {{"S_5^3 outperforms S_5^1 for all noise levels.", "Sec. 4.4, Fig. 11", s53, s5}}},
       {"fig12", f3, s63, s93, 8.4,

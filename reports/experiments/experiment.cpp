@@ -37,7 +37,8 @@ std::size_t ExperimentResult::count(Finding finding) const {
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = [] {
     std::vector<Experiment> result;
-    for (const auto& family : {expected_error_experiments, function_experiments, curve_experiments, torus_experiments, part_experiments}) {
+    for (const auto& family : {expected_error_experiments, function_experiments, curve_experiments, torus_experiments,
+                               part_experiments}) {
       const auto more = family();
       result.insert(result.end(), more.begin(), more.end());
     }

@@ -80,6 +80,7 @@ void add_merge(CLI::App& app);
 void add_theorem(CLI::App& app);
 void add_refine(CLI::App& app);
 void add_smooth(CLI::App& app);
+void add_experiment(CLI::App& app);
 void add_statements(CLI::App& app);
 void add_check(CLI::App& app);
 

@@ -42,6 +42,31 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
   }
 }
 
+std::string counted(const std::string& before, int count, const std::string& after) {
+  return count == 0 ? "" : before + std::to_string(count) + after;
+}
+
+std::string experiment_line(const RanExperiment& ran) {
+  const std::string& id = ran.experiment->id;
+  const auto count = [&](Finding finding) { return static_cast<int>(ran.result.count(finding)); };
+  std::string findings = counted(", ", count(Finding::confirmed), " confirmed") +
+                         counted(", ", count(Finding::not_confirmed), " not confirmed") +
+                         counted(", ", count(Finding::not_reproducible), " not reproducible");
+  return "  " + id + std::string(id.size() < 10 ? 10 - id.size() : 1, ' ') +
+         (findings.empty() ? "pictures" : "claims: " + findings.substr(2)) +
+         (ran.result.as_recorded() ? "" : "   NOT AS RECORDED") + "\n";
+}
+
+/// The claims that are not confirmed, and those with another finding than the recorded one.
+std::string unconfirmed(const RanExperiment& ran) {
+  std::string result;
+  for (const Claim& c : ran.result.claims)
+    if (c.finding == Finding::not_confirmed || c.finding != c.recorded)
+      result += "  " + to_text(c.finding) + "  " + ran.experiment->id + ": " + c.sentence + " (" + c.numbers + ")" +
+                (c.finding == c.recorded ? "" : " [recorded: " + to_text(c.recorded) + "]") + "\n";
+  return result;
+}
+
 std::string summary(const std::vector<Report>& reports) {
   std::ostringstream text;
   for (const Report& report : reports) {
@@ -50,8 +75,10 @@ std::string summary(const std::vector<Report>& reports) {
       text << "  " << table->id << std::string(table->id.size() < 10 ? 10 - table->id.size() : 1, ' ')
            << table->comparisons.size() << " values: " << table->count(Verdict::match) << " match, "
            << table->count(Verdict::mismatch) << " mismatch, " << table->count(Verdict::open) << " open"
+           << counted(", ", table->count(Verdict::not_reproducible), " not reproducible")
            << (table->as_recorded() ? "" : "   NOT AS RECORDED") << "\n";
     }
+    for (const RanExperiment& ran : report.experiments) text << experiment_line(ran);
     text << "\n";
     for (const ComparisonTable* table : report.comparison_tables())
       for (const Comparison& c : table->comparisons)
@@ -59,6 +86,7 @@ std::string summary(const std::vector<Report>& reports) {
           text << "  " << to_text(c.verdict) << "  " << table->id << ": " << c.cell() << ": printed " << c.printed
                << ", computed " << c.computed_text() << (c.note.empty() ? "" : " (" + c.note + ")")
                << (c.verdict == c.recorded ? "" : " [recorded: " + to_text(c.recorded) + "]") << "\n";
+    for (const RanExperiment& ran : report.experiments) text << unconfirmed(ran);
   }
   return text.str();
 }
@@ -81,7 +109,8 @@ int run(ReproduceOptions& options) {
   ReportOptions report_options{options.only, options.threads(), [&](const std::string& line) {
                                  const std::lock_guard lock(terminal);
                                  options.progress(line);
-                               }};
+                               },
+                               options.seed};
   for (const std::string& paper : papers) reports.push_back(make_report(paper, report_options));
   bool statements_as_recorded = true;
   if (!options.out.empty()) {
@@ -92,7 +121,7 @@ int run(ReproduceOptions& options) {
   options.end_progress();
   const bool as_recorded = std::all_of(reports.begin(), reports.end(), [](const Report& r) { return r.as_recorded(); });
   if (options.json) {
-    std::cout << comparisons_json(reports) << "\n";
+    std::cout << reports_json(reports) << "\n";
   } else {
     std::cout << summary(reports);
     if (!statements_as_recorded) std::cout << "\nStatements NOT AS RECORDED: see 'subcert statements check'\n";
@@ -106,7 +135,7 @@ int run(ReproduceOptions& options) {
 
 void add_reproduce(CLI::App& app) {
   auto options = std::make_shared<ReproduceOptions>();
-  CLI::App& command = add_command(app, "reproduce", "Recomputes tables and figures of papers beside the printed values",
+  CLI::App& command = add_command(app, "reproduce", "Recomputes tables, figures and experiments of papers beside what they print",
                                   "subcert reproduce dyn-2015 --only table1,table2 --out out", options,
                                   [=] { return run(*options); });
   command.add_option("PAPER", options->papers, "Papers: " + joined(reproducible_papers()) + " (default: all)");

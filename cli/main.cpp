@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   cli::add_variance(app);
   cli::add_refine(app);
   cli::add_smooth(app);
+  cli::add_experiment(app);
   cli::add_conjecture(app);
   cli::add_merge(app);
   cli::add_theorem(app);

@@ -3,6 +3,7 @@
 #include "conjecture_story.hpp"
 #include "dyn_2015_variance.hpp"
 #include "dyn_2015_workshop.hpp"
+#include "experiments/paper_experiments.hpp"
 #include "theorem_section.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
@@ -185,9 +186,13 @@ Section exponents(Workshop& workshop) {
 }  // namespace
 
 const std::vector<std::string>& dyn_2015_items() {
-  static const std::vector<std::string> items{"masks",  "supports", "fig1",   "table1", "table2",
-                                              "levels", "exponents", "table3",   "fig2", "fig8",   "fig9",
-                                              "conjecture7", "theorems"};
+  static const std::vector<std::string> items = [] {
+    std::vector<std::string> result{"masks",     "supports", "fig1", "table1", "table2", "levels",
+                                    "exponents", "table3",   "fig2", "fig8",   "fig9"};
+    for (const std::string& id : experiment_ids("dyn-2015")) result.push_back(id);
+    result.insert(result.end(), {"conjecture7", "theorems"});
+    return result;
+  }();
   return items;
 }
 
@@ -231,9 +236,13 @@ Report report_dyn_2015(const ReportOptions& options) {
     theorems = theorem_section(options);
   }
 
-  for (Section* section : {&masks, &bounds, &sharp, &variance, &conjecture, &theorems})
-    if (!section->comparisons.empty() || !section->tables.empty() || !section->figures.empty())
-      report.sections.push_back(std::move(*section));
+  const auto append = [&](Section& section) {
+    if (!section.comparisons.empty() || !section.tables.empty() || !section.figures.empty())
+      report.sections.push_back(std::move(section));
+  };
+  for (Section* section : {&masks, &bounds, &sharp, &variance}) append(*section);
+  add_experiments(report, options);
+  for (Section* section : {&conjecture, &theorems}) append(*section);
   return report;
 }
 

@@ -60,7 +60,7 @@ details li { margin: .2rem 0; }
 .claim .head { font-weight: 600; }
 .claim code, td code { font-family: "DejaVu Sans Mono", monospace; font-size: .82rem; overflow-wrap: anywhere; }
 .label { color: #5a6773; font-size: .82rem; display: inline-block; min-width: 6rem; }
-td.text { white-space: normal; text-align: left; min-width: 12rem; }
+td.text, th.text { white-space: normal; text-align: left; min-width: 12rem; }
 .holds .verdict, .holds-for-all-n .verdict { color: #1e7a43; }
 .misprint .verdict, .false .verdict { color: #b3261e; }
 .not-checkable .verdict, .undecided .verdict { color: #8a5a00; }

@@ -1,8 +1,10 @@
 #include "report.hpp"
 
 #include "dyn_2015.hpp"
+#include "experiments/paper_experiments.hpp"
 #include "files.hpp"
 #include "html.hpp"
+#include "published.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -129,32 +131,67 @@ std::string table_html(const ComparisonTable& table) {
   return result;
 }
 
+constexpr std::size_t widest_cell = 40;  // characters in a line
+
 std::string table_html(const PlainTable& table) {
   std::string result = "<h3 id=\"" + table.id + "\">" + html(table.title) + "</h3>\n<div class=scroll><table>\n<tr>";
   for (const std::string& name : table.head) result += "<th>" + html(name) + "</th>";
   result += "</tr>\n";
-  for (const auto& row : table.rows) {
-    result += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      result += (i ? "<td>" : "<th>") + html(row[i]) + (i ? "</td>" : "</th>");
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const auto& row = table.rows[r];
+    result += table.row_classes.empty() ? std::string("<tr>") : "<tr class=\"" + table.row_classes[r] + "\">";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string cell = i == 0 ? "th" : "td";
+      result += "<" + cell + (row[i].size() > widest_cell ? " class=text>" : ">") + html(row[i]) + "</" + cell + ">";
+    }
     result += "</tr>\n";
   }
   return result + "</table></div>\n";
 }
 
+template <class Picture>
+std::string figure_html(const std::string& paper, const Picture& figure, const std::string& ending) {
+  return "<figure id=\"" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending + "\" alt=\"" +
+         html(figure.title) + "\"><figcaption><b>" + html(figure.title) + ".</b> " + html(figure.caption) + "</figcaption></figure>\n";
+}
+
+/// What the experiments of a paper found, one line each.
+std::string experiments_html(const Report& report) {
+  if (report.experiments.empty()) return "";
+  std::string result = "<div class=scroll><table class=summary>\n<tr><th>experiment</th><th>claims</th><th>confirmed</th>"
+                       "<th>not confirmed</th><th>not reproducible</th></tr>\n";
+  for (const RanExperiment& ran : report.experiments)
+    result += "<tr><th><a href=\"#" + report.paper + "-" + ran.experiment->id + "\">" + html(ran.experiment->title) +
+              "</a></th><td>" + std::to_string(ran.result.claims.size()) + "</td><td>" +
+              std::to_string(ran.result.count(Finding::confirmed)) + "</td><td>" +
+              std::to_string(ran.result.count(Finding::not_confirmed)) + "</td><td>" +
+              std::to_string(ran.result.count(Finding::not_reproducible)) + "</td></tr>\n";
+  return result + "</table></div>\n";
+}
+
+bool is_experiment(const Report& report, const Section& section) {
+  return std::any_of(report.experiments.begin(), report.experiments.end(),
+                     [&](const RanExperiment& ran) { return ran.experiment->id == section.id; });
+}
+
 std::string page(const std::vector<Report>& reports, bool with_errata) {
   std::string body =
-      "<h1>Printed values, recomputed</h1>\n<p>Every number below was computed in exact rational arithmetic, or enclosed "
-      "with outward rounding. In each cell the printed value stands first, ours below it, then the verdict: "
+      "<h1>Printed values, recomputed</h1>\n<p>Every number set beside a printed value was computed in exact rational "
+      "arithmetic, or enclosed with outward rounding. In each cell the printed value stands first, ours below it, then the verdict: "
       "<b>match</b> where our enclosure is narrower than one unit of the last printed place and within one such unit of "
       "the printed value, <b>mismatch</b> where our result excludes that, <b>open</b> where it does not decide yet.</p>\n";
+  if (std::any_of(reports.begin(), reports.end(), [](const Report& r) { return !r.experiments.empty(); }))
+    body += "<p>Experiments are another matter: they repeat what a paper shows once, over many samples of random noise, in "
+            "double precision. Each sentence of the text has a statistic that decides it: <b>confirmed</b> or <b>not "
+            "confirmed</b>, with numbers; <b>not-reproducible</b> where it rests on data that were not published.</p>\n";
   if (with_errata)
     body += "<p><a href=\"errata.html\">Errata and confirmations</a>: every statement of the papers as a check, and what "
             "is wrong in them.</p>\n";
   for (const Report& report : reports) {
     body += "<nav>";
     for (const Section& section : report.sections)
-      body += "<a href=\"#" + report.paper + "-" + section.id + "\">" + html(section.heading) + "</a>";
+      if (!is_experiment(report, section))
+        body += "<a href=\"#" + report.paper + "-" + section.id + "\">" + html(section.heading) + "</a>";
     body += "</nav>\n<p class=citation>" + html(report.citation) + "</p>\n";
     const auto tables = report.comparison_tables();
     if (!tables.empty()) {
@@ -167,15 +204,15 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
                 std::to_string(table->count(Verdict::open)) + "</td></tr>\n";
       body += "</table></div>\n";
     }
+    body += experiments_html(report);
     for (const Section& section : report.sections) {
       body += "<h2 id=\"" + report.paper + "-" + section.id + "\">" + html(section.heading) + "</h2>\n";
       for (const std::string& paragraph : section.paragraphs) body += "<p>" + html(paragraph) + "</p>\n";
       for (const ComparisonTable& table : section.comparisons) body += table_html(table);
       for (const PlainTable& table : section.tables) body += table_html(table);
-      for (const Figure& figure : section.figures)
-        body += "<figure id=\"" + figure.id + "\"><img src=\"" + report.paper + "/" + figure.id + ".svg\" alt=\"" +
-                html(figure.title) + "\"><figcaption><b>" + html(figure.title) + ".</b> " + html(figure.caption) +
-                "</figcaption></figure>\n";
+      for (const Figure& figure : section.figures) body += figure_html(report.paper, figure, ".svg");
+      // Surfaces have many thousands of facets.
+      for (const SurfaceFigure& figure : section.surface_figures) body += figure_html(report.paper, figure, ".png");
     }
   }
   return "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
@@ -194,13 +231,18 @@ std::vector<const ComparisonTable*> Report::comparison_tables() const {
 
 bool Report::as_recorded() const {
   const auto tables = comparison_tables();
-  return std::all_of(tables.begin(), tables.end(), [](const ComparisonTable* table) { return table->as_recorded(); });
+  return std::all_of(tables.begin(), tables.end(), [](const ComparisonTable* table) { return table->as_recorded(); }) &&
+         std::all_of(experiments.begin(), experiments.end(), [](const RanExperiment& e) { return e.result.as_recorded(); });
 }
 
-std::vector<std::string> reproducible_papers() { return {"dyn-2015"}; }
+std::vector<std::string> reproducible_papers() {
+  return {"dyn-2015", "mustafa-li-2015", "mustafa-hameed", "mustafa-bari-2016"};
+}
 
 std::vector<std::string> report_items(const std::string& paper) {
   if (paper == "dyn-2015") return dyn_2015_items();
+  const auto papers = reproducible_papers();
+  if (std::find(papers.begin(), papers.end(), paper) != papers.end()) return experiment_ids(paper);
   throw std::out_of_range("unknown paper '" + paper + "'");
 }
 
@@ -209,7 +251,10 @@ Report make_report(const std::string& paper, const ReportOptions& options) {
   for (const std::string& item : options.only)
     if (std::find(items.begin(), items.end(), item) == items.end())
       throw std::out_of_range("unknown item '" + item + "' of " + paper);
-  return report_dyn_2015(options);
+  if (paper == "dyn-2015") return report_dyn_2015(options);
+  Report report{paper, published_paper(paper).citation, {}};
+  add_experiments(report, options);
+  return report;
 }
 
 void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder) {
@@ -234,17 +279,20 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
         write_file(inside / (table.id + ".tex"), latex_table(table.title, rows));
       }
       for (const Figure& figure : section.figures) draw(figure, inside);
+      for (const SurfaceFigure& figure : section.surface_figures) draw(figure, inside);
     }
   }
   write_file(folder / "index.html", page(reports, std::filesystem::exists(folder / "errata.html")));
 }
 
-std::string comparisons_json(const std::vector<Report>& reports) {
-  Json json{{"comparisons", Json::array()}};
-  for (const Report& report : reports)
+std::string reports_json(const std::vector<Report>& reports) {
+  Json json{{"comparisons", Json::array()}, {"experiments", Json::array()}};
+  for (const Report& report : reports) {
     for (const ComparisonTable* table : report.comparison_tables())
       for (const Comparison& comparison : table->comparisons)
         json["comparisons"].push_back(comparison_json(*table, comparison));
+    for (const RanExperiment& ran : report.experiments) json["experiments"].push_back(Json::parse(experiment_json(ran)));
+  }
   return json.dump(2);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 /// A report about one paper and its files.
 
-#include "comparison.hpp"
-#include "figure.hpp"
+#include "experiments/experiment.hpp"
+#include "section.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -11,30 +11,14 @@
 
 namespace subcert {
 
-/// A table of our own, without printed counterpart.
-struct PlainTable {
-  std::string id;
-  std::string title;
-  std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;
-};
-
-/// One part of the page. Items that were not asked for have no section.
-struct Section {
-  std::string id;
-  std::string heading;
-  std::vector<std::string> paragraphs;
-  std::vector<ComparisonTable> comparisons = {};
-  std::vector<PlainTable> tables = {};
-  std::vector<Figure> figures = {};
-};
-
 struct Report {
   std::string paper;
   std::string citation;
   std::vector<Section> sections;
+  std::vector<RanExperiment> experiments = {};
 
   std::vector<const ComparisonTable*> comparison_tables() const;
+  /// Whether all verdicts and findings are the recorded ones.
   bool as_recorded() const;
 };
 
@@ -44,6 +28,8 @@ struct ReportOptions {
   int jobs = 2;
   /// Called with a line about what is being done; may be empty.
   std::function<void(const std::string&)> progress = {};
+  std::uint64_t seed = 1;  ///< of the experiments
+  std::size_t runs = 50;   ///< samples of the noise in each experiment
 };
 
 /// The papers that can be reproduced, and the items of each.
@@ -59,7 +45,7 @@ Report make_report(const std::string& paper, const ReportOptions& options);
 /// and .csv. Errors: throws std::runtime_error that names the file.
 void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder);
 
-/// {"comparisons": [...]} as in the contract.
-std::string comparisons_json(const std::vector<Report>& reports);
+/// {"comparisons": [...], "experiments": [...]} as in the contract; the experiments are those of experiment_json().
+std::string reports_json(const std::vector<Report>& reports);
 
 }  // namespace subcert

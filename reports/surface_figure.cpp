@@ -5,6 +5,7 @@
 
 #include <gnuplot-iostream.h>
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -37,18 +38,20 @@ std::string grid_text(const DrawnSurface& surface) {
   return text.str();
 }
 
-void plot(const std::vector<DrawnSurface>& surfaces, const std::string& terminal, const std::filesystem::path& target) {
+void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, const std::string& terminal,
+          const std::filesystem::path& target) {
+  const std::size_t rows = (surfaces.size() + columns - 1) / columns;
   Gnuplot gnuplot("gnuplot 2>/dev/null");
-  gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 520 * surfaces.size() << ",460\n"
+  gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 520 * columns << "," << 380 * rows << "\n"
           << "set output '" << target.string() << "'\n"
-          << "set multiplot layout 1," << surfaces.size() << "\n"
+          << "set multiplot layout " << rows << "," << columns << "\n"
           << "set xyplane relative 0.05\nset tics textcolor rgb '#333333'\nset border lc rgb '#888888'\n"
           << "set palette defined (0 '#0b559f', 0.5 '#e8e8e8', 1 '#c0392b')\nunset colorbox\nunset key\n"
           << "set pm3d lighting primary 0.4 specular 0.1\n";
   for (const DrawnSurface& surface : surfaces) {
     const bool coarse = surface.columns * surface.rows <= 2500;
     gnuplot << "set title \"" << surface.title << "\"\n"
-            << (surface.heights ? "set view 60,30,1\n" : "set view equal xyz\nset view 60,30,1.6\nunset tics\nunset border\n")
+            << (surface.heights ? "set view 60,30,1\n" : "set view equal xyz\nset view 60,30,2.0\nunset tics\nunset border\n")
             << "set pm3d depthorder " << (coarse ? "border lc rgb '#303030' lw 0.4\n" : "noborder\n")
             << "splot '-' with pm3d\n" << grid_text(surface) << "e\n";
   }
@@ -58,13 +61,18 @@ void plot(const std::vector<DrawnSurface>& surfaces, const std::string& terminal
 
 }  // namespace
 
-void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file) {
+void draw(const SurfaceFigure& figure, const std::filesystem::path& folder) {
+  for (const char* ending : {".svg", ".png"}) draw_surfaces(figure.surfaces, folder / (figure.id + ending), figure.columns);
+}
+
+void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file, std::size_t columns) {
   if (!is_picture_name(file))
     throw std::invalid_argument("draw_surfaces: need a name that ends in .svg or .png, got " + file.string());
   const char* terminal = file.extension() == ".svg" ? "svg font 'DejaVu Sans,12' background rgb 'white'"
                                                     : "pngcairo font 'DejaVu Sans,11'";
   write_file_with(file, [&](const std::filesystem::path& temporary) {
-    plot(surfaces, terminal, temporary);  // gnuplot has ended when this returns
+    // gnuplot has ended when this returns
+    plot(surfaces, columns == 0 ? surfaces.size() : std::min(columns, surfaces.size()), terminal, temporary);
     if (!std::filesystem::exists(temporary) || std::filesystem::file_size(temporary) == 0)
       throw std::runtime_error("gnuplot did not draw " + file.string() + " (is gnuplot installed?)");
   });

@@ -20,8 +20,20 @@ struct DrawnSurface {
   bool heights = false;  ///< a function over a grid: x and y scaled freely against z
 };
 
-/// Writes one picture with the surfaces side by side, as .svg or .png. Errors: throws std::invalid_argument for another
-/// ending, std::runtime_error where gnuplot is missing or fails.
-void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file);
+/// Surfaces side by side, at most `columns` in a row.
+struct SurfaceFigure {
+  std::string id;
+  std::string title;
+  std::string caption;
+  std::vector<DrawnSurface> surfaces;
+  std::size_t columns = 2;
+};
+
+/// Writes FOLDER/ID.svg and FOLDER/ID.png. Errors: as draw_surfaces().
+void draw(const SurfaceFigure& figure, const std::filesystem::path& folder);
+
+/// Writes one picture with the surfaces side by side, at most `columns` in a row where it is not 0, as .svg or .png.
+/// Errors: throws std::invalid_argument for another ending, std::runtime_error where gnuplot is missing or fails.
+void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file, std::size_t columns = 0);
 
 }  // namespace subcert

@@ -13,14 +13,14 @@ namespace {
 
 constexpr int grid_level = 5;  ///< of the exact values between which the ripple is seen
 
-struct Claim {
+struct TheoremCase {
   const char* id;
   std::vector<int> degrees;
 };
 
 /// Conjecture 7 first: what it encloses serves the others too.
-const std::vector<Claim>& claims() {
-  static const std::vector<Claim> list{{"conjecture-7", {1, 3, 5}}, {"conjecture-8-n", {1, 3, 5}}, {"conjecture-8-d", {1, 3}}};
+const std::vector<TheoremCase>& theorem_cases() {
+  static const std::vector<TheoremCase> list{{"conjecture-7", {1, 3, 5}}, {"conjecture-8-n", {1, 3, 5}}, {"conjecture-8-d", {1, 3}}};
   return list;
 }
 
@@ -77,12 +77,12 @@ Section theorem_section(const ReportOptions& options) {
       "each was run for this page ('subcert theorem ID --d D' prints them with their margins).");
   PlainTable table{"theorems", "Theorems, and the inequalities behind them",
                    {"theorem", "degrees", "inequalities", "verdict"}, {}};
-  for (const Claim& claim : claims())
-    for (int degree : claim.degrees) {
-      if (options.progress) options.progress(std::string("theorem ") + claim.id + ", d = " + std::to_string(degree));
+  for (const TheoremCase& one : theorem_cases())
+    for (int degree : one.degrees) {
+      if (options.progress) options.progress(std::string("theorem ") + one.id + ", d = " + std::to_string(degree));
       const theorems::Theorem theorem =
-          theorems::prove(claim.id, degree, theorems::stated_constants(claim.id, degree), options.jobs);
-      table.rows.push_back({claim.id, joined(theorem.degrees), std::to_string(theorem.checks.size()),
+          theorems::prove(one.id, degree, theorems::stated_constants(one.id, degree), options.jobs);
+      table.rows.push_back({one.id, joined(theorem.degrees), std::to_string(theorem.checks.size()),
                             verdict_word(theorem.decision.truth)});
       if (!theorem.decision.is_yes()) continue;
       std::string statement = theorem.title + ".";

@@ -1,0 +1,72 @@
+#include "statistics.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <stdexcept>
+
+namespace subcert {
+
+std::mt19937_64 generator(std::uint64_t seed, std::size_t run) {
+  std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                         static_cast<std::uint32_t>(run)};
+  return std::mt19937_64(sequence);
+}
+
+std::vector<double> normal_noise(std::mt19937_64& engine, std::size_t count) {
+  boost::random::normal_distribution<double> normal;
+  std::vector<double> result(count);
+  for (double& value : result) value = normal(engine);
+  return result;
+}
+
+double uniform(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; }
+
+std::vector<std::size_t> chosen_indices(std::mt19937_64& engine, std::size_t count, std::size_t size) {
+  std::vector<std::size_t> all(size);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for (std::size_t i = 0; i < count; ++i)
+    std::swap(all[i], all[boost::random::uniform_int_distribution<std::size_t>(i, size - 1)(engine)]);
+  all.resize(count);
+  return all;
+}
+
+std::string MeanInterval::text() const { return short_number(mean) + " ± " + short_number(half_width); }
+
+MeanInterval mean_interval(const std::vector<double>& values) {
+  if (values.size() < 2) throw std::invalid_argument("mean_interval: need at least 2 values");
+  const auto count = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const double quantile = boost::math::quantile(boost::math::students_t(count - 1), 0.975);
+  return {mean, quantile * std::sqrt(squares / (count - 1) / count)};
+}
+
+MeanInterval mean_difference(const std::vector<double>& first, const std::vector<double>& second) {
+  std::vector<double> difference(first);
+  for (std::size_t i = 0; i < first.size(); ++i) difference[i] -= second[i];
+  return mean_interval(difference);
+}
+
+double noise_deviation(double mean_square, double decibel) {
+  return std::sqrt(mean_square / (std::pow(10.0, decibel / 10) - 1));
+}
+
+double mean_square(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return sum / static_cast<double>(values.size());
+}
+
+std::string short_number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+}  // namespace subcert

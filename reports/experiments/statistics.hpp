@@ -1,0 +1,47 @@
+#pragma once
+/// Random noise that is the same on every machine, and means with confidence intervals.
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace subcert {
+
+/// The generator of sample `run` of an experiment.
+std::mt19937_64 generator(std::uint64_t seed, std::size_t run);
+
+/// Independent standard normal numbers.
+std::vector<double> normal_noise(std::mt19937_64& engine, std::size_t count);
+
+/// A uniform number in [0, 1).
+double uniform(std::mt19937_64& engine);
+
+/// `count` distinct indices below `size`. Domain: count <= size.
+std::vector<std::size_t> chosen_indices(std::mt19937_64& engine, std::size_t count, std::size_t size);
+
+/// The interval mean - half_width ... mean + half_width.
+struct MeanInterval {
+  double mean;
+  double half_width;
+
+  bool is_negative() const { return mean + half_width < 0; }
+  bool is_positive() const { return mean - half_width > 0; }
+  std::string text() const;
+};
+
+/// The mean with 95 % confidence by Student's t. Domain: at least two values.
+MeanInterval mean_interval(const std::vector<double>& values);
+/// The mean of first[i] - second[i]. Domain: as many of both.
+MeanInterval mean_difference(const std::vector<double>& first, const std::vector<double>& second);
+
+/// sigma^2 of noise with the signal-to-noise ratio `decibel` = 20 log10 of the L2 norm of signal and noise over that of
+/// the noise, both in the mean: mean_square / (10^(decibel/10) - 1). Domain: decibel > 0. Ref: [DHHS15, sec. 3.2].
+double noise_deviation(double mean_square, double decibel);
+
+double mean_square(const std::vector<double>& values);
+
+/// Four significant digits.
+std::string short_number(double value);
+
+}  // namespace subcert

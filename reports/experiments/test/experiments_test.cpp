@@ -1,0 +1,159 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/reports/experiments/local_polynomial.hpp>
+#include <subcert/reports/experiments/mechanical_part.hpp>
+#include <subcert/reports/experiments/paper_experiments.hpp>
+
+#include <cmath>
+#include <set>
+
+using namespace subcert;
+
+TEST_CASE("local regression of each degree keeps its polynomials at every bandwidth") {
+  const std::vector<double> positions{0, 0.3, 10.5, 19};
+  auto engine = generator(2, 0);
+  const auto noise = normal_noise(engine, 20);
+  for (int degree = 0; degree <= 3; ++degree) {
+    const LocalPolynomialRegression regression(degree, 20, positions);
+    const auto polynomial = [&](double x) { return std::pow(x / 4 - 2, degree) - 3; };
+    std::vector<double> data;
+    for (int i = 0; i < 20; ++i) data.push_back(polynomial(i));
+    RegressionOfSum sum(regression, data, noise);
+    for (const double sigma : {0.0, 1e-9, 1e-3, 1.0}) {
+      CAPTURE(degree, sigma);
+      std::vector<double> noisy(data);
+      for (std::size_t i = 0; i < 20; ++i) noisy[i] += sigma * noise[i];
+      const auto values = sum(sigma), again = regression(noisy);
+      for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(values[i] == Approx(polynomial(positions[i])).margin(1e-9 + 5 * sigma));
+        CHECK(values[i] == Approx(again[i]).margin(1e-9));
+      }
+    }
+  }
+  CHECK_THROWS_AS(LocalPolynomialRegression(4, 20, {}), std::invalid_argument);
+  CHECK_THROWS_AS(LocalPolynomialRegression(1, 7, {}), std::invalid_argument);
+}
+
+TEST_CASE("more noise asks for a larger bandwidth") {
+  const LocalPolynomialRegression regression(1, 60, {});
+  auto engine = generator(3, 0);
+  const auto noise = normal_noise(engine, 60);
+  std::vector<double> quiet, loud;
+  for (std::size_t i = 0; i < 60; ++i) {
+    const double f = std::sin(static_cast<double>(i) / 3);
+    quiet.push_back(f + 0.01 * noise[i]);
+    loud.push_back(f + noise[i]);
+  }
+  CHECK(regression.bandwidth(quiet) < regression.bandwidth(loud));
+}
+
+TEST_CASE("the limit matrix keeps linear data, and wraps") {
+  const DenseMatrix open = limit_matrix("primal:n=3", 12, Extension::interp, 1);
+  std::vector<double> line;
+  for (int i = 0; i < 12; ++i) line.push_back(i);
+  const auto values = open * line;
+  REQUIRE(values.size() == 23);
+  for (std::size_t i = 0; i < 23; ++i) CHECK(values[i] == Approx(static_cast<double>(i) / 2).margin(1e-12));
+  const DenseMatrix closed = limit_matrix("primal:n=2", 12, Extension::wrap, 1);
+  REQUIRE(closed.rows() == 24);
+  for (std::size_t r = 0; r < 24; ++r)
+    for (std::size_t c = 0; c < 12; ++c)
+      CHECK(closed.at((r + 2) % 24, (c + 1) % 12) == Approx(closed.at(r, c)).margin(1e-12));
+}
+
+TEST_CASE("means with confidence: known values, coverage and the ratio of noise") {
+  const MeanInterval interval = mean_interval({1, 2, 3, 4});
+  CHECK(interval.mean == Approx(2.5));
+  CHECK(interval.half_width == Approx(3.18244630528 * std::sqrt(5.0 / 12)));
+  int covered = 0;
+  for (std::size_t run = 0; run < 1000; ++run) {
+    auto engine = generator(11, run);
+    const MeanInterval sample = mean_interval(normal_noise(engine, 10));
+    covered += !sample.is_negative() && !sample.is_positive();
+  }
+  CHECK(covered > 920);
+  CHECK(covered < 980);
+  const double sigma = noise_deviation(4, 6);
+  CHECK(10 * std::log10((4 + sigma * sigma) / (sigma * sigma)) == Approx(6));
+}
+
+TEST_CASE("experiments have different names, and do not depend on the number of jobs") {
+  std::set<std::string> ids;
+  for (const Experiment& e : experiments()) CHECK(ids.insert(e.id).second);
+  CHECK_THROWS_AS(experiment("fig999"), std::out_of_range);
+  for (const char* id : {"fig3", "fig17", "fig19", "mse"}) {
+    const ExperimentOptions one{5, 4, 1}, two{5, 4, 2};
+    const Experiment& e = experiment(id);
+    CHECK(experiment_json(run_experiment(e, one)) == experiment_json(run_experiment(e, two)));
+  }
+}
+
+TEST_CASE("with the seed and the runs of a report, every finding is the recorded one") {
+  const ReportOptions defaults;
+  for (const Experiment& e : experiments())
+    for (const Claim& claim : run_experiment(e, {defaults.seed, defaults.runs, defaults.jobs}).result.claims) {
+      CAPTURE(e.id, claim.sentence, claim.numbers);
+      CHECK(to_text(claim.finding) == to_text(claim.recorded));
+    }
+}
+
+TEST_CASE("every paper has a report of its experiments, and its claims are told in full") {
+  for (const std::string& paper : reproducible_papers())
+    for (const std::string& id : experiment_ids(paper)) CHECK(experiment(id).paper == paper);
+  const Report report = make_report("dyn-2015", {{"fig15", "fig17"}, 2, {}, 1, 4});
+  REQUIRE(report.experiments.size() == 2);
+  CHECK(report.sections.size() == 2);
+  CHECK(report.experiments.front().options.runs == 4);
+  for (const RanExperiment& ran : report.experiments)
+    for (const Claim& claim : ran.result.claims) {
+      CHECK(!claim.place.empty());
+      CHECK(!claim.statistic.empty());
+      CHECK(!claim.numbers.empty());
+    }
+}
+
+TEST_CASE("a finding that changes is noticed") {
+  Report report = make_report("dyn-2015", {{"fig19"}, 1, {}, 1, 20});
+  REQUIRE(report.as_recorded());
+  report.experiments.front().result.claims.front().recorded = Finding::not_reproducible;
+  CHECK(!report.as_recorded());
+}
+
+TEST_CASE("tensor product limits keep a plane, open, and turn with the data, closed") {
+  PointGrid plane{12, 14, {}};
+  for (std::size_t j = 0; j < plane.rows; ++j)
+    for (std::size_t i = 0; i < plane.columns; ++i) {
+      const auto x = static_cast<double>(i), y = static_cast<double>(j);
+      plane.points[0].push_back(x);
+      plane.points[1].push_back(y);
+      plane.points[2].push_back(3 * x - 2 * y + x * y);
+    }
+  const PointGrid limit = TensorLimit("primal:n=3", 12, 14, Extension::interp, 1)(plane);
+  REQUIRE(limit.columns == 23);
+  REQUIRE(limit.rows == 27);
+  for (std::size_t j = 0; j < limit.rows; ++j)
+    for (std::size_t i = 0; i < limit.columns; ++i) {
+      const double x = static_cast<double>(i) / 2, y = static_cast<double>(j) / 2;
+      const std::size_t at = j * limit.columns + i;
+      CHECK(limit.points[0][at] == Approx(x).margin(1e-12));
+      CHECK(limit.points[1][at] == Approx(y).margin(1e-12));
+      CHECK(limit.points[2][at] == Approx(3 * x - 2 * y + x * y).margin(1e-11));
+    }
+}
+
+TEST_CASE("the mechanical part has the size of the scan and the heights of its parts") {
+  const PointGrid part = mechanical_part(1);
+  CHECK(part.columns * part.rows == 3969);
+  CHECK(part.points[2].size() == 3969);
+  CHECK(part_height(-10, 0) == 0);
+  CHECK(part_height(10, 20) == 6);
+  CHECK(part_height(0, 28) == 2);
+  CHECK(part_height(3 + 8, -14) == Approx(12));
+  CHECK(part_height(3, -14) == Approx(4));
+  CHECK(part_height(-18, -12) == 4);
+}
+
+TEST_CASE("names of the schemes as the paper prints them") {
+  CHECK(scheme_name("primal:n=3") == "S_3");
+  CHECK(scheme_name("primal:n=4,d=3") == "S_4^3");
+  CHECK(scheme_name("bspline:degree=3") == "bspline:degree=3");
+}

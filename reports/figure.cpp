@@ -42,6 +42,7 @@ void plot(const Figure& figure, const std::string& terminal, const std::filesyst
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
       const Curve& curve = panel.curves[i];
       gnuplot << (i ? ", " : "") << "'-' with " << (!curve.joined ? "points" : curve.marked ? "linespoints" : "lines");
+      if (!curve.colour.empty()) gnuplot << " lc rgb " << quoted(curve.colour);
       if (curve.label.empty())
         gnuplot << " notitle";
       else

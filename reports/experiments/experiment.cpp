@@ -37,7 +37,7 @@ std::size_t ExperimentResult::count(Finding finding) const {
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = [] {
     std::vector<Experiment> result;
-    for (const auto& family : {function_experiments, curve_experiments, expected_error_experiments,
+    for (const auto& family : {function_experiments, curve_experiments, expected_error_experiments, l1_experiments,
                                nonlinear_polynomial_experiments, nonlinear_quiet_experiments, nonlinear_noise_experiments,
                                nonlinear_surface_experiments, aary_limit_function_experiments, aary_curve_experiments,
                                aary_car_experiments, aary_surface_experiments}) {

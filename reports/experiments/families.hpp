@@ -17,4 +17,14 @@ std::vector<Experiment> aary_curve_experiments();
 std::vector<Experiment> aary_car_experiments();
 std::vector<Experiment> aary_surface_experiments();
 
+std::vector<Experiment> l1_function_experiments();
+std::vector<Experiment> l1_limit_experiments();
+std::vector<Experiment> l1_iteration_experiments();
+std::vector<Experiment> l1_spiral_experiments();
+std::vector<Experiment> l1_impulse_experiments();
+std::vector<Experiment> l1_surface_experiments();
+std::vector<Experiment> l1_band_experiments();
+/// Those of [MLZD15] in the order of the paper.
+std::vector<Experiment> l1_experiments();
+
 }  // namespace subcert

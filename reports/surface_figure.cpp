@@ -42,7 +42,7 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, const 
           const std::filesystem::path& target) {
   const std::size_t rows = (surfaces.size() + columns - 1) / columns;
   Gnuplot gnuplot("gnuplot 2>/dev/null");
-  gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 520 * columns << "," << 460 * rows << "\n"
+  gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 520 * columns << "," << 380 * rows << "\n"
           << "set output '" << target.string() << "'\n"
           << "set multiplot layout " << rows << "," << columns << "\n"
           << "set xyplane relative 0.05\nset tics textcolor rgb '#333333'\nset border lc rgb '#888888'\n"
@@ -51,7 +51,8 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, const 
   for (const DrawnSurface& surface : surfaces) {
     const bool coarse = surface.columns * surface.rows <= 2500;
     gnuplot << "set title \"" << surface.title << "\"\n"
-            << (surface.heights ? "set view 60,30,1\n" : "set view equal xyz\nset view 60,30,1.6\nunset tics\nunset border\n")
+            << (surface.heights ? "set view 60,30,1\n"
+                                : "set view equal xyz\nset view 60,30," + std::to_string(surface.zoom) + "\nunset tics\nunset border\n")
             << "set pm3d depthorder " << (coarse ? "border lc rgb '#303030' lw 0.4\n" : "noborder\n")
             << "splot '-' with pm3d\n" << grid_text(surface) << "e\n";
   }

@@ -7,6 +7,8 @@ namespace subcert {
 
 std::vector<Experiment> function_experiments();
 std::vector<Experiment> curve_experiments();
+std::vector<Experiment> torus_experiments();
+std::vector<Experiment> part_experiments();
 std::vector<Experiment> expected_error_experiments();
 std::vector<Experiment> nonlinear_polynomial_experiments();
 std::vector<Experiment> nonlinear_quiet_experiments();

@@ -10,8 +10,8 @@ namespace {
 
 double as_double(const Rational& value) { return value.convert_to<double>(); }
 
-Curve drawn(const std::string& label, const GridData<double>& data, bool joined) {
-  Curve result{label, {}, !joined, joined};
+Curve drawn(const std::string& label, const GridData<double>& data, bool joined, const std::string& colour) {
+  Curve result{label, {}, !joined, joined, colour};
   const std::size_t points = data.points();
   for (std::size_t k = 0; k < points + (joined && data.axes[0].closed && data.dimension > 1); ++k) {
     const double* point = data.values.data() + k % points * data.dimension;
@@ -84,9 +84,15 @@ double diameter(const std::vector<double>& points, std::size_t dimension) {
   return std::sqrt(square);
 }
 
-Curve drawn_points(const std::string& label, const GridData<double>& data) { return drawn(label, data, false); }
+const std::string pale = "#9aa5b1";
 
-Curve drawn_line(const std::string& label, const GridData<double>& data) { return drawn(label, data, true); }
+Curve drawn_points(const std::string& label, const GridData<double>& data, const std::string& colour) {
+  return drawn(label, data, false, colour);
+}
+
+Curve drawn_line(const std::string& label, const GridData<double>& data, const std::string& colour) {
+  return drawn(label, data, true, colour);
+}
 
 DrawnSurface drawn_surface(const std::string& title, const GridData<double>& surface) {
   const Axis &x = surface.axes[0], &y = surface.axes[1];

@@ -21,8 +21,11 @@ std::vector<double> distances(const std::vector<double>& first, const std::vecto
 double diameter(const std::vector<double>& points, std::size_t dimension);
 
 /// Functions over the parameter, or curves by their first two coordinates; closed lines end with their first point.
-Curve drawn_points(const std::string& label, const GridData<double>& data);
-Curve drawn_line(const std::string& label, const GridData<double>& data);
+Curve drawn_points(const std::string& label, const GridData<double>& data, const std::string& colour = {});
+Curve drawn_line(const std::string& label, const GridData<double>& data, const std::string& colour = {});
+
+/// For what a curve is compared with.
+extern const std::string pale;
 
 /// A surface in space, or heights over the parameters. Domain: two axes, one or three coordinates.
 DrawnSurface drawn_surface(const std::string& title, const GridData<double>& surface);

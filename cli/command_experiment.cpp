@@ -12,7 +12,7 @@ namespace subcert::cli {
 namespace {
 
 struct ExperimentCommand : CommonOptions {
-  std::string id;
+  std::string id = "list";
   std::size_t runs = 200;
 };
 
@@ -80,7 +80,7 @@ void add_experiment(CLI::App& app) {
   auto options = std::make_shared<ExperimentCommand>();
   CLI::App& command = add_command(app, "experiment", "Runs an experiment of a paper on seeded random data",
                                   "subcert experiment fig5 --seed 7", options, [=] { return run(*options); });
-  command.add_option("ID", options->id, "An experiment, or 'list'")->required();
+  command.add_option("ID", options->id, "An experiment, or 'list' (default)");
   command.add_option("--runs", options->runs, "Samples of the noise")
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();

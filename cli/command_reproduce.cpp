@@ -135,7 +135,7 @@ int run(ReproduceOptions& options) {
 
 void add_reproduce(CLI::App& app) {
   auto options = std::make_shared<ReproduceOptions>();
-  CLI::App& command = add_command(app, "reproduce", "Recomputes tables and figures of papers beside the printed values",
+  CLI::App& command = add_command(app, "reproduce", "Recomputes tables, figures and experiments of papers beside what they print",
                                   "subcert reproduce dyn-2015 --only table1,table2 --out out", options,
                                   [=] { return run(*options); });
   command.add_option("PAPER", options->papers, "Papers: " + joined(reproducible_papers()) + " (default: all)");

@@ -144,6 +144,11 @@ TEST_CASE("the fields of the contract") {
   const auto reproduce = run_json("reproduce dyn-2015 --only table1,table2");
   CHECK(reproduce.at("comparisons").size() == 18);
   for (const auto& comparison : reproduce.at("comparisons")) CHECK(comparison.at("verdict") == "match");
+  const auto star = run_json("reproduce dyn-2015 --only fig17");
+  CHECK(star.at("comparisons").empty());
+  REQUIRE(star.at("experiments").size() == 1);
+  CHECK(star.at("experiments").at(0).at("runs") == 50);
+  for (const auto& claim : star.at("experiments").at(0).at("claims")) CHECK(claim.at("finding") == claim.at("recorded"));
 }
 
 TEST_CASE("theorems: proved, and unknown with what is missing") {
@@ -167,7 +172,7 @@ TEST_CASE("wrong usage is one line and exit code 64") {
         "limit primal:n=2 --level 50", "limit primal:n=2000", "regularity dual:n=2 --levels 0",
         "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "variance dd:n=2 --width 0",
         "variance dd:n=2 --width x", "reproduce nobody-1900",
-        "reproduce dyn-2015 --only table9", "mask primal:n=3 --jobs 0", "conjecture", "conjecture 9", "conjecture 7 --n 0",
+        "reproduce dyn-2015 --only table9", "experiment fig999", "experiment fig3 --runs 1", "mask primal:n=3 --jobs 0", "conjecture", "conjecture 9", "conjecture 7 --n 0",
         "conjecture 7 --n 4..1", "conjecture 7 --n 1,,2", "conjecture 7 --d x", "conjecture 7 --shard 0/8",
         "conjecture 7 --shard 9/8", "theorem conjecture-9", "theorem conjecture-7 --d x", "theorem conjecture-7 --d 99", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
     const Run result = run(arguments);

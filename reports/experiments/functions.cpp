@@ -160,7 +160,7 @@ Claim decide(const Assertion& assertion, const std::vector<std::string>& names, 
 Figure figure_of(const FunctionFigure& figure, const std::vector<std::string>& names, const Methods& methods,
                  const Errors& errors, const ExperimentOptions& options) {
   Panel over_noise{figure.function.name, "SNR (dB)", "relative error", {}};
-  for (std::size_t m = 0; m < names.size(); ++m) {
+  for (std::size_t m = 0; m < 2; ++m) {
     Curve curve{name_of(names[m]), {}, true};
     for (int decibel = loudest; decibel <= quietest; ++decibel)
       curve.points.emplace_back(decibel, mean_interval(errors[m][static_cast<std::size_t>(decibel - loudest)]).mean);
@@ -169,14 +169,15 @@ Figure figure_of(const FunctionFigure& figure, const std::vector<std::string>& n
   Panel shown{"data with " + short_number(figure.shown) + " dB noise", "x", "", {}, false, "below"};
   auto engine = generator(options.seed, 0);
   const auto data = noisy(sampled(figure.function, 0), normal_noise(engine, count), figure.shown);
-  const auto curve = [](const std::string& label, const std::vector<double>& values, bool joined) {
-    Curve result{label, {}, !joined, joined};
+  const auto curve = [](const std::string& label, const std::vector<double>& values, bool joined, const std::string& colour) {
+    Curve result{label, {}, !joined, joined, colour};
     const double step = 100.0 / static_cast<double>(values.size() - 1);
     for (std::size_t i = 0; i < values.size(); ++i) result.points.emplace_back(step * static_cast<double>(i), values[i]);
     return result;
   };
-  shown.curves = {curve("data", data, false), curve(figure.function.name, sampled(figure.function, level), true)};
-  for (std::size_t m = 0; m < 2; ++m) shown.curves.push_back(curve(name_of(names[m]), methods.apply(m, data), true));
+  shown.curves = {curve("data", data, false, "#8a97a3"),
+                  curve(figure.function.name, sampled(figure.function, level), true, "#e0a030")};
+  for (std::size_t m = 0; m < 2; ++m) shown.curves.push_back(curve(name_of(names[m]), methods.apply(m, data), true, m == 0 ? "#0b559f" : "#c0392b"));
   return {figure.id, "Comparison of " + name_of(figure.first) + " and " + name_of(figure.second) + " for " + figure.function.name,
           "Left: mean relative error over the signal-to-noise ratio. Right: one reconstruction.", 2, {over_noise, shown}};
 }

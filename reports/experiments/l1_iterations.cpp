@@ -89,7 +89,8 @@ ExperimentResult run(const ExperimentOptions& options) {
   result.claims.push_back(all_below({"The curve gets better with 1, 2, 4, 6 refinements.", "Sec. 2.5, Fig. 4, second row"},
                                     "paired differences of the errors", 0, refinements.steps([](const Setting& s) {
                                       return std::to_string(s.refinements);
-                                    })));
+                                    }),
+                                    Finding::not_confirmed));
   std::vector<NamedMean> excess;
   for (const std::size_t i : {0u, 1u}) {
     std::vector<double> bound = sufficient[2];
@@ -98,11 +99,11 @@ ExperimentResult run(const ExperimentOptions& options) {
   }
   result.claims.push_back(all_below({"m = 5 or 6 is sufficient (read as: the error is at most a twentieth larger than after 100 "
                                      "fits).", "App. A.1"},
-                                    "paired differences of the error and 1.05 of that after 100 fits", 0, excess));
+                                    "paired differences of the error and 1.05 of that after 100 fits", 0, excess, Finding::not_confirmed));
   result.claims.push_back(all_below({"A small delta is a good choice (read as: from 1 down to 1e-8 in steps of 1/100 each error "
                                      "is smaller than the one before).", "App. A.1"},
                                     "paired differences of the errors with 30 fits", 0,
-                                    deltas.steps([](const Setting& s) { return s.delta; })));
+                                    deltas.steps([](const Setting& s) { return s.delta; }), Finding::not_confirmed));
   PlainTable table{"l1-fig4-errors", "Errors of D_6", {"reweighted fits", "delta", "refinements", "mean squared error"}, {}};
   for (const Errors* part : {&fits, &sufficient, &refinements, &deltas}) part->add_rows(table);
   result.tables.push_back(table);

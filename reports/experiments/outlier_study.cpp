@@ -12,6 +12,7 @@ namespace subcert {
 const Names least_squares{"S_6", "S_7", "S_8"}, robust{"D_6", "D_7", "D_8"};
 const NamePairs robust_over_least_squares{{"D_6", "S_6"}, {"D_7", "S_7"}, {"D_8", "S_8"}};
 const NamePairs six_over_others{{"D_6", "S_6"}, {"D_6", "S_7"}, {"D_6", "S_8"}, {"D_6", "D_7"}, {"D_6", "D_8"}};
+const NamePairs more_least_squares_points{{"S_7", "S_6"}, {"S_8", "S_7"}}, more_robust_points{{"D_7", "D_6"}, {"D_8", "D_7"}};
 const NamePairs more_over_fewer_points{{"S_7", "S_6"}, {"S_8", "S_7"}, {"D_7", "D_6"}, {"D_8", "D_7"}};
 
 const std::vector<Method>& curve_methods() {

@@ -74,8 +74,8 @@ extern const Names least_squares, robust;
 extern const NamePairs robust_over_least_squares;
 /// D_6 and each other one.
 extern const NamePairs six_over_others;
-/// The schemes with more points and those with fewer, S and D.
-extern const NamePairs more_over_fewer_points;
+/// The schemes with more points and those with fewer: S, D, both.
+extern const NamePairs more_least_squares_points, more_robust_points, more_over_fewer_points;
 
 /// Errors, errors without outliers, responses.
 PlainTable outcome_table(const std::string& id, const std::string& title, const std::vector<Outcome>& outcomes);

@@ -84,8 +84,8 @@ double roundness(const PlaneCurve& c) {
   return least / largest;
 }
 
-Curve drawn(const std::string& label, const PlaneCurve& curve, bool joined, bool closed = false) {
-  Curve result{label, {}, !joined, joined};
+Curve drawn(const std::string& label, const PlaneCurve& curve, bool joined, const std::string& colour, bool closed = false) {
+  Curve result{label, {}, !joined, joined, colour};
   for (std::size_t i = 0; i < curve[0].size(); ++i) result.points.emplace_back(curve[0][i], curve[1][i]);
   if (closed && joined) result.points.push_back(result.points.front());
   return result;
@@ -100,8 +100,8 @@ Figure limits_figure(const std::string& id, const std::string& title, const std:
     const PlaneCurve data = noisy(curve.samples, engine, decibel);
     for (std::size_t s = 0; s < schemes.size(); ++s)
       figure.panels.push_back({scheme_name(schemes[s]) + ", " + short_number(decibel) + " dB", "", "",
-                               {drawn("data", data, false), drawn("curve", curve.truth, true, curve.closed),
-                                drawn("limit", limit(matrices[s], data), true, curve.closed)},
+                               {drawn("data", data, false, "#8a97a3"), drawn("curve", curve.truth, true, "#e0a030", curve.closed),
+                                drawn("limit", limit(matrices[s], data), true, "#0b559f", curve.closed)},
                                false, "below", true});
   }
   return figure;

@@ -1,7 +1,6 @@
 #include <subcert/cmake/catch.hpp>
-#include <subcert/reports/experiments/experiment.hpp>
-#include <subcert/reports/experiments/linear_method.hpp>
-#include <subcert/reports/experiments/statistics.hpp>
+#include <subcert/reports/experiments/mechanical_part.hpp>
+#include <subcert/reports/experiments/paper_experiments.hpp>
 
 #include <cmath>
 #include <set>
@@ -66,9 +65,80 @@ TEST_CASE("experiments have different names, and do not depend on the number of 
   std::set<std::string> ids;
   for (const Experiment& e : experiments()) CHECK(ids.insert(e.id).second);
   CHECK_THROWS_AS(experiment("fig999"), std::out_of_range);
-  for (const char* id : {"fig3", "fig17", "mse"}) {
+  for (const char* id : {"fig3", "fig17", "fig19", "mse"}) {
     const ExperimentOptions one{5, 4, 1}, two{5, 4, 2};
     const Experiment& e = experiment(id);
     CHECK(experiment_json(run_experiment(e, one)) == experiment_json(run_experiment(e, two)));
   }
+}
+
+TEST_CASE("with the seed and the runs of a report, every finding is the recorded one") {
+  const ReportOptions defaults;
+  for (const Experiment& e : experiments())
+    for (const Claim& claim : run_experiment(e, {defaults.seed, defaults.runs, defaults.jobs}).result.claims) {
+      CAPTURE(e.id, claim.sentence, claim.numbers);
+      CHECK(to_text(claim.finding) == to_text(claim.recorded));
+    }
+}
+
+TEST_CASE("every paper has a report of its experiments, and its claims are told in full") {
+  for (const std::string& paper : reproducible_papers())
+    for (const std::string& id : experiment_ids(paper)) CHECK(experiment(id).paper == paper);
+  const Report report = make_report("dyn-2015", {{"fig15", "fig17"}, 2, {}, 1, 4});
+  REQUIRE(report.experiments.size() == 2);
+  CHECK(report.sections.size() == 2);
+  CHECK(report.experiments.front().options.runs == 4);
+  for (const RanExperiment& ran : report.experiments)
+    for (const Claim& claim : ran.result.claims) {
+      CHECK(!claim.place.empty());
+      CHECK(!claim.statistic.empty());
+      CHECK(!claim.numbers.empty());
+    }
+}
+
+TEST_CASE("a finding that changes is noticed") {
+  Report report = make_report("dyn-2015", {{"fig19"}, 1, {}, 1, 20});
+  REQUIRE(report.as_recorded());
+  report.experiments.front().result.claims.front().recorded = Finding::not_reproducible;
+  CHECK(!report.as_recorded());
+}
+
+TEST_CASE("tensor product limits keep a plane, open, and turn with the data, closed") {
+  PointGrid plane{12, 14, {}};
+  for (std::size_t j = 0; j < plane.rows; ++j)
+    for (std::size_t i = 0; i < plane.columns; ++i) {
+      const auto x = static_cast<double>(i), y = static_cast<double>(j);
+      plane.points[0].push_back(x);
+      plane.points[1].push_back(y);
+      plane.points[2].push_back(3 * x - 2 * y + x * y);
+    }
+  const PointGrid limit = TensorLimit("primal:n=3", 12, 14, Extension::interp, 1)(plane);
+  REQUIRE(limit.columns == 23);
+  REQUIRE(limit.rows == 27);
+  for (std::size_t j = 0; j < limit.rows; ++j)
+    for (std::size_t i = 0; i < limit.columns; ++i) {
+      const double x = static_cast<double>(i) / 2, y = static_cast<double>(j) / 2;
+      const std::size_t at = j * limit.columns + i;
+      CHECK(limit.points[0][at] == Approx(x).margin(1e-12));
+      CHECK(limit.points[1][at] == Approx(y).margin(1e-12));
+      CHECK(limit.points[2][at] == Approx(3 * x - 2 * y + x * y).margin(1e-11));
+    }
+}
+
+TEST_CASE("the mechanical part has the size of the scan and the heights of its parts") {
+  const PointGrid part = mechanical_part(1);
+  CHECK(part.columns * part.rows == 3969);
+  CHECK(part.points[2].size() == 3969);
+  CHECK(part_height(-10, 0) == 0);
+  CHECK(part_height(10, 20) == 6);
+  CHECK(part_height(0, 28) == 2);
+  CHECK(part_height(3 + 8, -14) == Approx(12));
+  CHECK(part_height(3, -14) == Approx(4));
+  CHECK(part_height(-18, -12) == 4);
+}
+
+TEST_CASE("names of the schemes as the paper prints them") {
+  CHECK(scheme_name("primal:n=3") == "S_3");
+  CHECK(scheme_name("primal:n=4,d=3") == "S_4^3");
+  CHECK(scheme_name("bspline:degree=3") == "bspline:degree=3");
 }

@@ -1,0 +1,123 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/reports/experiments/damped_sine.hpp>
+#include <subcert/reports/published.hpp>
+#include <subcert/schemes/data/l1_scheme.hpp>
+
+#include <cmath>
+
+using namespace subcert;
+
+namespace {
+
+std::vector<double> random_values(std::uint64_t seed, std::size_t count) {
+  auto engine = generator(seed, 0);
+  return normal_noise(engine, count);
+}
+
+}  // namespace
+
+TEST_CASE("sets that are refined together are refined as if alone") {
+  const auto first = random_values(1, 40), second = random_values(2, 40);
+  for (const char* scheme : {"dual:n=3", "l1:points=6", "bspline:degree=2"}) {
+    INFO(scheme);
+    const Batch both = refined(scheme, {{Axis::of(20)}, 2, {first, second}}, 2);
+    const Batch alone = refined(scheme, {{Axis::of(20)}, 2, {second}}, 2);
+    REQUIRE(both.sets.size() == 2);
+    CHECK(both.sets[1] == alone.sets[0]);
+    CHECK(both.axes[0].count == alone.axes[0].count);
+    CHECK(parameters(both.axes[0]).size() * 2 == both.sets[0].size());
+  }
+  const auto a = random_values(3, 80), b = random_values(4, 80);
+  for (const char* scheme : {"grid:points=6x6,d=1", "l1:points=6x6", "tensor:(bspline:degree=2)x(bspline:degree=2)"}) {
+    INFO(scheme);
+    const std::vector<Axis> axes{Axis::of(8), Axis::of(10)};
+    CHECK(refined(scheme, {axes, 1, {a, b}}, 1).sets[1] == refined(scheme, {axes, 1, {b}}, 1).sets[0]);
+  }
+}
+
+TEST_CASE("a batch has what refine() makes, and refuses what mixes coordinates") {
+  const auto values = random_values(5, 30);
+  const L1Scheme scheme{{7}, 1, {}};
+  CHECK(refined("l1:points=7", {{Axis::of(30)}, 1, {values}}, 3).sets[0] ==
+        refine(curve_data(std::vector<double>(values)), scheme, {3, Boundary::regression, 1}).values);
+  CHECK_THROWS_AS(refined("l1:points=6,residuals=joint", {{Axis::of(30)}, 1, {values}}, 1), std::invalid_argument);
+  CHECK_THROWS_AS(refined("grid:points=4x4x4", {{Axis::of(30)}, 1, {values}}, 1), std::invalid_argument);
+}
+
+TEST_CASE("the l1 schemes without reweighting are the least squares schemes") {
+  const auto curve = random_values(6, 30), surface = random_values(7, 120);
+  for (std::size_t m = 0; m < 3; ++m) {
+    for (const auto& [methods, batch] :
+         {std::pair{curve_methods(), Batch{{Axis::of(30)}, 1, {curve}}}, std::pair{surface_methods(), Batch{{Axis::of(10), Axis::of(12)}, 1, {surface}}}}) {
+      INFO(methods[m].name);
+      const Batch linear = refined(methods[m].specification, batch, 2);
+      const Batch robust = refined(methods[m + 3].specification + ",iterations=0", batch, 2);
+      REQUIRE(linear.sets[0].size() == robust.sets[0].size());
+      for (std::size_t i = 0; i < linear.sets[0].size(); ++i) CHECK(linear.sets[0][i] == Approx(robust.sets[0][i]).margin(1e-12));
+    }
+  }
+}
+
+TEST_CASE("claims need whole intervals on the right side of the bound") {
+  const NamedMean clear{"clear", {-2, 1}}, open{"open", {-0.5, 1}};
+  CHECK(all_below({"", ""}, "", 0, {clear}).finding == Finding::confirmed);
+  CHECK(all_below({"", ""}, "", 0, {clear, open}).finding == Finding::not_confirmed);
+  CHECK(all_above({"", ""}, "", -4, {clear, open}).finding == Finding::confirmed);
+  CHECK(all_above({"", ""}, "", -3, {clear, open}).finding == Finding::not_confirmed);
+}
+
+TEST_CASE("a study measures errors and responses") {
+  OutlierCase what = damped::with_outliers(0, 0);
+  const ExperimentOptions options{1, 27, 2};  // more than are refined together
+  for (const Outcome& o : study(what, curve_methods(), options)) {
+    CHECK(o.error == o.error_without);
+    for (const double response : o.response) CHECK(response == 0);
+    for (const double error : o.error) CHECK(error == o.error[0]);
+    CHECK(o.error[0] > 0);
+  }
+  // A linear scheme answers an outlier of height 1 by the basic limit function, whose values are at most 0.171 for S_6.
+  what.draw = [](std::mt19937_64&) {
+    OutlierSample sample{damped::samples(), damped::samples()};
+    sample.with[50] += 1;
+    return sample;
+  };
+  const auto outcomes = study(what, {curve_methods()[0]}, {1, 2, 1});
+  CHECK(outcomes[0].response[0] == Approx(0.1705).margin(1e-3));
+  CHECK_THROWS_AS(outcome(outcomes, "S_9"), std::out_of_range);
+}
+
+TEST_CASE("outliers stand where they should") {
+  auto engine = generator(8, 0);
+  const OutlierSample sample = damped::with_outliers(13, 0.1).draw(engine);
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < damped::count; ++i) {
+    const double height = std::abs(sample.with[i] - sample.without[i]);
+    moved += height != 0;
+    if (height != 0) CHECK((height >= 4 && height <= 8 + 1e-12));
+  }
+  CHECK(moved == 13);
+  CHECK(damped::samples()[50] == 0);
+  CHECK(damped_sine(damped::position(60)) == Approx(std::sin(3.0) * std::exp(-1.0 / 3)));
+}
+
+TEST_CASE("the printed tables of errors name each scheme once") {
+  const PublishedPaper paper = published_paper("mustafa-li-2015");
+  for (const char* id : {"table1", "table2", "table3"}) {
+    const PublishedTable& table = paper.table(id);
+    const auto& methods = std::string(id) == "table3" ? surface_methods() : curve_methods();
+    REQUIRE(table.cells.size() == methods.size());
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      CHECK(table.cells[i].column == methods[i].name);
+      CHECK(table.cells[i].scheme == methods[i].specification);
+      CHECK(table.cells[i].recorded == Verdict::not_reproducible);
+    }
+  }
+}
+
+TEST_CASE("the experiments of the l1 paper do not depend on the number of jobs") {
+  for (const char* id : {"l1-fig1", "l1-exp2", "l1-fig4", "l1-exp3", "l1-surface1"}) {
+    const ExperimentOptions one{5, 3, 1}, two{5, 3, 2};
+    const Experiment& e = experiment(id);
+    CHECK(experiment_json(run_experiment(e, one)) == experiment_json(run_experiment(e, two)));
+  }
+}

@@ -17,8 +17,8 @@ constexpr int level = 4;
 constexpr int spacing = 20;
 
 /// Heights in cm, every 20 cm from the front bumper to the rear one.
-const std::vector<Rational> car{25, 55, 68, 74, 78, 82, 86, 92, 110, 125, 136, 142, 145,
-                                146, 145, 142, 137, 127, 113, 104, 101, 99, 95, 80, 30};
+const std::vector<Rational> car{25,  55,  68,  74,  78,  82,  86,  92,  110, 125, 136, 142, 145,
+                                146, 145, 142, 137, 127, 113, 104, 101, 99,  95,  80,  30};
 
 struct Method {
   std::string name;
@@ -76,8 +76,8 @@ LaurentPolynomial limit_at_data(const std::string& specification) {
   return {limit_of_data(curve_data(impulse, 1, true), {make_scheme(specification).mask}, {0}).values, -8};
 }
 
-/// Whether for each closed polygon the limit of the scheme is at most as far from the vertices, in the root mean square, as
-/// that of the other: |1 - l| <= |1 - other| on the unit circle, for symmetric l.
+/// Whether for each closed polygon the limit of the scheme is at most as far from the vertices, in the root mean
+/// square, as that of the other: |1 - l| <= |1 - other| on the unit circle, for symmetric l.
 bool is_nearer_for_all_closed_data(const std::string& scheme, const std::string& other) {
   const LaurentPolynomial near = 1 - limit_at_data(scheme), far = 1 - limit_at_data(other);
   return is_nonnegative_on_unit_circle(far * far - near * near);
@@ -104,39 +104,51 @@ void add_cubic_claims(ExperimentResult& result) {
   unfit.require("", correlation > bound, short_number(correlation) + " against " + short_number(bound));
   trend.require("", explained > Rational(1, 2), short_number(to_double(explained)));
   result.claims.push_back(unfit.decides(
-      {"The cubic polynomial by ordinary least squares is not fit for modelling the profile of the car.", "Sec. 2.5, Fig. 3"},
+      {"The cubic polynomial by ordinary least squares is not fit for modelling the profile of the car.",
+       "Sec. 2.5, Fig. 3"},
       "its residuals are no noise: their correlation at lag 1 exceeds the 95 % bound 1.96/sqrt(25) for white noise"));
-  result.claims.push_back(trend.decides({"It just shows the overall trend of the data (read as: it explains more than half of their variance).",
-                                        "Sec. 2.5, Fig. 3"}, "1 - squares of residuals / squares about the mean"));
+  result.claims.push_back(trend.decides(
+      {"It just shows the overall trend of the data (read as: it explains more than half of their variance).",
+       "Sec. 2.5, Fig. 3"},
+      "1 - squares of residuals / squares about the mean"));
 }
 
 ExperimentResult run(const ExperimentOptions&) {
   ExperimentResult result{
-      {"The profile is not published. Ours is the upper outline of a car of 4.80 m by 1.46 m, 25 heights in cm at every "
-       "20 cm: bumper, bonnet, windscreen, roof, rear window, boot. All curves are computed in rational numbers, the limits with the scheme's own fit at "
+      {"The profile is not published. Ours is the upper outline of a car of 4.80 m by 1.46 m, 25 heights in cm at "
+       "every "
+       "20 cm: bumper, bonnet, windscreen, roof, rear window, boot. All curves are computed in rational numbers, the "
+       "limits with the scheme's own fit at "
        "the ends. The paper does not name the degree of its B-spline: degrees 3 and 2 are tried."}};
   result.random = false;
   add_cubic_claims(result);
-  PlainTable table{"aary-fig3-distances", "Distance between data and curve at the data, in cm", {"curve", "root mean square", "largest"}, {}};
+  PlainTable table{"aary-fig3-distances",
+                   "Distance between data and curve at the data, in cm",
+                   {"curve", "root mean square", "largest"},
+                   {}};
   const auto squares = [](const Method& method) { return lagged_sum(residuals(method), 0); };
   for (const Method& method : all_methods()) {
     Rational largest = 0;
     for (const Rational& r : residuals(method)) largest = std::max(largest, Rational(abs(r)));
-    table.rows.push_back({method.name, short_number(std::sqrt(to_double(squares(method)) / static_cast<double>(car.size()))),
+    table.rows.push_back({method.name,
+                          short_number(std::sqrt(to_double(squares(method)) / static_cast<double>(car.size()))),
                           short_number(to_double(largest))});
   }
   Evidence nearer, always;
   for (const Method& spline : splines) {
     nearer.require(spline.name, squares(four_point) < squares(spline),
-                   "ratio of the sums of squares, 4-point over B-spline, " + short_number(to_double(squares(four_point) / squares(spline))));
+                   "ratio of the sums of squares, 4-point over B-spline, " +
+                       short_number(to_double(squares(four_point) / squares(spline))));
     const bool all = is_nearer_for_all_closed_data(four_point.specification, spline.specification);
     always.require(spline.name, all, all ? "proved" : "there are polygons with the contrary");
   }
-  result.claims.push_back(nearer.decides({"The 4-point binary scheme is more consistent with the data than the B-spline.",
-                                         "Sec. 2.5, Fig. 3"}, "smaller sum of squares of the distances at the data, exact"));
+  result.claims.push_back(nearer.decides(
+      {"The 4-point binary scheme is more consistent with the data than the B-spline.", "Sec. 2.5, Fig. 3"},
+      "smaller sum of squares of the distances at the data, exact"));
   result.claims.push_back(always.decides(
       {"The same for every closed polygon with whatever vertices (the sentence without this car).", "Sec. 2.5, Fig. 3"},
-      "|1 - l| of the 4-point scheme is at most that of the B-spline on the whole unit circle, l the symbol of the limit at the data; exact"));
+      "|1 - l| of the 4-point scheme is at most that of the B-spline on the whole unit circle, l the symbol of the "
+      "limit at the data; exact"));
   Figure figure{"aary-fig3", "Profile of a car", "", 2, {}};
   for (const Method& method : {cubic, splines[0], splines[1], four_point}) figure.panels.push_back(panel(method));
   result.figures.push_back(figure);

@@ -33,10 +33,34 @@ std::vector<Polygon> polygons() {
     for (const auto& [x, y] : vertices) values.insert(values.end(), {x, y});
     return curve_data<Rational>(values, 2, closed);
   };
-  return {{"closed", pairs({{-9, 0}, {-8, 5}, {-4, 7}, {0, 3}, {4, 5}, {7, 2}, {13, 1}, {13, -1}, {7, -2}, {4, -5},
-                            {0, -3}, {-4, -7}, {-8, -5}}, true)},
-          {"open", pairs({{-10, 0}, {-7, 0}, {-4, 1}, {-1, 4}, {2, 8}, {6, 9}, {9, 7}, {9, 4}, {6, 3}, {4, 5}, {5, 1},
-                          {8, -1}, {12, -1}}, false)}};
+  return {{"closed", pairs({{-9, 0},
+                            {-8, 5},
+                            {-4, 7},
+                            {0, 3},
+                            {4, 5},
+                            {7, 2},
+                            {13, 1},
+                            {13, -1},
+                            {7, -2},
+                            {4, -5},
+                            {0, -3},
+                            {-4, -7},
+                            {-8, -5}},
+                           true)},
+          {"open", pairs({{-10, 0},
+                          {-7, 0},
+                          {-4, 1},
+                          {-1, 4},
+                          {2, 8},
+                          {6, 9},
+                          {9, 7},
+                          {9, 4},
+                          {6, 3},
+                          {4, 5},
+                          {5, 1},
+                          {8, -1},
+                          {12, -1}},
+                         false)}};
 }
 
 struct Refined {
@@ -71,16 +95,23 @@ Panel panel(const std::string& title, const Polygon& polygon, const Curve& curve
 ExperimentResult run(const ExperimentOptions&) {
   ExperimentResult result{
       {"The polygons are not published. A closed one with 13 vertices, the outline of a guitar, and an open one "
-       "with 13, a breaking wave, both with integer coordinates, are refined by ary:a=2|3|4,points=4,d=3 in rational numbers; "
-       "open ends take the scheme's own fit. Limits are exact at 64 or 81 parameters for each edge. The text names the panels (a)-(c) first "
+       "with 13, a breaking wave, both with integer coordinates, are refined by ary:a=2|3|4,points=4,d=3 in rational "
+       "numbers; "
+       "open ends take the scheme's own fit. Limits are exact at 64 or 81 parameters for each edge. The text names the "
+       "panels (a)-(c) first "
        "level and (d)-(f) limits; the caption says (a), (c), (e) and (b), (d), (f)."}};
   result.random = false;
-  PlainTable table{"aary-fig2-distances", "Distance from the limit at the same parameter, over the diameter of the limit curve",
-                   {"polygon", "arity", "points at level 1", "initial polygon", "level 1", "level 3"}, {}};
+  PlainTable table{"aary-fig2-distances",
+                   "Distance from the limit at the same parameter, over the diameter of the limit curve",
+                   {"polygon", "arity", "points at level 1", "initial polygon", "level 1", "level 3"},
+                   {}};
   Evidence inserted, approximating, third;
   for (const Polygon& polygon : polygons()) {
-    Figure figure{"aary-fig2-" + polygon.name, "First level and limit, " + polygon.name + " polygon",
-                  "Left: the polygon and its first refinement; right: the limit curve.", 2, {}};
+    Figure figure{"aary-fig2-" + polygon.name,
+                  "First level and limit, " + polygon.name + " polygon",
+                  "Left: the polygon and its first refinement; right: the limit curve.",
+                  2,
+                  {}};
     const GridData<double> data = rounded(polygon.data);
     for (const Arity& arity : arities) {
       const Refined curves = refined(polygon, arity);
@@ -89,8 +120,7 @@ ExperimentResult run(const ExperimentOptions&) {
                             short_number(distance_to_limit(data, curves.limit)),
                             short_number(distance_to_limit(curves.first, curves.limit)), short_number(level3)});
       if (polygon.data.axes[0].closed)
-        inserted.require(arity.name,
-                         curves.first.points() == static_cast<std::size_t>(arity.arity) * data.points(),
+        inserted.require(arity.name, curves.first.points() == static_cast<std::size_t>(arity.arity) * data.points(),
                          std::to_string(curves.first.points()) + " points from " + std::to_string(data.points()));
       if (polygon.data.axes[0].closed)
         approximating.require(arity.name, !shares_a_point(data, curves.first),
@@ -107,9 +137,11 @@ ExperimentResult run(const ExperimentOptions&) {
                        "points of the first level for the closed polygon: arity times its vertices"),
       approximating.decides({"The schemes are approximating.", "Sec. 2, Fig. 2(a,c,e)"},
                             "no vertex of the closed polygon is a point of the first level"),
-      third.decides({"After the third iteration one sees the limit curve (read as: the polygon is nearer than 1/200 of the "
-                    "diameter).",
-                    "Fig. 2, caption"}, "distance from the limit at the same parameter, over the diameter, below 1/200")};
+      third.decides(
+          {"After the third iteration one sees the limit curve (read as: the polygon is nearer than 1/200 of the "
+           "diameter).",
+           "Fig. 2, caption"},
+          "distance from the limit at the same parameter, over the diameter, below 1/200")};
   result.tables.push_back(table);
   return result;
 }

@@ -46,7 +46,8 @@ std::string text(const Interval& interval) {
 Rational centred_value(const Centred& centred, long k) {
   const ShiftedValues values = limit_values_at(centred.scheme.mask, centred.shift);
   const long i = k - values.first;
-  return i < 0 || i >= static_cast<long>(values.values.size()) ? Rational(0) : values.values[static_cast<std::size_t>(i)];
+  return i < 0 || i >= static_cast<long>(values.values.size()) ? Rational(0)
+                                                               : values.values[static_cast<std::size_t>(i)];
 }
 
 Panel drawn_function(const Arity& arity, const Centred& centred) {
@@ -61,9 +62,9 @@ Panel drawn_function(const Arity& arity, const Centred& centred) {
 std::vector<std::string> table_row(const Arity& arity, const Centred& centred) {
   const LimitRange range = limit_range(centred.scheme.mask);
   const SmoothnessProof smooth = proved_smoothness(centred.scheme.mask);
-  std::vector<std::string> row{std::to_string(arity.arity), centred.scheme.mask.symbol().to_mask_text(), text(centred.support),
-                               range.maximum.lower_text(6), range.minimum.lower_text(6),
-                               "C^" + std::to_string(smooth.order)};
+  std::vector<std::string> row{std::to_string(arity.arity), centred.scheme.mask.symbol().to_mask_text(),
+                               text(centred.support),       range.maximum.lower_text(6),
+                               range.minimum.lower_text(6), "C^" + std::to_string(smooth.order)};
   for (long k = 0; k <= 2; ++k) row.push_back(to_text(centred_value(centred, k)));
   return row;
 }
@@ -75,8 +76,10 @@ ExperimentResult run(const ExperimentOptions&) {
        ""}};
   result.random = false;
   result.figures.push_back({"aary-fig1", "Basic limit functions of the 4-point schemes", "", 3, {}});
-  PlainTable table{"aary-fig1-functions", "The functions: exact mask, support and values at 0, 1, 2; certified extremes",
-                   {"arity", "mask", "support", "maximum", "minimum", "proved", "at 0", "at 1", "at 2"}, {}};
+  PlainTable table{"aary-fig1-functions",
+                   "The functions: exact mask, support and values at 0, 1, 2; certified extremes",
+                   {"arity", "mask", "support", "maximum", "minimum", "proved", "at 0", "at 1", "at 2"},
+                   {}};
   Evidence ends, convergence, proportion, falling;
   Rational last_width = 0, product = 0;
   for (const Arity& arity : arities) {
@@ -86,22 +89,26 @@ ExperimentResult run(const ExperimentOptions&) {
     const Decision decision = converges(centred.scheme.mask);
     convergence.require(arity.name, decision.is_yes(), decision.reason);
     const Rational width = centred.width(), scaled = arity.arity * width;
-    proportion.require("", product == 0 || scaled == product, to_text(scaled) + " for a = " + std::to_string(arity.arity));
-    falling.require("", last_width == 0 || width < last_width, to_text(width) + " for a = " + std::to_string(arity.arity));
+    proportion.require("", product == 0 || scaled == product,
+                       to_text(scaled) + " for a = " + std::to_string(arity.arity));
+    falling.require("", last_width == 0 || width < last_width,
+                    to_text(width) + " for a = " + std::to_string(arity.arity));
     product = scaled;
     last_width = width;
     table.rows.push_back(table_row(arity, centred));
     result.figures.back().panels.push_back(drawn_function(arity, centred));
   }
   result.claims = {
-      ends.decides({"The functions vanish outside [-(2an-1)/(2(a-1)), (2an-1)/(2(a-1))], n = 2.", "Theorem 2.3, Fig. 1"},
-                   "both ends of the support, exact"),
+      ends.decides(
+          {"The functions vanish outside [-(2an-1)/(2(a-1)), (2an-1)/(2(a-1))], n = 2.", "Theorem 2.3, Fig. 1"},
+          "both ends of the support, exact"),
       convergence.decides({"The conditions for the schemes to converge are satisfied.", "Sec. 2.2"},
                           "convergence is proved"),
       proportion.decides({"Arity and support width are inversely proportional.", "Sec. 2.2, end"},
                          "arity times width is the same for a = 2, 3, 4", Finding::not_confirmed),
-      falling.decides({"The larger the arity, the smaller the support (the weaker reading of the same sentence).",
-                      "Sec. 2.2, end"}, "the width falls with the arity")};
+      falling.decides(
+          {"The larger the arity, the smaller the support (the weaker reading of the same sentence).", "Sec. 2.2, end"},
+          "the width falls with the arity")};
   result.tables.push_back(table);
   return result;
 }

@@ -49,7 +49,8 @@ GridData<double> points_of(const Mesh& mesh) {
   const auto last = static_cast<double>(mesh.closed_rows ? mesh.rows : mesh.rows - 1);
   for (std::size_t j = 0; j < mesh.rows; ++j)
     for (std::size_t i = 0; i < mesh.columns; ++i) {
-      const auto point = mesh.point(turn * static_cast<double>(i) / static_cast<double>(mesh.columns), turn * static_cast<double>(j) / last);
+      const auto point = mesh.point(turn * static_cast<double>(i) / static_cast<double>(mesh.columns),
+                                    turn * static_cast<double>(j) / last);
       data.values.insert(data.values.end(), point.begin(), point.end());
     }
   return data;
@@ -63,7 +64,8 @@ struct SurfaceExperiment {
   Mesh mesh;
 };
 
-/// Whether the coefficients are products of a function of i and one of j: all minors with the leading coefficient vanish.
+/// Whether the coefficients are products of a function of i and one of j: all minors with the leading coefficient
+/// vanish.
 bool is_product(const MultivariatePolynomial& symbol) {
   const auto terms = symbol.terms();
   const auto& pivot = terms.front();
@@ -105,26 +107,31 @@ void add_exact_claims(ExperimentResult& result, const SurfaceExperiment& experim
   degree.require("", reproduced >= 3, "total degree " + std::to_string(reproduced));
   const Decision decision = converges(mask);
   convergence.require("", decision.is_yes(), to_text(decision.truth) + ", " + decision.reason);
-  result.claims = {
-      product.decides({"The " + name + " scheme is no tensor product.", "Sec. 3, " + experiment.figure},
-                      "the coefficients are no products of two sequences, exact"),
-      size.decides({"It is a " + name + " scheme.", "Sec. 3, " + experiment.figure}, "the data with non-zero weight in each of the four rules"),
-      degree.decides({"It fits bivariate cubic polynomials to the data (read as: cubic data are kept).", "Sec. 3, " + experiment.figure},
-                     "reproduction of total degree 3, exact"),
-      convergence.decides({"It produces the limit surface of panel (e).", experiment.figure + "(e)"}, "convergence is proved")};
+  result.claims = {product.decides({"The " + name + " scheme is no tensor product.", "Sec. 3, " + experiment.figure},
+                                   "the coefficients are no products of two sequences, exact"),
+                   size.decides({"It is a " + name + " scheme.", "Sec. 3, " + experiment.figure},
+                                "the data with non-zero weight in each of the four rules"),
+                   degree.decides({"It fits bivariate cubic polynomials to the data (read as: cubic data are kept).",
+                                   "Sec. 3, " + experiment.figure},
+                                  "reproduction of total degree 3, exact"),
+                   convergence.decides({"It produces the limit surface of panel (e).", experiment.figure + "(e)"},
+                                       "convergence is proved")};
 }
 
 ExperimentResult run(const SurfaceExperiment& experiment) {
   const std::string side = std::to_string(experiment.points);
   const std::string specification = "grid:points=" + side + "x" + side + ",d=3";
   const auto scheme = std::get<MultivariateScheme>(make_any_scheme(specification));
-  ExperimentResult result{{"The mesh is not published. Ours is " + experiment.mesh.words + ". Scheme: " + specification +
-                           "; open ends take the scheme's own fit. Level 5 stands for the limit."}};
+  ExperimentResult result{{"The mesh is not published. Ours is " + experiment.mesh.words + ". Scheme: " +
+                           specification + "; open ends take the scheme's own fit. Level 5 stands for the limit."}};
   result.random = false;
   add_exact_claims(result, experiment, scheme.mask);
   const GridData<double> mesh = points_of(experiment.mesh), limit = refine(mesh, scheme.mask, {limit_level});
   SurfaceFigure figure{experiment.id, experiment.title, "", {drawn_surface("initial mesh", mesh)}, 3};
-  PlainTable table{experiment.id + "-levels", "Distance from level 5 at the same parameters, over the diameter", {"level", "points", "largest distance"}, {}};
+  PlainTable table{experiment.id + "-levels",
+                   "Distance from level 5 at the same parameters, over the diameter",
+                   {"level", "points", "largest distance"},
+                   {}};
   Evidence approach;
   double last = relative_distance(mesh, limit);
   table.rows.push_back({"0", std::to_string(mesh.points()), short_number(last)});
@@ -133,14 +140,16 @@ ExperimentResult run(const SurfaceExperiment& experiment) {
     const double distance = relative_distance(refined, limit);
     figure.surfaces.push_back(drawn_surface("level " + std::to_string(level), refined));
     table.rows.push_back({std::to_string(level), std::to_string(refined.points()), short_number(distance)});
-    approach.require("level " + std::to_string(level), distance < last && (level < drawn_levels || distance < 1.0 / 200), short_number(distance));
+    approach.require("level " + std::to_string(level),
+                     distance < last && (level < drawn_levels || distance < 1.0 / 200), short_number(distance));
     last = distance;
   }
   figure.surfaces.push_back(drawn_surface("limit surface", limit));
   for (DrawnSurface& surface : figure.surfaces) surface.zoom = experiment.mesh.zoom;
-  result.claims.push_back(approach.decides(
-      {"The meshes of the first three levels lead to the limit surface (read as: the distance falls, and is below 1/200 of the diameter at level 3).",
-      experiment.figure + "(b)-(e)"}, "largest distance from level 5 at the same parameters, over the diameter"));
+  result.claims.push_back(approach.decides({"The meshes of the first three levels lead to the limit surface (read as: "
+                                            "the distance falls, and is below 1/200 of the diameter at level 3).",
+                                            experiment.figure + "(b)-(e)"},
+                                           "largest distance from level 5 at the same parameters, over the diameter"));
   result.tables.push_back(table);
   result.surface_figures.push_back(figure);
   return result;
@@ -150,10 +159,17 @@ ExperimentResult run(const SurfaceExperiment& experiment) {
 
 std::vector<Experiment> aary_surface_experiments() {
   const std::vector<SurfaceExperiment> surfaces{
-      {"aary-fig4", "Fig. 4", "A vase by the 16-point scheme", 4,
+      {"aary-fig4",
+       "Fig. 4",
+       "A vase by the 16-point scheme",
+       4,
        {"a vase with 8 x 9 vertices, closed around its axis and turned as it rises", 8, 9, false, 1.1, vase}},
-      {"aary-fig5", "Fig. 5", "A ring with three lobes by the 25-point scheme", 5,
-       {"a tube of 18 x 6 vertices around a closed curve with three lobes, closed in both directions", 18, 6, true, 2, ring}}};
+      {"aary-fig5",
+       "Fig. 5",
+       "A ring with three lobes by the 25-point scheme",
+       5,
+       {"a tube of 18 x 6 vertices around a closed curve with three lobes, closed in both directions", 18, 6, true, 2,
+        ring}}};
   std::vector<Experiment> result;
   for (const SurfaceExperiment& surface : surfaces)
     result.push_back({surface.id, "mustafa-bari-2016", "Figure " + surface.figure.substr(5) + ": " + surface.title,

@@ -70,7 +70,8 @@ ErrorParts error_parts(const OutlierCase& what, const Method& method, const Expe
   return parts;
 }
 
-NamedMean paired(const std::string& name, const std::vector<double>& first, const std::vector<double>& second, double factor) {
+NamedMean paired(const std::string& name, const std::vector<double>& first, const std::vector<double>& second,
+                 double factor) {
   std::vector<double> scaled(second);
   for (double& value : scaled) value *= factor;
   return {name, mean_difference(first, scaled)};

@@ -10,9 +10,9 @@ namespace subcert {
 Method robust_method(int points, int degree, bool grid = false);
 Method least_squares_method(int points, int degree, bool grid = false);
 
-/// Estimates from pairs of independent samples with outliers, one of each for each pair, as means over the points of the last level.
-/// With the errors e and e' of a pair, the mean of e . e' is unbiased for the squared bias, and that of |e - e'|^2 / 2 for
-/// the variance.
+/// Estimates from pairs of independent samples with outliers, one of each for each pair, as means over the points of
+/// the last level. With the errors e and e' of a pair, the mean of e . e' is unbiased for the squared bias, and that of
+/// |e - e'|^2 / 2 for the variance.
 struct ErrorParts {
   std::vector<double> squared_bias;
   std::vector<double> variance;

@@ -25,7 +25,9 @@ OutlierCase hills(double& variance) {
     for (std::size_t i = 0; i < count; ++i) samples.push_back(height(static_cast<double>(i), static_cast<double>(j)));
   const double sigma = noise_deviation(mean_square(samples), 20), range = diameter(samples, 1);
   variance = sigma * sigma;
-  return {{Axis::of(count), Axis::of(count)}, 1, levels,
+  return {{Axis::of(count), Axis::of(count)},
+          1,
+          levels,
           [samples, sigma, range](std::mt19937_64& engine) {
             OutlierSample sample{samples, {}};
             const auto noise = normal_noise(engine, samples.size());
@@ -35,21 +37,25 @@ OutlierCase hills(double& variance) {
               sample.with[i] += (0.5 + uniform(engine) / 2) * (uniform(engine) < 0.5 ? range : -range);
             return sample;
           },
-          [](double x, double y) { return std::array<double, 3>{height(x, y), 0, 0}; }};
+          [](double x, double y) {
+            return std::array<double, 3>{height(x, y), 0, 0};
+          }};
 }
 
 SurfaceFigure figure(const OutlierCase& data, std::uint64_t seed) {
   auto engine = generator(seed, 0);
-  const std::vector<double> sample = data.draw(engine).with;
-  SurfaceFigure result{"nonlinear-surface", "Noisy heights with outliers",
+  const GridData<double> sample{data.draw(engine).with, 1, data.axes};
+  SurfaceFigure result{"nonlinear-surface",
+                       "Noisy heights with outliers",
                        "The data, linear polynomials on 6 x 6 data, quadratic ones, and the true surface.",
-                       {drawn_surface("data", {sample, 1, data.axes})}, 2};
+                       {drawn_surface("data", sample)},
+                       2};
   std::vector<Axis> fine;
   for (const int degree : {1, 2}) {
     const Method method = robust_method(6, degree, true);
-    const Batch batch = refined(method.specification, {data.axes, 1, {sample}}, levels);
-    result.surfaces.push_back(drawn_surface(method.name, {batch.sets[0], 1, batch.axes}));
-    fine = batch.axes;
+    const GridData<double> surface = refined(method.specification, sample, levels);
+    result.surfaces.push_back(drawn_surface(method.name, surface));
+    fine = surface.axes;
   }
   result.surfaces.push_back(drawn_surface("true", {true_points(data, fine), 1, fine}));
   return result;
@@ -69,21 +75,34 @@ ExperimentResult run(const ExperimentOptions& options) {
   for (const int points : windows)
     for (const int degree : {1, 2}) methods.push_back(robust_method(points, degree, true));
   ExperimentResult result{
-      {"The surfaces are not published. Here: two hills and a hollow, 21 x 21 heights, normal noise of 20 dB (variance " + short_number(variance) +
-       "), 12 outliers at random places, up or down by 1/2 to 1 of the range. D_p^d: l1 regression of total degree d on p x p data, 6 iterations, delta = 1e-8, 2 levels. Roughness: mean square of the "
+      {"The surfaces are not published. Here: two hills and a hollow, 21 x 21 heights, normal noise of 20 dB "
+       "(variance " +
+       short_number(variance) +
+       "), 12 outliers at random places, up or down by 1/2 to 1 of the range. D_p^d: l1 regression of total degree d "
+       "on p x p data, 6 iterations, delta = 1e-8, 2 levels. Roughness: mean square of the "
        "second differences along both axes on the last level."}};
   const auto outcomes = study(data, methods, options);
-  const std::string sentence = "In the surface case the schemes of quadratic polynomials produce smooth models compared with those of linear ones";
+  const std::string sentence =
+      "In the surface case the schemes of quadratic polynomials produce smooth models compared with those of linear "
+      "ones";
   std::vector<NamedMean> rough;
-  PlainTable table{"nonlinear-surface-errors", "Surfaces with outliers", {"scheme", "mean squared error", "without outliers", "roughness"}, {}};
+  PlainTable table{"nonlinear-surface-errors",
+                   "Surfaces with outliers",
+                   {"scheme", "mean squared error", "without outliers", "roughness"},
+                   {}};
   for (const Outcome& o : outcomes)
-    table.rows.push_back({o.method.name, mean_interval(o.error).text(), mean_interval(o.error_without).text(), mean_interval(o.roughness).text()});
+    table.rows.push_back({o.method.name, mean_interval(o.error).text(), mean_interval(o.error_without).text(),
+                          mean_interval(o.roughness).text()});
   result.claims = {
-      all_below({sentence + " (read literally: smoother).", "Sec. 1.1"}, "paired difference of the roughness, degree 2 minus degree 1", 0,
-                differences(outcomes, pairs(), &Outcome::roughness)),
+      all_below({sentence + " (read literally: smoother).", "Sec. 1.1"},
+                "paired difference of the roughness, degree 2 minus degree 1", 0,
+                differences(outcomes, pairs(), &Outcome::roughness), Finding::not_confirmed),
       all_below({sentence + " (read as: nearer to the smooth surface from which the data come).", "Sec. 1.1"},
-                "paired difference of the mean squared errors, degree 2 minus degree 1", 0, differences(outcomes, pairs(), &Outcome::error)),
-      all_below({"The surface schemes of quadratic polynomials remove noise and outliers (read as: the mean squared error is below the variance of the noise).", "Sec. 1.1"},
+                "paired difference of the mean squared errors, degree 2 minus degree 1", 0,
+                differences(outcomes, pairs(), &Outcome::error)),
+      all_below({"The surface schemes of quadratic polynomials remove noise and outliers (read as: the mean squared "
+                 "error is below the variance of the noise).",
+                 "Sec. 1.1"},
                 "mean squared error", variance, means(outcomes, {"D_5^2", "D_6^2"}, &Outcome::error))};
   result.tables.push_back(table);
   result.surface_figures.push_back(figure(data, options.seed));

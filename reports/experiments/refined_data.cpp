@@ -25,6 +25,11 @@ Curve drawn(const std::string& label, const GridData<double>& data, bool joined,
 
 }  // namespace
 
+GridData<double> refined(const std::string& specification, const GridData<double>& data, int levels) {
+  Batch fine = refined(specification, Batch{data.axes, data.dimension, {data.values}}, levels);
+  return {std::move(fine.sets.front()), fine.dimension, fine.axes};
+}
+
 std::vector<double> polygon_at(const GridData<double>& curve, const std::vector<double>& parameters) {
   const Axis& axis = curve.axes[0];
   const double first = as_double(axis.first), step = as_double(axis.step);
@@ -48,12 +53,14 @@ std::vector<double> polygon_at(const GridData<double>& curve, const std::vector<
 std::vector<double> mesh_at(const GridData<double>& surface, const std::vector<Axis>& finer) {
   // The rows are the points of a curve along the second axis.
   const std::size_t columns = surface.axes[0].count, width = columns * surface.dimension;
-  const std::vector<double> rows = polygon_at({surface.values, width, {surface.axes[1]}}, parameters(finer[1])), x = parameters(finer[0]);
+  const std::vector<double> rows = polygon_at({surface.values, width, {surface.axes[1]}}, parameters(finer[1])),
+                            x = parameters(finer[0]);
   std::vector<double> result;
   for (std::size_t j = 0; j < finer[1].count; ++j) {
     const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(j * width);
     const auto row = polygon_at(
-        {std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(width)), surface.dimension, {surface.axes[0]}}, x);
+        {std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(width)), surface.dimension, {surface.axes[0]}},
+        x);
     result.insert(result.end(), row.begin(), row.end());
   }
   return result;

@@ -7,15 +7,20 @@
 
 namespace subcert {
 
+/// One set of data refined as a Batch is. Domain and errors: as there.
+GridData<double> refined(const std::string& specification, const GridData<double>& data, int levels);
+
 /// The polygon through the points of a curve at these parameters: coordinate c of parameter k at [k * dimension + c].
 /// Beyond the first and last point of open data the outer edges are continued. Domain: one axis, at least two points.
 std::vector<double> polygon_at(const GridData<double>& curve, const std::vector<double>& parameters);
 
-/// A surface, bilinear between its points, at the parameters of a finer one. Domain: two axes, at least two points in each.
+/// A surface, bilinear between its points, at the parameters of a finer one. Domain: two axes, at least two points in
+/// each.
 std::vector<double> mesh_at(const GridData<double>& surface, const std::vector<Axis>& finer);
 
 /// The Euclidean distances between points k of both, of `dimension` coordinates. Domain: as many values in both.
-std::vector<double> distances(const std::vector<double>& first, const std::vector<double>& second, std::size_t dimension);
+std::vector<double> distances(const std::vector<double>& first, const std::vector<double>& second,
+                              std::size_t dimension);
 
 /// The diagonal of the smallest box, with sides along the axes, that contains all points.
 double diameter(const std::vector<double>& points, std::size_t dimension);

@@ -11,7 +11,8 @@
 namespace subcert {
 namespace {
 
-GridData<double> refine_any(const std::string& specification, const GridData<double>& data, const RefineOptions& options) {
+GridData<double> refine_any(const std::string& specification, const GridData<double>& data,
+                            const RefineOptions& options) {
   if (is_l1_specification(specification)) {
     const L1Scheme scheme = make_l1_scheme(specification).scheme;
     if (scheme.options.joint_residuals)
@@ -33,8 +34,7 @@ Batch refined(const std::string& specification, const Batch& data, int levels) {
   const std::size_t points = joined.points();
   joined.values.resize(points * sets * k);
   for (std::size_t s = 0; s < sets; ++s)
-    for (std::size_t p = 0; p < points; ++p)
-      std::copy_n(&data.sets[s][p * k], k, &joined.values[(p * sets + s) * k]);
+    for (std::size_t p = 0; p < points; ++p) std::copy_n(&data.sets[s][p * k], k, &joined.values[(p * sets + s) * k]);
   const GridData<double> fine = refine_any(specification, joined, {levels, Boundary::regression, 1});
   Batch result{fine.axes, k, std::vector<std::vector<double>>(sets, std::vector<double>(fine.points() * k))};
   for (std::size_t s = 0; s < sets; ++s)

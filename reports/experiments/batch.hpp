@@ -16,10 +16,10 @@ struct Batch {
   std::vector<std::vector<double>> sets;
 };
 
-/// Applies the scheme of one or two variables, linear or of local l1 regression with separate residuals, `levels` times;
-/// rules at open ends by regression. Each set is refined as if it were alone, to the bit; what is exact is done once
-/// for all. Errors: throws SpecificationError, std::invalid_argument for three variables or joint residuals, else as
-/// refine().
+/// Applies the scheme of one or two variables, linear or of local l1 regression with separate residuals, `levels`
+/// times; rules at open ends by regression. Each set is refined as if it were alone, to the bit; what is exact is done
+/// once for all. Errors: throws SpecificationError, std::invalid_argument for three variables or joint residuals, else
+/// as refine().
 Batch refined(const std::string& specification, const Batch& data, int levels);
 
 /// The parameters of the points of an axis.

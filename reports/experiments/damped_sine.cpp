@@ -47,7 +47,9 @@ OutlierCase with_outliers(std::size_t outliers, double sigma) {
             add_outliers(engine, sample.with, outliers);
             return sample;
           },
-          [](double u, double) { return std::array<double, 3>{damped_sine(position(u)), 0, 0}; }};
+          [](double u, double) {
+            return std::array<double, 3>{damped_sine(position(u)), 0, 0};
+          }};
 }
 
 Panel panel(const std::string& title, const std::string& specification, const OutlierSample& sample, int refinements) {
@@ -66,8 +68,8 @@ Panel panel(const std::string& title, const std::string& specification, const Ou
   return plane_panel(parts);
 }
 
-Figure figure(const std::string& id, const std::string& title, const std::string& caption, const std::vector<Method>& methods,
-              const OutlierSample& sample) {
+Figure figure(const std::string& id, const std::string& title, const std::string& caption,
+              const std::vector<Method>& methods, const OutlierSample& sample) {
   Figure result{id, title, caption, 3, {}};
   for (const Method& method : methods) result.panels.push_back(panel(method.name, method.specification, sample));
   return result;
@@ -86,12 +88,17 @@ double mean_square_from_zero(double length) {
 }  // namespace
 
 std::string setup() {
-  return "f_1(x) = sin(3x) e^(-x/3). The paper names neither interval nor spacing; here x = -5, -4.9, ..., 5, where the mean "
-         "square of f_1 is " + short_number(mean_square(samples())) +
-         ". (On [0, 2 pi] it would be " + short_number(mean_square_from_zero(2 * std::numbers::pi)) +
-         ", the error of the zero function, and five of the six errors in Table 1 are larger.) An outlier adds a number of "
-         "random sign and of a modulus uniform in [4, 8] to a random datum, which makes the errors of the least squares "
-         "schemes about as large as printed. Curves after 5 refinements, 6 reweighted fits with delta = 1e-8, rules at the "
+  return "f_1(x) = sin(3x) e^(-x/3). The paper names neither interval nor spacing; here x = -5, -4.9, ..., 5, where "
+         "the mean "
+         "square of f_1 is " +
+         short_number(mean_square(samples())) + ". (On [0, 2 pi] it would be " +
+         short_number(mean_square_from_zero(2 * std::numbers::pi)) +
+         ", the error of the zero function, and five of the six errors in Table 1 are larger.) An outlier adds a "
+         "number of "
+         "random sign and of a modulus uniform in [4, 8] to a random datum, which makes the errors of the least "
+         "squares "
+         "schemes about as large as printed. Curves after 5 refinements, 6 reweighted fits with delta = 1e-8, rules at "
+         "the "
          "ends by regression. Error: mean squared distance from f_1 at the points of the curve; response: the largest "
          "distance by which the outliers move a point of the curve.";
 }

@@ -11,17 +11,18 @@ std::string listed(const std::vector<NamedMean>& means) {
   return text;
 }
 
-Claim compared(const Sentence& sentence, const std::string& measure, const std::string& relation, double bound, bool holds,
-               const std::vector<NamedMean>& means, Finding recorded) {
-  return decided(sentence, measure + ": " + relation + " " + short_number(bound) + " with the whole interval, each", holds,
-                 listed(means), recorded);
+Claim compared(const Sentence& sentence, const std::string& measure, const std::string& relation, double bound,
+               bool holds, const std::vector<NamedMean>& means, Finding recorded) {
+  return decided(sentence, measure + ": " + relation + " " + short_number(bound) + " with the whole interval, each",
+                 holds, listed(means), recorded);
 }
 
 }  // namespace
 
 Claim decided(const Sentence& sentence, const std::string& statistic, bool holds, const std::string& numbers,
               Finding recorded) {
-  return {sentence.text, sentence.place, statistic, holds ? Finding::confirmed : Finding::not_confirmed, numbers, recorded};
+  return {sentence.text, sentence.place, statistic, holds ? Finding::confirmed : Finding::not_confirmed,
+          numbers,       recorded};
 }
 
 Claim all_below(const Sentence& sentence, const std::string& measure, double bound, const std::vector<NamedMean>& means,

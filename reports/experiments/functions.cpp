@@ -1,27 +1,15 @@
 // [DHHS15, sec. 3.2 and 4.4, Figures 3 to 7 and 10 to 13]: error over the signal-to-noise ratio.
 
 #include "families.hpp"
-#include "measures.hpp"
-
-#include <subcert/reports/parallel.hpp>
+#include "function_trial.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace subcert {
 namespace {
 
-constexpr std::size_t count = 101;
-constexpr int level = 2;  // outputs at the multiples of 1/4
-constexpr int loudest = 1, quietest = 20;
-const std::string regression = "llr";
-
-struct TestFunction {
-  std::string name;
-  std::string formula;
-  double (*value)(double);
-};
+constexpr int loudest = FunctionTrial::loudest, quietest = FunctionTrial::quietest;
 
 double cube(double x) { return x * x * x; }
 const TestFunction f1{"f_1", "sin(x/10) + (x/50)^2", [](double x) { return std::sin(x / 10) + x * x / 2500; }};
@@ -51,78 +39,20 @@ struct FunctionFigure {
   std::vector<Assertion> assertions;
 };
 
-std::string name_of(const std::string& method) {
-  if (method == regression) return "LLR";
-  if (method == "bspline:degree=2") return "Chaikin";
-  if (method == "bspline:degree=3") return "cubic B-spline";
-  return scheme_name(method);
-}
-
-class Methods {
- public:
-  explicit Methods(const std::vector<std::string>& names) : names_(names) {
-    std::vector<double> positions;
-    for (std::size_t i = 0; i <= (count - 1) << level; ++i) positions.push_back(std::ldexp(static_cast<double>(i), -level));
-    for (const std::string& name : names)
-      if (name == regression)
-        regression_.emplace(count, positions);
-      else
-        matrices_.push_back(limit_matrix(name, count, Extension::interp, level));
-  }
-  std::vector<double> apply(std::size_t method, const std::vector<double>& data) const {
-    std::size_t matrix = 0;
-    for (std::size_t m = 0; m < method; ++m) matrix += names_[m] != regression;
-    return names_[method] == regression ? (*regression_)(data) : matrices_[matrix] * data;
-  }
-
- private:
-  std::vector<std::string> names_;
-  std::optional<LocalLinearRegression> regression_;
-  std::vector<DenseMatrix> matrices_;
-};
-
-/// errors[method][dB - loudest][run], relative.
-using Errors = std::vector<std::vector<std::vector<double>>>;
-
-std::vector<double> noisy(const std::vector<double>& samples, const std::vector<double>& noise, double decibel) {
-  const double sigma = noise_deviation(mean_square(samples), decibel);
-  std::vector<double> result(samples);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] += sigma * noise[i];
-  return result;
-}
-
-std::vector<double> sampled(const TestFunction& function, int at_level) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i <= (count - 1) << at_level; ++i)
-    result.push_back(function.value(std::ldexp(static_cast<double>(i), -at_level)));
-  return result;
-}
-
-std::array<Coordinate, 1> one(const Coordinate& values) { return {values}; }
-
-Errors measure(const TestFunction& function, const std::vector<std::string>& names, const Methods& methods,
-               const ExperimentOptions& options) {
-  const auto samples = sampled(function, 0), truth = sampled(function, level);
-  Errors errors(names.size(), std::vector<std::vector<double>>(quietest - loudest + 1, std::vector<double>(options.runs)));
-  parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
-    auto engine = generator(options.seed, run);
-    const auto noise = normal_noise(engine, count);
-    for (int decibel = loudest; decibel <= quietest; ++decibel) {
-      const auto data = noisy(samples, noise, decibel);
-      for (std::size_t m = 0; m < names.size(); ++m)
-        errors[m][static_cast<std::size_t>(decibel - loudest)][run] = relative_error(one(methods.apply(m, data)), one(truth));
-    }
-  });
-  return errors;
-}
-
+/// "1 to 4, 6".
 std::string levels_text(const std::vector<int>& levels) {
   std::string text;
-  for (const int decibel : levels) text += (text.empty() ? "" : ", ") + std::to_string(decibel);
+  for (std::size_t i = 0; i < levels.size();) {
+    std::size_t end = i + 1;
+    while (end < levels.size() && levels[end] == levels[end - 1] + 1) ++end;
+    text += (text.empty() ? "" : ", ") + std::to_string(levels[i]) +
+            (end > i + 1 ? " to " + std::to_string(levels[end - 1]) : "");
+    i = end;
+  }
   return text.empty() ? "none" : text;
 }
 
-Claim decide(const Assertion& assertion, const std::vector<std::string>& names, const Errors& errors) {
+Claim decide(const Assertion& assertion, const std::vector<std::string>& names, const FunctionTrial::Errors& errors) {
   const auto index = [&](const std::string& name) {
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
   };
@@ -140,7 +70,7 @@ Claim decide(const Assertion& assertion, const std::vector<std::string>& names, 
     largest = std::max(largest, ratio);
     (difference.is_negative() ? shown : difference.is_positive() ? contrary : undecided).push_back(decibel);
   }
-  const std::string ratios = "ratio of mean errors " + name_of(assertion.better) + " / " + name_of(assertion.worse) + ": " +
+  const std::string ratios = "ratio of mean errors " + method_name(assertion.better) + " / " + method_name(assertion.worse) + ": " +
                              short_number(least) + " ... " + short_number(largest);
   if (assertion.tolerance) {
     claim.statistic = "the ratio of the mean errors differs from 1 by at most " + short_number(*assertion.tolerance) +
@@ -149,55 +79,43 @@ Claim decide(const Assertion& assertion, const std::vector<std::string>& names, 
     claim.numbers = ratios;
     return claim;
   }
-  claim.statistic = "mean of the paired difference of errors, " + name_of(assertion.better) + " minus " +
-                    name_of(assertion.worse) + ", negative with its whole interval at each level, " + range;
+  claim.statistic = "mean of the paired difference of errors, " + method_name(assertion.better) + " minus " +
+                    method_name(assertion.worse) + ", negative with its whole interval at each level, " + range;
   if (!contrary.empty() || !undecided.empty()) claim.finding = Finding::not_confirmed;
   claim.numbers = "negative at " + levels_text(shown) + " dB; positive at " + levels_text(contrary) + "; undecided at " +
                   levels_text(undecided) + "; " + ratios;
   return claim;
 }
 
-Figure figure_of(const FunctionFigure& figure, const std::vector<std::string>& names, const Methods& methods,
-                 const Errors& errors, const ExperimentOptions& options) {
+Curve over_x(const std::string& label, const std::vector<double>& values, bool joined, const std::string& colour) {
+  Curve result{label, {}, !joined, joined, colour};
+  const double step = 100.0 / static_cast<double>(values.size() - 1);
+  for (std::size_t i = 0; i < values.size(); ++i) result.points.emplace_back(step * static_cast<double>(i), values[i]);
+  return result;
+}
+
+Figure figure_of(const FunctionFigure& figure, const FunctionTrial& trial, const FunctionTrial::Errors& errors,
+                 std::uint64_t seed) {
+  const std::string names[] = {method_name(figure.first), method_name(figure.second)};
+  const std::string colours[] = {"#0b559f", "#c0392b"};
   Panel over_noise{figure.function.name, "SNR (dB)", "relative error", {}};
+  Panel shown{"data with " + short_number(figure.shown) + " dB noise", "x", "", {}, false, "below"};
+  const FunctionTrial::Shown sample = trial.shown(figure.shown, seed);
+  shown.curves = {over_x("data", sample.data, false, "#8a97a3"), over_x(figure.function.name, sample.truth, true, "#e0a030")};
   for (std::size_t m = 0; m < 2; ++m) {
-    Curve curve{name_of(names[m]), {}, true};
+    Curve curve{names[m], {}, true, true, colours[m]};
     for (int decibel = loudest; decibel <= quietest; ++decibel)
       curve.points.emplace_back(decibel, mean_interval(errors[m][static_cast<std::size_t>(decibel - loudest)]).mean);
     over_noise.curves.push_back(curve);
+    shown.curves.push_back(over_x(names[m], sample.reconstructions[m], true, colours[m]));
   }
-  Panel shown{"data with " + short_number(figure.shown) + " dB noise", "x", "", {}, false, "below"};
-  auto engine = generator(options.seed, 0);
-  const auto data = noisy(sampled(figure.function, 0), normal_noise(engine, count), figure.shown);
-  const auto curve = [](const std::string& label, const std::vector<double>& values, bool joined, const std::string& colour) {
-    Curve result{label, {}, !joined, joined, colour};
-    const double step = 100.0 / static_cast<double>(values.size() - 1);
-    for (std::size_t i = 0; i < values.size(); ++i) result.points.emplace_back(step * static_cast<double>(i), values[i]);
-    return result;
-  };
-  shown.curves = {curve("data", data, false, "#8a97a3"),
-                  curve(figure.function.name, sampled(figure.function, level), true, "#e0a030")};
-  for (std::size_t m = 0; m < 2; ++m) shown.curves.push_back(curve(name_of(names[m]), methods.apply(m, data), true, m == 0 ? "#0b559f" : "#c0392b"));
-  return {figure.id, "Comparison of " + name_of(figure.first) + " and " + name_of(figure.second) + " for " + figure.function.name,
+  return {figure.id, "Comparison of " + names[0] + " and " + names[1] + " for " + figure.function.name,
           "Left: mean relative error over the signal-to-noise ratio. Right: one reconstruction.", 2, {over_noise, shown}};
 }
 
-ExperimentResult run(const FunctionFigure& figure, const ExperimentOptions& options) {
-  std::vector<std::string> names{figure.first, figure.second};
-  for (const char* baseline : {"llr", "bspline:degree=2", "bspline:degree=3"})
-    if (std::find(names.begin(), names.end(), baseline) == names.end()) names.push_back(baseline);
-  const Methods methods(names);
-  const Errors errors = measure(figure.function, names, methods, options);
-  ExperimentResult result{
-      {figure.function.name + "(x) = " + figure.function.formula +
-           ". The paper names neither interval nor spacing; here x = 0, 1, ..., 100. The limits are compared at the "
-           "multiples of 1/4, the ends continued by the scheme's own fit (interp).",
-       "The noise is normal, with the deviation that gives the signal-to-noise ratio in the mean; 20 log10 of the ratio of "
-       "norms. One sample of the noise serves all methods and, scaled, all levels. LLR: normal kernel, the bandwidth by "
-       "leaving out each datum in turn."}};
-  for (const Assertion& assertion : figure.assertions) result.claims.push_back(decide(assertion, names, errors));
+PlainTable errors_table(const FunctionFigure& figure, const std::vector<std::string>& names, const FunctionTrial::Errors& errors) {
   PlainTable table{figure.id + "-errors", "Mean relative errors", {"SNR (dB)"}, {}};
-  for (const std::string& name : names) table.head.push_back(name_of(name));
+  for (const std::string& name : names) table.head.push_back(method_name(name));
   table.head.push_back("first minus second");
   for (int decibel = loudest; decibel <= quietest; ++decibel) {
     const auto k = static_cast<std::size_t>(decibel - loudest);
@@ -206,8 +124,39 @@ ExperimentResult run(const FunctionFigure& figure, const ExperimentOptions& opti
     row.push_back(mean_difference(errors[0][k], errors[1][k]).text());
     table.rows.push_back(row);
   }
-  result.tables.push_back(table);
-  result.figures.push_back(figure_of(figure, names, methods, errors, options));
+  return table;
+}
+
+/// The claims decided with other spacings of the data.
+PlainTable spacings_table(const FunctionFigure& figure, const ExperimentOptions& options) {
+  PlainTable table{figure.id + "-spacings", "The same claims with other spacings of the data", {"claim", "spacing", "finding", "numbers"}, {}};
+  const std::vector<std::string> names{figure.first, figure.second};
+  for (const double h : {0.5, 2.0}) {
+    const auto errors = FunctionTrial(figure.function, h, names).errors(options);
+    for (const Assertion& assertion : figure.assertions) {
+      const Claim claim = decide(assertion, names, errors);
+      table.rows.push_back({claim.sentence, short_number(h), to_text(claim.finding), claim.numbers});
+    }
+  }
+  return table;
+}
+
+ExperimentResult run(const FunctionFigure& figure, const ExperimentOptions& options) {
+  std::vector<std::string> names{figure.first, figure.second};
+  for (const std::string& baseline : {local_linear, local_cubic, std::string("bspline:degree=2"), std::string("bspline:degree=3")})
+    if (std::find(names.begin(), names.end(), baseline) == names.end()) names.push_back(baseline);
+  const FunctionTrial trial(figure.function, 1, names);
+  const auto errors = trial.errors(options);
+  ExperimentResult result{
+      {figure.function.name + "(x) = " + figure.function.formula +
+           ". The paper names neither interval nor spacing; here x = 0, 1, ..., 100, and a table has the spacings 1/2 and 2. The "
+           "limits are compared at a quarter of the spacing, the ends continued by the scheme's own fit (interp).",
+       "The noise is normal, with the deviation that gives the signal-to-noise ratio in the mean; 20 log10 of the ratio of "
+       "norms. One sample of the noise serves all methods and, scaled, all levels. LLR: normal kernel, the bandwidth by "
+       "leaving out each datum in turn; local cubic: the same with cubic polynomials."}};
+  for (const Assertion& assertion : figure.assertions) result.claims.push_back(decide(assertion, names, errors));
+  result.tables = {errors_table(figure, names, errors), spacings_table(figure, options)};
+  result.figures.push_back(figure_of(figure, trial, errors, options.seed));
   return result;
 }
 
@@ -215,16 +164,16 @@ std::vector<FunctionFigure> figures() {
   const std::string s3 = "primal:n=3", s5 = "primal:n=5", s7 = "primal:n=7", s53 = "primal:n=5,d=3", s63 = "primal:n=6,d=3",
                     s93 = "primal:n=9,d=3";
   return {
-      {"fig3", f1, s3, regression, 6.5,
-       {{"For all levels of noise, LLR gives a smaller error than S_3.", "Sec. 3.2, Fig. 3", regression, s3}}},
-      {"fig4", f1, s5, regression, 7,
-       {{"S_5 behaves almost identically to LLR.", "Sec. 3.2, Fig. 4", s5, regression, Finding::not_confirmed, loudest, quietest, 0.1}}},
-      {"fig5", f1, s7, regression, 7.9, {{"S_7 is even better than LLR.", "Sec. 3.2, Fig. 5", s7, regression, Finding::not_confirmed}}},
-      {"fig6", f2, s3, regression, 6.2,
+      {"fig3", f1, s3, local_linear, 6.5,
+       {{"For all levels of noise, LLR gives a smaller error than S_3.", "Sec. 3.2, Fig. 3", local_linear, s3}}},
+      {"fig4", f1, s5, local_linear, 7,
+       {{"S_5 behaves almost identically to LLR.", "Sec. 3.2, Fig. 4", s5, local_linear, Finding::not_confirmed, loudest, quietest, 0.1}}},
+      {"fig5", f1, s7, local_linear, 7.9, {{"S_7 is even better than LLR.", "Sec. 3.2, Fig. 5", s7, local_linear, Finding::not_confirmed}}},
+      {"fig6", f2, s3, local_linear, 6.2,
        {{"S_3 suits f_2 better than LLR, except for extremely high noise (read as: from 5 dB).", "Sec. 3.2, Fig. 6", s3,
-         regression, Finding::not_confirmed, 5}}},
-      {"fig7", f2, s5, regression, 8,
-       {{"S_5 is inferior to LLR for any reasonable level of noise (read as: from 5 dB).", "Sec. 3.2, Fig. 7", regression,
+         local_linear, Finding::not_confirmed, 5}}},
+      {"fig7", f2, s5, local_linear, 8,
+       {{"S_5 is inferior to LLR for any reasonable level of noise (read as: from 5 dB).", "Sec. 3.2, Fig. 7", local_linear,
          s5, Finding::confirmed, 5}}},
       {"fig10", f3, s5, s53, 8.2,
        {{"S_5^1 is better as long as the noise is significant (read as: to 12 dB).", "Sec. 4.4, Fig. 10", s5, s53, Finding::confirmed, 1, 12},
@@ -243,7 +192,7 @@ std::vector<Experiment> function_experiments() {
   std::vector<Experiment> result;
   for (const FunctionFigure& figure : figures())
     result.push_back({figure.id, "dyn-2015",
-                      "Figure " + figure.id.substr(3) + ": " + name_of(figure.first) + " and " + name_of(figure.second) +
+                      "Figure " + figure.id.substr(3) + ": " + method_name(figure.first) + " and " + method_name(figure.second) +
                           " on " + figure.function.name,
                       [figure](const ExperimentOptions& options) { return run(figure, options); }});
   return result;

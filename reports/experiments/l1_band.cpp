@@ -70,9 +70,11 @@ DrawnSurface drawn(const std::string& title, const Batch& surface, std::size_t k
 SurfaceFigure figure(const std::vector<Method>& methods, const OutlierCase& what, std::uint64_t seed) {
   auto engine = generator(seed, 0);
   const Batch data{what.axes, 3, {what.draw(engine).with}};
-  SurfaceFigure result{"l1-surface2", "A part of a Moebius band with normal noise of variance 0.1 and 20 outliers",
+  SurfaceFigure result{"l1-surface2",
+                       "A part of a Moebius band with normal noise of variance 0.1 and 20 outliers",
                        "One sample. Original, data, biquadratic B-spline; least squares; l1 regression.",
-                       {drawn("original", {what.axes, 3, {samples()}}, 1), drawn("data", data, 1)}, 3};
+                       {drawn("original", {what.axes, 3, {samples()}}, 1), drawn("data", data, 1)},
+                       3};
   for (const std::size_t m : {6u, 0u, 1u, 2u, 3u, 4u, 5u})
     result.surfaces.push_back(drawn(methods[m].name, refined(methods[m].specification, data, 2), 4));
   return result;
@@ -99,26 +101,36 @@ ExperimentResult run(const ExperimentOptions& options) {
   NamePairs over_classical;
   for (const std::string& name : robust) over_classical.emplace_back(name, classical);
   ExperimentResult result{
-      {"40 values of u in [-1.5, 1.5] and 50 of v in [-1.25, 1.25], as printed: some 0.4 of the Moebius band. Normal noise of "
-       "variance 0.1 in every coordinate; the paper does not say how many outliers, here 20 random points are moved by a length "
-       "uniform in [2, 4] in a random direction. Surfaces after one refinement, every coordinate fitted by itself, 6 reweighted "
-       "fits with delta = 1e-8, rules at the ends by regression. Error: mean squared distance from the surface at the same "
+      {"40 values of u in [-1.5, 1.5] and 50 of v in [-1.25, 1.25], as printed: some 0.4 of the Moebius band. Normal "
+       "noise of "
+       "variance 0.1 in every coordinate; the paper does not say how many outliers, here 20 random points are moved by "
+       "a length "
+       "uniform in [2, 4] in a random direction. Surfaces after one refinement, every coordinate fitted by itself, 6 "
+       "reweighted "
+       "fits with delta = 1e-8, rules at the ends by regression. Error: mean squared distance from the surface at the "
+       "same "
        "parameters; response: the largest distance by which the outliers move a point."}};
   result.claims = {
-      all_below({"The l1 schemes outperform the least squares schemes.", "Sec. 4; " + place}, "paired differences of the errors", 0,
+      all_below({"The l1 schemes outperform the least squares schemes.", "Sec. 4; " + place},
+                "paired differences of the errors", 0,
                 differences(outcomes, robust_over_least_squares, &Outcome::error), Finding::not_confirmed),
-      all_below({"The l1 schemes fit noisy data with outliers better than other subdivision schemes (read as: than the biquadratic "
-                 "B-spline).", "Sec. 1; " + place}, "paired differences of the errors", 0,
-                differences(outcomes, over_classical, &Outcome::error)),
-      all_below({"The l1 schemes remove outliers (read as: these raise the error by less than a tenth).", "Highlights; " + place},
+      all_below({"The l1 schemes fit noisy data with outliers better than other subdivision schemes (read as: than the "
+                 "biquadratic "
+                 "B-spline).",
+                 "Sec. 1; " + place},
+                "paired differences of the errors", 0, differences(outcomes, over_classical, &Outcome::error)),
+      all_below({"The l1 schemes remove outliers (read as: these raise the error by less than a tenth).",
+                 "Highlights; " + place},
                 "paired differences of the error and 1.1 of that without outliers", 0, excess(outcomes, robust)),
-      all_below({"The l1 schemes remove noise (read as: a tenth of its mean square is left).", "Highlights; " + place}, "error",
-                3 * variance / 10, means(outcomes, robust, &Outcome::error)),
-      all_below({"D_6 fits better than the other schemes.", "Sec. 2.5, Experiment 2"}, "paired differences of the errors", 0,
-                differences(outcomes, six_over_others, &Outcome::error), Finding::not_confirmed)};
+      all_below({"The l1 schemes remove noise (read as: a tenth of its mean square is left).", "Highlights; " + place},
+                "error", 3 * variance / 10, means(outcomes, robust, &Outcome::error)),
+      all_below({"D_6 fits better than the other schemes.", "Sec. 2.5, Experiment 2"},
+                "paired differences of the errors", 0, differences(outcomes, six_over_others, &Outcome::error),
+                Finding::not_confirmed)};
   const std::vector<Method> sixes{surface_methods()[0], surface_methods()[3]};
-  result.tables = {outcome_table("l1-surface2-measures", "Noise of variance 0.1 and 20 outliers (1 %)", outcomes),
-                   outcome_table("l1-surface2-many", "The same with 100 outliers (5 %)", study(band_case(many), sixes, options))};
+  result.tables = {
+      outcome_table("l1-surface2-measures", "Noise of variance 0.1 and 20 outliers (1 %)", outcomes),
+      outcome_table("l1-surface2-many", "The same with 100 outliers (5 %)", study(band_case(many), sixes, options))};
   result.surface_figures.push_back(figure(methods, what, options.seed));
   return result;
 }

@@ -6,12 +6,13 @@ namespace subcert {
 
 std::vector<Experiment> l1_experiments() {
   std::vector<Experiment> result;
-  for (const auto& family : {l1_function_experiments, l1_limit_experiments, l1_iteration_experiments, l1_spiral_experiments,
-                             l1_impulse_experiments, l1_surface_experiments, l1_band_experiments}) {
+  for (const auto& family :
+       {l1_function_experiments, l1_limit_experiments, l1_iteration_experiments, l1_spiral_experiments,
+        l1_impulse_experiments, l1_surface_experiments, l1_band_experiments}) {
     const auto more = family();
     result.insert(result.end(), more.begin(), more.end());
   }
-  const std::vector<std::string> order{"l1-fig1", "l1-fig2", "l1-exp1", "l1-exp2", "l1-fig4",
+  const std::vector<std::string> order{"l1-fig1", "l1-fig2", "l1-exp1",     "l1-exp2",    "l1-fig4",
                                        "l1-exp3", "l1-exp4", "l1-surface1", "l1-surface2"};
   std::sort(result.begin(), result.end(), [&](const Experiment& a, const Experiment& b) {
     return std::find(order.begin(), order.end(), a.id) < std::find(order.begin(), order.end(), b.id);

@@ -11,22 +11,27 @@ namespace {
 /// "Greatly affected" and "no response" are on two sides of this part of the range of f_1.
 constexpr double noticed = 0.1;
 
-/// The claims that the paper makes in Experiment 1 and repeats in Experiment 2; what is recorded of the second and the last.
-std::vector<Claim> claims_about_responses(const std::vector<Outcome>& outcomes, const std::string& place, Finding no_response,
-                                          Finding robust_complexity) {
+/// The claims that the paper makes in Experiment 1 and repeats in Experiment 2; what is recorded of the second and the
+/// last.
+std::vector<Claim> claims_about_responses(const std::vector<Outcome>& outcomes, const std::string& place,
+                                          Finding no_response, Finding robust_complexity) {
   const double bound = noticed * damped::range();
-  return {all_above({"The curves of S_6, S_7 and S_8 are greatly affected by the outliers (read as: moved by more than a "
-                     "tenth of the range of f_1).", place},
-                    "largest change by the outliers", bound, means(outcomes, least_squares, &Outcome::response)),
-          all_below({"D_6, D_7 and D_8 do not respond to the outliers (read as: they move by less than a tenth of the range "
-                     "of f_1).", place},
-                    "largest change by the outliers", bound, means(outcomes, robust, &Outcome::response), no_response),
-          all_below({"Schemes of large complexity respond less to outliers: least squares.", place},
-                    "paired differences of the largest change by the outliers", 0,
-                    differences(outcomes, more_least_squares_points, &Outcome::response)),
-          all_below({"Schemes of large complexity respond less to outliers: l1.", place},
-                    "paired differences of the largest change by the outliers", 0,
-                    differences(outcomes, more_robust_points, &Outcome::response), robust_complexity)};
+  return {
+      all_above({"The curves of S_6, S_7 and S_8 are greatly affected by the outliers (read as: moved by more than a "
+                 "tenth of the range of f_1).",
+                 place},
+                "largest change by the outliers", bound, means(outcomes, least_squares, &Outcome::response)),
+      all_below(
+          {"D_6, D_7 and D_8 do not respond to the outliers (read as: they move by less than a tenth of the range "
+           "of f_1).",
+           place},
+          "largest change by the outliers", bound, means(outcomes, robust, &Outcome::response), no_response),
+      all_below({"Schemes of large complexity respond less to outliers: least squares.", place},
+                "paired differences of the largest change by the outliers", 0,
+                differences(outcomes, more_least_squares_points, &Outcome::response)),
+      all_below({"Schemes of large complexity respond less to outliers: l1.", place},
+                "paired differences of the largest change by the outliers", 0,
+                differences(outcomes, more_robust_points, &Outcome::response), robust_complexity)};
 }
 
 ExperimentResult run_experiment_1(const ExperimentOptions& options) {
@@ -45,8 +50,9 @@ ExperimentResult run_experiment_1(const ExperimentOptions& options) {
   result.comparisons.push_back(printed_errors("table1", outcomes));
   result.tables.push_back(outcome_table("l1-exp1-measures", "Two outliers", outcomes));
   auto engine = generator(options.seed, 0);
-  result.figures.push_back(damped::figure("l1-exp1", "Two outliers", "One sample. Above least squares, below l1 regression.",
-                                          curve_methods(), what.draw(engine)));
+  result.figures.push_back(damped::figure("l1-exp1", "Two outliers",
+                                          "One sample. Above least squares, below l1 regression.", curve_methods(),
+                                          what.draw(engine)));
   return result;
 }
 
@@ -57,16 +63,16 @@ ExperimentResult run_experiment_2(const ExperimentOptions& options) {
   const std::string place = "Sec. 2.5, Experiment 2, Fig. 5";
   ExperimentResult result{{damped::setup(), "Thirteen outliers and normal noise of variance 0.1."}};
   result.claims = claims_about_responses(outcomes, place, Finding::not_confirmed, Finding::confirmed);
-  result.claims.push_back(all_below({"The l1 schemes have smaller errors than the least squares schemes.", place + ", Table 2"},
-                                    "paired differences of the errors", 0,
-                                    differences(outcomes, robust_over_least_squares, &Outcome::error)));
-  result.claims.push_back(all_below({"The l1 schemes approximate with a much smaller error (read as: at most half).", "Sec. 4"},
-                                    "paired differences of the errors", 0,
-                                    differences(outcomes, robust_over_least_squares, &Outcome::error, 0.5)));
-  result.claims.push_back(all_above({"Schemes of high complexity have larger errors than those of low complexity.",
-                                     place + ", Table 2"},
-                                    "paired differences of the errors", 0,
-                                    differences(outcomes, more_over_fewer_points, &Outcome::error), Finding::not_confirmed));
+  result.claims.push_back(all_below(
+      {"The l1 schemes have smaller errors than the least squares schemes.", place + ", Table 2"},
+      "paired differences of the errors", 0, differences(outcomes, robust_over_least_squares, &Outcome::error)));
+  result.claims.push_back(all_below(
+      {"The l1 schemes approximate with a much smaller error (read as: at most half).", "Sec. 4"},
+      "paired differences of the errors", 0, differences(outcomes, robust_over_least_squares, &Outcome::error, 0.5)));
+  result.claims.push_back(
+      all_above({"Schemes of high complexity have larger errors than those of low complexity.", place + ", Table 2"},
+                "paired differences of the errors", 0, differences(outcomes, more_over_fewer_points, &Outcome::error),
+                Finding::not_confirmed));
   result.claims.push_back(all_below({"D_6 fits better than the other schemes.", place + ", Table 2"},
                                     "paired differences of the errors", 0,
                                     differences(outcomes, six_over_others, &Outcome::error), Finding::not_confirmed));
@@ -109,23 +115,29 @@ ExperimentResult run_figure_1(const ExperimentOptions& options) {
   const OutlierCase what = damped::with_outliers(2, 0);
   const auto outcomes = study(what, methods, options);
   const double bound = noticed * damped::range();
-  ExperimentResult result{{damped::setup(), "Two outliers; the least squares scheme of the figure is not named, here S_6."}};
-  result.claims.push_back(all_above({"Outliers perturb the least squares curve significantly (read as: by more than a tenth of "
-                                     "the range of f_1).", "Sec. 2.1, Fig. 1(b)"},
-                                    "largest change by the outliers", bound, means(outcomes, {"S_6"}, &Outcome::response)));
-  result.claims.push_back(all_above({"Classical schemes do not deal with outliers (read as: Chaikin's curve moves by more "
-                                     "than a tenth of the range of f_1).", "Sec. 1; Sec. 2.1, Fig. 1(a)"},
-                                    "largest change by the outliers", bound, means(outcomes, {"Chaikin"}, &Outcome::response)));
+  ExperimentResult result{
+      {damped::setup(), "Two outliers; the least squares scheme of the figure is not named, here S_6."}};
+  result.claims.push_back(
+      all_above({"Outliers perturb the least squares curve significantly (read as: by more than a tenth of "
+                 "the range of f_1).",
+                 "Sec. 2.1, Fig. 1(b)"},
+                "largest change by the outliers", bound, means(outcomes, {"S_6"}, &Outcome::response)));
+  result.claims.push_back(
+      all_above({"Classical schemes do not deal with outliers (read as: Chaikin's curve moves by more "
+                 "than a tenth of the range of f_1).",
+                 "Sec. 1; Sec. 2.1, Fig. 1(a)"},
+                "largest change by the outliers", bound, means(outcomes, {"Chaikin"}, &Outcome::response)));
   std::vector<NamedMean> moved;
   for (const Method& method : methods) moved.push_back({method.name, mean_interval(moved_parts(method, options))});
-  result.claims.push_back(all_above({"One outlier can damage the whole model (read as: it moves more than nine tenths of the "
-                                     "curve).", "Sec. 1"},
-                                    "part of the curve that one outlier among 101 data moves", 0.9, moved,
-                                    Finding::not_confirmed));
+  result.claims.push_back(
+      all_above({"One outlier can damage the whole model (read as: it moves more than nine tenths of the "
+                 "curve).",
+                 "Sec. 1"},
+                "part of the curve that one outlier among 101 data moves", 0.9, moved, Finding::not_confirmed));
   result.tables.push_back(outcome_table("l1-fig1-measures", "Two outliers", outcomes));
   auto engine = generator(options.seed, 0);
-  Figure figure = damped::figure("l1-fig1", "Outliers under Chaikin's scheme and a least squares scheme", "One sample.", methods,
-                                 what.draw(engine));
+  Figure figure = damped::figure("l1-fig1", "Outliers under Chaikin's scheme and a least squares scheme", "One sample.",
+                                 methods, what.draw(engine));
   figure.columns = 2;
   result.figures.push_back(figure);
   return result;

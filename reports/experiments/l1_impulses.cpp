@@ -45,25 +45,32 @@ ExperimentResult run(const ExperimentOptions& options) {
   }
   const std::string place = "Sec. 2.5, Experiment 4, Fig. 7";
   const double signal = mean_square(damped::samples());
-  ExperimentResult result{{damped::setup(), "The paper names neither the data of this experiment nor the impulses; here f_1, and a "
-                                            "quarter of the data is replaced by numbers uniform in [-8, 8]."}};
+  ExperimentResult result{{damped::setup(),
+                           "The paper names neither the data of this experiment nor the impulses; here f_1, and a "
+                           "quarter of the data is replaced by numbers uniform in [-8, 8]."}};
   result.claims = {
-      all_below({"The l1 schemes restore data with 25 % impulsive noise (read as: with an error below a tenth of the mean square of "
-                 "f_1).", place + "; Highlights"},
+      all_below({"The l1 schemes restore data with 25 % impulsive noise (read as: with an error below a tenth of the "
+                 "mean square of "
+                 "f_1).",
+                 place + "; Highlights"},
                 "error", signal / 10, means(shown, robust, &Outcome::error), Finding::not_confirmed),
-      all_above({"The least squares schemes do not handle impulsive noise (read as: their error is above a tenth of the mean square "
-                 "of f_1).", "Sec. 1; " + place},
+      all_above({"The least squares schemes do not handle impulsive noise (read as: their error is above a tenth of "
+                 "the mean square "
+                 "of f_1).",
+                 "Sec. 1; " + place},
                 "error", signal / 10, means(shown, least_squares, &Outcome::error)),
       all_below({"The l1 schemes fit data with impulsive noise better than the others.", "Sec. 1"},
                 "paired differences of the errors", 0, differences(shown, robust_over_least_squares, &Outcome::error)),
       all_below({"D_6 fits better than the other schemes, in the other experiments too.", "Sec. 2.5, Experiment 2"},
-                "paired differences of the errors", 0, differences(shown, six_over_others, &Outcome::error), Finding::not_confirmed)};
+                "paired differences of the errors", 0, differences(shown, six_over_others, &Outcome::error),
+                Finding::not_confirmed)};
   result.tables = {outcome_table("l1-exp4-measures", "A quarter of impulses", shown), table};
   auto engine = generator(options.seed, 0);
   const OutlierSample sample = with_impulses(25).draw(engine);
-  result.figures = {damped::figure("l1-exp4", "Impulsive noise", "One sample, 25 % impulses. Above least squares, below l1 regression.",
-                                   curve_methods(), sample),
-                    {"l1-exp4-parts", "How many impulses the schemes bear", "Means over the samples.", 1, {over_parts}}};
+  result.figures = {
+      damped::figure("l1-exp4", "Impulsive noise",
+                     "One sample, 25 % impulses. Above least squares, below l1 regression.", curve_methods(), sample),
+      {"l1-exp4-parts", "How many impulses the schemes bear", "Means over the samples.", 1, {over_parts}}};
   return result;
 }
 

@@ -66,7 +66,8 @@ double prominence(const std::vector<double>& values, std::size_t i) {
 Shape shape(const Response& r) {
   Shape result{*std::max_element(r.values.begin(), r.values.end()), 0, 0, 1};
   std::size_t first = 0, last = 0;
-  const auto centre = std::min_element(r.at.begin(), r.at.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const auto centre = std::min_element(r.at.begin(), r.at.end(),
+                                       [](double a, double b) { return std::abs(a) < std::abs(b); });
   result.centre = r.values[static_cast<std::size_t>(centre - r.at.begin())];
   for (std::size_t i = 1; i + 1 < r.values.size();) {
     std::size_t end = i;  // of the plateau of equal values
@@ -81,7 +82,8 @@ Shape shape(const Response& r) {
   }
   if (result.peaks > 1)
     result.valley = *std::min_element(r.values.begin() + static_cast<std::ptrdiff_t>(first),
-                                      r.values.begin() + static_cast<std::ptrdiff_t>(last)) / result.height;
+                                      r.values.begin() + static_cast<std::ptrdiff_t>(last)) /
+                    result.height;
   return result;
 }
 
@@ -89,7 +91,8 @@ Shape shape(const Response& r) {
 double slope_change(const Response& r) {
   double largest = 0;
   for (std::size_t i = 1; i + 1 < r.values.size(); ++i)
-    largest = std::max(largest, std::abs(r.values[i - 1] - 2 * r.values[i] + r.values[i + 1]) / (r.at[i + 1] - r.at[i]));
+    largest = std::max(largest,
+                       std::abs(r.values[i - 1] - 2 * r.values[i] + r.values[i + 1]) / (r.at[i + 1] - r.at[i]));
   return largest;
 }
 
@@ -112,32 +115,42 @@ PlainTable shapes_table() {
 }
 
 Figure drawn() {
-  Figure figure{"l1-fig2", "Basic limit functions of D_6, D_7 and D_8",
-                "Above: 6 reweighted fits, delta = 1e-8. Below: 0 to 3 reweighted fits; 0 is the least squares scheme.", 3, {}};
+  Figure figure{"l1-fig2",
+                "Basic limit functions of D_6, D_7 and D_8",
+                "Above: 6 reweighted fits, delta = 1e-8. Below: 0 to 3 reweighted fits; 0 is the least squares scheme.",
+                3,
+                {}};
   const auto curve = [](const std::string& label, const Response& r) {
     Curve result{label, {}};
     for (std::size_t i = 0; i < r.at.size(); ++i) result.points.emplace_back(r.at[i], r.values[i]);
     return result;
   };
-  for (const int points : {6, 7, 8}) figure.panels.push_back({name_of(points), "", "", {curve("", response(points, {}))}});
+  for (const int points : {6, 7, 8})
+    figure.panels.push_back({name_of(points), "", "", {curve("", response(points, {}))}});
   for (const int points : {6, 7, 8}) {
     Panel panel{name_of(points), "", "", {}};
-    for (const int fits : {0, 1, 2, 3}) panel.curves.push_back(curve(std::to_string(fits), response(points, {1e-8, fits})));
+    for (const int fits : {0, 1, 2, 3})
+      panel.curves.push_back(curve(std::to_string(fits), response(points, {1e-8, fits})));
     figure.panels.push_back(panel);
   }
   return figure;
 }
 
 ExperimentResult run(const ExperimentOptions&) {
-  const Sentence local{"The effect away from the sample (0, 1) is zero; the schemes are locally supported.", "Sec. 2.4, Fig. 2"},
+  const Sentence local{"The effect away from the sample (0, 1) is zero; the schemes are locally supported.",
+                       "Sec. 2.4, Fig. 2"},
       width{"The support of the basic limit function of D_2n has width 4n - 1.", "Prop. 1"},
-      peaks{"The basic limit functions of D_6, D_7, D_8 have two top peaks with one steep valley (read as: two maxima of at "
-            "least half the height that stand out by a tenth of it, and between them a minimum below half the height).", "Sec. 2.4, Fig. 2"},
+      peaks{
+          "The basic limit functions of D_6, D_7, D_8 have two top peaks with one steep valley (read as: two maxima of "
+          "at "
+          "least half the height that stand out by a tenth of it, and between them a minimum below half the height).",
+          "Sec. 2.4, Fig. 2"},
       smooth{"They are smooth enough (read as: continuously differentiable).", "Sec. 2.4, Fig. 2"};
-  ExperimentResult result{{"Values at level 8 from the data 1 at 0 and 0 elsewhere; nothing is random. The paper recommends m = 5 "
-                           "or 6, which are 6 or 7 reweighted fits, and a small delta, here 1e-8; the table shows others. The "
-                           "schemes are not linear: limits from other data are no combinations of these functions, and their "
-                           "height is that of what the iterations leave, as exact l1 fits vanish (docs/l1.md)."}};
+  ExperimentResult result{
+      {"Values at level 8 from the data 1 at 0 and 0 elsewhere; nothing is random. The paper recommends m = 5 "
+       "or 6, which are 6 or 7 reweighted fits, and a small delta, here 1e-8; the table shows others. The "
+       "schemes are not linear: limits from other data are no combinations of these functions, and their "
+       "height is that of what the iterations leave, as exact l1 fits vanish (docs/l1.md)."}};
   bool is_local = true, is_wide = true, has_peaks = true, is_smooth = true;
   std::string local_numbers, width_numbers, peak_numbers, smooth_numbers;
   const auto append = [](std::string& text, const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
@@ -149,7 +162,8 @@ ExperimentResult run(const ExperimentOptions&) {
     if (points % 2 == 0) {
       const double expected = support_width(points) * (1 - std::ldexp(1.0, -level));
       is_wide = is_wide && extent(r) == expected;
-      append(width_numbers, name_of(points) + ": " + short_number(extent(r)) + ", (4n - 1)(1 - 2^-8) = " + short_number(expected));
+      append(width_numbers,
+             name_of(points) + ": " + short_number(extent(r)) + ", (4n - 1)(1 - 2^-8) = " + short_number(expected));
     }
     for (const int fits : {6, 7}) {
       const Shape s = shape(response(points, {1e-8, fits}));
@@ -165,14 +179,16 @@ ExperimentResult run(const ExperimentOptions&) {
     }
     append(smooth_numbers, name_of(points) + ": " + rates);
   }
-  result.claims = {decided(local, "values that are not zero outside of the interval of length 4n - 1 (D_7: 4n + 1) about 0: none",
-                           is_local, local_numbers),
-                   decided(width, "distance of the outermost values that are not zero at level 8: (4n - 1)(1 - 2^-8)", is_wide,
-                           width_numbers),
-                   decided(peaks, "6 and 7 reweighted fits, delta = 1e-8", has_peaks, peak_numbers,
-                           Finding::not_confirmed),
-                   decided(smooth, "log2 of the ratio of the largest changes of slope at the levels 6 and 7, ..., 9 and 10: all "
-                                   "positive; an observation, no proof", is_smooth, smooth_numbers)};
+  result.claims = {
+      decided(local, "values that are not zero outside of the interval of length 4n - 1 (D_7: 4n + 1) about 0: none",
+              is_local, local_numbers),
+      decided(width, "distance of the outermost values that are not zero at level 8: (4n - 1)(1 - 2^-8)", is_wide,
+              width_numbers),
+      decided(peaks, "6 and 7 reweighted fits, delta = 1e-8", has_peaks, peak_numbers, Finding::not_confirmed),
+      decided(smooth,
+              "log2 of the ratio of the largest changes of slope at the levels 6 and 7, ..., 9 and 10: all "
+              "positive; an observation, no proof",
+              is_smooth, smooth_numbers)};
   result.tables.push_back(shapes_table());
   result.figures.push_back(drawn());
   return result;

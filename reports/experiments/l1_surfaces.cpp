@@ -29,15 +29,18 @@ OutlierCase bump_case(double sigma) {
             OutlierSample sample;
             const auto noise = normal_noise(engine, side * side);
             for (std::size_t i = 0; i < side * side; ++i)
-              sample.without.push_back(bump(position(static_cast<double>(i % side)), position(static_cast<double>(i / side))) +
-                                       sigma * noise[i]);
+              sample.without.push_back(
+                  bump(position(static_cast<double>(i % side)), position(static_cast<double>(i / side))) +
+                  sigma * noise[i]);
             sample.with = sample.without;
             const std::size_t at = chosen_indices(engine, 1, side * side).front();
             const double height = 3 + 3 * uniform(engine);
             sample.with[at] += uniform(engine) < 0.5 ? -height : height;
             return sample;
           },
-          [](double u, double v) { return std::array<double, 3>{bump(position(u), position(v)), 0, 0}; }};
+          [](double u, double v) {
+            return std::array<double, 3>{bump(position(u), position(v)), 0, 0};
+          }};
 }
 
 /// Every `keep`-th point in both directions.
@@ -59,8 +62,11 @@ SurfaceFigure figure(const std::string& id, const std::string& title, const std:
   Batch truth{what.axes, 1, {{}}};
   for (std::size_t i = 0; i < side * side; ++i)
     truth.sets[0].push_back(bump(position(static_cast<double>(i % side)), position(static_cast<double>(i / side))));
-  SurfaceFigure result{id, title, "One sample; original, data with an outlier, and surfaces.",
-                       {drawn("original", truth), drawn("data", data)}, 3};
+  SurfaceFigure result{id,
+                       title,
+                       "One sample; original, data with an outlier, and surfaces.",
+                       {drawn("original", truth), drawn("data", data)},
+                       3};
   for (const std::size_t m : shown)
     result.surfaces.push_back(drawn(methods[m].name, refined(methods[m].specification, data, levels), 2));
   return result;
@@ -84,23 +90,29 @@ Claim noise_of_table_3(const ExperimentOptions& options) {
   const Names names{"S_6", "D_6"};
   std::vector<std::vector<double>> left(names.size());
   const auto method = [&](std::size_t i) {
-    return *std::find_if(surface_methods().begin(), surface_methods().end(), [&](const Method& m) { return m.name == names[i]; });
+    return *std::find_if(surface_methods().begin(), surface_methods().end(),
+                         [&](const Method& m) { return m.name == names[i]; });
   };
-  parallel_for_each(names.size(), options.jobs, [&](std::size_t i) { left[i] = left_of_noise(method(i), std::sqrt(0.1), options); });
+  parallel_for_each(names.size(), options.jobs,
+                    [&](std::size_t i) { left[i] = left_of_noise(method(i), std::sqrt(0.1), options); });
   const auto cells = published_paper("mustafa-li-2015").table("table3").cells;
   bool holds = true;
   std::string numbers;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string printed = std::find_if(cells.begin(), cells.end(), [&](const auto& c) { return c.column == names[i]; })->printed;
+    const std::string printed = std::find_if(cells.begin(), cells.end(), [&](const auto& c) {
+                                  return c.column == names[i];
+                                })->printed;
     const double least = *std::min_element(left[i].begin(), left[i].end());
     holds = holds && std::stod(printed) >= least;
-    numbers += (i ? "; " : "") + names[i] + ": printed " + printed + ", of noise alone at least " + short_number(least) +
-               ", in the mean " + mean_interval(left[i]).text();
+    numbers += (i ? "; " : "") + names[i] + ": printed " + printed + ", of noise alone at least " +
+               short_number(least) + ", in the mean " + mean_interval(left[i]).text();
   }
-  return decided({"The errors of Table 3 are those of data with noise of variance 0.1.", "Sec. 3.1, Experiment 1, Table 3"},
-                 "the printed errors of S_6 and D_6 are not below the least that these schemes leave of such noise alone, F = 0 and no "
-                 "outlier, over our samples",
-                 holds, numbers, Finding::not_confirmed);
+  return decided(
+      {"The errors of Table 3 are those of data with noise of variance 0.1.", "Sec. 3.1, Experiment 1, Table 3"},
+      "the printed errors of S_6 and D_6 are not below the least that these schemes leave of such noise alone, F = 0 "
+      "and no "
+      "outlier, over our samples",
+      holds, numbers);
 }
 
 ExperimentResult run(const ExperimentOptions& options) {
@@ -117,38 +129,49 @@ ExperimentResult run(const ExperimentOptions& options) {
     over_classical.emplace_back(name, classical);
   }
   ExperimentResult result{
-      {"F(x, y) = x e^(-x^2 - y^2). The schemes need a grid, which the paper does not name; here x, y = -2, -1.8, ..., 2, with "
-       "independent normal noise of variance 0.1 and one outlier: a number of random sign and of a modulus uniform in [3, 6] is "
-       "added to a random datum. Surfaces after 2 refinements, 6 reweighted fits with delta = 1e-8, rules at the ends by "
+      {"F(x, y) = x e^(-x^2 - y^2). The schemes need a grid, which the paper does not name; here x, y = -2, -1.8, ..., "
+       "2, with "
+       "independent normal noise of variance 0.1 and one outlier: a number of random sign and of a modulus uniform in "
+       "[3, 6] is "
+       "added to a random datum. Surfaces after 2 refinements, 6 reweighted fits with delta = 1e-8, rules at the ends "
+       "by "
        "regression. Error and response as in l1-exp1."}};
   result.claims = {
-      all_above({"The outlier leaves a significant effect on the surface of S_6, the scheme of low complexity (read as: more than a "
-                 "tenth of the range of F).", place},
+      all_above({"The outlier leaves a significant effect on the surface of S_6, the scheme of low complexity (read "
+                 "as: more than a "
+                 "tenth of the range of F).",
+                 place},
                 "largest change by the outlier", range() / 10, means(outcomes, {"S_6"}, &Outcome::response)),
       all_below({"The effect on the least squares schemes decreases with their complexity.", place},
                 "paired differences of the largest change", 0,
                 differences(outcomes, {{"S_7", "S_6"}, {"S_8", "S_7"}}, &Outcome::response)),
-      all_below({"The l1 schemes are free from the effect of the outlier (read as: less than a tenth of the range of F).", place},
-                "largest change by the outlier", range() / 10, means(outcomes, robust, &Outcome::response),
-                Finding::not_confirmed),
-      all_below({"Both kinds of schemes produce smooth surfaces (read as: smoother than the biquadratic B-spline).", place},
-                "paired differences of the mean square of the second differences", 0,
-                differences(outcomes, over_classical, &Outcome::roughness)),
-      all_above({"Classical schemes are not suitable for such data (read as: the biquadratic B-spline has a larger error than every "
-                 "other scheme).", place},
+      all_below(
+          {"The l1 schemes are free from the effect of the outlier (read as: less than a tenth of the range of F).",
+           place},
+          "largest change by the outlier", range() / 10, means(outcomes, robust, &Outcome::response),
+          Finding::not_confirmed),
+      all_below(
+          {"Both kinds of schemes produce smooth surfaces (read as: smoother than the biquadratic B-spline).", place},
+          "paired differences of the mean square of the second differences", 0,
+          differences(outcomes, over_classical, &Outcome::roughness)),
+      all_above({"Classical schemes are not suitable for such data (read as: the biquadratic B-spline has a larger "
+                 "error than every "
+                 "other scheme).",
+                 place},
                 "paired differences of the errors", 0, differences(outcomes, classical_over, &Outcome::error)),
       all_below({"Each D_k has a smaller error than S_k.", "Sec. 3.1, Table 3"}, "paired differences of the errors", 0,
                 differences(outcomes, robust_over_least_squares, &Outcome::error)),
       all_above({"Schemes of high complexity have larger errors.", "Sec. 2.5, Experiment 2; Table 3"},
                 "paired differences of the errors", 0, differences(outcomes, more_over_fewer_points, &Outcome::error)),
-      noise_of_table_3(options), printed_errors_claim("table3", outcomes)};
+      noise_of_table_3(options),
+      printed_errors_claim("table3", outcomes)};
   result.comparisons.push_back(printed_errors("table3", outcomes));
   result.tables = {outcome_table("l1-surface1-measures", "Noise of variance 0.1", outcomes),
                    outcome_table("l1-surface1-quiet", "Noise of deviation 0.1", quiet)};
-  result.surface_figures = {figure("l1-surface1", "A function with normal noise of variance 0.1 and an outlier", methods,
-                                   {6, 0, 1, 2, 3, 4, 5}, std::sqrt(0.1), options.seed),
-                            figure("l1-surface1-quiet-surfaces", "The same with noise of deviation 0.1", methods, {6, 0, 3, 5}, 0.1,
-                                   options.seed)};
+  result.surface_figures = {figure("l1-surface1", "A function with normal noise of variance 0.1 and an outlier",
+                                   methods, {6, 0, 1, 2, 3, 4, 5}, std::sqrt(0.1), options.seed),
+                            figure("l1-surface1-quiet-surfaces", "The same with noise of deviation 0.1", methods,
+                                   {6, 0, 3, 5}, 0.1, options.seed)};
   return result;
 }
 

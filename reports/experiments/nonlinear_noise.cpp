@@ -1,7 +1,7 @@
 // [MH, abstract and sec. 1.1, Figures 8 and 9]: noisy data with outliers.
 
 #include "families.hpp"
-#include "local_polynomials.hpp"
+#include "degree_study.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 // [MH, sec. 1.1, Figures 1 and 3 to 5]: polynomial data and the schemes of linear, quadratic and cubic polynomials.
 
 #include "families.hpp"
-#include "local_polynomials.hpp"
+#include "degree_study.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/schemes/data/l1_specification.hpp>

@@ -1,7 +1,7 @@
 // [MH, abstract and sec. 1.1, Figure 7]: data without noise.
 
 #include "families.hpp"
-#include "local_polynomials.hpp"
+#include "degree_study.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,8 @@ namespace subcert {
 const Names least_squares{"S_6", "S_7", "S_8"}, robust{"D_6", "D_7", "D_8"};
 const NamePairs robust_over_least_squares{{"D_6", "S_6"}, {"D_7", "S_7"}, {"D_8", "S_8"}};
 const NamePairs six_over_others{{"D_6", "S_6"}, {"D_6", "S_7"}, {"D_6", "S_8"}, {"D_6", "D_7"}, {"D_6", "D_8"}};
-const NamePairs more_least_squares_points{{"S_7", "S_6"}, {"S_8", "S_7"}}, more_robust_points{{"D_7", "D_6"}, {"D_8", "D_7"}};
+const NamePairs more_least_squares_points{{"S_7", "S_6"}, {"S_8", "S_7"}},
+    more_robust_points{{"D_7", "D_6"}, {"D_8", "D_7"}};
 const NamePairs more_over_fewer_points{{"S_7", "S_6"}, {"S_8", "S_7"}, {"D_7", "D_6"}, {"D_8", "D_7"}};
 
 const std::vector<Method>& curve_methods() {
@@ -94,7 +95,8 @@ Batch drawn_samples(const OutlierCase& what, std::uint64_t seed, std::size_t fir
   return batch;
 }
 
-std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& methods, const ExperimentOptions& options) {
+std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& methods,
+                           const ExperimentOptions& options) {
   std::vector<Outcome> outcomes;
   const std::vector<double> none(options.runs);
   for (const Method& method : methods) outcomes.push_back({method, none, none, none, none});
@@ -102,7 +104,8 @@ std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& m
   parallel_for_each(shares * methods.size(), options.jobs, [&](std::size_t task) {
     Outcome& result = outcomes[task / shares];
     const std::size_t first = task % shares * share, count = std::min(share, options.runs - first);
-    const Batch fine = refined(result.method.specification, drawn_samples(what, options.seed, first, count), what.levels);
+    const Batch fine = refined(result.method.specification, drawn_samples(what, options.seed, first, count),
+                               what.levels);
     const std::vector<double> truth = true_points(what, fine.axes);
     for (std::size_t k = 0; k < count; ++k) {
       const auto &without = fine.sets[2 * k], &with = fine.sets[2 * k + 1];
@@ -116,7 +119,8 @@ std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& m
 }
 
 const Outcome& outcome(const std::vector<Outcome>& outcomes, const std::string& name) {
-  const auto found = std::find_if(outcomes.begin(), outcomes.end(), [&](const Outcome& o) { return o.method.name == name; });
+  const auto found = std::find_if(outcomes.begin(), outcomes.end(),
+                                  [&](const Outcome& o) { return o.method.name == name; });
   if (found == outcomes.end()) throw std::out_of_range("no outcome of " + name);
   return *found;
 }
@@ -168,10 +172,11 @@ ComparisonTable printed_errors(const std::string& table, const std::vector<Outco
   for (const PublishedCell& cell : printed.cells) {
     const Outcome& found = outcome(outcomes, cell.column);
     const auto [least, largest] = range(found.error);
-    result.comparisons.push_back({cell.row, cell.column, cell.scheme, cell.printed, mean_interval(found.error).text(),
-                                  Verdict::not_reproducible, cell.recorded,
-                                  "The printed value rests on one unpublished sample; over our samples the error runs from " +
-                                      short_number(least) + " to " + short_number(largest) + "."});
+    result.comparisons.push_back(
+        {cell.row, cell.column, cell.scheme, cell.printed, mean_interval(found.error).text(), Verdict::not_reproducible,
+         cell.recorded,
+         "The printed value rests on one unpublished sample; over our samples the error runs from " +
+             short_number(least) + " to " + short_number(largest) + "."});
   }
   return result;
 }
@@ -181,12 +186,15 @@ Claim printed_errors_claim(const std::string& table, const std::vector<Outcome>&
   std::string numbers;
   for (const PublishedCell& cell : printed.cells) {
     const auto [least, largest] = range(outcome(outcomes, cell.column).error);
-    numbers += (numbers.empty() ? "" : "; ") + cell.column + ": printed " + cell.printed + ", ours " + short_number(least) +
-               " to " + short_number(largest);
+    numbers += (numbers.empty() ? "" : "; ") + cell.column + ": printed " + cell.printed + ", ours " +
+               short_number(least) + " to " + short_number(largest);
   }
-  return {"The errors of " + printed.title + ".", printed.place,
-          "the data were not published; the printed values beside the range over our samples", Finding::not_reproducible,
-          numbers, Finding::not_reproducible};
+  return {"The errors of " + printed.title + ".",
+          printed.place,
+          "the data were not published; the printed values beside the range over our samples",
+          Finding::not_reproducible,
+          numbers,
+          Finding::not_reproducible};
 }
 
 }  // namespace subcert

@@ -53,7 +53,8 @@ struct Outcome {
 };
 
 /// Sample r is drawn by generator(options.seed, r). Domain: options.runs >= 2.
-std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& methods, const ExperimentOptions& options);
+std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& methods,
+                           const ExperimentOptions& options);
 
 /// Errors: throws std::out_of_range.
 const Outcome& outcome(const std::vector<Outcome>& outcomes, const std::string& name);

@@ -224,27 +224,13 @@ LinearSmoother::RoundedRow LinearSmoother::rounded_row(std::size_t output) const
   return row;
 }
 
-LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data, double constant) const {
-  if (data.size() != data_.count())
-    throw std::invalid_argument("smoothing: need " + std::to_string(data_.count()) + " data, got " +
-                                std::to_string(data.size()));
+template <class Visit>
+void LinearSmoother::visit_rounded_rows(const Visit& visit) const {
   std::vector<std::optional<RoundedRow>> interior(scale_);
-  Smoothed result;
-  result.values.reserve(outputs());
-  result.variances.reserve(outputs());
-  const auto append = [&](const RoundedRow& row, std::size_t output, std::size_t shift) {
-    double sum = row.outside * constant;
-    for (std::size_t k = 0; k < row.weights.size(); ++k)
-      if (row.weights[k] != 0) sum += row.weights[k] * data[row.first + shift + k];
-    result.values.push_back(sum);
-    result.variances.push_back(row.variance);
-    const std::size_t own = output / scale_ - shift - row.first;  // wraps around where the datum lies before the row
-    if (output % scale_ == 0) result.leverages.push_back(own < row.weights.size() ? row.weights[own] : 0);
-  };
   std::optional<std::size_t> period;  // the whole position at which the interior rows were made
   for (std::size_t o = 0; o < outputs(); ++o) {
     if (data_.weighted() || !is_interior(o)) {
-      append(rounded_row(o), o, 0);
+      visit(rounded_row(o), o, 0);
       continue;
     }
     auto& row = interior[o % scale_];
@@ -253,8 +239,36 @@ LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data, 
       row = rounded_row(o);
       row->first -= o / scale_ - *period;  // as if it were made at `period`
     }
-    append(*row, o, o / scale_ - *period);
+    visit(*row, o, o / scale_ - *period);
   }
+}
+
+std::vector<LinearSmoother::RoundedRow> LinearSmoother::rounded_rows() const {
+  std::vector<RoundedRow> result;
+  result.reserve(outputs());
+  visit_rounded_rows([&](const RoundedRow& row, std::size_t, std::size_t shift) {
+    result.push_back(row);
+    result.back().first += shift;
+  });
+  return result;
+}
+
+LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data, double constant) const {
+  if (data.size() != data_.count())
+    throw std::invalid_argument("smoothing: need " + std::to_string(data_.count()) + " data, got " +
+                                std::to_string(data.size()));
+  Smoothed result;
+  result.values.reserve(outputs());
+  result.variances.reserve(outputs());
+  visit_rounded_rows([&](const RoundedRow& row, std::size_t output, std::size_t shift) {
+    double sum = row.outside * constant;
+    for (std::size_t k = 0; k < row.weights.size(); ++k)
+      if (row.weights[k] != 0) sum += row.weights[k] * data[row.first + shift + k];
+    result.values.push_back(sum);
+    result.variances.push_back(row.variance);
+    const std::size_t own = output / scale_ - shift - row.first;  // wraps around where the datum lies before the row
+    if (output % scale_ == 0) result.leverages.push_back(own < row.weights.size() ? row.weights[own] : 0);
+  });
   return result;
 }
 

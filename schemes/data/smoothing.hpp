@@ -45,6 +45,16 @@ class LinearSmoother {
   /// Exact. Errors: throws std::domain_error where prior weights leave too few data for a fit, and names the datum.
   SmoothingRow row(std::size_t output) const;
 
+  /// A SmoothingRow in double precision.
+  struct RoundedRow {
+    std::size_t first = 0;
+    std::vector<double> weights;
+    double outside = 0;
+    double variance = 0;
+  };
+  /// All rows, composed in double precision; equal rows are made once. Errors: as row(). Cost: as apply().
+  std::vector<RoundedRow> rounded_rows() const;
+
   struct Smoothed {
     std::vector<double> values;
     std::vector<double> variances;  ///< as SmoothingRow::variance
@@ -71,12 +81,9 @@ class LinearSmoother {
   std::pair<long, long> reach(std::size_t output, const Rational& scale) const;
   SmoothingRow to_row(const Combination& combination) const;
 
-  struct RoundedRow {
-    std::size_t first = 0;
-    std::vector<double> weights;
-    double outside = 0;
-    double variance = 0;
-  };
+  /// Calls visit(row, output, shift) for all rows in order; the row acts on the data from row.first + shift on.
+  template <class Visit>
+  void visit_rounded_rows(const Visit& visit) const;
   RoundedCombination rounded_refined_datum(long index) const;
   const RoundedCombination& rounded_datum(long index) const;
   RoundedRow rounded_row(std::size_t output) const;

@@ -1,4 +1,5 @@
 #include <subcert/cmake/catch.hpp>
+#include <subcert/reports/experiments/local_polynomial.hpp>
 #include <subcert/reports/experiments/mechanical_part.hpp>
 #include <subcert/reports/experiments/paper_experiments.hpp>
 
@@ -7,19 +8,33 @@
 
 using namespace subcert;
 
-TEST_CASE("local linear regression reproduces linear functions at any bandwidth") {
-  const LocalLinearRegression regression(20, {0, 0.3, 10.5, 19});
-  std::vector<double> data;
-  for (int i = 0; i < 20; ++i) data.push_back(2.0 * i - 7);
-  const auto values = regression(data);
-  CHECK(values[0] == Approx(-7));
-  CHECK(values[1] == Approx(-6.4));
-  CHECK(values[2] == Approx(14));
-  CHECK(values[3] == Approx(31));
+TEST_CASE("local regression of each degree keeps its polynomials at every bandwidth") {
+  const std::vector<double> positions{0, 0.3, 10.5, 19};
+  auto engine = generator(2, 0);
+  const auto noise = normal_noise(engine, 20);
+  for (int degree = 0; degree <= 3; ++degree) {
+    const LocalPolynomialRegression regression(degree, 20, positions);
+    const auto polynomial = [&](double x) { return std::pow(x / 4 - 2, degree) - 3; };
+    std::vector<double> data;
+    for (int i = 0; i < 20; ++i) data.push_back(polynomial(i));
+    RegressionOfSum sum(regression, data, noise);
+    for (const double sigma : {0.0, 1e-9, 1e-3, 1.0}) {
+      CAPTURE(degree, sigma);
+      std::vector<double> noisy(data);
+      for (std::size_t i = 0; i < 20; ++i) noisy[i] += sigma * noise[i];
+      const auto values = sum(sigma), again = regression(noisy);
+      for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(values[i] == Approx(polynomial(positions[i])).margin(1e-9 + 5 * sigma));
+        CHECK(values[i] == Approx(again[i]).margin(1e-9));
+      }
+    }
+  }
+  CHECK_THROWS_AS(LocalPolynomialRegression(4, 20, {}), std::invalid_argument);
+  CHECK_THROWS_AS(LocalPolynomialRegression(1, 7, {}), std::invalid_argument);
 }
 
 TEST_CASE("more noise asks for a larger bandwidth") {
-  const LocalLinearRegression regression(60, {});
+  const LocalPolynomialRegression regression(1, 60, {});
   auto engine = generator(3, 0);
   const auto noise = normal_noise(engine, 60);
   std::vector<double> quiet, loud;

@@ -1,5 +1,5 @@
 #include <subcert/cmake/catch.hpp>
-#include <subcert/reports/experiments/local_polynomials.hpp>
+#include <subcert/reports/experiments/degree_study.hpp>
 
 #include <cmath>
 #include <numeric>

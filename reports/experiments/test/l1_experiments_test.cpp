@@ -48,12 +48,14 @@ TEST_CASE("the l1 schemes without reweighting are the least squares schemes") {
   const auto curve = random_values(6, 30), surface = random_values(7, 120);
   for (std::size_t m = 0; m < 3; ++m) {
     for (const auto& [methods, batch] :
-         {std::pair{curve_methods(), Batch{{Axis::of(30)}, 1, {curve}}}, std::pair{surface_methods(), Batch{{Axis::of(10), Axis::of(12)}, 1, {surface}}}}) {
+         {std::pair{curve_methods(), Batch{{Axis::of(30)}, 1, {curve}}},
+          std::pair{surface_methods(), Batch{{Axis::of(10), Axis::of(12)}, 1, {surface}}}}) {
       INFO(methods[m].name);
       const Batch linear = refined(methods[m].specification, batch, 2);
       const Batch robust = refined(methods[m + 3].specification + ",iterations=0", batch, 2);
       REQUIRE(linear.sets[0].size() == robust.sets[0].size());
-      for (std::size_t i = 0; i < linear.sets[0].size(); ++i) CHECK(linear.sets[0][i] == Approx(robust.sets[0][i]).margin(1e-12));
+      for (std::size_t i = 0; i < linear.sets[0].size(); ++i)
+        CHECK(linear.sets[0][i] == Approx(robust.sets[0][i]).margin(1e-12));
     }
   }
 }

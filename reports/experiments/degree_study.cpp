@@ -1,4 +1,4 @@
-#include "local_polynomials.hpp"
+#include "degree_study.hpp"
 
 #include <subcert/reports/parallel.hpp>
 

@@ -1,0 +1,111 @@
+#include "local_polynomial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace subcert {
+namespace {
+
+constexpr double reach = 9;  // bandwidths; the kernel is below 3e-18 beyond
+
+/// The row of the local fit about x, by orthonormal polynomials for the kernel.
+void fill_row(DenseMatrix& matrix, std::size_t row, int degree, double x, double bandwidth) {
+  const double last = static_cast<double>(matrix.columns() - 1);
+  const auto low = static_cast<std::size_t>(std::max(0.0, std::ceil(x - reach * bandwidth)));
+  const auto high = static_cast<std::size_t>(std::min(last, std::floor(x + reach * bandwidth)));
+  const std::size_t count = high - low + 1;
+  std::vector<double> kernel(count), power(count, 1.0);
+  const auto distance = [&](std::size_t i) { return (static_cast<double>(low + i) - x) / bandwidth; };
+  for (std::size_t i = 0; i < count; ++i) kernel[i] = std::exp(-distance(i) * distance(i) / 2);
+  const auto product = [&](const std::vector<double>& p, const std::vector<double>& q) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += kernel[i] * p[i] * q[i];
+    return sum;
+  };
+  std::vector<std::pair<std::vector<double>, double>> basis;  // values at the data and at x
+  for (int k = 0; k <= degree; ++k) {
+    std::vector<double> next(power);
+    double at_x = k == 0 ? 1 : 0;
+    for (const auto& [values, value] : basis) {
+      const double part = product(next, values);
+      for (std::size_t i = 0; i < count; ++i) next[i] -= part * values[i];
+      at_x -= part * value;
+    }
+    const double norm = std::sqrt(product(next, next));
+    for (double& value : next) value /= norm;
+    at_x /= norm;
+    for (std::size_t i = 0; i < count; ++i) {
+      matrix.at(row, low + i) += kernel[i] * at_x * next[i];
+      power[i] *= distance(i);
+    }
+    basis.emplace_back(std::move(next), at_x);
+  }
+}
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+}  // namespace
+
+LocalPolynomialRegression::LocalPolynomialRegression(int degree, std::size_t count, const std::vector<double>& positions) {
+  if (degree < 0 || degree > 3)
+    throw std::invalid_argument("LocalPolynomialRegression: need 0 <= degree <= 3, got " + std::to_string(degree));
+  if (count < 8) throw std::invalid_argument("LocalPolynomialRegression: need count >= 8, got " + std::to_string(count));
+  for (double bandwidth = (degree + 1) / 4.0; bandwidth <= static_cast<double>(count) / 4; bandwidth *= ratio) {
+    bandwidths_.push_back(bandwidth);
+    DenseMatrix data(count, count), other(positions.size(), count);
+    for (std::size_t i = 0; i < count; ++i) fill_row(data, i, degree, static_cast<double>(i), bandwidth);
+    for (std::size_t i = 0; i < positions.size(); ++i) fill_row(other, i, degree, positions[i], bandwidth);
+    at_data_.push_back(std::move(data));
+    at_positions_.push_back(std::move(other));
+  }
+}
+
+std::vector<double> LocalPolynomialRegression::left_out_residuals(std::size_t bandwidth, const std::vector<double>& data) const {
+  std::vector<double> result = at_data_[bandwidth] * data;
+  for (std::size_t i = 0; i < data.size(); ++i) result[i] = (data[i] - result[i]) / (1 - at_data_[bandwidth].at(i, i));
+  return result;
+}
+
+std::vector<double> LocalPolynomialRegression::operator()(const std::vector<double>& data) const {
+  const std::vector<double> none(data.size());
+  return RegressionOfSum(*this, data, none)(0);
+}
+
+double LocalPolynomialRegression::bandwidth(const std::vector<double>& data) const {
+  const std::vector<double> none(data.size());
+  return bandwidths_[RegressionOfSum(*this, data, none).choice(0)];
+}
+
+RegressionOfSum::RegressionOfSum(const LocalPolynomialRegression& regression, const std::vector<double>& signal,
+                                 const std::vector<double>& noise)
+    : regression_(regression), signal_(signal), noise_(noise) {
+  for (std::size_t b = 0; b < regression.bandwidths_.size(); ++b) {
+    const auto of_signal = regression.left_out_residuals(b, signal), of_noise = regression.left_out_residuals(b, noise);
+    criteria_.push_back({dot(of_signal, of_signal), 2 * dot(of_signal, of_noise), dot(of_noise, of_noise)});
+  }
+}
+
+std::size_t RegressionOfSum::choice(double sigma) const {
+  const auto sum = [&](const Criterion& c) { return c.signal + sigma * (c.mixed + sigma * c.noise); };
+  const auto best = std::min_element(criteria_.begin(), criteria_.end(),
+                                     [&](const Criterion& a, const Criterion& b) { return sum(a) < sum(b); });
+  return static_cast<std::size_t>(best - criteria_.begin());
+}
+
+std::vector<double> RegressionOfSum::operator()(double sigma) {
+  const std::size_t bandwidth = choice(sigma);
+  const auto [fit, fresh] = fits_.try_emplace(bandwidth);
+  if (fresh) {
+    const DenseMatrix& matrix = regression_.at_positions_[bandwidth];
+    fit->second = {matrix * signal_, matrix * noise_};
+  }
+  std::vector<double> result(fit->second.first);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] += sigma * fit->second.second[i];
+  return result;
+}
+
+}  // namespace subcert

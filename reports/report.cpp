@@ -151,8 +151,8 @@ std::string table_html(const PlainTable& table) {
 
 template <class Picture>
 std::string figure_html(const std::string& paper, const Picture& figure, const std::string& ending) {
-  return "<figure id=\"" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending + "\" alt=\"" + html(figure.title) +
-         "\"><figcaption><b>" + html(figure.title) + ".</b> " + html(figure.caption) + "</figcaption></figure>\n";
+  return "<figure id=\"" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending + "\" alt=\"" +
+         html(figure.title) + "\"><figcaption><b>" + html(figure.title) + ".</b> " + html(figure.caption) + "</figcaption></figure>\n";
 }
 
 /// What the experiments of a paper found, one line each.
@@ -176,8 +176,8 @@ bool is_experiment(const Report& report, const Section& section) {
 
 std::string page(const std::vector<Report>& reports, bool with_errata) {
   std::string body =
-      "<h1>Printed values, recomputed</h1>\n<p>Every number set beside a printed value was computed in exact rational arithmetic, or enclosed "
-      "with outward rounding. In each cell the printed value stands first, ours below it, then the verdict: "
+      "<h1>Printed values, recomputed</h1>\n<p>Every number set beside a printed value was computed in exact rational "
+      "arithmetic, or enclosed with outward rounding. In each cell the printed value stands first, ours below it, then the verdict: "
       "<b>match</b> where our enclosure is narrower than one unit of the last printed place and within one such unit of "
       "the printed value, <b>mismatch</b> where our result excludes that, <b>open</b> where it does not decide yet.</p>\n";
   if (std::any_of(reports.begin(), reports.end(), [](const Report& r) { return !r.experiments.empty(); }))

@@ -72,7 +72,8 @@ void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesys
   const char* terminal = file.extension() == ".svg" ? "svg font 'DejaVu Sans,12' background rgb 'white'"
                                                     : "pngcairo font 'DejaVu Sans,11'";
   write_file_with(file, [&](const std::filesystem::path& temporary) {
-    plot(surfaces, columns == 0 ? surfaces.size() : std::min(columns, surfaces.size()), terminal, temporary);  // gnuplot has ended when this returns
+    // gnuplot has ended when this returns
+    plot(surfaces, columns == 0 ? surfaces.size() : std::min(columns, surfaces.size()), terminal, temporary);
     if (!std::filesystem::exists(temporary) || std::filesystem::file_size(temporary) == 0)
       throw std::runtime_error("gnuplot did not draw " + file.string() + " (is gnuplot installed?)");
   });

@@ -511,7 +511,7 @@ TEST_CASE("data are smoothed") {
 }
 
 TEST_CASE("help names an example in every subcommand") {
-  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "jsr", "verify", "limit", "variance", "refine", "smooth"}) {
+  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "jsr", "verify", "limit", "variance", "refine", "smooth", "experiment"}) {
     const Run result = run(std::string(command) + " --help");
     CAPTURE(command);
     CHECK(result.code == 0);

@@ -107,19 +107,18 @@ void add_cubic_claims(ExperimentResult& result) {
       {"The cubic polynomial by ordinary least squares is not fit for modelling the profile of the car.",
        "Sec. 2.5, Fig. 3"},
       "its residuals are no noise: their correlation at lag 1 exceeds the 95 % bound 1.96/sqrt(25) for white noise"));
-  result.claims.push_back(trend.decides(
-      {"It just shows the overall trend of the data (read as: it explains more than half of their variance).",
-       "Sec. 2.5, Fig. 3"},
-      "1 - squares of residuals / squares about the mean"));
+  result.claims.push_back(trend.decides({"The cubic polynomial just shows the overall trend of the data (read as: it "
+                                         "explains more than half of their variance).",
+                                         "Sec. 2.5, Fig. 3"},
+                                        "1 - squares of residuals / squares about the mean"));
 }
 
 ExperimentResult run(const ExperimentOptions&) {
   ExperimentResult result{
       {"The profile is not published. Ours is the upper outline of a car of 4.80 m by 1.46 m, 25 heights in cm at "
-       "every "
-       "20 cm: bumper, bonnet, windscreen, roof, rear window, boot. All curves are computed in rational numbers, the "
-       "limits with the scheme's own fit at "
-       "the ends. The paper does not name the degree of its B-spline: degrees 3 and 2 are tried."}};
+       "every 20 cm: bumper, bonnet, windscreen, roof, rear window, boot. All curves are computed in rational numbers, "
+       "the limits with the scheme's own fit at the ends. The paper does not name the degree of its B-spline: degrees "
+       "3 and 2 are tried."}};
   result.random = false;
   add_cubic_claims(result);
   PlainTable table{"aary-fig3-distances",
@@ -145,10 +144,11 @@ ExperimentResult run(const ExperimentOptions&) {
   result.claims.push_back(nearer.decides(
       {"The 4-point binary scheme is more consistent with the data than the B-spline.", "Sec. 2.5, Fig. 3"},
       "smaller sum of squares of the distances at the data, exact"));
-  result.claims.push_back(always.decides(
-      {"The same for every closed polygon with whatever vertices (the sentence without this car).", "Sec. 2.5, Fig. 3"},
-      "|1 - l| of the 4-point scheme is at most that of the B-spline on the whole unit circle, l the symbol of the "
-      "limit at the data; exact"));
+  result.claims.push_back(always.decides({"The 4-point binary scheme is more consistent with the vertices of every "
+                                          "closed polygon than the B-spline (the sentence without this car).",
+                                          "Sec. 2.5, Fig. 3"},
+                                         "|1 - l| of the 4-point scheme is at most that of the B-spline on the whole "
+                                         "unit circle, l the symbol of the limit at the data; exact"));
   Figure figure{"aary-fig3", "Profile of a car", "", 2, {}};
   for (const Method& method : {cubic, splines[0], splines[1], four_point}) figure.panels.push_back(panel(method));
   result.figures.push_back(figure);

@@ -71,7 +71,8 @@ std::vector<double> FunctionTrial::noise(std::uint64_t seed, std::size_t run) co
 double FunctionTrial::deviation(double decibel) const { return noise_deviation(mean_square(samples_), decibel); }
 
 FunctionTrial::Errors FunctionTrial::errors(const ExperimentOptions& options) const {
-  Errors errors(schemes_.size(), std::vector<std::vector<double>>(quietest - loudest + 1, std::vector<double>(options.runs)));
+  Errors errors(schemes_.size(),
+                std::vector<std::vector<double>>(quietest - loudest + 1, std::vector<double>(options.runs)));
   const std::array<Coordinate, 1> truth{truth_};
   parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
     const auto sample = noise(options.seed, run);

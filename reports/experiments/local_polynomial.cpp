@@ -50,10 +50,12 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-LocalPolynomialRegression::LocalPolynomialRegression(int degree, std::size_t count, const std::vector<double>& positions) {
+LocalPolynomialRegression::LocalPolynomialRegression(int degree, std::size_t count,
+                                                     const std::vector<double>& positions) {
   if (degree < 0 || degree > 3)
     throw std::invalid_argument("LocalPolynomialRegression: need 0 <= degree <= 3, got " + std::to_string(degree));
-  if (count < 8) throw std::invalid_argument("LocalPolynomialRegression: need count >= 8, got " + std::to_string(count));
+  if (count < 8)
+    throw std::invalid_argument("LocalPolynomialRegression: need count >= 8, got " + std::to_string(count));
   for (double bandwidth = (degree + 1) / 4.0; bandwidth <= static_cast<double>(count) / 4; bandwidth *= ratio) {
     bandwidths_.push_back(bandwidth);
     DenseMatrix data(count, count), other(positions.size(), count);
@@ -64,7 +66,8 @@ LocalPolynomialRegression::LocalPolynomialRegression(int degree, std::size_t cou
   }
 }
 
-std::vector<double> LocalPolynomialRegression::left_out_residuals(std::size_t bandwidth, const std::vector<double>& data) const {
+std::vector<double> LocalPolynomialRegression::left_out_residuals(std::size_t bandwidth,
+                                                                  const std::vector<double>& data) const {
   std::vector<double> result = at_data_[bandwidth] * data;
   for (std::size_t i = 0; i < data.size(); ++i) result[i] = (data[i] - result[i]) / (1 - at_data_[bandwidth].at(i, i));
   return result;

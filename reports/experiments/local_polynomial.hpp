@@ -7,8 +7,8 @@
 
 namespace subcert {
 
-/// Local polynomial regression with the normal kernel on the data 0, ..., count - 1. The bandwidth is the one of the grid
-/// (degree + 1)/4 * ratio^k, in spacings, with the smallest sum of squared residuals when each datum is left out.
+/// Local polynomial regression with the normal kernel on the data 0, ..., count - 1. The bandwidth is the one of the
+/// grid (degree + 1)/4 * ratio^k, in spacings, with the smallest sum of squared residuals when each datum is left out.
 /// Ref: [DHHS15, sec. 3.2].
 class LocalPolynomialRegression {
  public:
@@ -29,8 +29,8 @@ class LocalPolynomialRegression {
   std::vector<DenseMatrix> at_positions_;
 };
 
-/// The regression of signal + sigma * noise for many sigma: with a fixed bandwidth it is linear, so that its criterion is
-/// a quadratic polynomial in sigma. Cost: of the constructor, that of one choice of the bandwidth.
+/// The regression of signal + sigma * noise for many sigma: with a fixed bandwidth it is linear, so that its criterion
+/// is a quadratic polynomial in sigma. Cost: of the constructor, that of one choice of the bandwidth.
 class RegressionOfSum {
  public:
   RegressionOfSum(const LocalPolynomialRegression& regression, const std::vector<double>& signal,

@@ -46,7 +46,8 @@ Measured empty_measure(std::size_t schemes, std::size_t runs) {
 }
 
 PlainTable measures_table(const std::string& id, const std::string& title, const std::vector<std::string>& schemes,
-                          const TwoLevels& decibels, const std::vector<std::pair<std::string, const Measured*>>& columns) {
+                          const TwoLevels& decibels,
+                          const std::vector<std::pair<std::string, const Measured*>>& columns) {
   PlainTable table{id, title, {"scheme", "SNR (dB)"}, {}};
   for (const auto& column : columns) table.head.push_back(column.first);
   for (std::size_t s = 0; s < schemes.size(); ++s)
@@ -65,8 +66,8 @@ Dominance dominance(const Measured& error, std::size_t noise, const std::vector<
     for (const std::size_t b : bad) {
       const MeanInterval difference = mean_difference(error[g][noise], error[b][noise]);
       result.shown = result.shown && difference.is_negative();
-      result.numbers += (result.numbers.empty() ? "" : ", ") + scheme_name(schemes[g]) + " - " + scheme_name(schemes[b]) +
-                        ": " + difference.text();
+      result.numbers += (result.numbers.empty() ? "" : ", ") + scheme_name(schemes[g]) + " - " +
+                        scheme_name(schemes[b]) + ": " + difference.text();
     }
   return result;
 }

@@ -35,7 +35,8 @@ using Measured = std::vector<std::array<std::vector<double>, 2>>;
 Measured empty_measure(std::size_t schemes, std::size_t runs);
 
 PlainTable measures_table(const std::string& id, const std::string& title, const std::vector<std::string>& schemes,
-                          const TwoLevels& decibels, const std::vector<std::pair<std::string, const Measured*>>& columns);
+                          const TwoLevels& decibels,
+                          const std::vector<std::pair<std::string, const Measured*>>& columns);
 
 /// Whether each of `good` has smaller errors than each of `bad` at this level of noise, by the paired differences.
 struct Dominance {

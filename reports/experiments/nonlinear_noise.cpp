@@ -1,7 +1,7 @@
 // [MH, abstract and sec. 1.1, Figures 8 and 9]: noisy data with outliers.
 
-#include "families.hpp"
 #include "degree_study.hpp"
+#include "families.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -82,8 +82,7 @@ NoisyExperiment curve_experiment() {
   return {"nonlinear-fig9",
           "Figure 9: a closed curve with noise and outliers",
           "r = 3 + cos 2t + (1/2) sin 3t, 60 points at equal steps of t, closed; normal noise of 25 dB in both "
-          "coordinates; 4 outliers at random places, moved in any direction by 0.2 to "
-          "0.5 of the diameter.",
+          "coordinates; 4 outliers at random places, moved in any direction by 0.2 to 0.5 of the diameter.",
           {{Axis::of(curve_points, true)}, 2, 3, draw, closed_curve},
           2 * sigma * sigma,
           Finding::confirmed};
@@ -165,13 +164,12 @@ void add_fit_claims(ExperimentResult& result, const NoisyExperiment& experiment,
       {"Schemes of " + which + " polynomials do not underfit (read as: the squared bias is below the variance).",
        place},
       "squared bias minus variance", 0, underfit));
-  result.claims.push_back(all_above({"Schemes of " + which +
-                                         " polynomials are approximating on noisy data (read as: from the data that "
-                                         "are no outliers they keep a mean square distance of more than half the "
-                                         "variance of the noise).",
-                                     place},
-                                    "mean square distance from the data that are no outliers", experiment.noise / 2,
-                                    approximating));
+  result.claims.push_back(
+      all_above({"Schemes of " + which +
+                     " polynomials are approximating on noisy data (read as: from the data that are no outliers they "
+                     "keep a mean square distance of more than half the variance of the noise).",
+                 place},
+                "mean square distance from the data that are no outliers", experiment.noise / 2, approximating));
 }
 
 ExperimentResult run(const NoisyExperiment& experiment, const ExperimentOptions& options) {
@@ -188,11 +186,14 @@ ExperimentResult run(const NoisyExperiment& experiment, const ExperimentOptions&
     add_fit_claims(result, experiment, degree, parts, options);
     if (degree == 1) continue;
     const std::string which = degree == 2 ? "quadratic" : "cubic";
-    result.claims.push_back(
-        all_below({"Schemes of " + which + " polynomials perform better than those of linear ones.", "Abstract"},
-                  "paired difference of the mean squared errors", 0,
-                  differences(outcomes, pairs(degree, 1), &Outcome::error), Finding::not_confirmed));
-    result.claims.push_back(all_below({"The same on noisy data without outliers.", "Abstract"},
+    result.claims.push_back(all_below(
+        {"On noisy data with outliers, schemes of " + which + " polynomials perform better than those of linear ones.",
+         "Abstract"},
+        "paired difference of the mean squared errors", 0, differences(outcomes, pairs(degree, 1), &Outcome::error),
+        Finding::not_confirmed));
+    result.claims.push_back(all_below({"On noisy data without outliers, schemes of " + which +
+                                           " polynomials perform better than those of linear ones.",
+                                       "Abstract"},
                                       "paired difference of the mean squared errors", 0,
                                       differences(outcomes, pairs(degree, 1), &Outcome::error_without),
                                       degree == 3 ? experiment.cubic_without_outliers : Finding::confirmed));

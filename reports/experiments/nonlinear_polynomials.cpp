@@ -1,7 +1,7 @@
 // [MH, sec. 1.1, Figures 1 and 3 to 5]: polynomial data and the schemes of linear, quadratic and cubic polynomials.
 
-#include "families.hpp"
 #include "degree_study.hpp"
+#include "families.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/schemes/data/l1_specification.hpp>
@@ -113,12 +113,13 @@ void add_linear_claims(ExperimentResult& result) {
                      "Sec. 1.1, Fig. 1(a)-(c)"},
                     "reproduction degree of the mask, exact: 1"));
   result.claims.push_back(misses.decides(
-      {"Nor do those by l1 regression.", "Sec. 1.1, Fig. 1(a)-(c)"},
+      {"The schemes of linear polynomials by l1 regression do not reproduce other polynomials.",
+       "Sec. 1.1, Fig. 1(a)-(c)"},
       "largest distance from the polynomial over the diameter of its samples, far above rounding: 1e-6"));
-  result.claims.push_back(trend.decides(
-      {"They underfit data from non-linear polynomials without noise (read as: by more than 1/20 of the range).",
-       "Sec. 1.1, Fig. 1(b)"},
-      "largest distance from the cubic function over its range"));
+  result.claims.push_back(trend.decides({"The schemes of linear polynomials underfit data from non-linear polynomials "
+                                         "without noise (read as: by more than 1/20 of the range).",
+                                         "Sec. 1.1, Fig. 1(b)"},
+                                        "largest distance from the cubic function over its range"));
 }
 
 ExperimentResult run_linear(const ExperimentOptions& options) {
@@ -127,12 +128,10 @@ ExperimentResult run_linear(const ExperimentOptions& options) {
   const double sigma = noise_deviation(mean_square(polynomials[1].sampled(Axis::of(count)).values), decibel);
   ExperimentResult result{
       {"The polynomials are not named. Here: 2t^2 - 1, 4t^3 - 3t and the curve of both, 17 data at t = (x - 8)/7, x = "
-       "0, ..., 16; the noise of (d) has 20 "
-       "dB. Schemes D_6, D_7, D_8 with 6 iterations and delta = 1e-8, ends by the fit of the nearest window, 5 levels "
-       "(3 for the error statistics).",
+       "0, ..., 16; the noise of (d) has 20 dB. Schemes D_6, D_7, D_8 with 6 iterations and delta = 1e-8, ends by the "
+       "fit of the nearest window, 5 levels (3 for the error statistics).",
        "Underfitting is read as: the squared bias is larger than the variance, so that the error is the model's, not "
-       "the noise's. Overfitting: the variance is "
-       "larger than that of the noise."}};
+       "the noise's. Overfitting: the variance is larger than that of the noise."}};
   add_linear_claims(result);
   PlainTable table{"nonlinear-fig1-errors",
                    "Mean squared error of the cubic function with noise (" + short_number(sigma * sigma) +
@@ -151,9 +150,11 @@ ExperimentResult run_linear(const ExperimentOptions& options) {
       overfit.push_back({method.name, mean_interval(parts.variance)});
     }
   result.claims.push_back(
-      all_above({"They underfit data from non-linear polynomials with noise.", "Sec. 1.1, Fig. 1(d)"},
+      all_above({"The schemes of linear polynomials underfit data from non-linear polynomials with noise.",
+                 "Sec. 1.1, Fig. 1(d)"},
                 "squared bias minus variance", 0, underfit));
-  result.claims.push_back(all_below({"They do not overfit.", "Sec. 1.1"}, "variance", sigma * sigma, overfit));
+  result.claims.push_back(
+      all_below({"The schemes of linear polynomials do not overfit.", "Sec. 1.1"}, "variance", sigma * sigma, overfit));
   Figure figure{"nonlinear-fig1", "Schemes of linear polynomials on data of other polynomials", "", 2, {}};
   for (const PolynomialData& polynomial : polynomials)
     figure.panels.push_back(panel(polynomial, robust_method(6, 1), polynomial.sampled(Axis::of(count))));
@@ -189,10 +190,9 @@ bool weights_do_not_matter(const Method& method) {
 ExperimentResult run_reproduction(const ExperimentOptions&) {
   ExperimentResult result{{"The polynomials of nonlinear-fig1 and the schemes of degrees 2 and 3 on 5 to 10 data.",
                            "A weighted least squares fit with positive weights to data of a polynomial of the fitted "
-                           "degree has residual 0 for this polynomial and for no other, "
-                           "whatever the weights. So each reweighted step returns the polynomial, and the schemes "
-                           "reproduce it on every level. This is checked in rational numbers for "
-                           "twenty choices of weights whose ratios go up to 10^6."}};
+                           "degree has residual 0 for this polynomial and for no other, whatever the weights. So each "
+                           "reweighted step returns the polynomial, and the schemes reproduce it on every level. This "
+                           "is checked in rational numbers for twenty choices of weights whose ratios go up to 10^6."}};
   result.random = false;
   PlainTable table{
       "nonlinear-fig3-degrees",
@@ -221,12 +221,15 @@ ExperimentResult run_reproduction(const ExperimentOptions&) {
   const std::string place = "Sec. 1.1, Fig. 3-5";
   result.claims = {
       exact.decides(
-          {"The schemes of quadratic and cubic polynomials reproduce the polynomial data: least squares.", place},
+          {"The least squares schemes of quadratic and cubic polynomials reproduce the polynomial data.", place},
           "reproduction degree of the mask, exact: at least the degree of the fit"),
       weighted.decides(
-          {"The same for the reweighted steps of the l1 schemes.", place},
+          {"The reweighted steps of the l1 schemes of quadratic and cubic polynomials reproduce the polynomial data.",
+           place},
           "fits with twenty choices of positive weights to monomials of at most the degree of the fit, exact"),
-      measured.decides({"The same for five levels of the l1 schemes in double precision.", place},
+      measured.decides({"Five levels of the l1 schemes of quadratic and cubic polynomials, in double precision, "
+                        "reproduce the polynomial data.",
+                        place},
                        "largest distance from the polynomial over the diameter, below 1e-12, polynomials of at most "
                        "the degree of the fit")};
   Figure figure{"nonlinear-fig3", "Polynomial data kept by schemes of degrees 2 and 3", "", 3, {}};

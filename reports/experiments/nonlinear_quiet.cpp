@@ -1,7 +1,7 @@
 // [MH, abstract and sec. 1.1, Figure 7]: data without noise.
 
-#include "families.hpp"
 #include "degree_study.hpp"
+#include "families.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,9 +83,8 @@ ExperimentResult run(const ExperimentOptions&) {
   const std::vector<Shape> shapes{{"flower", flower()}, {"star", star()}};
   ExperimentResult result{
       {"The data are not published. Two closed polygons with 60 vertices: r = 4 + cos 5t, and a star with ten straight "
-       "edges. "
-       "Schemes D_6, D_7, D_8 of degrees 1, 2, 3 with 6 iterations and delta = 1e-8, 6 levels. The limit at a vertex "
-       "is that at its parameter."}};
+       "edges. Schemes D_6, D_7, D_8 of degrees 1, 2, 3 with 6 iterations and delta = 1e-8, 6 levels. The limit at a "
+       "vertex is that at its parameter."}};
   result.random = false;
   PlainTable table{"nonlinear-fig7-distances",
                    "Data without noise: largest distance of the limit from the vertices over the diameter, and extrema "
@@ -127,13 +126,16 @@ ExperimentResult run(const ExperimentOptions&) {
       near.decides(
           {"Interpolatory behaviour on smooth data, read as: nearer than 1/100 of the diameter.", "Sec. 1.1, Fig. 7"},
           measure + "below 1/100"),
-      near_corners.decides({"The same for a polygon with corners.", "Sec. 1.1, Fig. 7"}, measure + "below 1/100",
-                           Finding::not_confirmed),
+      near_corners.decides(
+          {"Interpolatory behaviour on a polygon with corners, read as: nearer than 1/100 of the diameter.",
+           "Sec. 1.1, Fig. 7"},
+          measure + "below 1/100", Finding::not_confirmed),
       kept.decides(
           {"Although not interpolatory, the schemes preserve the shape of the initial polygon.", "Abstract, Fig. 7"},
           "the limit has as many extrema of its coordinates as the polygon", Finding::not_confirmed),
-      seen.decides({"The same without what cannot be seen.", "Abstract, Fig. 7"},
-                   "the same count without extrema that are lower than 1/200 of the diameter"),
+      seen.decides(
+          {"The schemes preserve the shape of the initial polygon, but for what cannot be seen.", "Abstract, Fig. 7"},
+          "the same count without extrema that are lower than 1/200 of the diameter"),
       better.decides(
           {"The schemes of non-linear polynomials perform better than those of linear ones, on data without noise.",
            "Abstract, Fig. 7"},

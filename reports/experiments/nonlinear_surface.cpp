@@ -1,7 +1,7 @@
 // [MH, sec. 1.1]: surfaces by linear and quadratic bivariate polynomials.
 
-#include "families.hpp"
 #include "degree_study.hpp"
+#include "families.hpp"
 
 #include <cmath>
 

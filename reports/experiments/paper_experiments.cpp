@@ -13,7 +13,8 @@ std::vector<std::string> experiment_ids(const std::string& paper) {
 
 void add_experiments(Report& report, const ReportOptions& options) {
   for (const std::string& id : experiment_ids(report.paper)) {
-    if (!options.only.empty() && std::find(options.only.begin(), options.only.end(), id) == options.only.end()) continue;
+    if (!options.only.empty() && std::find(options.only.begin(), options.only.end(), id) == options.only.end())
+      continue;
     if (options.progress) options.progress(id);
     report.experiments.push_back(run_experiment(experiment(id), {options.seed, options.runs, options.jobs}));
     report.sections.push_back(experiment_section(report.experiments.back()));

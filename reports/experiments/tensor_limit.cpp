@@ -90,8 +90,8 @@ double normal_angle(const PointGrid& grid, const PointGrid& truth) {
 std::vector<TensorLimit> limits(const SurfaceTrial& trial, int level) {
   std::vector<TensorLimit> result;
   for (const std::string& scheme : trial.schemes)
-    result.emplace_back(scheme, trial.samples.columns, trial.samples.rows, trial.closed ? Extension::wrap : Extension::interp,
-                        level);
+    result.emplace_back(scheme, trial.samples.columns, trial.samples.rows,
+                        trial.closed ? Extension::wrap : Extension::interp, level);
   return result;
 }
 
@@ -141,12 +141,16 @@ SurfaceFigure samples_figure(const SurfaceTrial& trial, const std::string& id, s
   figure.surfaces.push_back(trial.truth.drawn(trial.title, trial.closed));
   auto engine = generator(seed, 0);
   for (const double decibel : trial.decibels)
-    figure.surfaces.push_back(noisy(trial.samples, decibel, engine).drawn("samples, " + short_number(decibel) + " dB", trial.closed));
+    figure.surfaces.push_back(
+        noisy(trial.samples, decibel, engine).drawn("samples, " + short_number(decibel) + " dB", trial.closed));
   return figure;
 }
 
 SurfaceFigure limits_figure(const SurfaceTrial& trial, std::uint64_t seed) {
-  SurfaceFigure figure{trial.id, trial.title + ": limits", "One sample of the noise; rows: low and high noise.", {},
+  SurfaceFigure figure{trial.id,
+                       trial.title + ": limits",
+                       "One sample of the noise; rows: low and high noise.",
+                       {},
                        trial.schemes.size()};
   const auto schemes = limits(trial, trial.closed ? trial.level : 0);
   auto engine = generator(seed, 0);
@@ -154,7 +158,8 @@ SurfaceFigure limits_figure(const SurfaceTrial& trial, std::uint64_t seed) {
     const PointGrid data = noisy(trial.samples, decibel, engine);
     for (std::size_t s = 0; s < schemes.size(); ++s) {
       const std::string name = scheme_name(trial.schemes[s]);
-      figure.surfaces.push_back(schemes[s](data).drawn(name + " x " + name + ", " + short_number(decibel) + " dB", trial.closed));
+      figure.surfaces.push_back(
+          schemes[s](data).drawn(name + " x " + name + ", " + short_number(decibel) + " dB", trial.closed));
     }
   }
   return figure;

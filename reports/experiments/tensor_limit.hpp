@@ -28,12 +28,12 @@ class TensorLimit {
 
 /// A surface with what its limits are compared with.
 struct SurfaceTrial {
-  std::string id;     ///< of the figure of the limits
+  std::string id;  ///< of the figure of the limits
   std::string title;
   PointGrid samples;
-  PointGrid truth;    ///< at the outputs
-  bool closed;        ///< in both directions
-  int level;          ///< the outputs stand at the multiples of 2^-level
+  PointGrid truth;  ///< at the outputs
+  bool closed;      ///< in both directions
+  int level;        ///< the outputs stand at the multiples of 2^-level
   TwoLevels decibels;
   std::vector<std::string> schemes;
 };

@@ -24,46 +24,46 @@ PointGrid torus(std::size_t count) {
 
 ExperimentResult run(const ExperimentOptions& options) {
   constexpr std::size_t count = 24;
-  const SurfaceTrial trial{"fig19", "Torus", torus(count), torus(2 * count), true, 1, {15, 6}, {"primal:n=3", "primal:n=5"}};
+  const SurfaceTrial trial{"fig19", "Torus", torus(count), torus(2 * count),
+                           true,    1,       {15, 6},      {"primal:n=3", "primal:n=5"}};
   const auto [error, shape_error, normal_error] = measure(trial, options);
   ExperimentResult result{
-      {"The torus at u, v = i pi/12, i = 0, ..., 23, closed in both directions, as printed; limits at the multiples of "
-       "1/2. The signal-to-noise ratio counts all three coordinates. The error up to size is that of the limit after it is "
-       "scaled about its centre by the best factor; the error of the normals is the root mean square angle, in degrees.",
+      {"The torus at u, v = i pi/12, i = 0, ..., 23, closed in both directions, as printed; limits at the multiples "
+       "of 1/2. The signal-to-noise ratio counts all three coordinates. The error up to size is that of the limit "
+       "after it is scaled about its centre by the best factor; the error of the normals is the root mean square "
+       "angle, in degrees.",
        "In the figure each surface fills its panel; the limits of S_5 x S_5 are much smaller than the torus."}};
   const auto interval = [](const Measured& measured, std::size_t scheme, std::size_t noise) {
     return mean_interval(measured[scheme][noise]);
   };
   const MeanInterval low3 = interval(error, 0, 0), low5 = interval(error, 1, 0);
-  result.claims.push_back(decided_claim("With low noise both limits are fairly good (read as: relative error below 1/10).",
-                                        "Sec. 5.2, Fig. 19(a,b)", "means below 1/10 with their intervals",
-                                        low3.mean + low3.half_width < 0.1 && low5.mean + low5.half_width < 0.1,
-                                        "S_3: " + low3.text() + ", S_5: " + low5.text(), Finding::not_confirmed));
+  result.claims.push_back(decided_claim(
+      "With low noise both limits are fairly good (read as: relative error below 1/10).", "Sec. 5.2, Fig. 19(a,b)",
+      "means below 1/10 with their intervals", low3.mean + low3.half_width < 0.1 && low5.mean + low5.half_width < 0.1,
+      "S_3: " + low3.text() + ", S_5: " + low5.text(), Finding::not_confirmed));
   const std::string sentence = "With high noise S_5 x S_5 provides a better approximation than S_3 x S_3";
   const Dominance whole = dominance(error, 1, trial.schemes, {1}, {0}),
                   shape = dominance(shape_error, 1, trial.schemes, {1}, {0}),
                   normals = dominance(normal_error, 1, trial.schemes, {1}, {0});
-  result.claims.push_back(decided_claim(sentence + ".", "Sec. 5.2, Fig. 19(c,d)",
-                                        "mean of the paired difference of relative errors, negative with its whole interval",
-                                        whole.shown, whole.numbers, Finding::not_confirmed));
-  result.claims.push_back(decided_claim(sentence + " (read as: of the shape, whatever its size).", "Sec. 5.2, Fig. 19(c,d)",
-                                        "the same with the errors up to size", shape.shown, shape.numbers,
-                                        Finding::not_confirmed));
+  result.claims.push_back(
+      decided_claim(sentence + ".", "Sec. 5.2, Fig. 19(c,d)",
+                    "mean of the paired difference of relative errors, negative with its whole interval", whole.shown,
+                    whole.numbers, Finding::not_confirmed));
+  result.claims.push_back(decided_claim(sentence + " (read as: of the shape, whatever its size).",
+                                        "Sec. 5.2, Fig. 19(c,d)", "the same with the errors up to size", shape.shown,
+                                        shape.numbers, Finding::not_confirmed));
   result.claims.push_back(decided_claim(sentence + " (read as: of the normals, which a shaded picture shows).",
-                                        "Sec. 5.2, Fig. 19(c,d)", "the same with the errors of the normals", normals.shown,
-                                        normals.numbers));
-  result.tables.push_back(measures_table("fig19-measures", "Torus", trial.schemes, trial.decibels,
-                                         {{"relative error", &error},
-                                          {"error up to size", &shape_error},
-                                          {"normals (degrees)", &normal_error}}));
+                                        "Sec. 5.2, Fig. 19(c,d)", "the same with the errors of the normals",
+                                        normals.shown, normals.numbers));
+  result.tables.push_back(measures_table(
+      "fig19-measures", "Torus", trial.schemes, trial.decibels,
+      {{"relative error", &error}, {"error up to size", &shape_error}, {"normals (degrees)", &normal_error}}));
   result.surface_figures = {samples_figure(trial, "fig18", options.seed), limits_figure(trial, options.seed)};
   return result;
 }
 
 }  // namespace
 
-std::vector<Experiment> torus_experiments() {
-  return {{"fig19", "dyn-2015", "Figures 18 and 19: the torus", run}};
-}
+std::vector<Experiment> torus_experiments() { return {{"fig19", "dyn-2015", "Figures 18 and 19: the torus", run}}; }
 
 }  // namespace subcert

@@ -133,16 +133,28 @@ std::string table_html(const ComparisonTable& table) {
 
 constexpr std::size_t widest_cell = 40;  // characters in a line
 
+/// " class=text" for the columns with sentences.
+std::vector<std::string> column_classes(const PlainTable& table) {
+  std::vector<std::string> result(table.head.size());
+  for (const auto& row : table.rows)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i == result.size()) result.emplace_back();
+      if (row[i].size() > widest_cell) result[i] = " class=text";
+    }
+  return result;
+}
+
 std::string table_html(const PlainTable& table) {
+  const auto classes = column_classes(table);
   std::string result = "<h3 id=\"" + table.id + "\">" + html(table.title) + "</h3>\n<div class=scroll><table>\n<tr>";
-  for (const std::string& name : table.head) result += "<th>" + html(name) + "</th>";
+  for (std::size_t i = 0; i < table.head.size(); ++i)
+    result += "<th" + classes[i] + ">" + html(table.head[i]) + "</th>";
   result += "</tr>\n";
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    const auto& row = table.rows[r];
     result += table.row_classes.empty() ? std::string("<tr>") : "<tr class=\"" + table.row_classes[r] + "\">";
-    for (std::size_t i = 0; i < row.size(); ++i) {
+    for (std::size_t i = 0; i < table.rows[r].size(); ++i) {
       const std::string cell = i == 0 ? "th" : "td";
-      result += "<" + cell + (row[i].size() > widest_cell ? " class=text>" : ">") + html(row[i]) + "</" + cell + ">";
+      result += "<" + cell + classes[i] + ">" + html(table.rows[r][i]) + "</" + cell + ">";
     }
     result += "</tr>\n";
   }

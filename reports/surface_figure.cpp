@@ -51,7 +51,9 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, const 
   for (const DrawnSurface& surface : surfaces) {
     const bool coarse = surface.columns * surface.rows <= 2500;
     gnuplot << "set title \"" << surface.title << "\"\n"
-            << (surface.heights ? "set view 60,30,1\n" : "set view equal xyz\nset view 60,30,2.0\nunset tics\nunset border\n")
+            << (surface.heights
+                    ? "set view 60,30,1\n"
+                    : "set view equal xyz\nset view 60,30," + std::to_string(surface.zoom) + "\nunset tics\nunset border\n")
             << "set pm3d depthorder " << (coarse ? "border lc rgb '#303030' lw 0.4\n" : "noborder\n")
             << "splot '-' with pm3d\n" << grid_text(surface) << "e\n";
   }

@@ -18,6 +18,7 @@ struct DrawnSurface {
   bool closed_y;
   std::vector<std::array<double, 3>> points;
   bool heights = false;  ///< a function over a grid: x and y scaled freely against z
+  double zoom = 2;       ///< of surfaces that are no heights; tall ones need less
 };
 
 /// Surfaces side by side, at most `columns` in a row.

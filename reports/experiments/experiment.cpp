@@ -38,7 +38,10 @@ const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = [] {
     std::vector<Experiment> result;
     for (const auto& family : {expected_error_experiments, function_experiments, curve_experiments, torus_experiments,
-                               part_experiments, l1_experiments}) {
+                               part_experiments, l1_experiments, nonlinear_polynomial_experiments,
+                               nonlinear_quiet_experiments, nonlinear_noise_experiments, nonlinear_surface_experiments,
+                               aary_limit_function_experiments, aary_curve_experiments, aary_car_experiments,
+                               aary_surface_experiments}) {
       const auto more = family();
       result.insert(result.end(), more.begin(), more.end());
     }
@@ -77,8 +80,10 @@ Section experiment_section(const RanExperiment& ran) {
   const ExperimentResult& result = ran.result;
   Section section{ran.experiment->id, ran.experiment->title, result.setup, result.comparisons, {}, result.figures,
                   result.surface_figures};
-  section.paragraphs.push_back("Seed " + std::to_string(ran.options.seed) + ", " + std::to_string(ran.options.runs) +
-                               " samples of the noise; intervals are means with 95 % confidence (Student's t).");
+  section.paragraphs.push_back(result.random ? "Seed " + std::to_string(ran.options.seed) + ", " +
+                                                   std::to_string(ran.options.runs) +
+                                                   " samples of the noise; intervals are means with 95 % confidence (Student's t)."
+                                             : "Nothing here is random.");
   if (!result.claims.empty()) section.tables.push_back(claims_table(ran));
   section.tables.insert(section.tables.end(), result.tables.begin(), result.tables.end());
   return section;

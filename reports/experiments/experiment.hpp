@@ -37,6 +37,7 @@ struct ExperimentResult {
   std::vector<Figure> figures = {};
   std::vector<SurfaceFigure> surface_figures = {};
   std::vector<ComparisonTable> comparisons = {};  ///< printed values beside ours, where the paper prints any
+  bool random = true;                             ///< whether seed and samples matter
 
   bool all_confirmed() const;
   bool as_recorded() const;

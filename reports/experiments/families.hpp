@@ -10,6 +10,14 @@ std::vector<Experiment> curve_experiments();
 std::vector<Experiment> torus_experiments();
 std::vector<Experiment> part_experiments();
 std::vector<Experiment> expected_error_experiments();
+std::vector<Experiment> nonlinear_polynomial_experiments();
+std::vector<Experiment> nonlinear_quiet_experiments();
+std::vector<Experiment> nonlinear_noise_experiments();
+std::vector<Experiment> nonlinear_surface_experiments();
+std::vector<Experiment> aary_limit_function_experiments();
+std::vector<Experiment> aary_curve_experiments();
+std::vector<Experiment> aary_car_experiments();
+std::vector<Experiment> aary_surface_experiments();
 
 std::vector<Experiment> l1_function_experiments();
 std::vector<Experiment> l1_limit_experiments();

@@ -71,6 +71,8 @@ double roughness(const std::vector<double>& values, const std::vector<Axis>& axe
   return sum / static_cast<double>(count);
 }
 
+}  // namespace
+
 std::vector<double> true_points(const OutlierCase& what, const std::vector<Axis>& axes) {
   const auto xs = parameters(axes[0]), ys = axes.size() > 1 ? parameters(axes[1]) : std::vector<double>{0};
   std::vector<double> result;
@@ -82,7 +84,6 @@ std::vector<double> true_points(const OutlierCase& what, const std::vector<Axis>
   return result;
 }
 
-/// The samples first, ..., first + count - 1; each set without outliers is followed by that with them.
 Batch drawn_samples(const OutlierCase& what, std::uint64_t seed, std::size_t first, std::size_t count) {
   Batch batch{what.axes, what.dimension, {}};
   for (std::size_t r = first; r < first + count; ++r) {
@@ -93,8 +94,6 @@ Batch drawn_samples(const OutlierCase& what, std::uint64_t seed, std::size_t fir
   }
   return batch;
 }
-
-}  // namespace
 
 std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& methods,
                            const ExperimentOptions& options) {

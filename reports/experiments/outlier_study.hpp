@@ -36,6 +36,12 @@ struct OutlierCase {
   std::function<std::array<double, 3>(double, double)> truth;
 };
 
+/// The points from which the data come, at the parameters of these axes; ordered as GridData::values.
+std::vector<double> true_points(const OutlierCase& what, const std::vector<Axis>& axes);
+
+/// The samples first, ..., first + count - 1; each set without outliers is followed by that with them.
+Batch drawn_samples(const OutlierCase& what, std::uint64_t seed, std::size_t first, std::size_t count);
+
 /// Measures of one scheme, one value for each sample. Errors are mean squared distances from the truth over the points
 /// of the last level; the response is the largest distance by which the outliers move a point of the last level.
 struct Outcome {

@@ -1,5 +1,6 @@
 """Draws times over dimension and vertices from a run of the polytope benchmarks.
 
+  cmake --build build/release --target benchmarks
   build/release/bench/subcert_bench --benchmark_filter=polytope --benchmark_out=polytope.json --benchmark_out_format=json
   python3 bench/polytope_times.py polytope.json docs/images/polytope-times.svg
 """

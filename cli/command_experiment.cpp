@@ -67,7 +67,7 @@ int run(const ExperimentCommand& options) {
   options.progress("experiment " + chosen.id);
   const RanExperiment ran = run_experiment(chosen, {options.seed, options.runs, options.threads()});
   const Section section = experiment_section(ran);
-  if (!options.out.empty()) write_reports({{chosen.paper, chosen.title, {section}, {ran}}}, options.out);
+  if (!options.out.empty()) write_reports({{chosen.paper, chosen.title, {section}, {ran}}}, options.out, options.threads());
   options.end_progress();
   std::cout << (options.json ? experiment_json(ran) + "\n" : page(ran, section));
   if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");

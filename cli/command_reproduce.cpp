@@ -116,7 +116,7 @@ int run(ReproduceOptions& options) {
   if (!options.out.empty()) {
     if (options.papers.empty() && options.only.empty()) statements_as_recorded = write_errata(options);
     options.progress("writing " + options.out);
-    write_reports(reports, options.out);
+    write_reports(reports, options.out, options.threads());
   }
   options.end_progress();
   const bool as_recorded = std::all_of(reports.begin(), reports.end(), [](const Report& r) { return r.as_recorded(); });

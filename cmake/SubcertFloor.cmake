@@ -80,12 +80,16 @@ function(subcert_headers_compile_alone name)
   set_tests_properties("headers alone: ${name}" PROPERTIES LABELS long TIMEOUT 900 RUN_SERIAL ON)
 endfunction()
 
-# subcert_test(NAME SOURCES ... DEPENDS ...): one Catch2 program, its cases registered one by one.
+# subcert_test(NAME [LONG] SOURCES ... DEPENDS ...): one Catch2 program, its cases registered one by one. LONG: it has cases
+# with the tag [long], which get the label `long`.
 function(subcert_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;DEPENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 test "LONG" "" "SOURCES;DEPENDS")
   add_executable(${name} ${test_SOURCES})
   target_link_libraries(${name} PRIVATE ${test_DEPENDS} Boost::headers Catch2::Catch2WithMain)
   subcert_warnings(${name})
   subcert_precompiled(${name} programs)
-  catch_discover_tests(${name} TEST_PREFIX "${name}: " PROPERTIES LABELS quick TIMEOUT 300)
+  catch_discover_tests(${name} TEST_SPEC "~[long]" TEST_PREFIX "${name}: " PROPERTIES LABELS quick TIMEOUT 300)
+  if(test_LONG)
+    catch_discover_tests(${name} TEST_SPEC "[long]" TEST_PREFIX "${name}: " PROPERTIES LABELS long TIMEOUT 900)
+  endif()
 endfunction()

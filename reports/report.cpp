@@ -4,6 +4,7 @@
 #include "experiments/paper_experiments.hpp"
 #include "files.hpp"
 #include "html.hpp"
+#include "parallel.hpp"
 #include "published.hpp"
 
 #include <nlohmann/json.hpp>
@@ -269,7 +270,8 @@ Report make_report(const std::string& paper, const ReportOptions& options) {
   return report;
 }
 
-void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder) {
+void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder, int jobs) {
+  std::vector<std::function<void()>> pictures;
   for (const Report& report : reports) {
     const std::filesystem::path inside = folder / report.paper;
     for (const ComparisonTable* table : report.comparison_tables()) {
@@ -290,10 +292,12 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
         write_file(inside / (table.id + ".csv"), csv(rows));
         write_file(inside / (table.id + ".tex"), latex_table(table.title, rows));
       }
-      for (const Figure& figure : section.figures) draw(figure, inside);
-      for (const SurfaceFigure& figure : section.surface_figures) draw(figure, inside);
+      for (const Figure& figure : section.figures) pictures.push_back([&figure, inside] { draw(figure, inside); });
+      for (const SurfaceFigure& figure : section.surface_figures)
+        pictures.push_back([&figure, inside] { draw(figure, inside); });
     }
   }
+  parallel_for_each(pictures.size(), jobs, [&](std::size_t i) { pictures[i](); });
   write_file(folder / "index.html", page(reports, std::filesystem::exists(folder / "errata.html")));
 }
 

@@ -42,8 +42,8 @@ Report make_report(const std::string& paper, const ReportOptions& options);
 
 /// Writes DIR/index.html for the reports, with a link to DIR/errata.html where that is there, and for each table
 /// DIR/PAPER/ID.csv, .tex, .json, for each figure .svg, .png
-/// and .csv. Errors: throws std::runtime_error that names the file.
-void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder);
+/// and .csv. Domain: jobs >= 1, the pictures drawn at a time. Errors: throws std::runtime_error that names the file.
+void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder, int jobs);
 
 /// {"comparisons": [...], "experiments": [...]} as in the contract; the experiments are those of experiment_json().
 std::string reports_json(const std::vector<Report>& reports);

@@ -111,7 +111,8 @@ AnyScheme make_any_scheme(std::string_view specification) {
         known += (known.empty() ? "" : ", ") + help.family;
         if (help.family == family.text) return make_scheme(specification);
       }
-    fail(family, "one of " + known);
+    if (family.text == "l1") fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
+    fail(family, "one of " + known + "; for data also l1");
   }
   if (specification.size() > max_text)
     fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");

@@ -13,11 +13,6 @@ std::string scheme_name(const std::string& specification) {
   return name;
 }
 
-Claim decided_claim(const std::string& sentence, const std::string& place, const std::string& statistic, bool holds,
-                    const std::string& numbers, Finding recorded) {
-  return {sentence, place, statistic, holds ? Finding::confirmed : Finding::not_confirmed, numbers, recorded};
-}
-
 double noise_deviation(std::span<const Coordinate> samples, double decibel) {
   double square = 0;
   for (const Coordinate& coordinate : samples) square += mean_square(coordinate) / static_cast<double>(samples.size());

@@ -15,9 +15,6 @@ using Coordinate = std::vector<double>;
 /// As [DHHS15] names it: primal:n=4,d=3 is S_4^3. Other specifications stay as they are.
 std::string scheme_name(const std::string& specification);
 
-Claim decided_claim(const std::string& sentence, const std::string& place, const std::string& statistic, bool holds,
-                    const std::string& numbers, Finding recorded = Finding::confirmed);
-
 /// The deviation in each coordinate that gives the ratio `decibel` for all coordinates together.
 double noise_deviation(std::span<const Coordinate> samples, double decibel);
 

@@ -1,5 +1,6 @@
 // [DHHS15, sec. 5.2, Figures 20 and 21]: the scan of a mechanical element.
 
+#include "decided.hpp"
 #include "families.hpp"
 #include "mechanical_part.hpp"
 
@@ -7,7 +8,13 @@ namespace subcert {
 namespace {
 
 ExperimentResult run(const ExperimentOptions& options) {
-  const SurfaceTrial trial{"fig21", "Mechanical part", mechanical_part(1), mechanical_part(2), false, 1, {24, 18},
+  const SurfaceTrial trial{"fig21",
+                           "Mechanical part",
+                           mechanical_part(1),
+                           mechanical_part(2),
+                           false,
+                           1,
+                           {24, 18},
                            {"primal:n=3", "primal:n=5", "primal:n=4,d=3", "primal:n=6,d=3"}};
   const auto [error, shape_error, normal_error] = measure(trial, options);
   ExperimentResult result{
@@ -20,10 +27,10 @@ ExperimentResult run(const ExperimentOptions& options) {
   const std::string high = "With high noise S_5 x S_5 is superior to the other three";
   const auto add = [&](const std::string& sentence, const std::string& row, const Dominance& found,
                        const std::string& of, Finding recorded) {
-    result.claims.push_back(decided_claim(
-        sentence, "Sec. 5.2, Fig. 21, " + row,
-        "the mean paired differences of the errors of the " + of + " are negative with their whole intervals",
-        found.shown, found.numbers, recorded));
+    result.claims.push_back(
+        decided({sentence, "Sec. 5.2, Fig. 21, " + row},
+                "the mean paired differences of the errors of the " + of + " are negative with their whole intervals",
+                found.shown, found.numbers, recorded));
   };
   add(low + ".", "upper row", dominance(error, 0, trial.schemes, {0, 3}, {1, 2}), "points", Finding::not_confirmed);
   add(low + " (read as: in the normals, which a shaded picture shows).", "upper row",

@@ -1,5 +1,6 @@
 // [DHHS15, sec. 5.1, Figures 14 to 17]: curves in the plane from noisy points.
 
+#include "decided.hpp"
 #include "families.hpp"
 #include "measures.hpp"
 
@@ -100,11 +101,15 @@ Figure limits_figure(const std::string& id, const std::string& title, const std:
   for (const double decibel : decibels) {
     const PlaneCurve data = noisy(curve.samples, engine, decibel);
     for (std::size_t s = 0; s < schemes.size(); ++s)
-      figure.panels.push_back({scheme_name(schemes[s]) + ", " + short_number(decibel) + " dB", "", "",
-                               {drawn("data", data, false, "#8a97a3"),
-                                drawn("curve", curve.truth, true, "#e0a030", curve.closed),
-                                drawn("limit", limit(matrices[s], data), true, "#0b559f", curve.closed)},
-                               false, "below", true});
+      figure.panels.push_back(
+          {scheme_name(schemes[s]) + ", " + short_number(decibel) + " dB",
+           "",
+           "",
+           {drawn("data", data, false, "#8a97a3"), drawn("curve", curve.truth, true, "#e0a030", curve.closed),
+            drawn("limit", limit(matrices[s], data), true, "#0b559f", curve.closed)},
+           false,
+           "below",
+           true});
   }
   return figure;
 }
@@ -138,24 +143,23 @@ ExperimentResult run_alpha(const ExperimentOptions& options) {
        "."}};
   const MeanInterval low3 = mean_interval(kept[0][0]), low5 = mean_interval(kept[1][0]),
                      high5 = mean_interval(kept[1][1]);
-  result.claims.push_back(decided_claim("With low noise the limits of S_3 and S_5 retain the general shape.",
-                                        "Sec. 5.1, Fig. 15(a,b)",
-                                        "both keep the number of crossings in more than half of the samples",
-                                        low3.mean - low3.half_width > 0.5 && low5.mean - low5.half_width > 0.5,
-                                        "S_3: " + low3.text() + ", S_5: " + low5.text()));
+  result.claims.push_back(
+      decided({"With low noise the limits of S_3 and S_5 retain the general shape.", "Sec. 5.1, Fig. 15(a,b)"},
+              "both keep the number of crossings in more than half of the samples",
+              low3.mean - low3.half_width > 0.5 && low5.mean - low5.half_width > 0.5,
+              "S_3: " + low3.text() + ", S_5: " + low5.text()));
   const MeanInterval artifact = mean_difference(turning[0][0], turning[1][0]);
-  result.claims.push_back(decided_claim("With low noise S_3 fits the noise and has an artifact.",
-                                        "Sec. 5.1, Fig. 15(a)",
-                                        "total turning of S_3 minus that of S_5, positive with its whole interval",
-                                        artifact.is_positive(), artifact.text()));
+  result.claims.push_back(decided({"With low noise S_3 fits the noise and has an artifact.", "Sec. 5.1, Fig. 15(a)"},
+                                  "total turning of S_3 minus that of S_5, positive with its whole interval",
+                                  artifact.is_positive(), artifact.text()));
   const MeanInterval overfit = mean_difference(turning[0][1], turning[1][1]);
-  result.claims.push_back(decided_claim("With high noise S_3 overfits.", "Sec. 5.1, Fig. 15(c)",
-                                        "total turning of S_3 minus that of S_5, positive with its whole interval",
-                                        overfit.is_positive(), overfit.text()));
-  result.claims.push_back(decided_claim("With high noise S_5 preserves the topology.", "Sec. 5.1, Fig. 15(d)",
-                                        "the number of crossings is kept in more than half of the samples",
-                                        high5.mean - high5.half_width > 0.5,
-                                        "S_5: " + high5.text() + ", S_3: " + mean_interval(kept[0][1]).text()));
+  result.claims.push_back(decided({"With high noise S_3 overfits.", "Sec. 5.1, Fig. 15(c)"},
+                                  "total turning of S_3 minus that of S_5, positive with its whole interval",
+                                  overfit.is_positive(), overfit.text()));
+  result.claims.push_back(decided({"With high noise S_5 preserves the topology.", "Sec. 5.1, Fig. 15(d)"},
+                                  "the number of crossings is kept in more than half of the samples",
+                                  high5.mean - high5.half_width > 0.5,
+                                  "S_5: " + high5.text() + ", S_3: " + mean_interval(kept[0][1]).text()));
   result.tables.push_back(
       measures_table("fig15-measures", "Alpha curve", schemes, decibels,
                      {{"relative error", &error}, {"total turning", &turning}, {"crossings kept", &kept}}));
@@ -188,8 +192,8 @@ ExperimentResult run_star(const ExperimentOptions& options) {
   ExperimentResult result{
       {"x = 4 cos t + cos 4t, y = 4 sin t - sin 4t. The printed parameters t_i = i/(100 pi), i = 0, ..., 49, cover "
        "only a small arc; here t_i = 2 pi i/50, and the data are closed. Limits at the multiples of 1/8."}};
-  result.claims.push_back(decided_claim(
-      "The samples at t_i = i/(100 pi), i = 0, ..., 49, are those of the star.", "Sec. 5.1, after (26)",
+  result.claims.push_back(decided(
+      {"The samples at t_i = i/(100 pi), i = 0, ..., 49, are those of the star.", "Sec. 5.1, after (26)"},
       "50 steps make a period, 2 pi", std::abs(covered - 2 * std::numbers::pi) < 0.01,
       "50 steps cover " + short_number(covered) + " of " + short_number(2 * std::numbers::pi), Finding::not_confirmed));
   bool as_said = true;
@@ -199,22 +203,24 @@ ExperimentResult run_star(const ExperimentOptions& options) {
     as_said = as_said && (s == 1 ? r.mean - r.half_width > between : r.mean + r.half_width < between);
     numbers += (s ? ", " : "") + scheme_name(schemes[s]) + ": " + r.text();
   }
-  result.claims.push_back(decided_claim(
-      "With low noise all limits are stars but that of S_5, which is more like a pentagon.", "Sec. 5.1, Fig. 17",
+  result.claims.push_back(decided(
+      {"With low noise all limits are stars but that of S_5, which is more like a pentagon.", "Sec. 5.1, Fig. 17"},
       "smallest over largest radius, 0.6 for the star and cos 36° for a pentagon: above the middle, " +
           short_number(between) + ", for S_5 and below it for the others",
       as_said, numbers));
   const MeanInterval artifact = mean_difference(turning[2][0], turning[3][0]);
-  result.claims.push_back(decided_claim("With low noise S_4^3 has a minor artifact, as it fits the noise.", "Sec. 5.1, Fig. 17",
-                                        "total turning of S_4^3 minus that of S_6^3, positive with its whole interval",
-                                        artifact.is_positive(), artifact.text()));
+  result.claims.push_back(
+      decided({"With low noise S_4^3 has a minor artifact, as it fits the noise.", "Sec. 5.1, Fig. 17"},
+              "total turning of S_4^3 minus that of S_6^3, positive with its whole interval", artifact.is_positive(),
+              artifact.text()));
   const Dominance better = dominance(error, 1, schemes, {0, 3}, {1, 2});
-  result.claims.push_back(decided_claim(
-      "With high noise S_3 and S_6^3 are reasonable, S_5 oversmooths and S_4^3 overfits.", "Sec. 5.1, Fig. 17",
+  result.claims.push_back(decided(
+      {"With high noise S_3 and S_6^3 are reasonable, S_5 oversmooths and S_4^3 overfits.", "Sec. 5.1, Fig. 17"},
       "the errors of S_3 and S_6^3 minus those of S_5 and S_4^3 are negative with their intervals", better.shown,
       better.numbers));
-  result.tables.push_back(measures_table("fig17-measures", "Star", schemes, decibels,
-                                         {{"relative error", &error}, {"smallest / largest radius", &round}, {"total turning", &turning}}));
+  result.tables.push_back(
+      measures_table("fig17-measures", "Star", schemes, decibels,
+                     {{"relative error", &error}, {"smallest / largest radius", &round}, {"total turning", &turning}}));
   result.figures.push_back(limits_figure("fig17", "Star", schemes, matrices, curve, decibels, options.seed));
   return result;
 }

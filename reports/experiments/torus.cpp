@@ -1,5 +1,6 @@
 // [DHHS15, sec. 5.2, Figures 18 and 19]: a torus from noisy points.
 
+#include "decided.hpp"
 #include "families.hpp"
 #include "tensor_limit.hpp"
 
@@ -37,24 +38,23 @@ ExperimentResult run(const ExperimentOptions& options) {
     return mean_interval(measured[scheme][noise]);
   };
   const MeanInterval low3 = interval(error, 0, 0), low5 = interval(error, 1, 0);
-  result.claims.push_back(decided_claim(
-      "With low noise both limits are fairly good (read as: relative error below 1/10).", "Sec. 5.2, Fig. 19(a,b)",
+  result.claims.push_back(decided(
+      {"With low noise both limits are fairly good (read as: relative error below 1/10).", "Sec. 5.2, Fig. 19(a,b)"},
       "means below 1/10 with their intervals", low3.mean + low3.half_width < 0.1 && low5.mean + low5.half_width < 0.1,
       "S_3: " + low3.text() + ", S_5: " + low5.text(), Finding::not_confirmed));
   const std::string sentence = "With high noise S_5 x S_5 provides a better approximation than S_3 x S_3";
   const Dominance whole = dominance(error, 1, trial.schemes, {1}, {0}),
                   shape = dominance(shape_error, 1, trial.schemes, {1}, {0}),
                   normals = dominance(normal_error, 1, trial.schemes, {1}, {0});
+  result.claims.push_back(decided({sentence + ".", "Sec. 5.2, Fig. 19(c,d)"},
+                                  "mean of the paired difference of relative errors, negative with its whole interval",
+                                  whole.shown, whole.numbers, Finding::not_confirmed));
+  result.claims.push_back(decided({sentence + " (read as: of the shape, whatever its size).", "Sec. 5.2, Fig. 19(c,d)"},
+                                  "the same with the errors up to size", shape.shown, shape.numbers,
+                                  Finding::not_confirmed));
   result.claims.push_back(
-      decided_claim(sentence + ".", "Sec. 5.2, Fig. 19(c,d)",
-                    "mean of the paired difference of relative errors, negative with its whole interval", whole.shown,
-                    whole.numbers, Finding::not_confirmed));
-  result.claims.push_back(decided_claim(sentence + " (read as: of the shape, whatever its size).",
-                                        "Sec. 5.2, Fig. 19(c,d)", "the same with the errors up to size", shape.shown,
-                                        shape.numbers, Finding::not_confirmed));
-  result.claims.push_back(decided_claim(sentence + " (read as: of the normals, which a shaded picture shows).",
-                                        "Sec. 5.2, Fig. 19(c,d)", "the same with the errors of the normals",
-                                        normals.shown, normals.numbers));
+      decided({sentence + " (read as: of the normals, which a shaded picture shows).", "Sec. 5.2, Fig. 19(c,d)"},
+              "the same with the errors of the normals", normals.shown, normals.numbers));
   result.tables.push_back(measures_table(
       "fig19-measures", "Torus", trial.schemes, trial.decibels,
       {{"relative error", &error}, {"error up to size", &shape_error}, {"normals (degrees)", &normal_error}}));

@@ -50,7 +50,8 @@ TEST_CASE("the published data are complete and well formed") {
   CHECK_THROWS_AS(published_paper("nobody-1900"), std::out_of_range);
 }
 
-TEST_CASE("every verdict on Dyn et al. is the recorded one") {
+// The long cases compute what `subcert reproduce` computes, which ./check runs first.
+TEST_CASE("every verdict on Dyn et al. is the recorded one", "[long]") {
   const Report report = make_report("dyn-2015", {{"masks", "supports", "table1", "table2", "table3", "fig2", "fig8", "fig9"}, 2, {}});
   for (const ComparisonTable* table : report.comparison_tables())
     for (const Comparison& c : table->comparisons) {
@@ -63,7 +64,7 @@ TEST_CASE("every verdict on Dyn et al. is the recorded one") {
   CHECK(report.as_recorded());
 }
 
-TEST_CASE("the story of Conjecture 7 comes with its numbers") {
+TEST_CASE("the story of Conjecture 7 comes with its numbers", "[long]") {
   const Report report = make_report("dyn-2015", {{"conjecture7"}, 2, {}});
   REQUIRE(report.sections.size() == 1);
   const Section& section = report.sections.front();
@@ -90,7 +91,7 @@ TEST_CASE("unknown papers and items are refused") {
 TEST_CASE("a report is written whole, in every format") {
   const Folder folder;
   const Report report = make_report("dyn-2015", {{"masks", "table1", "levels"}, 2, {}});
-  write_reports({report}, folder.path);
+  write_reports({report}, folder.path, 2);
   const fs::path inside = folder.path / "dyn-2015";
   for (const char* name : {"masks", "table1", "levels"})
     for (const char* ending : {".csv", ".json", ".tex"}) {

@@ -2,6 +2,6 @@
 
 using namespace subcert::theorems;
 
-TEST_CASE("degree 5: every inequality holds, and fails if its constant moves in the wrong direction") {
+TEST_CASE("degree 5: every inequality holds, and fails if its constant moves in the wrong direction", "[long]") {
   for (const char* id : {"conjecture-7", "conjecture-8-n"}) check_theorem(id, 5);
 }

@@ -10,7 +10,7 @@ using namespace subcert;
 using namespace subcert::theorems;
 
 // One case, so that what several theorems compute is computed once. Degree 5 with all n below 60 is a long test.
-TEST_CASE("every inequality holds, and fails if its constant moves by a part in a hundred in the wrong direction") {
+TEST_CASE("every inequality holds, and fails if its constant moves by a part in a hundred in the wrong direction", "[long]") {
   for (const TheoremEntry& entry : theorem_list())
     for (int degree : entry.degrees)
       if (degree != 5) check_theorem(entry.id, degree);

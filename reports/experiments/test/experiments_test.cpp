@@ -87,7 +87,8 @@ TEST_CASE("experiments have different names, and do not depend on the number of 
   }
 }
 
-TEST_CASE("with the seed and the runs of a report, every finding is the recorded one") {
+// Long, as `subcert reproduce` decides the same, and ./check runs it first.
+TEST_CASE("with the seed and the runs of a report, every finding is the recorded one", "[long]") {
   const ReportOptions defaults;
   for (const Experiment& e : experiments())
     for (const Claim& claim : run_experiment(e, {defaults.seed, defaults.runs, defaults.jobs}).result.claims) {

@@ -125,7 +125,7 @@ Json to_json(const Answer& answer) {
           {"seconds", answer.seconds}};
 }
 
-std::string to_text(const Answer& answer) {
+std::string page_text(const Answer& answer) {
   const HolderBounds& bounds = answer.regularity.bounds;
   const JointSpectralRadius& radius = answer.regularity.radius;
   const HolderBound& last = bounds.last();
@@ -189,7 +189,7 @@ int run(const RegularityOptions& options) {
                                       {"upper", claim->upper ? Json(*claim->upper) : Json()}};
     options.answer(json);
   } else {
-    options.answer(to_text(answer) + (claim ? certificate_text(answer.regularity, *claim) : ""));
+    options.answer(page_text(answer) + (claim ? certificate_text(answer.regularity, *claim) : ""));
   }
   return answer.code();
 }

@@ -58,6 +58,12 @@ function(subcert_precompiled target kind)
   target_precompile_headers(${target} REUSE_FROM subcert_precompiled_${kind})
 endfunction()
 
+# subcert_joined(TARGET COUNT): compiles COUNT sources at a time, so that the headers' functions are compiled less often.
+# Names in their unnamed namespaces have to differ.
+function(subcert_joined target count)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
+endfunction()
+
 function(subcert_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
     # GCC 12 warns wrongly about joined strings (its bug 105651), with precompiled headers in three ways.

@@ -15,9 +15,6 @@
 namespace subcert {
 namespace {
 
-constexpr int holder_levels = 16;  // as in the paper
-constexpr int plot_level = 7;
-
 ComparisonTable compare_masks(const PublishedTable& table) {
   ComparisonTable result = empty_table(table);
   for (const PublishedCell& cell : table.cells) {

@@ -11,8 +11,6 @@
 namespace subcert {
 namespace {
 
-constexpr int plot_level = 7;
-
 ComparisonTable compare_table_3(const PublishedTable& table, Workshop& workshop) {
   workshop.need_variance(schemes_of(table));
   const ShortcutSearch& search = workshop.shortcuts();

@@ -9,7 +9,6 @@
 namespace subcert {
 namespace {
 
-constexpr int holder_levels = 16;        // as in the paper
 constexpr int variance_level = 9;        // dyadic level of the exact grid with the witnesses of Table 3
 constexpr double exponent_seconds = 60;  // for the polytope of one scheme
 

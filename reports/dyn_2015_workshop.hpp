@@ -16,6 +16,9 @@
 
 namespace subcert {
 
+inline constexpr int holder_levels = 16;  ///< as in the paper
+inline constexpr int plot_level = 7;      ///< of the drawn curves
+
 /// "primal:n=3,d=1".
 std::string scheme_text(const std::string& family, int n, int degree = 1);
 

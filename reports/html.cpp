@@ -26,6 +26,7 @@ const std::string& page_style() {
 body { font: 16px/1.55 system-ui, "DejaVu Sans", sans-serif; color: #1c2733; background: #fff; margin: 0 auto;
        padding: 2rem 1.25rem 5rem; max-width: 64rem; }
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .5rem; }
+h1.paper { font-size: 1.25rem; margin: 4rem 0 1rem; padding: .9rem 1rem; background: #eef3f7; }
 h2 { font-size: 1.4rem; margin: 3rem 0 .75rem; padding-top: .75rem; border-top: 2px solid #1c2733; }
 h3 { font-size: 1.05rem; margin: 2rem 0 .1rem; }
 p { max-width: 46rem; }
@@ -52,8 +53,14 @@ td span { display: block; }
 figure { margin: 1.5rem 0; }
 figure img { max-width: 100%; height: auto; display: block; }
 details { margin: .5rem 0 1rem; }
+summary { cursor: pointer; }
 details li { margin: .2rem 0; }
 .summary td, .summary th { text-align: left; }
+.statements { width: 100%; table-layout: fixed; }
+.statements th, .statements td { white-space: normal; text-align: left; }
+.statements th:nth-child(1) { width: 16%; }
+.statements th:nth-child(2) { width: 44%; }
+.statements th:nth-child(3) { width: 14%; }
 @media print { body { max-width: none; } .scroll { overflow: visible; } }
 .claim { margin: 1.5rem 0; padding: .2rem 0 .2rem 1rem; border-left: 4px solid #b3261e; }
 .claim p { margin: .25rem 0; max-width: none; }

@@ -17,6 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t longest_open_table = 12;  // rows; longer ones are folded on the page, claims never
+
 Json computed_json(const Computed& computed) {
   if (const auto* text = std::get_if<std::string>(&computed)) return {{"lower", *text}, {"upper", *text}};
   const Enclosure& enclosure = std::get<Enclosure>(computed);
@@ -96,7 +98,7 @@ std::string cell_html(const Comparison& c) {
 }
 
 std::string table_html(const ComparisonTable& table) {
-  std::string result = "<h3 id=\"" + table.id + "\">" + html(table.title) + "</h3>\n<p class=place>" +
+  std::string result = "<h3 id=\"" + table.paper + "-" + table.id + "\">" + html(table.title) + "</h3>\n<p class=place>" +
                        html(table.place) + "</p>\n<div class=scroll><table>\n";
   if (table.grid) {
     const auto columns = distinct(table.comparisons, [](const Comparison& c) { return c.column; });
@@ -145,9 +147,13 @@ std::vector<std::string> column_classes(const PlainTable& table) {
   return result;
 }
 
-std::string table_html(const PlainTable& table) {
+std::string table_html(const std::string& paper, const PlainTable& table) {
   const auto classes = column_classes(table);
-  std::string result = "<h3 id=\"" + table.id + "\">" + html(table.title) + "</h3>\n<div class=scroll><table>\n<tr>";
+  const bool folded = table.rows.size() > longest_open_table && table.row_classes.empty();
+  const std::string id = " id=\"" + paper + "-" + table.id + "\"";
+  std::string result = folded ? "<details" + id + "><summary>" + html(table.title) + "</summary>\n"
+                              : "<h3" + id + ">" + html(table.title) + "</h3>\n";
+  result += "<div class=scroll><table>\n<tr>";
   for (std::size_t i = 0; i < table.head.size(); ++i)
     result += "<th" + classes[i] + ">" + html(table.head[i]) + "</th>";
   result += "</tr>\n";
@@ -159,12 +165,12 @@ std::string table_html(const PlainTable& table) {
     }
     result += "</tr>\n";
   }
-  return result + "</table></div>\n";
+  return result + "</table></div>\n" + (folded ? "</details>\n" : "");
 }
 
 template <class Picture>
 std::string figure_html(const std::string& paper, const Picture& figure, const std::string& ending) {
-  return "<figure id=\"" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending + "\" alt=\"" +
+  return "<figure id=\"" + paper + "-" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending + "\" alt=\"" +
          html(figure.title) + "\"><figcaption><b>" + html(figure.title) + ".</b> " + html(figure.caption) + "</figcaption></figure>\n";
 }
 
@@ -200,18 +206,24 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
   if (with_errata)
     body += "<p><a href=\"errata.html\">Errata and confirmations</a>: every statement of the papers as a check, and what "
             "is wrong in them.</p>\n";
+  if (reports.size() > 1) {
+    body += "<ul>\n";
+    for (const Report& report : reports)
+      body += "<li><a href=\"#" + report.paper + "\">" + html(report.citation) + "</a></li>\n";
+    body += "</ul>\n";
+  }
   for (const Report& report : reports) {
-    body += "<nav>";
+    body += "<h1 class=paper id=\"" + report.paper + "\">" + html(report.citation) + "</h1>\n<nav>";
     for (const Section& section : report.sections)
       if (!is_experiment(report, section))
         body += "<a href=\"#" + report.paper + "-" + section.id + "\">" + html(section.heading) + "</a>";
-    body += "</nav>\n<p class=citation>" + html(report.citation) + "</p>\n";
+    body += "</nav>\n";
     const auto tables = report.comparison_tables();
     if (!tables.empty()) {
       body += "<div class=scroll><table class=summary>\n<tr><th>table</th><th>values</th><th>match</th><th>mismatch</th>"
               "<th>open</th></tr>\n";
       for (const ComparisonTable* table : tables)
-        body += "<tr><th><a href=\"#" + table->id + "\">" + html(table->title) + "</a></th><td>" +
+        body += "<tr><th><a href=\"#" + report.paper + "-" + table->id + "\">" + html(table->title) + "</a></th><td>" +
                 std::to_string(table->comparisons.size()) + "</td><td>" + std::to_string(table->count(Verdict::match)) +
                 "</td><td>" + std::to_string(table->count(Verdict::mismatch)) + "</td><td>" +
                 std::to_string(table->count(Verdict::open)) + "</td></tr>\n";
@@ -222,7 +234,7 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
       body += "<h2 id=\"" + report.paper + "-" + section.id + "\">" + html(section.heading) + "</h2>\n";
       for (const std::string& paragraph : section.paragraphs) body += "<p>" + html(paragraph) + "</p>\n";
       for (const ComparisonTable& table : section.comparisons) body += table_html(table);
-      for (const PlainTable& table : section.tables) body += table_html(table);
+      for (const PlainTable& table : section.tables) body += table_html(report.paper, table);
       for (const Figure& figure : section.figures) body += figure_html(report.paper, figure, ".svg");
       // Surfaces have many thousands of facets.
       for (const SurfaceFigure& figure : section.surface_figures) body += figure_html(report.paper, figure, ".png");

@@ -71,4 +71,7 @@ class Formula {
   std::shared_ptr<const Node> root_;
 };
 
+/// Formula::parse, short, as transcriptions are full of it.
+inline Formula f(std::string_view text) { return Formula::parse(text); }
+
 }  // namespace subcert::statements

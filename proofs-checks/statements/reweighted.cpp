@@ -6,8 +6,6 @@
 namespace subcert::statements {
 namespace {
 
-Formula f(const std::string& text) { return Formula::parse(text); }
-
 std::string square_at(long n, long r, long s) { return at("n", n) + ", " + at("r", r) + ", " + at("s", s); }
 
 /// x^i y^j with i + j <= degree.
@@ -201,5 +199,7 @@ Trial grid_fit(const GridFit& fit, long largest_n) {
                            "compared with the normal equations up to n = " +
                            std::to_string(largest_n));
 }
+
+std::string weighted_case(long n, unsigned seed) { return at("n", n) + ", random weights " + std::to_string(seed); }
 
 }  // namespace subcert::statements

@@ -65,4 +65,7 @@ struct GridFit {
 /// are a polynomial of at most this degree in the node and reproduce the monomials.
 Trial grid_fit(const GridFit& fit, long largest_n);
 
+/// `n = 2, random weights 1`, as in witnesses.
+std::string weighted_case(long n, unsigned seed);
+
 }  // namespace subcert::statements

@@ -26,13 +26,13 @@ struct Truncation {
 Real supremum(const Kernel& kernel, const Rational& from, const Rational& decay) {
   const int d = kernel.degree();
   Rational reach = 2 * (from > decay ? from : decay);
-  int factors = 0;
+  int halvings = 0;
   while (reach * reach > d + 2 || 2 * kernel.flatness() * power(reach, d + 1) > power(Rational(2), d + 1) - 1) {
     reach /= 2;
-    ++factors;
+    ++halvings;
   }
   // The remaining factors give at most e^1.
-  return exp(Real(1, kernel.bits())) * sqrt(Real(kernel.squared_bound(), kernel.bits())).pow(factors);
+  return exp(Real(1, kernel.bits())) * sqrt(Real(kernel.squared_bound(), kernel.bits())).pow(halvings);
 }
 
 /// The fewest terms for which the bound of [LC, Lemma 4] falls below 2^-wanted. Floating point searches for the

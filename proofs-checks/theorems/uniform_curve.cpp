@@ -94,7 +94,7 @@ class MeanIntegrals {
   std::vector<UniformSymbol::Cell> cells_;
 };
 
-UniformNumbers compute(int degree, int first_n) {
+UniformNumbers compute_numbers(int degree, int first_n) {
   const UniformSymbol symbol(degree, first_n, bits);
   const Real M(2 * first_n - 1, bits), N(Rational(4 * first_n - 1, 2), bits);
   const MeanIntegrals integrals(symbol, degree, N);
@@ -116,7 +116,7 @@ const UniformNumbers& uniform_numbers(int degree, int first_n) {
   const std::lock_guard lock(mutex);
   const std::pair key(degree, first_n);
   const auto found = known.find(key);
-  return found != known.end() ? found->second : known.emplace(key, compute(degree, first_n)).first->second;
+  return found != known.end() ? found->second : known.emplace(key, compute_numbers(degree, first_n)).first->second;
 }
 
 }  // namespace subcert::theorems

@@ -24,7 +24,7 @@ Memory& memory() {
   return result;
 }
 
-VarianceEnds compute(int n, int degree) {
+VarianceEnds compute_ends(int n, int degree) {
   const std::string scheme = "primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree);
   const VarianceRange range = variance_range(make_scheme(scheme).mask);
   VarianceEnds ends{range.minimum, range.maximum, std::nullopt};
@@ -42,7 +42,7 @@ bool is_known(const Key& key) {
 const VarianceEnds& variance_ends(int n, int degree) {
   const Key key(n, degree);
   if (!is_known(key)) {
-    VarianceEnds ends = compute(n, degree);
+    VarianceEnds ends = compute_ends(n, degree);
     const std::lock_guard lock(memory().mutex);
     memory().known.emplace(key, std::move(ends));
   }

@@ -11,11 +11,6 @@
 namespace subcert::statements {
 namespace {
 
-Formula f(const char* text) { return Formula::parse(text); }
-
-std::string pair(int n, int d) { return at("n", n) + ", " + at("d", d); }
-std::string range(int first, int last) { return "n = " + std::to_string(first) + ".." + std::to_string(last); }
-
 /// X_n = {-2n+2, -2n+4, ..., 2n-2} and the odd numbers from -2n+1 to 2n-1.
 std::vector<Rational> even_points(int n) { return equidistant(-2 * n + 2, 2, 2 * n - 1); }
 std::vector<Rational> odd_points(int n) { return equidistant(-2 * n + 1, 2, 2 * n); }
@@ -221,7 +216,7 @@ Trial corollary_11(int most, bool printed) {
       const Orthogonal odd_family = orthogonal(odd, {0}, d);
       for (std::size_t j = 0; j < family.squared_norms.size(); ++j)
         if (!trial.require(family.squared_norms[j] != 0,
-                           pair(n, d) + ": X_n has " + std::to_string(nodes.size()) +
+                           at_n_d(n, d) + ": X_n has " + std::to_string(nodes.size()) +
                                " points, and every polynomial of degree " + std::to_string(j) +
                                " that is orthogonal to those of lower degree vanishes on them, so that L_n^" +
                                std::to_string(j) + " does not exist"))
@@ -235,12 +230,12 @@ Trial corollary_11(int most, bool printed) {
       };
       for (int i = -n + 1; i <= n - 1; ++i)
         if (!trial.equal(coefficient(family, static_cast<std::size_t>(-i + n - 1)), mask.symbol().coefficient(2 * i),
-                         pair(n, d) + ", coefficient " + std::to_string(2 * i)))
+                         at_n_d(n, d) + ", coefficient " + std::to_string(2 * i)))
           return trial;
       for (int i = -n; i <= n - 1; ++i)
         if (!trial.equal(coefficient(odd_family, static_cast<std::size_t>(-i - 1 + n)),
                          mask.symbol().coefficient(2 * i + 1),
-                         pair(n, d) + ", coefficient " + std::to_string(2 * i + 1)))
+                         at_n_d(n, d) + ", coefficient " + std::to_string(2 * i + 1)))
           return trial;
     }
   return trial.over(range(1, most) + ", d = 1..2n-1");
@@ -260,9 +255,9 @@ Outcome families(const Context& context) {
       const bool even = orthogonal(even_points(n), {}, d).squared_norms.back() != 0;
       const bool odd = orthogonal(odd_points(n), {}, d).squared_norms.back() != 0;
       if (n >= d)
-        printed.require(even && odd, pair(n, d) + ": X_n has " + std::to_string(2 * n - 1) + " points, too few for " +
+        printed.require(even && odd, at_n_d(n, d) + ": X_n has " + std::to_string(2 * n - 1) + " points, too few for " +
                                          std::to_string(d + 1) + " orthonormal polynomials");
-      corrected.require(even == (d < 2 * n - 1) && odd == (d < 2 * n), pair(n, d));
+      corrected.require(even == (d < 2 * n - 1) && odd == (d < 2 * n), at_n_d(n, d));
     }
   return printed.outcome(corrected.over(range(1, most) + ", d = 1..2n"));
 }
@@ -335,7 +330,7 @@ Trial proposition_13(int most, bool printed) {
                            odd = design_matrix(odd_points(n), monomials(d));
       const bool wide = even.columns() > even.rows();
       if (printed && !trial.require(kernel(transposed(even) * even).empty(),
-                                    pair(n, d) + ": A has " + std::to_string(even.rows()) + " rows and " +
+                                    at_n_d(n, d) + ": A has " + std::to_string(even.rows()) + " rows and " +
                                         std::to_string(even.columns()) + " columns, so that A^T A has no inverse"))
         return trial;
       const RationalMatrix even_inverse = wide ? transposed(even) * solve(even * transposed(even),
@@ -345,11 +340,11 @@ Trial proposition_13(int most, bool printed) {
       const Mask mask = regression_mask(primal(n, d));
       for (std::size_t i = 0; i < even.rows(); ++i)
         if (!trial.equal(even_inverse(0, i), mask.symbol().coefficient(2 * n - 2 - 2 * static_cast<long>(i)),
-                         pair(n, d) + ", entry " + std::to_string(i + 1) + " of the first row"))
+                         at_n_d(n, d) + ", entry " + std::to_string(i + 1) + " of the first row"))
           return trial;
       for (std::size_t i = 0; i < odd.rows(); ++i)
         if (!trial.equal(odd_inverse(0, i), mask.symbol().coefficient(2 * n - 1 - 2 * static_cast<long>(i)),
-                         pair(n, d) + ", entry " + std::to_string(i + 1) + " of the second row"))
+                         at_n_d(n, d) + ", entry " + std::to_string(i + 1) + " of the second row"))
           return trial;
     }
   return trial.over(range(1, most) + ", d = 1..2n-1");

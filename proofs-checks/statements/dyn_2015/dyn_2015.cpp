@@ -1,5 +1,9 @@
 #include "dyn_2015.hpp"
 
+#include "../trial.hpp"
+
+#include <subcert/schemes/local_regression.hpp>
+
 namespace subcert::statements {
 
 PaperStatements dyn_2015() {
@@ -17,5 +21,13 @@ PaperStatements dyn_2015() {
   add_dyn_2015_appendix(paper);
   return paper;
 }
+
+Mask s_n(long n) { return regression_mask(primal(static_cast<int>(n), 1)); }
+
+std::string range(int first, int last) {
+  return "n = " + std::to_string(first) + (first == last ? "" : ".." + std::to_string(last));
+}
+
+std::string at_n_d(int n, int d) { return at("n", n) + ", " + at("d", d); }
 
 }  // namespace subcert::statements

@@ -3,9 +3,18 @@
 
 #include "../registry.hpp"
 
+#include <subcert/analysis/symbol/mask.hpp>
+
 namespace subcert::statements {
 
 PaperStatements dyn_2015();
+
+/// The mask of S_n.
+Mask s_n(long n);
+/// `n = 2..10`, or `n = 2`.
+std::string range(int first, int last);
+/// `n = 2, d = 1`, as in witnesses.
+std::string at_n_d(int n, int d);
 
 /// One part of the paper each; `to` grows.
 void add_dyn_2015_section_2(PaperStatements& to);

@@ -13,10 +13,6 @@
 namespace subcert::statements {
 namespace {
 
-Formula f(const char* text) { return Formula::parse(text); }
-
-Mask s_n(long n) { return regression_mask(primal(static_cast<int>(n), 1)); }
-
 std::string up_to(int n) { return "n = 1.." + std::to_string(n); }
 
 Outcome unique_solution(const Context& context) {

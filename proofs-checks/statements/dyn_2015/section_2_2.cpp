@@ -12,12 +12,6 @@
 namespace subcert::statements {
 namespace {
 
-Formula f(const char* text) { return Formula::parse(text); }
-
-Mask s_n(long n) { return regression_mask(primal(static_cast<int>(n), 1)); }
-
-std::string range(int first, int last) { return "n = " + std::to_string(first) + ".." + std::to_string(last); }
-
 /// (6), between a level and the next: the limit does not change when the data are refined.
 Outcome limits_from_shifts(const Context& context) {
   const int most = context.reach(5, 12);

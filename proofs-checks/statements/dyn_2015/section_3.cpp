@@ -13,10 +13,6 @@
 namespace subcert::statements {
 namespace {
 
-Mask s_n(long n) { return regression_mask(primal(static_cast<int>(n), 1)); }
-
-std::string range(int first, int last) { return "n = " + std::to_string(first) + ".." + std::to_string(last); }
-
 /// (16), with errors of -s and s of equal chance: the mean over all choices of signs is exact.
 Outcome bias_and_variance(const Context&) {
   Trial trial;

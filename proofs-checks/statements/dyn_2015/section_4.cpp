@@ -13,15 +13,9 @@
 namespace subcert::statements {
 namespace {
 
-Formula f(const char* text) { return Formula::parse(text); }
-
 Mask dual_mask(long n) { return regression_mask(dual(static_cast<int>(n), 1)); }
 Mask dual_odd_mask(long n) { return regression_mask(dual_odd(static_cast<int>(n), 1)); }
 Mask primal_odd_mask(long n) { return regression_mask(primal_odd(static_cast<int>(n), 1)); }
-
-std::string range(int first, int last) {
-  return "n = " + std::to_string(first) + (first == last ? "" : ".." + std::to_string(last));
-}
 
 Outcome equation_19(const Context& context) {
   const int most = context.reach(8, 40);

@@ -18,9 +18,6 @@ namespace {
 Mask primal_mask(int n, int d) { return regression_mask(primal(n, d)); }
 Mask dual_mask(int n, int d) { return regression_mask(dual(n, d)); }
 
-std::string pair(int n, int d) { return at("n", n) + ", " + at("d", d); }
-std::string range(int first, int last) { return "n = " + std::to_string(first) + ".." + std::to_string(last); }
-
 /// Weights of f_{i+first}, f_{i+first+1}, ... in the output with this residue.
 std::vector<Rational> rule_of(const Mask& mask, long residue, long first, int count) {
   std::vector<Rational> weights;
@@ -35,8 +32,8 @@ Outcome well_defined(const Context& context) {
     for (int d = 0; d < 2 * n + 1; ++d) {
       const bool even = kernel(design_matrix(equidistant(-n + 1, 1, 2 * n - 1), monomials(d))).empty();
       const bool odd = kernel(design_matrix(equidistant(-n + 1, 1, 2 * n), monomials(d))).empty();
-      trial.require(even == (d < 2 * n - 1), pair(n, d) + ": the fit to 2n-1 data");
-      trial.require(odd == (d < 2 * n), pair(n, d) + ": the fit to 2n data");
+      trial.require(even == (d < 2 * n - 1), at_n_d(n, d) + ": the fit to 2n-1 data");
+      trial.require(odd == (d < 2 * n), at_n_d(n, d) + ": the fit to 2n data");
     }
   return trial.over(range(1, most) + ", d = 0..2n").outcome();
 }
@@ -50,10 +47,10 @@ Outcome equation_21(const Context& context) {
       if (d < 2 * n - 1)
         trial.require(rule_of(mask, 0, -n + 1, 2 * n - 1) ==
                           weights_by_normal_equations(equidistant(-n + 1, 1, 2 * n - 1), monomials(d), 0),
-                      pair(n, d) + ": the even rule");
+                      at_n_d(n, d) + ": the even rule");
       trial.require(rule_of(mask, 1, -n + 1, 2 * n) ==
                         weights_by_normal_equations(equidistant(-n + 1, 1, 2 * n), monomials(d), Rational(1, 2)),
-                    pair(n, d) + ": the odd rule");
+                    at_n_d(n, d) + ": the odd rule");
     }
   return trial.over(range(1, most) + ", d = 1..2n-1").outcome();
 }
@@ -67,7 +64,7 @@ Outcome equation_22(const Context& context) {
         trial.require(
             rule_of(dual_mask(n, d), k, -n + 1, 2 * n) ==
                 weights_by_normal_equations(equidistant(-n + 1, 1, 2 * n), monomials(d), Rational(2 * k + 1, 4)),
-            pair(n, d) + ": rule " + std::to_string(k));
+            at_n_d(n, d) + ": rule " + std::to_string(k));
   return trial.over(range(1, most) + ", d = 1..2n-1").outcome();
 }
 
@@ -78,7 +75,7 @@ Outcome reproduces(const Context& context, Mask (*mask)(int, int), bool odd_for_
   for (int n = 1; n <= most; ++n)
     for (int d = 1; d < 2 * n; ++d) {
       const int degree = polynomial_reproduction(mask(n, d)).reproduction_degree;
-      trial.equal(odd_for_free && d % 2 == 0 ? d + 1 : d, degree, pair(n, d) + ", reproduction degree");
+      trial.equal(odd_for_free && d % 2 == 0 ? d + 1 : d, degree, at_n_d(n, d) + ", reproduction degree");
     }
   return trial.over(range(1, most) + ", d = 1..2n-1" + (odd_for_free ? "; even degrees reproduce one degree more" : ""))
       .outcome();
@@ -108,7 +105,7 @@ Outcome even_degrees(const Context& context) {
   Trial trial;
   for (int n = 1; n <= most; ++n)
     for (int d = 0; 2 * d + 1 < 2 * n; ++d)
-      trial.require(primal_mask(n, 2 * d) == primal_mask(n, 2 * d + 1), pair(n, 2 * d));
+      trial.require(primal_mask(n, 2 * d) == primal_mask(n, 2 * d + 1), at_n_d(n, 2 * d));
   return trial.over(range(1, most) + ", all even degrees below 2n-1").outcome();
 }
 
@@ -222,7 +219,7 @@ Outcome conjecture_7(const Context& context) {
     for (int n = (d + 1) / 2; n <= most; ++n) {
       const Enclosure& maximum = variance_of(specification("primal", n, d)).maximum;
       trial.require(*limit.lower < n * *maximum.lower && n * *maximum.upper < 3 * *limit.upper,
-                    pair(n, d) + ": n max psi is not between C_d and 3 C_d");
+                    at_n_d(n, d) + ": n max psi is not between C_d and 3 C_d");
     }
   }
   const Decision degree_one = theorems::prove("conjecture-7", 1).decision;
@@ -245,10 +242,10 @@ Outcome conjecture_8(const Context& context, bool over_degrees) {
   const auto compare = [&](int n_small, int d_small, int n_large, int d_large) {
     const VarianceOrder& order = variance_order_of(specification("primal", n_small, d_small),
                                                    specification("primal", n_large, d_large));
-    if (order.below == Truth::unknown) undecided += pair(n_large, d_large) + "; ";
+    if (order.below == Truth::unknown) undecided += at_n_d(n_large, d_large) + "; ";
     trial.require(
         order.below != Truth::no || order.difference == 0,
-        pair(n_small, d_small) + " against " + pair(n_large, d_large) + " at x = " + subcert::to_text(order.witness));
+        at_n_d(n_small, d_small) + " against " + at_n_d(n_large, d_large) + " at x = " + subcert::to_text(order.witness));
   };
   for (int n = 1; n <= most; ++n)
     for (int d = 1; d <= 2 * n - 1 && d <= 5; d += 2)

@@ -9,8 +9,6 @@
 namespace subcert::statements {
 namespace {
 
-Formula f(const char* text) { return Formula::parse(text); }
-
 constexpr int terms = 10;
 /// The powers of x and y that belong to beta_1, ..., beta_10.
 constexpr std::array<std::pair<int, int>, terms> powers{

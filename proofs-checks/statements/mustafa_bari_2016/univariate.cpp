@@ -10,8 +10,6 @@
 namespace subcert::statements {
 namespace {
 
-Formula f(const char* text) { return Formula::parse(text); }
-
 std::string range(int n, int a) { return "n = 2.." + std::to_string(n) + ", a = 2.." + std::to_string(a); }
 
 /// p_{r,n}/phi_n as a function of n, a, q and r.

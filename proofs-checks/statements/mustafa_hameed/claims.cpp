@@ -9,10 +9,6 @@
 namespace subcert::statements {
 namespace {
 
-const std::string paper = "mustafa-hameed/";
-
-Formula f(const std::string& text) { return Formula::parse(text); }
-
 RegressionWindow regression_window(const WeightedWindow& window, int degree, const std::vector<LatticePoint>& outputs) {
   std::vector<LatticePoint> nodes;
   for (const auto& [r, s] : window.nodes) nodes.push_back({r, s});
@@ -46,7 +42,7 @@ Outcome reproduction(const Context& context) {
 
 /// If a line met the parabola at both outputs, the residual (r - 1/4)(r - 3/4) would be positive at all data.
 Outcome lines_do_not_reproduce(const Context& context) {
-  const Formula even = context.formula(paper + "residual-even"), odd = context.formula(paper + "residual-odd");
+  const Formula even = context.formula(mustafa_hameed_key + "residual-even"), odd = context.formula(mustafa_hameed_key + "residual-odd");
   Trial trial;
   trial.follow(identity(even, f("(r - 1/4)*(r - 3/4)"), {{"r", 0}}));
   trial.follow(identity(odd, f("(r + 1/4)*(r - 1/4)"), {{"r", 0}}));
@@ -117,37 +113,37 @@ Outcome lost() {
 
 void add_mustafa_hameed_claims(PaperStatements& to) {
   to.transcriptions.insert(to.transcriptions.end(), {
-                                                        {paper + "residual-even", "r^2 - r + 3/16"},
-                                                        {paper + "residual-odd", "r^2 - 1/16"},
+                                                        {mustafa_hameed_key + "residual-even", "r^2 - r + 3/16"},
+                                                        {mustafa_hameed_key + "residual-odd", "r^2 - 1/16"},
                                                     });
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
-  add({paper + "not-interpolatory", "Abstract", "The schemes are non-interpolatory.",
+  add({mustafa_hameed_key + "not-interpolatory", "Abstract", "The schemes are non-interpolatory.",
        "that no rule of the masks with all weights 1 copies a datum", R"(\text{non-interpolatory})", "", Verdict::holds,
        not_interpolatory});
-  add({paper + "reproduction", "Abstract and section 1.1", "The schemes reproduce polynomials of their degree.",
+  add({mustafa_hameed_key + "reproduction", "Abstract and section 1.1", "The schemes reproduce polynomials of their degree.",
        "weighted fits of polynomial data with random weights", R"(p \in \Pi_d \Rightarrow \text{reproduced})", "",
        Verdict::holds_for_all, reproduction});
-  add({paper + "linear-schemes", "section 1.1", "The schemes of [MLZD15] do not reproduce non-linear polynomials.",
+  add({mustafa_hameed_key + "linear-schemes", "section 1.1", "The schemes of [MLZD15] do not reproduce non-linear polynomials.",
        "the residuals of a line that would reproduce r^2",
        R"(<<mustafa-hameed/residual-even>>, \quad <<mustafa-hameed/residual-odd>>)", "", Verdict::holds_for_all,
        lines_do_not_reproduce});
-  add({paper + "special-cases", "section 1.1", "The schemes of [DHHS15], [MB16] and [MLZD15] are special cases.",
+  add({mustafa_hameed_key + "special-cases", "section 1.1", "The schemes of [DHHS15], [MB16] and [MLZD15] are special cases.",
        "masks of the primal, dual and binary cubic schemes", R"(\text{[3], [9] and [11] are special cases})",
        R"(\text{the dual schemes of [3], the binary ones of [9], and [11]})", Verdict::false_claim, special_cases});
-  add({paper + "behaviour", "section 1.1, Figs. 1 and 3-9",
+  add({mustafa_hameed_key + "behaviour", "section 1.1, Figs. 1 and 3-9",
        "No over- and underfitting; interpolatory behaviour on data without noise; smoother surfaces.", "",
        R"(\text{figures})", "", Verdict::not_checkable, [](const Context&) {
          return not_checkable("figures without data; the words are not defined");
        }});
-  add({paper + "remark-2.1", "Remark 2.1", "5 or 6 iterations and a small delta are good choices.", "",
+  add({mustafa_hameed_key + "remark-2.1", "Remark 2.1", "5 or 6 iterations and a small delta are good choices.", "",
        R"(m = 5, 6)", "", Verdict::not_checkable, [](const Context&) {
          return not_checkable(
              "from experiments that were not published; how many iterations suffice depends on the size of the outliers "
              "(docs/l1.md, section 3)");
        }});
-  add({paper + "remark-2.2", "Remark 2.2", "Notation for the steps of the scheme.", "", R"(\text{lost})", "",
+  add({mustafa_hameed_key + "remark-2.2", "Remark 2.2", "Notation for the steps of the scheme.", "", R"(\text{lost})", "",
        Verdict::not_checkable, [](const Context&) { return lost(); }});
-  add({paper + "section-2.3-end", "section 2.3 after (2.29), sections 2.4, 3, 4 and 5",
+  add({mustafa_hameed_key + "section-2.3-end", "section 2.3 after (2.29), sections 2.4, 3, 4 and 5",
        "Families of degree 2 and 1, examples, bivariate schemes up to degree 2.", "", R"(\text{lost})", "",
        Verdict::not_checkable, [](const Context&) { return lost(); }});
 }

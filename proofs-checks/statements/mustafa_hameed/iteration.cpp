@@ -11,10 +11,7 @@
 namespace subcert::statements {
 namespace {
 
-const std::string paper = "mustafa-hameed/";
 constexpr std::size_t terms = 4;
-
-Formula f(const std::string& text) { return Formula::parse(text); }
 
 const std::vector<Formula> cubics{f("1"), f("r"), f("r^2"), f("r^3")};
 
@@ -29,22 +26,22 @@ std::vector<Variable> variables(const std::string& name, int count) {
   return result;
 }
 
-Formula lambda(const Context& context, int k) { return context.formula(paper + "eq-2.18-" + std::to_string(k)); }
+Formula lambda(const Context& context, int k) { return context.formula(mustafa_hameed_key + "eq-2.18-" + std::to_string(k)); }
 
 /// tau, lambda, kappa and chi of a window.
 Values computed(const Context& context, const WeightedWindow& window, long first, long last) {
   Values values;
   for (std::size_t k = 1; k <= 7; ++k)
     values.emplace_back(numbered("tau", k),
-                        sum_over(window, context.formula(paper + numbered("eq-2.19-", k)), first, last));
+                        sum_over(window, context.formula(mustafa_hameed_key + numbered("eq-2.19-", k)), first, last));
   std::vector<Rational> entries;
   for (int k = 1; k <= 10; ++k) entries.push_back(lambda(context, k)(values));
-  const Rational kappa = context.formula(paper + "eq-2.17")(values);
+  const Rational kappa = context.formula(mustafa_hameed_key + "eq-2.17")(values);
   for (std::size_t k = 0; k < entries.size(); ++k) values.emplace_back(numbered("lambda", k + 1), entries[k]);
   values.emplace_back("kappa", kappa);
   for (std::size_t k = 1; k <= terms; ++k)
     values.emplace_back(numbered("chi", k),
-                        sum_over(window, context.formula(paper + numbered("eq-2.20-", k)), first, last));
+                        sum_over(window, context.formula(mustafa_hameed_key + numbered("eq-2.20-", k)), first, last));
   return values;
 }
 
@@ -71,14 +68,12 @@ bool is_linear_in(const Formula& formula, const std::vector<std::string>& names)
   return degrees.numerator <= 1 && degrees.denominator == 0;
 }
 
-std::string case_text(long n, unsigned seed) { return at("n", n) + ", random weights " + std::to_string(seed); }
-
 /// Windows of 2n data, n >= 2, with random weights.
 Trial on_windows(int most, const std::function<Trial(long, const WeightedWindow&, const std::string&)>& visit) {
   Trial trial;
   for (long n = 2; n <= most; ++n)
     for (unsigned seed = 1; seed <= 2; ++seed)
-      if (!trial.follow(visit(n, random_window(1 - n, n, 1, seed), case_text(n, seed)))) return trial;
+      if (!trial.follow(visit(n, random_window(1 - n, n, 1, seed), weighted_case(n, seed)))) return trial;
   return trial;
 }
 
@@ -95,7 +90,7 @@ Outcome derived(Outcome outcome) {
 }
 
 Outcome weights(const Context& context) {
-  return derived(weights_of_modulus(context.formula(paper + "eq-2.6"), context.formula(paper + "eq-2.6-exponent")({}),
+  return derived(weights_of_modulus(context.formula(mustafa_hameed_key + "eq-2.6"), context.formula(mustafa_hameed_key + "eq-2.6-exponent")({}),
                                     f("f - beta0 - beta1*r - beta2*r^2 - beta3*r^3"),
                                     {{"f", 1}, {"beta0", 2}, {"beta1", 3}, {"beta2", 4}, {"beta3", 5}, {"r", 2}, {"delta", 7}})
                      .outcome());
@@ -103,8 +98,8 @@ Outcome weights(const Context& context) {
 
 Outcome sums(const Context& context) {
   std::vector<Formula> entries;
-  for (std::size_t k = 1; k <= 7; ++k) entries.push_back(context.formula(paper + numbered("eq-2.19-", k)));
-  for (std::size_t k = 1; k <= terms; ++k) entries.push_back(context.formula(paper + numbered("eq-2.20-", k)));
+  for (std::size_t k = 1; k <= 7; ++k) entries.push_back(context.formula(mustafa_hameed_key + numbered("eq-2.19-", k)));
+  for (std::size_t k = 1; k <= terms; ++k) entries.push_back(context.formula(mustafa_hameed_key + numbered("eq-2.20-", k)));
   return derived(entries_of_normal_equations(entries, {"w", "r*w", "r^2*w", "r^3*w", "r^4*w", "r^5*w", "r^6*w", "w*f",
                                                        "r*w*f", "r^2*w*f", "r^3*w*f"})
                      .outcome());
@@ -120,7 +115,7 @@ Outcome adjoint(const Context& context) {
       entries[i].push_back(lambda(context, place[i][j]));
     }
   }
-  const Formula kappa = context.formula(paper + "eq-2.17");
+  const Formula kappa = context.formula(mustafa_hameed_key + "eq-2.17");
   // One point for all entries first: it finds nearly every error at once.
   Trial trial;
   const Values point{{"tau1", 3}, {"tau2", 5}, {"tau3", 7}, {"tau4", 11}, {"tau5", 13}, {"tau6", 17}, {"tau7", 19}};
@@ -144,13 +139,13 @@ Outcome coefficients(const Context& context) {
     const Values values = computed(context, window, 1 - n, n);
     Trial one;
     for (std::size_t k = 0; k < terms; ++k)
-      one.equal(context.formula(paper + "eq-2." + std::to_string(13 + k))(values), beta[k],
+      one.equal(context.formula(mustafa_hameed_key + "eq-2." + std::to_string(13 + k))(values), beta[k],
                 where + ", " + numbered("beta_", k));
     return one;
   });
   const std::vector<std::string> lambdas = names_of("lambda", 10), chis = names_of("chi", 4);
   for (std::size_t k = 0; k < terms && !trial.failed(); ++k) {
-    const Formula beta = context.formula(paper + "eq-2." + std::to_string(13 + k));
+    const Formula beta = context.formula(mustafa_hameed_key + "eq-2." + std::to_string(13 + k));
     const Formula expected = row_times(k, {f("chi1"), f("chi2"), f("chi3"), f("chi4")});
     const Degrees in_kappa = beta.degrees("kappa");
     trial.require(is_linear_in(beta, lambdas) && is_linear_in(beta, chis) && in_kappa.numerator == 0 &&
@@ -181,12 +176,12 @@ Rational library_value(const WeightedWindow& window, const Rational& x) {
 
 /// psi_k is row k of the adjoint times (1, r, r^2, r^3), and the rules are (psi_1 + x psi_2 + x^2 psi_3 + x^3 psi_4)/kappa.
 Outcome rules(const Context& context) {
-  const std::vector<Formula> positions = context.list(paper + "positions");
+  const std::vector<Formula> positions = context.list(mustafa_hameed_key + "positions");
   std::vector<Formula> rule;
-  for (const char* name : {"even", "odd"}) rule.push_back(context.formula(paper + "eq-2.25-" + name));
+  for (const char* name : {"even", "odd"}) rule.push_back(context.formula(mustafa_hameed_key + "eq-2.25-" + name));
   for (Formula& one : rule)
     for (std::size_t k = 1; k <= terms; ++k)
-      one = one.replaced(numbered("psi", k), context.formula(paper + "eq-2." + std::to_string(25 + k)));
+      one = one.replaced(numbered("psi", k), context.formula(mustafa_hameed_key + "eq-2." + std::to_string(25 + k)));
   Trial trial = on_windows(context.reach(4, 6), [&](long n, const WeightedWindow& window, const std::string& where) {
     const Values values = computed(context, window, 1 - n, n);
     Trial one;
@@ -198,13 +193,13 @@ Outcome rules(const Context& context) {
   if (!trial.failed())
     for (std::size_t k = 0; k < 2; ++k) {
       const Formula x = positions.at(k);
-      trial.follow(identity(context.formula(paper + std::string("eq-2.25-") + (k == 0 ? "even" : "odd")),
+      trial.follow(identity(context.formula(mustafa_hameed_key + std::string("eq-2.25-") + (k == 0 ? "even" : "odd")),
                             (f("psi1") + x * f("psi2") + x * x * f("psi3") + x * x * x * f("psi4")) / f("kappa") * f("w") *
                                 f("f"),
                             {{"psi1", 1}, {"psi2", 2}, {"psi3", 3}, {"psi4", 5}, {"kappa", 1}, {"w", 1}, {"f", 1}}));
     }
   for (std::size_t k = 0; k < terms && !trial.failed(); ++k) {
-    const Formula psi = context.formula(paper + "eq-2." + std::to_string(26 + k));
+    const Formula psi = context.formula(mustafa_hameed_key + "eq-2." + std::to_string(26 + k));
     const Formula expected = row_times(k, cubics);
     const Degrees in_node = psi.degrees("r");
     trial.require(is_linear_in(psi, names_of("lambda", 10)) && in_node.numerator <= 3 && in_node.denominator == 0,
@@ -268,38 +263,38 @@ void add_mustafa_hameed_iteration(PaperStatements& to) {
       "-tau1*tau3*tau6 + tau1*tau4*tau5 + tau2^2*tau6 - tau2*tau3*tau5 - tau2*tau4^2 + tau3^2*tau4",
       "tau1*tau3*tau5 - tau1*tau4^2 - tau2^2*tau5 + 2*tau2*tau3*tau4 - tau3^3"};
   for (std::size_t k = 0; k < lambdas.size(); ++k)
-    to.transcriptions.push_back({paper + numbered("eq-2.18-", k + 1), lambdas[k]});
+    to.transcriptions.push_back({mustafa_hameed_key + numbered("eq-2.18-", k + 1), lambdas[k]});
   to.transcriptions.insert(
       to.transcriptions.end(),
       {
-          {paper + "positions", "[1/4, 3/4]"},
-          {paper + "eq-2.6", "(f - (beta0 + beta1*r + beta2*r^2 + beta3*r^3))^2 + delta"},
-          {paper + "eq-2.6-exponent", "1/2"},
-          {paper + "eq-2.13", "1/kappa*(lambda1*chi1 + lambda2*chi2 + lambda3*chi3 + lambda4*chi4)"},
-          {paper + "eq-2.14", "1/kappa*(lambda2*chi1 + lambda5*chi2 + lambda6*chi3 + lambda7*chi4)"},
-          {paper + "eq-2.15", "1/kappa*(lambda3*chi1 + lambda6*chi2 + lambda8*chi3 + lambda9*chi4)"},
-          {paper + "eq-2.16", "1/kappa*(lambda4*chi1 + lambda7*chi2 + lambda9*chi3 + lambda10*chi4)"},
-          {paper + "eq-2.17",
+          {mustafa_hameed_key + "positions", "[1/4, 3/4]"},
+          {mustafa_hameed_key + "eq-2.6", "(f - (beta0 + beta1*r + beta2*r^2 + beta3*r^3))^2 + delta"},
+          {mustafa_hameed_key + "eq-2.6-exponent", "1/2"},
+          {mustafa_hameed_key + "eq-2.13", "1/kappa*(lambda1*chi1 + lambda2*chi2 + lambda3*chi3 + lambda4*chi4)"},
+          {mustafa_hameed_key + "eq-2.14", "1/kappa*(lambda2*chi1 + lambda5*chi2 + lambda6*chi3 + lambda7*chi4)"},
+          {mustafa_hameed_key + "eq-2.15", "1/kappa*(lambda3*chi1 + lambda6*chi2 + lambda8*chi3 + lambda9*chi4)"},
+          {mustafa_hameed_key + "eq-2.16", "1/kappa*(lambda4*chi1 + lambda7*chi2 + lambda9*chi3 + lambda10*chi4)"},
+          {mustafa_hameed_key + "eq-2.17",
            "tau1*tau3*tau5*tau7 - tau1*tau3*tau6^2 - tau1*tau4^2*tau7 + 2*tau1*tau4*tau5*tau6 - tau1*tau5^3 - "
            "tau2^2*tau5*tau7 + tau2^2*tau6^2 + 2*tau2*tau3*tau4*tau7 - 2*tau2*tau3*tau5*tau6 - 2*tau2*tau4^2*tau6 + "
            "2*tau2*tau4*tau5^2 - tau3^3*tau7 + 2*tau3^2*tau4*tau6 + tau3^2*tau5^2 - 3*tau3*tau4^2*tau5 + tau4^4"},
-          {paper + "eq-2.19-1", "w"},
-          {paper + "eq-2.19-2", "r*w"},
-          {paper + "eq-2.19-3", "r^2*w"},
-          {paper + "eq-2.19-4", "r^3*w"},
-          {paper + "eq-2.19-5", "r^4*w"},
-          {paper + "eq-2.19-6", "r^5*w"},
-          {paper + "eq-2.19-7", "r^6*w"},
-          {paper + "eq-2.20-1", "w*f"},
-          {paper + "eq-2.20-2", "r*w*f"},
-          {paper + "eq-2.20-3", "r^2*w*f"},
-          {paper + "eq-2.20-4", "r^3*w*f"},
-          {paper + "eq-2.25-even", "1/kappa*(psi1 + psi2/4 + psi3/16 + psi4/64)*w*f"},
-          {paper + "eq-2.25-odd", "1/kappa*(psi1 + 3*psi2/4 + 9*psi3/16 + 27*psi4/64)*w*f"},
-          {paper + "eq-2.26", "lambda1 + lambda2*r + lambda3*r^2 + lambda4*r^3"},
-          {paper + "eq-2.27", "lambda2 + lambda5*r + lambda6*r^2 + lambda7*r^3"},
-          {paper + "eq-2.28", "lambda3 + lambda6*r + lambda8*r^2 + lambda9*r^3"},
-          {paper + "eq-2.29", "lambda4 + lambda7*r + lambda9*r^2 + lambda10*r^3"},
+          {mustafa_hameed_key + "eq-2.19-1", "w"},
+          {mustafa_hameed_key + "eq-2.19-2", "r*w"},
+          {mustafa_hameed_key + "eq-2.19-3", "r^2*w"},
+          {mustafa_hameed_key + "eq-2.19-4", "r^3*w"},
+          {mustafa_hameed_key + "eq-2.19-5", "r^4*w"},
+          {mustafa_hameed_key + "eq-2.19-6", "r^5*w"},
+          {mustafa_hameed_key + "eq-2.19-7", "r^6*w"},
+          {mustafa_hameed_key + "eq-2.20-1", "w*f"},
+          {mustafa_hameed_key + "eq-2.20-2", "r*w*f"},
+          {mustafa_hameed_key + "eq-2.20-3", "r^2*w*f"},
+          {mustafa_hameed_key + "eq-2.20-4", "r^3*w*f"},
+          {mustafa_hameed_key + "eq-2.25-even", "1/kappa*(psi1 + psi2/4 + psi3/16 + psi4/64)*w*f"},
+          {mustafa_hameed_key + "eq-2.25-odd", "1/kappa*(psi1 + 3*psi2/4 + 9*psi3/16 + 27*psi4/64)*w*f"},
+          {mustafa_hameed_key + "eq-2.26", "lambda1 + lambda2*r + lambda3*r^2 + lambda4*r^3"},
+          {mustafa_hameed_key + "eq-2.27", "lambda2 + lambda5*r + lambda6*r^2 + lambda7*r^3"},
+          {mustafa_hameed_key + "eq-2.28", "lambda3 + lambda6*r + lambda8*r^2 + lambda9*r^3"},
+          {mustafa_hameed_key + "eq-2.29", "lambda4 + lambda7*r + lambda9*r^2 + lambda10*r^3"},
       });
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
   const auto listed = [](const std::string& symbol, const std::string& id, int first, int count) {
@@ -310,27 +305,27 @@ void add_mustafa_hameed_iteration(PaperStatements& to) {
     return text;
   };
   const std::string lost = R"(\text{lost; derived: } )";
-  add({paper + "eq-2.1-2.6", "section 2.1, equations (2.1) to (2.6)", "The reweighted iteration for the cubic.",
+  add({mustafa_hameed_key + "eq-2.1-2.6", "section 2.1, equations (2.1) to (2.6)", "The reweighted iteration for the cubic.",
        "that the weights are h'(t)/t, as identities",
        lost + R"(w = 1/[<<mustafa-hameed/eq-2.6>>]^{<<mustafa-hameed/eq-2.6-exponent>>})", "", Verdict::holds_for_all,
        weights});
-  add({paper + "all-weights-1", "section 2.1, after equation (2.6)",
+  add({mustafa_hameed_key + "all-weights-1", "section 2.1, after equation (2.6)",
        "With all weights 1 the l1 problem becomes the least squares problem.",
        "rules with all weights 1 against the masks of the dual schemes", R"(w = 1)", "", Verdict::holds, ordinary});
-  add({paper + "proposition-2.2", "Proposition 2.2, equations (2.13) to (2.16)", "The coefficients of the next cubic.",
+  add({mustafa_hameed_key + "proposition-2.2", "Proposition 2.2, equations (2.13) to (2.16)", "The coefficients of the next cubic.",
        "derived forms against the normal equations for random weights",
        lost + R"(\beta_0 = <<mustafa-hameed/eq-2.13>>, \quad \beta_1 = <<mustafa-hameed/eq-2.14>>, \quad \beta_2 = <<mustafa-hameed/eq-2.15>>, \quad \beta_3 = <<mustafa-hameed/eq-2.16>>)",
        "", Verdict::holds_for_all, coefficients});
-  add({paper + "eq-2.17-2.18", "Proposition 2.2, equations (2.17) and (2.18)",
+  add({mustafa_hameed_key + "eq-2.17-2.18", "Proposition 2.2, equations (2.17) and (2.18)",
        "Determinant and adjoint of the normal equations of the cubic.", "matrix times adjoint, entry by entry",
        lost + R"(\kappa = <<mustafa-hameed/eq-2.17>>, \quad )" + listed("lambda", "eq-2.18-", 1, 10), "",
        Verdict::holds_for_all, adjoint});
-  add({paper + "eq-2.19-2.20", "Proposition 2.2, equations (2.19) and (2.20)", "The sums tau and chi.",
+  add({mustafa_hameed_key + "eq-2.19-2.20", "Proposition 2.2, equations (2.19) and (2.20)", "The sums tau and chi.",
        "the entries of the normal equations",
        lost + R"(\tau_k = \sum_r: \; )" + listed("tau", "eq-2.19-", 1, 7) + R"(; \quad \chi_k = \sum_r: \; )" +
            listed("chi", "eq-2.20-", 1, 4),
        "", Verdict::holds_for_all, sums});
-  add({paper + "eq-2.25-2.29", "section 2.3, equations (2.25) to (2.29)", "The rules of the 2n-point schemes of degree 3.",
+  add({mustafa_hameed_key + "eq-2.25-2.29", "section 2.3, equations (2.25) to (2.29)", "The rules of the 2n-point schemes of degree 3.",
        "derived forms as identities, and against the library for random weights",
        lost + R"(f_{2i} = \sum_r <<mustafa-hameed/eq-2.25-even>>, \quad f_{2i+1} = \sum_r <<mustafa-hameed/eq-2.25-odd>>, \quad \psi_1 = <<mustafa-hameed/eq-2.26>>, \quad \psi_2 = <<mustafa-hameed/eq-2.27>>, \quad \psi_3 = <<mustafa-hameed/eq-2.28>>, \quad \psi_4 = <<mustafa-hameed/eq-2.29>>)",
        "", Verdict::holds_for_all, rules});

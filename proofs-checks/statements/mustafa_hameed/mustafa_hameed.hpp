@@ -6,6 +6,9 @@
 
 namespace subcert::statements {
 
+/// What the ids of its statements begin with.
+inline const std::string mustafa_hameed_key = "mustafa-hameed/";
+
 PaperStatements mustafa_hameed();
 
 /// One part of the paper each; `to` grows.

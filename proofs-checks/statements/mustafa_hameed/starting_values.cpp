@@ -6,16 +6,12 @@
 namespace subcert::statements {
 namespace {
 
-const std::string paper = "mustafa-hameed/";
-
-Formula f(const std::string& text) { return Formula::parse(text); }
-
 /// beta_0 + beta_1 x + beta_2 x^2 + beta_3 x^3 is the ordinary cubic, for all x.
 Outcome starting_values(const Context& context, const std::vector<std::string>& equations, bool even) {
-  Formula value = context.formula(paper + equations[0]);
+  Formula value = context.formula(mustafa_hameed_key + equations[0]);
   for (std::size_t k = 1; k < equations.size(); ++k)
-    value = value + context.formula(paper + equations[k]) * f("x^" + std::to_string(k));
-  value = value / context.formula(paper + (even ? "divisor-2n" : "divisor-odd"));
+    value = value + context.formula(mustafa_hameed_key + equations[k]) * f("x^" + std::to_string(k));
+  value = value / context.formula(mustafa_hameed_key + (even ? "divisor-2n" : "divisor-odd"));
   const Fit cubic{value, "r", {-1, even ? 1 : 0}, {1, 0}, {1, 0}, f("x"), 3, 2, {{"x", 0}}};
   Outcome outcome = fit(cubic, context.reach(5, 12), [](long) {
                       return std::vector<Values>{{{"x", 0}}, {{"x", 1}}, {{"x", Rational(1, 4)}}, {{"x", -2}}};
@@ -30,17 +26,17 @@ void add_mustafa_hameed_starting_values(PaperStatements& to) {
   to.transcriptions.insert(
       to.transcriptions.end(),
       {
-          {paper + "divisor-2n", "n*(n^2 - 1)*(4*n^2 - 1)*(4*n^2 - 9)"},
-          {paper + "eq-2.9", "(n^2 - 1)*(105*r^3 - 30*(n^2 + 3)*r^2 - 15*(3*n^2 - 5)*r + 3*(2*n^2 - 3)*(3*n^2 + 2))"},
-          {paper + "eq-2.10",
+          {mustafa_hameed_key + "divisor-2n", "n*(n^2 - 1)*(4*n^2 - 1)*(4*n^2 - 9)"},
+          {mustafa_hameed_key + "eq-2.9", "(n^2 - 1)*(105*r^3 - 30*(n^2 + 3)*r^2 - 15*(3*n^2 - 5)*r + 3*(2*n^2 - 3)*(3*n^2 + 2))"},
+          {mustafa_hameed_key + "eq-2.10",
            "-35*(6*n^2 - 11)*r^3 + 75*(3*n^2 - 5)*r^2 + 25*(6*n^4 - 18*n^2 + 11)*r - 15*(n^2 - 1)*(3*n^2 - 5)"},
-          {paper + "eq-2.11", "-525*r^3 + 45*(2*n^2 + 13)*r^2 + 75*(3*n^2 - 5)*r - 30*(n^2 - 1)*(n^2 + 3)"},
-          {paper + "eq-2.12", "350*r^3 - 525*r^2 - 35*(6*n^2 - 11)*r + 105*(n^2 - 1)"},
-          {paper + "divisor-odd", "n*(n - 1)*(n + 1)*(n + 2)*(2*n - 1)*(2*n + 1)*(2*n + 3)"},
-          {paper + "eq-2.21", "3*n*(n - 1)*(n + 1)*(n + 2)*(3*n^2 + 3*n - 1 - 5*r^2)"},
-          {paper + "eq-2.22", "25*(3*n^4 + 6*n^3 - 3*n + 1)*r - 35*(3*n^2 + 3*n - 1)*r^3"},
-          {paper + "eq-2.23", "15*(n - 1)*(n + 2)*(3*r^2 - n^2 - n)"},
-          {paper + "eq-2.24", "175*r^3 - 35*(3*n^2 + 3*n - 1)*r"},
+          {mustafa_hameed_key + "eq-2.11", "-525*r^3 + 45*(2*n^2 + 13)*r^2 + 75*(3*n^2 - 5)*r - 30*(n^2 - 1)*(n^2 + 3)"},
+          {mustafa_hameed_key + "eq-2.12", "350*r^3 - 525*r^2 - 35*(6*n^2 - 11)*r + 105*(n^2 - 1)"},
+          {mustafa_hameed_key + "divisor-odd", "n*(n - 1)*(n + 1)*(n + 2)*(2*n - 1)*(2*n + 1)*(2*n + 3)"},
+          {mustafa_hameed_key + "eq-2.21", "3*n*(n - 1)*(n + 1)*(n + 2)*(3*n^2 + 3*n - 1 - 5*r^2)"},
+          {mustafa_hameed_key + "eq-2.22", "25*(3*n^4 + 6*n^3 - 3*n + 1)*r - 35*(3*n^2 + 3*n - 1)*r^3"},
+          {mustafa_hameed_key + "eq-2.23", "15*(n - 1)*(n + 2)*(3*r^2 - n^2 - n)"},
+          {mustafa_hameed_key + "eq-2.24", "175*r^3 - 35*(3*n^2 + 3*n - 1)*r"},
       });
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
   const auto displays = [](int first, const std::string& divisor) {
@@ -50,12 +46,12 @@ void add_mustafa_hameed_starting_values(PaperStatements& to) {
               std::to_string(first + k) + ">>) f_{i+r}";
     return text;
   };
-  add({paper + "proposition-2.1", "Proposition 2.1, equations (2.9) to (2.12)",
+  add({mustafa_hameed_key + "proposition-2.1", "Proposition 2.1, equations (2.9) to (2.12)",
        "The starting values of the cubic to 2n data.", "derived closed forms against the cubic fits, at all x",
        displays(9, "divisor-2n"), "", Verdict::holds_for_all, [](const Context& c) {
          return starting_values(c, {"eq-2.9", "eq-2.10", "eq-2.11", "eq-2.12"}, true);
        }});
-  add({paper + "proposition-2.3", "Proposition 2.3, equations (2.21) to (2.24)",
+  add({mustafa_hameed_key + "proposition-2.3", "Proposition 2.3, equations (2.21) to (2.24)",
        "The starting values of the cubic to 2n+1 data.", "derived closed forms against the cubic fits, at all x",
        displays(21, "divisor-odd"), "", Verdict::holds_for_all, [](const Context& c) {
          return starting_values(c, {"eq-2.21", "eq-2.22", "eq-2.23", "eq-2.24"}, false);

@@ -9,10 +9,6 @@
 namespace subcert::statements {
 namespace {
 
-const std::string paper = "mustafa-li-2015/";
-
-Formula f(const std::string& text) { return Formula::parse(text); }
-
 const std::vector<Formula> line{f("1"), f("r")};
 
 /// No divisor vanishes on the points tried: tau1 tau3 > tau2^2.
@@ -22,18 +18,16 @@ const std::vector<Variable> taus{{"tau1", 1}, {"tau2", 1}, {"tau3", 1000}};
 Values sums_5(const Context& context, const std::string& id, const WeightedWindow& window, long first, long last) {
   Values values;
   for (const char* k : {"1", "2", "3"})
-    values.emplace_back("tau" + std::string(k), sum_over(window, context.formula(paper + id + "-tau-" + k), first, last));
+    values.emplace_back("tau" + std::string(k), sum_over(window, context.formula(mustafa_li_key + id + "-tau-" + k), first, last));
   return values;
 }
-
-std::string case_text(long n, unsigned seed) { return at("n", n) + ", random weights " + std::to_string(seed); }
 
 /// Windows of 2n or 2n+1 data with random weights.
 Trial on_windows(int most, bool even, const std::function<Trial(long n, const WeightedWindow&, const std::string&)>& visit) {
   Trial trial;
   for (long n = 1; n <= most; ++n)
     for (unsigned seed = 1; seed <= 3; ++seed)
-      if (!trial.follow(visit(n, random_window(even ? 1 - n : -n, n, 1, seed), case_text(n, seed)))) return trial;
+      if (!trial.follow(visit(n, random_window(even ? 1 - n : -n, n, 1, seed), weighted_case(n, seed)))) return trial;
   return trial;
 }
 
@@ -46,7 +40,7 @@ Rational library_value(const WeightedWindow& window, const Rational& x) {
 
 /// A printed rule of (4) at its position: all weights and all n at once, and windows with random weights.
 Trial rule_4(const Context& context, const std::string& id, const Rational& position, bool even) {
-  const Formula term = context.formula(paper + id);
+  const Formula term = context.formula(mustafa_li_key + id);
   const long first_offset = even ? 1 : 0;
   const int most = context.reach(4, 8);
   Trial trial = on_windows(most, even, [&](long n, const WeightedWindow& window, const std::string& where) {
@@ -68,21 +62,21 @@ Trial rule_4(const Context& context, const std::string& id, const Rational& posi
 }
 
 Outcome equation_4(const Context& context) {
-  const std::vector<Formula> positions = context.list(paper + "positions");
+  const std::vector<Formula> positions = context.list(mustafa_li_key + "positions");
   Trial trial = rule_4(context, "eq-4-even", positions.at(0)({}), true);
   trial.follow(rule_4(context, "eq-4-odd", positions.at(1)({}), true));
   return trial.outcome();
 }
 
 Outcome equation_5(const Context& context, const std::string& id) {
-  Trial trial = entries_of_normal_equations({context.formula(paper + id + "-tau-1"), context.formula(paper + id + "-tau-2"),
-                                             context.formula(paper + id + "-tau-3")},
+  Trial trial = entries_of_normal_equations({context.formula(mustafa_li_key + id + "-tau-1"), context.formula(mustafa_li_key + id + "-tau-2"),
+                                             context.formula(mustafa_li_key + id + "-tau-3")},
                                             {"w", "r*w", "r^2*w"});
   return trial.outcome();
 }
 
 Outcome equation_6(const Context& context) {
-  return weights_of_modulus(context.formula(paper + "eq-6"), context.formula(paper + "eq-6-exponent")({}),
+  return weights_of_modulus(context.formula(mustafa_li_key + "eq-6"), context.formula(mustafa_li_key + "eq-6-exponent")({}),
                             f("f - beta1 - r*beta2"),
                             {{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"delta", 7}})
       .outcome();
@@ -90,8 +84,8 @@ Outcome equation_6(const Context& context) {
 
 /// The coefficients beta_2 and beta_1 as printed, with sums by eq. (5) of the same place.
 Outcome solution(const Context& context, const std::string& sums, const std::string& slope, const std::string& constant) {
-  const Formula beta2 = context.formula(paper + slope), mean = context.formula(paper + constant + "-sum"),
-                rest = context.formula(paper + constant + "-rest");
+  const Formula beta2 = context.formula(mustafa_li_key + slope), mean = context.formula(mustafa_li_key + constant + "-sum"),
+                rest = context.formula(mustafa_li_key + constant + "-rest");
   const int most = context.reach(4, 8);
   Trial trial = on_windows(most, true, [&](long n, const WeightedWindow& window, const std::string& where) {
     Values values = sums_5(context, sums, window, 1 - n, n);
@@ -122,9 +116,9 @@ Outcome solution(const Context& context, const std::string& sums, const std::str
 
 /// beta_1 + x beta_2 of the ordinary line, for all x.
 Outcome starting_values(const Context& context, const std::string& id, bool even) {
-  Formula beta1 = context.formula(paper + id + "-beta-1");
-  const Formula beta2 = context.formula(paper + id + "-beta-2");
-  if (even) beta1 = beta1 - context.formula(paper + id + "-factor") * beta2;
+  Formula beta1 = context.formula(mustafa_li_key + id + "-beta-1");
+  const Formula beta2 = context.formula(mustafa_li_key + id + "-beta-2");
+  if (even) beta1 = beta1 - context.formula(mustafa_li_key + id + "-factor") * beta2;
   const Fit ordinary{beta1 + f("x") * beta2, "r", {-1, even ? 1 : 0}, {1, 0}, {1, 0}, f("x"), 1, 1, {{"x", 0}}};
   return fit(ordinary, context.reach(6, 20), [](long) {
            return std::vector<Values>{{{"x", 0}}, {{"x", 1}}, {{"x", Rational(1, 4)}}};
@@ -133,11 +127,11 @@ Outcome starting_values(const Context& context, const std::string& id, bool even
 
 /// The rules of S_2n or S_2n+1 and the mask of the scheme they are.
 Outcome least_squares_rules(const Context& context, const std::string& id, const std::string& index, bool even) {
-  const std::vector<Formula> positions = context.list(paper + (even ? "positions" : "positions-odd"));
+  const std::vector<Formula> positions = context.list(mustafa_li_key + (even ? "positions" : "positions-odd"));
   const int most = context.reach(8, 24);
   Trial trial;
   for (std::size_t rule = 0; rule < 2; ++rule) {
-    const Formula weight = context.formula(paper + id + (rule == 0 ? "-even" : "-odd"));
+    const Formula weight = context.formula(mustafa_li_key + id + (rule == 0 ? "-even" : "-odd"));
     trial.follow(fit({weight, index, {-1, even ? 1 : 0}, {1, 0}, {1, 0}, positions.at(rule), 1, 1, {}}, most));
     for (int n = 1; n <= most && !trial.failed(); ++n) {
       const LocalRegression scheme = even ? dual(n, 1) : dual_odd(n, 1);
@@ -148,8 +142,8 @@ Outcome least_squares_rules(const Context& context, const std::string& id, const
                     at("n", n) + ", " + at(index, r) + ", mask");
     }
     // All weights 1 in (4): tau_1, tau_2, tau_3 are the power sums.
-    Formula reduced = coefficient_of_datum(context.formula(paper + (rule == 0 ? "eq-4-even" : "eq-4-odd")));
-    if (!even) reduced = coefficient_of_datum(context.formula(paper + (rule == 0 ? "variant-even" : "variant-odd")));
+    Formula reduced = coefficient_of_datum(context.formula(mustafa_li_key + (rule == 0 ? "eq-4-even" : "eq-4-odd")));
+    if (!even) reduced = coefficient_of_datum(context.formula(mustafa_li_key + (rule == 0 ? "variant-even" : "variant-odd")));
     reduced = reduced.replaced("tau1", f(even ? "2*n" : "2*n + 1"))
                   .replaced("tau2", f(even ? "n" : "0"))
                   .replaced("tau3", f(even ? "n*(2*n^2 + 1)/3" : "n*(n + 1)*(2*n + 1)/3"));
@@ -165,8 +159,8 @@ Outcome least_squares_rules(const Context& context, const std::string& id, const
 }
 
 Outcome odd_variant(const Context& context) {
-  const std::vector<Formula> positions = context.list(paper + "positions-odd");
-  Trial trial = summation_range(context.formula(paper + "variant-first"), context.formula(paper + "variant-last"), false);
+  const std::vector<Formula> positions = context.list(mustafa_li_key + "positions-odd");
+  Trial trial = summation_range(context.formula(mustafa_li_key + "variant-first"), context.formula(mustafa_li_key + "variant-last"), false);
   // The replacements as printed, made in (4).
   for (std::size_t rule = 0; rule < 2; ++rule) {
     const std::string id = rule == 0 ? "variant-even" : "variant-odd";
@@ -179,10 +173,10 @@ Outcome odd_variant(const Context& context) {
 /// (4) with two data: the weights cancel.
 Outcome chaikin(const Context& context) {
   Trial trial;
-  const std::vector<Formula> corner = context.list(paper + "chaikin");
+  const std::vector<Formula> corner = context.list(mustafa_li_key + "chaikin");
   for (std::size_t rule = 0; rule < 2; ++rule)
     for (long r : {0, 1}) {
-      const Formula term = context.formula(paper + (rule == 0 ? "eq-4-even" : "eq-4-odd"));
+      const Formula term = context.formula(mustafa_li_key + (rule == 0 ? "eq-4-even" : "eq-4-odd"));
       const Formula coefficient = coefficient_of_datum(term)
                                       .replaced("r", f(std::to_string(r)))
                                       .replaced("tau1", f("u + v"))
@@ -199,7 +193,7 @@ Outcome chaikin(const Context& context) {
 }
 
 Outcome not_symmetric(const Context& context) {
-  const Formula even = context.formula(paper + "eq-4-even"), odd = context.formula(paper + "eq-4-odd");
+  const Formula even = context.formula(mustafa_li_key + "eq-4-even"), odd = context.formula(mustafa_li_key + "eq-4-odd");
   Trial trial;
   for (long n = 2; n <= context.reach(6, 12); ++n) {
     WeightedWindow uneven = window(1 - n, n, 1);
@@ -242,7 +236,7 @@ Outcome general_basis(const Context& context) {
             fitted = fitted + f(name) * basis[k];
             names.emplace_back(name, beta[k]);
           }
-          trial.equal(0, sum_over(data, f("w") * member * (f("f") - fitted), 1 - n, n, names), case_text(n, seed));
+          trial.equal(0, sum_over(data, f("w") * member * (f("f") - fitted), 1 - n, n, names), weighted_case(n, seed));
         }
       }
   return trial
@@ -260,86 +254,86 @@ void add_mustafa_li_2015_curves(PaperStatements& to) {
   to.transcriptions.insert(
       to.transcriptions.end(),
       {
-          {paper + "positions", "[1/4, 3/4]"},
-          {paper + "solution-beta-2", "(r*tau1 - tau2)/(tau1*tau3 - tau2^2)*w*f"},
-          {paper + "solution-beta-1-sum", "1/tau1*w*f"},
-          {paper + "solution-beta-1-rest", "beta2*(tau2/tau1)"},
-          {paper + "solution-tau-1", "w"},
-          {paper + "solution-tau-2", "r*w"},
-          {paper + "solution-tau-3", "r^2*w"},
-          {paper + "eq-4-even", rule_even},
-          {paper + "eq-4-odd", rule_odd},
-          {paper + "eq-5-tau-1", "w"},
-          {paper + "eq-5-tau-2", "r*w"},
-          {paper + "eq-5-tau-3", "r^2*w"},
-          {paper + "eq-6", "(f - beta1 - r*beta2)^2 + delta"},
-          {paper + "eq-6-exponent", "1/2"},
-          {paper + "eq-7", "(r*tau1 - tau2)/(tau1*tau3 - tau2^2)*w*f"},
-          {paper + "eq-8-sum", "1/tau1*w*f"},
-          {paper + "eq-8-rest", "beta2*(tau2/tau1)"},
-          {paper + "eq-9-beta-2", "1/(4*n^3 - n)*(6*r - 3)"},
-          {paper + "eq-9-beta-1", "1/(2*n)"},
-          {paper + "eq-9-factor", "1/2"},
-          {paper + "positions-odd", "[-1/4, 1/4]"},
-          {paper + "variant-first", "-n"},
-          {paper + "variant-last", "n"},
-          {paper + "variant-even", "1/tau1*(1 - (tau2 - (-1/4)*tau1)*((r*tau1 - tau2)/(tau1*tau3 - tau2^2)))*w*f"},
-          {paper + "variant-odd", rule_even},
-          {paper + "eq-9-odd-beta-1", "1/(2*n + 1)"},
-          {paper + "eq-9-odd-beta-2", "1/(n*(n + 1)*(2*n + 1))*3*r"},
-          {paper + "s-odd-even", "1/(2*n + 1)*(1 - 3*r/(4*n*(n + 1)))"},
-          {paper + "s-odd-odd", "1/(2*n + 1)*(1 + 3*r/(4*n*(n + 1)))"},
-          {paper + "chaikin", "[3, 1]/4"},
-          {paper + "s-2n-even", "1/(2*n)*(1 - (6*j - 3)/(8*n^2 - 2))"},
-          {paper + "s-2n-odd", "1/(2*n)*(1 + (6*j - 3)/(8*n^2 - 2))"},
+          {mustafa_li_key + "positions", "[1/4, 3/4]"},
+          {mustafa_li_key + "solution-beta-2", "(r*tau1 - tau2)/(tau1*tau3 - tau2^2)*w*f"},
+          {mustafa_li_key + "solution-beta-1-sum", "1/tau1*w*f"},
+          {mustafa_li_key + "solution-beta-1-rest", "beta2*(tau2/tau1)"},
+          {mustafa_li_key + "solution-tau-1", "w"},
+          {mustafa_li_key + "solution-tau-2", "r*w"},
+          {mustafa_li_key + "solution-tau-3", "r^2*w"},
+          {mustafa_li_key + "eq-4-even", rule_even},
+          {mustafa_li_key + "eq-4-odd", rule_odd},
+          {mustafa_li_key + "eq-5-tau-1", "w"},
+          {mustafa_li_key + "eq-5-tau-2", "r*w"},
+          {mustafa_li_key + "eq-5-tau-3", "r^2*w"},
+          {mustafa_li_key + "eq-6", "(f - beta1 - r*beta2)^2 + delta"},
+          {mustafa_li_key + "eq-6-exponent", "1/2"},
+          {mustafa_li_key + "eq-7", "(r*tau1 - tau2)/(tau1*tau3 - tau2^2)*w*f"},
+          {mustafa_li_key + "eq-8-sum", "1/tau1*w*f"},
+          {mustafa_li_key + "eq-8-rest", "beta2*(tau2/tau1)"},
+          {mustafa_li_key + "eq-9-beta-2", "1/(4*n^3 - n)*(6*r - 3)"},
+          {mustafa_li_key + "eq-9-beta-1", "1/(2*n)"},
+          {mustafa_li_key + "eq-9-factor", "1/2"},
+          {mustafa_li_key + "positions-odd", "[-1/4, 1/4]"},
+          {mustafa_li_key + "variant-first", "-n"},
+          {mustafa_li_key + "variant-last", "n"},
+          {mustafa_li_key + "variant-even", "1/tau1*(1 - (tau2 - (-1/4)*tau1)*((r*tau1 - tau2)/(tau1*tau3 - tau2^2)))*w*f"},
+          {mustafa_li_key + "variant-odd", rule_even},
+          {mustafa_li_key + "eq-9-odd-beta-1", "1/(2*n + 1)"},
+          {mustafa_li_key + "eq-9-odd-beta-2", "1/(n*(n + 1)*(2*n + 1))*3*r"},
+          {mustafa_li_key + "s-odd-even", "1/(2*n + 1)*(1 - 3*r/(4*n*(n + 1)))"},
+          {mustafa_li_key + "s-odd-odd", "1/(2*n + 1)*(1 + 3*r/(4*n*(n + 1)))"},
+          {mustafa_li_key + "chaikin", "[3, 1]/4"},
+          {mustafa_li_key + "s-2n-even", "1/(2*n)*(1 - (6*j - 3)/(8*n^2 - 2))"},
+          {mustafa_li_key + "s-2n-odd", "1/(2*n)*(1 + (6*j - 3)/(8*n^2 - 2))"},
       });
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
-  add({paper + "solution", "section 2.2, last displays", "The solution of the weighted normal equations.",
+  add({mustafa_li_key + "solution", "section 2.2, last displays", "The solution of the weighted normal equations.",
        "both coefficients for all weights, and against the normal equations for random ones",
        R"(\beta_2 = \sum_r <<mustafa-li-2015/solution-beta-2>>, \quad \beta_1 = \sum_r <<mustafa-li-2015/solution-beta-1-sum>> - <<mustafa-li-2015/solution-beta-1-rest>>)",
        "", Verdict::holds_for_all, [](const Context& c) {
          return solution(c, "solution", "solution-beta-2", "solution-beta-1");
        }});
-  add({paper + "solution-tau", "section 2.2, last displays", "The sums tau_1, tau_2, tau_3.",
+  add({mustafa_li_key + "solution-tau", "section 2.2, last displays", "The sums tau_1, tau_2, tau_3.",
        "the entries of the normal equations",
        R"(\tau_1 = \sum_r <<mustafa-li-2015/solution-tau-1>>, \; \tau_2 = \sum_r <<mustafa-li-2015/solution-tau-2>>, \; \tau_3 = \sum_r <<mustafa-li-2015/solution-tau-3>>)",
        "", Verdict::holds_for_all, [](const Context& c) { return equation_5(c, "solution"); }});
-  add({paper + "eq-4", "Appendix A.1, equation (4)", "The rules of D_2n at 1/4 and 3/4.",
+  add({mustafa_li_key + "eq-4", "Appendix A.1, equation (4)", "The rules of D_2n at 1/4 and 3/4.",
        "both rules for all weights, and against normal equations and library for random ones",
        R"(f_{2i}^{(k+1)} = \sum_r <<mustafa-li-2015/eq-4-even>>, \quad f_{2i+1}^{(k+1)} = \sum_r <<mustafa-li-2015/eq-4-odd>>)",
        "", Verdict::holds_for_all, equation_4});
-  add({paper + "eq-5", "Appendix A.1, equation (5)", "The sums tau_1, tau_2, tau_3.", "the entries of the normal equations",
+  add({mustafa_li_key + "eq-5", "Appendix A.1, equation (5)", "The sums tau_1, tau_2, tau_3.", "the entries of the normal equations",
        R"(\tau_1 = \sum_r <<mustafa-li-2015/eq-5-tau-1>>, \; \tau_2 = \sum_r <<mustafa-li-2015/eq-5-tau-2>>, \; \tau_3 = \sum_r <<mustafa-li-2015/eq-5-tau-3>>)",
        "", Verdict::holds_for_all, [](const Context& c) { return equation_5(c, "eq-5"); }});
-  add({paper + "eq-6", "Appendix A.1, equation (6)", "The dynamic weights.", "that they are h'(t)/t, as identities",
+  add({mustafa_li_key + "eq-6", "Appendix A.1, equation (6)", "The dynamic weights.", "that they are h'(t)/t, as identities",
        R"(w = 1/[<<mustafa-li-2015/eq-6>>]^{<<mustafa-li-2015/eq-6-exponent>>})", "", Verdict::holds_for_all, equation_6});
-  add({paper + "eq-7-8", "Appendix A.1, equations (7) and (8)", "The coefficients of the next line.",
+  add({mustafa_li_key + "eq-7-8", "Appendix A.1, equations (7) and (8)", "The coefficients of the next line.",
        "both coefficients for all weights, and against the normal equations for random ones",
        R"(\beta_2 = \sum_r <<mustafa-li-2015/eq-7>>, \quad \beta_1 = \sum_r <<mustafa-li-2015/eq-8-sum>> - <<mustafa-li-2015/eq-8-rest>>)",
        "", Verdict::holds_for_all, [](const Context& c) { return solution(c, "eq-5", "eq-7", "eq-8"); }});
-  add({paper + "eq-9", "Appendix A.1, equation (9)", "The starting values are the least squares line.",
+  add({mustafa_li_key + "eq-9", "Appendix A.1, equation (9)", "The starting values are the least squares line.",
        "value and slope against the linear fits, at all x",
        R"(\beta_2^{(0)} = \sum_{r=-n+1}^n <<mustafa-li-2015/eq-9-beta-2>> f_{i+r}, \quad \beta_1^{(0)} = <<mustafa-li-2015/eq-9-beta-1>> \sum_{r=-n+1}^n f_{i+r} - <<mustafa-li-2015/eq-9-factor>> \beta_2^{(0)})",
        "", Verdict::holds_for_all, [](const Context& c) { return starting_values(c, "eq-9", true); }});
-  add({paper + "general-basis", "Appendix A.2", "The iteration serves any linear combination of functions.",
+  add({mustafa_li_key + "general-basis", "Appendix A.2", "The iteration serves any linear combination of functions.",
        "normal equations in four bases with random weights", R"(f(x) = \sum_{i=1}^K \beta_i f_i(x))", "",
        Verdict::holds_for_all, general_basis});
-  add({paper + "d-2n-1", "Appendix A.2", "D_2n+1: the rules (4) with -1/4 and 1/4, sums from -n to n.",
+  add({mustafa_li_key + "d-2n-1", "Appendix A.2", "D_2n+1: the rules (4) with -1/4 and 1/4, sums from -n to n.",
        "both rules for all weights, and against normal equations and library for random ones",
        R"(\tfrac14 \to -\tfrac14, \; \tfrac34 \to \tfrac14, \; r = -n, \dots, n)", "", Verdict::holds_for_all, odd_variant});
-  add({paper + "eq-9-odd", "Appendix A.2", "The starting values of D_2n+1.",
+  add({mustafa_li_key + "eq-9-odd", "Appendix A.2", "The starting values of D_2n+1.",
        "value and slope against the linear fits, at all x",
        R"(\beta_1^{(0)} = <<mustafa-li-2015/eq-9-odd-beta-1>> \sum_{r=-n}^n f_{i+r}, \quad \beta_2^{(0)} = \sum_{r=-n}^n <<mustafa-li-2015/eq-9-odd-beta-2>> f_{i+r})",
        "", Verdict::holds_for_all, [](const Context& c) { return starting_values(c, "eq-9-odd", false); }});
-  add({paper + "s-2n-1", "Appendix A.2", "With all weights 1, D_2n+1 is the scheme S_2n+1.",
+  add({mustafa_li_key + "s-2n-1", "Appendix A.2", "With all weights 1, D_2n+1 is the scheme S_2n+1.",
        "both rules against the linear fits, the variant of (4) and the mask of the dual scheme",
        R"(\sum_{r=-n}^n <<mustafa-li-2015/s-odd-even>> f_{i+r}, \quad \sum_{r=-n}^n <<mustafa-li-2015/s-odd-odd>> f_{i+r})",
        "", Verdict::holds_for_all, [](const Context& c) { return least_squares_rules(c, "s-odd", "r", false); }});
-  add({paper + "chaikin", "Appendix A.2", "For n = 1 and all m, (4) is Chaikin's scheme.", "the coefficients for all weights",
+  add({mustafa_li_key + "chaikin", "Appendix A.2", "For n = 1 and all m, (4) is Chaikin's scheme.", "the coefficients for all weights",
        R"(<<mustafa-li-2015/chaikin>>)", "", Verdict::holds_for_all, chaikin});
-  add({paper + "not-symmetric", "Appendix A.2", "For n >= 2, (4) is not symmetric.",
+  add({mustafa_li_key + "not-symmetric", "Appendix A.2", "For n >= 2, (4) is not symmetric.",
        "rules with a weight 2 at r = 0 and 1 elsewhere", R"(n \geq 2)", "", Verdict::holds, not_symmetric});
-  add({paper + "s-2n", "Appendix A.2", "With all weights 1, D_2n is the scheme S_2n.",
+  add({mustafa_li_key + "s-2n", "Appendix A.2", "With all weights 1, D_2n is the scheme S_2n.",
        "both rules against the linear fits, (4) and the mask of the dual scheme",
        R"(\sum_{j=-n+1}^n <<mustafa-li-2015/s-2n-even>> f_{i+j}, \quad \sum_{j=-n+1}^n <<mustafa-li-2015/s-2n-odd>> f_{i+j})",
        "", Verdict::holds_for_all, [](const Context& c) { return least_squares_rules(c, "s-2n", "j", true); }});

@@ -5,6 +5,9 @@
 
 namespace subcert::statements {
 
+/// What the ids of its statements begin with.
+inline const std::string mustafa_li_key = "mustafa-li-2015/";
+
 PaperStatements mustafa_li_2015();
 
 /// One part of the paper each; `to` grows.

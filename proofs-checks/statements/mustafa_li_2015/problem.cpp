@@ -6,10 +6,6 @@
 namespace subcert::statements {
 namespace {
 
-const std::string paper = "mustafa-li-2015/";
-
-Formula f(const std::string& text) { return Formula::parse(text); }
-
 const std::vector<Variable> line_names{{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"delta", 7}};
 
 /// The sum of moduli of the residuals for data on -1, ..., 2.
@@ -21,8 +17,8 @@ Rational moduli(const Formula& residual, const std::vector<Rational>& data, cons
 }
 
 Outcome l1_problem(const Context& context) {
-  const Formula printed = context.formula(paper + "l1-problem"), equation = context.formula(paper + "eq-1");
-  Trial trial = summation_range(context.formula(paper + "sum-first"), context.formula(paper + "sum-last"), true);
+  const Formula printed = context.formula(mustafa_li_key + "l1-problem"), equation = context.formula(mustafa_li_key + "eq-1");
+  Trial trial = summation_range(context.formula(mustafa_li_key + "sum-first"), context.formula(mustafa_li_key + "sum-last"), true);
   trial.follow(identity(printed, f("f - (beta1 + beta2*r)"), line_names));
   trial.follow(identity(printed, equation, line_names));
   // Two minimisers: the dual vector (-1, 1, 1, -1) annihilates lines and shows that no sum is below 2.
@@ -38,9 +34,9 @@ Outcome l1_problem(const Context& context) {
 }
 
 Outcome smoothed(const Context& context) {
-  const Formula bracket = context.formula(paper + "eq-2");
+  const Formula bracket = context.formula(mustafa_li_key + "eq-2");
   const Formula residual = f("f - beta1 - beta2*r");
-  Trial trial = weights_of_modulus(bracket, context.formula(paper + "eq-2-exponent")({}), residual, line_names);
+  Trial trial = weights_of_modulus(bracket, context.formula(mustafa_li_key + "eq-2-exponent")({}), residual, line_names);
   // delta = e^2: t^2 <= t^2 + e^2 = (|t| + e)^2 - 2 |t| e.
   const Formula h_squared = bracket.replaced("delta", f("e^2"));
   const std::vector<Variable> names{{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"e", 7}};
@@ -53,10 +49,10 @@ Outcome smoothed(const Context& context) {
 }
 
 Outcome iteration(const Context& context) {
-  const Formula objective = context.formula(paper + "eq-3-objective");
+  const Formula objective = context.formula(mustafa_li_key + "eq-3-objective");
   const Formula residual = f("f - beta1 - r*beta2");
-  Trial trial = weights_of_modulus(context.formula(paper + "eq-3-weight"),
-                                   context.formula(paper + "eq-3-weight-exponent")({}), residual, line_names);
+  Trial trial = weights_of_modulus(context.formula(mustafa_li_key + "eq-3-weight"),
+                                   context.formula(mustafa_li_key + "eq-3-weight-exponent")({}), residual, line_names);
   trial.follow(identity(objective, f("w") * residual * residual,
                         {{"w", 1}, {"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}}));
   Outcome outcome =
@@ -73,30 +69,30 @@ Outcome iteration(const Context& context) {
 void add_mustafa_li_2015_problem(PaperStatements& to) {
   to.transcriptions.insert(to.transcriptions.end(),
                            {
-                               {paper + "sum-first", "-n + 1"},
-                               {paper + "sum-last", "n"},
-                               {paper + "l1-problem", "f - (beta1 + beta2*r)"},
-                               {paper + "eq-1", "f - beta1 - beta2*r"},
-                               {paper + "eq-2", "(f - beta1 - beta2*r)^2 + delta"},
-                               {paper + "eq-2-exponent", "1/2"},
-                               {paper + "eq-3-objective", "w*(f - beta1 - r*beta2)^2"},
-                               {paper + "eq-3-weight", "(f - beta1 - r*beta2)^2 + delta"},
-                               {paper + "eq-3-weight-exponent", "1/2"},
+                               {mustafa_li_key + "sum-first", "-n + 1"},
+                               {mustafa_li_key + "sum-last", "n"},
+                               {mustafa_li_key + "l1-problem", "f - (beta1 + beta2*r)"},
+                               {mustafa_li_key + "eq-1", "f - beta1 - beta2*r"},
+                               {mustafa_li_key + "eq-2", "(f - beta1 - beta2*r)^2 + delta"},
+                               {mustafa_li_key + "eq-2-exponent", "1/2"},
+                               {mustafa_li_key + "eq-3-objective", "w*(f - beta1 - r*beta2)^2"},
+                               {mustafa_li_key + "eq-3-weight", "(f - beta1 - r*beta2)^2 + delta"},
+                               {mustafa_li_key + "eq-3-weight-exponent", "1/2"},
                            });
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
-  add({paper + "eq-1", "section 2.2, first display and equation (1)", "The l1 problem of the line.",
+  add({mustafa_li_key + "eq-1", "section 2.2, first display and equation (1)", "The l1 problem of the line.",
        "that both displays agree; whether the minimiser is unique",
        R"(\beta_1, \beta_2 = \arg\min \sum_{r=<<mustafa-li-2015/sum-first>>}^{<<mustafa-li-2015/sum-last>>} |<<mustafa-li-2015/eq-1>>|)",
        "", Verdict::holds_for_all, l1_problem});
-  add({paper + "eq-2", "section 2.2, equation (2)", "The smoothed problem approximates the l1 problem.",
+  add({mustafa_li_key + "eq-2", "section 2.2, equation (2)", "The smoothed problem approximates the l1 problem.",
        "bounds for the difference and the derivative, as identities",
        R"(h_\delta = [<<mustafa-li-2015/eq-2>>]^{<<mustafa-li-2015/eq-2-exponent>>})", "", Verdict::holds_for_all,
        smoothed});
-  add({paper + "eq-3", "section 2.2, equation (3)", "The reweighted iteration for the smoothed problem.",
+  add({mustafa_li_key + "eq-3", "section 2.2, equation (3)", "The reweighted iteration for the smoothed problem.",
        "that the weights are h'(t)/t, so that fixed points are minimisers",
        R"(\arg\min \sum_r <<mustafa-li-2015/eq-3-objective>>, \quad w = 1/[<<mustafa-li-2015/eq-3-weight>>]^{<<mustafa-li-2015/eq-3-weight-exponent>>})",
        "", Verdict::holds_for_all, iteration});
-  add({paper + "advice", "sections 2.3 and A.1", "n >= 3 gives better results; a small delta and m = 5 or 6 are good choices.", "",
+  add({mustafa_li_key + "advice", "sections 2.3 and A.1", "n >= 3 gives better results; a small delta and m = 5 or 6 are good choices.", "",
        R"(n \geq 3, \quad \delta \text{ small}, \quad m = 5, 6)", "", Verdict::not_checkable, [](const Context&) {
          return not_checkable("advice from experiments whose data were not published; how many iterations suffice depends on the size of "
              "the outliers (docs/l1.md, section 3)");

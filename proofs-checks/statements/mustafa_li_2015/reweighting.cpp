@@ -3,8 +3,6 @@
 namespace subcert::statements {
 namespace {
 
-Formula f(const std::string& text) { return Formula::parse(text); }
-
 }  // namespace
 
 Trial weights_of_modulus(const Formula& bracket, const Rational& exponent, const Formula& residual,

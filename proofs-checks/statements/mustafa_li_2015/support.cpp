@@ -9,15 +9,11 @@
 namespace subcert::statements {
 namespace {
 
-const std::string paper = "mustafa-li-2015/";
-
-Formula f(const std::string& text) { return Formula::parse(text); }
-
 Outcome proposition_1(const Context& context) {
-  const Formula width = context.formula(paper + "proposition-1-width"), end = context.formula(paper + "proposition-1-end"),
-                length = context.formula(paper + "proposition-1-length"),
-                left = context.formula(paper + "proposition-1-left"),
-                right = context.formula(paper + "proposition-1-right");
+  const Formula width = context.formula(mustafa_li_key + "proposition-1-width"), end = context.formula(mustafa_li_key + "proposition-1-end"),
+                length = context.formula(mustafa_li_key + "proposition-1-length"),
+                left = context.formula(mustafa_li_key + "proposition-1-left"),
+                right = context.formula(mustafa_li_key + "proposition-1-right");
   const int most = context.reach(12, 40);
   Trial trial;
   for (int n = 1; n <= most && !trial.failed(); ++n) {
@@ -48,8 +44,8 @@ Outcome proposition_1(const Context& context) {
 }
 
 Outcome geometric_sum(const Context& context) {
-  const Formula term = context.formula(paper + "proposition-1-term"), total = context.formula(paper + "proposition-1-total"),
-                width = context.formula(paper + "proposition-1-width");
+  const Formula term = context.formula(mustafa_li_key + "proposition-1-term"), total = context.formula(mustafa_li_key + "proposition-1-total"),
+                width = context.formula(mustafa_li_key + "proposition-1-width");
   Trial printed, corrected;
   Rational sum = 0, halves = 0;
   for (long k = 1; k <= context.reach(40, 200); ++k) {
@@ -74,37 +70,37 @@ Outcome unpublished(const std::string& reason) { return not_checkable(reason); }
 void add_mustafa_li_2015_support(PaperStatements& to) {
   to.transcriptions.insert(to.transcriptions.end(),
                            {
-                               {paper + "proposition-1-width", "4*n - 1"},
-                               {paper + "proposition-1-end", "(4*n - 1)/2"},
-                               {paper + "proposition-1-length", "4*n"},
-                               {paper + "proposition-1-left", "2*n"},
-                               {paper + "proposition-1-right", "2*n - 1"},
-                               {paper + "proposition-1-term", "1/2^j"},
-                               {paper + "proposition-1-total", "2*n/2*S + (2*n - 1)/2*S"},
+                               {mustafa_li_key + "proposition-1-width", "4*n - 1"},
+                               {mustafa_li_key + "proposition-1-end", "(4*n - 1)/2"},
+                               {mustafa_li_key + "proposition-1-length", "4*n"},
+                               {mustafa_li_key + "proposition-1-left", "2*n"},
+                               {mustafa_li_key + "proposition-1-right", "2*n - 1"},
+                               {mustafa_li_key + "proposition-1-term", "1/2^j"},
+                               {mustafa_li_key + "proposition-1-total", "2*n/2*S + (2*n - 1)/2*S"},
                            });
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
-  add({paper + "proposition-1", "Proposition 1", "Support of the basic limit functions of D_2n.",
+  add({mustafa_li_key + "proposition-1", "Proposition 1", "Support of the basic limit functions of D_2n.",
        "length and ends of the mask, width and both ends of the support",
        R"(<<mustafa-li-2015/proposition-1-width>>, \quad \pm <<mustafa-li-2015/proposition-1-end>>)", "",
        Verdict::holds_for_all, proposition_1});
-  add({paper + "proposition-1-sum", "Proof of Proposition 1, last display", "The sum of the influences.",
+  add({mustafa_li_key + "proposition-1-sum", "Proof of Proposition 1, last display", "The sum of the influences.",
        "the finite sums as printed, and their limit",
        R"(\frac{2n}{2} \sum_{j=0}^{k-1} \frac{1}{2^j} + \frac{2n-1}{2} \sum_{j=0}^{k-1} \frac{1}{2^j} = <<mustafa-li-2015/proposition-1-width>>)",
        R"(\frac{2n}{2} \sum_{j=0}^{\infty} \frac{1}{2^j} + \frac{2n-1}{2} \sum_{j=0}^{\infty} \frac{1}{2^j} = <<mustafa-li-2015/proposition-1-width>>)",
        Verdict::misprint, geometric_sum});
-  add({paper + "fig-2", "section 2.4, Fig. 2", "The basic limit functions have two peaks and a valley.", "",
+  add({mustafa_li_key + "fig-2", "section 2.4, Fig. 2", "The basic limit functions have two peaks and a valley.", "",
        R"(\phi_6, \phi_7, \phi_8)", "", Verdict::not_checkable, [](const Context&) {
          return unpublished(
              "delta and the number of iterations of the figure were not published, and the height depends on them alone: "
              "the exact l1 fit of a window with one 1 and zeros is 0 (docs/l1.md, section 4)");
        }});
   for (const char* table : {"1", "2", "3"})
-    add({paper + "table-" + table, "Table " + std::string(table), "Errors of the fits by S_6, S_7, S_8 and D_6, D_7, D_8.",
+    add({mustafa_li_key + "table-" + table, "Table " + std::string(table), "Errors of the fits by S_6, S_7, S_8 and D_6, D_7, D_8.",
          "", R"(\text{errors})", "", Verdict::not_checkable, [](const Context&) {
            return unpublished(
                "the noise, the outliers, the sampling and the parameters delta, m and k of the fits were not published");
          }});
-  add({paper + "figs-3-9", "sections 2.5 and 3.1, Figs. 1 and 3-9", "Curves and surfaces fitted to noisy data.", "",
+  add({mustafa_li_key + "figs-3-9", "sections 2.5 and 3.1, Figs. 1 and 3-9", "Curves and surfaces fitted to noisy data.", "",
        R"(f_1(x) = \sin(3x) e^{-x/3}, \; \dots)", "", Verdict::not_checkable, [](const Context&) {
          return unpublished("the functions are given, but neither the noise nor the outliers");
        }});

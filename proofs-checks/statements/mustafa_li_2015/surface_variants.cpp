@@ -9,17 +9,13 @@
 namespace subcert::statements {
 namespace {
 
-const std::string paper = "mustafa-li-2015/";
-
-Formula f(const std::string& text) { return Formula::parse(text); }
-
 const std::vector<std::string> rule_names{"00", "10", "01", "11"};
 
 /// The data of the rule of (i, j) must move with i and j.
 Trial moving_index(const Context& context, const std::string& id, Form form) {
   Trial trial;
   for (const char* axis : {"i", "j"}) {
-    const Formula index = context.formula(paper + id + "-index-" + axis, form);
+    const Formula index = context.formula(mustafa_li_key + id + "-index-" + axis, form);
     const std::string node = axis[0] == 'i' ? "r" : "s";
     for (long step : {0, 1})
       trial.equal(index({{axis, step}, {node, 0}}), step,
@@ -30,13 +26,13 @@ Trial moving_index(const Context& context, const std::string& id, Form form) {
 }
 
 Trial least_squares(const Context& context, const std::string& id, bool even, Form form) {
-  const std::vector<Formula> xs = context.list(paper + (even ? "surface-x" : "lemma-1-x")),
-                             ys = context.list(paper + (even ? "surface-y" : "lemma-1-y"));
+  const std::vector<Formula> xs = context.list(mustafa_li_key + (even ? "surface-x" : "lemma-1-x")),
+                             ys = context.list(mustafa_li_key + (even ? "surface-y" : "lemma-1-y"));
   const int most = context.reach(4, 8);
   Trial trial;
   for (std::size_t k = 0; k < 4; ++k) {
-    Formula weight = context.formula(paper + id + "-" + rule_names[k]);
-    if (even) weight = weight.replaced("xi", context.formula(paper + "xi"));
+    Formula weight = context.formula(mustafa_li_key + id + "-" + rule_names[k]);
+    if (even) weight = weight.replaced("xi", context.formula(mustafa_li_key + "xi"));
     trial.follow(grid_fit({weight, {-1, even ? 1 : 0}, {1, 0}, xs.at(k), ys.at(k), 1, 1, {}}, most));
     for (int n = 1; n <= most && !trial.failed(); ++n) {
       const int points = even ? 2 * n : 2 * n + 1;
@@ -62,8 +58,8 @@ Outcome least_squares_scheme(const Context& context, const std::string& id, bool
 }
 
 Outcome lemma_1_positions(const Context& context) {
-  const std::vector<Formula> xs = context.list(paper + "lemma-1-x"), ys = context.list(paper + "lemma-1-y");
-  Trial trial = summation_range(context.formula(paper + "variant-first"), context.formula(paper + "variant-last"), false);
+  const std::vector<Formula> xs = context.list(mustafa_li_key + "lemma-1-x"), ys = context.list(mustafa_li_key + "lemma-1-y");
+  Trial trial = summation_range(context.formula(mustafa_li_key + "variant-first"), context.formula(mustafa_li_key + "variant-last"), false);
   // (10) is (psi_1 + x psi_2 + y psi_3)/kappa (see eq-10), on whatever nodes; here against random weights.
   const std::vector<Formula> plane{f("1"), f("r"), f("s")};
   for (long n = 1; n <= context.reach(2, 3) && !trial.failed(); ++n) {
@@ -71,16 +67,16 @@ Outcome lemma_1_positions(const Context& context) {
     Values values;
     for (int k = 1; k <= 6; ++k)
       values.emplace_back("tau" + std::to_string(k),
-                          sum_over(data, context.formula(paper + "eq-14-tau-" + std::to_string(k)), -n, n));
+                          sum_over(data, context.formula(mustafa_li_key + "eq-14-tau-" + std::to_string(k)), -n, n));
     for (int k = 1; k <= 6; ++k)
       values.emplace_back("lambda" + std::to_string(k),
-                          context.formula(paper + "eq-13-lambda-" + std::to_string(k))(values));
-    values.emplace_back("kappa", context.formula(paper + "eq-12")(values));
+                          context.formula(mustafa_li_key + "eq-13-lambda-" + std::to_string(k))(values));
+    values.emplace_back("kappa", context.formula(mustafa_li_key + "eq-12")(values));
     const std::vector<Rational> beta = weighted_coefficients(data, plane);
     for (std::size_t k = 0; k < 4; ++k) {
       Formula term = (f("psi1") + xs.at(k) * f("psi2") + ys.at(k) * f("psi3")) / f("kappa") * f("w") * f("f");
       for (const char* name : {"1", "2", "3"})
-        term = term.replaced("psi" + std::string(name), context.formula(paper + "eq-11-psi-" + name));
+        term = term.replaced("psi" + std::string(name), context.formula(mustafa_li_key + "eq-11-psi-" + name));
       const Rational derived = beta[0] + (k % 2 == 0 ? -1 : 1) * beta[1] / 4 + (k / 2 == 0 ? -1 : 1) * beta[2] / 4;
       trial.equal(sum_over(data, term, -n, n, values), derived, "rule " + rule_names[k] + ", " + at("n", n));
     }
@@ -92,7 +88,7 @@ Outcome lemma_1_positions(const Context& context) {
 }
 
 Outcome lemma_1_starting_values(const Context& context) {
-  const auto beta = [&](const char* k) { return context.formula(paper + "lemma-1-beta-" + k); };
+  const auto beta = [&](const char* k) { return context.formula(mustafa_li_key + "lemma-1-beta-" + k); };
   const GridFit ordinary{
       beta("1") + f("x") * beta("2") + f("y") * beta("3"), {-1, 0}, {1, 0}, f("x"), f("y"), 1, 1, {{"x", 0}, {"y", 0}}};
   return grid_fit(ordinary, context.reach(4, 8)).outcome();
@@ -111,12 +107,12 @@ Outcome higher_degree(const Context& context) {
   Trial printed, corrected;
   for (Form form : {Form::printed, Form::corrected}) {
     Trial& trial = form == Form::printed ? printed : corrected;
-    const long smallest = static_cast<long>(numerator(context.formula(paper + "higher-degree-n", form)({})));
+    const long smallest = static_cast<long>(numerator(context.formula(mustafa_li_key + "higher-degree-n", form)({})));
     for (long n = 1; n <= 4; ++n)
       trial.require(determines(n, 2) == (n >= smallest),
                     at("n", n) + ": the " + std::to_string(4 * n * n) + " observations " +
                         (n >= smallest ? "do not determine" : "determine") + " the 6 coefficients of a quadratic");
-    trial.equal(context.formula(paper + "higher-degree-count")({{"n", 3}}), Rational(window(-2, 3, 2).nodes.size()),
+    trial.equal(context.formula(mustafa_li_key + "higher-degree-count")({{"n", 3}}), Rational(window(-2, 3, 2).nodes.size()),
                 "n = 3, number of observations");
   }
   return printed.outcome(corrected.for_all(
@@ -146,25 +142,25 @@ Outcome hyperplanes(const Context&) {
 void add_mustafa_li_2015_surface_variants(PaperStatements& to) {
   to.transcriptions.insert(to.transcriptions.end(),
                            {
-                               {paper + "higher-degree-n", "{1 => 2}"},
-                               {paper + "higher-degree-count", "4*n^2"},
-                               {paper + "surface-s-2n-00", "1/4*xi*(8*n^2 - 6*r - 6*s + 4)"},
-                               {paper + "surface-s-2n-10", "1/4*xi*(8*n^2 + 6*r - 6*s - 2)"},
-                               {paper + "surface-s-2n-01", "1/4*xi*(8*n^2 - 6*r + 6*s - 2)"},
-                               {paper + "surface-s-2n-11", "1/4*xi*(8*n^2 + 6*r + 6*s - 8)"},
-                               {paper + "surface-s-2n-index-i", "{r => i + r}"},
-                               {paper + "surface-s-2n-index-j", "{s => j + s}"},
-                               {paper + "lemma-1-x", "[-1/4, 1/4, -1/4, 1/4]"},
-                               {paper + "lemma-1-y", "[-1/4, -1/4, 1/4, 1/4]"},
-                               {paper + "lemma-1-beta-1", "1/(2*n + 1)^2"},
-                               {paper + "lemma-1-beta-2", "3/(n*(n + 1)*(2*n + 1)^2)*r"},
-                               {paper + "lemma-1-beta-3", "3/(n*(n + 1)*(2*n + 1)^2)*s"},
-                               {paper + "surface-s-odd-00", "1/(2*n + 1)^2*(1 + (-3*r - 3*s)/(4*n*(n + 1)))"},
-                               {paper + "surface-s-odd-10", "1/(2*n + 1)^2*(1 + (3*r - 3*s)/(4*n*(n + 1)))"},
-                               {paper + "surface-s-odd-01", "1/(2*n + 1)^2*(1 + (-3*r + 3*s)/(4*n*(n + 1)))"},
-                               {paper + "surface-s-odd-11", "1/(2*n + 1)^2*(1 + (3*r + 3*s)/(4*n*(n + 1)))"},
-                               {paper + "surface-s-odd-index-i", "{r => i + r}"},
-                               {paper + "surface-s-odd-index-j", "{s => j + s}"},
+                               {mustafa_li_key + "higher-degree-n", "{1 => 2}"},
+                               {mustafa_li_key + "higher-degree-count", "4*n^2"},
+                               {mustafa_li_key + "surface-s-2n-00", "1/4*xi*(8*n^2 - 6*r - 6*s + 4)"},
+                               {mustafa_li_key + "surface-s-2n-10", "1/4*xi*(8*n^2 + 6*r - 6*s - 2)"},
+                               {mustafa_li_key + "surface-s-2n-01", "1/4*xi*(8*n^2 - 6*r + 6*s - 2)"},
+                               {mustafa_li_key + "surface-s-2n-11", "1/4*xi*(8*n^2 + 6*r + 6*s - 8)"},
+                               {mustafa_li_key + "surface-s-2n-index-i", "{r => i + r}"},
+                               {mustafa_li_key + "surface-s-2n-index-j", "{s => j + s}"},
+                               {mustafa_li_key + "lemma-1-x", "[-1/4, 1/4, -1/4, 1/4]"},
+                               {mustafa_li_key + "lemma-1-y", "[-1/4, -1/4, 1/4, 1/4]"},
+                               {mustafa_li_key + "lemma-1-beta-1", "1/(2*n + 1)^2"},
+                               {mustafa_li_key + "lemma-1-beta-2", "3/(n*(n + 1)*(2*n + 1)^2)*r"},
+                               {mustafa_li_key + "lemma-1-beta-3", "3/(n*(n + 1)*(2*n + 1)^2)*s"},
+                               {mustafa_li_key + "surface-s-odd-00", "1/(2*n + 1)^2*(1 + (-3*r - 3*s)/(4*n*(n + 1)))"},
+                               {mustafa_li_key + "surface-s-odd-10", "1/(2*n + 1)^2*(1 + (3*r - 3*s)/(4*n*(n + 1)))"},
+                               {mustafa_li_key + "surface-s-odd-01", "1/(2*n + 1)^2*(1 + (-3*r + 3*s)/(4*n*(n + 1)))"},
+                               {mustafa_li_key + "surface-s-odd-11", "1/(2*n + 1)^2*(1 + (3*r + 3*s)/(4*n*(n + 1)))"},
+                               {mustafa_li_key + "surface-s-odd-index-i", "{r => i + r}"},
+                               {mustafa_li_key + "surface-s-odd-index-j", "{s => j + s}"},
                            });
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
   const auto rules = [](const std::string& id) {
@@ -174,27 +170,27 @@ void add_mustafa_li_2015_surface_variants(PaperStatements& to) {
               ">> \\, f_{<<mustafa-li-2015/" + id + "-index-i>>, <<mustafa-li-2015/" + id + "-index-j>>}";
     return text;
   };
-  add({paper + "hyperplane", "Appendix B.2", "The iteration serves hyperplanes in p variables.",
+  add({mustafa_li_key + "hyperplane", "Appendix B.2", "The iteration serves hyperplanes in p variables.",
        "the corners of a cube determine the coefficients", R"(p\text{-dimensional hyperplane})", "",
        Verdict::holds_for_all, hyperplanes});
-  add({paper + "higher-degree", "Appendix B.2", "Polynomials of degree >= 2 are fitted to 4n^2 observations, n >= 1.",
+  add({mustafa_li_key + "higher-degree", "Appendix B.2", "Polynomials of degree >= 2 are fitted to 4n^2 observations, n >= 1.",
        "for which n the grid determines quadratics",
        R"(\text{degree} \geq 2, \; <<mustafa-li-2015/higher-degree-count>> \text{ observations}, \; n \geq <<mustafa-li-2015/higher-degree-n>>)",
        R"(\text{degree } 2, \; <<mustafa-li-2015/higher-degree-count>> \text{ observations}, \; n \geq <<mustafa-li-2015/higher-degree-n>>)",
        Verdict::misprint, higher_degree});
-  add({paper + "surface-s-2n", "Appendix B.2, first displays", "With all weights 1, D_2n is the surface scheme S_2n.",
+  add({mustafa_li_key + "surface-s-2n", "Appendix B.2, first displays", "With all weights 1, D_2n is the surface scheme S_2n.",
        "the four rules against normal equations and masks; the indices of the data", rules("surface-s-2n"),
        rules("surface-s-2n"), Verdict::misprint,
        [](const Context& c) { return least_squares_scheme(c, "surface-s-2n", true); }});
-  add({paper + "lemma-1", "Lemma 1", "D_2n+1 for surfaces: (10) with -1/4 and 1/4, sums from -n to n.",
+  add({mustafa_li_key + "lemma-1", "Lemma 1", "D_2n+1 for surfaces: (10) with -1/4 and 1/4, sums from -n to n.",
        "the rules against the normal equations for random weights",
        R"((x, y): \; <<mustafa-li-2015/lemma-1-x>>, \; <<mustafa-li-2015/lemma-1-y>>)", "", Verdict::holds_for_all,
        lemma_1_positions});
-  add({paper + "lemma-1-start", "Lemma 1, displays", "The starting values of D_2n+1 for surfaces.",
+  add({mustafa_li_key + "lemma-1-start", "Lemma 1, displays", "The starting values of D_2n+1 for surfaces.",
        "value and slopes against the normal equations, at all x and y",
        R"(\beta_1 = <<mustafa-li-2015/lemma-1-beta-1>>, \quad \beta_2 = <<mustafa-li-2015/lemma-1-beta-2>>, \quad \beta_3 = <<mustafa-li-2015/lemma-1-beta-3>>)",
        "", Verdict::holds_for_all, lemma_1_starting_values});
-  add({paper + "surface-s-2n-1", "after Lemma 1", "With all weights 1, D_2n+1 is the surface scheme S_2n+1.",
+  add({mustafa_li_key + "surface-s-2n-1", "after Lemma 1", "With all weights 1, D_2n+1 is the surface scheme S_2n+1.",
        "the four rules against normal equations and masks; the indices of the data", rules("surface-s-odd"),
        rules("surface-s-odd"), Verdict::misprint,
        [](const Context& c) { return least_squares_scheme(c, "surface-s-odd", false); }});

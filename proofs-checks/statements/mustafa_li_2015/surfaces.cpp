@@ -8,10 +8,6 @@
 namespace subcert::statements {
 namespace {
 
-const std::string paper = "mustafa-li-2015/";
-
-Formula f(const std::string& text) { return Formula::parse(text); }
-
 const std::vector<Formula> plane{f("1"), f("r"), f("s")};
 const std::vector<std::string> rule_names{"00", "10", "01", "11"};
 
@@ -26,26 +22,24 @@ Values computed(const Context& context, const WeightedWindow& window, long first
   Values values;
   for (int k = 1; k <= 6; ++k)
     values.emplace_back("tau" + std::to_string(k),
-                        sum_over(window, context.formula(paper + "eq-14-tau-" + std::to_string(k)), first, last));
+                        sum_over(window, context.formula(mustafa_li_key + "eq-14-tau-" + std::to_string(k)), first, last));
   for (int k = 1; k <= 6; ++k)
     values.emplace_back("lambda" + std::to_string(k),
-                        context.formula(paper + "eq-13-lambda-" + std::to_string(k))(values));
-  values.emplace_back("kappa", context.formula(paper + "eq-12")(values));
+                        context.formula(mustafa_li_key + "eq-13-lambda-" + std::to_string(k))(values));
+  values.emplace_back("kappa", context.formula(mustafa_li_key + "eq-12")(values));
   for (int k = 1; k <= 3; ++k)
     values.emplace_back("chi" + std::to_string(k),
-                        sum_over(window, context.formula(paper + "eq-19-chi-" + std::to_string(k)), first, last));
+                        sum_over(window, context.formula(mustafa_li_key + "eq-19-chi-" + std::to_string(k)), first, last));
   return values;
 }
 
 /// The rule as printed, psi_k of (11) put in.
 Formula rule(const Context& context, const std::string& name, Form form) {
-  Formula term = context.formula(paper + "eq-10-" + name, form);
+  Formula term = context.formula(mustafa_li_key + "eq-10-" + name, form);
   for (const char* k : {"1", "2", "3"})
-    term = term.replaced("psi" + std::string(k), context.formula(paper + "eq-11-psi-" + k));
+    term = term.replaced("psi" + std::string(k), context.formula(mustafa_li_key + "eq-11-psi-" + k));
   return term;
 }
-
-std::string case_text(long n, unsigned seed) { return at("n", n) + ", random weights " + std::to_string(seed); }
 
 Rational library_value(const WeightedWindow& window, const Rational& x, const Rational& y) {
   std::vector<LatticePoint> nodes;
@@ -55,7 +49,7 @@ Rational library_value(const WeightedWindow& window, const Rational& x, const Ra
 
 /// The printed rules with random weights; then the weights at which psi_1 vanishes.
 Trial rules_10(const Context& context, Form form) {
-  const std::vector<Formula> xs = context.list(paper + "surface-x"), ys = context.list(paper + "surface-y");
+  const std::vector<Formula> xs = context.list(mustafa_li_key + "surface-x"), ys = context.list(mustafa_li_key + "surface-y");
   Trial trial;
   for (std::size_t k = 0; k < 4; ++k) {
     const Formula term = rule(context, rule_names[k], form);
@@ -65,7 +59,7 @@ Trial rules_10(const Context& context, Form form) {
         const WeightedWindow data = random_window(1 - n, n, 2, seed);
         const std::vector<Rational> beta = weighted_coefficients(data, plane);
         const Rational printed = sum_over(data, term, 1 - n, n, computed(context, data, 1 - n, n));
-        const std::string where = "rule " + rule_names[k] + ", " + case_text(n, seed);
+        const std::string where = "rule " + rule_names[k] + ", " + weighted_case(n, seed);
         trial.equal(printed, beta[0] + x * beta[1] + y * beta[2], where);
         if (!trial.equal(printed, library_value(data, x, y), where + ", against the library")) return trial;
       }
@@ -89,10 +83,10 @@ Trial rules_10(const Context& context, Form form) {
 
 /// The rule is (psi_1 + x psi_2 + y psi_3)/kappa w f wherever psi_1 is not zero.
 Trial rule_identities(const Context& context, Form form) {
-  const std::vector<Formula> xs = context.list(paper + "surface-x"), ys = context.list(paper + "surface-y");
+  const std::vector<Formula> xs = context.list(mustafa_li_key + "surface-x"), ys = context.list(mustafa_li_key + "surface-y");
   Trial trial;
   for (std::size_t k = 0; k < 4; ++k)
-    trial.follow(identity(context.formula(paper + "eq-10-" + rule_names[k], form),
+    trial.follow(identity(context.formula(mustafa_li_key + "eq-10-" + rule_names[k], form),
                           (f("psi1") + xs.at(k) * f("psi2") + ys.at(k) * f("psi3")) / f("kappa") * f("w") * f("f"),
                           {{"psi1", 1}, {"psi2", 2}, {"psi3", 3}, {"kappa", 5}, {"w", 1}, {"f", 1}}));
   return trial;
@@ -126,14 +120,14 @@ Outcome equation_11(const Context& context) {
   names.push_back({"s", 1});
   Trial trial;
   for (std::size_t k = 0; k < 3; ++k)
-    trial.follow(identity(context.formula(paper + "eq-11-psi-" + std::to_string(k + 1)),
+    trial.follow(identity(context.formula(mustafa_li_key + "eq-11-psi-" + std::to_string(k + 1)),
                           rows[k][0] + rows[k][1] * f("r") + rows[k][2] * f("s"), names));
   return trial.for_all("all n and all weights", "rows of the adjoint of the normal equations times (1, r, s)").outcome();
 }
 
 Outcome equations_12_13(const Context& context) {
   std::vector<Formula> lambda;
-  for (int k = 1; k <= 6; ++k) lambda.push_back(context.formula(paper + "eq-13-lambda-" + std::to_string(k)));
+  for (int k = 1; k <= 6; ++k) lambda.push_back(context.formula(mustafa_li_key + "eq-13-lambda-" + std::to_string(k)));
   const Formula zero = f("0");
   const std::vector<std::vector<Formula>> matrix{{f("tau1"), f("tau2"), f("tau3")},
                                                  {f("tau2"), f("tau4"), f("tau5")},
@@ -141,7 +135,7 @@ Outcome equations_12_13(const Context& context) {
       adjoint{{lambda[0], zero - lambda[1], lambda[2]},
               {zero - lambda[1], lambda[3], zero - lambda[4]},
               {lambda[2], zero - lambda[4], lambda[5]}};
-  Trial trial = adjoint_identity(matrix, adjoint, context.formula(paper + "eq-12"), variables("tau", 6));
+  Trial trial = adjoint_identity(matrix, adjoint, context.formula(mustafa_li_key + "eq-12"), variables("tau", 6));
   return trial
       .for_all("all n >= 1 and all positive weights",
                "matrix times adjoint is kappa times the identity, entry by entry, as polynomials in tau_1, ..., tau_6; the "
@@ -151,14 +145,14 @@ Outcome equations_12_13(const Context& context) {
 
 Outcome equation_14(const Context& context) {
   std::vector<Formula> terms;
-  for (int k = 1; k <= 6; ++k) terms.push_back(context.formula(paper + "eq-14-tau-" + std::to_string(k)));
+  for (int k = 1; k <= 6; ++k) terms.push_back(context.formula(mustafa_li_key + "eq-14-tau-" + std::to_string(k)));
   Trial trial = entries_of_normal_equations(terms, {"w", "r*w", "s*w", "r^2*w", "r*s*w", "s^2*w"});
-  trial.follow(summation_range(context.formula(paper + "surface-first"), context.formula(paper + "surface-last"), true));
+  trial.follow(summation_range(context.formula(mustafa_li_key + "surface-first"), context.formula(mustafa_li_key + "surface-last"), true));
   return trial.outcome();
 }
 
 Outcome equation_15(const Context& context, const std::string& id) {
-  return weights_of_modulus(context.formula(paper + id), context.formula(paper + id + "-exponent")({}),
+  return weights_of_modulus(context.formula(mustafa_li_key + id), context.formula(mustafa_li_key + id + "-exponent")({}),
                             f("f - beta1 - r*beta2 - s*beta3"),
                             {{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"beta3", 4}, {"r", 5}, {"s", 6}, {"delta", 7}})
       .outcome();
@@ -171,11 +165,11 @@ Outcome equations_16_18(const Context& context) {
   names.push_back({"kappa", 1});
   Trial trial;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Formula beta = context.formula(paper + "eq-" + std::to_string(16 + k));
+    const Formula beta = context.formula(mustafa_li_key + "eq-" + std::to_string(16 + k));
     for (long n = 1; n <= context.reach(2, 4); ++n) {
       const WeightedWindow data = random_window(1 - n, n, 2, 3);
       trial.equal(beta(computed(context, data, 1 - n, n)), weighted_coefficients(data, plane)[k],
-                  case_text(n, 3) + ", beta_" + std::to_string(k + 1));
+                  weighted_case(n, 3) + ", beta_" + std::to_string(k + 1));
     }
     trial.follow(identity(
         beta, (rows[k][0] * f("chi1") + rows[k][1] * f("chi2") + rows[k][2] * f("chi3")) / f("kappa"), names));
@@ -189,14 +183,14 @@ Outcome equations_16_18(const Context& context) {
 
 Outcome equation_19(const Context& context) {
   std::vector<Formula> terms;
-  for (int k = 1; k <= 3; ++k) terms.push_back(context.formula(paper + "eq-19-chi-" + std::to_string(k)));
+  for (int k = 1; k <= 3; ++k) terms.push_back(context.formula(mustafa_li_key + "eq-19-chi-" + std::to_string(k)));
   return entries_of_normal_equations(terms, {"w*f", "r*w*f", "s*w*f"}).outcome();
 }
 
 Outcome equation_20(const Context& context) {
-  const Formula xi = context.formula(paper + "xi");
+  const Formula xi = context.formula(mustafa_li_key + "xi");
   const auto beta = [&](const char* k) {
-    return context.formula(paper + "eq-20-beta-" + k).replaced("xi", xi);
+    return context.formula(mustafa_li_key + "eq-20-beta-" + k).replaced("xi", xi);
   };
   const GridFit ordinary{
       beta("1") + f("x") * beta("2") + f("y") * beta("3"), {-1, 1}, {1, 0}, f("x"), f("y"), 1, 1, {{"x", 0}, {"y", 0}}};
@@ -220,13 +214,13 @@ Rational minimum_over(const Formula& objective, const std::vector<std::string>& 
 }
 
 Outcome surface_problem(const Context& context) {
-  const Formula objective = context.formula(paper + "surface-objective");
+  const Formula objective = context.formula(mustafa_li_key + "surface-objective");
   Trial printed, corrected;
   for (Form form : {Form::printed, Form::corrected}) {
     Trial& trial = form == Form::printed ? printed : corrected;
     trial.follow(identity(objective, f("w*(f - beta1 - r*beta2 - s*beta3)^2"),
                           {{"w", 1}, {"f", 1}, {"beta1", 2}, {"beta2", 3}, {"beta3", 4}, {"r", 5}, {"s", 6}}));
-    trial.equal(minimum_over(objective, context.words(paper + "surface-unknowns", form)), 0,
+    trial.equal(minimum_over(objective, context.words(mustafa_li_key + "surface-unknowns", form)), 0,
                 "n = 1, data 1 + 2r + 4s, weights 1, minimum over " +
                     std::string(form == Form::printed ? "the coefficients printed, the others 0" : "all coefficients"));
   }
@@ -239,50 +233,50 @@ void add_mustafa_li_2015_surfaces(PaperStatements& to) {
   to.transcriptions.insert(
       to.transcriptions.end(),
       {
-          {paper + "surface-unknowns", "beta1 beta2 {=> beta3}"},
-          {paper + "surface-objective", "w*(f - beta1 - r*beta2 - s*beta3)^2"},
-          {paper + "surface-weight", "(f - beta1 - r*beta2 - s*beta3)^2 + delta"},
-          {paper + "surface-weight-exponent", "1/2"},
-          {paper + "surface-x", "[1/4, 3/4, 1/4, 3/4]"},
-          {paper + "surface-y", "[1/4, 1/4, 3/4, 3/4]"},
-          {paper + "surface-first", "-n + 1"},
-          {paper + "surface-last", "n"},
-          {paper + "eq-10-00",
+          {mustafa_li_key + "surface-unknowns", "beta1 beta2 {=> beta3}"},
+          {mustafa_li_key + "surface-objective", "w*(f - beta1 - r*beta2 - s*beta3)^2"},
+          {mustafa_li_key + "surface-weight", "(f - beta1 - r*beta2 - s*beta3)^2 + delta"},
+          {mustafa_li_key + "surface-weight-exponent", "1/2"},
+          {mustafa_li_key + "surface-x", "[1/4, 3/4, 1/4, 3/4]"},
+          {mustafa_li_key + "surface-y", "[1/4, 1/4, 3/4, 3/4]"},
+          {mustafa_li_key + "surface-first", "-n + 1"},
+          {mustafa_li_key + "surface-last", "n"},
+          {mustafa_li_key + "eq-10-00",
            "{psi1/kappa*(1 + psi2/(4*psi1) + psi3/(4*psi1)) => (psi1 + psi2/4 + psi3/4)/kappa}*w*f"},
-          {paper + "eq-10-10",
+          {mustafa_li_key + "eq-10-10",
            "{psi1/kappa*(1 + 3*psi2/(4*psi1) + psi3/(4*psi1)) => (psi1 + 3*psi2/4 + psi3/4)/kappa}*w*f"},
-          {paper + "eq-10-01",
+          {mustafa_li_key + "eq-10-01",
            "{psi1/kappa*(1 + psi2/(4*psi1) + 3*psi3/(4*psi1)) => (psi1 + psi2/4 + 3*psi3/4)/kappa}*w*f"},
-          {paper + "eq-10-11",
+          {mustafa_li_key + "eq-10-11",
            "{psi1/kappa*(1 + 3*psi2/(4*psi1) + 3*psi3/(4*psi1)) => (psi1 + 3*psi2/4 + 3*psi3/4)/kappa}*w*f"},
-          {paper + "eq-11-psi-1", "lambda1 - lambda2*r + lambda3*s"},
-          {paper + "eq-11-psi-2", "-lambda2 + lambda4*r - lambda5*s"},
-          {paper + "eq-11-psi-3", "lambda3 - lambda5*r + lambda6*s"},
-          {paper + "eq-12", "tau1*tau4*tau6 - tau1*tau5^2 - tau2^2*tau6 + 2*tau2*tau3*tau5 - tau3^2*tau4"},
-          {paper + "eq-13-lambda-1", "tau4*tau6 - tau5^2"},
-          {paper + "eq-13-lambda-2", "tau2*tau6 - tau3*tau5"},
-          {paper + "eq-13-lambda-3", "tau2*tau5 - tau3*tau4"},
-          {paper + "eq-13-lambda-4", "tau1*tau6 - tau3^2"},
-          {paper + "eq-13-lambda-5", "tau1*tau5 - tau2*tau3"},
-          {paper + "eq-13-lambda-6", "tau1*tau4 - tau2^2"},
-          {paper + "eq-14-tau-1", "w"},
-          {paper + "eq-14-tau-2", "r*w"},
-          {paper + "eq-14-tau-3", "s*w"},
-          {paper + "eq-14-tau-4", "r^2*w"},
-          {paper + "eq-14-tau-5", "r*s*w"},
-          {paper + "eq-14-tau-6", "s^2*w"},
-          {paper + "eq-15", "(f - (beta1 + r*beta2 + s*beta3))^2 + delta"},
-          {paper + "eq-15-exponent", "1/2"},
-          {paper + "eq-16", "1/kappa*(lambda1*chi1 - lambda2*chi2 + lambda3*chi3)"},
-          {paper + "eq-17", "1/kappa*(-lambda2*chi1 + lambda4*chi2 - lambda5*chi3)"},
-          {paper + "eq-18", "1/kappa*(lambda3*chi1 - lambda5*chi2 + lambda6*chi3)"},
-          {paper + "eq-19-chi-1", "w*f"},
-          {paper + "eq-19-chi-2", "r*w*f"},
-          {paper + "eq-19-chi-3", "s*w*f"},
-          {paper + "xi", "1/(2*n^2*(4*n^2 - 1))"},
-          {paper + "eq-20-beta-1", "1/2*xi*(4*n^2 + 5 - 6*r - 6*s)"},
-          {paper + "eq-20-beta-2", "3*xi*(2*r - 1)"},
-          {paper + "eq-20-beta-3", "3*xi*(2*s - 1)"},
+          {mustafa_li_key + "eq-11-psi-1", "lambda1 - lambda2*r + lambda3*s"},
+          {mustafa_li_key + "eq-11-psi-2", "-lambda2 + lambda4*r - lambda5*s"},
+          {mustafa_li_key + "eq-11-psi-3", "lambda3 - lambda5*r + lambda6*s"},
+          {mustafa_li_key + "eq-12", "tau1*tau4*tau6 - tau1*tau5^2 - tau2^2*tau6 + 2*tau2*tau3*tau5 - tau3^2*tau4"},
+          {mustafa_li_key + "eq-13-lambda-1", "tau4*tau6 - tau5^2"},
+          {mustafa_li_key + "eq-13-lambda-2", "tau2*tau6 - tau3*tau5"},
+          {mustafa_li_key + "eq-13-lambda-3", "tau2*tau5 - tau3*tau4"},
+          {mustafa_li_key + "eq-13-lambda-4", "tau1*tau6 - tau3^2"},
+          {mustafa_li_key + "eq-13-lambda-5", "tau1*tau5 - tau2*tau3"},
+          {mustafa_li_key + "eq-13-lambda-6", "tau1*tau4 - tau2^2"},
+          {mustafa_li_key + "eq-14-tau-1", "w"},
+          {mustafa_li_key + "eq-14-tau-2", "r*w"},
+          {mustafa_li_key + "eq-14-tau-3", "s*w"},
+          {mustafa_li_key + "eq-14-tau-4", "r^2*w"},
+          {mustafa_li_key + "eq-14-tau-5", "r*s*w"},
+          {mustafa_li_key + "eq-14-tau-6", "s^2*w"},
+          {mustafa_li_key + "eq-15", "(f - (beta1 + r*beta2 + s*beta3))^2 + delta"},
+          {mustafa_li_key + "eq-15-exponent", "1/2"},
+          {mustafa_li_key + "eq-16", "1/kappa*(lambda1*chi1 - lambda2*chi2 + lambda3*chi3)"},
+          {mustafa_li_key + "eq-17", "1/kappa*(-lambda2*chi1 + lambda4*chi2 - lambda5*chi3)"},
+          {mustafa_li_key + "eq-18", "1/kappa*(lambda3*chi1 - lambda5*chi2 + lambda6*chi3)"},
+          {mustafa_li_key + "eq-19-chi-1", "w*f"},
+          {mustafa_li_key + "eq-19-chi-2", "r*w*f"},
+          {mustafa_li_key + "eq-19-chi-3", "s*w*f"},
+          {mustafa_li_key + "xi", "1/(2*n^2*(4*n^2 - 1))"},
+          {mustafa_li_key + "eq-20-beta-1", "1/2*xi*(4*n^2 + 5 - 6*r - 6*s)"},
+          {mustafa_li_key + "eq-20-beta-2", "3*xi*(2*r - 1)"},
+          {mustafa_li_key + "eq-20-beta-3", "3*xi*(2*s - 1)"},
       });
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
   const auto listed = [](const std::string& symbol, const std::string& id, int count) {
@@ -292,40 +286,40 @@ void add_mustafa_li_2015_surfaces(PaperStatements& to) {
               std::to_string(k) + ">>";
     return text;
   };
-  add({paper + "surface-problem", "section 3, display", "The weighted problem of the plane.",
+  add({mustafa_li_key + "surface-problem", "section 3, display", "The weighted problem of the plane.",
        "the smallest value over the coefficients that are named",
        R"(\arg\min_{\beta_1, \beta_2} \sum_{r,s} <<mustafa-li-2015/surface-objective>>)",
        R"(\arg\min_{\beta_1, \beta_2, \beta_3} \sum_{r,s} <<mustafa-li-2015/surface-objective>>)", Verdict::misprint,
        surface_problem});
-  add({paper + "surface-weights", "section 3, after the display", "The dynamic weights of surfaces.",
+  add({mustafa_li_key + "surface-weights", "section 3, after the display", "The dynamic weights of surfaces.",
        "that they are h'(t)/t, as identities",
        R"(w = 1/[<<mustafa-li-2015/surface-weight>>]^{<<mustafa-li-2015/surface-weight-exponent>>})", "",
        Verdict::holds_for_all, [](const Context& c) { return equation_15(c, "surface-weight"); }});
   std::string printed;
   for (const std::string& name : rule_names)
     printed += (printed.empty() ? "" : ", \\quad ") + std::string("<<mustafa-li-2015/eq-10-") + name + ">>";
-  add({paper + "eq-10", "Appendix B.1, equation (10)", "The four rules of D_2n.",
+  add({mustafa_li_key + "eq-10", "Appendix B.1, equation (10)", "The four rules of D_2n.",
        "identities in psi and kappa; values against normal equations and library for random weights, and where psi_1 = 0",
        printed, printed, Verdict::misprint, equation_10});
-  add({paper + "eq-11", "Appendix B.1, equation (11)", "psi_1, psi_2, psi_3.", "rows of the adjoint, as identities",
+  add({mustafa_li_key + "eq-11", "Appendix B.1, equation (11)", "psi_1, psi_2, psi_3.", "rows of the adjoint, as identities",
        listed("psi", "eq-11-psi", 3), "", Verdict::holds_for_all, equation_11});
-  add({paper + "eq-12-13", "Appendix B.1, equations (12) and (13)", "Determinant and adjoint of the normal equations.",
+  add({mustafa_li_key + "eq-12-13", "Appendix B.1, equations (12) and (13)", "Determinant and adjoint of the normal equations.",
        "matrix times adjoint, entry by entry",
        R"(\kappa = <<mustafa-li-2015/eq-12>>, \quad )" + listed("lambda", "eq-13-lambda", 6), "", Verdict::holds_for_all,
        equations_12_13});
-  add({paper + "eq-14", "Appendix B.1, equation (14)", "The sums tau_1, ..., tau_6.", "the entries of the normal equations",
+  add({mustafa_li_key + "eq-14", "Appendix B.1, equation (14)", "The sums tau_1, ..., tau_6.", "the entries of the normal equations",
        R"(\tau_k = \sum_{r,s}: \; )" + listed("tau", "eq-14-tau", 6), "", Verdict::holds_for_all, equation_14});
-  add({paper + "eq-15", "Appendix B.1, equation (15)", "The dynamic weights of surfaces.",
+  add({mustafa_li_key + "eq-15", "Appendix B.1, equation (15)", "The dynamic weights of surfaces.",
        "that they are h'(t)/t, as identities",
        R"(w = 1/[<<mustafa-li-2015/eq-15>>]^{<<mustafa-li-2015/eq-15-exponent>>})", "", Verdict::holds_for_all,
        [](const Context& c) { return equation_15(c, "eq-15"); }});
-  add({paper + "eq-16-18", "Appendix B.1, equations (16), (17) and (18)", "The coefficients of the next plane.",
+  add({mustafa_li_key + "eq-16-18", "Appendix B.1, equations (16), (17) and (18)", "The coefficients of the next plane.",
        "as identities, and against the normal equations for random weights",
        R"(\beta_1 = <<mustafa-li-2015/eq-16>>, \quad \beta_2 = <<mustafa-li-2015/eq-17>>, \quad \beta_3 = <<mustafa-li-2015/eq-18>>)",
        "", Verdict::holds_for_all, equations_16_18});
-  add({paper + "eq-19", "Appendix B.1, equation (19)", "The right-hand sides chi.", "those of the normal equations",
+  add({mustafa_li_key + "eq-19", "Appendix B.1, equation (19)", "The right-hand sides chi.", "those of the normal equations",
        R"(\chi_k = \sum_{r,s}: \; )" + listed("chi", "eq-19-chi", 3), "", Verdict::holds_for_all, equation_19});
-  add({paper + "eq-20", "Appendix B.1, equation (20)", "The starting values are the least squares plane.",
+  add({mustafa_li_key + "eq-20", "Appendix B.1, equation (20)", "The starting values are the least squares plane.",
        "value and slopes against the normal equations, at all x and y",
        R"(\xi_n = <<mustafa-li-2015/xi>>, \quad )" + listed("beta", "eq-20-beta", 3), "", Verdict::holds_for_all,
        equation_20});

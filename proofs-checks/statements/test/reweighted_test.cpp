@@ -7,8 +7,6 @@ using namespace subcert::statements;
 
 namespace {
 
-Formula f(const char* text) { return Formula::parse(text); }
-
 const std::vector<Variable> taus{{"tau1", 1}, {"tau2", 1}, {"tau3", 1000}};
 
 }  // namespace

@@ -15,7 +15,7 @@ function(subcert_floor name)
   endforeach()
   subcert_warnings(subcert_${name})
   if(floor_QUICK)
-    subcert_precompiled(subcert_${name} quick_floors)
+    target_compile_options(subcert_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   else()
     subcert_precompiled(subcert_${name} floors)
   endif()
@@ -32,11 +32,10 @@ endfunction()
 
 # subcert_precompiled(TARGET KIND): what almost every source reads is parsed once for all targets of a kind, which have
 # the same options.
-#   floors        optimised, position independent
-#   quick_floors  the same for floors that only call others: compiled quickly
-#   programs      tests, examples, reports: compiled quickly
+#   floors    optimised, position independent
+#   programs  tests, examples, reports: compiled quickly
 function(subcert_precompiled target kind)
-  if(NOT kind STREQUAL "floors")
+  if(kind STREQUAL "programs")
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   if(NOT TARGET subcert_precompiled_${kind})

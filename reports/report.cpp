@@ -98,7 +98,7 @@ std::string cell_html(const Comparison& c) {
 }
 
 std::string table_html(const ComparisonTable& table) {
-  std::string result = "<h3 id=\"" + table.paper + "-" + table.id + "\">" + html(table.title) + "</h3>\n<p class=place>" +
+  std::string result = "<h3 id=\"" + table.paper + "-table-" + table.id + "\">" + html(table.title) + "</h3>\n<p class=place>" +
                        html(table.place) + "</p>\n<div class=scroll><table>\n";
   if (table.grid) {
     const auto columns = distinct(table.comparisons, [](const Comparison& c) { return c.column; });
@@ -150,7 +150,7 @@ std::vector<std::string> column_classes(const PlainTable& table) {
 std::string table_html(const std::string& paper, const PlainTable& table) {
   const auto classes = column_classes(table);
   const bool folded = table.rows.size() > longest_open_table && table.row_classes.empty();
-  const std::string id = " id=\"" + paper + "-" + table.id + "\"";
+  const std::string id = " id=\"" + paper + "-table-" + table.id + "\"";
   std::string result = folded ? "<details" + id + "><summary>" + html(table.title) + "</summary>\n"
                               : "<h3" + id + ">" + html(table.title) + "</h3>\n";
   result += "<div class=scroll><table>\n<tr>";
@@ -170,7 +170,7 @@ std::string table_html(const std::string& paper, const PlainTable& table) {
 
 template <class Picture>
 std::string figure_html(const std::string& paper, const Picture& figure, const std::string& ending) {
-  return "<figure id=\"" + paper + "-" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending + "\" alt=\"" +
+  return "<figure id=\"" + paper + "-figure-" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending + "\" alt=\"" +
          html(figure.title) + "\"><figcaption><b>" + html(figure.title) + ".</b> " + html(figure.caption) + "</figcaption></figure>\n";
 }
 
@@ -223,7 +223,7 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
       body += "<div class=scroll><table class=summary>\n<tr><th>table</th><th>values</th><th>match</th><th>mismatch</th>"
               "<th>open</th></tr>\n";
       for (const ComparisonTable* table : tables)
-        body += "<tr><th><a href=\"#" + report.paper + "-" + table->id + "\">" + html(table->title) + "</a></th><td>" +
+        body += "<tr><th><a href=\"#" + report.paper + "-table-" + table->id + "\">" + html(table->title) + "</a></th><td>" +
                 std::to_string(table->comparisons.size()) + "</td><td>" + std::to_string(table->count(Verdict::match)) +
                 "</td><td>" + std::to_string(table->count(Verdict::mismatch)) + "</td><td>" +
                 std::to_string(table->count(Verdict::open)) + "</td></tr>\n";

@@ -29,7 +29,7 @@ struct ReportOptions {
   /// Called with a line about what is being done; may be empty.
   std::function<void(const std::string&)> progress = {};
   std::uint64_t seed = 1;  ///< of the experiments
-  std::size_t runs = 50;   ///< samples of the noise in each experiment
+  std::size_t runs = 50;   ///< samples of the noise in each experiment, 4 times as many beside printed values
 };
 
 /// The papers that can be reproduced, and the items of each.

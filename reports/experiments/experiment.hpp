@@ -49,6 +49,7 @@ struct Experiment {
   std::string paper;  ///< key
   std::string title;
   std::function<ExperimentResult(const ExperimentOptions&)> run;
+  bool prints_values = false;  ///< the paper prints numbers that rest on its unpublished data
 };
 
 /// All experiments, by paper and place.

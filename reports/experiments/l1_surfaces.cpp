@@ -178,7 +178,7 @@ ExperimentResult run(const ExperimentOptions& options) {
 }  // namespace
 
 std::vector<Experiment> l1_surface_experiments() {
-  return {{"l1-surface1", "mustafa-li-2015", "Surfaces, Experiment 1, Figure 8 and Table 3: an outlier", run}};
+  return {{"l1-surface1", "mustafa-li-2015", "Surfaces, Experiment 1, Figure 8 and Table 3: an outlier", run, true}};
 }
 
 }  // namespace subcert

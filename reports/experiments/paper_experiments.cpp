@@ -11,12 +11,16 @@ std::vector<std::string> experiment_ids(const std::string& paper) {
   return result;
 }
 
+std::size_t report_runs(const Experiment& experiment, std::size_t runs) {
+  return experiment.prints_values ? 4 * runs : runs;
+}
+
 void add_experiments(Report& report, const ReportOptions& options) {
   for (const std::string& id : experiment_ids(report.paper)) {
     if (!options.only.empty() && std::find(options.only.begin(), options.only.end(), id) == options.only.end())
       continue;
     if (options.progress) options.progress(id);
-    report.experiments.push_back(run_experiment(experiment(id), {options.seed, options.runs, options.jobs}));
+    report.experiments.push_back(run_experiment(experiment(id), {options.seed, report_runs(experiment(id), options.runs), options.jobs}));
     report.sections.push_back(experiment_section(report.experiments.back()));
   }
 }

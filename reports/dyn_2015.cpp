@@ -7,6 +7,7 @@
 #include "theorem_section.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/proofs-checks/statements/registry.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
@@ -197,7 +198,7 @@ Report report_dyn_2015(const ReportOptions& options) {
   const std::set<std::string> only(options.only.begin(), options.only.end());
   const auto wanted = [&](const char* item) { return only.empty() || only.contains(item); };
   Workshop workshop(options);
-  Report report{workshop.paper().key, workshop.paper().citation, {}};
+  Report report{workshop.paper().key, statements::citation(workshop.paper().key), {}};
 
   Section masks{"masks", "Masks, supports and basic limit functions", {}};
   if (wanted("masks")) masks.comparisons.push_back(compare_masks(workshop.published("masks")));

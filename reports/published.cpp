@@ -22,7 +22,7 @@ PublishedPaper published_paper(const std::string& key) {
   if (file == published_files.end()) throw std::out_of_range("no published values for the paper '" + key + "'");
   try {
     const auto json = nlohmann::json::parse(file->second);
-    PublishedPaper paper{json.at("paper"), json.at("citation"), {}};
+    PublishedPaper paper{json.at("paper"), {}};
     for (const auto& table : json.at("tables")) {
       PublishedTable result{table.at("id"), table.at("title"), table.at("place"), table.at("layout") == "grid", {}};
       for (const auto& cell : table.at("cells"))

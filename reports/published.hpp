@@ -1,5 +1,5 @@
 #pragma once
-/// The values that the papers print: data, with their citation and place.
+/// The values that the papers print: data, with their places.
 
 #include "comparison.hpp"
 
@@ -28,7 +28,6 @@ struct PublishedTable {
 
 struct PublishedPaper {
   std::string key;
-  std::string citation;
   std::vector<PublishedTable> tables;
 
   /// Errors: throws std::out_of_range for an id that is not there.

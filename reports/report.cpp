@@ -5,7 +5,8 @@
 #include "files.hpp"
 #include "html.hpp"
 #include "parallel.hpp"
-#include "published.hpp"
+
+#include <subcert/proofs-checks/statements/registry.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -277,7 +278,7 @@ Report make_report(const std::string& paper, const ReportOptions& options) {
     if (std::find(items.begin(), items.end(), item) == items.end())
       throw std::out_of_range("unknown item '" + item + "' of " + paper);
   if (paper == "dyn-2015") return report_dyn_2015(options);
-  Report report{paper, published_paper(paper).citation, {}};
+  Report report{paper, statements::citation(paper), {}};
   add_experiments(report, options);
   return report;
 }

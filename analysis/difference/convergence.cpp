@@ -13,11 +13,6 @@ namespace {
 
 constexpr long largest_refuted_size = 200;  // beyond this, characteristic polynomials take too long
 
-std::string shown(const Rational& value) {
-  const std::string exact = to_text(value);
-  return exact.size() <= 24 ? exact : "about " + to_decimal(value, 6, Rounding::nearest);
-}
-
 /// Whether a power of the difference scheme S_q contracts, q = a / (1 + ... + z^(arity-1)).
 Decision contracts(const Mask& mask, const ProofLimits& limits) {
   const Mask derived = divided_difference_scheme(mask, 1);  // S_q is this divided by the arity
@@ -33,7 +28,7 @@ Decision contracts(const Mask& mask, const ProofLimits& limits) {
       const int level = static_cast<int>(l) + 1;
       const Rational norm = norm_of_difference(powers.norms[l], level);
       if (norm < 1)
-        return {Truth::yes, "the difference scheme contracts: ||S_q^" + std::to_string(level) + "|| = " + shown(norm)};
+        return {Truth::yes, "the difference scheme contracts: ||S_q^" + std::to_string(level) + "|| = " + short_text(norm)};
       smallest = reached == 0 && l == 0 ? norm : std::min(smallest, norm);
     }
     reached = static_cast<int>(powers.norms.size());
@@ -50,7 +45,7 @@ Decision contracts(const Mask& mask, const ProofLimits& limits) {
     if (reached < levels) break;
   }
   return {Truth::unknown, "no contractive power of the difference scheme up to level " + std::to_string(reached) +
-                              "; the smallest norm is " + shown(smallest)};
+                              "; the smallest norm is " + short_text(smallest)};
 }
 
 }  // namespace
@@ -66,7 +61,7 @@ Decision converges(const Mask& mask, const ProofLimits& limits) {
   for (std::size_t residue = 0; residue < sums.size(); ++residue)
     if (sums[residue] != 1)
       return {Truth::no, "the coefficients with index congruent to " + std::to_string(residue) + " sum to " +
-                             shown(sums[residue]) + " instead of 1"};
+                             short_text(sums[residue]) + " instead of 1"};
   if (has_positive_mask(mask))
     return {Truth::yes, "all coefficients are positive and the mask is longer than the arity"};
   return contracts(mask, limits);

@@ -11,11 +11,6 @@ namespace {
 const char* const variable_names[] = {"x", "y", "z"};
 constexpr double most_terms = 1e6;
 
-std::string shown(const Rational& value) {
-  const std::string exact = to_text(value);
-  return exact.size() <= 24 ? exact : "about " + to_decimal(value, 6, Rounding::nearest);
-}
-
 std::map<std::vector<long>, Rational> class_sums(const MultivariateMask& mask, bool moduli) {
   std::map<std::vector<long>, Rational> sums;
   const long arity = mask.arity();
@@ -57,14 +52,14 @@ Decision contracts(const MultivariatePolynomial& quotient, int arity, std::size_
   for (;; ++level, dilation *= arity) {
     const Rational norm = operator_norm(MultivariateMask(power, static_cast<int>(dilation)));
     if (norm < 1)
-      return {Truth::yes, "||" + name + (level == 1 ? "" : "^" + std::to_string(level)) + "|| = " + shown(norm)};
+      return {Truth::yes, "||" + name + (level == 1 ? "" : "^" + std::to_string(level)) + "|| = " + short_text(norm)};
     smallest = level == 1 ? norm : std::min(smallest, norm);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     if (level >= limits.levels || spent.count() > limits.seconds || next_terms(power, quotient, dilation) > most_terms) break;
     power = power * quotient.dilated(dilation);
   }
   return {Truth::unknown, "no power of " + name + " up to level " + std::to_string(level) +
-                              " contracts; the smallest norm is " + shown(smallest)};
+                              " contracts; the smallest norm is " + short_text(smallest)};
 }
 
 }  // namespace
@@ -84,7 +79,7 @@ Decision converges(const MultivariateMask& mask, const ProofLimits& limits) {
     if (sum == 1) continue;
     std::string text;
     for (const long r : residue) text += (text.empty() ? "" : ", ") + std::to_string(r);
-    return {Truth::no, "the coefficients with indices congruent to (" + text + ") sum to " + shown(sum) + " instead of 1"};
+    return {Truth::no, "the coefficients with indices congruent to (" + text + ") sum to " + short_text(sum) + " instead of 1"};
   }
   for (std::size_t v = 0; v < static_cast<std::size_t>(mask.dimension()); ++v) {
     const Decision one = converges(reduced(mask, v), limits);

@@ -11,10 +11,7 @@ namespace {
 
 constexpr std::size_t longest_orbit = 64, most_integers = 1500;
 
-Integer floor_of(const Rational& x) {
-  const Integer p = numerator(x), q = denominator(x);
-  return p >= 0 ? Integer(p / q) : Integer(-((-p + q - 1) / q));
-}
+Integer floor_of(const Rational& x) { return to_integer(x, Rounding::down); }
 
 /// The integers k with x + k in the closed support.
 struct Shifts {

@@ -90,13 +90,6 @@ ModFamily transposed(const ModFamily& family) {
   return result;
 }
 
-RationalMatrix transposed(const RationalMatrix& matrix) {
-  RationalMatrix result(matrix.columns(), matrix.rows());
-  for (std::size_t i = 0; i < matrix.rows(); ++i)
-    for (std::size_t j = 0; j < matrix.columns(); ++j) result(j, i) = matrix(i, j);
-  return result;
-}
-
 /// How a vector of a spun basis arises from an earlier one; the first is the start.
 struct Step {
   std::size_t parent;
@@ -260,14 +253,6 @@ RationalMatrix value_at(const LaurentPolynomial& f, const RationalMatrix& theta)
   return value;
 }
 
-Vector times(const RationalMatrix& matrix, const Vector& vector) {
-  Vector result(matrix.rows(), 0);
-  for (std::size_t i = 0; i < matrix.rows(); ++i)
-    for (std::size_t j = 0; j < matrix.columns(); ++j)
-      if (vector[j] != 0 && matrix(i, j) != 0) result[i] += matrix(i, j) * vector[j];
-  return result;
-}
-
 /// The multiple with integer entries that have no factor in common.
 std::vector<Integer> primitive(const Vector& vector) {
   Integer den = 1, content = 0;
@@ -327,7 +312,7 @@ std::optional<Subspace> proper_span(const Family& family, const ModFamily& mod_f
   if (steps.empty() || steps.size() == start.size()) return std::nullopt;
   Subspace rows{rational(integers)};
   for (std::size_t k = 1; k < steps.size(); ++k)
-    rows.push_back(rational(primitive(times(family[steps[k].letter], rows[steps[k].parent]))));
+    rows.push_back(rational(primitive(family[steps[k].letter] * rows[steps[k].parent])));
   return reduced(rows);
 }
 

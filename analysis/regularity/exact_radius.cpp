@@ -26,25 +26,10 @@ struct RationalComplex {
   RationalVector x, y;
 };
 
-RationalVector times(const RationalMatrix& m, const RationalVector& v) {
-  RationalVector result(v.size(), 0);
-  for (std::size_t i = 0; i < v.size(); ++i)
-    for (std::size_t j = 0; j < v.size(); ++j)
-      if (m(i, j) != 0) result[i] += m(i, j) * v[j];
-  return result;
-}
-
 Rational one_norm(const RationalVector& v) {
   Rational sum = 0;
   for (const Rational& c : v) sum += abs(c);
   return sum;
-}
-
-RationalMatrix transposed(const RationalMatrix& m) {
-  RationalMatrix result(m.columns(), m.rows());
-  for (std::size_t i = 0; i < m.rows(); ++i)
-    for (std::size_t j = 0; j < m.columns(); ++j) result(j, i) = m(i, j);
-  return result;
 }
 
 class AcbMatrix {
@@ -196,8 +181,8 @@ class Proof {
     const RationalComplex goal = vertex(target);
     Enclosure scale = Enclosure::exactly(1);
     for (int t : letters) {
-      moved.x = times(matrices_[static_cast<std::size_t>(t)], moved.x);
-      if (!moved.y.empty()) moved.y = times(matrices_[static_cast<std::size_t>(t)], moved.y);
+      moved.x = matrices_[static_cast<std::size_t>(t)] * moved.x;
+      if (!moved.y.empty()) moved.y = matrices_[static_cast<std::size_t>(t)] * moved.y;
       scale = {*scale.lower * lower_, *scale.upper * polytope_.bound};
     }
     Rational best = -1;
@@ -256,7 +241,7 @@ class Proof {
     }
     acb_mat_get_mid(approximate.get(), approximate.get());
     // Rayleigh quotient as the approximate eigenvalue.
-    RationalVector image_x = times(product, v.x), image_y = v.y.empty() ? RationalVector{} : times(product, v.y);
+    RationalVector image_x = product * v.x, image_y = v.y.empty() ? RationalVector{} : product * v.y;
     Rational square = 0, re = 0, im = 0;
     for (std::size_t i = 0; i < n; ++i) {
       square += v.x[i] * v.x[i];
@@ -347,13 +332,13 @@ class Proof {
   }
 
   RationalVector along(const std::vector<int>& letters, RationalVector v) const {
-    for (int t : letters) v = times(matrix(t), v);
+    for (int t : letters) v = matrix(t) * v;
     return v;
   }
 
   /// Turns of the cycle from its base on.
   RationalVector around(const Cycle& cycle, std::size_t turns, RationalVector v) const {
-    for (std::size_t k = 0; k < turns * cycle.word.size(); ++k) v = times(matrix(cycle.letter(place_of(*cycle.base) + k)), v);
+    for (std::size_t k = 0; k < turns * cycle.word.size(); ++k) v = matrix(cycle.letter(place_of(*cycle.base) + k)) * v;
     return v;
   }
 

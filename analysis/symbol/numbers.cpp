@@ -17,21 +17,6 @@ bool all_digits(std::string_view text) {
 
 Integer power_of_ten(long exponent) { return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(exponent)); }
 
-/// floor, ceil or round-half-away of a rational.
-Integer to_integer(const Rational& value, Rounding rounding) {
-  if (rounding == Rounding::nearest) {
-    const Rational half(1, 2);
-    return value < 0 ? -to_integer(half - value, Rounding::down) : to_integer(value + half, Rounding::down);
-  }
-  const Integer num = numerator(value), den = denominator(value);
-  Integer result;
-  if (rounding == Rounding::down)
-    mpz_fdiv_q(result.backend().data(), num.backend().data(), den.backend().data());
-  else
-    mpz_cdiv_q(result.backend().data(), num.backend().data(), den.backend().data());
-  return result;
-}
-
 /// The largest e with 10^e <= |value|. Domain: value != 0.
 long decimal_exponent(const Rational& value) {
   const Rational magnitude = abs(value);
@@ -58,6 +43,20 @@ void drop_trailing_zeros(std::string& text) {
 }
 
 }  // namespace
+
+Integer to_integer(const Rational& value, Rounding rounding) {
+  if (rounding == Rounding::nearest) {
+    const Rational half(1, 2);
+    return value < 0 ? -to_integer(half - value, Rounding::down) : to_integer(value + half, Rounding::down);
+  }
+  const Integer num = numerator(value), den = denominator(value);
+  Integer result;
+  if (rounding == Rounding::down)
+    mpz_fdiv_q(result.backend().data(), num.backend().data(), den.backend().data());
+  else
+    mpz_cdiv_q(result.backend().data(), num.backend().data(), den.backend().data());
+  return result;
+}
 
 std::optional<Rational> parse_rational(std::string_view text) {
   bool negative = false;
@@ -95,6 +94,11 @@ std::string to_fixed(const Rational& value, int places, Rounding rounding) {
   if (places < 0 || places > static_cast<int>(max_digits))
     throw std::invalid_argument("to_fixed: need 0 <= places <= 10000, got " + std::to_string(places));
   return place_point(to_integer(value * Rational(power_of_ten(places)), rounding).str(), places);
+}
+
+std::string short_text(const Rational& value) {
+  const std::string exact = to_text(value);
+  return exact.size() <= 24 ? exact : "about " + to_decimal(value, 6, Rounding::nearest);
 }
 
 std::string to_decimal(const Rational& value, int digits, Rounding rounding) {

@@ -24,10 +24,16 @@ Rational power(const Rational& base, long exponent);
 
 enum class Rounding { down, up, nearest };
 
+/// The floor, the ceiling, or the nearest integer (ties away from zero).
+Integer to_integer(const Rational& value, Rounding rounding);
+
 /// Decimal string with `digits` significant digits, rounded towards -infinity, +infinity or to the nearest (ties away
 /// from zero). Domain: 1 <= digits <= 10,000. Error: less than one unit in the last digit. Plain notation for decimal
 /// exponents from -7 to 20, scientific otherwise; exact short decimals lose their trailing zeros.
 std::string to_decimal(const Rational& value, int digits, Rounding rounding);
+
+/// For reasons and messages: exact while that takes at most 24 characters, else `about` and six significant digits.
+std::string short_text(const Rational& value);
 
 /// Decimal string with exactly `places` digits after the point. Domain: 0 <= places <= 10,000.
 std::string to_fixed(const Rational& value, int places, Rounding rounding);

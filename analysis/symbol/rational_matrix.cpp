@@ -63,6 +63,24 @@ RationalMatrix operator*(const RationalMatrix& a, const RationalMatrix& b) {
   return product.matrix();
 }
 
+std::vector<Rational> operator*(const RationalMatrix& matrix, const std::vector<Rational>& vector) {
+  if (matrix.columns() != vector.size())
+    throw std::invalid_argument("matrix product: need matching sizes, got " + shape(matrix) + " and " +
+                                std::to_string(vector.size()) + " entries");
+  std::vector<Rational> result(matrix.rows(), 0);
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j)
+      if (vector[j] != 0 && matrix(i, j) != 0) result[i] += matrix(i, j) * vector[j];
+  return result;
+}
+
+RationalMatrix transposed(const RationalMatrix& matrix) {
+  RationalMatrix result(matrix.columns(), matrix.rows());
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) result(j, i) = matrix(i, j);
+  return result;
+}
+
 LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix) {
   if (matrix.rows() != matrix.columns())
     throw std::invalid_argument("characteristic_polynomial: need a square matrix, got " + shape(matrix));

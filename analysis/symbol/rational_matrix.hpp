@@ -31,6 +31,10 @@ class RationalMatrix {
 
 /// Domain: a.columns() == b.rows(). Errors: throws std::invalid_argument.
 RationalMatrix operator*(const RationalMatrix& a, const RationalMatrix& b);
+/// Domain: matrix.columns() == vector.size(). Errors: throws std::invalid_argument.
+std::vector<Rational> operator*(const RationalMatrix& matrix, const std::vector<Rational>& vector);
+
+RationalMatrix transposed(const RationalMatrix& matrix);
 
 /// det(x - matrix), with lowest exponent 0 or more. Domain: square. Cost: modular, cubic per prime.
 LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix);

@@ -2,13 +2,6 @@
 
 namespace subcert::statements {
 
-RationalMatrix transposed(const RationalMatrix& matrix) {
-  RationalMatrix result(matrix.columns(), matrix.rows());
-  for (std::size_t i = 0; i < matrix.rows(); ++i)
-    for (std::size_t j = 0; j < matrix.columns(); ++j) result(j, i) = matrix(i, j);
-  return result;
-}
-
 RationalMatrix design_matrix(const std::vector<Rational>& nodes, const std::vector<Formula>& basis) {
   RationalMatrix design(nodes.size(), basis.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)

@@ -7,8 +7,6 @@
 
 namespace subcert::statements {
 
-RationalMatrix transposed(const RationalMatrix& matrix);
-
 /// Entry (i, k) is basis[k] at nodes[i], a function of x.
 RationalMatrix design_matrix(const std::vector<Rational>& nodes, const std::vector<Formula>& basis);
 

@@ -26,6 +26,12 @@ const std::vector<PaperStatements>& papers() {
   return all;
 }
 
+const std::string& citation(const std::string& paper) {
+  for (const PaperStatements& candidate : papers())
+    if (candidate.key == paper) return candidate.citation;
+  throw std::out_of_range("unknown paper '" + paper + "'");
+}
+
 const Transcriptions& transcriptions() {
   static const Transcriptions all = [] {
     std::vector<Transcription> list;

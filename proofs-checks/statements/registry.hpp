@@ -14,6 +14,8 @@ struct PaperStatements {
 };
 
 const std::vector<PaperStatements>& papers();
+/// Errors: throws std::out_of_range for an unknown key.
+const std::string& citation(const std::string& paper);
 /// The transcriptions of all papers.
 const Transcriptions& transcriptions();
 /// All statements, paper by paper.

@@ -34,6 +34,17 @@ std::vector<Claim> claims_about_responses(const std::vector<Outcome>& outcomes, 
                 differences(outcomes, more_robust_points, &Outcome::response), robust_complexity)};
 }
 
+/// The printed table beside the measures, and a picture of sample 0.
+void add_measures(ExperimentResult& result, const std::string& id, const std::string& title, const std::string& table,
+                  const OutlierCase& what, const std::vector<Outcome>& outcomes, std::uint64_t seed) {
+  result.claims.push_back(printed_errors_claim(table, outcomes));
+  result.comparisons.push_back(printed_errors(table, outcomes));
+  result.tables.push_back(outcome_table(id + "-measures", title, outcomes));
+  auto engine = generator(seed, 0);
+  result.figures.push_back(damped::figure(id, title, "One sample. Above least squares, below l1 regression.",
+                                          curve_methods(), what.draw(engine)));
+}
+
 ExperimentResult run_experiment_1(const ExperimentOptions& options) {
   const OutlierCase what = damped::with_outliers(2, 0);
   const auto outcomes = study(what, curve_methods(), options);
@@ -46,13 +57,7 @@ ExperimentResult run_experiment_1(const ExperimentOptions& options) {
   result.claims.push_back(all_below({"D_6 has the smallest error.", "Sec. 2.5, Table 1; Experiment 2"},
                                     "paired differences of the errors", 0,
                                     differences(outcomes, six_over_others, &Outcome::error)));
-  result.claims.push_back(printed_errors_claim("table1", outcomes));
-  result.comparisons.push_back(printed_errors("table1", outcomes));
-  result.tables.push_back(outcome_table("l1-exp1-measures", "Two outliers", outcomes));
-  auto engine = generator(options.seed, 0);
-  result.figures.push_back(damped::figure("l1-exp1", "Two outliers",
-                                          "One sample. Above least squares, below l1 regression.", curve_methods(),
-                                          what.draw(engine)));
+  add_measures(result, "l1-exp1", "Two outliers", "table1", what, outcomes, options.seed);
   return result;
 }
 
@@ -80,13 +85,7 @@ ExperimentResult run_experiment_2(const ExperimentOptions& options) {
                                     "paired differences of the errors without outliers, noise alone", 0,
                                     differences(outcomes, robust_over_least_squares, &Outcome::error_without),
                                     Finding::not_confirmed));
-  result.claims.push_back(printed_errors_claim("table2", outcomes));
-  result.comparisons.push_back(printed_errors("table2", outcomes));
-  result.tables.push_back(outcome_table("l1-exp2-measures", "Noise and thirteen outliers", outcomes));
-  auto engine = generator(options.seed, 0);
-  result.figures.push_back(damped::figure("l1-exp2", "Noise and thirteen outliers",
-                                          "One sample. Above least squares, below l1 regression.", curve_methods(),
-                                          what.draw(engine)));
+  add_measures(result, "l1-exp2", "Noise and thirteen outliers", "table2", what, outcomes, options.seed);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <subcert/reports/parallel.hpp>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace subcert {
@@ -114,27 +115,39 @@ Figure limits_figure(const std::string& id, const std::string& title, const std:
   return figure;
 }
 
+/// The limits of all samples of the noise: visit(scheme, noise, run, limit), from several threads.
+void for_each_limit(const NoisyCurve& curve, const std::vector<DenseMatrix>& matrices, const TwoLevels& decibels,
+                    const ExperimentOptions& options,
+                    const std::function<void(std::size_t, std::size_t, std::size_t, const PlaneCurve&)>& visit) {
+  parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
+    auto engine = generator(options.seed, run);
+    for (std::size_t d = 0; d < decibels.size(); ++d) {
+      const PlaneCurve data = noisy(curve.samples, engine, decibels[d]);
+      for (std::size_t s = 0; s < matrices.size(); ++s) visit(s, d, run, limit(matrices[s], data));
+    }
+  });
+}
+
+std::vector<DenseMatrix> limit_matrices(const std::vector<std::string>& schemes, std::size_t count, Extension extension) {
+  std::vector<DenseMatrix> result;
+  for (const std::string& scheme : schemes) result.push_back(limit_matrix(scheme, count, extension, level));
+  return result;
+}
+
 ExperimentResult run_alpha(const ExperimentOptions& options) {
   constexpr std::size_t count = 30;
   const std::vector<std::string> schemes{"primal:n=3", "primal:n=5"};
   const TwoLevels decibels{17, 4};
-  std::vector<DenseMatrix> matrices;
-  for (const std::string& scheme : schemes) matrices.push_back(limit_matrix(scheme, count, Extension::interp, level));
+  const auto matrices = limit_matrices(schemes, count, Extension::interp);
   const NoisyCurve curve{alpha(count), alpha(((count - 1) << level) + 1), false};
   const std::size_t true_crossings = crossings(curve.truth);
   Measured error = empty_measure(2, options.runs), turning = error, kept = error;
-  parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
-    auto engine = generator(options.seed, run);
-    for (std::size_t d = 0; d < 2; ++d) {
-      const PlaneCurve data = noisy(curve.samples, engine, decibels[d]);
-      for (std::size_t s = 0; s < 2; ++s) {
-        const PlaneCurve result = limit(matrices[s], data);
-        error[s][d][run] = relative_error(result, curve.truth);
-        turning[s][d][run] = total_turning(result);
-        kept[s][d][run] = crossings(result) == true_crossings;
-      }
-    }
-  });
+  for_each_limit(curve, matrices, decibels, options,
+                 [&](std::size_t s, std::size_t d, std::size_t run, const PlaneCurve& found) {
+                   error[s][d][run] = relative_error(found, curve.truth);
+                   turning[s][d][run] = total_turning(found);
+                   kept[s][d][run] = crossings(found) == true_crossings;
+                 });
   ExperimentResult result{
       {"x = 3t^4 + t^2 + 1, y = t^5 - 2t at t = -7/5 + i 14/145, i = 0, ..., 29, as printed; ends continued by the "
        "scheme's own fit (interp), limits at the multiples of 1/8. The signal-to-noise ratio counts both "
@@ -171,22 +184,15 @@ ExperimentResult run_star(const ExperimentOptions& options) {
   constexpr std::size_t count = 50;
   const std::vector<std::string> schemes{"primal:n=3", "primal:n=5", "primal:n=4,d=3", "primal:n=6,d=3"};
   const TwoLevels decibels{19, 10};
-  std::vector<DenseMatrix> matrices;
-  for (const std::string& scheme : schemes) matrices.push_back(limit_matrix(scheme, count, Extension::wrap, level));
+  const auto matrices = limit_matrices(schemes, count, Extension::wrap);
   const NoisyCurve curve{star(count), star(count << level), true};
   Measured error = empty_measure(4, options.runs), round = error, turning = error;
-  parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
-    auto engine = generator(options.seed, run);
-    for (std::size_t d = 0; d < 2; ++d) {
-      const PlaneCurve data = noisy(curve.samples, engine, decibels[d]);
-      for (std::size_t s = 0; s < 4; ++s) {
-        const PlaneCurve result = limit(matrices[s], data);
-        error[s][d][run] = relative_error(result, curve.truth);
-        round[s][d][run] = roundness(result);
-        turning[s][d][run] = total_turning(result);
-      }
-    }
-  });
+  for_each_limit(curve, matrices, decibels, options,
+                 [&](std::size_t s, std::size_t d, std::size_t run, const PlaneCurve& found) {
+                   error[s][d][run] = relative_error(found, curve.truth);
+                   round[s][d][run] = roundness(found);
+                   turning[s][d][run] = total_turning(found);
+                 });
   const double pentagon = std::cos(std::numbers::pi / 5), between = (0.6 + pentagon) / 2;
   const double covered = 50 / (100 * std::numbers::pi);
   ExperimentResult result{

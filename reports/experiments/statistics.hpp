@@ -35,8 +35,9 @@ MeanInterval mean_interval(const std::vector<double>& values);
 /// The mean of first[i] - second[i]. Domain: as many of both.
 MeanInterval mean_difference(const std::vector<double>& first, const std::vector<double>& second);
 
-/// sigma^2 of noise with the signal-to-noise ratio `decibel` = 20 log10 of the L2 norm of signal and noise over that of
-/// the noise, both in the mean: mean_square / (10^(decibel/10) - 1). Domain: decibel > 0. Ref: [DHHS15, sec. 3.2].
+/// The deviation of noise with the signal-to-noise ratio `decibel` = 20 log10 of the L2 norm of signal and noise over
+/// that of the noise, both in the mean: the root of mean_square / (10^(decibel/10) - 1). Domain: decibel > 0.
+/// Ref: [DHHS15, sec. 3.2].
 double noise_deviation(double mean_square, double decibel);
 
 double mean_square(const std::vector<double>& values);

@@ -1,24 +1,13 @@
 #include "axis_stencils.hpp"
 
+#include "grid_index.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 namespace subcert {
-namespace {
-
-long floor_divide(long a, long b) { return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0); }
-long modulo(long a, long b) { return a - b * floor_divide(a, b); }
-
-long floor_of(const Rational& x) {
-  const Integer p = numerator(x), q = denominator(x);
-  const Integer floor = p >= 0 ? Integer(p / q) : Integer(-((-p + q - 1) / q));
-  return floor.convert_to<long>();
-}
-long ceil_of(const Rational& x) { return -floor_of(-x); }
-
-}  // namespace
 
 AxisStencils::AxisStencils(std::vector<Class> classes, const Rational& centre, int degree)
     : classes_(std::move(classes)), centre_(centre), degree_(degree) {
@@ -55,8 +44,8 @@ OutputRange AxisStencils::outputs(const Axis& axis, Boundary boundary) const {
     range.begin = range.complete_begin;
     range.end = range.complete_end;
   } else {
-    range.begin = ceil_of(-base);
-    range.end = input.closed ? range.begin + arity() * count : floor_of(arity() * input.length / input.step - base) + 1;
+    range.begin = ceil_index(-base);
+    range.end = input.closed ? range.begin + arity() * count : floor_index(arity() * input.length / input.step - base) + 1;
   }
   if (range.end <= range.begin)
     throw std::invalid_argument("refine: need more points for one output, got " + std::to_string(input.count));
@@ -73,7 +62,7 @@ std::size_t source(long j, const Axis& axis, Boundary boundary) {
   const long count = static_cast<long>(axis.count);
   if (axis.closed) return static_cast<std::size_t>(modulo(j, count));
   if (boundary == Boundary::reflect && (j < 0 || j >= count)) {
-    const long low = floor_of(-2 * axis.first / axis.step), high = floor_of(2 * axis.length / axis.step) + low;
+    const long low = floor_index(-2 * axis.first / axis.step), high = floor_index(2 * axis.length / axis.step) + low;
     while (j < 0 || j >= count) j = (j < 0 ? low : high) - j;
   }
   return static_cast<std::size_t>(j);

@@ -1,5 +1,7 @@
 #include "l1_scheme.hpp"
 
+#include "grid_index.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -25,14 +27,6 @@ long first_node(int points) { return points % 2 == 0 ? 1 - points / 2 : -(points
 Rational output_at(int points, long phase) {
   return (points % 2 == 0 ? Rational(1, 4) : Rational(-1, 4)) + Rational(phase, 2);
 }
-
-long floor_of(const Rational& x) {
-  const Integer p = numerator(x), q = denominator(x);
-  return (p >= 0 ? Integer(p / q) : Integer(-((q - 1 - p) / q))).convert_to<long>();
-}
-long ceil_of(const Rational& x) { return -floor_of(-x); }
-long half_of(long output) { return output >= 0 ? output / 2 : -((1 - output) / 2); }
-long modulo(long a, long b) { return ((a % b) + b) % b; }
 
 std::vector<LatticePoint> product(const std::vector<Rational>& xs, const std::vector<Rational>& ys) {
   std::vector<LatticePoint> points;
@@ -65,9 +59,9 @@ std::pair<long, long> output_range(const Axis& axis, int points, Boundary bounda
   if (!axis.closed && boundary == Boundary::shrink)
     return {-2 * first_node(points), 2 * (count - points - first_node(points) + 1)};
   const Rational origin = output_at(points, 0);
-  const long begin = ceil_of(2 * (-axis.first / axis.step - origin));
+  const long begin = ceil_index(2 * (-axis.first / axis.step - origin));
   if (axis.closed) return {begin, begin + 2 * count};
-  return {begin, floor_of(2 * ((axis.length - axis.first) / axis.step - origin)) + 1};
+  return {begin, floor_index(2 * ((axis.length - axis.first) / axis.step - origin)) + 1};
 }
 
 /// The datum at index j, inside or outside of open or closed data.
@@ -75,8 +69,8 @@ std::size_t source_of(long j, const Axis& axis) {
   const auto count = static_cast<long>(axis.count);
   if (j >= 0 && j < count) return static_cast<std::size_t>(j);
   if (axis.closed) return static_cast<std::size_t>(modulo(j, count));
-  const long twice_low = floor_of(-2 * axis.first / axis.step);
-  const long twice_high = floor_of(2 * (axis.length - axis.first) / axis.step);
+  const long twice_low = floor_index(-2 * axis.first / axis.step);
+  const long twice_high = floor_index(2 * (axis.length - axis.first) / axis.step);
   while (j < 0 || j >= count) j = (j < 0 ? twice_low : twice_high) - j;
   return static_cast<std::size_t>(j);
 }
@@ -94,7 +88,7 @@ AxisPlan plan_axis(Axis axis, int points, Boundary boundary) {
   const bool clamp = !axis.closed && boundary == Boundary::regression;
   AxisPlan plan{axis, {}, {}};
   const auto start_of = [&](long output) {
-    const long natural = half_of(output) + first_node(points);
+    const long natural = floor_divide(output, 2) + first_node(points);
     return clamp ? std::clamp(natural, 0L, last_start) : natural;
   };
   for (long o = begin; o < end;) {

@@ -1,5 +1,6 @@
 #include "smoothing.hpp"
 
+#include "grid_index.hpp"
 #include "rounded_regression.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
@@ -11,14 +12,6 @@ namespace subcert {
 namespace {
 
 constexpr int max_shift_level = 12;
-
-Integer floor_of(const Rational& x) {
-  const Integer quotient = numerator(x) / denominator(x);
-  return numerator(x) < 0 && Rational(quotient) != x ? Integer(quotient - 1) : quotient;
-}
-
-long floor_index(const Rational& x) { return floor_of(x).convert_to<long>(); }
-long ceil_index(const Rational& x) { return -floor_index(-x); }
 
 /// The smallest level on whose grid x lies.
 int adic_level(const Rational& x, int arity) {

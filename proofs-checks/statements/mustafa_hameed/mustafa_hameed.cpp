@@ -5,7 +5,7 @@ namespace subcert::statements {
 PaperStatements mustafa_hameed() {
   PaperStatements paper{"mustafa-hameed",
                         "G. Mustafa, R. Hameed: Families of non-linear subdivision schemes for scattered data fitting "
-                        "and their non-tensor product extensions.",
+                        "and their non-tensor product extensions. Preprint, arXiv:1709.04282.",
                         {},
                         {}};
   add_mustafa_hameed_claims(paper);

@@ -1,0 +1,15 @@
+#pragma once
+// Integers that number the points of grids.
+
+#include <subcert/analysis/symbol/numbers.hpp>
+
+namespace subcert {
+
+inline long floor_index(const Rational& x) { return to_integer(x, Rounding::down).convert_to<long>(); }
+inline long ceil_index(const Rational& x) { return to_integer(x, Rounding::up).convert_to<long>(); }
+
+/// a = b * floor_divide(a, b) + modulo(a, b) with 0 <= modulo(a, b) < b. Domain: b > 0.
+inline long floor_divide(long a, long b) { return a / b - (a % b < 0 ? 1 : 0); }
+inline long modulo(long a, long b) { return a - b * floor_divide(a, b); }
+
+}  // namespace subcert

@@ -45,10 +45,21 @@ struct Page {
 Page make_page(Scheme scheme, const AnalyzeOptions& options) {
   const Mask mask = scheme.mask;
   const int rules = sum_rules(mask);
-  Page page{std::move(scheme), rules,
+  Page page{std::move(scheme),
+            rules,
             *mask.symbol().exact_quotient(LaurentPolynomial::all_ones(mask.arity()).pow(rules)),
-            limit_support(mask), symmetry(mask), polynomial_reproduction(mask),
-            {}, {}, {}, {}, {}, {}, {}, {}, {}};
+            limit_support(mask),
+            symmetry(mask),
+            polynomial_reproduction(mask),
+            {},
+            {},
+            {},
+            {},
+            {},
+            {},
+            {},
+            {},
+            {}};
   options.progress("convergence");
   const ProofLimits limits{options.levels, options.budget};
   page.convergence = converges(mask, limits);
@@ -91,7 +102,9 @@ Json page_json(const Page& page) {
             {"sum_rules", page.rules},
             {"remaining_factor", page.rest.to_text()},
             {"support", {{"lower", to_text(page.support.lower)}, {"upper", to_text(page.support.upper)}}},
-            {"symmetry", page.symmetry.kind == Symmetry::none ? "none" : page.symmetry.kind == Symmetry::odd ? "odd" : "even"},
+            {"symmetry", page.symmetry.kind == Symmetry::none  ? "none"
+                         : page.symmetry.kind == Symmetry::odd ? "odd"
+                                                               : "even"},
             {"generation_degree", page.polynomials.generation_degree},
             {"reproduction_degree", page.polynomials.reproduction_degree},
             {"parametrization", to_text(page.polynomials.parametrization)},
@@ -140,7 +153,9 @@ std::string page_text(const Page& page) {
        << "sum rules     " << page.rules << "\n"
        << "polynomials   generates degree " << polynomials.generation_degree << ", reproduces degree "
        << polynomials.reproduction_degree << " with f_j at j"
-       << (polynomials.parametrization == 0 ? "" : polynomials.parametrization > 0 ? " + " : " - ")
+       << (polynomials.parametrization == 0  ? ""
+           : polynomials.parametrization > 0 ? " + "
+                                             : " - ")
        << (polynomials.parametrization == 0 ? "" : to_text(abs(polynomials.parametrization)))
        << "; approximation order " << polynomials.approximation_order() << "\n"
        << "convergence   " << to_text(page.convergence.truth) << ": " << page.convergence.reason << "\n";
@@ -156,14 +171,15 @@ std::string page_text(const Page& page) {
   if (page.integers) {
     text << "at integers  ";
     for (std::size_t i = 0; i < page.integers->values.size(); ++i)
-      text << (i ? ", " : " ") << "phi(" << to_text(page.integers->point(i)) << ") = " << to_text(page.integers->values[i]);
+      text << (i ? ", " : " ") << "phi(" << to_text(page.integers->point(i))
+           << ") = " << to_text(page.integers->values[i]);
     text << "\n";
   }
   if (page.grid && page.mean)
-    text << "variance      psi on the grid of level " << page.grid->level << ": maximum >= "
-         << to_decimal(page.grid->largest(), 9, Rounding::down) << ", minimum <= "
-         << to_decimal(page.grid->smallest(), 9, Rounding::up) << ", max |psi'| >= "
-         << to_decimal(page.grid->steepest(), 9, Rounding::down) << "\n"
+    text << "variance      psi on the grid of level " << page.grid->level
+         << ": maximum >= " << to_decimal(page.grid->largest(), 9, Rounding::down)
+         << ", minimum <= " << to_decimal(page.grid->smallest(), 9, Rounding::up)
+         << ", max |psi'| >= " << to_decimal(page.grid->steepest(), 9, Rounding::down) << "\n"
          << "              mean = squared L2 norm of phi = " << to_decimal(*page.mean, 15, Rounding::nearest) << " = "
          << to_text(*page.mean) << "\n";
   return text.str();

@@ -265,8 +265,8 @@ int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
     return verdict_code(verdict);
   }
   constexpr int digits = 6;
-  std::vector<std::vector<std::string>> table{{"d", "n", "max psi", "n max psi", "n max psi / C_d - 1",
-                                               "max |psi'|", "n^2 max |psi'|"}};
+  std::vector<std::vector<std::string>> table{
+      {"d", "n", "max psi", "n max psi", "n max psi / C_d - 1", "max |psi'|", "n^2 max |psi'|"}};
   for (const Row& row : rows) {
     const int n = row.scheme.n;
     table.push_back({std::to_string(row.scheme.d), std::to_string(n), enclosure_text(row.sup, digits),
@@ -312,7 +312,8 @@ int conjecture_8(const ConjectureOptions& options, const PrimalSchemes& range) {
                                              make_scheme(pairs[i].larger.specification()).mask, order_options);
         // The conjecture allows equality: curves that touch do not refute it.
         if (order.below == Truth::no && order.difference == 0)
-          return {{"verdict", to_text(Truth::unknown)}, {"reason", "the curves touch at x = " + to_text(order.witness)}};
+          return {{"verdict", to_text(Truth::unknown)},
+                  {"reason", "the curves touch at x = " + to_text(order.witness)}};
         Json json{{"verdict", to_text(order.below)}, {"reason", order.reason}};
         if (order.below == Truth::no) {
           json["witness"] = to_text(order.witness);

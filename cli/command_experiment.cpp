@@ -44,8 +44,8 @@ std::string page(const RanExperiment& ran, const Section& section) {
   text << ran.experiment->title << " (" << ran.experiment->paper << ")\n\n";
   for (const std::string& paragraph : section.paragraphs) text << paragraph << "\n\n";
   for (const Claim& claim : result.claims)
-    text << to_text(claim.finding) << ": " << claim.sentence << " [" << claim.place << "]\n  decided by: " << claim.statistic
-         << "\n  found: " << claim.numbers << "\n";
+    text << to_text(claim.finding) << ": " << claim.sentence << " [" << claim.place
+         << "]\n  decided by: " << claim.statistic << "\n  found: " << claim.numbers << "\n";
   for (const PlainTable& table : result.tables) {
     text << "\n" << table.title << "\n";
     for (std::size_t i = 0; i < table.head.size(); ++i) text << (i ? "; " : "  ") << table.head[i];
@@ -67,7 +67,8 @@ int run(const ExperimentCommand& options) {
   options.progress("experiment " + chosen.id);
   const RanExperiment ran = run_experiment(chosen, {options.seed, options.runs, options.threads()});
   const Section section = experiment_section(ran);
-  if (!options.out.empty()) write_reports({{chosen.paper, chosen.title, {section}, {ran}}}, options.out, options.threads());
+  if (!options.out.empty())
+    write_reports({{chosen.paper, chosen.title, {section}, {ran}}}, options.out, options.threads());
   options.end_progress();
   std::cout << (options.json ? experiment_json(ran) + "\n" : page(ran, section));
   if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");

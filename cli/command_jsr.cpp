@@ -20,11 +20,12 @@ struct JsrOptions : CommonOptions {
 constexpr std::size_t most_matrices = 64, largest_size = 256, longest_number = 400;
 
 Rational read_entry(const nlohmann::json& entry, const std::string& where) {
-  const std::string text = entry.is_string() ? entry.get<std::string>()
+  const std::string text = entry.is_string()           ? entry.get<std::string>()
                            : entry.is_number_integer() ? entry.dump()
                                                        : std::string();
   const auto value = text.size() > longest_number ? std::nullopt : parse_rational(text);
-  if (!value) throw DataError(where + ": expected an exact number \"p\" or \"p/q\", got " + entry.dump().substr(0, 40), bad_data);
+  if (!value)
+    throw DataError(where + ": expected an exact number \"p\" or \"p/q\", got " + entry.dump().substr(0, 40), bad_data);
   return *value;
 }
 
@@ -39,13 +40,15 @@ std::vector<RationalMatrix> read_matrices(const std::string& file) {
   if (size < 1 || size > largest_size) throw DataError(file + ", matrix 0: expected 1 to 256 rows", bad_data);
   for (const auto& rows : json["matrices"]) {
     const std::string name = file + ", matrix " + std::to_string(result.size());
-    if (!rows.is_array() || rows.size() != size) throw DataError(name + ": expected " + std::to_string(size) + " rows", bad_data);
+    if (!rows.is_array() || rows.size() != size)
+      throw DataError(name + ": expected " + std::to_string(size) + " rows", bad_data);
     RationalMatrix matrix(size, size);
     for (std::size_t i = 0; i < size; ++i) {
       const std::string where = name + ", row " + std::to_string(i);
       if (!rows[i].is_array() || rows[i].size() != size)
         throw DataError(where + ": expected " + std::to_string(size) + " entries", bad_data);
-      for (std::size_t j = 0; j < size; ++j) matrix(i, j) = read_entry(rows[i][j], where + ", entry " + std::to_string(j));
+      for (std::size_t j = 0; j < size; ++j)
+        matrix(i, j) = read_entry(rows[i][j], where + ", entry " + std::to_string(j));
     }
     result.push_back(std::move(matrix));
   }
@@ -62,20 +65,23 @@ int run(const JsrOptions& options) {
     write_file(options.certificate + ".matrices", matrices_text(matrices));
   }
   // For a reducible family, of the block with the largest radius.
-  const std::string method = radius.method == JsrMethod::invariant_polytope ? "invariant polytope" : "norms of products";
+  const std::string method = radius.method == JsrMethod::invariant_polytope ? "invariant polytope"
+                                                                            : "norms of products";
   if (options.json) {
-    options.answer(Json{{"radius", enclosure_json(radius.radius)},
-                        {"exact", radius.exact.is_yes()},
-                        {"exactness", radius.exact.reason},
-                        {"closed", radius.closed},
-                        {"product", radius.product.word},
-                        {"method", method},
-                        {"vertices", radius.vertices},
-                        {"blocks", radius.triangular ? Json(radius.triangular->sizes) : Json({matrices.front().rows()})}});
+    options.answer(
+        Json{{"radius", enclosure_json(radius.radius)},
+             {"exact", radius.exact.is_yes()},
+             {"exactness", radius.exact.reason},
+             {"closed", radius.closed},
+             {"product", radius.product.word},
+             {"method", method},
+             {"vertices", radius.vertices},
+             {"blocks", radius.triangular ? Json(radius.triangular->sizes) : Json({matrices.front().rows()})}});
   } else {
     std::ostringstream text;
     text << "matrices     " << matrices.size() << " of size " << matrices.front().rows() << "\n"
-         << (radius.triangular ? "blocks       " + sizes_text(radius.triangular->sizes) + "\n" : "") << "radius       " << enclosure_text(radius.radius, 14) << "  (" << method << ")\n"
+         << (radius.triangular ? "blocks       " + sizes_text(radius.triangular->sizes) + "\n" : "") << "radius       "
+         << enclosure_text(radius.radius, 14) << "  (" << method << ")\n"
          << "product     ";
     for (int letter : radius.product.word) text << " " << letter;
     text << "  (radius " << enclosure_text(radius.product.radius, 14)
@@ -90,10 +96,10 @@ int run(const JsrOptions& options) {
 
 void add_jsr(CLI::App& app) {
   auto options = std::make_shared<JsrOptions>();
-  CLI::App& command =
-      add_command(app, "jsr", "The joint spectral radius of rational matrices, enclosed with proof",
-                  "subcert jsr pair.json    with {\"matrices\": [[[\"1\",\"1\"],[\"0\",\"1\"]], [[\"1\",\"0\"],[\"1\",\"1\"]]]}",
-                  options, [=] { return run(*options); });
+  CLI::App& command = add_command(
+      app, "jsr", "The joint spectral radius of rational matrices, enclosed with proof",
+      "subcert jsr pair.json    with {\"matrices\": [[[\"1\",\"1\"],[\"0\",\"1\"]], [[\"1\",\"0\"],[\"1\",\"1\"]]]}",
+      options, [=] { return run(*options); });
   command.add_option("FILE", options->file, "JSON file")->required();
   command.add_option("--budget", options->budget, "Seconds")->check(CLI::Range(0.001, 1e6))->capture_default_str();
   command.add_option("--certificate", options->certificate,

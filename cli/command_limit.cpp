@@ -23,8 +23,9 @@ int run(const LimitOptions& options) {
   if (options.derivative == 0) {
     const Decision convergence = converges(scheme.mask);
     if (!convergence.is_yes()) {
-      std::cerr << "subcert: " << scheme.specification << ": no limit function to evaluate; convergence: "
-                << to_text(convergence.truth) << " (" << convergence.reason << ")\n";
+      std::cerr << "subcert: " << scheme.specification
+                << ": no limit function to evaluate; convergence: " << to_text(convergence.truth) << " ("
+                << convergence.reason << ")\n";
       return convergence.is_no() ? failed : undecided;
     }
   } else {

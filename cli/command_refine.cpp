@@ -40,33 +40,44 @@ struct DataRefiner {
 DataRefiner make_refiner(const std::string& specification, Boundary boundary) {
   if (is_l1_specification(specification)) {
     const NamedL1Scheme named = make_l1_scheme(specification);
-    return {named.specification, {named.scheme.points.begin(), named.scheme.points.end()},
-            [scheme = named.scheme](const GridData<double>& data, const RefineOptions& options) { return refine(data, scheme, options); }};
+    return {named.specification,
+            {named.scheme.points.begin(), named.scheme.points.end()},
+            [scheme = named.scheme](const GridData<double>& data, const RefineOptions& options) {
+              return refine(data, scheme, options);
+            }};
   }
   const AnyScheme any = make_any_scheme(specification);
   if (const auto* scheme = std::get_if<Scheme>(&any))
-    return {scheme->specification, {AxisRefiner(scheme->mask, boundary).window()},
-            [mask = scheme->mask](const GridData<double>& data, const RefineOptions& options) { return refine(data, mask, options); },
+    return {scheme->specification,
+            {AxisRefiner(scheme->mask, boundary).window()},
+            [mask = scheme->mask](const GridData<double>& data, const RefineOptions& options) {
+              return refine(data, mask, options);
+            },
             {scheme->mask}};
   const auto& scheme = std::get<MultivariateScheme>(any);
   if (scheme.factors.empty())
     return {scheme.specification, windows(scheme.mask),
-            [mask = scheme.mask](const GridData<double>& data, const RefineOptions& options) { return refine(data, mask, options); }};
+            [mask = scheme.mask](const GridData<double>& data, const RefineOptions& options) {
+              return refine(data, mask, options);
+            }};
   std::vector<std::size_t> fewest;
   for (const Mask& factor : scheme.factors) fewest.push_back(AxisRefiner(factor, boundary).window());
   return {scheme.specification, fewest,
-          [masks = scheme.factors](const GridData<double>& data, const RefineOptions& options) { return refine(data, masks, options); },
+          [masks = scheme.factors](const GridData<double>& data, const RefineOptions& options) {
+            return refine(data, masks, options);
+          },
           scheme.factors};
 }
 
 /// The code to leave with where limits are not proved to exist; 0 else.
 int check_convergence(const DataRefiner& refiner) {
   if (refiner.factors.empty())
-    throw UsageError("--limit: " + refiner.specification + ": limits are of schemes of one variable and their tensor products");
+    throw UsageError("--limit: " + refiner.specification +
+                     ": limits are of schemes of one variable and their tensor products");
   const Decision decision = tensor_product_converges(refiner.factors);
   if (decision.is_yes()) return done;
-  std::cerr << "subcert: " << refiner.specification << ": no limit to evaluate; convergence: " << to_text(decision.truth) << " ("
-            << decision.reason << ")\n";
+  std::cerr << "subcert: " << refiner.specification
+            << ": no limit to evaluate; convergence: " << to_text(decision.truth) << " (" << decision.reason << ")\n";
   return decision.is_no() ? failed : undecided;
 }
 
@@ -123,7 +134,8 @@ void check_plot(const std::string& plot, const GridData<double>& data) {
   if (!is_picture_name(plot)) throw UsageError("--plot " + plot + ": expected a name that ends in .svg or .png");
   const std::size_t axes = data.axes.size(), k = data.dimension;
   if ((axes == 1 && k > 2) || (axes == 2 && k != 1 && k != 3) || axes > 2)
-    throw UsageError("--plot " + plot + ": pictures are of curves with one or two coordinates and of surfaces with one or three; " +
+    throw UsageError("--plot " + plot +
+                     ": pictures are of curves with one or two coordinates and of surfaces with one or three; " +
                      "the data have " + std::to_string(axes) + (axes == 1 ? " direction and " : " directions and ") +
                      std::to_string(k) + (k == 1 ? " coordinate" : " coordinates"));
 }
@@ -163,7 +175,8 @@ int run(const RefineCommand& options) {
   for (std::size_t v = 0; v < variables; ++v) closed[v] = closed[v] || options.closed;
   if (boundary == Boundary::reflect || boundary == Boundary::shrink)
     if (std::all_of(closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(variables), [](bool c) { return c; }))
-      throw UsageError("--boundary " + options.boundary + ": closed data have no boundary; leave out one of the two options");
+      throw UsageError("--boundary " + options.boundary +
+                       ": closed data have no boundary; leave out one of the two options");
   if (options.limit)
     if (const int code = check_convergence(refiner); code != done) return code;
   DataFile file = read_data_file(options.data, variables, closed);
@@ -172,7 +185,8 @@ int run(const RefineCommand& options) {
   check_data(file, options.data, refiner.specification, refiner.fewest);
   check_plot(options.plot, file.data);
   const RefineOptions how{options.levels, boundary, options.threads()};
-  const GridData<double> refined = options.limit ? limit_of_data(file.data, refiner.factors, how) : refiner.refine(file.data, how);
+  const GridData<double> refined = options.limit ? limit_of_data(file.data, refiner.factors, how)
+                                                 : refiner.refine(file.data, how);
   if (!options.plot.empty()) {
     if (variables == 1)
       draw_curve(options.plot, refiner.specification, file.table, file.data, refined);
@@ -180,7 +194,8 @@ int run(const RefineCommand& options) {
       draw_surfaces({drawn_surface(file.data, "data"), drawn_surface(refined, refiner.specification)}, options.plot);
   }
   if (options.json)
-    options.answer(result_json(options, refiner, file, variables == 1 && file.data.axes[0].closed ? Boundary::periodic : boundary, refined));
+    options.answer(result_json(options, refiner, file,
+                               variables == 1 && file.data.axes[0].closed ? Boundary::periodic : boundary, refined));
   else
     options.answer(file_text(file, refined));
   return done;
@@ -190,17 +205,20 @@ int run(const RefineCommand& options) {
 
 void add_refine(CLI::App& app) {
   auto options = std::make_shared<RefineCommand>();
-  CLI::App& command = add_command(app, "refine", "Applies a scheme to data", "subcert refine primal:n=3 samples.csv --levels 4",
-                                  options, [=] { return run(*options); });
+  CLI::App& command = add_command(app, "refine", "Applies a scheme to data",
+                                  "subcert refine primal:n=3 samples.csv --levels 4", options,
+                                  [=] { return run(*options); });
   add_scheme(command, options->scheme, true);
-  command.add_option("DATA", options->data,
-                     "CSV: points in rows, or a matrix of heights for a scheme of two variables; .obj, .ply: a mesh of "
-                     "quadrilaterals; .vtk: a regular volume")
+  command
+      .add_option("DATA", options->data,
+                  "CSV: points in rows, or a matrix of heights for a scheme of two variables; .obj, .ply: a mesh of "
+                  "quadrilaterals; .vtk: a regular volume")
       ->required();
   command.add_option("--levels", options->levels, "How often the scheme is applied")
       ->check(CLI::Range(0, 1000000000))
       ->capture_default_str();
-  command.add_flag("--limit", options->limit, "Values of the limit at the parameters i / arity^LEVELS, at the data for 0");
+  command.add_flag("--limit", options->limit,
+                   "Values of the limit at the parameters i / arity^LEVELS, at the data for 0");
   command.add_flag("--closed", options->closed, "The first point follows the last, in every direction");
   command.add_flag("--closed-x", options->closed_directions[0], "The same in the first direction alone");
   command.add_flag("--closed-y", options->closed_directions[1], "The same in the second direction alone");

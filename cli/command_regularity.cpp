@@ -35,13 +35,17 @@ std::string attained_text(const HolderRegularity& regularity) {
   const auto modulus = [&](int power) {
     const Rational difference = *regularity.exponent.lower - *factor.derivative;
     return "h" + (difference == 1 ? "" : "^" + to_decimal(difference, 6, Rounding::nearest)) +
-           (power == 0 ? "" : power == 1 ? " |log h|" : " |log h|^" + std::to_string(power));
+           (power == 0   ? ""
+            : power == 1 ? " |log h|"
+                         : " |log h|^" + std::to_string(power));
   };
-  const std::string subject =
-      *factor.derivative == 0 ? "the limits" : "the derivatives of order " + std::to_string(*factor.derivative);
+  const std::string subject = *factor.derivative == 0
+                                  ? "the limits"
+                                  : "the derivatives of order " + std::to_string(*factor.derivative);
   if (!factor.at_most)
-    return factor.at_least == 0 ? "unknown: " + factor.reason
-                                : "no: " + subject + " have no smaller modulus of continuity than " + modulus(factor.at_least);
+    return factor.at_least == 0
+               ? "unknown: " + factor.reason
+               : "no: " + subject + " have no smaller modulus of continuity than " + modulus(factor.at_least);
   const std::string has = subject + " have the modulus of continuity " + modulus(*factor.at_most);
   if (*factor.at_most == 0) return "yes: " + has;
   if (factor.at_least == 0) return "unknown: " + has + " or a smaller one";
@@ -89,7 +93,8 @@ Answer compute(const RegularityOptions& options) {
     holder = {0, regularity.exponent.upper};
   const bool complete = regularity.radius.closed;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {std::move(scheme), std::move(regularity), std::move(sobolev), std::move(convergence), holder, complete, seconds};
+  return {
+      std::move(scheme), std::move(regularity), std::move(sobolev), std::move(convergence), holder, complete, seconds};
 }
 
 Json to_json(const Answer& answer) {
@@ -120,7 +125,9 @@ Json to_json(const Answer& answer) {
             {"at_most", logarithm.at_most ? Json(*logarithm.at_most) : Json()},
             {"derivative", logarithm.derivative ? Json(*logarithm.derivative) : Json()},
             {"reason", logarithm.reason}}},
-          {"single", {{"verdict", to_text(answer.regularity.single.applies.truth)}, {"reason", answer.regularity.single.applies.reason}}},
+          {"single",
+           {{"verdict", to_text(answer.regularity.single.applies.truth)},
+            {"reason", answer.regularity.single.applies.reason}}},
           {"sobolev", sobolev_json(answer.sobolev, answer.regularity.stable)},
           {"seconds", answer.seconds}};
 }
@@ -136,14 +143,16 @@ std::string page_text(const Answer& answer) {
        << "bound        >= " << last.exponent.lower_text(12) << " after " << last.levels << " levels; ||S_b^"
        << last.levels << "|| = " << to_decimal(last.norm, 12, Rounding::nearest) << "\n"
        << "radius       " << enclosure_text(radius.radius, 15) << "  (joint spectral radius, " << method_text(radius);
-  if (radius.method == JsrMethod::invariant_polytope) text << " with " << radius.vertices << (radius.vertices == 1 ? " vertex" : " vertices");
+  if (radius.method == JsrMethod::invariant_polytope)
+    text << " with " << radius.vertices << (radius.vertices == 1 ? " vertex" : " vertices");
   text << ")\n";
   if (radius.triangular) text << "blocks       " << sizes_text(radius.triangular->sizes) << "\n";
   if (!radius.product.word.empty())
     text << "product      " << word_text(radius.product.word) << "  (radius "
          << enclosure_text(radius.product.radius, 15)
          << (radius.exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
-  text << "stable       " << subcert::to_text(answer.regularity.stable.truth) << ": " << answer.regularity.stable.reason << "\n"
+  text << "stable       " << subcert::to_text(answer.regularity.stable.truth) << ": " << answer.regularity.stable.reason
+       << "\n"
        << "exponent     " << enclosure_text(answer.holder, 14) << "  (";
   if (!answer.holder.upper)
     text << "a proved lower bound)\n";
@@ -160,14 +169,15 @@ std::string page_text(const Answer& answer) {
 
 /// A word where the certificate proves less than the answer says.
 std::string certificate_text(const HolderRegularity& regularity, const CertificateClaim& claim) {
-  const bool sharp = regularity.radius.certified_upper <= *regularity.radius.radius.lower * (1 + power(Rational(10), -12));
+  const bool sharp = regularity.radius.certified_upper <=
+                     *regularity.radius.radius.lower * (1 + power(Rational(10), -12));
   if (!regularity.radius.closed || sharp) return "";
   const auto decimal = [](const std::optional<std::string>& end, Rounding rounding) {
     return to_decimal(*parse_rational(*end), 12, rounding);
   };
   return "certificate  proves only " + decimal(claim.lower, Rounding::down) + " <= exponent" +
-         (claim.upper ? " <= " + decimal(claim.upper, Rounding::up) : "") +
-         ": no polytope closed, and " + method_text(regularity.radius) + " has no certificate\n";
+         (claim.upper ? " <= " + decimal(claim.upper, Rounding::up) : "") + ": no polytope closed, and " +
+         method_text(regularity.radius) + " has no certificate\n";
 }
 
 int run(const RegularityOptions& options) {
@@ -185,8 +195,9 @@ int run(const RegularityOptions& options) {
   }
   if (options.json) {
     Json json = to_json(answer);
-    if (claim) json["certificate"] = {{"lower", claim->lower ? Json(*claim->lower) : Json()},
-                                      {"upper", claim->upper ? Json(*claim->upper) : Json()}};
+    if (claim)
+      json["certificate"] = {{"lower", claim->lower ? Json(*claim->lower) : Json()},
+                             {"upper", claim->upper ? Json(*claim->upper) : Json()}};
     options.answer(json);
   } else {
     options.answer(page_text(answer) + (claim ? certificate_text(answer.regularity, *claim) : ""));
@@ -199,7 +210,8 @@ int run(const RegularityOptions& options) {
 void add_regularity(CLI::App& app) {
   auto options = std::make_shared<RegularityOptions>();
   CLI::App& command = add_command(app, "regularity", "The Hoelder exponent, enclosed with proof",
-                                  "subcert regularity primal:n=5 --certificate s5.cert", options, [=] { return run(*options); });
+                                  "subcert regularity primal:n=5 --certificate s5.cert", options,
+                                  [=] { return run(*options); });
   command.add_option("--levels", options->levels, "Levels of the difference scheme")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();

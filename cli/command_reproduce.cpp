@@ -106,7 +106,8 @@ int run(ReproduceOptions& options) {
   require_known(options, papers);
   std::vector<Report> reports;
   std::mutex terminal;
-  ReportOptions report_options{options.only, options.threads(), [&](const std::string& line) {
+  ReportOptions report_options{options.only, options.threads(),
+                               [&](const std::string& line) {
                                  const std::lock_guard lock(terminal);
                                  options.progress(line);
                                },
@@ -135,9 +136,9 @@ int run(ReproduceOptions& options) {
 
 void add_reproduce(CLI::App& app) {
   auto options = std::make_shared<ReproduceOptions>();
-  CLI::App& command = add_command(app, "reproduce", "Recomputes tables, figures and experiments of papers beside what they print",
-                                  "subcert reproduce dyn-2015 --only table1,table2 --out out", options,
-                                  [=] { return run(*options); });
+  CLI::App& command = add_command(
+      app, "reproduce", "Recomputes tables, figures and experiments of papers beside what they print",
+      "subcert reproduce dyn-2015 --only table1,table2 --out out", options, [=] { return run(*options); });
   command.add_option("PAPER", options->papers, "Papers: " + joined(reproducible_papers()) + " (default: all)");
   command.add_option("--only", options->only, "Items, separated by commas")->delimiter(',');
   command.get_option("--out")->description("Folder for index.html, tables and figures");

@@ -51,8 +51,8 @@ Json list_json() {
 std::string list_text() {
   std::string text;
   for (const TheoremEntry& entry : theorems::theorem_list())
-    text += padded(entry.id, 17) + entry.title + (entry.degrees.empty() ? "" : "; proved for --d " + joined(entry.degrees)) +
-            "\n";
+    text += padded(entry.id, 17) + entry.title +
+            (entry.degrees.empty() ? "" : "; proved for --d " + joined(entry.degrees)) + "\n";
   return text;
 }
 
@@ -79,8 +79,11 @@ Json pairs_json(const std::vector<std::pair<std::string, std::string>>& pairs, c
 }
 
 Json theorem_json(const Theorem& theorem) {
-  Json json{{"theorem", theorem.id}, {"d", theorem.degrees}, {"title", theorem.title},
-            {"statement", theorem.statement}, {"text", theorem.text}};
+  Json json{{"theorem", theorem.id},
+            {"d", theorem.degrees},
+            {"title", theorem.title},
+            {"statement", theorem.statement},
+            {"text", theorem.text}};
   json["values"] = pairs_json(theorem.values, "name", "value");
   json["constants"] = Json::array();
   for (const Constant& constant : theorem.constants.all())
@@ -119,11 +122,13 @@ std::string check_text(const Check& check) {
 
 /// Checks with one number, which differ in n, as one line: how many, and the tightest.
 std::string group_text(const std::vector<const Check*>& group) {
-  const Check* tightest = *std::min_element(
-      group.begin(), group.end(), [](const Check* a, const Check* b) { return relative_margin(*a) < relative_margin(*b); });
+  const Check* tightest = *std::min_element(group.begin(), group.end(), [](const Check* a, const Check* b) {
+    return relative_margin(*a) < relative_margin(*b);
+  });
   if (group.size() == 1) return check_text(*tightest);
-  return "  (" + tightest->id + ") " + padded(verdict_word(tightest->decision.truth), 8) + std::to_string(group.size()) +
-         " inequalities; the tightest: " + tightest->claim + "\n" + std::string(18, ' ') + sides_text(*tightest) + "\n";
+  return "  (" + tightest->id + ") " + padded(verdict_word(tightest->decision.truth), 8) +
+         std::to_string(group.size()) + " inequalities; the tightest: " + tightest->claim + "\n" +
+         std::string(18, ' ') + sides_text(*tightest) + "\n";
 }
 
 std::string checks_text(const Theorem& theorem, bool all) {
@@ -153,8 +158,8 @@ std::string theorem_text(const Theorem& theorem, bool all) {
   std::size_t width = 0;
   for (const Constant& constant : theorem.constants.all()) width = std::max(width, stated_text(constant).size() + 2);
   for (const Constant& constant : theorem.constants.all())
-    text << "  " << padded(constant.name, 9) << side_text(constant) << " " << padded(stated_text(constant), width) << "("
-         << constant.check << ")  " << constant.meaning << "\n";
+    text << "  " << padded(constant.name, 9) << side_text(constant) << " " << padded(stated_text(constant), width)
+         << "(" << constant.check << ")  " << constant.meaning << "\n";
   if (!theorem.ranges.empty()) text << "\nranges\n";
   for (const auto& [range, means] : theorem.ranges) text << "  " << padded(range, 14) << means << "\n";
   if (!theorem.checks.empty()) text << "\n" << checks_text(theorem, all);
@@ -169,8 +174,8 @@ int run(const TheoremOptions& options) {
   }
   options.progress("theorem " + options.id);
   const int degree = options.degree % 2 == 0 ? options.degree + 1 : options.degree;  // the same schemes
-  const Theorem theorem =
-      theorems::prove(options.id, degree, theorems::stated_constants(options.id, degree), options.threads());
+  const Theorem theorem = theorems::prove(options.id, degree, theorems::stated_constants(options.id, degree),
+                                          options.threads());
   options.end_progress();
   options.json ? options.answer(theorem_json(theorem)) : options.answer(theorem_text(theorem, options.all));
   return verdict_code(theorem.decision.truth);
@@ -182,10 +187,14 @@ void add_theorem(CLI::App& app) {
   auto options = std::make_shared<TheoremOptions>();
   std::vector<std::string> ids{"list"};
   for (const TheoremEntry& entry : theorems::theorem_list()) ids.push_back(entry.id);
-  CLI::App& command = add_command(app, "theorem", "Computer-assisted theorems: runs every certified inequality of a proof",
+  CLI::App& command = add_command(app, "theorem",
+                                  "Computer-assisted theorems: runs every certified inequality of a proof",
                                   "subcert theorem conjecture-8-n --d 1", options, [=] { return run(*options); });
-  command.add_option("ID", options->id, "list, or a theorem of the list")->check(CLI::IsMember(ids))->capture_default_str();
-  command.add_option("--d", options->degree, "Degree; for conjecture-8-d the smaller one of two neighbouring odd degrees")
+  command.add_option("ID", options->id, "list, or a theorem of the list")
+      ->check(CLI::IsMember(ids))
+      ->capture_default_str();
+  command
+      .add_option("--d", options->degree, "Degree; for conjecture-8-d the smaller one of two neighbouring odd degrees")
       ->check(CLI::Range(0, 98))
       ->capture_default_str();
   command.add_flag("--all", options->all, "Every single inequality, also where many differ in n only");

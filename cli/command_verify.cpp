@@ -54,7 +54,8 @@ Outcome run_checker(const std::vector<std::string>& arguments) {
   }
   Outcome outcome{};
   char buffer[4096];
-  for (ssize_t n; (n = read(channel[0], buffer, sizeof buffer)) > 0;) outcome.line.append(buffer, static_cast<std::size_t>(n));
+  for (ssize_t n; (n = read(channel[0], buffer, sizeof buffer)) > 0;)
+    outcome.line.append(buffer, static_cast<std::size_t>(n));
   close(channel[0]);
   int status = 0;
   waitpid(child, &status, 0);

@@ -14,8 +14,7 @@ constexpr const char* direction_names[] = {"x", "y", "z"};
 constexpr const char* variables_text[] = {"", "one variable", "two variables", "three variables"};
 
 DataFile read_csv(const std::string& path, std::size_t variables) {
-  if (variables > 2)
-    throw UsageError(path + ": a scheme of three variables needs a volume in a .vtk file");
+  if (variables > 2) throw UsageError(path + ": a scheme of three variables needs a volume in a .vtk file");
   Table table = parse_table(read_file(path), path);
   GridData<double> data;
   if (variables == 1) {
@@ -32,7 +31,8 @@ DataFile read_csv(const std::string& path, std::size_t variables) {
 
 DataFile read_any(const std::string& path, std::size_t variables) {
   std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending == ".obj") return {DataKind::obj, parse_obj(read_file(path), path)};
   if (ending == ".ply") return {DataKind::ply, parse_ply(read_file(path), path)};
   if (ending != ".vtk") return read_csv(path, variables);
@@ -66,7 +66,8 @@ DataFile read_data_file(const std::string& path, std::size_t variables, const st
     if (!closed[v]) continue;
     if (file.kind == DataKind::obj || file.kind == DataKind::ply)
       throw UsageError(path + ": the faces of a mesh say which directions are closed; leave out --closed");
-    if (v >= axes) throw UsageError(std::string("--closed-") + direction_names[v] + ": the data have " + variables_text[axes]);
+    if (v >= axes)
+      throw UsageError(std::string("--closed-") + direction_names[v] + ": the data have " + variables_text[axes]);
     file.data.axes[v] = Axis::of(file.data.axes[v].count, true);
   }
   return file;
@@ -77,13 +78,19 @@ void check_data(const DataFile& file, const std::string& path, const std::string
   const std::size_t axes = file.data.axes.size();
   for (std::size_t v = 0; v < axes; ++v) {
     const Axis& axis = file.data.axes[v];
-    const std::string direction = file.kind == DataKind::curve ? "rows" : std::string("points in direction ") + direction_names[v];
+    const std::string direction = file.kind == DataKind::curve
+                                      ? "rows"
+                                      : std::string("points in direction ") + direction_names[v];
     if (axis.count < fewest[v])
-      throw DataFormatError(path + ": expected at least " + std::to_string(fewest[v]) + " " + direction + " for " + scheme +
-                            "; found " + std::to_string(axis.count));
+      throw DataFormatError(path + ": expected at least " + std::to_string(fewest[v]) + " " + direction + " for " +
+                            scheme + "; found " + std::to_string(axis.count));
     if (axis.closed && repeats_first(file.data, v))
-      throw DataFormatError(path + (file.kind == DataKind::curve ? ", line " + std::to_string(file.table.lines.back()) : "") +
-                            ": expected each point of a closed " + (axes == 1 ? "curve" : axes == 2 ? "surface" : "volume") +
+      throw DataFormatError(path +
+                            (file.kind == DataKind::curve ? ", line " + std::to_string(file.table.lines.back()) : "") +
+                            ": expected each point of a closed " +
+                            (axes == 1   ? "curve"
+                             : axes == 2 ? "surface"
+                                         : "volume") +
                             " once; found the first " + (axes == 1 ? "row" : direction) + " again");
   }
 }

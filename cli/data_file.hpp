@@ -19,8 +19,8 @@ struct DataFile {
   Volume volume = {};  ///< title, name, origin and spacing of a VTK file
 };
 
-/// Reads a file for a scheme of this many variables: `.obj`, `.ply` and `.vtk` by their endings, else CSV, one point in a row
-/// for one variable and a matrix of heights for two. `closed` says which directions are; a mesh says so itself.
+/// Reads a file for a scheme of this many variables: `.obj`, `.ply` and `.vtk` by their endings, else CSV, one point in
+/// a row for one variable and a matrix of heights for two. `closed` says which directions are; a mesh says so itself.
 /// Errors: throws DataFormatError or DataError for the file, UsageError where it does not fit the variables.
 DataFile read_data_file(const std::string& path, std::size_t variables, const std::array<bool, 3>& closed);
 

@@ -53,7 +53,8 @@ std::string page_text(const MultivariateScheme& scheme, const Page& page) {
   text << "scheme        " << scheme.specification << "  (" << scheme.title << ")\n";
   const long count = scheme.mask.symbol().count();
   text << "mask          "
-       << (count <= 150 ? to_mask_text(scheme.mask) : std::to_string(count) + " coefficients, see subcert mask") << "\n";
+       << (count <= 150 ? to_mask_text(scheme.mask) : std::to_string(count) + " coefficients, see subcert mask")
+       << "\n";
   text << "support       basic limit function in ";
   for (std::size_t v = 0; v < page.support.size(); ++v)
     text << (v ? " x [" : "[") << to_text(page.support[v].lower) << ", " << to_text(page.support[v].upper) << "]";
@@ -63,8 +64,9 @@ std::string page_text(const MultivariateScheme& scheme, const Page& page) {
     if (scheme.mask.arity() > 2) text << "^" << scheme.mask.arity() - 1;
     text << ")^" << page.polynomials.factors[v];
   }
-  text << "\npolynomials   generates total degree " << page.polynomials.generation_degree() << ", reproduces total degree "
-       << page.polynomials.reproduction_degree << " with f_j at j + " << list_text(page.polynomials.parametrization) << "\n"
+  text << "\npolynomials   generates total degree " << page.polynomials.generation_degree()
+       << ", reproduces total degree " << page.polynomials.reproduction_degree << " with f_j at j + "
+       << list_text(page.polynomials.parametrization) << "\n"
        << "convergence   " << to_text(page.convergence.truth) << ": " << page.convergence.reason << "\n";
   if (page.smoothness && page.convergence.is_yes())
     text << "smoothness    C^" << page.smoothness->order << " proved, by the factors; C^" << page.smoothness->order + 1

@@ -10,10 +10,11 @@
 namespace subcert {
 namespace {
 
-constexpr std::array<std::pair<Verdict, const char*>, 4> verdict_names{{{Verdict::match, "match"},
-                                                                        {Verdict::mismatch, "mismatch"},
-                                                                        {Verdict::open, "open"},
-                                                                        {Verdict::not_reproducible, "not-reproducible"}}};
+constexpr std::array<std::pair<Verdict, const char*>, 4> verdict_names{
+    {{Verdict::match, "match"},
+     {Verdict::mismatch, "mismatch"},
+     {Verdict::open, "open"},
+     {Verdict::not_reproducible, "not-reproducible"}}};
 
 }  // namespace
 
@@ -48,7 +49,8 @@ std::string Comparison::computed_text() const {
   const std::string low = to_fixed(*enclosure.lower, places, Rounding::nearest);
   const std::string high = to_fixed(*enclosure.upper, places, Rounding::nearest);
   if (low == high) return low;
-  return to_fixed(*enclosure.lower, places, Rounding::down) + " ... " + to_fixed(*enclosure.upper, places, Rounding::up);
+  return to_fixed(*enclosure.lower, places, Rounding::down) + " ... " +
+         to_fixed(*enclosure.upper, places, Rounding::up);
 }
 
 bool ComparisonTable::as_recorded() const {
@@ -57,8 +59,8 @@ bool ComparisonTable::as_recorded() const {
 }
 
 int ComparisonTable::count(Verdict verdict) const {
-  return static_cast<int>(std::count_if(comparisons.begin(), comparisons.end(),
-                                        [&](const Comparison& c) { return c.verdict == verdict; }));
+  return static_cast<int>(
+      std::count_if(comparisons.begin(), comparisons.end(), [&](const Comparison& c) { return c.verdict == verdict; }));
 }
 
 }  // namespace subcert

@@ -88,11 +88,13 @@ Figure plot(const std::vector<Course>& courses, const Suggested& suggested) {
   for (const auto& [n, value] : suggested.shortcut) shortcut.points.emplace_back(n, value.convert_to<double>());
   printed.joined = false;
   degree_one.curves = {scaled_curve("certified", courses.front().slopes, 2), shortcut, printed};
-  return {"conjecture7", "Conjecture 7, both halves",
+  return {"conjecture7",
+          "Conjecture 7, both halves",
           "Above: n max psi tends to its limits (horizontal lines), with an error that falls like 1/n. Below: n^2 max "
           "|psi'| falls to 0 (left); for d = 1 the printed values and the shortcut that gives their digits stay far "
           "above it (right). Certified values have relative width 1e-6.",
-          2, {values, deviations, slopes, degree_one}};
+          2,
+          {values, deviations, slopes, degree_one}};
 }
 
 PlainTable limits(const std::vector<Course>& courses) {
@@ -132,21 +134,21 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
   }
   for (const Course& course : courses) {
     const DecayFinding finding = decay_finding(2, course.slopes);
-    constants.push_back(to_decimal(*course.limit.constant.lower, 7, Rounding::down) + "... for d = " +
-                        std::to_string(course.degree));
-    falls.push_back("like n^-" + to_fixed(*finding.exponent->lower, 1, Rounding::nearest) + " for d = " +
-                    std::to_string(course.degree));
+    constants.push_back(to_decimal(*course.limit.constant.lower, 7, Rounding::down) +
+                        "... for d = " + std::to_string(course.degree));
+    falls.push_back("like n^-" + to_fixed(*finding.exponent->lower, 1, Rounding::nearest) +
+                    " for d = " + std::to_string(course.degree));
   }
   const std::string last = std::to_string(last_n_of_figure_8);
   return {
       "What was conjectured. For every degree d, max psi ~ 1/n and max |psi'| ~ 1/n^2 (Conjecture 7); for d = 1 the "
       "same is Theorem 6 of the paper.",
       "What Table 3 suggested. Its caption reads the columns n max psi and n^2 max |psi'| as approximately constant. "
-      "For d = 1 and n = " + joined(sizes) + " it prints n^2 max |psi'| = " + joined(printed) +
+      "For d = 1 and n = " +
+          joined(sizes) + " it prints n^2 max |psi'| = " + joined(printed) +
           ". Over all x, n^2 max |psi'| is proved to be at most " + joined(certified) + " there.",
       "Where the printed values may come from. Of the " + std::to_string(search.cells()) + " printed values, " +
-          std::to_string(search.cells_given()) +
-          " have the digits of one numerical shortcut: " +
+          std::to_string(search.cells_given()) + " have the digits of one numerical shortcut: " +
           variance_shortcuts()[search.best()].text() + ". For d = 1 and n = " + joined(sizes) +
           " it gives n^2 max |psi'| = " + joined(by_shortcut) + " and at n = " + last + " still " +
           to_fixed(suggested.shortcut_at(last_n_of_figure_8), 4, Rounding::nearest) +
@@ -155,8 +157,8 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
       "What is true of the first half. It holds, as a rate and for every degree: n max psi tends to a constant, " +
           joined(constants) + " (docs/limit-constants.md, with proof and any number of digits).",
       "What is true of the second half. As an upper bound it holds, as a rate it does not: for every degree max |psi'| "
-      "falls faster than every power of n. Between n = " + std::to_string(decay_finding(2, first.slopes).rate_from) +
-          " and n = " + last + " it falls " + joined(falls) +
+      "falls faster than every power of n. Between n = " +
+          std::to_string(decay_finding(2, first.slopes).rate_from) + " and n = " + last + " it falls " + joined(falls) +
           ". For d = 1, 3 and 5 there are explicit bounds for every n (docs/theorems/README.md)."};
 }
 

@@ -59,11 +59,17 @@ std::vector<std::pair<double, double>> curve_points(const LimitValues& values) {
 }
 
 Figure figure_1() {
-  Figure figure{"fig1", "Basic limit functions of S_2, S_3 and S_4",
-                "Exact values at the dyadic points of level " + std::to_string(plot_level) + ".", 3, {}};
+  Figure figure{"fig1",
+                "Basic limit functions of S_2, S_3 and S_4",
+                "Exact values at the dyadic points of level " + std::to_string(plot_level) + ".",
+                3,
+                {}};
   for (int n = 2; n <= 4; ++n)
-    figure.panels.push_back({"S_" + std::to_string(n), "x", "phi",
-                             {{"", curve_points(limit_values(make_scheme(scheme_text("primal", n)).mask, plot_level))}}});
+    figure.panels.push_back(
+        {"S_" + std::to_string(n),
+         "x",
+         "phi",
+         {{"", curve_points(limit_values(make_scheme(scheme_text("primal", n)).mask, plot_level))}}});
   return figure;
 }
 
@@ -85,7 +91,9 @@ void explain_levels(Section& section, Workshop& workshop) {
   int decreasing = 0, pairs = 0;
   for (const std::string& name : bound_schemes()) {
     const HolderBounds& bounds = workshop.bounds(name);
-    const auto at = [&](int level) -> const Rational& { return *bounds.levels[static_cast<std::size_t>(level) - 1].exponent.lower; };
+    const auto at = [&](int level) -> const Rational& {
+      return *bounds.levels[static_cast<std::size_t>(level) - 1].exponent.lower;
+    };
     std::vector<std::string> row{name};
     for (int level : shown) row.push_back(decimal(at(level), 4));
     table.rows.push_back(row);
@@ -100,18 +108,25 @@ void explain_levels(Section& section, Workshop& workshop) {
   section.paragraphs.push_back(
       "What the bounds mean. Each is proved, and none is the exponent itself: a bound belongs to its number of levels. "
       "Between 8 and 16 levels the bounds of these schemes still rise by up to " +
-      decimal(largest_step, 4) + " (" + largest_scheme + "), so the third decimal of the printed tables says how far the "
-      "computation went, not how smooth the limits are. Nor do the bounds simply grow: of " + std::to_string(pairs) +
-      " steps from one level to the next, " + std::to_string(decreasing) +
+      decimal(largest_step, 4) + " (" + largest_scheme +
+      "), so the third decimal of the printed tables says how far the "
+      "computation went, not how smooth the limits are. Nor do the bounds simply grow: of " +
+      std::to_string(pairs) + " steps from one level to the next, " + std::to_string(decreasing) +
       " go down. A comparison of two schemes by these tables is safe only where their difference is larger than what "
       "further levels could add.");
-  Figure figure{"levels-plot", "The bounds over the number of levels", "One curve a scheme; every point is a proved bound. Those that are not positive say nothing and are left out.", 2, {}};
+  Figure figure{
+      "levels-plot",
+      "The bounds over the number of levels",
+      "One curve a scheme; every point is a proved bound. Those that are not positive say nothing and are left out.",
+      2,
+      {}};
   for (const char* family : {"primal", "dual"}) {
     Panel panel{std::string(family) + " schemes", "levels", "bound", {}, false, "bottom right"};
     for (int n : {2, 3, 4, 5, 7, 10}) {
       Curve curve{"n = " + std::to_string(n), {}, true};
       for (const HolderBound& bound : workshop.bounds(scheme_text(family, n)).levels)
-        if (*bound.exponent.lower > 0) curve.points.emplace_back(bound.levels, bound.exponent.lower->convert_to<double>());
+        if (*bound.exponent.lower > 0)
+          curve.points.emplace_back(bound.levels, bound.exponent.lower->convert_to<double>());
       panel.curves.push_back(curve);
     }
     figure.panels.push_back(panel);
@@ -123,10 +138,15 @@ void explain_levels(Section& section, Workshop& workshop) {
 Section exponents(Workshop& workshop) {
   workshop.need_exponents(bound_schemes());
   Section section{"exponents", "What the paper could not see", {}};
-  PlainTable table{"exponents", "Printed bounds and exponents",
-                   {"scheme", "printed bound", "16 levels", "exponent", "width", "product", "vertices", "exact"}, {}};
-  Figure figure{"exponents-plot", "Printed bounds and exponents over n",
-                "Bounds after 16 levels as printed, and the proved exponents.", 2, {}};
+  PlainTable table{"exponents",
+                   "Printed bounds and exponents",
+                   {"scheme", "printed bound", "16 levels", "exponent", "width", "product", "vertices", "exact"},
+                   {}};
+  Figure figure{"exponents-plot",
+                "Printed bounds and exponents over n",
+                "Bounds after 16 levels as printed, and the proved exponents.",
+                2,
+                {}};
   int exact = 0, total = 0;
   Rational widest = 0;
   std::string trend;
@@ -141,7 +161,8 @@ Section exponents(Workshop& workshop) {
       const HolderRegularity& regularity = workshop.exponent(scheme_text(family, n));
       const Rational low = *regularity.exponent.lower, high = *regularity.exponent.upper;
       const std::string bound = printed.cells[static_cast<std::size_t>(n) - 2].printed;
-      if (compare(largest, Enclosure::at_least(low)) == Verdict::mismatch) above += (above.empty() ? "" : ", ") + std::to_string(n);
+      if (compare(largest, Enclosure::at_least(low)) == Verdict::mismatch)
+        above += (above.empty() ? "" : ", ") + std::to_string(n);
       widest = std::max(widest, Rational(high - low));
       closed = closed && regularity.radius.closed;
       exact += regularity.radius.exact.is_yes() ? 1 : 0;
@@ -149,8 +170,9 @@ Section exponents(Workshop& workshop) {
       std::string word;
       for (int letter : regularity.radius.product.word) word += std::to_string(letter);
       table.rows.push_back({scheme_text(family, n), bound, decimal(*regularity.bounds.last().exponent.lower, 4),
-                            regularity.radius.exact.is_yes() ? decimal(low, 12)
-                                                     : to_fixed(low, 4, Rounding::down) + " ... " + to_fixed(high, 4, Rounding::up),
+                            regularity.radius.exact.is_yes()
+                                ? decimal(low, 12)
+                                : to_fixed(low, 4, Rounding::down) + " ... " + to_fixed(high, 4, Rounding::up),
                             to_decimal(high - low, 2, Rounding::up), word, std::to_string(regularity.radius.vertices),
                             regularity.radius.exact.is_yes() ? "yes" : "unknown"});
       bound_curve.points.emplace_back(n, std::stod(bound));
@@ -161,19 +183,26 @@ Section exponents(Workshop& workshop) {
     std::vector<Curve> curves{bound_curve, lower_curve};
     if (!closed) curves.push_back(upper_curve);
     figure.panels.push_back({std::string(family) + " schemes", "n", "", curves, false, "bottom right"});
-    trend += std::string(trend.empty() ? "" : " ") + "For the " + family + " schemes the exponent is proved to exceed " +
-             largest + ", the largest printed bound, for n = " + above + ".";
+    trend += std::string(trend.empty() ? "" : " ") + "For the " + family +
+             " schemes the exponent is proved to exceed " + largest + ", the largest printed bound, for n = " + above +
+             ".";
   }
   section.paragraphs.push_back(
-      "Tables 1 and 2 print bounds after sixteen levels. They rise to a maximum at n = 4 and then fall, which suggests that "
-      "larger supports make the limits less smooth. The exponents themselves do not follow that trend. " + trend +
-      " The fall in the tables is an effect of stopping at sixteen levels: larger schemes need more of them.");
+      "Tables 1 and 2 print bounds after sixteen levels. They rise to a maximum at n = 4 and then fall, which suggests "
+      "that "
+      "larger supports make the limits less smooth. The exponents themselves do not follow that trend. " +
+      trend + " The fall in the tables is an effect of stopping at sixteen levels: larger schemes need more of them.");
   section.paragraphs.push_back(
-      "The exponents come from the joint spectral radius of the transition matrices: a product of them proves the upper "
-      "end (the integer shifts are stable, which is decided exactly), an invariant polytope the lower end, both in rational "
-      "arithmetic. For " + (exact == total ? "all " : std::to_string(exact) + " of ") + std::to_string(total) +
-      " schemes the named product is proved to attain the radius, so that the exponent is known exactly; no enclosure is "
-      "wider than " + to_decimal(widest, 2, Rounding::up) +
+      "The exponents come from the joint spectral radius of the transition matrices: a product of them proves the "
+      "upper "
+      "end (the integer shifts are stable, which is decided exactly), an invariant polytope the lower end, both in "
+      "rational "
+      "arithmetic. For " +
+      (exact == total ? "all " : std::to_string(exact) + " of ") + std::to_string(total) +
+      " schemes the named product is proved to attain the radius, so that the exponent is known exactly; no enclosure "
+      "is "
+      "wider than " +
+      to_decimal(widest, 2, Rounding::up) +
       ". 'subcert regularity SCHEME --certificate FILE' writes each proof, 'subcert verify FILE' checks it with an "
       "independent program.");
   section.tables.push_back(table);
@@ -205,8 +234,9 @@ Report report_dyn_2015(const ReportOptions& options) {
   if (wanted("supports")) masks.comparisons.push_back(compare_supports(workshop.published("supports")));
   if (wanted("fig1")) masks.figures.push_back(figure_1());
   if (!masks.comparisons.empty())
-    masks.paragraphs.push_back("The masks are derived from the local fits in exact rational arithmetic and compared "
-                               "coefficient by coefficient; the supports follow from the masks.");
+    masks.paragraphs.push_back(
+        "The masks are derived from the local fits in exact rational arithmetic and compared "
+        "coefficient by coefficient; the supports follow from the masks.");
   if (wanted("masks"))
     masks.paragraphs.push_back("Masks: " + verdict_sentence(masks.comparisons.front()) +
                                " A list that does not sum to 1 over the even and over the odd indices cannot be the "
@@ -220,8 +250,9 @@ Report report_dyn_2015(const ReportOptions& options) {
                                   verdict_sentence(bounds.comparisons.back()));
     }
   if (!bounds.comparisons.empty())
-    bounds.paragraphs.push_back("Computed is the sixteen-level bound of Dyn and Levin: the norm behind it is an exact "
-                                "rational number, and only its logarithm is rounded, outward.");
+    bounds.paragraphs.push_back(
+        "Computed is the sixteen-level bound of Dyn and Levin: the norm behind it is an exact "
+        "rational number, and only its logarithm is rounded, outward.");
   if (wanted("levels")) explain_levels(bounds, workshop);
 
   Section sharp{"exponents", "", {}};

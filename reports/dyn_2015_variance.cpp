@@ -63,8 +63,10 @@ Figure figure_8(Workshop& workshop) {
     left.curves.push_back(values);
     right.curves.push_back(slopes);
   }
-  return {"fig8", "The scaled maxima over n",
-          "Certified maxima, relative width 1e-6; the right panel is logarithmic, unlike the paper's.", 2,
+  return {"fig8",
+          "The scaled maxima over n",
+          "Certified maxima, relative width 1e-6; the right panel is logarithmic, unlike the paper's.",
+          2,
           {left, right}};
 }
 

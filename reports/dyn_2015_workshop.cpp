@@ -86,9 +86,7 @@ Comparison compare_number(const PublishedCell& cell, const Enclosure& computed, 
 }
 
 Comparison compare_text(const PublishedCell& cell, const std::string& computed, Truth equal) {
-  const Verdict verdict = equal == Truth::yes  ? Verdict::match
-                          : equal == Truth::no ? Verdict::mismatch
-                                               : Verdict::open;
+  const Verdict verdict = equal == Truth::yes ? Verdict::match : equal == Truth::no ? Verdict::mismatch : Verdict::open;
   return {cell.row, cell.column, cell.scheme, cell.printed, computed, verdict, cell.recorded, ""};
 }
 

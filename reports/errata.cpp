@@ -53,7 +53,8 @@ std::string confirmation_row(const CheckedStatement& checked) {
 std::string table_of(const std::vector<const CheckedStatement*>& checked) {
   std::string rows;
   for (const CheckedStatement* one : checked) rows += confirmation_row(*one);
-  return "<div class=scroll><table class=statements>\n<tr><th>place</th><th class=left>claim</th><th class=left>verdict</th><th "
+  return "<div class=scroll><table class=statements>\n<tr><th>place</th><th class=left>claim</th><th "
+         "class=left>verdict</th><th "
          "class=left>for which parameters, and why</th></tr>\n" +
          rows + "</table></div>\n";
 }

@@ -69,10 +69,13 @@ void draw(const Figure& figure, const std::filesystem::path& folder) {
   for (const char* ending : {".svg", ".png"}) draw_file(figure, folder / (figure.id + ending));
 }
 
-bool is_picture_name(const std::filesystem::path& file) { return file.extension() == ".svg" || file.extension() == ".png"; }
+bool is_picture_name(const std::filesystem::path& file) {
+  return file.extension() == ".svg" || file.extension() == ".png";
+}
 
 void draw_file(const Figure& figure, const std::filesystem::path& file) {
-  if (!is_picture_name(file)) throw std::invalid_argument("draw_file: need a name that ends in .svg or .png, got " + file.string());
+  if (!is_picture_name(file))
+    throw std::invalid_argument("draw_file: need a name that ends in .svg or .png, got " + file.string());
   const char* terminal = file.extension() == ".svg" ? "svg font 'DejaVu Sans,12' background rgb 'white'"
                                                     : "pngcairo font 'DejaVu Sans,11' fontscale 1.0";
   write_file_with(file, [&](const std::filesystem::path& temporary) {

@@ -11,8 +11,8 @@ namespace subcert {
 struct Curve {
   std::string label;
   std::vector<std::pair<double, double>> points;
-  bool marked = false;  ///< points with marks, as for a sequence over n
-  bool joined = true;   ///< a line through the points; else marks alone
+  bool marked = false;      ///< points with marks, as for a sequence over n
+  bool joined = true;       ///< a line through the points; else marks alone
   std::string colour = {};  ///< as "#0b559f"; empty: by place in the panel
 };
 

@@ -14,7 +14,8 @@ void parallel_for_each(std::size_t count, int jobs, const std::function<void(std
                                                   static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { work(i); }, tbb::simple_partitioner());
+    tbb::parallel_for(
+        std::size_t{0}, count, [&](std::size_t i) { work(i); }, tbb::simple_partitioner());
   });
 }
 

@@ -27,10 +27,14 @@ Json computed_json(const Computed& computed) {
 }
 
 Json comparison_json(const ComparisonTable& table, const Comparison& comparison) {
-  return {{"paper", table.paper},           {"table", table.id},
-          {"cell", comparison.cell()},      {"scheme", comparison.scheme},
-          {"printed", comparison.printed},  {"computed", computed_json(comparison.computed)},
-          {"verdict", to_text(comparison.verdict)}, {"recorded", to_text(comparison.recorded)},
+  return {{"paper", table.paper},
+          {"table", table.id},
+          {"cell", comparison.cell()},
+          {"scheme", comparison.scheme},
+          {"printed", comparison.printed},
+          {"computed", computed_json(comparison.computed)},
+          {"verdict", to_text(comparison.verdict)},
+          {"recorded", to_text(comparison.recorded)},
           {"note", comparison.note}};
 }
 
@@ -99,8 +103,8 @@ std::string cell_html(const Comparison& c) {
 }
 
 std::string table_html(const ComparisonTable& table) {
-  std::string result = "<h3 id=\"" + table.paper + "-table-" + table.id + "\">" + html(table.title) + "</h3>\n<p class=place>" +
-                       html(table.place) + "</p>\n<div class=scroll><table>\n";
+  std::string result = "<h3 id=\"" + table.paper + "-table-" + table.id + "\">" + html(table.title) +
+                       "</h3>\n<p class=place>" + html(table.place) + "</p>\n<div class=scroll><table>\n";
   if (table.grid) {
     const auto columns = distinct(table.comparisons, [](const Comparison& c) { return c.column; });
     const auto rows = distinct(table.comparisons, [](const Comparison& c) { return c.row; });
@@ -110,9 +114,8 @@ std::string table_html(const ComparisonTable& table) {
     for (const std::string& row : rows) {
       result += "<tr><th>" + html(row) + "</th>";
       for (const std::string& column : columns) {
-        const auto found = std::find_if(table.comparisons.begin(), table.comparisons.end(), [&](const Comparison& c) {
-          return c.row == row && c.column == column;
-        });
+        const auto found = std::find_if(table.comparisons.begin(), table.comparisons.end(),
+                                        [&](const Comparison& c) { return c.row == row && c.column == column; });
         result += found == table.comparisons.end() ? std::string("<td></td>") : cell_html(*found);
       }
       result += "</tr>\n";
@@ -130,8 +133,7 @@ std::string table_html(const ComparisonTable& table) {
     if (!c.note.empty())
       notes += "<li><b>" + html(c.cell()) + "</b> (printed " + html(c.printed) + ", computed " +
                html(c.computed_text()) + "): " + html(c.note) + "</li>\n";
-  if (!notes.empty())
-    result += "<details><summary>Notes on single cells</summary><ul>\n" + notes + "</ul></details>\n";
+  if (!notes.empty()) result += "<details><summary>Notes on single cells</summary><ul>\n" + notes + "</ul></details>\n";
   return result;
 }
 
@@ -171,15 +173,17 @@ std::string table_html(const std::string& paper, const PlainTable& table) {
 
 template <class Picture>
 std::string figure_html(const std::string& paper, const Picture& figure, const std::string& ending) {
-  return "<figure id=\"" + paper + "-figure-" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending + "\" alt=\"" +
-         html(figure.title) + "\"><figcaption><b>" + html(figure.title) + ".</b> " + html(figure.caption) + "</figcaption></figure>\n";
+  return "<figure id=\"" + paper + "-figure-" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending +
+         "\" alt=\"" + html(figure.title) + "\"><figcaption><b>" + html(figure.title) + ".</b> " +
+         html(figure.caption) + "</figcaption></figure>\n";
 }
 
 /// What the experiments of a paper found, one line each.
 std::string experiments_html(const Report& report) {
   if (report.experiments.empty()) return "";
-  std::string result = "<div class=scroll><table class=summary>\n<tr><th>experiment</th><th>claims</th><th>confirmed</th>"
-                       "<th>not confirmed</th><th>not reproducible</th></tr>\n";
+  std::string result =
+      "<div class=scroll><table class=summary>\n<tr><th>experiment</th><th>claims</th><th>confirmed</th>"
+      "<th>not confirmed</th><th>not reproducible</th></tr>\n";
   for (const RanExperiment& ran : report.experiments)
     result += "<tr><th><a href=\"#" + report.paper + "-" + ran.experiment->id + "\">" + html(ran.experiment->title) +
               "</a></th><td>" + std::to_string(ran.result.claims.size()) + "</td><td>" +
@@ -197,16 +201,21 @@ bool is_experiment(const Report& report, const Section& section) {
 std::string page(const std::vector<Report>& reports, bool with_errata) {
   std::string body =
       "<h1>Printed values, recomputed</h1>\n<p>Every number set beside a printed value was computed in exact rational "
-      "arithmetic, or enclosed with outward rounding. In each cell the printed value stands first, ours below it, then the verdict: "
-      "<b>match</b> where our enclosure is narrower than one unit of the last printed place and within one such unit of "
-      "the printed value, <b>mismatch</b> where our result excludes that, <b>open</b> where it does not decide yet.</p>\n";
+      "arithmetic, or enclosed with outward rounding. In each cell the printed value stands first, ours below it, then "
+      "the verdict: "
+      "<b>match</b> where our enclosure is narrower than one unit of the last printed place and within one such unit "
+      "of "
+      "the printed value, <b>mismatch</b> where our result excludes that, <b>open</b> where it does not decide "
+      "yet.</p>\n";
   if (std::any_of(reports.begin(), reports.end(), [](const Report& r) { return !r.experiments.empty(); }))
-    body += "<p>Experiments are another matter: they repeat what a paper shows once, over many samples of random noise, in "
-            "double precision. Each sentence of the text has a statistic that decides it: <b>confirmed</b> or <b>not "
-            "confirmed</b>, with numbers; <b>not-reproducible</b> where it rests on data that were not published.</p>\n";
+    body +=
+        "<p>Experiments are another matter: they repeat what a paper shows once, over many samples of random noise, in "
+        "double precision. Each sentence of the text has a statistic that decides it: <b>confirmed</b> or <b>not "
+        "confirmed</b>, with numbers; <b>not-reproducible</b> where it rests on data that were not published.</p>\n";
   if (with_errata)
-    body += "<p><a href=\"errata.html\">Errata and confirmations</a>: every statement of the papers as a check, and what "
-            "is wrong in them.</p>\n";
+    body +=
+        "<p><a href=\"errata.html\">Errata and confirmations</a>: every statement of the papers as a check, and what "
+        "is wrong in them.</p>\n";
   if (reports.size() > 1) {
     body += "<ul>\n";
     for (const Report& report : reports)
@@ -221,12 +230,14 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
     body += "</nav>\n";
     const auto tables = report.comparison_tables();
     if (!tables.empty()) {
-      body += "<div class=scroll><table class=summary>\n<tr><th>table</th><th>values</th><th>match</th><th>mismatch</th>"
-              "<th>open</th></tr>\n";
+      body +=
+          "<div class=scroll><table class=summary>\n<tr><th>table</th><th>values</th><th>match</th><th>mismatch</th>"
+          "<th>open</th></tr>\n";
       for (const ComparisonTable* table : tables)
-        body += "<tr><th><a href=\"#" + report.paper + "-table-" + table->id + "\">" + html(table->title) + "</a></th><td>" +
-                std::to_string(table->comparisons.size()) + "</td><td>" + std::to_string(table->count(Verdict::match)) +
-                "</td><td>" + std::to_string(table->count(Verdict::mismatch)) + "</td><td>" +
+        body += "<tr><th><a href=\"#" + report.paper + "-table-" + table->id + "\">" + html(table->title) +
+                "</a></th><td>" + std::to_string(table->comparisons.size()) + "</td><td>" +
+                std::to_string(table->count(Verdict::match)) + "</td><td>" +
+                std::to_string(table->count(Verdict::mismatch)) + "</td><td>" +
                 std::to_string(table->count(Verdict::open)) + "</td></tr>\n";
       body += "</table></div>\n";
     }
@@ -242,7 +253,8 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
     }
   }
   return "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
-         "content=\"width=device-width, initial-scale=1\">\n<title>subcert: printed values, recomputed</title>\n<style>" +
+         "content=\"width=device-width, initial-scale=1\">\n<title>subcert: printed values, "
+         "recomputed</title>\n<style>" +
          page_style() + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
 }
 
@@ -258,7 +270,8 @@ std::vector<const ComparisonTable*> Report::comparison_tables() const {
 bool Report::as_recorded() const {
   const auto tables = comparison_tables();
   return std::all_of(tables.begin(), tables.end(), [](const ComparisonTable* table) { return table->as_recorded(); }) &&
-         std::all_of(experiments.begin(), experiments.end(), [](const RanExperiment& e) { return e.result.as_recorded(); });
+         std::all_of(experiments.begin(), experiments.end(),
+                     [](const RanExperiment& e) { return e.result.as_recorded(); });
 }
 
 std::vector<std::string> reproducible_papers() {
@@ -288,7 +301,8 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
   for (const Report& report : reports) {
     const std::filesystem::path inside = folder / report.paper;
     for (const ComparisonTable* table : report.comparison_tables()) {
-      Json json{{"paper", report.paper}, {"citation", report.citation}, {"table", table->id}, {"comparisons", Json::array()}};
+      Json json{
+          {"paper", report.paper}, {"citation", report.citation}, {"table", table->id}, {"comparisons", Json::array()}};
       for (const Comparison& comparison : table->comparisons)
         json["comparisons"].push_back(comparison_json(*table, comparison));
       write_file(inside / (table->id + ".json"), json.dump(2) + "\n");
@@ -320,7 +334,8 @@ std::string reports_json(const std::vector<Report>& reports) {
     for (const ComparisonTable* table : report.comparison_tables())
       for (const Comparison& comparison : table->comparisons)
         json["comparisons"].push_back(comparison_json(*table, comparison));
-    for (const RanExperiment& ran : report.experiments) json["experiments"].push_back(Json::parse(experiment_json(ran)));
+    for (const RanExperiment& ran : report.experiments)
+      json["experiments"].push_back(Json::parse(experiment_json(ran)));
   }
   return json.dump(2);
 }

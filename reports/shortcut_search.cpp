@@ -12,7 +12,9 @@ namespace subcert {
 VarianceCell::VarianceCell(const PublishedCell& cell)
     : n(std::stoi(cell.row.substr(cell.row.find("n=") + 2))),
       slope(cell.quantity.find("slope") != std::string::npos),
-      factor(cell.quantity == "n*variance" ? n : cell.quantity == "n^2*slope" ? n * n : 1) {}
+      factor(cell.quantity == "n*variance"  ? n
+             : cell.quantity == "n^2*slope" ? n * n
+                                            : 1) {}
 
 ShortcutSearch::ShortcutSearch(const PublishedTable& table, int jobs) : table_(table) {
   std::map<std::string, int> sizes;
@@ -60,8 +62,9 @@ std::string ShortcutSearch::summary() const {
     if (!gives(cell, best_)) others += (others.empty() ? "" : " and ") + cell.column + " of " + cell.row;
   return "Of " + std::to_string(variance_shortcuts().size()) +
          " numerical shortcuts, each evaluated exactly, one gives the printed digits (rounded or cut) of " +
-         std::to_string(cells_given_) + " of the " + std::to_string(table_.cells.size()) + " cells: " +
-         variance_shortcuts()[best_].text() + "." + (others.empty() ? "" : " It does not give " + others + ".");
+         std::to_string(cells_given_) + " of the " + std::to_string(table_.cells.size()) +
+         " cells: " + variance_shortcuts()[best_].text() + "." +
+         (others.empty() ? "" : " It does not give " + others + ".");
 }
 
 }  // namespace subcert

@@ -51,11 +51,12 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, const 
   for (const DrawnSurface& surface : surfaces) {
     const bool coarse = surface.columns * surface.rows <= 2500;
     gnuplot << "set title \"" << surface.title << "\"\n"
-            << (surface.heights
-                    ? "set view 60,30,1\n"
-                    : "set view equal xyz\nset view 60,30," + std::to_string(surface.zoom) + "\nunset tics\nunset border\n")
+            << (surface.heights ? "set view 60,30,1\n"
+                                : "set view equal xyz\nset view 60,30," + std::to_string(surface.zoom) +
+                                      "\nunset tics\nunset border\n")
             << "set pm3d depthorder " << (coarse ? "border lc rgb '#303030' lw 0.4\n" : "noborder\n")
-            << "splot '-' with pm3d\n" << grid_text(surface) << "e\n";
+            << "splot '-' with pm3d\n"
+            << grid_text(surface) << "e\n";
   }
   gnuplot << "unset multiplot\nunset output\n";
   gnuplot.flush();
@@ -64,7 +65,8 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, const 
 }  // namespace
 
 void draw(const SurfaceFigure& figure, const std::filesystem::path& folder) {
-  for (const char* ending : {".svg", ".png"}) draw_surfaces(figure.surfaces, folder / (figure.id + ending), figure.columns);
+  for (const char* ending : {".svg", ".png"})
+    draw_surfaces(figure.surfaces, folder / (figure.id + ending), figure.columns);
 }
 
 void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file, std::size_t columns) {

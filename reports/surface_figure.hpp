@@ -35,6 +35,7 @@ void draw(const SurfaceFigure& figure, const std::filesystem::path& folder);
 
 /// Writes one picture with the surfaces side by side, at most `columns` in a row where it is not 0, as .svg or .png.
 /// Errors: throws std::invalid_argument for another ending, std::runtime_error where gnuplot is missing or fails.
-void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file, std::size_t columns = 0);
+void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file,
+                   std::size_t columns = 0);
 
 }  // namespace subcert

@@ -20,7 +20,8 @@ struct TheoremCase {
 
 /// Conjecture 7 first: what it encloses serves the others too.
 const std::vector<TheoremCase>& theorem_cases() {
-  static const std::vector<TheoremCase> list{{"conjecture-7", {1, 3, 5}}, {"conjecture-8-n", {1, 3, 5}}, {"conjecture-8-d", {1, 3}}};
+  static const std::vector<TheoremCase> list{
+      {"conjecture-7", {1, 3, 5}}, {"conjecture-8-n", {1, 3, 5}}, {"conjecture-8-d", {1, 3}}};
   return list;
 }
 
@@ -58,12 +59,14 @@ Figure mean_and_ripple() {
   for (int n = 3; n <= 24; n += n < 12 ? 1 : 3)
     bound.points.emplace_back(n, plain(2 * *theorems::degree_one_bounds(n).ripple.upper));
   ripples.curves.push_back(bound);
-  return {"theorems-plot", "Mean and ripple of the variance curves over n",
-          "Exact means, and differences of exact values on the grid of step 1/" + std::to_string(1 << grid_level) +
-              ", on logarithmic scales; above them twice the proved bound of |psi_n - mean|. The mean falls like 1/n, the "
-              "ripple faster than every power of n.",
-          2,
-          {means, ripples}};
+  return {
+      "theorems-plot",
+      "Mean and ripple of the variance curves over n",
+      "Exact means, and differences of exact values on the grid of step 1/" + std::to_string(1 << grid_level) +
+          ", on logarithmic scales; above them twice the proved bound of |psi_n - mean|. The mean falls like 1/n, the "
+          "ripple faster than every power of n.",
+      2,
+      {means, ripples}};
 }
 
 }  // namespace
@@ -71,17 +74,19 @@ Figure mean_and_ripple() {
 Section theorem_section(const ReportOptions& options) {
   Section section{"theorems", "Conjectures 7 and 8 for every n", {}};
   section.paragraphs.push_back(
-      "Conjecture 7: for each degree, max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2. Conjecture 8: psi_n decreases pointwise in n "
+      "Conjecture 7: for each degree, max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2. Conjecture 8: psi_n decreases "
+      "pointwise in n "
       "and increases pointwise in the degree d. A table supports them up to some n; the theorems below settle them for "
-      "every n, for the degrees 1, 3 and 5. Their proofs, docs/theorems/variance-curves.tex, rest on numbered inequalities, and "
+      "every n, for the degrees 1, 3 and 5. Their proofs, docs/theorems/variance-curves.tex, rest on numbered "
+      "inequalities, and "
       "each was run for this page ('subcert theorem ID --d D' prints them with their margins).");
-  PlainTable table{"theorems", "Theorems, and the inequalities behind them",
-                   {"theorem", "degrees", "inequalities", "verdict"}, {}};
+  PlainTable table{
+      "theorems", "Theorems, and the inequalities behind them", {"theorem", "degrees", "inequalities", "verdict"}, {}};
   for (const TheoremCase& one : theorem_cases())
     for (int degree : one.degrees) {
       if (options.progress) options.progress(std::string("theorem ") + one.id + ", d = " + std::to_string(degree));
-      const theorems::Theorem theorem =
-          theorems::prove(one.id, degree, theorems::stated_constants(one.id, degree), options.jobs);
+      const theorems::Theorem theorem = theorems::prove(one.id, degree, theorems::stated_constants(one.id, degree),
+                                                        options.jobs);
       table.rows.push_back({one.id, joined(theorem.degrees), std::to_string(theorem.checks.size()),
                             verdict_word(theorem.decision.truth)});
       if (!theorem.decision.is_yes()) continue;

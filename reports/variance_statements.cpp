@@ -19,7 +19,7 @@ Truth truth_of(bool yes, bool no) { return yes ? Truth::yes : no ? Truth::no : T
 Truth all_of(const std::vector<Truth>& truths) {
   if (std::count(truths.begin(), truths.end(), Truth::no) > 0) return Truth::no;
   return std::count(truths.begin(), truths.end(), Truth::yes) == static_cast<long>(truths.size()) ? Truth::yes
-                                                                                                 : Truth::unknown;
+                                                                                                  : Truth::unknown;
 }
 
 struct Answer {
@@ -156,10 +156,10 @@ Answer answer(const PublishedCell& cell, Workshop& workshop) {
   const std::string kind = what.substr(0, degree_at - 1), source = what.substr(source_at);
   if ((kind == "value" || kind == "slope") && (source == "figure" || source == "table")) {
     const int degree = std::stoi(what.substr(degree_at));
-    return rate_over(workshop, degree,
-                     source == "figure" ? sizes_of_figure_8(degree)
-                                        : sizes_of_table_3(workshop.published("table3"), degree),
-                     kind == "slope");
+    return rate_over(
+        workshop, degree,
+        source == "figure" ? sizes_of_figure_8(degree) : sizes_of_table_3(workshop.published("table3"), degree),
+        kind == "slope");
   }
   throw std::invalid_argument("unknown statement '" + what + "'");
 }

@@ -8,8 +8,8 @@
 namespace subcert {
 
 /// The weights c with p(x) = sum of c[i] y[i], where p has total degree at most `degree` and minimises the sum of
-/// (p(node i) - y[i])^2 over the product of the node lists; the first variable runs fastest. Where several polynomials are
-/// minimal, the one without components that vanish at all nodes is taken, in the orthogonal basis of products.
+/// (p(node i) - y[i])^2 over the product of the node lists; the first variable runs fastest. Where several polynomials
+/// are minimal, the one without components that vanish at all nodes is taken, in the orthogonal basis of products.
 /// Domain: one to three lists of distinct nodes, one coordinate of x for each, degree >= 0. Errors: throws
 /// std::invalid_argument. Cost: nodes * degree^(variables - 1) rational operations. Proof: docs/schemes.md.
 std::vector<Rational> grid_regression_weights(const std::vector<std::vector<Rational>>& nodes, int degree,

@@ -40,8 +40,9 @@ void require_fit(std::vector<Rational> nodes, const std::vector<Rational>& weigh
 
 }  // namespace
 
-std::vector<std::vector<Rational>> regression_terms(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
-                                                    int degree, const Rational& x) {
+std::vector<std::vector<Rational>> regression_terms(const std::vector<Rational>& nodes,
+                                                    const std::vector<Rational>& weights, int degree,
+                                                    const Rational& x) {
   require_fit(nodes, weights, degree);
   const std::size_t m = nodes.size();
   const int last = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(degree), m - 1));
@@ -114,9 +115,7 @@ Mask regression_mask(const LocalRegression& scheme) {
   return {LaurentPolynomial(coefficients, lowest), static_cast<int>(arity)};
 }
 
-LocalRegression primal(int n, int degree) {
-  return {{{-n + 1, n - 1, 0}, {-n + 1, n, Rational(1, 2)}}, degree};
-}
+LocalRegression primal(int n, int degree) { return {{{-n + 1, n - 1, 0}, {-n + 1, n, Rational(1, 2)}}, degree}; }
 
 LocalRegression primal_odd(int n, int degree) { return {{{-n, n, 0}, {-n + 1, n, Rational(1, 2)}}, degree}; }
 

@@ -18,11 +18,13 @@ namespace subcert {
 std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
                                          int degree, const Rational& x);
 
-/// [k][i] = P_k(x) P_k(nodes[i]) / <P_k, P_k> for k = 0, ..., min(degree, nodes.size() - 1), with the polynomials P_k of
-/// degree k that are orthogonal for <g, h> = sum of weights[i] g(nodes[i]) h(nodes[i]): the sum of the first rows times
-/// weights[i] are the regression weights. Domain, errors and cost as regression_weights without its interpolation.
-std::vector<std::vector<Rational>> regression_terms(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
-                                                    int degree, const Rational& x);
+/// [k][i] = P_k(x) P_k(nodes[i]) / <P_k, P_k> for k = 0, ..., min(degree, nodes.size() - 1), with the polynomials P_k
+/// of degree k that are orthogonal for <g, h> = sum of weights[i] g(nodes[i]) h(nodes[i]): the sum of the first rows
+/// times weights[i] are the regression weights. Domain, errors and cost as regression_weights without its
+/// interpolation.
+std::vector<std::vector<Rational>> regression_terms(const std::vector<Rational>& nodes,
+                                                    const std::vector<Rational>& weights, int degree,
+                                                    const Rational& x);
 
 /// One refinement rule: the fit uses the data f_{i+first}, ..., f_{i+last} and is evaluated at i + position.
 struct RegressionRule {

@@ -79,7 +79,8 @@ MultivariateScheme make_grid(const Piece& family, const Piece& body) {
     coefficients *= scheme.arity * count;
     longest = std::max(longest, count);
     if (coefficients > max_coefficients)
-      fail(points_piece, "at most " + std::to_string(max_coefficients) + " coefficients (points times a along each axis)");
+      fail(points_piece,
+           "at most " + std::to_string(max_coefficients) + " coefficients (points times a along each axis)");
   }
   if (scheme.points.size() < 2) fail(points_piece, "two or three numbers of points, as 4x4");
   if (const auto piece = fields.optional("d")) {
@@ -114,8 +115,7 @@ AnyScheme make_any_scheme(std::string_view specification) {
     if (family.text == "l1") fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
     fail(family, "one of " + known + "; for data also l1");
   }
-  if (specification.size() > max_text)
-    fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
+  if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
   const bool tensor = family.text == tensor_help.family;
   if (colon == std::string_view::npos) fail(family, (tensor ? tensor_help : grid_help).usage);
   const Piece body{specification.substr(colon + 1), colon + 1};
@@ -144,7 +144,8 @@ std::string to_mask_text(const MultivariateMask& mask) {
   Integer common = 1;
   for (const auto& term : mask.symbol().terms()) {
     std::size_t at = 0;
-    for (std::size_t v = variables; v-- > 0;) at = at * sizes[v] + static_cast<std::size_t>(term.exponents[v] - lowest[v]);
+    for (std::size_t v = variables; v-- > 0;)
+      at = at * sizes[v] + static_cast<std::size_t>(term.exponents[v] - lowest[v]);
     dense[at] = term.coefficient;
     common = lcm(common, denominator(term.coefficient));
   }

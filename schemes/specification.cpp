@@ -23,8 +23,8 @@ long read_degree(Fields& fields, long points) {
   if (!piece) return 1;
   const long degree = read_integer(*piece, "d", 0, std::numeric_limits<std::int32_t>::max());
   if (std::min(degree, points - 1) * points > max_work)
-    fail(*piece, "a degree d with points * d <= " + std::to_string(max_work) + " (here points = " +
-                     std::to_string(points) + ")");
+    fail(*piece, "a degree d with points * d <= " + std::to_string(max_work) +
+                     " (here points = " + std::to_string(points) + ")");
   return degree;
 }
 
@@ -114,8 +114,8 @@ Scheme make_regression(Fields& fields) {
     const std::size_t dots = stencil.text.find("..");
     if (dots == std::string_view::npos) fail(stencil, "a stencil first..last, as -1..2");
     const long first = read_integer({stencil.text.substr(0, dots), stencil.at}, "first", -max_points, max_points);
-    const long last =
-        read_integer({stencil.text.substr(dots + 2), stencil.at + dots + 2}, "last", -max_points, max_points);
+    const long last = read_integer({stencil.text.substr(dots + 2), stencil.at + dots + 2}, "last", -max_points,
+                                   max_points);
     if (first > last || last - first >= max_points)
       fail(stencil, "a stencil first..last with at most " + number(max_points) + " points");
     points = std::max(points, last - first + 1);
@@ -190,8 +190,8 @@ Scheme make_mask(const Piece& family, const Piece& body, const std::string& usag
     if (sums[residue] != 1)
       fail(body, "coefficients that sum to 1 over each residue class; the class " + std::to_string(residue) + " mod " +
                      number(arity) + " sums to " + to_decimal(sums[residue], 6, Rounding::nearest));
-  return {"mask:" + symbol.to_mask_text() + (arity == 2 ? "" : ",arity=" + number(arity)), "mask given by its coefficients",
-          mask};
+  return {"mask:" + symbol.to_mask_text() + (arity == 2 ? "" : ",arity=" + number(arity)),
+          "mask given by its coefficients", mask};
 }
 
 struct Family {
@@ -217,8 +217,7 @@ const std::vector<Family>& table() {
       {{"dd", "dd:n=2", "interpolatory Deslauriers-Dubuc 2n-point scheme"}, from_fields(make_deslauriers_dubuc)},
       {{"bspline", "bspline:degree=3,a=2", "B-spline, arity a (2 unless given)"}, from_fields(make_bspline)},
       {{"four-point", "four-point:w=1/16", "generalised 4-point scheme with tension w"}, from_fields(make_four_point)},
-      {{"mask", "mask:[1,3,3,1]/4@-2,arity=2", "any mask; centred and binary unless said otherwise"},
-       make_mask},
+      {{"mask", "mask:[1,3,3,1]/4@-2,arity=2", "any mask; centred and binary unless said otherwise"}, make_mask},
       {{"regression", "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
         "any local regression rules; optional weights=[1;2;1|1;1;1;1] and first=0"},
        from_fields(make_regression)}};
@@ -228,8 +227,7 @@ const std::vector<Family>& table() {
 }  // namespace
 
 Scheme make_scheme(std::string_view specification) {
-  if (specification.size() > max_text)
-    fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
+  if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
   const std::size_t colon = specification.find(':');
   const Piece family{specification.substr(0, colon), 0};
   std::string known;

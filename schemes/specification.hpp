@@ -59,8 +59,8 @@ struct FamilyHelp {
 const std::vector<FamilyHelp>& families();
 const std::vector<FamilyHelp>& multivariate_families();
 
-/// The coefficients as nested lists over their common denominator, the last variable outermost, and the first index of each
-/// variable: `[[1,3],[3,1]]/8@-1,0`.
+/// The coefficients as nested lists over their common denominator, the last variable outermost, and the first index of
+/// each variable: `[[1,3],[3,1]]/8@-1,0`.
 std::string to_mask_text(const MultivariateMask& mask);
 
 }  // namespace subcert

@@ -10,7 +10,7 @@ namespace subcert::specification_text {
 
 constexpr std::size_t max_text = 30'000;  // also bounds the digits that a common denominator can gather
 constexpr long max_points = 4096;
-constexpr long max_work = 200'000;  // points * degree: keeps every accepted mask within seconds
+constexpr long max_work = 200'000;         // points * degree: keeps every accepted mask within seconds
 constexpr long max_long_work = 1'000'000;  // points * degree^2 * digits, for weighted fits and long positions
 constexpr long max_arity = 64;
 

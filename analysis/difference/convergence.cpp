@@ -28,12 +28,14 @@ Decision contracts(const Mask& mask, const ProofLimits& limits) {
       const int level = static_cast<int>(l) + 1;
       const Rational norm = norm_of_difference(powers.norms[l], level);
       if (norm < 1)
-        return {Truth::yes, "the difference scheme contracts: ||S_q^" + std::to_string(level) + "|| = " + short_text(norm)};
+        return {Truth::yes,
+                "the difference scheme contracts: ||S_q^" + std::to_string(level) + "|| = " + short_text(norm)};
       smallest = reached == 0 && l == 0 ? norm : std::min(smallest, norm);
     }
     reached = static_cast<int>(powers.norms.size());
     const bool small = derived.symbol().length() <= largest_refuted_size * (mask.arity() - 1);
-    if (small && (levels == 4 || reached < levels))  // cheap, and often the true answer where four levels did not contract
+    if (small &&
+        (levels == 4 || reached < levels))  // cheap, and often the true answer where four levels did not contract
       for (const RationalMatrix& transition : transition_matrices(derived)) {
         const LaurentPolynomial scaled = characteristic_polynomial(transition);
         const Rational arity(mask.arity());

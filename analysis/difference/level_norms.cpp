@@ -208,7 +208,8 @@ class Search {
   }
 
   std::size_t child_slot(int depth, int digit) const {
-    return static_cast<std::size_t>(depth) * static_cast<std::size_t>(tree_.arity()) + static_cast<std::size_t>(digit) + 1;
+    return static_cast<std::size_t>(depth) * static_cast<std::size_t>(tree_.arity()) + static_cast<std::size_t>(digit) +
+           1;
   }
 
   const PowerTree& tree_;

@@ -55,7 +55,8 @@ Decision contracts(const MultivariatePolynomial& quotient, int arity, std::size_
       return {Truth::yes, "||" + name + (level == 1 ? "" : "^" + std::to_string(level)) + "|| = " + short_text(norm)};
     smallest = level == 1 ? norm : std::min(smallest, norm);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    if (level >= limits.levels || spent.count() > limits.seconds || next_terms(power, quotient, dilation) > most_terms) break;
+    if (level >= limits.levels || spent.count() > limits.seconds || next_terms(power, quotient, dilation) > most_terms)
+      break;
     power = power * quotient.dilated(dilation);
   }
   return {Truth::unknown, "no power of " + name + " up to level " + std::to_string(level) +
@@ -79,11 +80,13 @@ Decision converges(const MultivariateMask& mask, const ProofLimits& limits) {
     if (sum == 1) continue;
     std::string text;
     for (const long r : residue) text += (text.empty() ? "" : ", ") + std::to_string(r);
-    return {Truth::no, "the coefficients with indices congruent to (" + text + ") sum to " + short_text(sum) + " instead of 1"};
+    return {Truth::no,
+            "the coefficients with indices congruent to (" + text + ") sum to " + short_text(sum) + " instead of 1"};
   }
   for (std::size_t v = 0; v < static_cast<std::size_t>(mask.dimension()); ++v) {
     const Decision one = converges(reduced(mask, v), limits);
-    if (one.is_no()) return {Truth::no, std::string("data that depend on ") + variable_names[v] + " alone: " + one.reason};
+    if (one.is_no())
+      return {Truth::no, std::string("data that depend on ") + variable_names[v] + " alone: " + one.reason};
   }
   std::string evidence;
   for (std::size_t v = 0; v < static_cast<std::size_t>(mask.dimension()); ++v) {
@@ -105,7 +108,8 @@ Decision tensor_product_converges(const std::vector<Mask>& factors, const ProofL
   std::string evidence;
   for (std::size_t v = 0; v < factors.size(); ++v) {
     const Decision one = converges(factors[v], limits);
-    const std::string reason = (factors.size() == 1 ? "" : std::string("factor ") + variable_names[v] + ": ") + one.reason;
+    const std::string reason = (factors.size() == 1 ? "" : std::string("factor ") + variable_names[v] + ": ") +
+                               one.reason;
     if (one.is_no()) return {Truth::no, reason};
     if (!one.is_yes() && unknown.is_yes()) unknown = {Truth::unknown, reason};
     evidence += (v ? "; " : "") + reason;

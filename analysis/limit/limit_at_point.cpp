@@ -44,8 +44,7 @@ RationalMatrix fixed_vector(RationalMatrix matrix) {
   Rational sum = 0;
   if (fixed.size() == 1)
     for (const Rational& value : fixed[0]) sum += value;
-  if (sum == 0)
-    throw std::domain_error("limit_values_at: the refinement equation does not determine the values");
+  if (sum == 0) throw std::domain_error("limit_values_at: the refinement equation does not determine the values");
   RationalMatrix result(size, 1);
   for (std::size_t i = 0; i < size; ++i) result(i, 0) = fixed[0][i] / sum;
   return result;

@@ -183,18 +183,19 @@ ModMatrix evaluate(const Element& element, const ModFamily& family) {
 }
 
 RationalMatrix evaluate(const Element& element, const Family& family) {
-  return evaluate(element, family, [](const RationalMatrix& a, const RationalMatrix& b) { return a * b; },
-                  [](RationalMatrix& sum, const RationalMatrix& product, long factor) {
-                    for (std::size_t i = 0; i < sum.rows(); ++i)
-                      for (std::size_t j = 0; j < sum.columns(); ++j) sum(i, j) += factor * product(i, j);
-                  });
+  return evaluate(
+      element, family, [](const RationalMatrix& a, const RationalMatrix& b) { return a * b; },
+      [](RationalMatrix& sum, const RationalMatrix& product, long factor) {
+        for (std::size_t i = 0; i < sum.rows(); ++i)
+          for (std::size_t j = 0; j < sum.columns(); ++j) sum(i, j) += factor * product(i, j);
+      });
 }
 
 enum class ModularAnswer { irreducible, reducible, unknown };
 
-/// Norton's criterion modulo the prime: for an element theta and an irreducible factor f of its characteristic polynomial
-/// whose kernel has the dimension deg f, the family is irreducible if one vector of the kernel of f(theta) spins to the
-/// whole space, and one of that of the transposes.
+/// Norton's criterion modulo the prime: for an element theta and an irreducible factor f of its characteristic
+/// polynomial whose kernel has the dimension deg f, the family is irreducible if one vector of the kernel of f(theta)
+/// spins to the whole space, and one of that of the transposes.
 ModularAnswer decide_modulo_prime(const ModFamily& family) {
   const std::size_t n = family.front().rows();
   const ModFamily dual = transposed(family);
@@ -210,7 +211,8 @@ ModularAnswer decide_modulo_prime(const ModFamily& family) {
     nmod_poly_factor(factors, characteristic);
     std::vector<slong> order;
     for (slong i = 0; i < factors->num; ++i) order.push_back(i);
-    std::sort(order.begin(), order.end(), [&](slong a, slong b) { return factors->p[a].length < factors->p[b].length; });
+    std::sort(order.begin(), order.end(),
+              [&](slong a, slong b) { return factors->p[a].length < factors->p[b].length; });
     if (order.size() > factors_per_attempt) order.resize(factors_per_attempt);
     for (const slong index : order) {
       const nmod_poly_struct* f = factors->p + index;
@@ -323,8 +325,8 @@ struct Found {
 
 class Reducer {
  public:
-  explicit Reducer(double seconds) : end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                              std::chrono::duration<double>(seconds))) {}
+  explicit Reducer(double seconds)
+      : end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
 
   /// The basis, its columns block by block, in which the family is triangular; appends to sizes and irreducible.
   RationalMatrix run(const Family& family, BlockTriangular& result) {
@@ -341,8 +343,9 @@ class Reducer {
         return split->basis * inner;
       }
     result.sizes.push_back(n);
-    result.irreducible.push_back(found.irreducible ? Decision{Truth::yes, n == 1 ? "of size 1" : "by Norton's criterion"}
-                                                   : Decision{Truth::unknown, "no invariant subspace was found"});
+    result.irreducible.push_back(found.irreducible
+                                     ? Decision{Truth::yes, n == 1 ? "of size 1" : "by Norton's criterion"}
+                                     : Decision{Truth::unknown, "no invariant subspace was found"});
     return RationalMatrix::identity(n);
   }
 
@@ -371,9 +374,8 @@ class Reducer {
     for (int attempt = 0; attempt < attempts; ++attempt) {
       const RationalMatrix theta = evaluate(element(family.size(), attempt, random), family);
       auto factors = irreducible_factors(characteristic_polynomial(theta));
-      std::sort(factors.begin(), factors.end(), [](const auto& a, const auto& b) {
-        return a.polynomial.length() < b.polynomial.length();
-      });
+      std::sort(factors.begin(), factors.end(),
+                [](const auto& a, const auto& b) { return a.polynomial.length() < b.polynomial.length(); });
       if (factors.size() > factors_per_attempt + 1) factors.resize(factors_per_attempt + 1);
       for (const PolynomialFactor& factor : factors) {
         if (late()) return {};

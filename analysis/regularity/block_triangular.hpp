@@ -6,9 +6,9 @@
 
 namespace subcert {
 
-/// A_t basis = basis triangular[t] for all matrices A_t of a family, `basis` non-singular, triangular[t] zero below diagonal
-/// blocks of these sizes. The joint spectral radius is the largest of those of the diagonal blocks.
-/// Canonical: the sizes are positive and add up; one block means basis = identity.
+/// A_t basis = basis triangular[t] for all matrices A_t of a family, `basis` non-singular, triangular[t] zero below
+/// diagonal blocks of these sizes. The joint spectral radius is the largest of those of the diagonal blocks. Canonical:
+/// the sizes are positive and add up; one block means basis = identity.
 struct BlockTriangular {
   std::vector<std::size_t> sizes;
   RationalMatrix basis;
@@ -20,10 +20,11 @@ struct BlockTriangular {
   std::vector<RationalMatrix> block(std::size_t index) const;
 };
 
-/// Reduces as far as invariant subspaces are found. Domain: at least one matrix, all square of one size >= 1; seconds > 0.
-/// Errors: throws std::invalid_argument. Error: none, the result is verified in exact arithmetic; a family that is
-/// reducible only over the real numbers is not split. Cost: a few characteristic polynomials and eliminations modulo a prime
-/// for an irreducible family; where it may be reducible, rational ones. Ref: [HR94]; docs/joint-spectral-radius.md.
+/// Reduces as far as invariant subspaces are found. Domain: at least one matrix, all square of one size >= 1; seconds >
+/// 0. Errors: throws std::invalid_argument. Error: none, the result is verified in exact arithmetic; a family that is
+/// reducible only over the real numbers is not split. Cost: a few characteristic polynomials and eliminations modulo a
+/// prime for an irreducible family; where it may be reducible, rational ones. Ref: [HR94];
+/// docs/joint-spectral-radius.md.
 BlockTriangular block_triangularise(const std::vector<RationalMatrix>& matrices, double seconds);
 
 }  // namespace subcert

@@ -11,7 +11,8 @@
 namespace subcert {
 namespace {
 
-using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60>, boost::multiprecision::et_off>;
+using Real =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60>, boost::multiprecision::et_off>;
 using RealVector = std::vector<Real>;
 
 constexpr int vertex_bits = 112;
@@ -151,9 +152,9 @@ class Orbit {
     std::vector<Vector> values;
     for (const Vertex& vertex : result_.vertices) {
       if (vertex.parent >= 0)
-        values.push_back(scaled(matrices_[static_cast<std::size_t>(vertex.letter)] *
-                                    values[static_cast<std::size_t>(vertex.parent)],
-                                1 / scale(), 0));
+        values.push_back(
+            scaled(matrices_[static_cast<std::size_t>(vertex.letter)] * values[static_cast<std::size_t>(vertex.parent)],
+                   1 / scale(), 0));
       else if (vertex.cycle >= 0)
         values.push_back(root(vertex));
       else
@@ -179,7 +180,8 @@ class Orbit {
       // Along the cycle from the first root of it that is known.
       Vector value = turn.vector;
       for (int place = turn.place; place != vertex.place; place = (place + 1) % static_cast<int>(word.size()))
-        value = scaled(matrices_[static_cast<std::size_t>(word[static_cast<std::size_t>(place)])] * value, 1 / turn.radius, 0);
+        value = scaled(matrices_[static_cast<std::size_t>(word[static_cast<std::size_t>(place)])] * value,
+                       1 / turn.radius, 0);
       const auto [re, im] = inner(value, near);
       const Real size = squared_norm(value);
       // The search turns real eigenvectors as it likes; anything else is another eigenvector of the same product.
@@ -189,8 +191,9 @@ class Orbit {
     }
     RealMatrix product = matrices_[static_cast<std::size_t>(word[static_cast<std::size_t>(vertex.place)])];
     for (std::size_t k = 1; k < word.size(); ++k)
-      product = times(matrices_[static_cast<std::size_t>(word[(static_cast<std::size_t>(vertex.place) + k) % word.size()])],
-                      product);
+      product = times(
+          matrices_[static_cast<std::size_t>(word[(static_cast<std::size_t>(vertex.place) + k) % word.size()])],
+          product);
     const EigenPair pair = refine_eigenpair(product, near);
     const Real radius = pow(pair.modulus, 1 / Real(word.size()));
     if (vertex.cycle == 0) first_radius_ = radius;
@@ -375,8 +378,12 @@ class Certifier {
     std::vector<WeightedVertex> terms;
     for (const Term& term : proof.terms) {
       const auto weight = [&](double part) { return round_scaled(Real(part) * scale_, weight_bits); };
-      WeightedVertex next{static_cast<std::size_t>(term.vertex), term.flipped, term.conjugated && is_complex(),
-                          weight(term.coefficient.real()), is_complex() ? weight(term.coefficient.imag()) : Integer(0), 0};
+      WeightedVertex next{static_cast<std::size_t>(term.vertex),
+                          term.flipped,
+                          term.conjugated && is_complex(),
+                          weight(term.coefficient.real()),
+                          is_complex() ? weight(term.coefficient.imag()) : Integer(0),
+                          0};
       const auto same = std::find_if(terms.begin(), terms.end(), [&](const WeightedVertex& t) {
         return t.vertex == next.vertex && t.flipped == next.flipped && t.conjugated == next.conjugated;
       });
@@ -456,14 +463,15 @@ class Certifier {
     std::vector<WeightedVertex> basis;
     if (!cone()) {
       Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> columns(static_cast<Eigen::Index>(size_),
-                                                                   static_cast<Eigen::Index>(all.size()));
+                                                                    static_cast<Eigen::Index>(all.size()));
       for (std::size_t k = 0; k < all.size(); ++k)
         for (std::size_t i = 0; i < size_; ++i)
           columns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = entry<Scalar>(all[k], i);
       const Eigen::ColPivHouseholderQR<decltype(columns)> factors(columns);
       if (factors.rank() < static_cast<Eigen::Index>(size_)) return false;
       for (std::size_t k = 0; k < size_; ++k)
-        basis.push_back(all[static_cast<std::size_t>(factors.colsPermutation().indices()[static_cast<Eigen::Index>(k)])]);
+        basis.push_back(
+            all[static_cast<std::size_t>(factors.colsPermutation().indices()[static_cast<Eigen::Index>(k)])]);
     }
     Integer most = 0, largest_residual = 0;
     for (std::size_t k = 0; k < (polytope_.symmetric ? (size_ + 1) / 2 : size_); ++k) {
@@ -471,9 +479,9 @@ class Certifier {
       target.re[k] = denominator_ << vertex_bits;
       std::vector<WeightedVertex> terms = basis;
       if (cone()) {
-        const auto best = std::max_element(all.begin(), all.end(), [&](const WeightedVertex& a, const WeightedVertex& b) {
-          return real_part(a, k) < real_part(b, k);
-        });
+        const auto best = std::max_element(
+            all.begin(), all.end(),
+            [&](const WeightedVertex& a, const WeightedVertex& b) { return real_part(a, k) < real_part(b, k); });
         if (real_part(*best, k) <= 0) return false;
         terms = {*best};
         terms.front().weight = ((Integer(1) << (vertex_bits + weight_bits)) / real_part(*best, k)) + 1;

@@ -21,8 +21,8 @@ struct WeightedVertex {
 /// Vertices and combinations with exact dyadic numbers. With P the hull of the vertices, their negatives and, where
 /// `symmetric`, their mirror images, the combinations prove A_t P within bound * P for all matrices
 /// (proofs-checks/certificates/SPEC.md): residuals are small, and `units` bounds the norm of any residual.
-/// Kind nonnegative: the cone hull; combinations dominate instead of being equal. Kind complex: the balanced hull of the
-/// vertices and their conjugates.
+/// Kind nonnegative: the cone hull; combinations dominate instead of being equal. Kind complex: the balanced hull of
+/// the vertices and their conjugates.
 struct CertifiedPolytope {
   PolytopeKind kind;
   bool symmetric;
@@ -30,7 +30,7 @@ struct CertifiedPolytope {
   int vertex_bits;
   int weight_bits;
   std::vector<std::vector<Integer>> vertices;
-  std::vector<std::vector<Integer>> imaginary;  ///< parts of the vertices; empty unless complex
+  std::vector<std::vector<Integer>> imaginary;      ///< parts of the vertices; empty unless complex
   std::vector<std::vector<WeightedVertex>> units;   ///< for e_0, e_1, ...; the first half only where symmetric
   std::vector<std::vector<WeightedVertex>> images;  ///< vertex by vertex, matrix by matrix; for the unscaled matrices
   Rational bound;                                   ///< proved: joint spectral radius <= bound

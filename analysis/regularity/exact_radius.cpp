@@ -112,7 +112,8 @@ class Proof {
     if (result_.status != SearchStatus::closed) return unknown("the polytope did not close");
     if (polytope_.kind == PolytopeKind::nonnegative) return unknown("polytopes of cones are only enclosed");
     for (Cycle& cycle : cycles_) cycle.mirror_shift = mirror_shift(cycle.word);
-    if (!bound_vertex_errors()) return unknown("a leading eigenvalue is not simple, or its eigenvector was not isolated");
+    if (!bound_vertex_errors())
+      return unknown("a leading eigenvalue is not simple, or its eigenvector was not isolated");
     // kappa: norm by the true polytope / norm by the rational one.
     if (error_ >= 1) return unknown("the vertices are not known well enough");
     const Rational kappa = 1 / (1 - error_);
@@ -145,7 +146,9 @@ class Proof {
   const RationalMatrix& matrix(int letter) const { return matrices_[static_cast<std::size_t>(letter)]; }
 
   std::size_t place_of(std::size_t vertex) const { return static_cast<std::size_t>(result_.vertices[vertex].place); }
-  const Cycle& cycle_of(std::size_t vertex) const { return cycles_[static_cast<std::size_t>(result_.vertices[vertex].cycle)]; }
+  const Cycle& cycle_of(std::size_t vertex) const {
+    return cycles_[static_cast<std::size_t>(result_.vertices[vertex].cycle)];
+  }
 
   /// The product that starts at this place of the word.
   RationalMatrix product_from(const Cycle& cycle, std::size_t place) const {
@@ -227,15 +230,16 @@ class Proof {
     return std::all_of(cycles_.begin(), cycles_.end(), [](const Cycle& cycle) { return cycle.base.has_value(); });
   }
 
-  /// The norm of (rational base root - an exact eigenvector of the product that starts at its place), if its eigenvalue is
-  /// simple and of largest modulus.
+  /// The norm of (rational base root - an exact eigenvector of the product that starts at its place), if its eigenvalue
+  /// is simple and of largest modulus.
   std::optional<Rational> eigenvector_error(Cycle& cycle) {
     const RationalMatrix product = product_from(cycle, place_of(*cycle.base));
     const std::size_t n = product.rows();
     const RationalComplex v = vertex(*cycle.base);
     AcbMatrix matrix(n, n), approximate(n, 1), enclosure(n, 1), subspace(1, 1);
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) acb_set_fmpq(matrix.entry(i, j), flint::Quotient(product(i, j)).get(), precision);
+      for (std::size_t j = 0; j < n; ++j)
+        acb_set_fmpq(matrix.entry(i, j), flint::Quotient(product(i, j)).get(), precision);
       arb_set_fmpq(acb_realref(approximate.entry(i, 0)), flint::Quotient(v.x[i]).get(), precision);
       if (!v.y.empty()) arb_set_fmpq(acb_imagref(approximate.entry(i, 0)), flint::Quotient(v.y[i]).get(), precision);
     }
@@ -258,8 +262,10 @@ class Proof {
     arb_set_fmpq(acb_realref(start), flint::Quotient(re / square).get(), precision);
     arb_set_fmpq(acb_imagref(start), flint::Quotient(im / square).get(), precision);
     acb_get_mid(start, start);
-    acb_mat_eig_enclosure_rump(eigenvalue, subspace.get(), enclosure.get(), matrix.get(), start, approximate.get(), precision);
-    const bool found = acb_is_finite(eigenvalue) && is_simple_and_leading(characteristic_polynomial(product), eigenvalue);
+    acb_mat_eig_enclosure_rump(eigenvalue, subspace.get(), enclosure.get(), matrix.get(), start, approximate.get(),
+                               precision);
+    const bool found = acb_is_finite(eigenvalue) &&
+                       is_simple_and_leading(characteristic_polynomial(product), eigenvalue);
     if (found) {
       find_eigenspace(cycle, product, eigenvalue);
       flint::Ball modulus;
@@ -347,7 +353,8 @@ class Proof {
   bool follows_linearly(std::size_t source, int image_letter, std::size_t target, bool flipped) const {
     auto from = path(source);
     const auto to = path(target);
-    if (!from || !to || result_.vertices[root_of(source)].cycle != result_.vertices[root_of(target)].cycle) return false;
+    if (!from || !to || result_.vertices[root_of(source)].cycle != result_.vertices[root_of(target)].cycle)
+      return false;
     const Cycle& cycle = cycle_of(root_of(source));
     from->push_back(image_letter);
     const std::size_t steps = from->size(), other = to->size(), length = cycle.word.size();
@@ -398,7 +405,8 @@ class Proof {
 
   /// Whether the true image is radius * (a number of modulus 1) * (the true vertex, mirrored or conjugated as said).
   bool is_same_vertex(const ImageProof& image) const {
-    const auto source = static_cast<std::size_t>(image.vertex), target = static_cast<std::size_t>(image.terms.front().vertex);
+    const auto source = static_cast<std::size_t>(image.vertex),
+               target = static_cast<std::size_t>(image.terms.front().vertex);
     const Vertex& aim = result_.vertices[target];
     const bool plain = !image.terms.front().flipped && !image.terms.front().conjugated;
     if (plain && aim.parent == image.vertex && aim.letter == image.letter) return true;
@@ -418,8 +426,8 @@ class Proof {
     return std::pair(index, letters);
   }
 
-  /// Whether image = +- radius * target because the rational extra vertices behind both are led to the same point, up to
-  /// its sign, by equally many letters. Real extra vertices only, for which conjugation changes nothing.
+  /// Whether image = +- radius * target because the rational extra vertices behind both are led to the same point, up
+  /// to its sign, by equally many letters. Real extra vertices only, for which conjugation changes nothing.
   bool follows_from_extra_vertex(std::size_t source, int image_letter, std::size_t target, bool flipped) const {
     auto from = extra_origin(source);
     const auto to = extra_origin(target);

@@ -96,8 +96,7 @@ LogarithmicFactor logarithmic_factor(const Mask& mask, const HolderRegularity& r
   const IntegerExponent exponent = integer_exponent(regularity, mask.arity());
   if (exponent.is_integer == Truth::unknown) return unknown("whether the exponent is an integer is not decided");
   const bool integer = exponent.is_integer == Truth::yes;
-  const GrowthPower growth =
-      integer ? growth_at_integer(mask, regularity, exponent.value) : regularity.radius.growth;
+  const GrowthPower growth = integer ? growth_at_integer(mask, regularity, exponent.value) : regularity.radius.growth;
   LogarithmicFactor result{growth.at_least, growth.at_most, exponent.value - 1,
                            "by the growth of the powers of the difference scheme"};
   if (!integer) result.derivative = static_cast<int>(Integer(numerator(lower) / denominator(lower)));
@@ -130,7 +129,8 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, double seconds,
     const auto matrices = transition_matrices(derived);
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!single || proof == HolderProof::certificate)
-      radius = joint_spectral_radius(matrices, std::max(seconds - spent, 0.1 * seconds), KnownNorm{best.levels, best.norm});
+      radius = joint_spectral_radius(matrices, std::max(seconds - spent, 0.1 * seconds),
+                                     KnownNorm{best.levels, best.norm});
     if (single) prove_letter(matrices, result.single.letter, radius);
   }
   if (single) {
@@ -140,7 +140,8 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, double seconds,
     radius.closed = true;
     radius.growth = {result.single.growth.power, result.single.growth.power};
   }
-  result.exponent = Enclosure::at_least(std::max(*best.exponent.lower, Rational(rules - *log_ratio(*radius.radius.upper, arity).upper)));
+  result.exponent = Enclosure::at_least(
+      std::max(*best.exponent.lower, Rational(rules - *log_ratio(*radius.radius.upper, arity).upper)));
   // A radius of 1 says nothing from above; larger ones do (proofs-checks/certificates/SPEC.md).
   if (result.stable.is_yes() && radius.radius.lower && *radius.radius.lower > 1)
     result.exponent.upper = rules - *log_ratio(*radius.radius.lower, arity).lower;

@@ -7,10 +7,10 @@
 
 namespace subcert {
 
-/// How the derivative of the largest order kappa = `derivative` below the exponent s is continuous: its modulus is at most
-/// a multiple of h^(s - kappa) |log h|^at_most, and not of a lower power of the logarithm than at_least. The exponent is
-/// attained where both are 0. An absent end is not known. Where the shifts are not proved stable, s is the lower end of the
-/// exponent and at_least is 0. Ref: docs/single-radius.md, section 4.
+/// How the derivative of the largest order kappa = `derivative` below the exponent s is continuous: its modulus is at
+/// most a multiple of h^(s - kappa) |log h|^at_most, and not of a lower power of the logarithm than at_least. The
+/// exponent is attained where both are 0. An absent end is not known. Where the shifts are not proved stable, s is the
+/// lower end of the exponent and at_least is 0. Ref: docs/single-radius.md, section 4.
 struct LogarithmicFactor {
   int at_least = 0;
   std::optional<int> at_most;
@@ -23,12 +23,14 @@ struct HolderRegularity {
   SingleRadius single;         ///< whether one spectral radius is enough
   JointSpectralRadius radius;  ///< of the transition matrices of the divided difference scheme of order sum_rules
   Decision stable;             ///< of the integer shifts; the upper end is claimed only where it is yes
-  /// Contains the Hoelder exponent of the limits; the lower end holds where it is positive, and then proves convergence.
+  /// Contains the Hoelder exponent of the limits; the lower end holds where it is positive, and then proves
+  /// convergence.
   Enclosure exponent;
   LogarithmicFactor logarithm;
 };
 
-/// What is to be proved: the exponent by whichever argument is shortest, or also with rational numbers for a certificate.
+/// What is to be proved: the exponent by whichever argument is shortest, or also with rational numbers for a
+/// certificate.
 enum class HolderProof { shortest, certificate };
 
 /// Domain: coset sums 1; levels >= 1, seconds > 0; at most 256 rows in the transition matrices (larger masks keep the

@@ -17,7 +17,8 @@
 namespace subcert {
 namespace {
 
-using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<80>, boost::multiprecision::et_off>;
+using Real =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<80>, boost::multiprecision::et_off>;
 
 const Rational rounding = power(Rational(10), -15);
 
@@ -166,7 +167,8 @@ ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const
   const LaurentPolynomial squarefree = *nonzero.exact_quotient(gcd(nonzero, nonzero.derivative()));
   if (squarefree.length() == 1) return evidence;
   std::vector<Real> real_coefficients;
-  for (const Rational& c : coefficients_of(squarefree)) real_coefficients.push_back(Real(numerator(c)) / Real(denominator(c)));
+  for (const Rational& c : coefficients_of(squarefree))
+    real_coefficients.push_back(Real(numerator(c)) / Real(denominator(c)));
   // A multiple real eigenvalue may come out as a pair that is off by the root of the rounding.
   const double imaginary = std::abs(eigenvalues[leading].imag());
   const bool multiple = squarefree.length() < nonzero.length();
@@ -191,8 +193,8 @@ ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const
   evidence.re = c.re;
   evidence.im = c.im;
   if (squared_modulus(slope) == 0) return evidence;
-  const Rational distance =
-      static_cast<long>(matrices.front().rows()) * *root_enclosure(squared_modulus(value) / squared_modulus(slope), 2).upper;
+  const Rational distance = static_cast<long>(matrices.front().rows()) *
+                            *root_enclosure(squared_modulus(value) / squared_modulus(slope), 2).upper;
   const Enclosure modulus = root_enclosure(squared_modulus(c), 2);
   const int length = static_cast<int>(word.size());
   const Rational low = *modulus.lower - distance;
@@ -249,12 +251,14 @@ bool is_dominated(const std::vector<RationalMatrix>& first, const ProductEvidenc
 }
 
 /// Whether all maximizing products of the search have the radius of the first, exactly.
-bool have_equal_radii(const std::vector<RationalMatrix>& matrices, const SearchResult& search, const ProductEvidence& first) {
+bool have_equal_radii(const std::vector<RationalMatrix>& matrices, const SearchResult& search,
+                      const ProductEvidence& first) {
   for (std::size_t k = 1; k < search.maximizing; ++k) {
     std::vector<int> word = search.products[k].word;
     if (!search.transposed) std::reverse(word.begin(), word.end());
     const ProductEvidence other = prove_product(matrices, word);
-    if (!is_dominated(matrices, first, matrices, other) || !is_dominated(matrices, other, matrices, first)) return false;
+    if (!is_dominated(matrices, first, matrices, other) || !is_dominated(matrices, other, matrices, first))
+      return false;
   }
   return true;
 }
@@ -297,7 +301,8 @@ JointSpectralRadius radius_of_family(const std::vector<RationalMatrix>& matrices
   else if (result.method != JsrMethod::invariant_polytope || *result.radius.lower <= 0)
     result.exact = {Truth::unknown, "no polytope closed"};
   else if (search.status == SearchStatus::closed && !have_equal_radii(matrices, search, result.product))
-    result.exact = {Truth::unknown, "several products seem to attain the radius, but their radii were not proved equal"};
+    result.exact = {Truth::unknown,
+                    "several products seem to attain the radius, but their radii were not proved equal"};
   else
     result.exact = product_attains_radius(matrices, search, *result.polytope, *result.radius.lower);
   if (result.exact.is_yes()) {
@@ -406,7 +411,9 @@ class BlockSearch {
  private:
   using Clock = std::chrono::steady_clock;
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  double cost(std::size_t k) const { return static_cast<double>(families_[k].front().rows() * families_[k].front().rows()); }
+  double cost(std::size_t k) const {
+    return static_cast<double>(families_[k].front().rows() * families_[k].front().rows());
+  }
 
   void improve(std::size_t k, double share) {
     const double begin = elapsed();
@@ -460,8 +467,8 @@ void settle_exactness(JointSpectralRadius& result, const std::vector<RationalMat
     result.growth.at_least = jordan_power_of_product(matrices, leader.product.word);
 }
 
-JointSpectralRadius radius_by_blocks(const std::vector<RationalMatrix>& matrices, BlockTriangular triangular, double seconds,
-                                     const std::optional<KnownNorm>& known) {
+JointSpectralRadius radius_by_blocks(const std::vector<RationalMatrix>& matrices, BlockTriangular triangular,
+                                     double seconds, const std::optional<KnownNorm>& known) {
   BlockSearch search(triangular, seconds);
   search.run();
   JointSpectralRadius result;

@@ -13,7 +13,8 @@ namespace subcert {
 struct ProductEvidence {
   std::vector<int> word;  ///< the product M_{word[0]} M_{word[1]} ..., from left to right
   Rational re, im;
-  Enclosure radius;  ///< of rho(product)^(1/length): the lower end is proved, the upper end is that of the nearby eigenvalue
+  Enclosure
+      radius;  ///< of rho(product)^(1/length): the lower end is proved, the upper end is that of the nearby eigenvalue
   std::optional<Rational> exact;  ///< rho(product)^(1/length), where that is proved to be a rational number
 };
 
@@ -54,14 +55,16 @@ struct KnownNorm {
   Rational norm;
 };
 
-/// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: 1 to 64 square matrices of one size from 1 to 256; seconds > 0. Errors:
-/// throws std::invalid_argument. Error: none, both ends are proved in exact arithmetic; where the search for an
-/// invariant polytope ends within the time the width is about 1e-15, otherwise as narrow as the time allowed.
-/// Cost: one linear program per vertex and matrix. Ref: [GP13, Alg. 1], [Mej20].
+/// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: 1 to 64
+/// square matrices of one size from 1 to 256; seconds > 0. Errors: throws std::invalid_argument. Error: none, both ends
+/// are proved in exact arithmetic; where the search for an invariant polytope ends within the time the width is about
+/// 1e-15, otherwise as narrow as the time allowed. Cost: one linear program per vertex and matrix. Ref: [GP13, Alg. 1],
+/// [Mej20].
 JointSpectralRadius joint_spectral_radius(const std::vector<RationalMatrix>& matrices, double seconds,
                                           const std::optional<KnownNorm>& known = std::nullopt);
 
-/// Encloses the leading eigenvalue of a product. Domain: a word of at least one letter over square matrices of one size.
+/// Encloses the leading eigenvalue of a product. Domain: a word of at least one letter over square matrices of one
+/// size.
 ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const std::vector<int>& word);
 
 /// Encloses value^(1/degree). Domain: value >= 0, degree >= 1. Error: relative width below 2^-180.

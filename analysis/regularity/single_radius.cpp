@@ -24,8 +24,8 @@ CoefficientGrowth central_growth(const LaurentPolynomial& symbol, int arity) {
     for (std::size_t j = 0; j < minor.columns(); ++j) minor(i, j) = matrix(i + 1, j + 1);
   // The generating function of the (C^n)_{00} is det(x - minor) / det(x - C) at x = 1/z, times x.
   const LaurentPolynomial denominator = characteristic_polynomial(matrix);
-  const LaurentPolynomial common =
-      minor.rows() == 0 ? LaurentPolynomial(1) : gcd(denominator, characteristic_polynomial(minor));
+  const LaurentPolynomial common = minor.rows() == 0 ? LaurentPolynomial(1)
+                                                     : gcd(denominator, characteristic_polynomial(minor));
   const auto pole = largest_real_root(denominator.divided_by(common).quotient, radius_bits);
   if (!pole || !(*pole->value.lower > 0))
     throw std::invalid_argument("central_growth: need a symbol that is non-negative on the unit circle");

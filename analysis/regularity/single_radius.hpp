@@ -5,7 +5,8 @@
 
 namespace subcert {
 
-/// How the largest coefficient of b(z) b(z^a) ... b(z^(a^(n-1))) grows: between two positive multiples of n^power radius^n.
+/// How the largest coefficient of b(z) b(z^a) ... b(z^(a^(n-1))) grows: between two positive multiples of n^power
+/// radius^n.
 struct CoefficientGrowth {
   Enclosure radius;  ///< one number exactly where it is rational
   int power = 0;
@@ -13,7 +14,8 @@ struct CoefficientGrowth {
 
 /// Domain: b(z) = b(1/z), b >= 0 on the unit circle, b(1) > 0; arity >= 2. Errors: throws std::invalid_argument for a
 /// symbol that is not symmetric, std::length_error for more than 401 central coefficients. Error: radius to 2^-192.
-/// Cost: two characteristic polynomials of the central matrix, one factorisation. Ref: docs/single-radius.md, theorem 2.
+/// Cost: two characteristic polynomials of the central matrix, one factorisation. Ref: docs/single-radius.md,
+/// theorem 2.
 CoefficientGrowth central_growth(const LaurentPolynomial& symbol, int arity);
 
 /// The joint spectral radius of the transition matrices T_0, ..., T_{arity-1} of a mask, where its cosine polynomial is

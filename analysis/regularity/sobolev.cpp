@@ -14,7 +14,8 @@ SobolevRegularity sobolev_regularity(const Mask& mask) {
   const LaurentPolynomial b = divided_difference_scheme(mask, rules).symbol();
   const LaurentPolynomial autocorrelation = b * b.reversed();
   const long reach = (b.length() - 1) / (arity - 1);
-  if (reach > 400) throw std::length_error("sobolev_regularity: need masks up to length 400, got " + std::to_string(b.length()));
+  if (reach > 400)
+    throw std::length_error("sobolev_regularity: need masks up to length 400, got " + std::to_string(b.length()));
   const RationalMatrix matrix = central_matrix(autocorrelation, arity);
   const Enclosure radius = largest_root_modulus(characteristic_polynomial(matrix)).largest;
   const Enclosure low = log_ratio(*radius.lower / arity, arity), high = log_ratio(*radius.upper / arity, arity);

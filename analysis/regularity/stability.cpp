@@ -22,8 +22,7 @@ Decision has_stable_shifts(const Mask& mask) {
     for (long d = 2; d <= arity && cyclic; ++d)
       if (arity % d == 0)
         cyclic = totient(m * d) <= degree && mask.symbol().exact_quotient(cyclotomic(m * d)).has_value();
-    if (cyclic)
-      return {Truth::no, "the symbol vanishes on a cycle of roots of unity of order " + std::to_string(m)};
+    if (cyclic) return {Truth::no, "the symbol vanishes on a cycle of roots of unity of order " + std::to_string(m)};
   }
   return {Truth::yes, common.length() == 1 ? "the sub-symbols have no common zero, and there are no cyclic zeros"
                                            : "no common zero of the sub-symbols lies on the unit circle, and there are "

@@ -16,7 +16,8 @@ std::vector<RationalMatrix> transition_matrices(const Mask& mask) {
       for (long k = 0; k < width; ++k) {
         const long index = arity * j + t - k;
         if (index >= 0 && index <= degree)
-          matrix(static_cast<std::size_t>(j), static_cast<std::size_t>(k)) = coefficients[static_cast<std::size_t>(index)];
+          matrix(static_cast<std::size_t>(j),
+                 static_cast<std::size_t>(k)) = coefficients[static_cast<std::size_t>(index)];
       }
     result.push_back(std::move(matrix));
   }

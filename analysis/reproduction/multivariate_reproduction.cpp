@@ -54,8 +54,8 @@ MultivariateReproduction polynomial_reproduction(const MultivariateMask& mask) {
   std::vector<Rational> centre;
   for (std::size_t v = 0; v < variables; ++v) {
     const auto index = static_cast<int>(v);
-    result.factors.push_back(symbol.multiplicity(MultivariatePolynomial::in_variable(
-        mask.dimension(), index, LaurentPolynomial::all_ones(mask.arity()))));
+    result.factors.push_back(symbol.multiplicity(
+        MultivariatePolynomial::in_variable(mask.dimension(), index, LaurentPolynomial::all_ones(mask.arity()))));
     centre.push_back(symbol.derivative(index)(ones) / volume);
     result.parametrization.push_back(centre.back() / (arity - 1));
   }
@@ -64,7 +64,8 @@ MultivariateReproduction polynomial_reproduction(const MultivariateMask& mask) {
   for (int degree = 0;; ++degree) {
     for (const Exponents& exponents : exponents_of(variables, degree)) {
       const std::vector<Rational> moments = class_moments(terms, arity, exponents);
-      if (std::any_of(moments.begin(), moments.end(), [&](const Rational& m) { return m != moments.front(); })) return result;
+      if (std::any_of(moments.begin(), moments.end(), [&](const Rational& m) { return m != moments.front(); }))
+        return result;
       Rational expected = 1;
       for (std::size_t v = 0; v < variables; ++v)
         if (exponents[v] > 0) expected *= centre[v] == 0 ? Rational(0) : power(centre[v], exponents[v]);

@@ -73,7 +73,8 @@ class Quotient {
   fmpq_t value_;
 };
 
-/// The numerators of a Laurent polynomial, from its lowest exponent on: an integer polynomial with the same zeros but 0.
+/// The numerators of a Laurent polynomial, from its lowest exponent on: an integer polynomial with the same zeros but
+/// 0.
 class IntegerPolynomial {
  public:
   explicit IntegerPolynomial(const LaurentPolynomial& p) {
@@ -115,7 +116,8 @@ class BallVector {
  public:
   explicit BallVector(std::size_t size) : size_(static_cast<slong>(size)), entries_(_arb_vec_init(size_)) {}
   BallVector(const BallVector&) = delete;
-  BallVector(BallVector&& other) noexcept : size_(std::exchange(other.size_, 0)), entries_(std::exchange(other.entries_, nullptr)) {}
+  BallVector(BallVector&& other) noexcept
+      : size_(std::exchange(other.size_, 0)), entries_(std::exchange(other.entries_, nullptr)) {}
   BallVector& operator=(BallVector other) noexcept {
     std::swap(size_, other.size_);
     std::swap(entries_, other.entries_);

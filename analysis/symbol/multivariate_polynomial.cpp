@@ -62,7 +62,8 @@ struct MultivariatePolynomial::Impl {
     Exponents result = raw_exponents(0);
     for (slong t = 1; t < count(); ++t) {
       const Exponents e = raw_exponents(t);
-      for (std::size_t v = 0; v < e.size(); ++v) result[v] = largest ? std::max(result[v], e[v]) : std::min(result[v], e[v]);
+      for (std::size_t v = 0; v < e.size(); ++v)
+        result[v] = largest ? std::max(result[v], e[v]) : std::min(result[v], e[v]);
     }
     return result;
   }
@@ -258,7 +259,9 @@ MultivariatePolynomial& MultivariatePolynomial::operator+=(const MultivariatePol
   return *this;
 }
 
-MultivariatePolynomial& MultivariatePolynomial::operator-=(const MultivariatePolynomial& other) { return *this += -other; }
+MultivariatePolynomial& MultivariatePolynomial::operator-=(const MultivariatePolynomial& other) {
+  return *this += -other;
+}
 
 MultivariatePolynomial& MultivariatePolynomial::operator*=(const MultivariatePolynomial& other) {
   require_same(variables(), other.variables());
@@ -336,7 +339,8 @@ MultivariatePolynomial::Division MultivariatePolynomial::divided_by(const Multiv
   return result;
 }
 
-std::optional<MultivariatePolynomial> MultivariatePolynomial::exact_quotient(const MultivariatePolynomial& divisor) const {
+std::optional<MultivariatePolynomial> MultivariatePolynomial::exact_quotient(
+    const MultivariatePolynomial& divisor) const {
   Division division = divided_by(divisor);
   if (!division.remainder.is_zero()) return std::nullopt;
   return std::move(division.quotient);

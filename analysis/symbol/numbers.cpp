@@ -30,7 +30,8 @@ std::string place_point(std::string digits, long places) {
   bool negative = !digits.empty() && digits.front() == '-';
   if (negative) digits.erase(0, 1);
   if (places > 0) {
-    if (static_cast<long>(digits.size()) <= places) digits.insert(0, static_cast<std::size_t>(places) + 1 - digits.size(), '0');
+    if (static_cast<long>(digits.size()) <= places)
+      digits.insert(0, static_cast<std::size_t>(places) + 1 - digits.size(), '0');
     digits.insert(digits.size() - static_cast<std::size_t>(places), ".");
   }
   return negative ? "-" + digits : digits;

@@ -12,8 +12,8 @@ namespace subcert {
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
-/// Reads `p` or `p/q` with optional sign; anything else (blanks, decimals, q = 0, more than 10,000 digits) gives nullopt.
-/// Cost: quadratic in the digits.
+/// Reads `p` or `p/q` with optional sign; anything else (blanks, decimals, q = 0, more than 10,000 digits) gives
+/// nullopt. Cost: quadratic in the digits.
 std::optional<Rational> parse_rational(std::string_view text);
 
 /// Prints `p` or `p/q` in lowest terms with q > 1.

@@ -26,7 +26,8 @@ class FlintMatrix {
     return fmpq_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
   }
   RationalMatrix matrix() {
-    RationalMatrix result(static_cast<std::size_t>(fmpq_mat_nrows(value_)), static_cast<std::size_t>(fmpq_mat_ncols(value_)));
+    RationalMatrix result(static_cast<std::size_t>(fmpq_mat_nrows(value_)),
+                          static_cast<std::size_t>(fmpq_mat_ncols(value_)));
     for (std::size_t i = 0; i < result.rows(); ++i)
       for (std::size_t j = 0; j < result.columns(); ++j) result(i, j) = flint::to_rational(entry(i, j));
     return result;
@@ -110,7 +111,8 @@ std::vector<std::vector<Rational>> kernel(const RationalMatrix& matrix) {
     }
     std::vector<Rational> vector(matrix.columns(), 0);
     vector[column] = 1;
-    for (std::size_t row = 0; row < pivots.size(); ++row) vector[pivots[row]] = -flint::to_rational(reduced.entry(row, column));
+    for (std::size_t row = 0; row < pivots.size(); ++row)
+      vector[pivots[row]] = -flint::to_rational(reduced.entry(row, column));
     basis.push_back(std::move(vector));
   }
   return basis;
@@ -125,7 +127,8 @@ RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b) {
   if (a.rows() != a.columns() || a.rows() != b.rows())
     throw std::invalid_argument("solve: need a square matrix and as many rows, got " + shape(a) + " and " + shape(b));
   FlintMatrix left(a), right(b), solution(b.rows(), b.columns());
-  if (fmpq_mat_solve(solution.get(), left.get(), right.get()) == 0) throw std::domain_error("solve: need a non-singular matrix");
+  if (fmpq_mat_solve(solution.get(), left.get(), right.get()) == 0)
+    throw std::domain_error("solve: need a non-singular matrix");
   return solution.matrix();
 }
 
@@ -141,7 +144,8 @@ RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {
   flint::IntegerPolynomial polynomial(squarefree);
   const slong count = fmpz_poly_degree(polynomial.get());
   acb_ptr roots = _acb_vec_init(count);
-  arb_fmpz_poly_complex_roots(roots, polynomial.get(), 0, bits + 8);  // the radius, not the width, is held to these bits
+  arb_fmpz_poly_complex_roots(roots, polynomial.get(), 0,
+                              bits + 8);  // the radius, not the width, is held to these bits
   flint::Ball modulus;
   for (slong i = 0; i < count; ++i) {
     acb_abs(modulus.get(), roots + i, bits + 32);

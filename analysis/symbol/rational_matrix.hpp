@@ -45,8 +45,8 @@ std::vector<std::vector<Rational>> kernel(const RationalMatrix& matrix);
 /// The columns that are not combinations of columns before them. Cost: one elimination.
 std::vector<std::size_t> pivot_columns(const RationalMatrix& matrix);
 
-/// X with a X = b. Domain: a square and non-singular, a.rows() == b.rows(). Errors: throws std::invalid_argument for other
-/// shapes, std::domain_error for a singular a. Cost: p-adic lifting or one elimination.
+/// X with a X = b. Domain: a square and non-singular, a.rows() == b.rows(). Errors: throws std::invalid_argument for
+/// other shapes, std::domain_error for a singular a. Cost: p-adic lifting or one elimination.
 RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b);
 
 /// Encloses the largest modulus of the roots. Domain: p not zero; 0 for a constant or monomial. Error: relative width

@@ -32,13 +32,14 @@ std::vector<PolynomialFactor> factors_of(const LaurentPolynomial& p, const Facto
   fmpz_poly_factor_t factors;
   fmpz_poly_factor_init(factors);
   factorise(factors, q.get());
-  for (slong i = 0; i < factors->num; ++i) result.push_back({from_flint(factors->p + i), static_cast<int>(factors->exp[i])});
+  for (slong i = 0; i < factors->num; ++i)
+    result.push_back({from_flint(factors->p + i), static_cast<int>(factors->exp[i])});
   fmpz_poly_factor_clear(factors);
   return result;
 }
 
-/// c with c(z + 1/z) = p(z), for p = its own reversal, as a polynomial c in its variable. With V_k(z + 1/z) = z^k + z^-k,
-/// V_k(x) = x V_{k-1}(x) - V_{k-2}(x), by Clenshaw's recurrence.
+/// c with c(z + 1/z) = p(z), for p = its own reversal, as a polynomial c in its variable. With V_k(z + 1/z) = z^k +
+/// z^-k, V_k(x) = x V_{k-1}(x) - V_{k-2}(x), by Clenshaw's recurrence.
 LaurentPolynomial in_sum_of_inverses(const LaurentPolynomial& p) {
   if (p.is_zero()) return p;
   LaurentPolynomial next, after;
@@ -76,7 +77,8 @@ bool has_root_between(const LaurentPolynomial& c) {
 bool is_negative_somewhere(const LaurentPolynomial& c) {
   const long points = 2 * c.highest() + 3;
   for (long k = 1; k < points; ++k) {
-    const auto cosine = static_cast<long>(std::lround(2048 * std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(points))));
+    const auto cosine = static_cast<long>(
+        std::lround(2048 * std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(points))));
     if (c(Rational(2 * cosine, 2049)) < 0) return true;
   }
   return false;
@@ -85,7 +87,8 @@ bool is_negative_somewhere(const LaurentPolynomial& c) {
 /// Of the largest coefficient.
 slong bits_of(const IntegerPolynomial& q) { return std::abs(fmpz_poly_max_bits(q.get())); }
 
-/// A ball around the largest real zero of a squarefree polynomial and around no other; false where there is no real zero.
+/// A ball around the largest real zero of a squarefree polynomial and around no other; false where there is no real
+/// zero.
 bool isolate_largest(const IntegerPolynomial& q, flint::Ball& ball, slong bits) {
   // The real zeros come first, in ascending order, with imaginary parts that are exactly zero; the balls are disjoint.
   const slong degree = fmpz_poly_degree(q.get());
@@ -98,7 +101,8 @@ bool isolate_largest(const IntegerPolynomial& q, flint::Ball& ball, slong bits) 
   return real > 0;
 }
 
-/// Interval Newton: the zero in `ball`, the only one there, to this many bits if the derivative has no zero in the ball.
+/// Interval Newton: the zero in `ball`, the only one there, to this many bits if the derivative has no zero in the
+/// ball.
 void refine(const IntegerPolynomial& q, flint::Ball& ball, slong bits) {
   IntegerPolynomial derivative;
   fmpz_poly_derivative(derivative.get(), q.get());
@@ -167,7 +171,8 @@ std::optional<RealRoot> largest_real_root(const LaurentPolynomial& p, int bits) 
     std::vector<RealRoot> roots;
     std::size_t best = 0;
     for (const PolynomialFactor& factor : candidates) {
-      const auto value = factor.polynomial.lowest() > 0 ? std::optional(Enclosure::exactly(0)) : largest_simple_root(factor.polynomial, bits);
+      const auto value = factor.polynomial.lowest() > 0 ? std::optional(Enclosure::exactly(0))
+                                                        : largest_simple_root(factor.polynomial, bits);
       if (!value) continue;
       roots.push_back({*value, factor.multiplicity});
       if (*value->lower > *roots[best].value.lower) best = roots.size() - 1;

@@ -22,8 +22,8 @@ std::vector<std::string> variable_names(int variables);
 /// `3/4*z^-2 - z + 5`, or the same in LaTeX; `0` for no terms. The order of the terms is kept.
 std::string print_terms(const std::vector<Term>& terms, TermStyle style);
 
-/// Reads the plain style; blanks around terms and factors are free, terms may repeat. Errors: throws ParseError; an exponent beyond +-10^6
-/// is refused.
+/// Reads the plain style; blanks around terms and factors are free, terms may repeat. Errors: throws ParseError; an
+/// exponent beyond +-10^6 is refused.
 std::vector<Term> parse_terms(std::string_view text, int variables);
 
 /// The parts of `[c0,c1,...]/D@first`; /D and @first may be absent.

@@ -31,7 +31,8 @@ std::pair<RationalMatrix, RationalMatrix> random_unimodular(Random& random, std:
   return {forward, backward};
 }
 
-Family random_triangular(Random& random, const std::vector<std::size_t>& sizes, std::size_t count, const Rational& scale = 1) {
+Family random_triangular(Random& random, const std::vector<std::size_t>& sizes, std::size_t count,
+                         const Rational& scale = 1) {
   const std::size_t n = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   const auto [forward, backward] = random_unimodular(random, n);
   Family result;
@@ -40,7 +41,8 @@ Family random_triangular(Random& random, const std::vector<std::size_t>& sizes, 
     std::size_t start = 0;
     for (const std::size_t size : sizes) {
       for (std::size_t i = 0; i < start + size; ++i)
-        for (std::size_t j = start; j < start + size; ++j) matrix(i, j) = scale * Rational(random.integer(-3, 3), random.integer(1, 2));
+        for (std::size_t j = start; j < start + size; ++j)
+          matrix(i, j) = scale * Rational(random.integer(-3, 3), random.integer(1, 2));
       start += size;
     }
     result.push_back(forward * matrix * backward);
@@ -124,7 +126,8 @@ TEST_CASE("transition matrices: irreducible ones, and masks with further factors
     check_triangular(family, blocks);
     return blocks;
   };
-  for (const char* text : {"primal:n=3", "primal:n=6", "dual:n=4", "dd:n=3", "four-point:w=1/20", "ary:a=3,points=4,d=3"}) {
+  for (const char* text :
+       {"primal:n=3", "primal:n=6", "dual:n=4", "dd:n=3", "four-point:w=1/20", "ary:a=3,points=4,d=3"}) {
     CAPTURE(text);
     const BlockTriangular blocks = blocks_of(text);
     CHECK(blocks.sizes.size() == 1);
@@ -134,7 +137,9 @@ TEST_CASE("transition matrices: irreducible ones, and masks with further factors
   CHECK(blocks_of("mask:[1,0,0,0,1,0,0,0,1],arity=3").sizes.size() > 1);
   // and here p = 1 + z + z^2, of codimension 2.
   const LaurentPolynomial factor({1, -1, 1}, 0), rest({3, 5, 7, 5, 3}, 0);
-  const Mask mask(LaurentPolynomial({1, 1}, 0).pow(2) * factor * rest * LaurentPolynomial(Rational(2) / (4 * factor(1) * rest(1))), 2);
+  const Mask mask(
+      LaurentPolynomial({1, 1}, 0).pow(2) * factor * rest * LaurentPolynomial(Rational(2) / (4 * factor(1) * rest(1))),
+      2);
   const Family family = transition_matrices(divided_difference_scheme(mask, 2));
   const BlockTriangular blocks = block_triangularise(family, 20);
   check_triangular(family, blocks);

@@ -31,8 +31,8 @@ Mask random_mask(Random& random) {
   const int arity = static_cast<int>(random.integer(2, 4));
   LaurentPolynomial symbol = random.nonzero_polynomial(9);
   switch (random.integer(0, 3)) {
-    case 0: symbol = symbol + symbol.reversed(); break;                // palindromic, odd
-    case 1: symbol = symbol + symbol.reversed().shifted(-1); break;    // palindromic, even
+    case 0: symbol = symbol + symbol.reversed(); break;              // palindromic, odd
+    case 1: symbol = symbol + symbol.reversed().shifted(-1); break;  // palindromic, even
     case 2: symbol *= LaurentPolynomial::all_ones(arity).pow(2); break;
     default: break;
   }
@@ -77,8 +77,8 @@ TEST_CASE("sum rules and divided difference schemes") {
     const Mask mask = mask_of(text);
     const int rules = sum_rules(mask);
     for (int k = 0; k <= rules; ++k) {
-      const LaurentPolynomial factor =
-          LaurentPolynomial::all_ones(mask.arity()).pow(k) * LaurentPolynomial(power(Rational(mask.arity()), -k));
+      const LaurentPolynomial factor = LaurentPolynomial::all_ones(mask.arity()).pow(k) *
+                                       LaurentPolynomial(power(Rational(mask.arity()), -k));
       CHECK(divided_difference_scheme(mask, k).symbol() * factor == mask.symbol());
     }
     CHECK_THROWS_AS(divided_difference_scheme(mask, rules + 1), std::invalid_argument);
@@ -87,8 +87,9 @@ TEST_CASE("sum rules and divided difference schemes") {
 }
 
 TEST_CASE("convergence is proved or refuted") {
-  for (const char* text : {"primal:n=1", "primal:n=7", "dual:n=5", "dd:n=2", "dd:n=5", "four-point:w=1/5", "primal:n=4,d=3",
-                           "ary:a=3,points=4,d=3", "ary:a=5,points=3", "bspline:degree=1", "mask:[1,2,2,2,1]/4"}) {
+  for (const char* text :
+       {"primal:n=1", "primal:n=7", "dual:n=5", "dd:n=2", "dd:n=5", "four-point:w=1/5", "primal:n=4,d=3",
+        "ary:a=3,points=4,d=3", "ary:a=5,points=3", "bspline:degree=1", "mask:[1,2,2,2,1]/4"}) {
     CAPTURE(text);
     CHECK(converges(mask_of(text)).is_yes());
   }
@@ -111,8 +112,8 @@ TEST_CASE("convergence is proved or refuted") {
 TEST_CASE("smoothness proved by divided differences") {
   for (int degree = 1; degree <= 5; ++degree)
     for (int arity = 2; arity <= 3; ++arity)
-      CHECK(proved_smoothness(mask_of("bspline:degree=" + std::to_string(degree) + ",a=" + std::to_string(arity))).order ==
-            degree - 1);
+      CHECK(proved_smoothness(mask_of("bspline:degree=" + std::to_string(degree) + ",a=" + std::to_string(arity)))
+                .order == degree - 1);
   CHECK(proved_smoothness(mask_of("dd:n=2")).order == 1);
   CHECK(proved_smoothness(mask_of("dd:n=3")).order == 2);
   for (int n = 2; n <= 10; ++n) {

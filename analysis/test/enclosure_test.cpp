@@ -9,9 +9,9 @@
 #include <subcert/cmake/random.hpp>
 
 using namespace subcert;
-using subcert::testing::Random;
 using subcert::testing::mask_of;
 using subcert::testing::masks;
+using subcert::testing::Random;
 using subcert::testing::rounds;
 
 namespace {

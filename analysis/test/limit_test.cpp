@@ -142,7 +142,8 @@ TEST_CASE("values at rational points: on the grid as before, elsewhere as the re
     for (std::size_t k = 0; k < here.values.size(); ++k) {
       Rational sum = 0;
       for (std::size_t l = 0; l < there.values.size(); ++l)
-        sum += mask.symbol().coefficient(mask.arity() * (here.first + static_cast<long>(k)) - there.first - static_cast<long>(l)) *
+        sum += mask.symbol().coefficient(mask.arity() * (here.first + static_cast<long>(k)) - there.first -
+                                         static_cast<long>(l)) *
                there.values[l];
       CHECK(sum == here.values[k]);
     }

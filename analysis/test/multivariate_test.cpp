@@ -13,8 +13,12 @@ namespace {
 
 Mask mask_of(const char* text, int arity = 2) { return {LaurentPolynomial::parse_mask(text), arity}; }
 
-const std::vector<Mask> binary{mask_of("[1,3,3,1]/4@-2"), mask_of("[1,2,1]/2@-1"), mask_of("[-1,0,9,16,9,0,-1]/16@-3"),
-                               mask_of("[1,4,6,4,1]/8@-2"), mask_of("[7,13,9,11,11,9,13,7]/40@-4"), mask_of("[1,1]@0")};
+const std::vector<Mask> binary{mask_of("[1,3,3,1]/4@-2"),
+                               mask_of("[1,2,1]/2@-1"),
+                               mask_of("[-1,0,9,16,9,0,-1]/16@-3"),
+                               mask_of("[1,4,6,4,1]/8@-2"),
+                               mask_of("[7,13,9,11,11,9,13,7]/40@-4"),
+                               mask_of("[1,1]@0")};
 
 }  // namespace
 
@@ -67,7 +71,8 @@ TEST_CASE("the degrees mean what they say") {
             for (const auto& term : mask.symbol().terms()) {
               const long n = term.exponents[0], m = term.exponents[1];
               if ((n - i) % 2 != 0 || (m - j) % 2 != 0) continue;
-              value += term.coefficient * monomial(Rational(i - n) / 2 + p.parametrization[0], Rational(j - m) / 2 + p.parametrization[1]);
+              value += term.coefficient *
+                       monomial(Rational(i - n) / 2 + p.parametrization[0], Rational(j - m) / 2 + p.parametrization[1]);
             }
             const bool right = value == monomial((i + p.parametrization[0]) / 2, (j + p.parametrization[1]) / 2);
             if (degree <= p.reproduction_degree) CHECK(right);
@@ -93,7 +98,8 @@ TEST_CASE("what does not converge and what is not decided") {
   const auto linear = tensor_product({binary[1], binary[1]});
   CHECK(converges(MultivariateMask(linear.symbol() * MultivariatePolynomial(2, 2), 2)).is_no());
   // The three-direction box spline of degree 1 has the factor 1 + x y in place of squares.
-  const auto box = MultivariatePolynomial::parse("1/2*x^-1*y^-1 + 1/2*x^-1 + 1/2*y^-1 + 1 + 1/2*x + 1/2*y + 1/2*x*y", 2);
+  const auto box = MultivariatePolynomial::parse("1/2*x^-1*y^-1 + 1/2*x^-1 + 1/2*y^-1 + 1 + 1/2*x + 1/2*y + 1/2*x*y",
+                                                 2);
   const MultivariateReproduction p = polynomial_reproduction(MultivariateMask(box, 2));
   CHECK(p.sum_rules == 2);
   CHECK(p.reproduction_degree == 1);

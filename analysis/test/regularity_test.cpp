@@ -25,7 +25,8 @@ TEST_CASE("sixteen levels give the digits of Tables 1 and 2") {
   const char* dual[] = {"2.285", "2.647", "2.729", "2.677", "2.664", "2.633", "2.616", "2.594", "2.577"};
   for (int n = 2; n <= 10; ++n) {
     const auto bound = [&](const char* family) {
-      return to_fixed(*holder_bounds(mask_of(family + std::to_string(n)), 16).last().exponent.lower, 3, Rounding::nearest);
+      return to_fixed(*holder_bounds(mask_of(family + std::to_string(n)), 16).last().exponent.lower, 3,
+                      Rounding::nearest);
     };
     CHECK(bound("primal:n=") == primal[n - 2]);
     CHECK(bound("dual:n=") == dual[n - 2]);
@@ -35,8 +36,8 @@ TEST_CASE("sixteen levels give the digits of Tables 1 and 2") {
 TEST_CASE("B-splines have their degree as bound, at every level and arity") {
   for (int arity = 2; arity <= 5; ++arity)
     for (int degree = 1; degree <= 5; ++degree) {
-      const HolderBounds bounds =
-          holder_bounds(mask_of("bspline:degree=" + std::to_string(degree) + ",a=" + std::to_string(arity)), 4);
+      const HolderBounds bounds = holder_bounds(
+          mask_of("bspline:degree=" + std::to_string(degree) + ",a=" + std::to_string(arity)), 4);
       CHECK(bounds.sum_rules == degree + 1);
       for (const HolderBound& bound : bounds.levels) CHECK(bound.exponent.contains(degree));
       CHECK(bounds.last().exponent.is_exact());
@@ -45,7 +46,8 @@ TEST_CASE("B-splines have their degree as bound, at every level and arity") {
 }
 
 TEST_CASE("products of transition matrices hold the powers of the symbol") {
-  for (const char* text : {"primal:n=3", "dual:n=2", "dd:n=2", "ary:a=3,points=4,d=3", "ary:a=4,points=5", "four-point:w=1/7"}) {
+  for (const char* text :
+       {"primal:n=3", "dual:n=2", "dd:n=2", "ary:a=3,points=4,d=3", "ary:a=4,points=5", "four-point:w=1/7"}) {
     const Mask mask = mask_of(text);
     const Mask derived = divided_difference_scheme(mask, sum_rules(mask));
     const auto transitions = transition_matrices(derived);
@@ -77,7 +79,8 @@ TEST_CASE("Sobolev exponents of known functions") {
       CHECK(sobolev_regularity(mask_of("bspline:degree=" + std::to_string(degree) + ",a=" + std::to_string(arity)))
                 .exponent.contains(Rational(2 * degree + 1, 2)));
   // [Eir92]: the 4-point and 6-point interpolatory schemes.
-  const auto four = sobolev_regularity(mask_of("dd:n=2")).exponent, six = sobolev_regularity(mask_of("dd:n=3")).exponent;
+  const auto four = sobolev_regularity(mask_of("dd:n=2")).exponent,
+             six = sobolev_regularity(mask_of("dd:n=3")).exponent;
   CHECK(to_fixed(*four.lower, 4, Rounding::nearest) == "2.4408");
   CHECK(to_fixed(*six.lower, 4, Rounding::nearest) == "3.1751");
   CHECK(*four.upper - *four.lower < power(Rational(10), -15));

@@ -10,8 +10,7 @@ namespace {
 bool step_keeps(const Mask& mask, int degree, const Rational& shift) {
   for (long i = 0; i < 3 * mask.arity(); ++i) {
     Rational sum = 0;
-    for (long j = -60; j <= 60; ++j)
-      sum += mask.symbol().coefficient(i - mask.arity() * j) * power(j + shift, degree);
+    for (long j = -60; j <= 60; ++j) sum += mask.symbol().coefficient(i - mask.arity() * j) * power(j + shift, degree);
     if (sum != power((i + shift) / mask.arity(), degree)) return false;
   }
   return true;
@@ -24,12 +23,18 @@ TEST_CASE("reproduction degrees and parametrizations, checked on samples") {
     const char* specification;
     int generation, reproduction;
     Rational shift;
-  } known[] = {{"primal:n=3", 1, 1, 0},        {"primal:n=3,d=2", 3, 3, 0},
-               {"dual:n=3", 2, 1, Rational(-1, 2)}, {"dual:n=2,d=3", 4, 3, Rational(-1, 2)},
-               {"primal-odd:n=2", 1, 1, 0},    {"dual-odd:n=2", 2, 1, Rational(-1, 2)},
-               {"dd:n=3", 5, 5, 0},            {"bspline:degree=3", 3, 1, 0},
-               {"bspline:degree=4", 4, 1, Rational(-1, 2)}, {"ary:a=3,points=4,d=3", 3, 3, Rational(-1, 4)},
-               {"ary:a=3,points=5,d=2", 2, 2, 0}, {"ary:a=4,points=4,d=1", 1, 1, Rational(-1, 6)},
+  } known[] = {{"primal:n=3", 1, 1, 0},
+               {"primal:n=3,d=2", 3, 3, 0},
+               {"dual:n=3", 2, 1, Rational(-1, 2)},
+               {"dual:n=2,d=3", 4, 3, Rational(-1, 2)},
+               {"primal-odd:n=2", 1, 1, 0},
+               {"dual-odd:n=2", 2, 1, Rational(-1, 2)},
+               {"dd:n=3", 5, 5, 0},
+               {"bspline:degree=3", 3, 1, 0},
+               {"bspline:degree=4", 4, 1, Rational(-1, 2)},
+               {"ary:a=3,points=4,d=3", 3, 3, Rational(-1, 4)},
+               {"ary:a=3,points=5,d=2", 2, 2, 0},
+               {"ary:a=4,points=4,d=1", 1, 1, Rational(-1, 6)},
                {"four-point:w=1/20", 1, 1, 0}};
   for (const auto& [specification, generation, reproduction, shift] : known) {
     CAPTURE(specification);

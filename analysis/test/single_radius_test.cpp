@@ -15,7 +15,9 @@ namespace {
 
 Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
 
-HolderRegularity regularity_of(const std::string& specification) { return holder_regularity(mask_of(specification), 4, 20); }
+HolderRegularity regularity_of(const std::string& specification) {
+  return holder_regularity(mask_of(specification), 4, 20);
+}
 
 Mask derived(const std::string& specification) {
   const Mask mask = mask_of(specification);
@@ -83,8 +85,8 @@ TEST_CASE("the largest coefficient is the central one where the symbol is non-ne
 TEST_CASE("known exponents by one spectral radius") {
   for (int arity = 2; arity <= 4; ++arity)
     for (int degree = 1; degree <= 5; ++degree) {
-      const HolderRegularity spline =
-          regularity_of("bspline:degree=" + std::to_string(degree) + ",a=" + std::to_string(arity));
+      const HolderRegularity spline = regularity_of("bspline:degree=" + std::to_string(degree) +
+                                                    ",a=" + std::to_string(arity));
       CHECK(spline.radius.method == JsrMethod::single_spectral_radius);
       CHECK(spline.radius.exact.is_yes());
       CHECK((spline.exponent.is_exact() && *spline.exponent.lower == degree));
@@ -134,7 +136,8 @@ TEST_CASE("where one spectral radius is not enough") {
   CHECK(reason(Mask(LaurentPolynomial({Rational(3, 2), Rational(3, 2)}, 0), 3)).find("even") != std::string::npos);
   CHECK_THROWS_AS(central_growth(LaurentPolynomial({1, 2}, 0), 2), std::invalid_argument);
   // Binary symmetric masks of either parity: once all factors are out, the rest has a centre among the integers.
-  for (const char* text : {"dual:n=1", "dual:n=2", "dual:n=5", "dual-odd:n=2", "primal:n=4", "primal-odd:n=2", "dd:n=4"})
+  for (const char* text :
+       {"dual:n=1", "dual:n=2", "dual:n=5", "dual-odd:n=2", "primal:n=4", "primal-odd:n=2", "dd:n=4"})
     CHECK(symmetry(derived(text)).kind == Symmetry::odd);
 }
 

@@ -1,8 +1,8 @@
 #include <subcert/cmake/catch.hpp>
 
-#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -148,7 +148,8 @@ TEST_CASE("the fields of the contract") {
   CHECK(star.at("comparisons").empty());
   REQUIRE(star.at("experiments").size() == 1);
   CHECK(star.at("experiments").at(0).at("runs") == 50);
-  for (const auto& claim : star.at("experiments").at(0).at("claims")) CHECK(claim.at("finding") == claim.at("recorded"));
+  for (const auto& claim : star.at("experiments").at(0).at("claims"))
+    CHECK(claim.at("finding") == claim.at("recorded"));
 }
 
 TEST_CASE("theorems: proved, and unknown with what is missing") {
@@ -166,15 +167,43 @@ TEST_CASE("theorems: proved, and unknown with what is missing") {
 }
 
 TEST_CASE("wrong usage is one line and exit code 64") {
-  for (const char* arguments :
-       {"", "nonsense", "mask", "mask nobody:n=3", "mask primal:n=100000", "mask primal:n=3,n=3", "mask 'mask:[1,1]/0'",
-        "mask 'mask:[1,3,3,2]/4'", "mask primal:n=3 --nonsense", "mask primal:n=3 extra", "limit primal:n=2 --level -1",
-        "limit primal:n=2 --level 50", "limit primal:n=2000", "regularity dual:n=2 --levels 0",
-        "regularity dual:n=2 --levels x", "regularity dual:n=2 --budget 0", "variance dd:n=2 --width 0",
-        "variance dd:n=2 --width x", "reproduce nobody-1900",
-        "reproduce dyn-2015 --only table9", "experiment fig999", "experiment fig3 --runs 1", "mask primal:n=3 --jobs 0", "conjecture", "conjecture 9", "conjecture 7 --n 0",
-        "conjecture 7 --n 4..1", "conjecture 7 --n 1,,2", "conjecture 7 --d x", "conjecture 7 --shard 0/8",
-        "conjecture 7 --shard 9/8", "theorem conjecture-9", "theorem conjecture-7 --d x", "theorem conjecture-7 --d 99", "conjecture 7 --n 1 --d 3", "conjecture 8 --n 2 --d 1", "analyze $'mask:[1,\\n]'"}) {
+  for (const char* arguments : {"",
+                                "nonsense",
+                                "mask",
+                                "mask nobody:n=3",
+                                "mask primal:n=100000",
+                                "mask primal:n=3,n=3",
+                                "mask 'mask:[1,1]/0'",
+                                "mask 'mask:[1,3,3,2]/4'",
+                                "mask primal:n=3 --nonsense",
+                                "mask primal:n=3 extra",
+                                "limit primal:n=2 --level -1",
+                                "limit primal:n=2 --level 50",
+                                "limit primal:n=2000",
+                                "regularity dual:n=2 --levels 0",
+                                "regularity dual:n=2 --levels x",
+                                "regularity dual:n=2 --budget 0",
+                                "variance dd:n=2 --width 0",
+                                "variance dd:n=2 --width x",
+                                "reproduce nobody-1900",
+                                "reproduce dyn-2015 --only table9",
+                                "experiment fig999",
+                                "experiment fig3 --runs 1",
+                                "mask primal:n=3 --jobs 0",
+                                "conjecture",
+                                "conjecture 9",
+                                "conjecture 7 --n 0",
+                                "conjecture 7 --n 4..1",
+                                "conjecture 7 --n 1,,2",
+                                "conjecture 7 --d x",
+                                "conjecture 7 --shard 0/8",
+                                "conjecture 7 --shard 9/8",
+                                "theorem conjecture-9",
+                                "theorem conjecture-7 --d x",
+                                "theorem conjecture-7 --d 99",
+                                "conjecture 7 --n 1 --d 3",
+                                "conjecture 8 --n 2 --d 1",
+                                "analyze $'mask:[1,\\n]'"}) {
     const Run result = run(arguments);
     CAPTURE(arguments, result.out, result.err);
     CHECK(result.code == 64);
@@ -200,7 +229,8 @@ TEST_CASE("conjectures over a range, whole, split and continued") {
   const auto seven = run_json("conjecture 7 --n 1..4 --d 1,3");
   CHECK(seven.at("conjecture") == 7);
   CHECK(seven.at("limits").size() == 2);
-  CHECK(seven.at("limits").at(0).at("constant").at("lower").get<std::string>().substr(0, 22) == "0.40443676798398528146");
+  CHECK(seven.at("limits").at(0).at("constant").at("lower").get<std::string>().substr(0, 22) ==
+        "0.40443676798398528146");
   CHECK(seven.at("rows").at(3).at("limit_deviation").at("lower").get<std::string>().substr(0, 6) == "0.0736");
   REQUIRE(seven.at("rows").size() == 7);
   CHECK(seven.at("rows").at(2).at("n") == 3);
@@ -212,7 +242,8 @@ TEST_CASE("conjectures over a range, whole, split and continued") {
   std::string journals;
   for (int shard = 1; shard <= 3; ++shard) {
     const std::string journal = (folder / std::to_string(shard)).string();
-    const auto part = run_json("conjecture 7 --n 1..4 --d 1,3 --shard " + std::to_string(shard) + "/3 --journal " + journal);
+    const auto part = run_json("conjecture 7 --n 1..4 --d 1,3 --shard " + std::to_string(shard) + "/3 --journal " +
+                               journal);
     CHECK(part.at("verdict").is_null());
     CHECK(part.at("rows").size() == (shard == 1 ? 3 : 2));
     journals += " " + journal;
@@ -222,7 +253,8 @@ TEST_CASE("conjectures over a range, whole, split and continued") {
   const std::string before = read(whole);
   CHECK(run_json("conjecture 7 --n 1..4 --d 1,3 --journal " + whole) == seven);
   CHECK(read(whole) == before);
-  CHECK(run("conjecture 7 --n 1..4 --d 1,3").out == run("conjecture 7 --n 1..4 --d 1,3 --jobs 1 --journal " + whole).out);
+  CHECK(run("conjecture 7 --n 1..4 --d 1,3").out ==
+        run("conjecture 7 --n 1..4 --d 1,3 --jobs 1 --journal " + whole).out);
 
   const auto eight = run_json("conjecture 8 --n 1..4 --d 1..3");
   CHECK(eight.at("rows").size() == 8);
@@ -236,7 +268,8 @@ TEST_CASE("journals are joined") {
   const std::string a = (folder / "a").string(), b = (folder / "b").string(), out = (folder / "out").string();
   const std::string header = "subcert journal 1\n";
   const std::string id = "d6577dd8-55dc-533f-954a-d4b797e9f6ab";
-  const std::string line = "494ce316 " + id + R"( {"version":"toy 1","case":"toy n=6","result":{"n":6,"value":"1","long":"xxx"}})" + "\n";
+  const std::string line = "494ce316 " + id +
+                           R"( {"version":"toy 1","case":"toy n=6","result":{"n":6,"value":"1","long":"xxx"}})" + "\n";
   std::ofstream(a, std::ios::binary) << header << line;
   std::ofstream(b, std::ios::binary) << header << "damaged\n" << line;
   const Run merged = run("merge " + a + " " + b + " --out " + out);
@@ -256,7 +289,8 @@ TEST_CASE("journals are joined") {
 }
 
 TEST_CASE("certificates are written and verified") {
-  const std::string file = (fs::temp_directory_path() / ("subcert-cli-test-" + std::to_string(getpid()) + ".cert")).string();
+  const std::string file = (fs::temp_directory_path() / ("subcert-cli-test-" + std::to_string(getpid()) + ".cert"))
+                               .string();
   for (const char* scheme : {"dd:n=3", "four-point:w=1/20"}) {
     CHECK(run(std::string("regularity ") + scheme + " --certificate " + file).code == 0);
     CHECK(run("verify " + file).code == 0);
@@ -282,30 +316,34 @@ TEST_CASE("certificates are written and verified") {
 }
 
 TEST_CASE("matrices from a file") {
-  const std::string file = (fs::temp_directory_path() / ("subcert-cli-test-" + std::to_string(getpid()) + ".json")).string();
+  const std::string file = (fs::temp_directory_path() / ("subcert-cli-test-" + std::to_string(getpid()) + ".json"))
+                               .string();
   const auto with = [&](const std::string& text, const std::string& options = "") {
     std::ofstream(file, std::ios::binary) << text;
     return run("jsr " + file + options);
   };
-  const Run golden = with(R"({"matrices": [[["1","1"],["0","1"]], [[1,0],["2/2",1]]]})", " --json --certificate " + file + ".cert");
+  const Run golden = with(R"({"matrices": [[["1","1"],["0","1"]], [[1,0],["2/2",1]]]})",
+                          " --json --certificate " + file + ".cert");
   CHECK(golden.code == 0);
   CHECK(nlohmann::json::parse(golden.out).at("product").size() == 2);
   CHECK(nlohmann::json::parse(golden.out).at("radius").at("lower").get<std::string>().substr(0, 12) == "1.6180339887");
   CHECK(run("verify " + file + ".cert").code == 0);
-  const Run blocks = with(R"({"matrices": [[["2","7"],["0","1"]], [["1","5"],["0","-3"]]]})", " --json --certificate " + file + ".cert");
+  const Run blocks = with(R"({"matrices": [[["2","7"],["0","1"]], [["1","5"],["0","-3"]]]})",
+                          " --json --certificate " + file + ".cert");
   CHECK(blocks.code == 0);
   CHECK(nlohmann::json::parse(blocks.out).at("blocks") == nlohmann::json({1, 1}));
   CHECK(nlohmann::json::parse(blocks.out).at("exact") == true);
   CHECK(nlohmann::json::parse(blocks.out).at("radius").at("upper") == "3");
   CHECK(run("verify " + file + ".cert").code == 0);
-  const Run nilpotent = with(R"({"matrices": [[["0","7"],["0","0"]], [["0","5"],["0","0"]]]})", " --json --certificate " + file + ".cert");
+  const Run nilpotent = with(R"({"matrices": [[["0","7"],["0","0"]], [["0","5"],["0","0"]]]})",
+                             " --json --certificate " + file + ".cert");
   CHECK(nilpotent.code == 0);
   CHECK(nlohmann::json::parse(nilpotent.out).at("radius").at("upper") == "0");
   CHECK(run("verify " + file + ".cert").code == 0);
-  for (const char* text : {"", "{", "[]", "{}", R"({"matrices": []})", R"({"matrices": 5})", R"({"matrices": [[]]})",
-                           R"({"matrices": [[["1","0"],["1"]]]})", R"({"matrices": [[["1/0"]]]})",
-                           R"({"matrices": [[[1.5]]]})", R"({"matrices": [[["1"]],[["1","0"],["0","1"]]]})",
-                           R"({"matrices": [[[null]]]})"}) {
+  for (const char* text :
+       {"", "{", "[]", "{}", R"({"matrices": []})", R"({"matrices": 5})", R"({"matrices": [[]]})",
+        R"({"matrices": [[["1","0"],["1"]]]})", R"({"matrices": [[["1/0"]]]})", R"({"matrices": [[[1.5]]]})",
+        R"({"matrices": [[["1"]],[["1","0"],["0","1"]]]})", R"({"matrices": [[[null]]]})"}) {
     CAPTURE(text);
     CHECK(with(text).code == 65);
   }
@@ -327,7 +365,8 @@ TEST_CASE("data are refined") {
   CHECK(with(line, "dual:n=1 " + data + " --levels 2 --out " + out + " --plot " + out + ".svg").out.empty());
   CHECK(read(out).substr(0, 14) == "x;y\n0.125;1.25");
   CHECK(read(out + ".svg").find("<svg") != std::string::npos);
-  CHECK(with("1\n0\n0\n0\n", "dual:n=1 " + data + " --closed --levels 1").out == "0.75\n0.25\n0\n0\n0\n0\n0.25\n0.75\n");
+  CHECK(with("1\n0\n0\n0\n", "dual:n=1 " + data + " --closed --levels 1").out ==
+        "0.75\n0.25\n0\n0\n0\n0\n0.25\n0.75\n");
   std::ofstream(data, std::ios::binary) << line;
   const auto json = run_json("refine dual:n=1 " + data + " --levels 3");
   CHECK(json.at("scheme") == "dual:n=1,d=1");
@@ -341,7 +380,8 @@ TEST_CASE("data are refined") {
   CHECK(run("refine 'mask:[1,1,1,1]/2@-2' " + data + " --limit").code == 0);
   CHECK(run("refine 'mask:[1,0,0,1]' " + data + " --limit").code == 1);
   CHECK(run("refine grid:points=2x2 " + data + " --limit").code == 64);
-  const auto fails = [&](const std::string& content, const std::string& arguments, int code, const std::string& message) {
+  const auto fails = [&](const std::string& content, const std::string& arguments, int code,
+                         const std::string& message) {
     const Run result = with(content, arguments);
     CAPTURE(arguments);
     CHECK(result.code == code);
@@ -350,7 +390,8 @@ TEST_CASE("data are refined") {
   };
   fails("", "primal:n=2 " + data, 65, data + ": expected rows of numbers; found none");
   fails("1\n", "primal:n=2 " + data, 65, data + ": expected at least 4 rows for primal:n=2,d=1; found 1");
-  fails("1,2\n3\n", "primal:n=2 " + data, 65, data + ", line 2, column 2: expected 2 columns as in the first row; found 1");
+  fails("1,2\n3\n", "primal:n=2 " + data, 65,
+        data + ", line 2, column 2: expected 2 columns as in the first row; found 1");
   fails("1\ninf\n", "primal:n=2 " + data, 65, data + ", line 2, column 1: expected a finite number; found 'inf'");
   fails("1,5\n2,6\n3,5\n1,5\n", "primal:n=1 --closed " + data, 65,
         data + ", line 4: expected each point of a closed curve once; found the first row again");
@@ -384,14 +425,18 @@ TEST_CASE("surfaces and volumes are refined") {
   CHECK(json.at("points").size() == 96);
 
   const std::string mesh = file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 4\nf 1 2 4 3\n");
-  const Run refined = run("refine 'tensor:(primal:n=1)x(primal:n=1)' " + mesh + " --levels 1 --plot " + (folder / "m.png").string());
-  CHECK(refined.out == "v 0 0 0\nv 0.5 0 0\nv 1 0 0\nv 0 0.5 0\nv 0.5 0.5 1\nv 1 0.5 2\nv 0 1 0\nv 0.5 1 2\nv 1 1 4\n"
-                       "f 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n");
+  const Run refined = run("refine 'tensor:(primal:n=1)x(primal:n=1)' " + mesh + " --levels 1 --plot " +
+                          (folder / "m.png").string());
+  CHECK(refined.out ==
+        "v 0 0 0\nv 0.5 0 0\nv 1 0 0\nv 0 0.5 0\nv 0.5 0.5 1\nv 1 0.5 2\nv 0 1 0\nv 0.5 1 2\nv 1 1 4\n"
+        "f 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n");
   CHECK(fs::file_size(folder / "m.png") > 1000);
-  const std::string volume = file("v.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
-                                           "POINT_DATA 8\nSCALARS d float\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7\n");
+  const std::string volume = file("v.vtk",
+                                  "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
+                                  "POINT_DATA 8\nSCALARS d float\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7\n");
   const std::string finer = run("refine grid:points=2x2x2 " + volume + " --levels 1").out;
-  CHECK(finer.find("DIMENSIONS 2 2 2\nORIGIN 0.25 0.25 0.25\nSPACING 0.5 0.5 0.5\nPOINT_DATA 8\n") != std::string::npos);
+  CHECK(finer.find("DIMENSIONS 2 2 2\nORIGIN 0.25 0.25 0.25\nSPACING 0.5 0.5 0.5\nPOINT_DATA 8\n") !=
+        std::string::npos);
 
   const auto code = [&](const std::string& arguments) { return run("refine " + arguments).code; };
   CHECK(code("primal:n=1 " + mesh) == 64);
@@ -415,7 +460,8 @@ TEST_CASE("data are refined by l1 regression") {
   const auto json = run_json("refine l1:points=8,iterations=60 " + data + " --levels 1");
   CHECK(json.at("scheme") == "l1:points=8,d=1,iterations=60,delta=1e-8");
   REQUIRE(json.at("count") == 16);
-  for (const auto& point : json.at("points")) CHECK(std::abs(point[1].get<double>() - 2 * point[0].get<double>()) < 1e-3);
+  for (const auto& point : json.at("points"))
+    CHECK(std::abs(point[1].get<double>() - 2 * point[0].get<double>()) < 1e-3);
   CHECK(run("refine l1:points=8 " + data + " --closed --levels 2").code == 0);
   CHECK(run("refine l1:points=9,residuals=joint " + data + " --boundary reflect").code == 0);
   const auto fails = [&](const std::string& arguments, int code, const std::string& message) {
@@ -434,7 +480,8 @@ TEST_CASE("data are refined by l1 regression") {
   const auto surface = run_json("refine l1:points=4x4,iterations=60 " + data + " --levels 1");
   REQUIRE(surface.at("points").size() == 14 * 12);
   for (int o = 0; o < 14 * 12; ++o)
-    CHECK(std::abs(surface["points"][o][0].get<double>() - (0.25 + 0.5 * (o % 14) + 2 * (0.25 + 0.5 * (o / 14)))) < 1e-3);
+    CHECK(std::abs(surface["points"][o][0].get<double>() - (0.25 + 0.5 * (o % 14) + 2 * (0.25 + 0.5 * (o / 14)))) <
+          1e-3);
   CHECK(run("mask l1:points=6").code == 64);
   fs::remove(file);
 }
@@ -475,12 +522,14 @@ TEST_CASE("data are smoothed") {
   for (const auto& row : slope.at("rows")) CHECK(std::abs(row[1].get<double>() - 2) < 1e-12);
   for (const char* boundary : {"interp", "mirror", "nearest", "constant", "wrap"})
     CHECK(run("smooth " + data + " --y v --weights w --scheme dual:n=2 --boundary " + boundary).code == 0);
-  const auto gap = with("0,1\n1,3\n2,\n3,7\n4,9\n5,11\n", "--scheme primal:n=2 --missing drop --level 0 --bands 0 --quiet");
+  const auto gap = with("0,1\n1,3\n2,\n3,7\n4,9\n5,11\n",
+                        "--scheme primal:n=2 --missing drop --level 0 --bands 0 --quiet");
   CHECK(gap.code == 0);
   CHECK(gap.out.find("\n2,5") != std::string::npos);
   CHECK(with(line, "--y v --scheme l1:points=6 --level 1").code == 0);
 
-  const auto fails = [&](const std::string& content, const std::string& arguments, int code, const std::string& message) {
+  const auto fails = [&](const std::string& content, const std::string& arguments, int code,
+                         const std::string& message) {
     const Run result = with(content, arguments);
     CAPTURE(arguments);
     CHECK(result.code == code);
@@ -488,15 +537,19 @@ TEST_CASE("data are smoothed") {
     CHECK(result.err == "subcert: " + message + "\n");
   };
   fails("0,1\n1,2\n3,3\n4,5\n", "", 65,
-        data + ", lines 2 and 3: expected a uniform grid, the mean spacing is 1.33333333; found the spacing 2 between 1 and 3");
+        data +
+            ", lines 2 and 3: expected a uniform grid, the mean spacing is 1.33333333; found the spacing 2 between 1 "
+            "and 3");
   fails("0,1\n2,2\n1,3\n", "", 65, data + ", line 3, column 1: expected increasing positions; found 1 after 2");
   fails("0,1\n1,\n2,3\n", "", 65,
         data + ", line 2, column 2: expected a number; found a missing value (--missing drop leaves it out)");
-  fails("0,1\n,2\n2,3\n", "--missing drop", 65, data + ", line 2, column 1: expected a position; found a missing value");
+  fails("0,1\n,2\n2,3\n", "--missing drop", 65,
+        data + ", line 2, column 1: expected a position; found a missing value");
   fails("0,1,1\n1,2,-1\n2,3,1\n", "--weights 3", 65, data + ", line 2, column 3: expected a weight >= 0; found -1");
   fails("0,1\n1,2\n", "", 65, data + ": expected at least 4 rows to choose a scheme; found 2; name one with --scheme");
   fails(line, "--weights u", 64, "--weights u: expected a column from 1 to 3 or one of t, v, w");
-  fails(line, "--y v --scheme primal:n=2 --derivative 3", 64, "--derivative 3: primal:n=2,d=1 is not proved to have continuous "
+  fails(line, "--y v --scheme primal:n=2 --derivative 3", 64,
+        "--derivative 3: primal:n=2,d=1 is not proved to have continuous "
         "derivatives of that order; the mask has only 2 sum rules");
   fails(line, "--y v --weights w --scheme bspline:degree=3", 64,
         "smoothing: prior weights and missing data need a scheme of local regressions");
@@ -511,7 +564,8 @@ TEST_CASE("data are smoothed") {
 }
 
 TEST_CASE("help names an example in every subcommand") {
-  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "jsr", "verify", "limit", "variance", "refine", "smooth", "experiment"}) {
+  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "jsr", "verify", "limit", "variance",
+                              "refine", "smooth", "experiment"}) {
     const Run result = run(std::string(command) + " --help");
     CAPTURE(command);
     CHECK(result.code == 0);

@@ -117,7 +117,8 @@ Trial compared(const GridFit& fit, long n) {
   for (const auto& [i, j] : exponents(fit.degree))
     basis.push_back(f("r^" + std::to_string(i) + "*s^" + std::to_string(j)));
   Values values;
-  for (const Variable& parameter : fit.parameters) values.emplace_back(parameter.name, Rational(2 * parameter.start + 1, 3));
+  for (const Variable& parameter : fit.parameters)
+    values.emplace_back(parameter.name, Rational(2 * parameter.start + 1, 3));
   const Rational x = fit.x(values), y = fit.y(values);
   // (A^T A)^-1 e(x, y): the weights are A times this.
   RationalMatrix position(basis.size(), 1);
@@ -153,9 +154,9 @@ Trial moments_at(const GridFit& fit, const Values& point) {
   Trial trial;
   const Rational x = fit.x(point), y = fit.y(point);
   for (std::size_t k = 0; k < powers.size(); ++k)
-    trial.equal(sums[k], power(x, powers[k].first) * power(y, powers[k].second),
-                to_text(point) + ", moment " + std::to_string(powers[k].first) + ", " +
-                    std::to_string(powers[k].second));
+    trial.equal(
+        sums[k], power(x, powers[k].first) * power(y, powers[k].second),
+        to_text(point) + ", moment " + std::to_string(powers[k].first) + ", " + std::to_string(powers[k].second));
   return trial;
 }
 

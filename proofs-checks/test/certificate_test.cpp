@@ -46,14 +46,15 @@ TEST_CASE("known exponents are enclosed to 1e-12") {
   const struct {
     const char* specification;
     Rational low, high;
-  } known[] = {{"bspline:degree=1", 1, 1},
-               {"bspline:degree=4", 4, 4},
-               {"bspline:degree=3,a=3", 3, 3},
-               {"dd:n=2", 2, 2},
-               {"dd:n=3", q("2830074998557/1000000000000"), q("2830074998558/1000000000000")},
-               {"mask:[-5,-7,35,105,105,35,-7,-5]/128", q("2830074998557/1000000000000"), q("2830074998558/1000000000000")},
-               // 2 - log2(1 + sqrt(1 - 16 w)) at w = 1/20 is 2 - log2(1.4472135954999579...)
-               {"four-point:w=1/20", q("1466722133/1000000000"), q("1466722134/1000000000")}};
+  } known[] = {
+      {"bspline:degree=1", 1, 1},
+      {"bspline:degree=4", 4, 4},
+      {"bspline:degree=3,a=3", 3, 3},
+      {"dd:n=2", 2, 2},
+      {"dd:n=3", q("2830074998557/1000000000000"), q("2830074998558/1000000000000")},
+      {"mask:[-5,-7,35,105,105,35,-7,-5]/128", q("2830074998557/1000000000000"), q("2830074998558/1000000000000")},
+      // 2 - log2(1 + sqrt(1 - 16 w)) at w = 1/20 is 2 - log2(1.4472135954999579...)
+      {"four-point:w=1/20", q("1466722133/1000000000"), q("1466722134/1000000000")}};
   for (const auto& [specification, low, high] : known) {
     CAPTURE(specification);
     const HolderRegularity regularity = regularity_of(specification);
@@ -72,8 +73,9 @@ TEST_CASE("without stability no upper end is claimed") {
 }
 
 TEST_CASE("certificates of the program are proved by the checker, false claims are not") {
-  for (const char* specification : {"primal:n=2", "primal:n=3", "primal:n=5", "primal-odd:n=1", "dual:n=2", "dual-odd:n=2",
-                                    "dd:n=2", "dd:n=3", "four-point:w=1/20", "ary:a=3,points=4,d=3", "bspline:degree=2"}) {
+  for (const char* specification :
+       {"primal:n=2", "primal:n=3", "primal:n=5", "primal-odd:n=1", "dual:n=2", "dual-odd:n=2", "dd:n=2", "dd:n=3",
+        "four-point:w=1/20", "ary:a=3,points=4,d=3", "bspline:degree=2"}) {
     CAPTURE(specification);
     const Mask mask = make_scheme(specification).mask;
     const HolderRegularity regularity = regularity_of(specification);
@@ -83,7 +85,8 @@ TEST_CASE("certificates of the program are proved by the checker, false claims a
     REQUIRE(certificate.claim.upper);
     CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
     const Rational tiny = power(Rational(10), -9);
-    CHECK_FALSE(proves(subject_of(mask), to_text(*parse_rational(*certificate.claim.upper) + tiny), "", certificate.text));
+    CHECK_FALSE(
+        proves(subject_of(mask), to_text(*parse_rational(*certificate.claim.upper) + tiny), "", certificate.text));
     CHECK_FALSE(proves(subject_of(mask), *certificate.claim.lower,
                        to_text(*parse_rational(*certificate.claim.lower) - tiny), certificate.text));
     // Not for another mask.
@@ -92,9 +95,9 @@ TEST_CASE("certificates of the program are proved by the checker, false claims a
 }
 
 TEST_CASE("the product that attains the radius is proved") {
-  for (const char* specification : {"primal:n=2", "primal:n=3", "primal:n=5", "primal:n=6", "primal-odd:n=1", "primal-odd:n=2",
-                                    "dual:n=2", "dual-odd:n=2", "dual-odd:n=4", "dd:n=2", "dd:n=3", "four-point:w=1/20",
-                                    "ary:a=3,points=4,d=3", "bspline:degree=3", "dual:n=4,d=3"}) {
+  for (const char* specification : {"primal:n=2", "primal:n=3", "primal:n=5", "primal:n=6", "primal-odd:n=1",
+                                    "primal-odd:n=2", "dual:n=2", "dual-odd:n=2", "dual-odd:n=4", "dd:n=2", "dd:n=3",
+                                    "four-point:w=1/20", "ary:a=3,points=4,d=3", "bspline:degree=3", "dual:n=4,d=3"}) {
     CAPTURE(specification);
     const HolderRegularity regularity = regularity_of(specification);
     CAPTURE(regularity.radius.exact.reason);
@@ -132,14 +135,16 @@ TEST_CASE("reducible families: radii and certificates by blocks") {
   const auto check = [&](const std::vector<RationalMatrix>& family, const JointSpectralRadius& radius) {
     std::ofstream(file, std::ios::binary) << matrices_text(family);
     const Certificate certificate = radius_certificate(family, radius);
-    CHECK(proves("--matrices " + file.string(), certificate.claim.lower.value_or(""), *certificate.claim.upper, certificate.text));
+    CHECK(proves("--matrices " + file.string(), certificate.claim.lower.value_or(""), *certificate.claim.upper,
+                 certificate.text));
     CHECK_FALSE(proves("--matrices " + file.string(), "",
                        to_text(*parse_rational(*certificate.claim.upper) - power(Rational(10), -6)), certificate.text));
     fs::remove(file);
   };
   // The matrices of the four-point scheme, of radius 4, and a smaller pair, coupled and hidden by integer shears.
   const auto put = [](std::vector<RationalMatrix>& family, std::size_t start) {
-    family[0](start, start) = family[0](start + 1, start) = family[1](start + 1, start + 1) = family[1](start, start + 1) = -1;
+    family[0](start, start) = family[0](start + 1, start) = family[1](start + 1, start + 1) = family[1](start,
+                                                                                                        start + 1) = -1;
     family[0](start + 1, start + 1) = family[1](start, start) = 4;
   };
   for (int round = 0; round < 5; ++round) {
@@ -154,7 +159,8 @@ TEST_CASE("reducible families: radii and certificates by blocks") {
         for (std::size_t j : {2, 3}) m(i, j) = random.integer(-3, 3);
     }
     for (int k = 0; k < 8 * std::min(round, 1); ++k) {
-      const auto i = static_cast<std::size_t>(random.integer(0, 3)), j = (i + static_cast<std::size_t>(random.integer(1, 3))) % 4;
+      const auto i = static_cast<std::size_t>(random.integer(0, 3)),
+                 j = (i + static_cast<std::size_t>(random.integer(1, 3))) % 4;
       RationalMatrix shear = RationalMatrix::identity(4), back = shear;
       shear(i, j) = random.integer(-2, 2);
       back(i, j) = -shear(i, j);
@@ -237,7 +243,8 @@ TEST_CASE("reducible masks: certificates by blocks") {
   CHECK_FALSE(proves(subject_of(mask), to_text(*parse_rational(*certificate.claim.lower) + power(Rational(10), -6)), "",
                      certificate.text));
   // Arity 3, p = (1 - z^4)/(1 - z).
-  const LaurentPolynomial ternary = LaurentPolynomial({1, 1, 1}, 0).pow(3) * LaurentPolynomial({1, 0, 0, 0, 1, 0, 0, 0, 1}, 0) *
+  const LaurentPolynomial ternary = LaurentPolynomial({1, 1, 1}, 0).pow(3) *
+                                    LaurentPolynomial({1, 0, 0, 0, 1, 0, 0, 0, 1}, 0) *
                                     LaurentPolynomial({2, 5, 1, 1}, 0);
   const Mask other(ternary * LaurentPolynomial(3 / ternary(1)), 3);
   const HolderRegularity second = holder_regularity(other, 6, 30, HolderProof::certificate);
@@ -259,10 +266,12 @@ TEST_CASE("joint spectral radii from the literature") {
   CHECK(high - low < power(Rational(10), -12));
   CHECK(golden.product.word.size() == 2);
 
-  const fs::path matrices = fs::temp_directory_path() / ("subcert-proofs-test-" + std::to_string(getpid()) + ".matrices");
+  const fs::path matrices = fs::temp_directory_path() /
+                            ("subcert-proofs-test-" + std::to_string(getpid()) + ".matrices");
   std::ofstream(matrices, std::ios::binary) << matrices_text({up, down});
   const Certificate certificate = radius_certificate({up, down}, golden);
-  CHECK(proves("--matrices " + matrices.string(), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
+  CHECK(
+      proves("--matrices " + matrices.string(), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
   CHECK_FALSE(proves("--matrices " + matrices.string(), "", "16180/10000", certificate.text));
   fs::remove(matrices);
 

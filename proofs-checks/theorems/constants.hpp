@@ -13,10 +13,10 @@ namespace subcert::theorems {
 enum class Side { above, below };
 
 struct Constant {
-  std::string name;     ///< as in the text
-  Rational value;       ///< as stated
+  std::string name;  ///< as in the text
+  Rational value;    ///< as stated
   Side side;
-  std::string check;    ///< number of the inequality that a value on the wrong side violates
+  std::string check;  ///< number of the inequality that a value on the wrong side violates
   std::string meaning;
 };
 

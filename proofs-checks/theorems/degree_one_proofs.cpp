@@ -130,20 +130,19 @@ std::vector<Check> slope_checks(const Constants& c) {
       if (*end) **end *= n * n;
     checks.push_back(less(n < turn ? "6.1" : "6.2", "n^2 max |psi_n'| < s" + at(n), slope, Enclosure::exactly(c["s"])));
   }
-  append(checks,
-         {defining(c, "Z", "pi kappa n_1/(2 n_1 - 1) + h pi^2/3",
-                   pi * stated("kappa") * tail / (2 * tail - 1) + stated("h") * pi * pi / 3),
-          defining(c, "xi_3", "product of 1/sin(pi 2^(-j-2)), j < 3", inverse_sines(3)),
-          defining(c, "zeta", "14 pi kappa/(4 (2 n_1 - 1)) + xi_3 G^3 Z/N_1^3",
-                   pi * stated("kappa") * 14 / (4 * (2 * tail - 1)) +
-                       stated("xi_3") * stated("G").pow(3) * stated("Z") / N.pow(3)),
-          less("6.6", "zeta < 1", Enclosure::exactly(c["zeta"]), Enclosure::exactly(1)),
-          defining(c, "Delta", "(4 pi/3) (W + xi G^6 Z (1 + W/N_1^6)/(1 - zeta))",
-                   pi.scaled(2) / 3 *
-                       (stated("W") + stated("xi") * stated("G").pow(factors) * stated("Z") *
-                                          (stated("W") / N.pow(factors) + 1) / (1 - stated("zeta")))),
-          less("6.8", "n_1^2 Delta/N_1^6 < s", (stated("Delta") * (tail * tail) / N.pow(6)).enclosure(),
-               Enclosure::exactly(c["s"]))});
+  append(checks, {defining(c, "Z", "pi kappa n_1/(2 n_1 - 1) + h pi^2/3",
+                           pi * stated("kappa") * tail / (2 * tail - 1) + stated("h") * pi * pi / 3),
+                  defining(c, "xi_3", "product of 1/sin(pi 2^(-j-2)), j < 3", inverse_sines(3)),
+                  defining(c, "zeta", "14 pi kappa/(4 (2 n_1 - 1)) + xi_3 G^3 Z/N_1^3",
+                           pi * stated("kappa") * 14 / (4 * (2 * tail - 1)) +
+                               stated("xi_3") * stated("G").pow(3) * stated("Z") / N.pow(3)),
+                  less("6.6", "zeta < 1", Enclosure::exactly(c["zeta"]), Enclosure::exactly(1)),
+                  defining(c, "Delta", "(4 pi/3) (W + xi G^6 Z (1 + W/N_1^6)/(1 - zeta))",
+                           pi.scaled(2) / 3 *
+                               (stated("W") + stated("xi") * stated("G").pow(factors) * stated("Z") *
+                                                  (stated("W") / N.pow(factors) + 1) / (1 - stated("zeta")))),
+                  less("6.8", "n_1^2 Delta/N_1^6 < s", (stated("Delta") * (tail * tail) / N.pow(6)).enclosure(),
+                       Enclosure::exactly(c["s"]))});
   return checks;
 }
 
@@ -179,10 +178,10 @@ std::vector<Check> degree_one_checks_8(const Constants& c) {
                           ends(n + 1).maximum, ends(n).minimum));
   }
   const Real N = exactly(first_N);
-  checks.push_back(less("4.3", "N_1 (N_1 + 2) (2 K/N_1^5 + 2 Omega/N_1^6) < 4 c-",
-                        ((exactly(c["K"]) / N.pow(5) + exactly(c["Omega"]) / N.pow(factors)).scaled(1) * N * (N + 2))
-                            .enclosure(),
-                        Enclosure::exactly(4 * c["c-"])));
+  checks.push_back(
+      less("4.3", "N_1 (N_1 + 2) (2 K/N_1^5 + 2 Omega/N_1^6) < 4 c-",
+           ((exactly(c["K"]) / N.pow(5) + exactly(c["Omega"]) / N.pow(factors)).scaled(1) * N * (N + 2)).enclosure(),
+           Enclosure::exactly(4 * c["c-"])));
   return checks;
 }
 

@@ -75,7 +75,8 @@ std::vector<Rational> limit_coefficients(std::size_t size) {
     Rational sum = 0;  // (4h+1) P_2h(0) times the coefficient of t^2q in P_2h
     for (std::size_t h = q; h < size; ++h) {
       const int l = 2 * static_cast<int>(h), k = static_cast<int>(h - q);
-      Rational term = (2 * l + 1) * binomial(l, l / 2) * binomial(l, k) * binomial(2 * l - 2 * k, l) / power(Rational(4), l);
+      Rational term = (2 * l + 1) * binomial(l, l / 2) * binomial(l, k) * binomial(2 * l - 2 * k, l) /
+                      power(Rational(4), l);
       sum += (h + static_cast<std::size_t>(k)) % 2 == 0 ? term : Rational(-term);
     }
     result.push_back(sum);
@@ -119,8 +120,7 @@ std::vector<Rational> reciprocal_sinc(int count) {
   for (int i = 1; i < count; ++i) {
     sinh.push_back(sinh.back() / ((2 * i) * (2 * i + 1)));
     Rational sum = 0;
-    for (int k = 1; k <= i; ++k)
-      sum -= sinh[static_cast<std::size_t>(k)] * result[static_cast<std::size_t>(i - k)];
+    for (int k = 1; k <= i; ++k) sum -= sinh[static_cast<std::size_t>(k)] * result[static_cast<std::size_t>(i - k)];
     result.push_back(sum);
   }
   return result;

@@ -46,8 +46,7 @@ const Numbers& numbers() {
     Numbers result;
     for (int degree : stated_degrees()) {
       result.sums.push_back(limit_ball(degree));
-      result.integrals.push_back(
-          Real::containing(limit_constant_by_quadrature(degree, quadrature_digits), proof_bits));
+      result.integrals.push_back(Real::containing(limit_constant_by_quadrature(degree, quadrature_digits), proof_bits));
     }
     for (int degree = 1; degree <= 19; degree += 2)
       result.order.push_back(less("C0", "C_" + std::to_string(degree) + " < C_" + std::to_string(degree + 2),

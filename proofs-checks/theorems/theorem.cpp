@@ -24,11 +24,12 @@ void describe_7_degree_one(Theorem& t) {
   t.title = "Conjecture 7 for degree 1 and every n";
   t.text = "docs/theorems/variance-curves.tex, Theorems B and C";
   t.statement = {
-      "First half. For all n >= 1 and all x, |(n - 1/4) psi_n(x)/c - 1| < " + number("beta") + "/n^2; for n >= 2 even < " +
-          number("beta_2") + "/n^2. Here c = lim n max psi_n, " + number("c-") + " < c < " + number("c+") + ".",
+      "First half. For all n >= 1 and all x, |(n - 1/4) psi_n(x)/c - 1| < " + number("beta") +
+          "/n^2; for n >= 2 even < " + number("beta_2") + "/n^2. Here c = lim n max psi_n, " + number("c-") +
+          " < c < " + number("c+") + ".",
       "So max psi_n = c/n (1 + 1/(4n) + O(1/n^2)): the rate 1/n is true, with its constant.",
-      "Second half. For n >= 2, psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") + " for all x; for n >= 64, |psi_n'(x)| < " +
-          number("Delta") + "/(2n - 1/2)^6.",
+      "Second half. For n >= 2, psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") +
+          " for all x; for n >= 64, |psi_n'(x)| < " + number("Delta") + "/(2n - 1/2)^6.",
       "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false."};
   t.ranges = {{"1 <= n < 24", "psi_n and psi_n' enclosed over all of [0, 1], from exact values"},
               {"24 <= n < 64", "mean with its proved remainder, ripple and slope of each n by the supersolution"},
@@ -61,12 +62,13 @@ void describe_7(Theorem& t) {
   t.title = "Conjecture 7 for degree " + d + " and every n";
   t.text = "docs/theorems/variance-curves.tex, Theorem E";
   t.statement = {
-      "First half. For all n >= " + first + " and all x, |(n - 1/4) psi_n(x)/C - 1| < " + number("beta") + "/n^2; for n >= " +
-          start + " even < " + number("beta_2") + "/n^2. Here C = lim n max psi_n, " + number(with_degree("c-", degree)) +
-          " < C < " + number(with_degree("c+", degree)) + ".",
+      "First half. For all n >= " + first + " and all x, |(n - 1/4) psi_n(x)/C - 1| < " + number("beta") +
+          "/n^2; for n >= " + start + " even < " + number("beta_2") + "/n^2. Here C = lim n max psi_n, " +
+          number(with_degree("c-", degree)) + " < C < " + number(with_degree("c+", degree)) + ".",
       "So max psi_n = C/n (1 + 1/(4n) + O(1/n^2)): the rate 1/n is true, with its constant.",
-      "Second half. For n >= " + first + ", psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") + " for all x; for n >= " +
-          start + ", |psi_n'(x)| < " + number(with_degree("Delta", degree)) + "/(2n - 1/2)^5.",
+      "Second half. For n >= " + first + ", psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") +
+          " for all x; for n >= " + start + ", |psi_n'(x)| < " + number(with_degree("Delta", degree)) +
+          "/(2n - 1/2)^5.",
       "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false.",
       "For smaller n the scheme is the one of a smaller degree."};
   describe_ranges(t, (degree + 1) / 2, uniform_start(degree, true));
@@ -88,8 +90,8 @@ void describe_8_d(Theorem& t) {
   t.degrees = {degree, next};
   t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and every n";
   t.text = "docs/theorems/variance-curves.tex, Theorem F";
-  t.statement = {"psi_n of degree " + low + " is smaller than psi_n of degree " + high + " at all x, for all n >= " + first +
-                     "; even max psi_n^" + low + " < min psi_n^" + high + ".",
+  t.statement = {"psi_n of degree " + low + " is smaller than psi_n of degree " + high +
+                     " at all x, for all n >= " + first + "; even max psi_n^" + low + " < min psi_n^" + high + ".",
                  "For smaller n the two schemes are the same, and so are the curves."};
   describe_ranges(t, (next + 1) / 2, std::max(uniform_start(degree, false), uniform_start(next, false)));
 }
@@ -98,13 +100,14 @@ void describe_limit_constants(Theorem& t) {
   t.title = "The limits of n max psi_n";
   t.degrees = {1, 3, 5, 7, 9};
   t.text = "docs/limit-constants.md, theorems 5, 7 and 10";
-  t.statement = {
-      "For each odd d, n max psi_n^d tends to C_d, and so do n min psi_n^d and n times the mean of psi_n^d.",
-      "For d = 1, with c = C_1 and N = 2n - 1/2, the mean is I_n = 2c/N (1 + nu/N^2 + O(1/N^4)), nu = 13/36: the next term is "
-      "(13/18) c/N^3, an exact rational multiple of c."};
+  t.statement = {"For each odd d, n max psi_n^d tends to C_d, and so do n min psi_n^d and n times the mean of psi_n^d.",
+                 "For d = 1, with c = C_1 and N = 2n - 1/2, the mean is I_n = 2c/N (1 + nu/N^2 + O(1/N^4)), nu = "
+                 "13/36: the next term is "
+                 "(13/18) c/N^3, an exact rational multiple of c."};
   for (const Constant& constant : t.constants.all())
     if (constant.name.starts_with("C_") && constant.side == Side::below)
-      t.values.emplace_back(constant.name.substr(0, constant.name.size() - 1), to_fixed(constant.value, 32, Rounding::down) + "...");
+      t.values.emplace_back(constant.name.substr(0, constant.name.size() - 1),
+                            to_fixed(constant.value, 32, Rounding::down) + "...");
   t.values.emplace_back("nu", to_text(t.constants["nu-"]));
 }
 
@@ -131,7 +134,8 @@ Proof single(int degree, Constants (*constants)(), std::vector<Check> (*checks)(
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> list = [] {
     const std::vector<std::string> higher{
-        "stated constants of section 7 of the text, which holds for every odd degree but begins at n_1 about 100 for d = 7",
+        "stated constants of section 7 of the text, which holds for every odd degree but begins at n_1 about 100 for d "
+        "= 7",
         "the curves below that n_1, enclosed one by one"};
     std::vector<Entry> all;
     all.push_back({{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", {}},

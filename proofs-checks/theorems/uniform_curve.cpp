@@ -84,9 +84,7 @@ class MeanIntegrals {
     return cells_[static_cast<std::size_t>(octave * UniformSymbol::parts + part)];
   }
   /// The product of max(|m|, |khat|) over the octaves below R.
-  Real near_product() const {
-    return exp(near_ / N_.pow(2) / (1 - Real(1, bits).scaled(-degree_ - 1)));
-  }
+  Real near_product() const { return exp(near_ / N_.pow(2) / (1 - Real(1, bits).scaled(-degree_ - 1))); }
 
   const UniformSymbol& symbol_;
   int degree_;
@@ -98,12 +96,9 @@ UniformNumbers compute_numbers(int degree, int first_n) {
   const UniformSymbol symbol(degree, first_n, bits);
   const Real M(2 * first_n - 1, bits), N(Rational(4 * first_n - 1, 2), bits);
   const MeanIntegrals integrals(symbol, degree, N);
-  UniformNumbers result{symbol.disc_difference().upper_end(),
-                        symbol.disc_slope().upper_end(),
-                        symbol.slope().upper_end(),
-                        {},
-                        integrals.products().upper_end(),
-                        integrals.mean().upper_end()};
+  UniformNumbers result{symbol.disc_difference().upper_end(), symbol.disc_slope().upper_end(),
+                        symbol.slope().upper_end(),           {},
+                        integrals.products().upper_end(),     integrals.mean().upper_end()};
   for (int j = 0; j < kept_factors; ++j) result.decays.push_back(decays_from(symbol, M, j).upper_end());
   return result;
 }

@@ -23,19 +23,19 @@ struct Stated {
 Stated stated(int degree, bool slopes) {
   if (slopes)
     return degree == 3 ? Stated{"1.044637310", "1.044637311", "1.110", "0.3963", "1.861", "16.98", "1.0004", "8.69",
-                                "0.1051", "7860", "15730", "4.56", "10.75", "0.261", "4120000"}
-                       : Stated{"1.685820151", "1.685820152", "0.5385", "0.09153", "2.534", "114", "1.0002", "37.2",
-                                "0.0992", "49500", "99100", "13", "12.92", "0.2361", "32100000"};
+                                "0.1051",      "7860",        "15730", "4.56",   "10.75", "0.261", "4120000"}
+                       : Stated{"1.685820151", "1.685820152", "0.5385", "0.09153", "2.534", "114",    "1.0002",  "37.2",
+                                "0.0992",      "49500",       "99100",  "13",      "12.92", "0.2361", "32100000"};
   switch (degree) {
     case 1:
-      return {"0.404436767", "0.404436769", "0.2518", "0.5617", "1.114", "1.093", "1.0003", "0.572", "0.1023", "492",
-              "985"};
+      return {"0.404436767", "0.404436769", "0.2518", "0.5617", "1.114", "1.093",
+              "1.0003",      "0.572",       "0.1023", "492",    "985"};
     case 3:
-      return {"1.044637310", "1.044637311", "1.132", "0.3974", "1.929", "25.4", "1.0011", "9.21", "0.168", "20300",
-              "40700"};
+      return {"1.044637310", "1.044637311", "1.132", "0.3974", "1.929", "25.4",
+              "1.0011",      "9.21",        "0.168", "20300",  "40700"};
     default:
-      return {"1.685820151", "1.685820152", "0.5474", "0.09181", "2.656", "189.8", "1.0005", "42.1", "0.1468", "129000",
-              "258500"};
+      return {"1.685820151", "1.685820152", "0.5474", "0.09181", "2.656", "189.8",
+              "1.0005",      "42.1",        "0.1468", "129000",  "258500"};
   }
 }
 
@@ -109,7 +109,8 @@ std::vector<Check> uniform_checks(const Constants& c, int degree, bool slopes) {
       defining(c, name("K"), "bound of (2/pi) integral of M L + (1/pi) integral of (s/pi)^2 M^2", numbers.mean),
       defining(c, name("sigma"), "sum of u_i/sin u_i - 1", excess_of_shells()),
       defining(c, name("Y"), "B (E (log2(n_1 pi) + 1 + sigma) + F/(1 - 2^(-d-1)))/(2 (2 n_1 - 1))",
-               value("B") * (value("E") * (shells_at_most(n) + value("sigma")) + value("F") / (one - one.scaled(-degree - 1))) /
+               value("B") *
+                   (value("E") * (shells_at_most(n) + value("sigma")) + value("F") / (one - one.scaled(-degree - 1))) /
                    (2 * (2 * n - 1))),
       less("7.12", name("Y") + " < 1", Enclosure::exactly(c[name("Y")]), Enclosure::exactly(1)),
       defining(c, name("W"), "A B G^5 xi_5 Y/(1 - Y)",
@@ -126,11 +127,11 @@ std::vector<Check> uniform_checks(const Constants& c, int degree, bool slopes) {
                value("B") * (pi * value("E") * 7 / (2 * (2 * n - 1)) +
                              value("A'") * shell_factors(N, 3) * value("Z") / N.pow(3))),
       less("7.18", name("zeta") + " < 1", Enclosure::exactly(c[name("zeta")]), Enclosure::exactly(1)),
-      defining(c, name("Delta"), "(4 pi/3) (B W + V Z (B + W/N_1^5)), V = A B G^5 xi_5/(1 - zeta)",
-               pi.scaled(2) / 3 *
-                   (value("B") * value("W") +
-                    value("A") * value("B") * shell_factors(N, factors) / (1 - value("zeta")) * value("Z") *
-                        (value("B") + value("W") / N.pow(factors))))};
+      defining(
+          c, name("Delta"), "(4 pi/3) (B W + V Z (B + W/N_1^5)), V = A B G^5 xi_5/(1 - zeta)",
+          pi.scaled(2) / 3 *
+              (value("B") * value("W") + value("A") * value("B") * shell_factors(N, factors) / (1 - value("zeta")) *
+                                             value("Z") * (value("B") + value("W") / N.pow(factors))))};
   checks.insert(checks.end(), more.begin(), more.end());
   return checks;
 }
@@ -179,8 +180,8 @@ std::vector<Check> uniform_checks_8_n(const Constants& c, int degree, int thread
   std::vector<Check> checks = uniform_checks(c, degree, false);
   prepare_variance_ends(least_n(degree), start, {degree}, threads);
   for (int n = least_n(degree); n < start; ++n)
-    checks.push_back(less("8.1", "max psi_" + text(n + 1) + " < min psi_" + text(n), variance_ends(n + 1, degree).maximum,
-                          variance_ends(n, degree).minimum));
+    checks.push_back(less("8.1", "max psi_" + text(n + 1) + " < min psi_" + text(n),
+                          variance_ends(n + 1, degree).maximum, variance_ends(n, degree).minimum));
   const Real N = first_N(start);
   checks.push_back(less("8.2", "N_1 (N_1 + 2) (2 K/N_1^3 + 2 Omega/N_1^5) < 4 c-",
                         (deviation(c, degree, N).scaled(1) * N * (N + 2)).enclosure(),
@@ -197,10 +198,11 @@ std::vector<Check> uniform_checks_8_d(const Constants& c, int degree, int thread
     checks.push_back(less("10.1", "max psi^" + text(degree) + " < min psi^" + text(next) + at(n),
                           variance_ends(n, degree).maximum, variance_ends(n, next).minimum));
   const Real N = first_N(start);
-  checks.push_back(less("10.2", "N (K + K')/N^3 + N (Omega + Omega')/N^5 < 2 (c-_" + text(next) + " - c+_" + text(degree) +
-                                    ")" + at(start),
-                        (N * (deviation(c, degree, N) + deviation(c, next, N))).enclosure(),
-                        Enclosure::exactly(2 * (c["c-_" + text(next)] - c["c+_" + text(degree)]))));
+  checks.push_back(
+      less("10.2",
+           "N (K + K')/N^3 + N (Omega + Omega')/N^5 < 2 (c-_" + text(next) + " - c+_" + text(degree) + ")" + at(start),
+           (N * (deviation(c, degree, N) + deviation(c, next, N))).enclosure(),
+           Enclosure::exactly(2 * (c["c-_" + text(next)] - c["c+_" + text(degree)]))));
   return checks;
 }
 

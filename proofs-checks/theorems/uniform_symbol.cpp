@@ -19,8 +19,7 @@ std::vector<Real> derivatives_of_b(const Real& w, int count) {
     const Real& wave = k % 2 == 0 ? s : c;
     sine.push_back((k % 4 < 2 ? wave : -wave) / factorial);
     Real rest = k == 0 ? w : Real(k == 1 ? 1 : 0, w.bits());
-    for (int i = 1; i <= k; ++i)
-      rest = rest - sine[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(k - i)];
+    for (int i = 1; i <= k; ++i) rest = rest - sine[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(k - i)];
     b.push_back(rest / s);
   }
   factorial = Real(1, w.bits());

@@ -20,7 +20,7 @@ class UniformSymbol {
   Real disc_difference() const;
   /// E_R: |M dD_M(z/M)/dM| <= E_R |z|^(d+1) for |z| <= R.
   Real disc_slope() const;
-  Real slope() const;            ///< E: |M dD_M(w)/dM| <= E w/sin w on 0 <= w <= pi/2, where M w >= R
+  Real slope() const;  ///< E: |M dD_M(w)/dM| <= E w/sin w on 0 <= w <= pi/2, where M w >= R
   /// A: M sin(w) |D_M(w)| <= A for 0 < w <= pi/2, M w >= from.
   Real decay(const Rational& from) const;
 
@@ -51,10 +51,10 @@ class UniformSymbol {
 
   int degree_;
   slong bits_;
-  Real N_, M_;                              ///< 2 n_1 - 1/2 and 2 n_1 - 1
+  Real N_, M_;  ///< 2 n_1 - 1/2 and 2 n_1 - 1
   KernelCoefficients kappa_;
   std::vector<SincSum> full_, limit_, rise_, drift_;  ///< P_r of kappa, kappa(0), slope, derivative
-  std::vector<Real> end_;                   ///< b^(r)(pi/2)
+  std::vector<Real> end_;                             ///< b^(r)(pi/2)
 };
 
 }  // namespace subcert::theorems

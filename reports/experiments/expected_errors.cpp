@@ -45,16 +45,20 @@ void evaluate(Case& c, const ExperimentOptions& options, std::uint64_t salt) {
 
 ExperimentResult run(const ExperimentOptions& options) {
   std::vector<Case> cases;
-  for (const char* scheme : {"primal:n=2", "primal:n=3", "primal:n=5", "primal:n=5,d=3", "dual:n=3", "bspline:degree=3"})
+  for (const char* scheme :
+       {"primal:n=2", "primal:n=3", "primal:n=5", "primal:n=5,d=3", "dual:n=3", "bspline:degree=3"})
     for (const int subdivision : {10, 20, 40})
       for (const std::size_t output : {80u, 82u, 1u}) cases.push_back({scheme, subdivision, output});
   parallel_for_each(cases.size(), options.jobs, [&](std::size_t i) { evaluate(cases[i], options, i); });
   ExperimentResult result{
-      {"f(x) = 1/(1 + 25 x^2), 41 data at (i - 20) h, sigma = 1/5; at the data 20 (the peak), 20 1/2, and 1/4, where the "
+      {"f(x) = 1/(1 + 25 x^2), 41 data at (i - 20) h, sigma = 1/5; at the data 20 (the peak), 20 1/2, and 1/4, where "
+       "the "
        "data are continued (interp). Bias and variance are exact rational numbers, rounded here; the simulation takes "
        "100 samples for each one of the other experiments; its intervals have 99.9 % confidence."}};
-  PlainTable table{"mse-values", "Expected squared error: exact and simulated",
-                   {"scheme", "h", "at", "bias^2", "sigma^2 psi", "exact sum", "simulated", "inside"}, {}};
+  PlainTable table{"mse-values",
+                   "Expected squared error: exact and simulated",
+                   {"scheme", "h", "at", "bias^2", "sigma^2 psi", "exact sum", "simulated", "inside"},
+                   {}};
   std::size_t inside = 0;
   for (const Case& c : cases) {
     const double exact = nearest_double(c.exact.total());
@@ -66,10 +70,11 @@ ExperimentResult run(const ExperimentOptions& options) {
                           short_number(c.simulated.lower) + " ... " + short_number(c.simulated.upper),
                           is_inside ? "yes" : "no"});
   }
-  result.claims.push_back({"The expected squared error is bias^2 + sigma^2 psi.", "Eq. (16)",
-                           "the exact value lies in the 99.9 % interval of the simulation in at least 95 % of the cases",
-                           inside * 20 >= cases.size() * 19 ? Finding::confirmed : Finding::not_confirmed,
-                           std::to_string(inside) + " of " + std::to_string(cases.size())});
+  result.claims.push_back(
+      {"The expected squared error is bias^2 + sigma^2 psi.", "Eq. (16)",
+       "the exact value lies in the 99.9 % interval of the simulation in at least 95 % of the cases",
+       inside * 20 >= cases.size() * 19 ? Finding::confirmed : Finding::not_confirmed,
+       std::to_string(inside) + " of " + std::to_string(cases.size())});
   result.tables.push_back(table);
   return result;
 }

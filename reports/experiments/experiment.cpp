@@ -11,12 +11,9 @@ namespace subcert {
 
 std::string to_text(Finding finding) {
   switch (finding) {
-    case Finding::confirmed:
-      return "confirmed";
-    case Finding::not_confirmed:
-      return "not confirmed";
-    case Finding::not_reproducible:
-      return "not-reproducible";
+    case Finding::confirmed: return "confirmed";
+    case Finding::not_confirmed: return "not confirmed";
+    case Finding::not_reproducible: return "not-reproducible";
   }
   throw std::invalid_argument("unknown finding");
 }
@@ -37,11 +34,11 @@ std::size_t ExperimentResult::count(Finding finding) const {
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = [] {
     std::vector<Experiment> result;
-    for (const auto& family : {expected_error_experiments, function_experiments, curve_experiments, torus_experiments,
-                               part_experiments, l1_experiments, nonlinear_polynomial_experiments,
-                               nonlinear_quiet_experiments, nonlinear_noise_experiments, nonlinear_surface_experiments,
-                               aary_limit_function_experiments, aary_curve_experiments, aary_car_experiments,
-                               aary_surface_experiments}) {
+    for (const auto& family :
+         {expected_error_experiments, function_experiments, curve_experiments, torus_experiments, part_experiments,
+          l1_experiments, nonlinear_polynomial_experiments, nonlinear_quiet_experiments, nonlinear_noise_experiments,
+          nonlinear_surface_experiments, aary_limit_function_experiments, aary_curve_experiments, aary_car_experiments,
+          aary_surface_experiments}) {
       const auto more = family();
       result.insert(result.end(), more.begin(), more.end());
     }
@@ -63,8 +60,10 @@ RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptio
 namespace {
 
 PlainTable claims_table(const RanExperiment& ran) {
-  PlainTable table{ran.experiment->id + "-claims", "What the paper says, and what decides it",
-                   {"claim", "place", "statistic", "finding", "numbers"}, {}};
+  PlainTable table{ran.experiment->id + "-claims",
+                   "What the paper says, and what decides it",
+                   {"claim", "place", "statistic", "finding", "numbers"},
+                   {}};
   for (const Claim& c : ran.result.claims) {
     table.rows.push_back({c.sentence, c.place, c.statistic, to_text(c.finding), c.numbers});
     table.row_classes.push_back(c.finding == Finding::confirmed       ? "match"
@@ -78,12 +77,12 @@ PlainTable claims_table(const RanExperiment& ran) {
 
 Section experiment_section(const RanExperiment& ran) {
   const ExperimentResult& result = ran.result;
-  Section section{ran.experiment->id, ran.experiment->title, result.setup, result.comparisons, {}, result.figures,
-                  result.surface_figures};
-  section.paragraphs.push_back(result.random ? "Seed " + std::to_string(ran.options.seed) + ", " +
-                                                   std::to_string(ran.options.runs) +
-                                                   " samples of the noise; intervals are means with 95 % confidence (Student's t)."
-                                             : "Nothing here is random.");
+  Section section{ran.experiment->id, ran.experiment->title, result.setup, result.comparisons, {},
+                  result.figures,     result.surface_figures};
+  section.paragraphs.push_back(
+      result.random ? "Seed " + std::to_string(ran.options.seed) + ", " + std::to_string(ran.options.runs) +
+                          " samples of the noise; intervals are means with 95 % confidence (Student's t)."
+                    : "Nothing here is random.");
   if (!result.claims.empty()) section.tables.push_back(claims_table(ran));
   section.tables.insert(section.tables.end(), result.tables.begin(), result.tables.end());
   return section;

@@ -13,13 +13,14 @@ constexpr int loudest = FunctionTrial::loudest, quietest = FunctionTrial::quiete
 
 double cube(double x) { return x * x * x; }
 const TestFunction f1{"f_1", "sin(x/10) + (x/50)^2", [](double x) { return std::sin(x / 10) + x * x / 2500; }};
-const TestFunction f2{"f_2", "cos(2x/5) + (x/40 - 1)^3", [](double x) { return std::cos(x * 2 / 5) + cube(x / 40 - 1); }};
+const TestFunction f2{"f_2", "cos(2x/5) + (x/40 - 1)^3",
+                      [](double x) { return std::cos(x * 2 / 5) + cube(x / 40 - 1); }};
 const TestFunction f3{"f_3", "cos(x/10) - (x/50 - 1)^3", [](double x) { return std::cos(x / 10) - cube(x / 50 - 1); }};
 const TestFunction f4{"f_4", "cos(2x/5) - (x/50 - 4/5)^3",
                       [](double x) { return std::cos(x * 2 / 5) - cube(x / 50 - 0.8); }};
 
-/// At all levels of noise from `from` to `to` dB, or at some, the mean error of `better` is smaller than that of `worse`;
-/// with a tolerance: the ratio of their means is at most that far from 1.
+/// At all levels of noise from `from` to `to` dB, or at some, the mean error of `better` is smaller than that of
+/// `worse`; with a tolerance: the ratio of their means is at most that far from 1.
 struct Assertion {
   std::string sentence;
   std::string place;
@@ -73,7 +74,8 @@ Claim decide(const Assertion& assertion, const std::vector<std::string>& names, 
     (difference.is_negative() ? shown : difference.is_positive() ? contrary : undecided).push_back(decibel);
   }
   const std::string ratios = "ratio of mean errors " + method_name(assertion.better) + " / " +
-                             method_name(assertion.worse) + ": " + short_number(least) + " ... " + short_number(largest);
+                             method_name(assertion.worse) + ": " + short_number(least) + " ... " +
+                             short_number(largest);
   if (assertion.tolerance) {
     claim.statistic = "the ratio of the mean errors differs from 1 by at most " + short_number(*assertion.tolerance) +
                       " at each level, " + range;
@@ -84,9 +86,10 @@ Claim decide(const Assertion& assertion, const std::vector<std::string>& names, 
   claim.statistic = "mean of the paired difference of errors, " + method_name(assertion.better) + " minus " +
                     method_name(assertion.worse) + ", negative with its whole interval at " +
                     (assertion.somewhere ? "some level, " : "each level, ") + range;
-  if (assertion.somewhere ? shown.empty() : !contrary.empty() || !undecided.empty()) claim.finding = Finding::not_confirmed;
-  claim.numbers = "negative at " + levels_text(shown) + " dB; positive at " + levels_text(contrary) + "; undecided at " +
-                  levels_text(undecided) + "; " + ratios;
+  if (assertion.somewhere ? shown.empty() : !contrary.empty() || !undecided.empty())
+    claim.finding = Finding::not_confirmed;
+  claim.numbers = "negative at " + levels_text(shown) + " dB; positive at " + levels_text(contrary) +
+                  "; undecided at " + levels_text(undecided) + "; " + ratios;
   return claim;
 }
 
@@ -113,8 +116,11 @@ Figure figure_of(const FunctionFigure& figure, const FunctionTrial& trial, const
     over_noise.curves.push_back(curve);
     shown.curves.push_back(over_x(names[m], sample.reconstructions[m], true, colours[m]));
   }
-  return {figure.id, "Comparison of " + names[0] + " and " + names[1] + " for " + figure.function.name,
-          "Left: mean relative error over the signal-to-noise ratio. Right: one reconstruction.", 2, {over_noise, shown}};
+  return {figure.id,
+          "Comparison of " + names[0] + " and " + names[1] + " for " + figure.function.name,
+          "Left: mean relative error over the signal-to-noise ratio. Right: one reconstruction.",
+          2,
+          {over_noise, shown}};
 }
 
 PlainTable errors_table(const FunctionFigure& figure, const std::vector<std::string>& names,
@@ -134,8 +140,10 @@ PlainTable errors_table(const FunctionFigure& figure, const std::vector<std::str
 
 /// The claims decided with other spacings of the data.
 PlainTable spacings_table(const FunctionFigure& figure, const ExperimentOptions& options) {
-  PlainTable table{figure.id + "-spacings", "The same claims with other spacings of the data",
-                   {"claim", "spacing", "finding", "numbers"}, {}};
+  PlainTable table{figure.id + "-spacings",
+                   "The same claims with other spacings of the data",
+                   {"claim", "spacing", "finding", "numbers"},
+                   {}};
   const std::vector<std::string> names{figure.first, figure.second};
   for (const double h : {0.5, 2.0}) {
     const auto errors = FunctionTrial(figure.function, h, names).errors(options);
@@ -169,36 +177,71 @@ ExperimentResult run(const FunctionFigure& figure, const ExperimentOptions& opti
 }
 
 std::vector<FunctionFigure> figures() {
-  const std::string s3 = "primal:n=3", s5 = "primal:n=5", s7 = "primal:n=7", s53 = "primal:n=5,d=3", s63 = "primal:n=6,d=3",
-                    s93 = "primal:n=9,d=3";
-  return {
-      {"fig3", f1, s3, local_linear, 6.5,
-       {{"For all levels of noise, LLR gives a smaller error than S_3.", "Sec. 3.2, Fig. 3", local_linear, s3}}},
-      {"fig4", f1, s5, local_linear, 7,
-       {{"S_5 behaves almost identically to LLR.", "Sec. 3.2, Fig. 4", s5, local_linear,
-         Finding::not_confirmed, loudest, quietest, 0.1}}},
-      {"fig5", f1, s7, local_linear, 7.9,
-       {{"S_7 is even better than LLR.", "Sec. 3.2, Fig. 5", s7, local_linear, Finding::not_confirmed},
-        {"There is a range of parameters for which a scheme outperforms LLR (S_7 on f_1).", "Sec. 3.2, end", s7,
-         local_linear, Finding::confirmed, loudest, quietest, std::nullopt, true}}},
-      {"fig6", f2, s3, local_linear, 6.2,
-       {{"S_3 suits f_2 better than LLR, except for extremely high noise (read as: from 5 dB).", "Sec. 3.2, Fig. 6", s3,
-         local_linear, Finding::not_confirmed, 5}}},
-      {"fig7", f2, s5, local_linear, 8,
-       {{"S_5 is inferior to LLR for any reasonable level of noise (read as: from 5 dB).", "Sec. 3.2, Fig. 7", local_linear,
-         s5, Finding::confirmed, 5}}},
-      {"fig10", f3, s5, s53, 8.2,
-       {{"S_5^1 is better as long as the noise is significant (read as: to 12 dB).", "Sec. 4.4, Fig. 10", s5, s53,
-         Finding::confirmed, 1, 12},
-        {"S_5^3 is more accurate as the noise decays (read as: from 18 dB).", "Sec. 4.4, Fig. 10", s53, s5,
-         Finding::not_confirmed, 18}}},
-      {"fig11", f4, s5, s53, 7.2,
-       {{"S_5^3 outperforms S_5^1 for all noise levels.", "Sec. 4.4, Fig. 11", s53, s5, Finding::not_confirmed}}},
-      {"fig12", f3, s63, s93, 8.4,
-       {{"The larger support of S_9^3 helps to smooth out noise.", "Sec. 4.4, Fig. 12", s93, s63}}},
-      {"fig13", f4, s63, s93, 9.5,
-       {{"The smaller support of S_6^3 leads to smaller errors for all noise levels.", "Sec. 4.4, Fig. 13", s63, s93,
-         Finding::not_confirmed}}}};
+  const std::string s3 = "primal:n=3", s5 = "primal:n=5", s7 = "primal:n=7", s53 = "primal:n=5,d=3",
+                    s63 = "primal:n=6,d=3", s93 = "primal:n=9,d=3";
+  return {{"fig3",
+           f1,
+           s3,
+           local_linear,
+           6.5,
+           {{"For all levels of noise, LLR gives a smaller error than S_3.", "Sec. 3.2, Fig. 3", local_linear, s3}}},
+          {"fig4",
+           f1,
+           s5,
+           local_linear,
+           7,
+           {{"S_5 behaves almost identically to LLR.", "Sec. 3.2, Fig. 4", s5, local_linear, Finding::not_confirmed,
+             loudest, quietest, 0.1}}},
+          {"fig5",
+           f1,
+           s7,
+           local_linear,
+           7.9,
+           {{"S_7 is even better than LLR.", "Sec. 3.2, Fig. 5", s7, local_linear, Finding::not_confirmed},
+            {"There is a range of parameters for which a scheme outperforms LLR (S_7 on f_1).", "Sec. 3.2, end", s7,
+             local_linear, Finding::confirmed, loudest, quietest, std::nullopt, true}}},
+          {"fig6",
+           f2,
+           s3,
+           local_linear,
+           6.2,
+           {{"S_3 suits f_2 better than LLR, except for extremely high noise (read as: from 5 dB).", "Sec. 3.2, Fig. 6",
+             s3, local_linear, Finding::not_confirmed, 5}}},
+          {"fig7",
+           f2,
+           s5,
+           local_linear,
+           8,
+           {{"S_5 is inferior to LLR for any reasonable level of noise (read as: from 5 dB).", "Sec. 3.2, Fig. 7",
+             local_linear, s5, Finding::confirmed, 5}}},
+          {"fig10",
+           f3,
+           s5,
+           s53,
+           8.2,
+           {{"S_5^1 is better as long as the noise is significant (read as: to 12 dB).", "Sec. 4.4, Fig. 10", s5, s53,
+             Finding::confirmed, 1, 12},
+            {"S_5^3 is more accurate as the noise decays (read as: from 18 dB).", "Sec. 4.4, Fig. 10", s53, s5,
+             Finding::not_confirmed, 18}}},
+          {"fig11",
+           f4,
+           s5,
+           s53,
+           7.2,
+           {{"S_5^3 outperforms S_5^1 for all noise levels.", "Sec. 4.4, Fig. 11", s53, s5, Finding::not_confirmed}}},
+          {"fig12",
+           f3,
+           s63,
+           s93,
+           8.4,
+           {{"The larger support of S_9^3 helps to smooth out noise.", "Sec. 4.4, Fig. 12", s93, s63}}},
+          {"fig13",
+           f4,
+           s63,
+           s93,
+           9.5,
+           {{"The smaller support of S_6^3 leads to smaller errors for all noise levels.", "Sec. 4.4, Fig. 13", s63,
+             s93, Finding::not_confirmed}}}};
 }
 
 }  // namespace
@@ -208,8 +251,7 @@ std::vector<Experiment> function_experiments() {
   for (const FunctionFigure& figure : figures())
     result.push_back({figure.id, "dyn-2015",
                       "Figure " + figure.id.substr(3) + ": " + method_name(figure.first) + " and " +
-                          method_name(figure.second) +
-                          " on " + figure.function.name,
+                          method_name(figure.second) + " on " + figure.function.name,
                       [figure](const ExperimentOptions& options) { return run(figure, options); }});
   return result;
 }

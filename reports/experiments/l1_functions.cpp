@@ -146,9 +146,10 @@ ExperimentResult run_figure_1(const ExperimentOptions& options) {
 
 std::vector<Experiment> l1_function_experiments() {
   const std::string paper = "mustafa-li-2015";
-  return {{"l1-fig1", paper, "Figure 1: Chaikin's scheme and least squares against outliers", run_figure_1},
-          {"l1-exp1", paper, "Experiment 1, Figure 3 and Table 1: two outliers", run_experiment_1, true},
-          {"l1-exp2", paper, "Experiment 2, Figure 5 and Table 2: noise and thirteen outliers", run_experiment_2, true}};
+  return {
+      {"l1-fig1", paper, "Figure 1: Chaikin's scheme and least squares against outliers", run_figure_1},
+      {"l1-exp1", paper, "Experiment 1, Figure 3 and Table 1: two outliers", run_experiment_1, true},
+      {"l1-exp2", paper, "Experiment 2, Figure 5 and Table 2: noise and thirteen outliers", run_experiment_2, true}};
 }
 
 }  // namespace subcert

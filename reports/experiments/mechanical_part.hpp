@@ -5,8 +5,8 @@
 
 namespace subcert {
 
-/// A plate of 48 x 80 units with its centre at the origin: a raised end behind a rounded step with a groove across it, a
-/// cylindrical boss with a fillet at its foot and a blind bore in it, and a half-round rib. The grid points lie over
+/// A plate of 48 x 80 units with its centre at the origin: a raised end behind a rounded step with a groove across it,
+/// a cylindrical boss with a fillet at its foot and a blind bore in it, and a half-round rib. The grid points lie over
 /// multiples of 1/refinement unit, so that refinement = 1 gives 49 x 81 points. Domain: refinement >= 1.
 PointGrid mechanical_part(std::size_t refinement);
 

@@ -20,7 +20,8 @@ void add_experiments(Report& report, const ReportOptions& options) {
     if (!options.only.empty() && std::find(options.only.begin(), options.only.end(), id) == options.only.end())
       continue;
     if (options.progress) options.progress(id);
-    report.experiments.push_back(run_experiment(experiment(id), {options.seed, report_runs(experiment(id), options.runs), options.jobs}));
+    report.experiments.push_back(
+        run_experiment(experiment(id), {options.seed, report_runs(experiment(id), options.runs), options.jobs}));
     report.sections.push_back(experiment_section(report.experiments.back()));
   }
 }

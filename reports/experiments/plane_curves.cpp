@@ -128,7 +128,8 @@ void for_each_limit(const NoisyCurve& curve, const std::vector<DenseMatrix>& mat
   });
 }
 
-std::vector<DenseMatrix> limit_matrices(const std::vector<std::string>& schemes, std::size_t count, Extension extension) {
+std::vector<DenseMatrix> limit_matrices(const std::vector<std::string>& schemes, std::size_t count,
+                                        Extension extension) {
   std::vector<DenseMatrix> result;
   for (const std::string& scheme : schemes) result.push_back(limit_matrix(scheme, count, extension, level));
   return result;

@@ -3,8 +3,8 @@
 #include <subcert/reports/published.hpp>
 #include <subcert/reports/report.hpp>
 
-#include <nlohmann/json.hpp>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -52,7 +52,8 @@ TEST_CASE("the published data are complete and well formed") {
 
 // The long cases compute what `subcert reproduce` computes, which ./check runs first.
 TEST_CASE("every verdict on Dyn et al. is the recorded one", "[long]") {
-  const Report report = make_report("dyn-2015", {{"masks", "supports", "table1", "table2", "table3", "fig2", "fig8", "fig9"}, 2, {}});
+  const Report report = make_report(
+      "dyn-2015", {{"masks", "supports", "table1", "table2", "table3", "fig2", "fig8", "fig9"}, 2, {}});
   for (const ComparisonTable* table : report.comparison_tables())
     for (const Comparison& c : table->comparisons) {
       CAPTURE(table->id, c.cell(), c.printed, c.computed_text());

@@ -41,7 +41,8 @@ const std::vector<Rational>& AxisRefiner::fit(const Rational& position) {
 }
 
 WeightRow<Rational> AxisRefiner::row(long output, const Axis& axis) {
-  const long count = static_cast<long>(axis.count), first = stencils_.first_read(output), last = stencils_.last_read(output);
+  const long count = static_cast<long>(axis.count), first = stencils_.first_read(output),
+             last = stencils_.last_read(output);
   WeightRow<Rational> result;
   if ((first < 0 || last >= count) && !axis.closed && boundary_ == Boundary::regression) {
     const long shift = first < 0 ? 0 : count - static_cast<long>(window());
@@ -51,7 +52,8 @@ WeightRow<Rational> AxisRefiner::row(long output, const Axis& axis) {
   }
   std::map<std::size_t, Rational> collected;
   const std::vector<Rational>& weights = weights_[stencils_.residue(output)];
-  for (long j = first; j <= last; ++j) collected[source(j, axis, boundary_)] += weights[static_cast<std::size_t>(j - first)];
+  for (long j = first; j <= last; ++j)
+    collected[source(j, axis, boundary_)] += weights[static_cast<std::size_t>(j - first)];
   for (auto& [at, weight] : collected) {
     result.at.push_back(at);
     result.weights.push_back(std::move(weight));
@@ -131,8 +133,8 @@ void apply_groups(const AxisRefinement<Rational>& rows, const Rational* in, Rati
 
 constexpr std::size_t block_length = 512;  // numbers of a block: input, parts and output fit the nearest cache
 
-void apply_groups(const AxisRefinement<double>& rows, const double* in, double* out, std::size_t inner, std::size_t begin,
-                  std::size_t end) {
+void apply_groups(const AxisRefinement<double>& rows, const double* in, double* out, std::size_t inner,
+                  std::size_t begin, std::size_t end) {
   if (rows.stride != 1) return apply_groups_plainly(rows, in, out, inner, begin, end);
   const std::vector<Phase<double>>& phases = rows.phases;
   const std::size_t arity = phases.size();
@@ -140,8 +142,8 @@ void apply_groups(const AxisRefinement<double>& rows, const double* in, double* 
     for (std::size_t g = begin; g < end; ++g)
       for (std::size_t c = 0; c < inner; c += block_length)
         for (std::size_t p = 0; p < arity; ++p)
-          weighted_sum(in + (phases[p].first + g) * inner + c, inner, phases[p].weights.data(), phases[p].weights.size(),
-                       std::min(block_length, inner - c), out + (g * arity + p) * inner + c);
+          weighted_sum(in + (phases[p].first + g) * inner + c, inner, phases[p].weights.data(),
+                       phases[p].weights.size(), std::min(block_length, inner - c), out + (g * arity + p) * inner + c);
     return;
   }
   const std::size_t block = std::max<std::size_t>(1, block_length / inner);
@@ -161,7 +163,8 @@ template <class Number>
 AxisRefinement<Number> converted(const AxisRefinement<Rational>& rows) {
   AxisRefinement<Number> result{rows.input, rows.output, {}, {}, rows.groups, {}, rows.stride};
   for (const auto& row : rows.head) result.head.push_back({row.at, converted_weights<Number>(row.weights)});
-  for (const auto& phase : rows.phases) result.phases.push_back({phase.first, converted_weights<Number>(phase.weights)});
+  for (const auto& phase : rows.phases)
+    result.phases.push_back({phase.first, converted_weights<Number>(phase.weights)});
   for (const auto& row : rows.tail) result.tail.push_back({row.at, converted_weights<Number>(row.weights)});
   return result;
 }
@@ -191,7 +194,8 @@ void apply(const AxisRefinement<Number>& rows, const Number* in, Number* out, st
 }
 
 template <class Number>
-GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Rational>& rows, int threads) {
+GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Rational>& rows,
+                             int threads) {
   GridData<Number> result{{}, data.dimension, data.axes};
   result.axes[k] = rows.output;
   std::size_t inner = data.dimension, outer = 1;
@@ -205,9 +209,12 @@ GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const 
 template AxisRefinement<double> converted<double>(const AxisRefinement<Rational>&);
 template AxisRefinement<Rational> converted<Rational>(const AxisRefinement<Rational>&);
 template void apply<double>(const AxisRefinement<double>&, const double*, double*, std::size_t, std::size_t, int);
-template void apply<Rational>(const AxisRefinement<Rational>&, const Rational*, Rational*, std::size_t, std::size_t, int);
+template void apply<Rational>(const AxisRefinement<Rational>&, const Rational*, Rational*, std::size_t, std::size_t,
+                              int);
 
-template GridData<double> apply_along<double>(const GridData<double>&, std::size_t, const AxisRefinement<Rational>&, int);
-template GridData<Rational> apply_along<Rational>(const GridData<Rational>&, std::size_t, const AxisRefinement<Rational>&, int);
+template GridData<double> apply_along<double>(const GridData<double>&, std::size_t, const AxisRefinement<Rational>&,
+                                              int);
+template GridData<Rational> apply_along<Rational>(const GridData<Rational>&, std::size_t,
+                                                  const AxisRefinement<Rational>&, int);
 
 }  // namespace subcert

@@ -16,8 +16,8 @@ struct WeightRow {
   std::vector<Number> weights;
 };
 
-/// The rule of the outputs of one phase where every stencil is complete: output group g reads first + g * stride and the data
-/// that follow, with the stride of the step.
+/// The rule of the outputs of one phase where every stencil is complete: output group g reads first + g * stride and
+/// the data that follow, with the stride of the step.
 template <class Number>
 struct Phase {
   std::size_t first;
@@ -79,6 +79,7 @@ void apply(const AxisRefinement<Number>& rows, const Number* in, Number* out, st
 
 /// The data after the step along axis k, whose input is data.axes[k].
 template <class Number>
-GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Rational>& rows, int threads = 1);
+GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Rational>& rows,
+                             int threads = 1);
 
 }  // namespace subcert

@@ -45,7 +45,8 @@ OutputRange AxisStencils::outputs(const Axis& axis, Boundary boundary) const {
     range.end = range.complete_end;
   } else {
     range.begin = ceil_index(-base);
-    range.end = input.closed ? range.begin + arity() * count : floor_index(arity() * input.length / input.step - base) + 1;
+    range.end = input.closed ? range.begin + arity() * count
+                             : floor_index(arity() * input.length / input.step - base) + 1;
   }
   if (range.end <= range.begin)
     throw std::invalid_argument("refine: need more points for one output, got " + std::to_string(input.count));

@@ -10,11 +10,12 @@ namespace subcert {
 
 /// Outputs are numbered so that f'_i = sum of a_{i - arity*j} f_j with the data of the axis numbered from 0.
 struct OutputRange {
-  Axis input;           ///< as read: closed for `periodic`
+  Axis input;  ///< as read: closed for `periodic`
   Axis output;
-  long begin;           ///< outputs begin, ..., end - 1
+  long begin;  ///< outputs begin, ..., end - 1
   long end;
-  long complete_begin;  ///< from here to complete_end - 1 all stencils lie within the data; empty where not before complete_end
+  long complete_begin;  ///< from here to complete_end - 1 all stencils lie within the data; empty where not before
+                        ///< complete_end
   long complete_end;
 };
 
@@ -40,8 +41,8 @@ class AxisStencils {
   /// Where the output stands, in the numbers of the data.
   Rational position(long output) const { return Rational(output - centre_) / arity(); }
 
-  /// Domain: axis.count >= window(); `reflect` asks 2 tau to be an integer. Errors: throws std::invalid_argument that names
-  /// the inequality.
+  /// Domain: axis.count >= window(); `reflect` asks 2 tau to be an integer. Errors: throws std::invalid_argument that
+  /// names the inequality.
   OutputRange outputs(const Axis& axis, Boundary boundary) const;
 
  private:
@@ -51,8 +52,8 @@ class AxisStencils {
   std::size_t window_;
 };
 
-/// The datum that stands at index j: itself, mirrored (`reflect`), or repeated (closed axes). Domain: 0 <= j < count where
-/// the axis is open and the boundary is another.
+/// The datum that stands at index j: itself, mirrored (`reflect`), or repeated (closed axes). Domain: 0 <= j < count
+/// where the axis is open and the boundary is another.
 std::size_t source(long j, const Axis& axis, Boundary boundary);
 
 }  // namespace subcert

@@ -28,7 +28,8 @@ std::vector<AxisStencils> stencils_of(const MultivariateMask& mask) {
       AxisStencils::Class& one = classes[static_cast<std::size_t>((n % arity + arity) % arity)];
       one = {std::min(one.lowest, n), std::max(one.highest, n)};
     }
-    result.emplace_back(std::move(classes), polynomials.parametrization[v] * (arity - 1), polynomials.reproduction_degree);
+    result.emplace_back(std::move(classes), polynomials.parametrization[v] * (arity - 1),
+                        polynomials.reproduction_degree);
   }
   return result;
 }
@@ -106,9 +107,10 @@ class Level {
     for (const Line& line : lines_) result.axes.push_back(line.range.output);
     result.values.resize(result.points() * result.dimension);
     const std::size_t row = result.axes[0].count * result.dimension;
-    in_ranges(result.points() / result.axes[0].count, result.values.size(), threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t r = begin; r < end; ++r) run_row(r, result.values.data() + r * row);
-    });
+    in_ranges(result.points() / result.axes[0].count, result.values.size(), threads,
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t r = begin; r < end; ++r) run_row(r, result.values.data() + r * row);
+              });
     return result;
   }
 
@@ -196,7 +198,8 @@ class Level {
     const long arity = mask_.arity();
     long begin = line.range.end, end = line.range.end;  // complete groups of the first axis, in fast runs
     if constexpr (std::is_same_v<Number, double>)
-      if (!is_fitted({places.begin() + 1, places.end()}) && line.range.complete_end - line.range.complete_begin >= arity) {
+      if (!is_fitted({places.begin() + 1, places.end()}) &&
+          line.range.complete_end - line.range.complete_begin >= arity) {
         begin = line.range.complete_begin;
         end = begin + (line.range.complete_end - begin) / arity * arity;
         run_groups(places, begin, static_cast<std::size_t>((end - begin) / arity),
@@ -221,7 +224,8 @@ class Level {
     std::size_t i = 0;
     for_rows(places.size(), list, [&](std::size_t offset) {
       for (const std::size_t x : list(0)) {
-        for (std::size_t c = 0; c < data_.dimension; ++c) out[c] += box[i] * data_.values[(offset + x) * data_.dimension + c];
+        for (std::size_t c = 0; c < data_.dimension; ++c)
+          out[c] += box[i] * data_.values[(offset + x) * data_.dimension + c];
         ++i;
       }
     });
@@ -266,7 +270,8 @@ class Level {
 
   std::size_t rule(const Places& places) const {
     std::size_t number = 0;
-    for (std::size_t v = places.size(); v-- > 0;) number = number * static_cast<std::size_t>(mask_.arity()) + places[v]->residue;
+    for (std::size_t v = places.size(); v-- > 0;)
+      number = number * static_cast<std::size_t>(mask_.arity()) + places[v]->residue;
     return number;
   }
 
@@ -284,8 +289,8 @@ template <class Number>
 GridData<Number> refine(const GridData<Number>& data, const MultivariateMask& mask, const RefineOptions& options) {
   if (!data.is_canonical()) throw std::invalid_argument("refine: need as many values as points times coordinates");
   if (static_cast<std::size_t>(mask.dimension()) != data.axes.size())
-    throw std::invalid_argument("refine: need as many axes as variables, got " + std::to_string(data.axes.size()) + " for " +
-                                std::to_string(mask.dimension()));
+    throw std::invalid_argument("refine: need as many axes as variables, got " + std::to_string(data.axes.size()) +
+                                " for " + std::to_string(mask.dimension()));
   if (options.levels < 0)
     throw std::invalid_argument("refine: need levels >= 0, got " + std::to_string(options.levels));
   long growth = 1;

@@ -5,11 +5,11 @@
 
 namespace subcert {
 
-/// Applies the mask `levels` times. Points, domains and boundaries are, axis by axis, those of refine(); with `regression` an
-/// output whose box of data passes an end takes the least squares polynomial of the reproduced total degree on the
-/// nearest complete box. Polynomials of this total degree are refined exactly.
-/// Domain: as many axes as variables, coset sums 1, levels >= 0; at least as many points as the stencils along each
-/// axis. Errors: as refine(). Cost: linear in the output times the size of the stencils.
+/// Applies the mask `levels` times. Points, domains and boundaries are, axis by axis, those of refine(); with
+/// `regression` an output whose box of data passes an end takes the least squares polynomial of the reproduced total
+/// degree on the nearest complete box. Polynomials of this total degree are refined exactly. Domain: as many axes as
+/// variables, coset sums 1, levels >= 0; at least as many points as the stencils along each axis. Errors: as refine().
+/// Cost: linear in the output times the size of the stencils.
 template <class Number>
 GridData<Number> refine(const GridData<Number>& data, const MultivariateMask& mask, const RefineOptions& options);
 

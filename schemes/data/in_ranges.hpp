@@ -8,8 +8,8 @@
 
 namespace subcert {
 
-/// Calls work(begin, end) on disjoint ranges that cover 0, ..., count - 1, on at most `threads` threads, each with at least
-/// some 65,000 of the `numbers` that are written.
+/// Calls work(begin, end) on disjoint ranges that cover 0, ..., count - 1, on at most `threads` threads, each with at
+/// least some 65,000 of the `numbers` that are written.
 template <class Work>
 void in_ranges(std::size_t count, std::size_t numbers, int threads, const Work& work) {
   constexpr std::size_t least_numbers = 1 << 16;

@@ -51,7 +51,8 @@ std::vector<Rational> end_functional(const Mask& mask, Axis axis) {
       cycle = static_cast<std::size_t>(seen - offsets.begin());
       break;
     }
-    if (offsets.size() == 64) throw std::domain_error("limit_of_data: the grids at the end do not repeat within 64 levels");
+    if (offsets.size() == 64)
+      throw std::domain_error("limit_of_data: the grids at the end do not repeat within 64 levels");
     offsets.push_back(offset);
     const AxisRefinement<Rational> rows = refiner.step(axis);
     steps.push_back(end_matrix(rows, size));
@@ -100,7 +101,8 @@ class LimitRows {
       weights_.pop_back();
       --last_;
     }
-    weights_.erase(weights_.begin(), std::find_if(weights_.begin(), weights_.end(), [](const Rational& w) { return w != 0; }));
+    weights_.erase(weights_.begin(),
+                   std::find_if(weights_.begin(), weights_.end(), [](const Rational& w) { return w != 0; }));
     first_ = last_ - static_cast<long>(weights_.size()) + 1;
   }
 
@@ -112,10 +114,13 @@ class LimitRows {
     const bool shrink = boundary_ == Boundary::shrink && !axis_.closed;
     AxisRefinement<Rational> result{axis_, axis_, {}, {}, 0, {}};
     const auto complete = [&](long i) { return i * stride_ + first_ >= 0 && i * stride_ + last_ < count; };
-    const auto supported = [&](long i) { return i * stride_ + support_first_ >= 0 && i * stride_ + support_last_ < count; };
+    const auto supported = [&](long i) {
+      return i * stride_ + support_first_ >= 0 && i * stride_ + support_last_ < count;
+    };
     while (shrink && begin < stop && !supported(begin)) ++begin;
     while (shrink && begin < stop && !supported(stop - 1)) --stop;
-    if (begin >= stop) throw std::invalid_argument("limit_of_data: need more points for one value, got " + std::to_string(count));
+    if (begin >= stop)
+      throw std::invalid_argument("limit_of_data: need more points for one value, got " + std::to_string(count));
     long head = begin, tail = stop;
     while (head < stop && !complete(head)) result.head.push_back(row(head++, ends));
     while (tail > head && !complete(tail - 1)) --tail;
@@ -135,7 +140,8 @@ class LimitRows {
     if (!axis_.closed && boundary_ == Boundary::regression) {
       if (output != 0 && output != ends) throw std::logic_error("limit_of_data: data too coarse near an end");
       const bool first = output == 0;
-      const Axis mirrored{axis_.count, false, axis_.length, axis_.length - axis_.parameter(axis_.count - 1), axis_.step};
+      const Axis mirrored{axis_.count, false, axis_.length, axis_.length - axis_.parameter(axis_.count - 1),
+                          axis_.step};
       result.weights = first ? end_functional(mask_, axis_)
                              : end_functional(Mask(mask_.symbol().reversed(), mask_.arity()), mirrored);
       for (std::size_t k = 0; k < result.weights.size(); ++k) result.at.push_back(first ? k : axis_.count - 1 - k);
@@ -164,15 +170,16 @@ class LimitRows {
   long support_last_;
 };
 
-/// Levels beyond the asked one after which the support of the limit function around the point next to an end lies within
-/// the data, and the rows of end_functional() too.
+/// Levels beyond the asked one after which the support of the limit function around the point next to an end lies
+/// within the data, and the rows of end_functional() too.
 int extra_levels(const Mask& mask) {
   const Interval support = limit_support(mask);
   const Rational shift = abs(polynomial_reproduction(mask).parametrization);
   const Rational reach = std::max(Rational(abs(support.lower)), Rational(abs(support.upper))) + shift + 2;
   int levels = 0;
   for (Rational power_of_arity = 1;
-       power_of_arity < reach || power_of_arity + 1 < Rational(end_size(axis_stencils(mask))); power_of_arity *= mask.arity())
+       power_of_arity < reach || power_of_arity + 1 < Rational(end_size(axis_stencils(mask)));
+       power_of_arity *= mask.arity())
     ++levels;
   return levels;
 }
@@ -180,10 +187,11 @@ int extra_levels(const Mask& mask) {
 }  // namespace
 
 template <class Number>
-GridData<Number> limit_of_data(const GridData<Number>& data, const std::vector<Mask>& masks, const RefineOptions& options) {
+GridData<Number> limit_of_data(const GridData<Number>& data, const std::vector<Mask>& masks,
+                               const RefineOptions& options) {
   if (masks.size() != data.axes.size())
-    throw std::invalid_argument("limit_of_data: need one mask for each axis, got " + std::to_string(masks.size()) + " for " +
-                                std::to_string(data.axes.size()));
+    throw std::invalid_argument("limit_of_data: need one mask for each axis, got " + std::to_string(masks.size()) +
+                                " for " + std::to_string(data.axes.size()));
   GridData<Number> result = data;
   for (std::size_t k = 0; k < masks.size(); ++k) {
     if (options.boundary == Boundary::periodic && !result.axes[k].closed) {
@@ -199,12 +207,15 @@ GridData<Number> limit_of_data(const GridData<Number>& data, const std::vector<M
       result = apply_along(result, k, refiner.step(result.axes[k]), options.threads);
       if (level >= options.levels) stride *= masks[k].arity();
     }
-    result = apply_along(result, k, LimitRows(masks[k], result.axes[k], options.boundary, stride).make(), options.threads);
+    result = apply_along(result, k, LimitRows(masks[k], result.axes[k], options.boundary, stride).make(),
+                         options.threads);
   }
   return result;
 }
 
-template GridData<double> limit_of_data<double>(const GridData<double>&, const std::vector<Mask>&, const RefineOptions&);
-template GridData<Rational> limit_of_data<Rational>(const GridData<Rational>&, const std::vector<Mask>&, const RefineOptions&);
+template GridData<double> limit_of_data<double>(const GridData<double>&, const std::vector<Mask>&,
+                                                const RefineOptions&);
+template GridData<Rational> limit_of_data<Rational>(const GridData<Rational>&, const std::vector<Mask>&,
+                                                    const RefineOptions&);
 
 }  // namespace subcert

@@ -49,8 +49,8 @@ std::optional<std::vector<Axis>> find_axes(std::size_t vertices, const std::vect
 GridData<double> surface(std::vector<double> coordinates, const std::vector<Quad>& faces, const TextLines& lines) {
   const std::size_t vertices = coordinates.size() / 3;
   if (vertices < 4 || faces.empty())
-    lines.fail_file("vertices and four-sided faces that make a grid; found " + std::to_string(vertices) + " vertices and " +
-                    std::to_string(faces.size()) + " faces");
+    lines.fail_file("vertices and four-sided faces that make a grid; found " + std::to_string(vertices) +
+                    " vertices and " + std::to_string(faces.size()) + " faces");
   const auto axes = find_axes(vertices, faces);
   if (!axes)
     lines.fail_file("faces that make a grid of columns and rows with vertices numbered row by row; the " +
@@ -64,8 +64,8 @@ std::size_t obj_vertex(const TextLines& lines, std::size_t word, std::size_t ver
   long index = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
   const long count = static_cast<long>(vertices);
-  lines.need(!text.empty() && end == text.data() + text.size() && error == std::errc() && index != 0 && index >= -count &&
-                 index <= count,
+  lines.need(!text.empty() && end == text.data() + text.size() && error == std::errc() && index != 0 &&
+                 index >= -count && index <= count,
              word, "the number of one of the " + std::to_string(vertices) + " vertices above");
   return static_cast<std::size_t>(index > 0 ? index - 1 : count + index);
 }
@@ -87,7 +87,8 @@ std::string point_lines(const GridData<double>& data, const std::string& begin) 
 
 std::string face_lines(const GridData<double>& data, const std::string& begin, std::size_t first) {
   std::string text;
-  for (const Quad& quad : grid_quads(data.axes[0].count, data.axes[1].count, data.axes[0].closed, data.axes[1].closed)) {
+  for (const Quad& quad :
+       grid_quads(data.axes[0].count, data.axes[1].count, data.axes[0].closed, data.axes[1].closed)) {
     text += begin;
     for (const std::size_t vertex : quad) text += " " + std::to_string(vertex + first);
     text += '\n';
@@ -146,7 +147,8 @@ GridData<double> parse_obj(std::string_view text, const std::string& file) {
   std::vector<Quad> faces;
   while (lines.next()) {
     if (lines.is(0, "v")) {
-      lines.need(lines.words().size() == 4, lines.words().size() < 4 ? lines.words().size() : 4, "v and three coordinates");
+      lines.need(lines.words().size() == 4, lines.words().size() < 4 ? lines.words().size() : 4,
+                 "v and three coordinates");
       for (std::size_t c = 1; c <= 3; ++c) coordinates.push_back(lines.number(c));
     } else if (lines.is(0, "f")) {
       lines.need(lines.words().size() == 5, lines.words().size() < 5 ? lines.words().size() : 5, "f and four vertices");
@@ -168,14 +170,15 @@ GridData<double> parse_ply(std::string_view text, const std::string& file) {
   std::vector<double> coordinates;
   std::vector<Quad> faces;
   while (coordinates.size() < 3 * header.vertices) {
-    if (!lines.next()) lines.fail_file(std::to_string(header.vertices) + " vertices; found " + std::to_string(coordinates.size() / 3));
+    if (!lines.next())
+      lines.fail_file(std::to_string(header.vertices) + " vertices; found " + std::to_string(coordinates.size() / 3));
     lines.need(lines.words().size() == 3, std::min<std::size_t>(lines.words().size(), 3), "three coordinates");
     for (std::size_t c = 0; c < 3; ++c) coordinates.push_back(lines.number(c));
   }
   while (faces.size() < header.faces) {
     if (!lines.next()) lines.fail_file(std::to_string(header.faces) + " faces; found " + std::to_string(faces.size()));
-    lines.need(lines.is(0, "4") && lines.words().size() == 5, std::min<std::size_t>(lines.words().size(), lines.is(0, "4") ? 5 : 0),
-               "4 and four vertices");
+    lines.need(lines.is(0, "4") && lines.words().size() == 5,
+               std::min<std::size_t>(lines.words().size(), lines.is(0, "4") ? 5 : 0), "4 and four vertices");
     Quad face;
     for (std::size_t k = 0; k < 4; ++k) face[k] = lines.count(k + 1, 0, header.vertices - 1, "the number of a vertex");
     faces.push_back(face);

@@ -8,9 +8,9 @@
 
 namespace subcert {
 
-/// Reads the vertices `v x y z` and the faces `f` of an OBJ file, or the vertex and face elements of an ASCII PLY file. The
-/// faces must make a grid with vertices numbered row by row, in any order and orientation: vertex j * columns + i is joined
-/// to its neighbours in i and j, in closed directions the last to the first. Axis 0 counts the columns.
+/// Reads the vertices `v x y z` and the faces `f` of an OBJ file, or the vertex and face elements of an ASCII PLY file.
+/// The faces must make a grid with vertices numbered row by row, in any order and orientation: vertex j * columns + i
+/// is joined to its neighbours in i and j, in closed directions the last to the first. Axis 0 counts the columns.
 /// Errors: throws DataFormatError. Cost: faces * log(faces).
 GridData<double> parse_obj(std::string_view text, const std::string& file);
 GridData<double> parse_ply(std::string_view text, const std::string& file);

@@ -46,7 +46,8 @@ Field read_field(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = end == text.data() + text.size() && !text.empty();
   if (whole && error == std::errc::result_out_of_range) {
-    value = std::strtod(std::string(text).c_str(), nullptr);  // too small becomes a tiny number or 0, too large infinite
+    value = std::strtod(std::string(text).c_str(),
+                        nullptr);  // too small becomes a tiny number or 0, too large infinite
     return {std::isfinite(value) ? Kind::number : Kind::infinite, value};
   }
   if (whole && error == std::errc()) {
@@ -59,7 +60,8 @@ Field read_field(std::string_view text) {
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& file, Missing missing) : text_(text), file_(file), missing_(missing) {}
+  Reader(std::string_view text, const std::string& file, Missing missing)
+      : text_(text), file_(file), missing_(missing) {}
 
   Table read() {
     if (text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);
@@ -170,8 +172,8 @@ class Reader {
     started_ = true;
     if (fields_.size() != table_.columns)
       fail(std::min(fields_.size(), table_.columns) + 1,
-           std::to_string(table_.columns) + (table_.columns == 1 ? " column" : " columns") + " as in the first row; found " +
-               std::to_string(fields_.size()));
+           std::to_string(table_.columns) + (table_.columns == 1 ? " column" : " columns") +
+               " as in the first row; found " + std::to_string(fields_.size()));
     for (std::size_t c = 0; c < fields_.size(); ++c) {
       const Field field = read_field(fields_[c]);
       if (field.kind == Kind::text) fail(c + 1, "a number; found " + shown(fields_[c]));

@@ -15,8 +15,8 @@ class DataFormatError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// values[row * columns + column]. Canonical: columns >= 1, values.size() == rows * columns, header empty or one name for
-/// each column. The separator is ',', ';', '\t' or ' '.
+/// values[row * columns + column]. Canonical: columns >= 1, values.size() == rows * columns, header empty or one name
+/// for each column. The separator is ',', ';', '\t' or ' '.
 struct Table {
   std::vector<double> values;
   std::size_t columns = 1;
@@ -31,10 +31,10 @@ struct Table {
 enum class Missing { refuse, keep };
 
 /// Reads a table. The separator is the first of semicolon, tab, comma that occurs in the first line, else blanks. The
-/// first line is a header where none of its fields is a number or made of a number's characters. Lines that begin with # and empty lines at the
-/// beginning and the end are skipped; fields may stand in double quotes. `file` is the name for errors.
-/// Errors: throws DataFormatError for no rows, rows of different lengths, text where a number belongs, values that are
-/// not finite. Cost: linear.
+/// first line is a header where none of its fields is a number or made of a number's characters. Lines that begin with
+/// # and empty lines at the beginning and the end are skipped; fields may stand in double quotes. `file` is the name
+/// for errors. Errors: throws DataFormatError for no rows, rows of different lengths, text where a number belongs,
+/// values that are not finite. Cost: linear.
 Table parse_table(std::string_view text, const std::string& file, Missing missing = Missing::refuse);
 
 /// The text of a table: shortest decimal numbers that read back as the same doubles, lines end with a line feed.

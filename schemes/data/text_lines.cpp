@@ -54,10 +54,12 @@ std::size_t TextLines::count(std::size_t i, std::size_t lowest, std::size_t high
 void TextLines::fail(std::size_t i, const std::string& expected) const {
   std::string shown;
   for (char c : word(i).substr(0, 40)) shown += c >= 32 && c < 127 ? c : '?';
-  throw DataFormatError(file_ + ", line " + std::to_string(number_) + ", word " + std::to_string(i + 1) + ": expected " +
-                        expected + "; found " + (shown.empty() ? "nothing" : "'" + shown + "'"));
+  throw DataFormatError(file_ + ", line " + std::to_string(number_) + ", word " + std::to_string(i + 1) +
+                        ": expected " + expected + "; found " + (shown.empty() ? "nothing" : "'" + shown + "'"));
 }
 
-void TextLines::fail_file(const std::string& expected) const { throw DataFormatError(file_ + ": expected " + expected); }
+void TextLines::fail_file(const std::string& expected) const {
+  throw DataFormatError(file_ + ": expected " + expected);
+}
 
 }  // namespace subcert

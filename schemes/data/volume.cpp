@@ -22,10 +22,12 @@ void read_geometry(TextLines& lines, Volume& volume) {
         if (v < 2 || count > 1) volume.data.axes.push_back(Axis::of(count));
       }
     } else if (lines.is(0, "ORIGIN") || lines.is(0, "SPACING") || lines.is(0, "ASPECT_RATIO")) {
-      for (std::size_t v = 0; v < 3; ++v) (lines.is(0, "ORIGIN") ? volume.origin : volume.spacing)[v] = lines.number(v + 1);
+      for (std::size_t v = 0; v < 3; ++v)
+        (lines.is(0, "ORIGIN") ? volume.origin : volume.spacing)[v] = lines.number(v + 1);
     } else if (lines.is(0, "POINT_DATA")) {
       lines.need(dimensions, 0, "DIMENSIONS before POINT_DATA");
-      lines.need(lines.count(1, 1, most_values, "a number of points") == points, 1, std::to_string(points) + " as DIMENSIONS say");
+      lines.need(lines.count(1, 1, most_values, "a number of points") == points, 1,
+                 std::to_string(points) + " as DIMENSIONS say");
       ended = true;
     } else {
       lines.fail(0, "DIMENSIONS, ORIGIN, SPACING or POINT_DATA");
@@ -38,7 +40,9 @@ void read_array_header(TextLines& lines, Volume& volume) {
   lines.need(lines.is(0, "SCALARS") || lines.is(0, "VECTORS"), 0, "SCALARS or VECTORS");
   lines.need(lines.words().size() >= 3, lines.words().size(), "the name and the type of the array");
   volume.name = lines.word(1);
-  volume.data.dimension = lines.is(0, "VECTORS") ? 3 : lines.words().size() > 3 ? lines.count(3, 1, 4, "a number of components") : 1;
+  volume.data.dimension = lines.is(0, "VECTORS")     ? 3
+                          : lines.words().size() > 3 ? lines.count(3, 1, 4, "a number of components")
+                                                     : 1;
 }
 
 }  // namespace
@@ -52,7 +56,8 @@ Volume parse_vtk(std::string_view text, const std::string& file) {
   lines.next(false);
   if (!lines.next(false)) lines.fail_file("a title, ASCII, DATASET");
   if (lines.line() == 2) {  // else the title is empty
-    for (const std::string_view word : lines.words()) volume.title += (volume.title.empty() ? "" : " ") + std::string(word);
+    for (const std::string_view word : lines.words())
+      volume.title += (volume.title.empty() ? "" : " ") + std::string(word);
     if (!lines.next(false)) lines.fail_file("ASCII, DATASET");
   }
   lines.need(lines.is(0, "ASCII"), 0, "ASCII (binary files are not read)");
@@ -71,7 +76,8 @@ Volume parse_vtk(std::string_view text, const std::string& file) {
       continue;
     }
     for (std::size_t i = 0; i < lines.words().size(); ++i) {
-      lines.need(volume.data.values.size() < values, i, "the end of the file after " + std::to_string(values) + " values");
+      lines.need(volume.data.values.size() < values, i,
+                 "the end of the file after " + std::to_string(values) + " values");
       volume.data.values.push_back(lines.number(i));
     }
   }
@@ -85,13 +91,14 @@ std::string to_vtk(const Volume& volume) {
   for (std::size_t v = 0; v < 3; ++v) {
     const bool there = v < data.axes.size();
     dimensions += " " + std::to_string(there ? data.axes[v].count : 1);
-    origin += " " + shortest_text(volume.origin[v] + (there ? nearest_double(data.axes[v].first) * volume.spacing[v] : 0));
+    origin += " " +
+              shortest_text(volume.origin[v] + (there ? nearest_double(data.axes[v].first) * volume.spacing[v] : 0));
     spacing += " " + shortest_text(volume.spacing[v] * (there ? nearest_double(data.axes[v].step) : 1));
   }
   std::string text = "# vtk DataFile Version 3.0\n" + (volume.title.empty() ? "data" : volume.title) +
-                     "\nASCII\nDATASET STRUCTURED_POINTS\n" + dimensions + "\n" + origin + "\n" + spacing + "\nPOINT_DATA " +
-                     std::to_string(data.points()) + "\nSCALARS " + volume.name + " double " + std::to_string(data.dimension) +
-                     "\nLOOKUP_TABLE default\n";
+                     "\nASCII\nDATASET STRUCTURED_POINTS\n" + dimensions + "\n" + origin + "\n" + spacing +
+                     "\nPOINT_DATA " + std::to_string(data.points()) + "\nSCALARS " + volume.name + " double " +
+                     std::to_string(data.dimension) + "\nLOOKUP_TABLE default\n";
   for (std::size_t i = 0; i < data.values.size(); ++i)
     text += shortest_text(data.values[i]) + ((i + 1) % data.dimension == 0 ? '\n' : ' ');
   return text;

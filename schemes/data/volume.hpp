@@ -18,8 +18,8 @@ struct Volume {
   std::array<double, 3> spacing{1, 1, 1};
 };
 
-/// Reads an ASCII file with DATASET STRUCTURED_POINTS and one array, SCALARS with 1 to 4 components or VECTORS, as POINT_DATA.
-/// Errors: throws DataFormatError. Ref: [VTK, "Simple legacy formats"].
+/// Reads an ASCII file with DATASET STRUCTURED_POINTS and one array, SCALARS with 1 to 4 components or VECTORS, as
+/// POINT_DATA. Errors: throws DataFormatError. Ref: [VTK, "Simple legacy formats"].
 Volume parse_vtk(std::string_view text, const std::string& file);
 
 /// The text of such a file; the origin and the spacing follow the axes.

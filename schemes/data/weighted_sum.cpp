@@ -32,7 +32,8 @@ void weighted_sum(const double* in, std::size_t stride, const double* weights, s
   SUBCERT_DISPATCH(weighted_sum(in, stride, weights, taps, length, out, add));
 }
 
-void interleave(const double* parts, std::size_t pitch, std::size_t arity, std::size_t groups, std::size_t size, double* out) {
+void interleave(const double* parts, std::size_t pitch, std::size_t arity, std::size_t groups, std::size_t size,
+                double* out) {
   SUBCERT_DISPATCH(interleave(parts, pitch, arity, groups, size, out));
 }
 

@@ -76,7 +76,9 @@ std::vector<Rational> range(long first, long last) {
 
 MultivariateScheme surface(const std::string& text) { return std::get<MultivariateScheme>(make_any_scheme(text)); }
 
-Rational coefficient(const MultivariateScheme& scheme, long i, long j) { return scheme.mask.symbol().coefficient({i, j}); }
+Rational coefficient(const MultivariateScheme& scheme, long i, long j) {
+  return scheme.mask.symbol().coefficient({i, j});
+}
 
 }  // namespace
 
@@ -89,7 +91,8 @@ TEST_CASE("products of orthogonal polynomials and normal equations give the same
     const int degree = static_cast<int>(random.integer(0, three ? 2 : 3));
     for (int v = 0; v < (three ? 3 : 2); ++v) {
       std::vector<Rational> axis;
-      for (long i = 0, t = -3; i < degree + 1 + random.integer(0, 2); ++i) axis.push_back(Rational(t += random.integer(1, 3), 2));
+      for (long i = 0, t = -3; i < degree + 1 + random.integer(0, 2); ++i)
+        axis.push_back(Rational(t += random.integer(1, 3), 2));
       nodes.push_back(axis);
       x.push_back(random.rational());
     }
@@ -108,7 +111,8 @@ TEST_CASE("the closed forms of degree 1 on 2n x 2n and (2n+1) x (2n+1) grids") {
         CHECK(coefficient(even, -2 * r, 1 - 2 * s) == xi / 4 * (8 * n * n - 6 * r + 6 * s - 2));
         CHECK(coefficient(even, 1 - 2 * r, 1 - 2 * s) == xi / 4 * (8 * n * n + 6 * r + 6 * s - 8));
       }
-    const MultivariateScheme odd = surface("grid:points=" + std::to_string(2 * n + 1) + "x" + std::to_string(2 * n + 1));
+    const MultivariateScheme odd = surface("grid:points=" + std::to_string(2 * n + 1) + "x" +
+                                           std::to_string(2 * n + 1));
     const Rational scale = Rational(1, (2 * n + 1) * (2 * n + 1)), slope = Rational(3, 4 * n * (n + 1));
     for (long r = -n; r <= n; ++r)
       for (long s = -n; s <= n; ++s) {
@@ -123,10 +127,12 @@ TEST_CASE("the closed forms of degree 1 on 2n x 2n and (2n+1) x (2n+1) grids") {
 TEST_CASE("the printed coefficients of degree 3 on (2n+1) x (2n+1) grids") {
   // [MB16, eq. (3.9)], beta_1, ..., beta_10 as printed; those not printed by exchanging r and s.
   for (long n = 2; n <= 5; ++n) {
-    const Rational scale = Rational(n - 1) * (n + 2) * (2 * n - 1) * (2 * n + 3) * n * n * (n + 1) * (n + 1) * (2 * n + 1) * (2 * n + 1);
+    const Rational scale = Rational(n - 1) * (n + 2) * (2 * n - 1) * (2 * n + 3) * n * n * (n + 1) * (n + 1) *
+                           (2 * n + 1) * (2 * n + 1);
     const auto value = [&](long r, long s, const Rational& x, const Rational& y) {
       const auto b1 = [&] {
-        return Rational((n - 1) * (n + 2) * n * n * (n + 1) * (n + 1)) * (14 * n * n + 14 * n - 15 * r * r - 15 * s * s - 3);
+        return Rational((n - 1) * (n + 2) * n * n * (n + 1) * (n + 1)) *
+               (14 * n * n + 14 * n - 15 * r * r - 15 * s * s - 3);
       };
       const auto b2 = [&](long p, long q) {
         return Rational(5 * p * n * (n + 1)) *
@@ -137,15 +143,17 @@ TEST_CASE("the printed coefficients of degree 3 on (2n+1) x (2n+1) grids") {
       const Rational b5 = Rational(9 * r * s * (n - 1) * (n + 2)) * (2 * n - 1) * (2 * n + 3);
       const auto b7 = [&](long p) { return Rational(-35 * p * n * (n + 1)) * (3 * n * n + 3 * n - 5 * p * p - 1); };
       const auto b8 = [&](long p, long q) { return Rational(-45 * q * (n - 1) * (n + 2)) * (n * n + n - 3 * p * p); };
-      return Rational((b1() + b2(r, s) * x + b2(s, r) * y + b4(r) * x * x + b5 * x * y + b4(s) * y * y + b7(r) * x * x * x +
-                       b8(r, s) * x * x * y + b8(s, r) * x * y * y + b7(s) * y * y * y) / scale);
+      return Rational((b1() + b2(r, s) * x + b2(s, r) * y + b4(r) * x * x + b5 * x * y + b4(s) * y * y +
+                       b7(r) * x * x * x + b8(r, s) * x * x * y + b8(s, r) * x * y * y + b7(s) * y * y * y) /
+                      scale);
     };
     const std::vector<Rational> position{Rational(-1, 4), Rational(1, 4)};
     const auto weights = grid_regression_weights({range(-n, n), range(-n, n)}, 3, position);
     std::size_t differences = 0;
     for (long s = -n; s <= n; ++s)
       for (long r = -n; r <= n; ++r)
-        if (weights[static_cast<std::size_t>((s + n) * (2 * n + 1) + r + n)] != value(r, s, position[0], position[1])) ++differences;
+        if (weights[static_cast<std::size_t>((s + n) * (2 * n + 1) + r + n)] != value(r, s, position[0], position[1]))
+          ++differences;
     CAPTURE(n);
     CHECK(differences == 0);
   }
@@ -154,13 +162,15 @@ TEST_CASE("the printed coefficients of degree 3 on (2n+1) x (2n+1) grids") {
 TEST_CASE("the printed coefficients of degree 3 on 4 x 4 data") {
   // [MB16, eq. (3.7)]: the denominator is printed for every n, the coefficients are those of n = 2.
   const long n = 2;
-  const Rational scale = Rational(4 * (n - 1)) * (2 * n + 3) * (2 * n - 3) * (n + 1) * n * n * (2 * n - 1) * (2 * n - 1) * (2 * n + 1) * (2 * n + 1);
+  const Rational scale = Rational(4 * (n - 1)) * (2 * n + 3) * (2 * n - 3) * (n + 1) * n * n * (2 * n - 1) *
+                         (2 * n - 1) * (2 * n + 1) * (2 * n + 1);
   const auto b1 = [](long r, long s) {
-    return 9450 * r * r * r + (1890 * s - 19845) * r * r + (1890 * s * s - 3024 * s - 10773) * r + 9450 * s * s * s - 19845 * s * s -
-           10773 * s + 35154;
+    return 9450 * r * r * r + (1890 * s - 19845) * r * r + (1890 * s * s - 3024 * s - 10773) * r + 9450 * s * s * s -
+           19845 * s * s - 10773 * s + 35154;
   };
   const auto b2 = [](long r, long s) {
-    return -13650 * r * r * r + (1890 * s + 14805) * r * r - (3780 * s * s - 378 * s - 31731) * r + 1890 * s * s - 3024 * s - 10773;
+    return -13650 * r * r * r + (1890 * s + 14805) * r * r - (3780 * s * s - 378 * s - 31731) * r + 1890 * s * s -
+           3024 * s - 10773;
   };
   const auto b4 = [](long r, long s) {
     return -15750 * r * r * r - (1890 * s - 29295) * r * r + (1890 * s + 14805) * r + 1890 * s - 19845;
@@ -176,25 +186,26 @@ TEST_CASE("the printed coefficients of degree 3 on 4 x 4 data") {
       for (long r = -1; r <= 2; ++r)
         for (long s = -1; s <= 2; ++s) {
           const Rational x(2 * p + 1, 4), y(2 * q + 1, 4);
-          const Rational value = b1(r, s) + b2(r, s) * x + b2(s, r) * y + b4(r, s) * x * x + b5(r, s) * x * y + b4(s, r) * y * y +
-                                 b7(r) * x * x * x + b8(r, s) * x * x * y + b8(s, r) * x * y * y + b7(s) * y * y * y;
+          const Rational value = b1(r, s) + b2(r, s) * x + b2(s, r) * y + b4(r, s) * x * x + b5(r, s) * x * y +
+                                 b4(s, r) * y * y + b7(r) * x * x * x + b8(r, s) * x * x * y + b8(s, r) * x * y * y +
+                                 b7(s) * y * y * y;
           CHECK(coefficient(scheme, p - 2 * r, q - 2 * s) == value / scale);
         }
 }
 
 TEST_CASE("specifications of two and three variables are read and printed back") {
-  for (const char* text : {"tensor:(primal:n=3,d=1)x(dual:n=2,d=1)", "tensor:(mask:[1,3,3,1]/4@-2)x(bspline:degree=3)x(dd:n=2)",
-                           "grid:points=4x4,d=3", "grid:points=5x4,d=2", "grid:points=3x3x3,d=1", "grid:points=4x4,d=1,a=3",
-                           "tensor:(ary:a=3,points=4,d=3)x(bspline:degree=2,a=3)",
-                           "tensor:(regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1)x(four-point:w=1/16)"})
+  for (const char* text :
+       {"tensor:(primal:n=3,d=1)x(dual:n=2,d=1)", "tensor:(mask:[1,3,3,1]/4@-2)x(bspline:degree=3)x(dd:n=2)",
+        "grid:points=4x4,d=3", "grid:points=5x4,d=2", "grid:points=3x3x3,d=1", "grid:points=4x4,d=1,a=3",
+        "tensor:(ary:a=3,points=4,d=3)x(bspline:degree=2,a=3)",
+        "tensor:(regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1)x(four-point:w=1/16)"})
     CHECK(specification_of(make_any_scheme(text)) == text);
   CHECK(specification_of(make_any_scheme("primal:n=3")) == "primal:n=3,d=1");
   CHECK(specification_of(make_any_scheme("grid:points=04x2")) == "grid:points=4x2,d=1");
   const auto product = surface("tensor:(mask:[1,2,1]/2)x(mask:[1,1])");
   CHECK(to_mask_text(product.mask) == "[[1,2,1],[1,2,1]]/2@-1,-1");
   CHECK(product.factors.size() == 2);
-  CHECK(to_mask_text(surface("grid:points=2x2").mask) ==
-        "[[0,1,1,0],[1,2,2,1],[1,2,2,1],[0,1,1,0]]/4@-2,-2");
+  CHECK(to_mask_text(surface("grid:points=2x2").mask) == "[[0,1,1,0],[1,2,2,1],[1,2,2,1],[0,1,1,0]]/4@-2,-2");
 
   const auto error = [](std::string_view text) {
     try {

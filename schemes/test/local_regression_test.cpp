@@ -18,7 +18,8 @@ std::vector<Rational> by_normal_equations(const std::vector<Rational>& nodes, st
   std::vector<std::vector<Rational>> rows(size, std::vector<Rational>(size + 1, 0));
   for (std::size_t j = 0; j < size; ++j) {
     for (std::size_t k = 0; k < size; ++k)
-      for (std::size_t i = 0; i < nodes.size(); ++i) rows[j][k] += weights[i] * power(nodes[i], static_cast<long>(j + k));
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        rows[j][k] += weights[i] * power(nodes[i], static_cast<long>(j + k));
     rows[j][size] = power(x, static_cast<long>(j));
   }
   for (std::size_t column = 0; column < size; ++column) {
@@ -60,7 +61,8 @@ TEST_CASE("orthogonal polynomials and normal equations give the same weights") {
       for (Rational& node : nodes) node = node * node * node / 7 + node;  // unequal spacing
     std::vector<Rational> weights;
     if (random.chance(50))
-      for (std::size_t i = 0; i < nodes.size(); ++i) weights.push_back(Rational(random.integer(1, 9), random.integer(1, 9)));
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        weights.push_back(Rational(random.integer(1, 9), random.integer(1, 9)));
     const int degree = static_cast<int>(random.integer(0, count - 1));
     const Rational x = random.rational();
     CAPTURE(count, degree, to_text(x));
@@ -141,7 +143,8 @@ TEST_CASE("closed forms of degree 1") {
 
 TEST_CASE("relations between the families") {
   for (int n = 1; n <= 5; ++n)
-    for (int d = 0; 2 * d + 1 < 2 * n; ++d) CHECK(regression_mask(primal(n, 2 * d)) == regression_mask(primal(n, 2 * d + 1)));
+    for (int d = 0; 2 * d + 1 < 2 * n; ++d)
+      CHECK(regression_mask(primal(n, 2 * d)) == regression_mask(primal(n, 2 * d + 1)));
   CHECK(regression_mask(primal(2, 3)) == mask_of("[-1,0,9,16,9,0,-1]/16@-3"));
   CHECK(deslauriers_dubuc_mask(2) == four_point_mask(Rational(1, 16)));
   CHECK(regression_mask(dual(2, 3)) == mask_of("[-5,-7,35,105,105,35,-7,-5]/128@-4"));

@@ -53,8 +53,9 @@ TEST_CASE("malformed specifications are refused, with position") {
 }
 
 TEST_CASE("every prefix and every single change of a specification is read or refused") {
-  for (const std::string valid : {"primal:n=3,d=1", "mask:[1,3,3,1]/4@-2,arity=2", "four-point:w=1/16",
-                                  "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[1;2;1|1;2;2;1],first=-1"}) {
+  for (const std::string valid :
+       {"primal:n=3,d=1", "mask:[1,3,3,1]/4@-2,arity=2", "four-point:w=1/16",
+        "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[1;2;1|1;2;2;1],first=-1"}) {
     const auto attempt = [](const std::string& text) {
       try {
         (void)make_scheme(text);
@@ -73,13 +74,29 @@ TEST_CASE("every prefix and every single change of a specification is read or re
 }
 
 TEST_CASE("a canonical specification reads as itself") {
-  for (const char* text :
-       {"primal:n=3", "primal:d=3,n=2", "primal:n=1,d=0", "primal:n=50,d=9", "dual:n=3", "primal-odd:n=2,d=2",
-        "dual-odd:n=4,d=3", "dual:n=2,d=99", "ary:a=3,points=4,d=3", "ary:a=4,points=5", "dd:n=3", "bspline:degree=3",
-        "bspline:degree=2,a=3", "four-point:w=1/16", "four-point:w=-2/40", "four-point:w=0", "mask:[1,3,3,1]/4",
-        "mask:[1/4,3/4,3/4,1/4]@7", "mask:[0,1,2,1,0]/2", "mask:[1,2,3,2,1]/3,arity=3", "mask:[+1,1]@-0",
-        "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
-        "regression:at=[0;1/2],stencils=[-1..1;-1..2],weights=[1;2;1|1;2;2;1],first=-1"}) {
+  for (const char* text : {"primal:n=3",
+                           "primal:d=3,n=2",
+                           "primal:n=1,d=0",
+                           "primal:n=50,d=9",
+                           "dual:n=3",
+                           "primal-odd:n=2,d=2",
+                           "dual-odd:n=4,d=3",
+                           "dual:n=2,d=99",
+                           "ary:a=3,points=4,d=3",
+                           "ary:a=4,points=5",
+                           "dd:n=3",
+                           "bspline:degree=3",
+                           "bspline:degree=2,a=3",
+                           "four-point:w=1/16",
+                           "four-point:w=-2/40",
+                           "four-point:w=0",
+                           "mask:[1,3,3,1]/4",
+                           "mask:[1/4,3/4,3/4,1/4]@7",
+                           "mask:[0,1,2,1,0]/2",
+                           "mask:[1,2,3,2,1]/3,arity=3",
+                           "mask:[+1,1]@-0",
+                           "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
+                           "regression:at=[0;1/2],stencils=[-1..1;-1..2],weights=[1;2;1|1;2;2;1],first=-1"}) {
     const Scheme once = make_scheme(text), twice = make_scheme(once.specification);
     CAPTURE(text, once.specification);
     CHECK(twice.specification == once.specification);
@@ -96,7 +113,8 @@ TEST_CASE("families agree where they should") {
     const std::string number = std::to_string(n), even = std::to_string(2 * n), odd = std::to_string(2 * n + 1);
     CHECK(make_scheme("dual:n=" + number).mask == make_scheme("ary:a=2,points=" + even).mask);
     CHECK(make_scheme("dual-odd:n=" + number).mask == make_scheme("ary:a=2,points=" + odd).mask);
-    CHECK(make_scheme("dd:n=" + number).mask == make_scheme("primal:n=" + number + ",d=" + std::to_string(2 * n - 1)).mask);
+    CHECK(make_scheme("dd:n=" + number).mask ==
+          make_scheme("primal:n=" + number + ",d=" + std::to_string(2 * n - 1)).mask);
   }
   CHECK(make_scheme("four-point:w=1/16").mask == make_scheme("dd:n=2").mask);
   CHECK(make_scheme("bspline:degree=2").mask == make_scheme("dual:n=1").mask);

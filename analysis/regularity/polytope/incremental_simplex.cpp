@@ -16,14 +16,14 @@ namespace {
 constexpr double kArtificialCost = 1e6;   // cost of the unit vectors that complete a basis
 constexpr double kPivotTolerance = 1e-7;  // relative to the largest entry of the pivot column
 constexpr double kPriceTolerance = 1e-10;
-constexpr double kSlack = 1e-6;           // of prices in single precision
-constexpr int kMaxAge = 100;              // pivots between factorisations
+constexpr double kSlack = 1e-6;  // of prices in single precision
+constexpr int kMaxAge = 100;     // pivots between factorisations
 constexpr std::size_t kCacheSize = 512;
-constexpr std::size_t kStarts = 6;        // remembered bases that are tried as a start
-constexpr std::size_t kTrials = 1;        // columns tried per pivot
+constexpr std::size_t kStarts = 6;  // remembered bases that are tried as a start
+constexpr std::size_t kTrials = 1;  // columns tried per pivot
 constexpr std::size_t kListSize = 96;
-constexpr float kListDepth = 0.5F;         // a short list holds the profits in the upper half
-constexpr int kLongList = 60;             // vertices per coordinate beyond which short lists pay
+constexpr float kListDepth = 0.5F;  // a short list holds the profits in the upper half
+constexpr int kLongList = 60;       // vertices per coordinate beyond which short lists pay
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

@@ -51,21 +51,22 @@ struct Hint {
   std::vector<BasisColumn> basis;
 };
 
-/// The norm ||x||_P = min { sum |l_j| : sum l_j v_j = x } of a polytope that grows vertex by vertex, by a primal simplex
-/// method with an explicit basis inverse.
+/// The norm ||x||_P = min { sum |l_j| : sum l_j v_j = x } of a polytope that grows vertex by vertex, by a primal
+/// simplex method with an explicit basis inverse.
 ///
 /// Every basis is primal feasible after sign (complex: phase) changes, so that each one gives an upper bound, and the
-/// multipliers y of each one give the lower bound y.x / max_j |y.v_j|; a question ends as soon as either bound answers it.
-/// The ratio test passes through zeros of basic variables while the objective still falls (long steps, as in L1
+/// multipliers y of each one give the lower bound y.x / max_j |y.v_j|; a question ends as soon as either bound answers
+/// it. The ratio test passes through zeros of basic variables while the objective still falls (long steps, as in L1
 /// regression [BR73]). Complex vertices are priced over all phases, so that columns e^{it} v_j are generated as needed.
 /// Vertices may come in mirror pairs v, Jv: they are stored once, in coordinates where J negates the trailing `odd`
-/// coordinates (real and complex kind) or reverses the order (non-negative kind), and both are priced for the price of one.
+/// coordinates (real and complex kind) or reverses the order (non-negative kind), and both are priced for the price of
+/// one.
 ///
 /// Unit vectors of prohibitive cost complete the basis while the vertices do not span; a point that needs them is
 /// never inside.
 ///
-/// Error: `inside` is answered only if the residual of the combination, after refinement, is below 1e-12 times the scale
-/// of the point, and a failed or unfinished program is `undecided`. No claim is rigorous: this is a search tool.
+/// Error: `inside` is answered only if the residual of the combination, after refinement, is below 1e-12 times the
+/// scale of the point, and a failed or unfinished program is `undecided`. No claim is rigorous: this is a search tool.
 /// Cost: O(dim^2) per pivot and O(dim * vertices) per full pricing, most pivots being priced on a short list.
 class IncrementalSimplex {
  public:
@@ -98,7 +99,7 @@ class IncrementalSimplex {
     std::vector<BasisColumn> columns;
     std::vector<double> y;  // multipliers of the last point it was optimal or outside for
     double largest = 0;     // max |y.v| over all vertices; 0: y is worth nothing
-    int age = 0;  // pivots since the last factorisation
+    int age = 0;            // pivots since the last factorisation
     std::int64_t used = 0;
   };
 
@@ -140,8 +141,8 @@ class IncrementalSimplex {
   int odd_;
   int count_ = 0;
 
-  std::vector<double> vertices_;        // double precision, one column of length stride_ each
-  std::vector<float> lanes_;            // single precision, blocks of kLane vertices, coordinate major
+  std::vector<double> vertices_;  // double precision, one column of length stride_ each
+  std::vector<float> lanes_;      // single precision, blocks of kLane vertices, coordinate major
   std::vector<float> prices_, peaks_;
   std::vector<int> list_;
 

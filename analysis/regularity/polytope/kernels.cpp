@@ -46,7 +46,8 @@ float price_block(const float* block, std::size_t even, std::size_t odd, const f
   SUBCERT_DISPATCH(price_block(block, even, odd, y, out));
 }
 
-float price_complex_block(const float* block, std::size_t even, std::size_t odd, bool flip, const float* y, float* out) {
+float price_complex_block(const float* block, std::size_t even, std::size_t odd, bool flip, const float* y,
+                          float* out) {
   SUBCERT_DISPATCH(price_complex_block(block, even, odd, flip, y, out));
 }
 

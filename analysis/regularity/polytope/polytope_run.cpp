@@ -90,8 +90,8 @@ void follow_orbit(std::vector<Eigen::VectorXcd> front, const std::vector<Eigen::
   }
 }
 
-// Sizes of the root cycles so that no orbit of one sticks out at the roots of another: with q_ij the largest value of the
-// dual vectors of j on the orbit of i, maximise t in log size_i + log q_ij + t <= log size_j. Ref: [GP16].
+// Sizes of the root cycles so that no orbit of one sticks out at the roots of another: with q_ij the largest value of
+// the dual vectors of j on the orbit of i, maximise t in log size_i + log q_ij + t <= log size_j. Ref: [GP16].
 void balance(std::vector<RootCycle>& cycles, const std::vector<Eigen::MatrixXd>& matrices, bool flip, PolytopeKind kind,
              int odd) {
   const std::size_t n = cycles.size();
@@ -100,13 +100,14 @@ void balance(std::vector<RootCycle>& cycles, const std::vector<Eigen::MatrixXd>&
   for (const RootCycle& cycle : cycles) duals.push_back(with_mirror_images(cycle.left, flip, kind, odd));
   Eigen::MatrixXd q = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n), -50.0);
   for (std::size_t i = 0; i < n; ++i) {
-    follow_orbit(cycles[i].right, matrices, 14, 256, [](const auto& x) { return x.squaredNorm(); },
-                 [&](const Eigen::VectorXcd& x) {
-                   for (std::size_t j = 0; j < n; ++j) {
-                     double& entry = q(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-                     if (j != i) entry = std::max(entry, std::log(largest_value(duals[j], kind, x) + 1e-20));
-                   }
-                 });
+    follow_orbit(
+        cycles[i].right, matrices, 14, 256, [](const auto& x) { return x.squaredNorm(); },
+        [&](const Eigen::VectorXcd& x) {
+          for (std::size_t j = 0; j < n; ++j) {
+            double& entry = q(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+            if (j != i) entry = std::max(entry, std::log(largest_value(duals[j], kind, x) + 1e-20));
+          }
+        });
   }
   auto potentials = [&](double t, Eigen::VectorXd& p) {
     p.setZero(static_cast<Eigen::Index>(n));
@@ -306,8 +307,9 @@ void PolytopeRun::add_roots() {
 }
 
 // One vertex in each of a set of orthogonal directions, as long as its orbit allows: it must stay well behind the faces
-// u.x = 1 at the roots, u their dual vectors. The hull of the roots' orbit alone is flat where the matrices nearly share
-// an eigenvector, and then takes many vertices that differ little. Ref: [GP16] (balancing), [Mej20] (extra vertices).
+// u.x = 1 at the roots, u their dual vectors. The hull of the roots' orbit alone is flat where the matrices nearly
+// share an eigenvector, and then takes many vertices that differ little. Ref: [GP16] (balancing), [Mej20] (extra
+// vertices).
 void PolytopeRun::add_extra_vertices() {
   if (kind_ == PolytopeKind::nonnegative) return;
   std::vector<Eigen::VectorXcd> duals;
@@ -487,7 +489,8 @@ PolytopeRun::State PolytopeRun::advance(double seconds, std::size_t max_vertices
 std::vector<int> PolytopeRun::path(int vertex) const {
   std::vector<int> word;
   for (int v = vertex; v >= 0 && word.size() < 60; v = vertices_[static_cast<std::size_t>(v)].parent) {
-    if (vertices_[static_cast<std::size_t>(v)].parent >= 0) word.push_back(vertices_[static_cast<std::size_t>(v)].letter);
+    if (vertices_[static_cast<std::size_t>(v)].parent >= 0)
+      word.push_back(vertices_[static_cast<std::size_t>(v)].letter);
   }
   std::reverse(word.begin(), word.end());
   return word;

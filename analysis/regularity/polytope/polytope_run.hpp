@@ -8,11 +8,11 @@ namespace subcert::detail {
 
 /// A product with its leading eigenvectors along the cycle, in working coordinates.
 struct RootCycle {
-  int product = 0;                     ///< index into the products of the run
-  std::vector<Eigen::VectorXcd> right; ///< right[t] = A_{w_t} ... A_{w_1} right[0] / radius^t
-  std::vector<Eigen::VectorXcd> left;  ///< left[t] . right[t] = 1, or empty when the eigenvalue is defective
-  std::complex<double> phase;          ///< one turn multiplies right[0] by it (times (radius of the product/scale)^length)
-  double size = 1;                     ///< balancing factor
+  int product = 0;                      ///< index into the products of the run
+  std::vector<Eigen::VectorXcd> right;  ///< right[t] = A_{w_t} ... A_{w_1} right[0] / radius^t
+  std::vector<Eigen::VectorXcd> left;   ///< left[t] . right[t] = 1, or empty when the eigenvalue is defective
+  std::complex<double> phase;  ///< one turn multiplies right[0] by it (times (radius of the product/scale)^length)
+  double size = 1;             ///< balancing factor
 };
 
 /// Coordinates x' = to x in which orbits are round and, under flip symmetry, the flip negates the trailing coordinates.
@@ -49,7 +49,9 @@ class PolytopeRun {
   std::size_t size() const { return vertices_.size(); }
   std::size_t waiting() const { return waiting_.size() + fresh_.size(); }
   /// Images that are open, per vertex.
-  double open_share() const { return static_cast<double>(waiting()) / static_cast<double>(std::max<std::size_t>(size(), 1)); }
+  double open_share() const {
+    return static_cast<double>(waiting()) / static_cast<double>(std::max<std::size_t>(size(), 1));
+  }
   double spent() const { return spent_; }
   void count(SearchCounters& counters) const;
 

@@ -69,13 +69,12 @@ class Search {
   double left() const { return options_.seconds - elapsed(); }
 
   bool full() const {
-    return runs_[0] && runs_[1] && runs_[0]->size() >= options_.max_vertices && runs_[1]->size() >= options_.max_vertices;
+    return runs_[0] && runs_[1] && runs_[0]->size() >= options_.max_vertices &&
+           runs_[1]->size() >= options_.max_vertices;
   }
 
   // Looks for products and gives up what is built on a worse one.
-  void look_for_products(const ProductSearchOptions& options) {
-    take(search_products(family_[0], options));
-  }
+  void look_for_products(const ProductSearchOptions& options) { take(search_products(family_[0], options)); }
 
   void take(std::vector<Candidate> found) {
     const double before = candidates_.empty() ? 0 : candidates_.front().radius;

@@ -14,10 +14,10 @@
 namespace subcert {
 
 struct SearchOptions {
-  double seconds = 60;                ///< wall clock; the search ends soon after
+  double seconds = 60;  ///< wall clock; the search ends soon after
   int max_product_length = 40;
   std::size_t max_vertices = 40000;
-  double tolerance = 1e-9;            ///< an image is inside when its norm is at most 1 - tolerance
+  double tolerance = 1e-9;  ///< an image is inside when its norm is at most 1 - tolerance
 };
 
 enum class SearchStatus {
@@ -30,8 +30,8 @@ struct Vertex {
   Eigen::VectorXcd value;  ///< imaginary parts zero unless kind == complex
   int parent = -1;         ///< value = A_letter vertices[parent] / scale; -1: a root
   int letter = -1;
-  int cycle = -1;          ///< roots: index into SearchResult::products, or -1 for an extra vertex
-  int place = -1;          ///< roots: letters of that word applied to its first root so far
+  int cycle = -1;  ///< roots: index into SearchResult::products, or -1 for an extra vertex
+  int place = -1;  ///< roots: letters of that word applied to its first root so far
 };
 
 /// What became of A_letter vertices[vertex] / scale.
@@ -55,29 +55,29 @@ struct SearchCounters {
 
 struct SearchResult {
   SearchStatus status = SearchStatus::budget_spent;
-  std::vector<Candidate> products;  ///< first the spectrum maximizing ones (`maximizing` of them), then nearly maximizing roots
+  std::vector<Candidate>
+      products;  ///< first the spectrum maximizing ones (`maximizing` of them), then nearly maximizing roots
   std::size_t maximizing = 0;
-  double radius = 0;                ///< rho(product)^(1/length) of the first
-  double scale = 0;                 ///< what images are divided by: radius if closed, radius (1 + eps) if only enclosed
+  double radius = 0;  ///< rho(product)^(1/length) of the first
+  double scale = 0;   ///< what images are divided by: radius if closed, radius (1 + eps) if only enclosed
   double upper_bound = std::numeric_limits<double>::infinity();  ///< scale * largest image norm
-  double worst_margin = 0;          ///< least 1 - norm over the images that are not identities
+  double worst_margin = 0;  ///< least 1 - norm over the images that are not identities
   PolytopeKind kind = PolytopeKind::real;
-  bool transposed = false;          ///< the polytope belongs to the transposed matrices
-  bool spanning = false;            ///< the vertices span; otherwise they prove nothing
-  std::vector<Vertex> vertices;     ///< under flip symmetry: one of each mirror pair
-  std::vector<ImageProof> images;   ///< one for every vertex and letter, ordered by vertex, then letter
+  bool transposed = false;         ///< the polytope belongs to the transposed matrices
+  bool spanning = false;           ///< the vertices span; otherwise they prove nothing
+  std::vector<Vertex> vertices;    ///< under flip symmetry: one of each mirror pair
+  std::vector<ImageProof> images;  ///< one for every vertex and letter, ordered by vertex, then letter
   SearchCounters counters;
 };
 
 /// Searches a spectrum maximizing product and an invariant polytope that shows it is one.
-/// Meaning: with status closed, the hull P of the vertices (with their mirror images, negatives, phases as `kind` and the
-/// family tell) satisfies A_i P within radius * P, so that the joint spectral radius is `radius`. A family all whose long
-/// products vanish is closed with radius 0 and no vertices.
-/// Domain: at least one matrix, all square of one size >= 1, finite entries; flip_symmetric only if it holds to 1e-12;
-/// seconds > 0, 0 < tolerance < 1e-2. Otherwise throws std::invalid_argument.
-/// Error: floating point throughout, nothing is proved; radius good to about 1e-13 times the condition of its eigenvalue.
-/// Cost: one small linear program per vertex and matrix, mostly.
-/// Ref: [GP13, Alg. 1], [GP16] (balancing), [Mej20].
+/// Meaning: with status closed, the hull P of the vertices (with their mirror images, negatives, phases as `kind` and
+/// the family tell) satisfies A_i P within radius * P, so that the joint spectral radius is `radius`. A family all
+/// whose long products vanish is closed with radius 0 and no vertices. Domain: at least one matrix, all square of one
+/// size >= 1, finite entries; flip_symmetric only if it holds to 1e-12; seconds > 0, 0 < tolerance < 1e-2. Otherwise
+/// throws std::invalid_argument. Error: floating point throughout, nothing is proved; radius good to about 1e-13 times
+/// the condition of its eigenvalue. Cost: one small linear program per vertex and matrix, mostly. Ref: [GP13, Alg. 1],
+/// [GP16] (balancing), [Mej20].
 SearchResult search_polytope(const SearchFamily& family, const SearchOptions& options);
 
 }  // namespace subcert

@@ -14,8 +14,9 @@ struct SearchFamily {
   bool flip_symmetric = false;
 };
 
-/// A product A_{w_k} ... A_{w_1}, written as the word w_1 ... w_k (the letter applied first comes first). Canonical: the word
-/// is primitive and the least of its cyclic shifts (under flip symmetry: of those of its mirror image as well).
+/// A product A_{w_k} ... A_{w_1}, written as the word w_1 ... w_k (the letter applied first comes first). Canonical:
+/// the word is primitive and the least of its cyclic shifts (under flip symmetry: of those of its mirror image as
+/// well).
 struct Candidate {
   std::vector<int> word;
   double radius = 0;  ///< rho(product)^(1/k)
@@ -24,9 +25,9 @@ struct Candidate {
 /// How wide and how far the product search looks.
 struct ProductSearchOptions {
   int max_length = 40;
-  int width = 32;          ///< products kept per length
-  double seconds = 1e30;   ///< stops early when spent
-  double near = 5e-3;      ///< candidates within this relative distance of the best are reported
+  int width = 32;         ///< products kept per length
+  double seconds = 1e30;  ///< stops early when spent
+  double near = 5e-3;     ///< candidates within this relative distance of the best are reported
 };
 
 /// The canonical form of a word, see Candidate. Domain: 0 <= letters < letter_count. Cost: O(length^2).

@@ -31,8 +31,8 @@ TEST_CASE("rationals are read strictly") {
   CHECK(*parse_rational("+5") == 5);
   CHECK(*parse_rational("007/010") == Rational(7, 10));
   CHECK(*parse_rational("0/5") == 0);
-  for (const char* text : {"", "+", "-", "/", "1/", "/2", "1/0", "1/00", "1.5", "1e3", " 1", "1 ", "--1", "1/-2", "1//2",
-                           "0x10", "inf", "nan", "1/2/3", "\xff"})
+  for (const char* text : {"",   "+",  "-",   "/",    "1/",   "/2",   "1/0", "1/00", "1.5",   "1e3",
+                           " 1", "1 ", "--1", "1/-2", "1//2", "0x10", "inf", "nan",  "1/2/3", "\xff"})
     CHECK_FALSE(parse_rational(text));
   CHECK_FALSE(parse_rational(std::string(20'000, '1')));
 }

@@ -40,7 +40,8 @@ TEST_CASE("a matrix is a zero of its characteristic polynomial") {
 TEST_CASE("the kernel is a kernel, and all of it") {
   Random random;
   for (int round = 0; round < rounds(30); ++round) {
-    const auto n = static_cast<std::size_t>(random.integer(1, 5)), inner = static_cast<std::size_t>(random.integer(1, 4));
+    const auto n = static_cast<std::size_t>(random.integer(1, 5)),
+               inner = static_cast<std::size_t>(random.integer(1, 4));
     const RationalMatrix m = random_matrix(random, n, inner) * random_matrix(random, inner, n);
     const auto basis = kernel(m);
     CHECK(basis.size() + std::min(n, inner) >= n);
@@ -61,8 +62,9 @@ TEST_CASE("the largest modulus of the zeros") {
   CHECK(*golden.lower * *golden.lower <= *golden.lower + 1);
   CHECK(*golden.upper * *golden.upper >= *golden.upper + 1);
   CHECK(*golden.upper - *golden.lower < power(Rational(2), -60));
-  for (const char* text : {"5831/4*z^2 + 833*z^3 - 1071/2*z^4 + 85*z^5 - 17/4*z^6",
-                           "14080/3*z^-2 + 13760/3*z^-1 - 2080 - 13000/3*z - 6725/3*z^2 - 2215/4*z^3 - 815/12*z^4 - 10/3*z^5"}) {
+  for (const char* text :
+       {"5831/4*z^2 + 833*z^3 - 1071/2*z^4 + 85*z^5 - 17/4*z^6",
+        "14080/3*z^-2 + 13760/3*z^-1 - 2080 - 13000/3*z - 6725/3*z^2 - 2215/4*z^3 - 815/12*z^4 - 10/3*z^5"}) {
     const Enclosure largest = largest_root_modulus(LaurentPolynomial::parse(text)).largest;
     CHECK(*largest.upper - *largest.lower < *largest.lower * power(Rational(2), -64));
   }

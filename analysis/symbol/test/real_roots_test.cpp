@@ -27,8 +27,8 @@ TEST_CASE("the largest real zero and its multiplicity") {
     const Rational r(random.integer(-9, 9), random.integer(1, 3));
     const long square = random.chance(50) ? 2 : random.chance(50) ? 3 : 5;
     const int k = static_cast<int>(random.integer(1, 3)), l = static_cast<int>(random.integer(1, 3));
-    const LaurentPolynomial p =
-        LaurentPolynomial({-r, 1}, 0).pow(k) * LaurentPolynomial({-square, 0, 1}, 0).pow(l) * LaurentPolynomial({1, 0, 1}, 0);
+    const LaurentPolynomial p = LaurentPolynomial({-r, 1}, 0).pow(k) * LaurentPolynomial({-square, 0, 1}, 0).pow(l) *
+                                LaurentPolynomial({1, 0, 1}, 0);
     const auto root = largest_real_root(p, 100);
     REQUIRE(root);
     if (r > 0 && r * r > square) {
@@ -42,7 +42,8 @@ TEST_CASE("the largest real zero and its multiplicity") {
     }
   }
   // Two zeros 10^-40 apart; no zero; zero itself.
-  const LaurentPolynomial near = LaurentPolynomial({-2, 0, 1}, 0) * LaurentPolynomial({-2 - power(Rational(10), -40), 0, 1}, 0).pow(2);
+  const LaurentPolynomial near = LaurentPolynomial({-2, 0, 1}, 0) *
+                                 LaurentPolynomial({-2 - power(Rational(10), -40), 0, 1}, 0).pow(2);
   CHECK(largest_real_root(near, 20)->multiplicity == 2);
   CHECK_FALSE(largest_real_root(LaurentPolynomial({1, 0, 1}, 0)));
   CHECK(largest_real_root(LaurentPolynomial({1, 1}, 3))->multiplicity == 3);

@@ -92,42 +92,22 @@ class Mutator {
     std::string changed = field;
     const std::size_t at = field.empty() ? 0 : below(field.size());
     switch (kind) {
-      case 0:
-        return "0";
-      case 1:
-        return changed.insert(0, 1, '-');
-      case 2:
-        return field + std::string(30, '9');
-      case 3:
-        return std::string(5000, '7');
-      case 4:
-        return field + "/0";
-      case 5:
-        return std::string("1/").append(field);
-      case 6:
-        return "18446744073709551616";
-      case 7:
-        return "-1";
-      case 8:
-        return "";
-      case 9:
-        changed.erase(at, 1);
-        return changed;
-      case 10:
-        changed[at] = static_cast<char>('0' + below(10));
-        return changed;
-      case 11:
-        changed[at] = static_cast<char>(below(256));
-        return changed;
-      case 12:
-        changed.insert(at, 1, "0123456789-,:/fc@[]"[below(19)]);
-        return changed;
-      case 13:
-        return shift_number(field, 1);
-      case 14:
-        return shift_number(field, -1);
-      default:
-        return field.substr(0, field.find(':') + 1) + "0";
+      case 0: return "0";
+      case 1: return changed.insert(0, 1, '-');
+      case 2: return field + std::string(30, '9');
+      case 3: return std::string(5000, '7');
+      case 4: return field + "/0";
+      case 5: return std::string("1/").append(field);
+      case 6: return "18446744073709551616";
+      case 7: return "-1";
+      case 8: return "";
+      case 9: changed.erase(at, 1); return changed;
+      case 10: changed[at] = static_cast<char>('0' + below(10)); return changed;
+      case 11: changed[at] = static_cast<char>(below(256)); return changed;
+      case 12: changed.insert(at, 1, "0123456789-,:/fc@[]"[below(19)]); return changed;
+      case 13: return shift_number(field, 1);
+      case 14: return shift_number(field, -1);
+      default: return field.substr(0, field.find(':') + 1) + "0";
     }
   }
 
@@ -136,45 +116,19 @@ class Mutator {
   void change_lines(Lines& lines, const Lines& other, std::size_t i, std::size_t kind) {
     const auto at = lines.begin() + static_cast<std::ptrdiff_t>(i);
     switch (kind) {
-      case 0:
-        lines.erase(at);
-        break;
-      case 1:
-        lines.insert(at, std::string(*at));
-        break;
-      case 2:
-        std::swap(lines[i], lines[below(lines.size())]);
-        break;
-      case 3:
-        lines.resize(i);
-        break;
-      case 4:
-        lines[i].resize(below(lines[i].size() + 1));
-        break;
-      case 5:
-        lines.insert(at, other[below(other.size())]);
-        break;
-      case 6:
-        lines[i] = other[below(other.size())];
-        break;
-      case 7:
-        lines.push_back(lines[i]);
-        break;
-      case 8:
-        scale(lines, "image", 0.999);
-        break;  // smaller weights everywhere: only the residual can tell
-      case 9:
-        scale(lines, i % 2 == 0 ? "vertex" : "unit", i % 4 < 2 ? 1.001 : 0.5);
-        break;
-      case 10:
-        keep_heads(lines, {"image"}, 2);
-        break;  // empty combinations
-      case 11:
-        keep_heads(lines, {"image", "unit"}, 2);
-        break;
-      default:
-        empty_proof(lines);
-        break;
+      case 0: lines.erase(at); break;
+      case 1: lines.insert(at, std::string(*at)); break;
+      case 2: std::swap(lines[i], lines[below(lines.size())]); break;
+      case 3: lines.resize(i); break;
+      case 4: lines[i].resize(below(lines[i].size() + 1)); break;
+      case 5: lines.insert(at, other[below(other.size())]); break;
+      case 6: lines[i] = other[below(other.size())]; break;
+      case 7: lines.push_back(lines[i]); break;
+      case 8: scale(lines, "image", 0.999); break;  // smaller weights everywhere: only the residual can tell
+      case 9: scale(lines, i % 2 == 0 ? "vertex" : "unit", i % 4 < 2 ? 1.001 : 0.5); break;
+      case 10: keep_heads(lines, {"image"}, 2); break;  // empty combinations
+      case 11: keep_heads(lines, {"image", "unit"}, 2); break;
+      default: empty_proof(lines); break;
     }
   }
 
@@ -262,7 +216,8 @@ int main(int argc, char** argv) {
     claim.push_back(file);
     std::ostringstream out, errors;
     const int code = subcert_check::run(claim, out, errors);
-    if (code > 1 || (code == 0) != out.str().starts_with("VERIFIED ")) std::cerr << "code " << code << errors.str() << '\n';
+    if (code > 1 || (code == 0) != out.str().starts_with("VERIFIED "))
+      std::cerr << "code " << code << errors.str() << '\n';
     return code != 1;
   };
   const auto offer = [&](const Case& c, const Lines& lines) {

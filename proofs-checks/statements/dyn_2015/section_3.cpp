@@ -113,8 +113,8 @@ Outcome psi_slope_like_1_over_n2(const Context& context) {
   Outcome outcome = printed.outcome(corrected);
   if (outcome.verdict == Verdict::misprint)
     outcome.verdict = Verdict::false_claim;  // not a slip: the rate is another one
-  outcome.argument =
-      "read as a rate; read as an upper bound it is true for all n (docs/theorems/README.md, conjecture-7)";
+  outcome
+      .argument = "read as a rate; read as an upper bound it is true for all n (docs/theorems/README.md, conjecture-7)";
   return outcome;
 }
 

@@ -6,8 +6,8 @@
 #include "dyn_2015.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
+#include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 #include <algorithm>
@@ -243,9 +243,9 @@ Outcome conjecture_8(const Context& context, bool over_degrees) {
     const VarianceOrder& order = variance_order_of(specification("primal", n_small, d_small),
                                                    specification("primal", n_large, d_large));
     if (order.below == Truth::unknown) undecided += at_n_d(n_large, d_large) + "; ";
-    trial.require(
-        order.below != Truth::no || order.difference == 0,
-        at_n_d(n_small, d_small) + " against " + at_n_d(n_large, d_large) + " at x = " + subcert::to_text(order.witness));
+    trial.require(order.below != Truth::no || order.difference == 0, at_n_d(n_small, d_small) + " against " +
+                                                                         at_n_d(n_large, d_large) +
+                                                                         " at x = " + subcert::to_text(order.witness));
   };
   for (int n = 1; n <= most; ++n)
     for (int d = 1; d <= 2 * n - 1 && d <= 5; d += 2)

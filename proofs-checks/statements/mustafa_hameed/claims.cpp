@@ -23,26 +23,30 @@ Outcome reproduction(const Context& context) {
       for (long n = 2; n <= context.reach(4, 6); ++n)
         for (long first : {1 - n, -n}) {
           WeightedWindow data = random_window(first, n, variables, static_cast<unsigned>(n));
-          const Formula polynomial =
-              f(degree == 1 ? "3 - 2*r + 5*s" : degree == 2 ? "1 + r^2 - 3*r*s + 2*s^2" : "r^3 - 2*r^2 + 7");
+          const Formula polynomial = f(degree == 1   ? "3 - 2*r + 5*s"
+                                       : degree == 2 ? "1 + r^2 - 3*r*s + 2*s^2"
+                                                     : "r^3 - 2*r^2 + 7");
           for (std::size_t i = 0; i < data.nodes.size(); ++i)
             data.data[i] = polynomial({{"r", data.nodes[i].first}, {"s", data.nodes[i].second}});
           const Rational x(1, 4), y(variables == 1 ? 0 : 3, 4);
-          trial.equal(weighted_fit(regression_window(data, degree, {{x, y}}), data.weights, data.data).front(),
-                      polynomial({{"r", x}, {"s", y}}),
-                      at("n", n) + ", degree " + std::to_string(degree) + ", " + std::to_string(variables) + " variables");
+          trial.equal(
+              weighted_fit(regression_window(data, degree, {{x, y}}), data.weights, data.data).front(),
+              polynomial({{"r", x}, {"s", y}}),
+              at("n", n) + ", degree " + std::to_string(degree) + ", " + std::to_string(variables) + " variables");
         }
   return trial
-      .for_all("all n >= 2, all weights, degrees 1 to 3 on curves and 1, 2 on surfaces",
-               "for data of a polynomial of that degree the weighted sum of squares is 0 at this polynomial and, as the "
-               "nodes determine it, nowhere else: every step and every output are exact, with the datum f_j at j and the "
-               "outputs at the positions of the fit. Also tried with random weights")
+      .for_all(
+          "all n >= 2, all weights, degrees 1 to 3 on curves and 1, 2 on surfaces",
+          "for data of a polynomial of that degree the weighted sum of squares is 0 at this polynomial and, as the "
+          "nodes determine it, nowhere else: every step and every output are exact, with the datum f_j at j and the "
+          "outputs at the positions of the fit. Also tried with random weights")
       .outcome();
 }
 
 /// If a line met the parabola at both outputs, the residual (r - 1/4)(r - 3/4) would be positive at all data.
 Outcome lines_do_not_reproduce(const Context& context) {
-  const Formula even = context.formula(mustafa_hameed_key + "residual-even"), odd = context.formula(mustafa_hameed_key + "residual-odd");
+  const Formula even = context.formula(mustafa_hameed_key + "residual-even"),
+                odd = context.formula(mustafa_hameed_key + "residual-odd");
   Trial trial;
   trial.follow(identity(even, f("(r - 1/4)*(r - 3/4)"), {{"r", 0}}));
   trial.follow(identity(odd, f("(r + 1/4)*(r - 1/4)"), {{"r", 0}}));
@@ -52,10 +56,11 @@ Outcome lines_do_not_reproduce(const Context& context) {
   trial.follow(positive(odd, {{"r", "-1 - x"}}));
   trial.follow(sum_identity({f("r^2"), "r", {-1, 0}, {1, 0}}, f("(2*n + 1)*n*(n + 1)/3"), {{"n", 1}}));
   return trial
-      .for_all("all n >= 1, all positive weights, data r^2, 2n points",
-               "a line through the parabola at both outputs 1/4, 3/4 leaves residuals r^2 - r + 3/16 > 0 at all integers, "
-               "but weighted residuals of a fit have the sum 0. For 2n+1 points the residual r^2 - 1/16 is negative at "
-               "r = 0 alone: there the ordinary fit has the constant n(n+1)/3, not 1/16")
+      .for_all(
+          "all n >= 1, all positive weights, data r^2, 2n points",
+          "a line through the parabola at both outputs 1/4, 3/4 leaves residuals r^2 - r + 3/16 > 0 at all integers, "
+          "but weighted residuals of a fit have the sum 0. For 2n+1 points the residual r^2 - 1/16 is negative at "
+          "r = 0 alone: there the ordinary fit has the constant n(n+1)/3, not 1/16")
       .outcome();
 }
 
@@ -74,15 +79,17 @@ Outcome special_cases(const Context& context) {
   }
   Trial restricted;
   for (int n = 2; n <= context.reach(5, 10); ++n) {
-    restricted.require(regression_mask(ary(2, 2 * n, 3)) == regression_mask(dual(n, 3)), at("n", n) + ", [MB16], 2n points");
+    restricted.require(regression_mask(ary(2, 2 * n, 3)) == regression_mask(dual(n, 3)),
+                       at("n", n) + ", [MB16], 2n points");
     restricted.require(regression_mask(ary(2, 2 * n + 1, 3)) == regression_mask(dual_odd(n, 3)),
                        at("n", n) + ", [MB16], 2n+1 points");
   }
   Outcome outcome = printed.outcome();
-  outcome.argument = restricted.failed()
-                         ? "not even the binary schemes of [MB16]: " + restricted.failure()
-                         : "true of the dual schemes of [DHHS15] (all weights 1), of the binary ones of [MB16] (all weights "
-                           "1, degree 3) and of [MLZD15] (degree 1), as the checks of all-weights-1 and of [MLZD15] show";
+  outcome.argument =
+      restricted.failed()
+          ? "not even the binary schemes of [MB16]: " + restricted.failure()
+          : "true of the dual schemes of [DHHS15] (all weights 1), of the binary ones of [MB16] (all weights "
+            "1, degree 3) and of [MLZD15] (degree 1), as the checks of all-weights-1 and of [MLZD15] show";
   return outcome;
 }
 
@@ -120,29 +127,31 @@ void add_mustafa_hameed_claims(PaperStatements& to) {
   add({mustafa_hameed_key + "not-interpolatory", "Abstract", "The schemes are non-interpolatory.",
        "that no rule of the masks with all weights 1 copies a datum", R"(\text{non-interpolatory})", "", Verdict::holds,
        not_interpolatory});
-  add({mustafa_hameed_key + "reproduction", "Abstract and section 1.1", "The schemes reproduce polynomials of their degree.",
-       "weighted fits of polynomial data with random weights", R"(p \in \Pi_d \Rightarrow \text{reproduced})", "",
-       Verdict::holds_for_all, reproduction});
-  add({mustafa_hameed_key + "linear-schemes", "section 1.1", "The schemes of [MLZD15] do not reproduce non-linear polynomials.",
+  add({mustafa_hameed_key + "reproduction", "Abstract and section 1.1",
+       "The schemes reproduce polynomials of their degree.", "weighted fits of polynomial data with random weights",
+       R"(p \in \Pi_d \Rightarrow \text{reproduced})", "", Verdict::holds_for_all, reproduction});
+  add({mustafa_hameed_key + "linear-schemes", "section 1.1",
+       "The schemes of [MLZD15] do not reproduce non-linear polynomials.",
        "the residuals of a line that would reproduce r^2",
        R"(<<mustafa-hameed/residual-even>>, \quad <<mustafa-hameed/residual-odd>>)", "", Verdict::holds_for_all,
        lines_do_not_reproduce});
-  add({mustafa_hameed_key + "special-cases", "section 1.1", "The schemes of [DHHS15], [MB16] and [MLZD15] are special cases.",
+  add({mustafa_hameed_key + "special-cases", "section 1.1",
+       "The schemes of [DHHS15], [MB16] and [MLZD15] are special cases.",
        "masks of the primal, dual and binary cubic schemes", R"(\text{[3], [9] and [11] are special cases})",
        R"(\text{the dual schemes of [3], the binary ones of [9], and [11]})", Verdict::false_claim, special_cases});
   add({mustafa_hameed_key + "behaviour", "section 1.1, Figs. 1 and 3-9",
        "No over- and underfitting; interpolatory behaviour on data without noise; smoother surfaces.", "",
-       R"(\text{figures})", "", Verdict::not_checkable, [](const Context&) {
-         return not_checkable("figures without data; the words are not defined");
-       }});
+       R"(\text{figures})", "", Verdict::not_checkable,
+       [](const Context&) { return not_checkable("figures without data; the words are not defined"); }});
   add({mustafa_hameed_key + "remark-2.1", "Remark 2.1", "5 or 6 iterations and a small delta are good choices.", "",
        R"(m = 5, 6)", "", Verdict::not_checkable, [](const Context&) {
          return not_checkable(
-             "from experiments that were not published; how many iterations suffice depends on the size of the outliers "
+             "from experiments that were not published; how many iterations suffice depends on the size of the "
+             "outliers "
              "(docs/l1.md, section 3)");
        }});
-  add({mustafa_hameed_key + "remark-2.2", "Remark 2.2", "Notation for the steps of the scheme.", "", R"(\text{lost})", "",
-       Verdict::not_checkable, [](const Context&) { return lost(); }});
+  add({mustafa_hameed_key + "remark-2.2", "Remark 2.2", "Notation for the steps of the scheme.", "", R"(\text{lost})",
+       "", Verdict::not_checkable, [](const Context&) { return lost(); }});
   add({mustafa_hameed_key + "section-2.3-end", "section 2.3 after (2.29), sections 2.4, 3, 4 and 5",
        "Families of degree 2 and 1, examples, bivariate schemes up to degree 2.", "", R"(\text{lost})", "",
        Verdict::not_checkable, [](const Context&) { return lost(); }});

@@ -26,7 +26,9 @@ std::vector<Variable> variables(const std::string& name, int count) {
   return result;
 }
 
-Formula lambda(const Context& context, int k) { return context.formula(mustafa_hameed_key + "eq-2.18-" + std::to_string(k)); }
+Formula lambda(const Context& context, int k) {
+  return context.formula(mustafa_hameed_key + "eq-2.18-" + std::to_string(k));
+}
 
 /// tau, lambda, kappa and chi of a window.
 Values computed(const Context& context, const WeightedWindow& window, long first, long last) {
@@ -80,7 +82,8 @@ Trial on_windows(int most, const std::function<Trial(long, const WeightedWindow&
 /// Row i of the adjoint times a column.
 Formula row_times(std::size_t i, const std::vector<Formula>& column) {
   Formula sum = f("0");
-  for (std::size_t j = 0; j < terms; ++j) sum = sum + f(numbered("lambda", static_cast<std::size_t>(place[i][j]))) * column[j];
+  for (std::size_t j = 0; j < terms; ++j)
+    sum = sum + f(numbered("lambda", static_cast<std::size_t>(place[i][j]))) * column[j];
   return sum;
 }
 
@@ -90,16 +93,19 @@ Outcome derived(Outcome outcome) {
 }
 
 Outcome weights(const Context& context) {
-  return derived(weights_of_modulus(context.formula(mustafa_hameed_key + "eq-2.6"), context.formula(mustafa_hameed_key + "eq-2.6-exponent")({}),
-                                    f("f - beta0 - beta1*r - beta2*r^2 - beta3*r^3"),
-                                    {{"f", 1}, {"beta0", 2}, {"beta1", 3}, {"beta2", 4}, {"beta3", 5}, {"r", 2}, {"delta", 7}})
-                     .outcome());
+  return derived(
+      weights_of_modulus(context.formula(mustafa_hameed_key + "eq-2.6"),
+                         context.formula(mustafa_hameed_key + "eq-2.6-exponent")({}),
+                         f("f - beta0 - beta1*r - beta2*r^2 - beta3*r^3"),
+                         {{"f", 1}, {"beta0", 2}, {"beta1", 3}, {"beta2", 4}, {"beta3", 5}, {"r", 2}, {"delta", 7}})
+          .outcome());
 }
 
 Outcome sums(const Context& context) {
   std::vector<Formula> entries;
   for (std::size_t k = 1; k <= 7; ++k) entries.push_back(context.formula(mustafa_hameed_key + numbered("eq-2.19-", k)));
-  for (std::size_t k = 1; k <= terms; ++k) entries.push_back(context.formula(mustafa_hameed_key + numbered("eq-2.20-", k)));
+  for (std::size_t k = 1; k <= terms; ++k)
+    entries.push_back(context.formula(mustafa_hameed_key + numbered("eq-2.20-", k)));
   return derived(entries_of_normal_equations(entries, {"w", "r*w", "r^2*w", "r^3*w", "r^4*w", "r^5*w", "r^6*w", "w*f",
                                                        "r*w*f", "r^2*w*f", "r^3*w*f"})
                      .outcome());
@@ -126,11 +132,12 @@ Outcome adjoint(const Context& context) {
       trial.equal(sum, i == j ? kappa(point) : Rational(0), "entry " + std::to_string(i) + ", " + std::to_string(j));
     }
   if (!trial.failed()) trial.follow(adjoint_identity(matrix, entries, kappa, variables("tau", 7)));
-  return derived(trial
-                     .for_all("all n >= 2 and all positive weights",
-                              "matrix times adjoint is kappa times the identity, entry by entry, as polynomials in tau_1, "
-                              "..., tau_7; the matrix is positive definite, so kappa > 0")
-                     .outcome());
+  return derived(
+      trial
+          .for_all("all n >= 2 and all positive weights",
+                   "matrix times adjoint is kappa times the identity, entry by entry, as polynomials in tau_1, "
+                   "..., tau_7; the matrix is positive definite, so kappa > 0")
+          .outcome());
 }
 
 Outcome coefficients(const Context& context) {
@@ -148,9 +155,9 @@ Outcome coefficients(const Context& context) {
     const Formula beta = context.formula(mustafa_hameed_key + "eq-2." + std::to_string(13 + k));
     const Formula expected = row_times(k, {f("chi1"), f("chi2"), f("chi3"), f("chi4")});
     const Degrees in_kappa = beta.degrees("kappa");
-    trial.require(is_linear_in(beta, lambdas) && is_linear_in(beta, chis) && in_kappa.numerator == 0 &&
-                      in_kappa.denominator == 1,
-                  numbered("beta_", k) + " is not shown to be linear in lambda and in chi, over kappa");
+    trial.require(
+        is_linear_in(beta, lambdas) && is_linear_in(beta, chis) && in_kappa.numerator == 0 && in_kappa.denominator == 1,
+        numbered("beta_", k) + " is not shown to be linear in lambda and in chi, over kappa");
     for (const Values& one : corners(lambdas))
       for (const Values& other : corners(chis))
         for (long kappa : {1, 2}) {
@@ -174,7 +181,8 @@ Rational library_value(const WeightedWindow& window, const Rational& x) {
   return weighted_fit(RegressionWindow(nodes, 3, {{x, 0}}), window.weights, window.data).front();
 }
 
-/// psi_k is row k of the adjoint times (1, r, r^2, r^3), and the rules are (psi_1 + x psi_2 + x^2 psi_3 + x^3 psi_4)/kappa.
+/// psi_k is row k of the adjoint times (1, r, r^2, r^3), and the rules are (psi_1 + x psi_2 + x^2 psi_3 + x^3
+/// psi_4)/kappa.
 Outcome rules(const Context& context) {
   const std::vector<Formula> positions = context.list(mustafa_hameed_key + "positions");
   std::vector<Formula> rule;
@@ -193,10 +201,10 @@ Outcome rules(const Context& context) {
   if (!trial.failed())
     for (std::size_t k = 0; k < 2; ++k) {
       const Formula x = positions.at(k);
-      trial.follow(identity(context.formula(mustafa_hameed_key + std::string("eq-2.25-") + (k == 0 ? "even" : "odd")),
-                            (f("psi1") + x * f("psi2") + x * x * f("psi3") + x * x * x * f("psi4")) / f("kappa") * f("w") *
-                                f("f"),
-                            {{"psi1", 1}, {"psi2", 2}, {"psi3", 3}, {"psi4", 5}, {"kappa", 1}, {"w", 1}, {"f", 1}}));
+      trial.follow(identity(
+          context.formula(mustafa_hameed_key + std::string("eq-2.25-") + (k == 0 ? "even" : "odd")),
+          (f("psi1") + x * f("psi2") + x * x * f("psi3") + x * x * x * f("psi4")) / f("kappa") * f("w") * f("f"),
+          {{"psi1", 1}, {"psi2", 2}, {"psi3", 3}, {"psi4", 5}, {"kappa", 1}, {"w", 1}, {"f", 1}}));
     }
   for (std::size_t k = 0; k < terms && !trial.failed(); ++k) {
     const Formula psi = context.formula(mustafa_hameed_key + "eq-2." + std::to_string(26 + k));
@@ -243,8 +251,7 @@ Outcome ordinary(const Context& context) {
           }
         }
       }
-  return trial
-      .over("n = 2.." + std::to_string(context.reach(5, 10)) + ", degrees 1, 2, 3, 2n and 2n+1 points")
+  return trial.over("n = 2.." + std::to_string(context.reach(5, 10)) + ", degrees 1, 2, 3, 2n and 2n+1 points")
       .outcome();
 }
 
@@ -300,21 +307,22 @@ void add_mustafa_hameed_iteration(PaperStatements& to) {
   const auto listed = [](const std::string& symbol, const std::string& id, int first, int count) {
     std::string text;
     for (int k = 0; k < count; ++k)
-      text += (k == 0 ? "\\" : ", \\quad \\") + symbol + "_{" + std::to_string(first + k) + "} = <<mustafa-hameed/" + id +
-              std::to_string(first + k) + ">>";
+      text += (k == 0 ? "\\" : ", \\quad \\") + symbol + "_{" + std::to_string(first + k) + "} = <<mustafa-hameed/" +
+              id + std::to_string(first + k) + ">>";
     return text;
   };
   const std::string lost = R"(\text{lost; derived: } )";
-  add({mustafa_hameed_key + "eq-2.1-2.6", "section 2.1, equations (2.1) to (2.6)", "The reweighted iteration for the cubic.",
-       "that the weights are h'(t)/t, as identities",
+  add({mustafa_hameed_key + "eq-2.1-2.6", "section 2.1, equations (2.1) to (2.6)",
+       "The reweighted iteration for the cubic.", "that the weights are h'(t)/t, as identities",
        lost + R"(w = 1/[<<mustafa-hameed/eq-2.6>>]^{<<mustafa-hameed/eq-2.6-exponent>>})", "", Verdict::holds_for_all,
        weights});
   add({mustafa_hameed_key + "all-weights-1", "section 2.1, after equation (2.6)",
        "With all weights 1 the l1 problem becomes the least squares problem.",
        "rules with all weights 1 against the masks of the dual schemes", R"(w = 1)", "", Verdict::holds, ordinary});
-  add({mustafa_hameed_key + "proposition-2.2", "Proposition 2.2, equations (2.13) to (2.16)", "The coefficients of the next cubic.",
-       "derived forms against the normal equations for random weights",
-       lost + R"(\beta_0 = <<mustafa-hameed/eq-2.13>>, \quad \beta_1 = <<mustafa-hameed/eq-2.14>>, \quad \beta_2 = <<mustafa-hameed/eq-2.15>>, \quad \beta_3 = <<mustafa-hameed/eq-2.16>>)",
+  add({mustafa_hameed_key + "proposition-2.2", "Proposition 2.2, equations (2.13) to (2.16)",
+       "The coefficients of the next cubic.", "derived forms against the normal equations for random weights",
+       lost +
+           R"(\beta_0 = <<mustafa-hameed/eq-2.13>>, \quad \beta_1 = <<mustafa-hameed/eq-2.14>>, \quad \beta_2 = <<mustafa-hameed/eq-2.15>>, \quad \beta_3 = <<mustafa-hameed/eq-2.16>>)",
        "", Verdict::holds_for_all, coefficients});
   add({mustafa_hameed_key + "eq-2.17-2.18", "Proposition 2.2, equations (2.17) and (2.18)",
        "Determinant and adjoint of the normal equations of the cubic.", "matrix times adjoint, entry by entry",
@@ -325,9 +333,11 @@ void add_mustafa_hameed_iteration(PaperStatements& to) {
        lost + R"(\tau_k = \sum_r: \; )" + listed("tau", "eq-2.19-", 1, 7) + R"(; \quad \chi_k = \sum_r: \; )" +
            listed("chi", "eq-2.20-", 1, 4),
        "", Verdict::holds_for_all, sums});
-  add({mustafa_hameed_key + "eq-2.25-2.29", "section 2.3, equations (2.25) to (2.29)", "The rules of the 2n-point schemes of degree 3.",
+  add({mustafa_hameed_key + "eq-2.25-2.29", "section 2.3, equations (2.25) to (2.29)",
+       "The rules of the 2n-point schemes of degree 3.",
        "derived forms as identities, and against the library for random weights",
-       lost + R"(f_{2i} = \sum_r <<mustafa-hameed/eq-2.25-even>>, \quad f_{2i+1} = \sum_r <<mustafa-hameed/eq-2.25-odd>>, \quad \psi_1 = <<mustafa-hameed/eq-2.26>>, \quad \psi_2 = <<mustafa-hameed/eq-2.27>>, \quad \psi_3 = <<mustafa-hameed/eq-2.28>>, \quad \psi_4 = <<mustafa-hameed/eq-2.29>>)",
+       lost +
+           R"(f_{2i} = \sum_r <<mustafa-hameed/eq-2.25-even>>, \quad f_{2i+1} = \sum_r <<mustafa-hameed/eq-2.25-odd>>, \quad \psi_1 = <<mustafa-hameed/eq-2.26>>, \quad \psi_2 = <<mustafa-hameed/eq-2.27>>, \quad \psi_3 = <<mustafa-hameed/eq-2.28>>, \quad \psi_4 = <<mustafa-hameed/eq-2.29>>)",
        "", Verdict::holds_for_all, rules});
 }
 

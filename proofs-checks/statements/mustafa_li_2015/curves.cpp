@@ -18,12 +18,14 @@ const std::vector<Variable> taus{{"tau1", 1}, {"tau2", 1}, {"tau3", 1000}};
 Values sums_5(const Context& context, const std::string& id, const WeightedWindow& window, long first, long last) {
   Values values;
   for (const char* k : {"1", "2", "3"})
-    values.emplace_back("tau" + std::string(k), sum_over(window, context.formula(mustafa_li_key + id + "-tau-" + k), first, last));
+    values.emplace_back("tau" + std::string(k),
+                        sum_over(window, context.formula(mustafa_li_key + id + "-tau-" + k), first, last));
   return values;
 }
 
 /// Windows of 2n or 2n+1 data with random weights.
-Trial on_windows(int most, bool even, const std::function<Trial(long n, const WeightedWindow&, const std::string&)>& visit) {
+Trial on_windows(int most, bool even,
+                 const std::function<Trial(long n, const WeightedWindow&, const std::string&)>& visit) {
   Trial trial;
   for (long n = 1; n <= most; ++n)
     for (unsigned seed = 1; seed <= 3; ++seed)
@@ -55,10 +57,11 @@ Trial rule_4(const Context& context, const std::string& id, const Rational& posi
   if (trial.failed()) return trial;
   trial.follow(is_weighted_datum(term, {{"r", 1}, {"tau1", 1}, {"tau2", 1}, {"tau3", 1000}}));
   trial.follow(weighted_moments(coefficient_of_datum(term), 1, {f("1"), f(subcert::to_text(position))}, taus));
-  return trial.for_all("all n >= 1 and all positive weights",
-                       "each rule is w_r times a linear function of r with the moments 1 and x, as identities in tau_1, "
-                       "tau_2, tau_3; also compared for n = 1.." +
-                           std::to_string(most) + " with random weights");
+  return trial.for_all(
+      "all n >= 1 and all positive weights",
+      "each rule is w_r times a linear function of r with the moments 1 and x, as identities in tau_1, "
+      "tau_2, tau_3; also compared for n = 1.." +
+          std::to_string(most) + " with random weights");
 }
 
 Outcome equation_4(const Context& context) {
@@ -69,22 +72,25 @@ Outcome equation_4(const Context& context) {
 }
 
 Outcome equation_5(const Context& context, const std::string& id) {
-  Trial trial = entries_of_normal_equations({context.formula(mustafa_li_key + id + "-tau-1"), context.formula(mustafa_li_key + id + "-tau-2"),
-                                             context.formula(mustafa_li_key + id + "-tau-3")},
-                                            {"w", "r*w", "r^2*w"});
+  Trial trial = entries_of_normal_equations(
+      {context.formula(mustafa_li_key + id + "-tau-1"), context.formula(mustafa_li_key + id + "-tau-2"),
+       context.formula(mustafa_li_key + id + "-tau-3")},
+      {"w", "r*w", "r^2*w"});
   return trial.outcome();
 }
 
 Outcome equation_6(const Context& context) {
-  return weights_of_modulus(context.formula(mustafa_li_key + "eq-6"), context.formula(mustafa_li_key + "eq-6-exponent")({}),
-                            f("f - beta1 - r*beta2"),
+  return weights_of_modulus(context.formula(mustafa_li_key + "eq-6"),
+                            context.formula(mustafa_li_key + "eq-6-exponent")({}), f("f - beta1 - r*beta2"),
                             {{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"delta", 7}})
       .outcome();
 }
 
 /// The coefficients beta_2 and beta_1 as printed, with sums by eq. (5) of the same place.
-Outcome solution(const Context& context, const std::string& sums, const std::string& slope, const std::string& constant) {
-  const Formula beta2 = context.formula(mustafa_li_key + slope), mean = context.formula(mustafa_li_key + constant + "-sum"),
+Outcome solution(const Context& context, const std::string& sums, const std::string& slope,
+                 const std::string& constant) {
+  const Formula beta2 = context.formula(mustafa_li_key + slope),
+                mean = context.formula(mustafa_li_key + constant + "-sum"),
                 rest = context.formula(mustafa_li_key + constant + "-rest");
   const int most = context.reach(4, 8);
   Trial trial = on_windows(most, true, [&](long n, const WeightedWindow& window, const std::string& where) {
@@ -105,12 +111,14 @@ Outcome solution(const Context& context, const std::string& sums, const std::str
   const Formula slope_rule = coefficient_of_datum(beta2);
   trial.follow(weighted_moments(slope_rule, 1, {f("0"), f("1")}, taus));
   // beta_1 is linear in beta_2, so that the rule of beta_2 may stand for it.
-  trial.follow(weighted_moments(coefficient_of_datum(mean) - rest.replaced("beta2", slope_rule), 1, {f("1"), f("0")}, taus));
+  trial.follow(
+      weighted_moments(coefficient_of_datum(mean) - rest.replaced("beta2", slope_rule), 1, {f("1"), f("0")}, taus));
   return trial
-      .for_all("all n >= 1 and all positive weights",
-               "the rules are w_r times linear functions of r with the moments of the slope and of the value at 0; also "
-               "compared for n = 1.." +
-                   std::to_string(most) + " with random weights")
+      .for_all(
+          "all n >= 1 and all positive weights",
+          "the rules are w_r times linear functions of r with the moments of the slope and of the value at 0; also "
+          "compared for n = 1.." +
+              std::to_string(most) + " with random weights")
       .outcome();
 }
 
@@ -120,9 +128,11 @@ Outcome starting_values(const Context& context, const std::string& id, bool even
   const Formula beta2 = context.formula(mustafa_li_key + id + "-beta-2");
   if (even) beta1 = beta1 - context.formula(mustafa_li_key + id + "-factor") * beta2;
   const Fit ordinary{beta1 + f("x") * beta2, "r", {-1, even ? 1 : 0}, {1, 0}, {1, 0}, f("x"), 1, 1, {{"x", 0}}};
-  return fit(ordinary, context.reach(6, 20), [](long) {
-           return std::vector<Values>{{{"x", 0}}, {{"x", 1}}, {{"x", Rational(1, 4)}}};
-         }).outcome();
+  return fit(ordinary, context.reach(6, 20),
+             [](long) {
+               return std::vector<Values>{{{"x", 0}}, {{"x", 1}}, {{"x", Rational(1, 4)}}};
+             })
+      .outcome();
 }
 
 /// The rules of S_2n or S_2n+1 and the mask of the scheme they are.
@@ -143,31 +153,35 @@ Outcome least_squares_rules(const Context& context, const std::string& id, const
     }
     // All weights 1 in (4): tau_1, tau_2, tau_3 are the power sums.
     Formula reduced = coefficient_of_datum(context.formula(mustafa_li_key + (rule == 0 ? "eq-4-even" : "eq-4-odd")));
-    if (!even) reduced = coefficient_of_datum(context.formula(mustafa_li_key + (rule == 0 ? "variant-even" : "variant-odd")));
+    if (!even)
+      reduced = coefficient_of_datum(context.formula(mustafa_li_key + (rule == 0 ? "variant-even" : "variant-odd")));
     reduced = reduced.replaced("tau1", f(even ? "2*n" : "2*n + 1"))
                   .replaced("tau2", f(even ? "n" : "0"))
                   .replaced("tau3", f(even ? "n*(2*n^2 + 1)/3" : "n*(n + 1)*(2*n + 1)/3"));
     trial.follow(identity(weight, reduced.replaced("r", f(index)), {{"n", 2}, {index, 0}}));
   }
   return trial
-      .for_all("all n >= 1",
-               "the printed rules are the linear fits and the rules (4) with all weights 1, as identities in n; the masks "
-               "are those of the " +
-                   std::string(even ? "dual 2n-point" : "dual (2n+1)-point") +
-                   " scheme of [DHHS15], compared for n = 1.." + std::to_string(most))
+      .for_all(
+          "all n >= 1",
+          "the printed rules are the linear fits and the rules (4) with all weights 1, as identities in n; the masks "
+          "are those of the " +
+              std::string(even ? "dual 2n-point" : "dual (2n+1)-point") + " scheme of [DHHS15], compared for n = 1.." +
+              std::to_string(most))
       .outcome();
 }
 
 Outcome odd_variant(const Context& context) {
   const std::vector<Formula> positions = context.list(mustafa_li_key + "positions-odd");
-  Trial trial = summation_range(context.formula(mustafa_li_key + "variant-first"), context.formula(mustafa_li_key + "variant-last"), false);
+  Trial trial = summation_range(context.formula(mustafa_li_key + "variant-first"),
+                                context.formula(mustafa_li_key + "variant-last"), false);
   // The replacements as printed, made in (4).
   for (std::size_t rule = 0; rule < 2; ++rule) {
     const std::string id = rule == 0 ? "variant-even" : "variant-odd";
     trial.follow(rule_4(context, id, positions.at(rule)({}), false));
   }
   trial.equal(positions.at(0)({}) + positions.at(1)({}), 0, "positions about the middle datum");
-  return trial.for_all("all n >= 1 and all positive weights", "as for (4), with -1/4 and 1/4 for 1/4 and 3/4").outcome();
+  return trial.for_all("all n >= 1 and all positive weights", "as for (4), with -1/4 and 1/4 for 1/4 and 3/4")
+      .outcome();
 }
 
 /// (4) with two data: the weights cancel.
@@ -186,14 +200,16 @@ Outcome chaikin(const Context& context) {
       trial.follow(identity(coefficient, corner.at(rule == static_cast<std::size_t>(r) ? 0 : 1), {{"u", 1}, {"v", 1}}));
     }
   const Mask mask = regression_mask(dual(1, 1));
-  trial.require(mask.symbol() == LaurentPolynomial({Rational(1, 4), Rational(3, 4), Rational(3, 4), Rational(1, 4)}, -2),
-                "the mask for n = 1 is not Chaikin's");
+  trial.require(
+      mask.symbol() == LaurentPolynomial({Rational(1, 4), Rational(3, 4), Rational(3, 4), Rational(1, 4)}, -2),
+      "the mask for n = 1 is not Chaikin's");
   return trial.for_all("n = 1, all positive weights and all m", "identities in both weights: a line through two points")
       .outcome();
 }
 
 Outcome not_symmetric(const Context& context) {
-  const Formula even = context.formula(mustafa_li_key + "eq-4-even"), odd = context.formula(mustafa_li_key + "eq-4-odd");
+  const Formula even = context.formula(mustafa_li_key + "eq-4-even"),
+                odd = context.formula(mustafa_li_key + "eq-4-odd");
   Trial trial;
   for (long n = 2; n <= context.reach(6, 12); ++n) {
     WeightedWindow uneven = window(1 - n, n, 1);
@@ -207,13 +223,15 @@ Outcome not_symmetric(const Context& context) {
     bool same = true;
     for (long r = 1 - n; r <= n; ++r) {
       same = same && rule(even, uneven, r) == rule(odd, uneven, 1 - r);
-      trial.equal(rule(even, uneven, r), rule(odd, mirrored, 1 - r), at("n", n) + ", " + at("r", r) + ", mirrored weights");
+      trial.equal(rule(even, uneven, r), rule(odd, mirrored, 1 - r),
+                  at("n", n) + ", " + at("r", r) + ", mirrored weights");
     }
     trial.require(!same, at("n", n) + ": the rules with weights 1, but 2 at r = 0, are mirror images");
   }
   Outcome outcome = trial.over("n = 2.." + std::to_string(context.reach(6, 12))).outcome();
   outcome.argument =
-      "the two rules are no mirror images once the weights are not; but mirrored data have mirrored weights, so that the "
+      "the two rules are no mirror images once the weights are not; but mirrored data have mirrored weights, so that "
+      "the "
       "scheme as a map commutes with reflection";
   return outcome;
 }
@@ -251,49 +269,48 @@ Outcome general_basis(const Context& context) {
 void add_mustafa_li_2015_curves(PaperStatements& to) {
   const std::string rule_even = "1/tau1*(1 - (tau2 - 1/4*tau1)*((r*tau1 - tau2)/(tau1*tau3 - tau2^2)))*w*f",
                     rule_odd = "1/tau1*(1 - (tau2 - 3/4*tau1)*((r*tau1 - tau2)/(tau1*tau3 - tau2^2)))*w*f";
-  to.transcriptions.insert(
-      to.transcriptions.end(),
-      {
-          {mustafa_li_key + "positions", "[1/4, 3/4]"},
-          {mustafa_li_key + "solution-beta-2", "(r*tau1 - tau2)/(tau1*tau3 - tau2^2)*w*f"},
-          {mustafa_li_key + "solution-beta-1-sum", "1/tau1*w*f"},
-          {mustafa_li_key + "solution-beta-1-rest", "beta2*(tau2/tau1)"},
-          {mustafa_li_key + "solution-tau-1", "w"},
-          {mustafa_li_key + "solution-tau-2", "r*w"},
-          {mustafa_li_key + "solution-tau-3", "r^2*w"},
-          {mustafa_li_key + "eq-4-even", rule_even},
-          {mustafa_li_key + "eq-4-odd", rule_odd},
-          {mustafa_li_key + "eq-5-tau-1", "w"},
-          {mustafa_li_key + "eq-5-tau-2", "r*w"},
-          {mustafa_li_key + "eq-5-tau-3", "r^2*w"},
-          {mustafa_li_key + "eq-6", "(f - beta1 - r*beta2)^2 + delta"},
-          {mustafa_li_key + "eq-6-exponent", "1/2"},
-          {mustafa_li_key + "eq-7", "(r*tau1 - tau2)/(tau1*tau3 - tau2^2)*w*f"},
-          {mustafa_li_key + "eq-8-sum", "1/tau1*w*f"},
-          {mustafa_li_key + "eq-8-rest", "beta2*(tau2/tau1)"},
-          {mustafa_li_key + "eq-9-beta-2", "1/(4*n^3 - n)*(6*r - 3)"},
-          {mustafa_li_key + "eq-9-beta-1", "1/(2*n)"},
-          {mustafa_li_key + "eq-9-factor", "1/2"},
-          {mustafa_li_key + "positions-odd", "[-1/4, 1/4]"},
-          {mustafa_li_key + "variant-first", "-n"},
-          {mustafa_li_key + "variant-last", "n"},
-          {mustafa_li_key + "variant-even", "1/tau1*(1 - (tau2 - (-1/4)*tau1)*((r*tau1 - tau2)/(tau1*tau3 - tau2^2)))*w*f"},
-          {mustafa_li_key + "variant-odd", rule_even},
-          {mustafa_li_key + "eq-9-odd-beta-1", "1/(2*n + 1)"},
-          {mustafa_li_key + "eq-9-odd-beta-2", "1/(n*(n + 1)*(2*n + 1))*3*r"},
-          {mustafa_li_key + "s-odd-even", "1/(2*n + 1)*(1 - 3*r/(4*n*(n + 1)))"},
-          {mustafa_li_key + "s-odd-odd", "1/(2*n + 1)*(1 + 3*r/(4*n*(n + 1)))"},
-          {mustafa_li_key + "chaikin", "[3, 1]/4"},
-          {mustafa_li_key + "s-2n-even", "1/(2*n)*(1 - (6*j - 3)/(8*n^2 - 2))"},
-          {mustafa_li_key + "s-2n-odd", "1/(2*n)*(1 + (6*j - 3)/(8*n^2 - 2))"},
-      });
+  to.transcriptions.insert(to.transcriptions.end(),
+                           {
+                               {mustafa_li_key + "positions", "[1/4, 3/4]"},
+                               {mustafa_li_key + "solution-beta-2", "(r*tau1 - tau2)/(tau1*tau3 - tau2^2)*w*f"},
+                               {mustafa_li_key + "solution-beta-1-sum", "1/tau1*w*f"},
+                               {mustafa_li_key + "solution-beta-1-rest", "beta2*(tau2/tau1)"},
+                               {mustafa_li_key + "solution-tau-1", "w"},
+                               {mustafa_li_key + "solution-tau-2", "r*w"},
+                               {mustafa_li_key + "solution-tau-3", "r^2*w"},
+                               {mustafa_li_key + "eq-4-even", rule_even},
+                               {mustafa_li_key + "eq-4-odd", rule_odd},
+                               {mustafa_li_key + "eq-5-tau-1", "w"},
+                               {mustafa_li_key + "eq-5-tau-2", "r*w"},
+                               {mustafa_li_key + "eq-5-tau-3", "r^2*w"},
+                               {mustafa_li_key + "eq-6", "(f - beta1 - r*beta2)^2 + delta"},
+                               {mustafa_li_key + "eq-6-exponent", "1/2"},
+                               {mustafa_li_key + "eq-7", "(r*tau1 - tau2)/(tau1*tau3 - tau2^2)*w*f"},
+                               {mustafa_li_key + "eq-8-sum", "1/tau1*w*f"},
+                               {mustafa_li_key + "eq-8-rest", "beta2*(tau2/tau1)"},
+                               {mustafa_li_key + "eq-9-beta-2", "1/(4*n^3 - n)*(6*r - 3)"},
+                               {mustafa_li_key + "eq-9-beta-1", "1/(2*n)"},
+                               {mustafa_li_key + "eq-9-factor", "1/2"},
+                               {mustafa_li_key + "positions-odd", "[-1/4, 1/4]"},
+                               {mustafa_li_key + "variant-first", "-n"},
+                               {mustafa_li_key + "variant-last", "n"},
+                               {mustafa_li_key + "variant-even",
+                                "1/tau1*(1 - (tau2 - (-1/4)*tau1)*((r*tau1 - tau2)/(tau1*tau3 - tau2^2)))*w*f"},
+                               {mustafa_li_key + "variant-odd", rule_even},
+                               {mustafa_li_key + "eq-9-odd-beta-1", "1/(2*n + 1)"},
+                               {mustafa_li_key + "eq-9-odd-beta-2", "1/(n*(n + 1)*(2*n + 1))*3*r"},
+                               {mustafa_li_key + "s-odd-even", "1/(2*n + 1)*(1 - 3*r/(4*n*(n + 1)))"},
+                               {mustafa_li_key + "s-odd-odd", "1/(2*n + 1)*(1 + 3*r/(4*n*(n + 1)))"},
+                               {mustafa_li_key + "chaikin", "[3, 1]/4"},
+                               {mustafa_li_key + "s-2n-even", "1/(2*n)*(1 - (6*j - 3)/(8*n^2 - 2))"},
+                               {mustafa_li_key + "s-2n-odd", "1/(2*n)*(1 + (6*j - 3)/(8*n^2 - 2))"},
+                           });
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
   add({mustafa_li_key + "solution", "section 2.2, last displays", "The solution of the weighted normal equations.",
        "both coefficients for all weights, and against the normal equations for random ones",
        R"(\beta_2 = \sum_r <<mustafa-li-2015/solution-beta-2>>, \quad \beta_1 = \sum_r <<mustafa-li-2015/solution-beta-1-sum>> - <<mustafa-li-2015/solution-beta-1-rest>>)",
-       "", Verdict::holds_for_all, [](const Context& c) {
-         return solution(c, "solution", "solution-beta-2", "solution-beta-1");
-       }});
+       "", Verdict::holds_for_all,
+       [](const Context& c) { return solution(c, "solution", "solution-beta-2", "solution-beta-1"); }});
   add({mustafa_li_key + "solution-tau", "section 2.2, last displays", "The sums tau_1, tau_2, tau_3.",
        "the entries of the normal equations",
        R"(\tau_1 = \sum_r <<mustafa-li-2015/solution-tau-1>>, \; \tau_2 = \sum_r <<mustafa-li-2015/solution-tau-2>>, \; \tau_3 = \sum_r <<mustafa-li-2015/solution-tau-3>>)",
@@ -302,11 +319,14 @@ void add_mustafa_li_2015_curves(PaperStatements& to) {
        "both rules for all weights, and against normal equations and library for random ones",
        R"(f_{2i}^{(k+1)} = \sum_r <<mustafa-li-2015/eq-4-even>>, \quad f_{2i+1}^{(k+1)} = \sum_r <<mustafa-li-2015/eq-4-odd>>)",
        "", Verdict::holds_for_all, equation_4});
-  add({mustafa_li_key + "eq-5", "Appendix A.1, equation (5)", "The sums tau_1, tau_2, tau_3.", "the entries of the normal equations",
+  add({mustafa_li_key + "eq-5", "Appendix A.1, equation (5)", "The sums tau_1, tau_2, tau_3.",
+       "the entries of the normal equations",
        R"(\tau_1 = \sum_r <<mustafa-li-2015/eq-5-tau-1>>, \; \tau_2 = \sum_r <<mustafa-li-2015/eq-5-tau-2>>, \; \tau_3 = \sum_r <<mustafa-li-2015/eq-5-tau-3>>)",
        "", Verdict::holds_for_all, [](const Context& c) { return equation_5(c, "eq-5"); }});
-  add({mustafa_li_key + "eq-6", "Appendix A.1, equation (6)", "The dynamic weights.", "that they are h'(t)/t, as identities",
-       R"(w = 1/[<<mustafa-li-2015/eq-6>>]^{<<mustafa-li-2015/eq-6-exponent>>})", "", Verdict::holds_for_all, equation_6});
+  add({mustafa_li_key + "eq-6", "Appendix A.1, equation (6)", "The dynamic weights.",
+       "that they are h'(t)/t, as identities",
+       R"(w = 1/[<<mustafa-li-2015/eq-6>>]^{<<mustafa-li-2015/eq-6-exponent>>})", "", Verdict::holds_for_all,
+       equation_6});
   add({mustafa_li_key + "eq-7-8", "Appendix A.1, equations (7) and (8)", "The coefficients of the next line.",
        "both coefficients for all weights, and against the normal equations for random ones",
        R"(\beta_2 = \sum_r <<mustafa-li-2015/eq-7>>, \quad \beta_1 = \sum_r <<mustafa-li-2015/eq-8-sum>> - <<mustafa-li-2015/eq-8-rest>>)",
@@ -320,7 +340,8 @@ void add_mustafa_li_2015_curves(PaperStatements& to) {
        Verdict::holds_for_all, general_basis});
   add({mustafa_li_key + "d-2n-1", "Appendix A.2", "D_2n+1: the rules (4) with -1/4 and 1/4, sums from -n to n.",
        "both rules for all weights, and against normal equations and library for random ones",
-       R"(\tfrac14 \to -\tfrac14, \; \tfrac34 \to \tfrac14, \; r = -n, \dots, n)", "", Verdict::holds_for_all, odd_variant});
+       R"(\tfrac14 \to -\tfrac14, \; \tfrac34 \to \tfrac14, \; r = -n, \dots, n)", "", Verdict::holds_for_all,
+       odd_variant});
   add({mustafa_li_key + "eq-9-odd", "Appendix A.2", "The starting values of D_2n+1.",
        "value and slope against the linear fits, at all x",
        R"(\beta_1^{(0)} = <<mustafa-li-2015/eq-9-odd-beta-1>> \sum_{r=-n}^n f_{i+r}, \quad \beta_2^{(0)} = \sum_{r=-n}^n <<mustafa-li-2015/eq-9-odd-beta-2>> f_{i+r})",
@@ -329,8 +350,8 @@ void add_mustafa_li_2015_curves(PaperStatements& to) {
        "both rules against the linear fits, the variant of (4) and the mask of the dual scheme",
        R"(\sum_{r=-n}^n <<mustafa-li-2015/s-odd-even>> f_{i+r}, \quad \sum_{r=-n}^n <<mustafa-li-2015/s-odd-odd>> f_{i+r})",
        "", Verdict::holds_for_all, [](const Context& c) { return least_squares_rules(c, "s-odd", "r", false); }});
-  add({mustafa_li_key + "chaikin", "Appendix A.2", "For n = 1 and all m, (4) is Chaikin's scheme.", "the coefficients for all weights",
-       R"(<<mustafa-li-2015/chaikin>>)", "", Verdict::holds_for_all, chaikin});
+  add({mustafa_li_key + "chaikin", "Appendix A.2", "For n = 1 and all m, (4) is Chaikin's scheme.",
+       "the coefficients for all weights", R"(<<mustafa-li-2015/chaikin>>)", "", Verdict::holds_for_all, chaikin});
   add({mustafa_li_key + "not-symmetric", "Appendix A.2", "For n >= 2, (4) is not symmetric.",
        "rules with a weight 2 at r = 0 and 1 elsewhere", R"(n \geq 2)", "", Verdict::holds, not_symmetric});
   add({mustafa_li_key + "s-2n", "Appendix A.2", "With all weights 1, D_2n is the scheme S_2n.",

@@ -17,8 +17,10 @@ Rational moduli(const Formula& residual, const std::vector<Rational>& data, cons
 }
 
 Outcome l1_problem(const Context& context) {
-  const Formula printed = context.formula(mustafa_li_key + "l1-problem"), equation = context.formula(mustafa_li_key + "eq-1");
-  Trial trial = summation_range(context.formula(mustafa_li_key + "sum-first"), context.formula(mustafa_li_key + "sum-last"), true);
+  const Formula printed = context.formula(mustafa_li_key + "l1-problem"),
+                equation = context.formula(mustafa_li_key + "eq-1");
+  Trial trial = summation_range(context.formula(mustafa_li_key + "sum-first"),
+                                context.formula(mustafa_li_key + "sum-last"), true);
   trial.follow(identity(printed, f("f - (beta1 + beta2*r)"), line_names));
   trial.follow(identity(printed, equation, line_names));
   // Two minimisers: the dual vector (-1, 1, 1, -1) annihilates lines and shows that no sum is below 2.
@@ -27,7 +29,8 @@ Outcome l1_problem(const Context& context) {
   trial.equal(moduli(equation, data, 1, 0), 2, "n = 2, data 0, 1, 1, 0, line 1");
   Outcome outcome = trial.for_all("all n >= 1", "").outcome();
   outcome.argument =
-      "both displays are one problem; its objective is convex, as a sum of moduli of affine functions, and grows without "
+      "both displays are one problem; its objective is convex, as a sum of moduli of affine functions, and grows "
+      "without "
       "bound, so that minimisers exist. They need not be unique, as 'arg min' suggests: the data 0, 1, 1, 0 (n = 2) "
       "have the minimisers 0 and 1";
   return outcome;
@@ -36,7 +39,8 @@ Outcome l1_problem(const Context& context) {
 Outcome smoothed(const Context& context) {
   const Formula bracket = context.formula(mustafa_li_key + "eq-2");
   const Formula residual = f("f - beta1 - beta2*r");
-  Trial trial = weights_of_modulus(bracket, context.formula(mustafa_li_key + "eq-2-exponent")({}), residual, line_names);
+  Trial trial = weights_of_modulus(bracket, context.formula(mustafa_li_key + "eq-2-exponent")({}), residual,
+                                   line_names);
   // delta = e^2: t^2 <= t^2 + e^2 = (|t| + e)^2 - 2 |t| e.
   const Formula h_squared = bracket.replaced("delta", f("e^2"));
   const std::vector<Variable> names{{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"e", 7}};
@@ -53,8 +57,8 @@ Outcome iteration(const Context& context) {
   const Formula residual = f("f - beta1 - r*beta2");
   Trial trial = weights_of_modulus(context.formula(mustafa_li_key + "eq-3-weight"),
                                    context.formula(mustafa_li_key + "eq-3-weight-exponent")({}), residual, line_names);
-  trial.follow(identity(objective, f("w") * residual * residual,
-                        {{"w", 1}, {"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}}));
+  trial.follow(
+      identity(objective, f("w") * residual * residual, {{"w", 1}, {"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}}));
   Outcome outcome =
       trial
           .for_all("all n, data and delta > 0",
@@ -92,9 +96,12 @@ void add_mustafa_li_2015_problem(PaperStatements& to) {
        "that the weights are h'(t)/t, so that fixed points are minimisers",
        R"(\arg\min \sum_r <<mustafa-li-2015/eq-3-objective>>, \quad w = 1/[<<mustafa-li-2015/eq-3-weight>>]^{<<mustafa-li-2015/eq-3-weight-exponent>>})",
        "", Verdict::holds_for_all, iteration});
-  add({mustafa_li_key + "advice", "sections 2.3 and A.1", "n >= 3 gives better results; a small delta and m = 5 or 6 are good choices.", "",
+  add({mustafa_li_key + "advice", "sections 2.3 and A.1",
+       "n >= 3 gives better results; a small delta and m = 5 or 6 are good choices.", "",
        R"(n \geq 3, \quad \delta \text{ small}, \quad m = 5, 6)", "", Verdict::not_checkable, [](const Context&) {
-         return not_checkable("advice from experiments whose data were not published; how many iterations suffice depends on the size of "
+         return not_checkable(
+             "advice from experiments whose data were not published; how many iterations suffice depends on the size "
+             "of "
              "the outliers (docs/l1.md, section 3)");
        }});
 }

@@ -1,14 +1,13 @@
 #include "reweighting.hpp"
 
 namespace subcert::statements {
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 Trial weights_of_modulus(const Formula& bracket, const Rational& exponent, const Formula& residual,
                          const std::vector<Variable>& names) {
   // h = B^e and w = B^-e, so that h' = e B^(e-1) B' equals t w if B' = 2t and e = 1/2; B is quadratic in f.
-  Trial trial = identity(bracket.replaced("f", f("f + 1")) - bracket.replaced("f", f("f - 1")), f("4") * residual, names);
+  Trial trial = identity(bracket.replaced("f", f("f + 1")) - bracket.replaced("f", f("f - 1")), f("4") * residual,
+                         names);
   trial.follow(identity(bracket - residual * residual, f("delta"), names));
   trial.equal(exponent, Rational(1, 2), "exponent");
   return trial.for_all("all residuals and delta > 0", "h'(t) = t w with h(t) = (t^2 + delta)^(1/2), w = 1/h(t)");

@@ -10,7 +10,8 @@ namespace subcert::statements {
 namespace {
 
 Outcome proposition_1(const Context& context) {
-  const Formula width = context.formula(mustafa_li_key + "proposition-1-width"), end = context.formula(mustafa_li_key + "proposition-1-end"),
+  const Formula width = context.formula(mustafa_li_key + "proposition-1-width"),
+                end = context.formula(mustafa_li_key + "proposition-1-end"),
                 length = context.formula(mustafa_li_key + "proposition-1-length"),
                 left = context.formula(mustafa_li_key + "proposition-1-left"),
                 right = context.formula(mustafa_li_key + "proposition-1-right");
@@ -44,7 +45,8 @@ Outcome proposition_1(const Context& context) {
 }
 
 Outcome geometric_sum(const Context& context) {
-  const Formula term = context.formula(mustafa_li_key + "proposition-1-term"), total = context.formula(mustafa_li_key + "proposition-1-total"),
+  const Formula term = context.formula(mustafa_li_key + "proposition-1-term"),
+                total = context.formula(mustafa_li_key + "proposition-1-total"),
                 width = context.formula(mustafa_li_key + "proposition-1-width");
   Trial printed, corrected;
   Rational sum = 0, halves = 0;
@@ -91,19 +93,22 @@ void add_mustafa_li_2015_support(PaperStatements& to) {
   add({mustafa_li_key + "fig-2", "section 2.4, Fig. 2", "The basic limit functions have two peaks and a valley.", "",
        R"(\phi_6, \phi_7, \phi_8)", "", Verdict::not_checkable, [](const Context&) {
          return unpublished(
-             "delta and the number of iterations of the figure were not published, and the height depends on them alone: "
+             "delta and the number of iterations of the figure were not published, and the height depends on them "
+             "alone: "
              "the exact l1 fit of a window with one 1 and zeros is 0 (docs/l1.md, section 4)");
        }});
   for (const char* table : {"1", "2", "3"})
-    add({mustafa_li_key + "table-" + table, "Table " + std::string(table), "Errors of the fits by S_6, S_7, S_8 and D_6, D_7, D_8.",
-         "", R"(\text{errors})", "", Verdict::not_checkable, [](const Context&) {
+    add({mustafa_li_key + "table-" + table, "Table " + std::string(table),
+         "Errors of the fits by S_6, S_7, S_8 and D_6, D_7, D_8.", "", R"(\text{errors})", "", Verdict::not_checkable,
+         [](const Context&) {
            return unpublished(
-               "the noise, the outliers, the sampling and the parameters delta, m and k of the fits were not published");
+               "the noise, the outliers, the sampling and the parameters delta, m and k of the fits were not "
+               "published");
          }});
-  add({mustafa_li_key + "figs-3-9", "sections 2.5 and 3.1, Figs. 1 and 3-9", "Curves and surfaces fitted to noisy data.", "",
-       R"(f_1(x) = \sin(3x) e^{-x/3}, \; \dots)", "", Verdict::not_checkable, [](const Context&) {
-         return unpublished("the functions are given, but neither the noise nor the outliers");
-       }});
+  add({mustafa_li_key + "figs-3-9", "sections 2.5 and 3.1, Figs. 1 and 3-9",
+       "Curves and surfaces fitted to noisy data.", "", R"(f_1(x) = \sin(3x) e^{-x/3}, \; \dots)", "",
+       Verdict::not_checkable,
+       [](const Context&) { return unpublished("the functions are given, but neither the noise nor the outliers"); }});
 }
 
 }  // namespace subcert::statements

@@ -20,7 +20,8 @@ Trial moving_index(const Context& context, const std::string& id, Form form) {
     for (long step : {0, 1})
       trial.equal(index({{axis, step}, {node, 0}}), step,
                   std::string(axis) + " = " + std::to_string(step) + ", " + node + " = 0, the datum used");
-    trial.follow(identity(index.replaced(axis, f("k + 1")) - index.replaced(axis, f("k")), f("1"), {{"k", 0}, {node, 0}}));
+    trial.follow(
+        identity(index.replaced(axis, f("k + 1")) - index.replaced(axis, f("k")), f("1"), {{"k", 0}, {node, 0}}));
   }
   return trial;
 }
@@ -42,15 +43,17 @@ Trial least_squares(const Context& context, const std::string& id, bool even, Fo
       const long along_x = first_output + static_cast<long>(k % 2), along_y = first_output + static_cast<long>(k / 2);
       for (int r = even ? 1 - n : -n; r <= n; ++r)
         for (int s = even ? 1 - n : -n; s <= n; ++s)
-          trial.equal(weight({{"n", n}, {"r", r}, {"s", s}}), mask.symbol().coefficient({along_x - 2 * r, along_y - 2 * s}),
+          trial.equal(weight({{"n", n}, {"r", r}, {"s", s}}),
+                      mask.symbol().coefficient({along_x - 2 * r, along_y - 2 * s}),
                       "rule " + rule_names[k] + ", " + at("n", n) + ", " + at("r", r) + ", " + at("s", s) + ", mask");
     }
   }
   trial.follow(moving_index(context, id, form));
-  return trial.for_all("all n >= 1",
-                       "the weights are linear in the node and reproduce linear polynomials, as identities in n; the masks "
-                       "are those of grid:points compared up to n = " +
-                           std::to_string(most));
+  return trial.for_all(
+      "all n >= 1",
+      "the weights are linear in the node and reproduce linear polynomials, as identities in n; the masks "
+      "are those of grid:points compared up to n = " +
+          std::to_string(most));
 }
 
 Outcome least_squares_scheme(const Context& context, const std::string& id, bool even) {
@@ -58,8 +61,10 @@ Outcome least_squares_scheme(const Context& context, const std::string& id, bool
 }
 
 Outcome lemma_1_positions(const Context& context) {
-  const std::vector<Formula> xs = context.list(mustafa_li_key + "lemma-1-x"), ys = context.list(mustafa_li_key + "lemma-1-y");
-  Trial trial = summation_range(context.formula(mustafa_li_key + "variant-first"), context.formula(mustafa_li_key + "variant-last"), false);
+  const std::vector<Formula> xs = context.list(mustafa_li_key + "lemma-1-x"),
+                             ys = context.list(mustafa_li_key + "lemma-1-y");
+  Trial trial = summation_range(context.formula(mustafa_li_key + "variant-first"),
+                                context.formula(mustafa_li_key + "variant-last"), false);
   // (10) is (psi_1 + x psi_2 + y psi_3)/kappa (see eq-10), on whatever nodes; here against random weights.
   const std::vector<Formula> plane{f("1"), f("r"), f("s")};
   for (long n = 1; n <= context.reach(2, 3) && !trial.failed(); ++n) {
@@ -112,8 +117,8 @@ Outcome higher_degree(const Context& context) {
       trial.require(determines(n, 2) == (n >= smallest),
                     at("n", n) + ": the " + std::to_string(4 * n * n) + " observations " +
                         (n >= smallest ? "do not determine" : "determine") + " the 6 coefficients of a quadratic");
-    trial.equal(context.formula(mustafa_li_key + "higher-degree-count")({{"n", 3}}), Rational(window(-2, 3, 2).nodes.size()),
-                "n = 3, number of observations");
+    trial.equal(context.formula(mustafa_li_key + "higher-degree-count")({{"n", 3}}),
+                Rational(window(-2, 3, 2).nodes.size()), "n = 3, number of observations");
   }
   return printed.outcome(corrected.for_all(
       "degree 2", "2n values of each variable determine polynomials of degree up to 2n - 1; degree d needs 2n > d"));
@@ -131,9 +136,10 @@ Outcome hyperplanes(const Context&) {
     trial.require(kernel(design).empty(), at("p", p) + ": the corners of a cube do not determine a hyperplane");
   }
   return trial
-      .for_all("all p and n >= 1",
-               "the corners 0 and the p unit vectors determine 1 + p coefficients, so that the weighted normal equations "
-               "are positive definite; checked for p = 1..5")
+      .for_all(
+          "all p and n >= 1",
+          "the corners 0 and the p unit vectors determine 1 + p coefficients, so that the weighted normal equations "
+          "are positive definite; checked for p = 1..5")
       .outcome();
 }
 
@@ -173,12 +179,14 @@ void add_mustafa_li_2015_surface_variants(PaperStatements& to) {
   add({mustafa_li_key + "hyperplane", "Appendix B.2", "The iteration serves hyperplanes in p variables.",
        "the corners of a cube determine the coefficients", R"(p\text{-dimensional hyperplane})", "",
        Verdict::holds_for_all, hyperplanes});
-  add({mustafa_li_key + "higher-degree", "Appendix B.2", "Polynomials of degree >= 2 are fitted to 4n^2 observations, n >= 1.",
+  add({mustafa_li_key + "higher-degree", "Appendix B.2",
+       "Polynomials of degree >= 2 are fitted to 4n^2 observations, n >= 1.",
        "for which n the grid determines quadratics",
        R"(\text{degree} \geq 2, \; <<mustafa-li-2015/higher-degree-count>> \text{ observations}, \; n \geq <<mustafa-li-2015/higher-degree-n>>)",
        R"(\text{degree } 2, \; <<mustafa-li-2015/higher-degree-count>> \text{ observations}, \; n \geq <<mustafa-li-2015/higher-degree-n>>)",
        Verdict::misprint, higher_degree});
-  add({mustafa_li_key + "surface-s-2n", "Appendix B.2, first displays", "With all weights 1, D_2n is the surface scheme S_2n.",
+  add({mustafa_li_key + "surface-s-2n", "Appendix B.2, first displays",
+       "With all weights 1, D_2n is the surface scheme S_2n.",
        "the four rules against normal equations and masks; the indices of the data", rules("surface-s-2n"),
        rules("surface-s-2n"), Verdict::misprint,
        [](const Context& c) { return least_squares_scheme(c, "surface-s-2n", true); }});

@@ -21,15 +21,17 @@ std::vector<Variable> variables(const std::string& name, int count) {
 Values computed(const Context& context, const WeightedWindow& window, long first, long last) {
   Values values;
   for (int k = 1; k <= 6; ++k)
-    values.emplace_back("tau" + std::to_string(k),
-                        sum_over(window, context.formula(mustafa_li_key + "eq-14-tau-" + std::to_string(k)), first, last));
+    values.emplace_back(
+        "tau" + std::to_string(k),
+        sum_over(window, context.formula(mustafa_li_key + "eq-14-tau-" + std::to_string(k)), first, last));
   for (int k = 1; k <= 6; ++k)
     values.emplace_back("lambda" + std::to_string(k),
                         context.formula(mustafa_li_key + "eq-13-lambda-" + std::to_string(k))(values));
   values.emplace_back("kappa", context.formula(mustafa_li_key + "eq-12")(values));
   for (int k = 1; k <= 3; ++k)
-    values.emplace_back("chi" + std::to_string(k),
-                        sum_over(window, context.formula(mustafa_li_key + "eq-19-chi-" + std::to_string(k)), first, last));
+    values.emplace_back(
+        "chi" + std::to_string(k),
+        sum_over(window, context.formula(mustafa_li_key + "eq-19-chi-" + std::to_string(k)), first, last));
   return values;
 }
 
@@ -49,7 +51,8 @@ Rational library_value(const WeightedWindow& window, const Rational& x, const Ra
 
 /// The printed rules with random weights; then the weights at which psi_1 vanishes.
 Trial rules_10(const Context& context, Form form) {
-  const std::vector<Formula> xs = context.list(mustafa_li_key + "surface-x"), ys = context.list(mustafa_li_key + "surface-y");
+  const std::vector<Formula> xs = context.list(mustafa_li_key + "surface-x"),
+                             ys = context.list(mustafa_li_key + "surface-y");
   Trial trial;
   for (std::size_t k = 0; k < 4; ++k) {
     const Formula term = rule(context, rule_names[k], form);
@@ -73,9 +76,10 @@ Trial rules_10(const Context& context, Form form) {
       trial.equal(sum_over(data, rule(context, rule_names[k], form), -1, 2, computed(context, data, -1, 2)),
                   library_value(data, x, y), "rule " + rule_names[k] + ", n = 2");
     } catch (const std::domain_error&) {
-      trial.require(false, "rule " + rule_names[k] +
-                               ", n = 2, weights 1, but 5 at r = s = 1: psi_1 = 0 at r = 1, s = 2, and the rule divides "
-                               "by it");
+      trial.require(false,
+                    "rule " + rule_names[k] +
+                        ", n = 2, weights 1, but 5 at r = s = 1: psi_1 = 0 at r = 1, s = 2, and the rule divides "
+                        "by it");
     }
   }
   return trial;
@@ -83,7 +87,8 @@ Trial rules_10(const Context& context, Form form) {
 
 /// The rule is (psi_1 + x psi_2 + y psi_3)/kappa w f wherever psi_1 is not zero.
 Trial rule_identities(const Context& context, Form form) {
-  const std::vector<Formula> xs = context.list(mustafa_li_key + "surface-x"), ys = context.list(mustafa_li_key + "surface-y");
+  const std::vector<Formula> xs = context.list(mustafa_li_key + "surface-x"),
+                             ys = context.list(mustafa_li_key + "surface-y");
   Trial trial;
   for (std::size_t k = 0; k < 4; ++k)
     trial.follow(identity(context.formula(mustafa_li_key + "eq-10-" + rule_names[k], form),
@@ -122,24 +127,25 @@ Outcome equation_11(const Context& context) {
   for (std::size_t k = 0; k < 3; ++k)
     trial.follow(identity(context.formula(mustafa_li_key + "eq-11-psi-" + std::to_string(k + 1)),
                           rows[k][0] + rows[k][1] * f("r") + rows[k][2] * f("s"), names));
-  return trial.for_all("all n and all weights", "rows of the adjoint of the normal equations times (1, r, s)").outcome();
+  return trial.for_all("all n and all weights", "rows of the adjoint of the normal equations times (1, r, s)")
+      .outcome();
 }
 
 Outcome equations_12_13(const Context& context) {
   std::vector<Formula> lambda;
   for (int k = 1; k <= 6; ++k) lambda.push_back(context.formula(mustafa_li_key + "eq-13-lambda-" + std::to_string(k)));
   const Formula zero = f("0");
-  const std::vector<std::vector<Formula>> matrix{{f("tau1"), f("tau2"), f("tau3")},
-                                                 {f("tau2"), f("tau4"), f("tau5")},
-                                                 {f("tau3"), f("tau5"), f("tau6")}},
+  const std::vector<std::vector<Formula>> matrix{
+      {f("tau1"), f("tau2"), f("tau3")}, {f("tau2"), f("tau4"), f("tau5")}, {f("tau3"), f("tau5"), f("tau6")}},
       adjoint{{lambda[0], zero - lambda[1], lambda[2]},
               {zero - lambda[1], lambda[3], zero - lambda[4]},
               {lambda[2], zero - lambda[4], lambda[5]}};
   Trial trial = adjoint_identity(matrix, adjoint, context.formula(mustafa_li_key + "eq-12"), variables("tau", 6));
   return trial
-      .for_all("all n >= 1 and all positive weights",
-               "matrix times adjoint is kappa times the identity, entry by entry, as polynomials in tau_1, ..., tau_6; the "
-               "matrix is positive definite, so kappa > 0")
+      .for_all(
+          "all n >= 1 and all positive weights",
+          "matrix times adjoint is kappa times the identity, entry by entry, as polynomials in tau_1, ..., tau_6; the "
+          "matrix is positive definite, so kappa > 0")
       .outcome();
 }
 
@@ -147,13 +153,14 @@ Outcome equation_14(const Context& context) {
   std::vector<Formula> terms;
   for (int k = 1; k <= 6; ++k) terms.push_back(context.formula(mustafa_li_key + "eq-14-tau-" + std::to_string(k)));
   Trial trial = entries_of_normal_equations(terms, {"w", "r*w", "s*w", "r^2*w", "r*s*w", "s^2*w"});
-  trial.follow(summation_range(context.formula(mustafa_li_key + "surface-first"), context.formula(mustafa_li_key + "surface-last"), true));
+  trial.follow(summation_range(context.formula(mustafa_li_key + "surface-first"),
+                               context.formula(mustafa_li_key + "surface-last"), true));
   return trial.outcome();
 }
 
 Outcome equation_15(const Context& context, const std::string& id) {
-  return weights_of_modulus(context.formula(mustafa_li_key + id), context.formula(mustafa_li_key + id + "-exponent")({}),
-                            f("f - beta1 - r*beta2 - s*beta3"),
+  return weights_of_modulus(context.formula(mustafa_li_key + id),
+                            context.formula(mustafa_li_key + id + "-exponent")({}), f("f - beta1 - r*beta2 - s*beta3"),
                             {{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"beta3", 4}, {"r", 5}, {"s", 6}, {"delta", 7}})
       .outcome();
 }
@@ -171,8 +178,8 @@ Outcome equations_16_18(const Context& context) {
       trial.equal(beta(computed(context, data, 1 - n, n)), weighted_coefficients(data, plane)[k],
                   weighted_case(n, 3) + ", beta_" + std::to_string(k + 1));
     }
-    trial.follow(identity(
-        beta, (rows[k][0] * f("chi1") + rows[k][1] * f("chi2") + rows[k][2] * f("chi3")) / f("kappa"), names));
+    trial.follow(
+        identity(beta, (rows[k][0] * f("chi1") + rows[k][1] * f("chi2") + rows[k][2] * f("chi3")) / f("kappa"), names));
   }
   return trial
       .for_all("all n >= 1 and all positive weights",
@@ -299,26 +306,29 @@ void add_mustafa_li_2015_surfaces(PaperStatements& to) {
   for (const std::string& name : rule_names)
     printed += (printed.empty() ? "" : ", \\quad ") + std::string("<<mustafa-li-2015/eq-10-") + name + ">>";
   add({mustafa_li_key + "eq-10", "Appendix B.1, equation (10)", "The four rules of D_2n.",
-       "identities in psi and kappa; values against normal equations and library for random weights, and where psi_1 = 0",
+       "identities in psi and kappa; values against normal equations and library for random weights, and where psi_1 = "
+       "0",
        printed, printed, Verdict::misprint, equation_10});
-  add({mustafa_li_key + "eq-11", "Appendix B.1, equation (11)", "psi_1, psi_2, psi_3.", "rows of the adjoint, as identities",
-       listed("psi", "eq-11-psi", 3), "", Verdict::holds_for_all, equation_11});
-  add({mustafa_li_key + "eq-12-13", "Appendix B.1, equations (12) and (13)", "Determinant and adjoint of the normal equations.",
-       "matrix times adjoint, entry by entry",
-       R"(\kappa = <<mustafa-li-2015/eq-12>>, \quad )" + listed("lambda", "eq-13-lambda", 6), "", Verdict::holds_for_all,
-       equations_12_13});
-  add({mustafa_li_key + "eq-14", "Appendix B.1, equation (14)", "The sums tau_1, ..., tau_6.", "the entries of the normal equations",
-       R"(\tau_k = \sum_{r,s}: \; )" + listed("tau", "eq-14-tau", 6), "", Verdict::holds_for_all, equation_14});
+  add({mustafa_li_key + "eq-11", "Appendix B.1, equation (11)", "psi_1, psi_2, psi_3.",
+       "rows of the adjoint, as identities", listed("psi", "eq-11-psi", 3), "", Verdict::holds_for_all, equation_11});
+  add({mustafa_li_key + "eq-12-13", "Appendix B.1, equations (12) and (13)",
+       "Determinant and adjoint of the normal equations.", "matrix times adjoint, entry by entry",
+       R"(\kappa = <<mustafa-li-2015/eq-12>>, \quad )" + listed("lambda", "eq-13-lambda", 6), "",
+       Verdict::holds_for_all, equations_12_13});
+  add({mustafa_li_key + "eq-14", "Appendix B.1, equation (14)", "The sums tau_1, ..., tau_6.",
+       "the entries of the normal equations", R"(\tau_k = \sum_{r,s}: \; )" + listed("tau", "eq-14-tau", 6), "",
+       Verdict::holds_for_all, equation_14});
   add({mustafa_li_key + "eq-15", "Appendix B.1, equation (15)", "The dynamic weights of surfaces.",
        "that they are h'(t)/t, as identities",
        R"(w = 1/[<<mustafa-li-2015/eq-15>>]^{<<mustafa-li-2015/eq-15-exponent>>})", "", Verdict::holds_for_all,
        [](const Context& c) { return equation_15(c, "eq-15"); }});
-  add({mustafa_li_key + "eq-16-18", "Appendix B.1, equations (16), (17) and (18)", "The coefficients of the next plane.",
-       "as identities, and against the normal equations for random weights",
+  add({mustafa_li_key + "eq-16-18", "Appendix B.1, equations (16), (17) and (18)",
+       "The coefficients of the next plane.", "as identities, and against the normal equations for random weights",
        R"(\beta_1 = <<mustafa-li-2015/eq-16>>, \quad \beta_2 = <<mustafa-li-2015/eq-17>>, \quad \beta_3 = <<mustafa-li-2015/eq-18>>)",
        "", Verdict::holds_for_all, equations_16_18});
-  add({mustafa_li_key + "eq-19", "Appendix B.1, equation (19)", "The right-hand sides chi.", "those of the normal equations",
-       R"(\chi_k = \sum_{r,s}: \; )" + listed("chi", "eq-19-chi", 3), "", Verdict::holds_for_all, equation_19});
+  add({mustafa_li_key + "eq-19", "Appendix B.1, equation (19)", "The right-hand sides chi.",
+       "those of the normal equations", R"(\chi_k = \sum_{r,s}: \; )" + listed("chi", "eq-19-chi", 3), "",
+       Verdict::holds_for_all, equation_19});
   add({mustafa_li_key + "eq-20", "Appendix B.1, equation (20)", "The starting values are the least squares plane.",
        "value and slopes against the normal equations, at all x and y",
        R"(\xi_n = <<mustafa-li-2015/xi>>, \quad )" + listed("beta", "eq-20-beta", 3), "", Verdict::holds_for_all,

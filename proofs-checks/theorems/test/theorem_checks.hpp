@@ -31,7 +31,8 @@ inline void check_theorem(const std::string& id, int degree) {
     const Theorem broken = prove(id, degree, stated.broken(constant.name));
     CHECK(broken.decision.is_no());
     bool its_own = false;
-    for (const Check& check : broken.checks) its_own = its_own || (check.id == constant.check && check.decision.is_no());
+    for (const Check& check : broken.checks)
+      its_own = its_own || (check.id == constant.check && check.decision.is_no());
     CHECK(its_own);
   }
 }

@@ -10,7 +10,8 @@ using namespace subcert;
 using namespace subcert::theorems;
 
 // One case, so that what several theorems compute is computed once. Degree 5 with all n below 60 is a long test.
-TEST_CASE("every inequality holds, and fails if its constant moves by a part in a hundred in the wrong direction", "[long]") {
+TEST_CASE("every inequality holds, and fails if its constant moves by a part in a hundred in the wrong direction",
+          "[long]") {
   for (const TheoremEntry& entry : theorem_list())
     for (int degree : entry.degrees)
       if (degree != 5) check_theorem(entry.id, degree);
@@ -45,7 +46,8 @@ TEST_CASE("where nothing is proved the answer is unknown and says what is missin
 TEST_CASE("a verdict is only as good as its weakest check") {
   const auto exact = [](int value) { return Enclosure::exactly(value); };
   const Check yes = less("1", "", exact(1), exact(2)), no = less("2", "", exact(2), exact(2)),
-              unknown = less("3", "", {Rational(0), Rational(2)}, exact(1)), open = less("4", "", Enclosure::at_least(0), exact(1));
+              unknown = less("3", "", {Rational(0), Rational(2)}, exact(1)),
+              open = less("4", "", Enclosure::at_least(0), exact(1));
   CHECK(yes.decision.is_yes());
   CHECK(no.decision.is_no());
   CHECK(unknown.decision.truth == Truth::unknown);

@@ -1,4 +1,5 @@
-// docs/theorems/variance-curves.tex against the program: numbered inequalities, stated constants, and a source that builds.
+// docs/theorems/variance-curves.tex against the program: numbered inequalities, stated constants, and a source that
+// builds.
 
 #include <subcert/cmake/catch.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>
@@ -91,8 +92,7 @@ TEST_CASE("the tables of the text state the constants of the program") {
     check_cell(text, "1:" + one.name, 1, one);
     ++rows;
   }
-  for (const Constant& one : stated_constants("conjecture-8-n", 1).all())
-    check_cell(text, "1:" + one.name, 1, one);
+  for (const Constant& one : stated_constants("conjecture-8-n", 1).all()) check_cell(text, "1:" + one.name, 1, one);
   for (int degree : {1, 3}) {
     const Constants stated = stated_constants("conjecture-8-d", degree);
     for (const Constant& one : stated.all()) {
@@ -133,10 +133,14 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
 
   std::set<std::string> known = as_set(matches(text, R"(\\newcommand\{\\([a-zA-Z]+)\})"));
   std::istringstream standard(
-      "documentclass usepackage newtheorem newcommand title author date begin end maketitle section subsection caption label "
-      "ref cite bibitem emph texttt text tag qed operatorname mathbb hat frac tfrac binom bigl bigr Bigl Bigr quad qquad "
-      "sum prod int sup inf max min lim log sin cos sinh cosh exp to mapsto in notin ne le ge pm sim cdot dots infty partial "
-      "lceil rceil alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu xi pi rho sigma tau varphi psi Gamma "
+      "documentclass usepackage newtheorem newcommand title author date begin end maketitle section subsection caption "
+      "label "
+      "ref cite bibitem emph texttt text tag qed operatorname mathbb hat frac tfrac binom bigl bigr Bigl Bigr quad "
+      "qquad "
+      "sum prod int sup inf max min lim log sin cos sinh cosh exp to mapsto in notin ne le ge pm sim cdot dots infty "
+      "partial "
+      "lceil rceil alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu xi pi rho sigma tau varphi psi "
+      "Gamma "
       "Delta Pi Phi Psi Omega");
   for (std::string name; standard >> name;) known.insert(name);
   for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {

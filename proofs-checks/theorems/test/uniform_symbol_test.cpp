@@ -29,9 +29,7 @@ double symbol_half(const std::vector<double>& half, double w) {
   return sum;
 }
 
-double limit_half(int degree, double v) {
-  return number(*kernel_transform(degree, Rational(v), 15).lower);
-}
+double limit_half(int degree, double v) { return number(*kernel_transform(degree, Rational(v), 15).lower); }
 
 Mask scheme(int degree, int n) {
   return make_scheme("primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree)).mask;
@@ -64,7 +62,8 @@ TEST_CASE("uniform bounds hold for single schemes at random frequencies") {
   for (int degree : {1, 3, 5}) {
     const int first = degree == 5 ? 40 : 24;
     const UniformSymbol symbol(degree, first, 128);
-    const double slope = upper(symbol.slope()), near = upper(symbol.disc_slope()), disc = upper(symbol.disc_difference());
+    const double slope = upper(symbol.slope()), near = upper(symbol.disc_slope()),
+                 disc = upper(symbol.disc_difference());
     for (int n : {first, first + 13, 3 * first}) {
       const std::vector<double> mask = half_of(scheme(degree, n));
       const double N = 2 * n - 0.5;

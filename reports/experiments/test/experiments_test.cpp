@@ -91,7 +91,8 @@ TEST_CASE("experiments have different names, and do not depend on the number of 
 TEST_CASE("with the seed and the runs of a report, every finding is the recorded one", "[long]") {
   const ReportOptions defaults;
   for (const Experiment& e : experiments())
-    for (const Claim& claim : run_experiment(e, {defaults.seed, report_runs(e, defaults.runs), defaults.jobs}).result.claims) {
+    for (const Claim& claim :
+         run_experiment(e, {defaults.seed, report_runs(e, defaults.runs), defaults.jobs}).result.claims) {
       CAPTURE(e.id, claim.sentence, claim.numbers);
       CHECK(to_text(claim.finding) == to_text(claim.recorded));
     }

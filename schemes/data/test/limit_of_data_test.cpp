@@ -13,9 +13,10 @@ using subcert::testing::Random;
 
 namespace {
 
-const std::vector<std::string> schemes{"primal:n=1", "primal:n=3", "primal:n=3,d=3", "dual:n=2", "dual:n=3,d=3", "dual-odd:n=2",
-                                       "ary:a=3,points=4,d=3", "ary:a=3,points=5", "ary:a=4,points=4", "dd:n=2",
-                                       "bspline:degree=2", "bspline:degree=3", "mask:[1,3,3,1]/4@0"};
+const std::vector<std::string> schemes{"primal:n=1",        "primal:n=3",   "primal:n=3,d=3",       "dual:n=2",
+                                       "dual:n=3,d=3",      "dual-odd:n=2", "ary:a=3,points=4,d=3", "ary:a=3,points=5",
+                                       "ary:a=4,points=4",  "dd:n=2",       "bspline:degree=2",     "bspline:degree=3",
+                                       "mask:[1,3,3,1]/4@0"};
 
 /// Refined so far that the points are within some 1e-6 of the limit; the nearest point to each parameter is compared.
 double distance(const GridData<double>& limit, const GridData<double>& fine) {
@@ -71,7 +72,8 @@ TEST_CASE("polynomials are their own limits, exactly") {
       return product;
     };
     std::vector<Rational> data;
-    for (std::size_t i = 0; i < AxisRefiner(mask, Boundary::regression).window() + 9; ++i) data.push_back(p(Rational(i)));
+    for (std::size_t i = 0; i < AxisRefiner(mask, Boundary::regression).window() + 9; ++i)
+      data.push_back(p(Rational(i)));
     for (const Boundary boundary : {Boundary::regression, Boundary::shrink}) {
       const auto limit = limit_of_data(curve_data(data), {mask}, {1, boundary, 1});
       CAPTURE(text, to_text(boundary));
@@ -85,7 +87,8 @@ TEST_CASE("levels agree where their points do") {
   for (const std::string& text : schemes) {
     const Mask mask = make_scheme(text).mask;
     std::vector<Rational> data;
-    for (std::size_t i = 0; i < AxisRefiner(mask, Boundary::regression).window() + 3; ++i) data.push_back(random.rational());
+    for (std::size_t i = 0; i < AxisRefiner(mask, Boundary::regression).window() + 3; ++i)
+      data.push_back(random.rational());
     for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::periodic}) {
       const auto coarse = limit_of_data(curve_data(data), {mask}, {0, boundary, 1});
       const auto fine = limit_of_data(curve_data(data), {mask}, {2, boundary, 1});
@@ -105,7 +108,8 @@ TEST_CASE("limits on surfaces, and interpolation") {
   REQUIRE(limit.points() == data.points());
   // Along the second axis the scheme interpolates, so each of its rows is the limit of that row.
   for (std::size_t j = 0; j < 6; ++j) {
-    const std::vector<Rational> row(data.values.begin() + static_cast<long>(14 * j), data.values.begin() + static_cast<long>(14 * (j + 1)));
+    const std::vector<Rational> row(data.values.begin() + static_cast<long>(14 * j),
+                                    data.values.begin() + static_cast<long>(14 * (j + 1)));
     const auto alone = limit_of_data(curve_data(row, 2), {masks[0]}, {0, Boundary::regression, 1});
     for (std::size_t i = 0; i < 14; ++i) CHECK(alone.values[i] == limit.values[14 * j + i]);
   }

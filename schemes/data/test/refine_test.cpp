@@ -15,13 +15,31 @@ using subcert::testing::rounds;
 
 namespace {
 
-const std::vector<std::string> schemes{
-    "primal:n=1",       "primal:n=3",          "primal:n=4,d=3",  "primal-odd:n=2,d=2", "dual:n=1",
-    "dual:n=3",         "dual:n=4,d=3",        "dual-odd:n=2",    "dual-odd:n=3,d=4",   "ary:a=3,points=4,d=3",
-    "ary:a=3,points=5", "ary:a=4,points=6,d=2", "ary:a=5,points=3", "dd:n=2",            "dd:n=3",
-    "bspline:degree=2", "bspline:degree=3",    "bspline:degree=4", "four-point:w=1/20",  "bspline:degree=3,a=3",
-    "mask:[1,3,3,1]/4@0", "mask:[1,3,3,1]/4@7", "mask:[1,1]",
-    "regression:stencils=[0..3;-1..2],at=[0;1/2],d=2", "regression:stencils=[-3..0;-2..3],at=[-1/3;1/6],d=1"};
+const std::vector<std::string> schemes{"primal:n=1",
+                                       "primal:n=3",
+                                       "primal:n=4,d=3",
+                                       "primal-odd:n=2,d=2",
+                                       "dual:n=1",
+                                       "dual:n=3",
+                                       "dual:n=4,d=3",
+                                       "dual-odd:n=2",
+                                       "dual-odd:n=3,d=4",
+                                       "ary:a=3,points=4,d=3",
+                                       "ary:a=3,points=5",
+                                       "ary:a=4,points=6,d=2",
+                                       "ary:a=5,points=3",
+                                       "dd:n=2",
+                                       "dd:n=3",
+                                       "bspline:degree=2",
+                                       "bspline:degree=3",
+                                       "bspline:degree=4",
+                                       "four-point:w=1/20",
+                                       "bspline:degree=3,a=3",
+                                       "mask:[1,3,3,1]/4@0",
+                                       "mask:[1,3,3,1]/4@7",
+                                       "mask:[1,1]",
+                                       "regression:stencils=[0..3;-1..2],at=[0;1/2],d=2",
+                                       "regression:stencils=[-3..0;-2..3],at=[-1/3;1/6],d=1"};
 
 Rational evaluate(const std::vector<Rational>& polynomial, const Rational& x) {
   Rational sum = 0;
@@ -57,7 +75,8 @@ TEST_CASE("polynomials of the reproduction degree are refined exactly, up to the
     for (const Boundary boundary : {Boundary::regression, Boundary::shrink})
       for (const std::size_t dimension : {1, 2, 3}) {
         const Mask mask = make_scheme(text).mask;
-        const std::size_t count = AxisRefiner(mask, boundary).window() + (boundary == Boundary::shrink ? 12 : random.integer(0, 9));
+        const std::size_t count = AxisRefiner(mask, boundary).window() +
+                                  (boundary == Boundary::shrink ? 12 : random.integer(0, 9));
         std::vector<std::vector<Rational>> polynomials;
         for (std::size_t c = 0; c < dimension; ++c)
           polynomials.push_back(random_polynomial(random, polynomial_reproduction(mask).reproduction_degree));
@@ -83,7 +102,8 @@ TEST_CASE("polynomials of the reproduction degree are refined exactly, up to the
           for (std::size_t c = 0; c < dimension; ++c) {
             const Rational& value = exact.values[i * dimension + c];
             CHECK(value == evaluate(polynomials[c], axis.parameter(i)));
-            CHECK(std::abs(rounded.values[i * dimension + c] - nearest_double(value)) <= 2e-13 * nearest_double(largest));
+            CHECK(std::abs(rounded.values[i * dimension + c] - nearest_double(value)) <=
+                  2e-13 * nearest_double(largest));
           }
       }
 }
@@ -135,7 +155,8 @@ TEST_CASE("the definition of a step, with data repeated or mirrored by hand") {
 
 TEST_CASE("mirrored data stay mirrored over several levels") {
   Random random;
-  for (const char* text : {"primal:n=2", "dual:n=2", "ary:a=3,points=4,d=1", "ary:a=3,points=3,d=1", "bspline:degree=3"}) {
+  for (const char* text :
+       {"primal:n=2", "dual:n=2", "ary:a=3,points=4,d=1", "ary:a=3,points=3,d=1", "bspline:degree=3"}) {
     const Mask mask = make_scheme(text).mask;
     std::vector<Rational> half, whole;
     for (int j = 0; j < 9; ++j) half.push_back(random.rational());
@@ -167,7 +188,8 @@ TEST_CASE("threads and blocks do not change a bit") {
       const Mask mask = make_scheme(text).mask;
       const std::size_t count = 200000 / dimension + 17;
       std::vector<double> data;
-      for (std::size_t i = 0; i < count * dimension; ++i) data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 7);
+      for (std::size_t i = 0; i < count * dimension; ++i)
+        data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 7);
       const auto one = refine(curve_data(data, dimension), mask, {1, Boundary::regression, 1});
       const auto many = refine(curve_data(data, dimension), mask, {1, Boundary::regression, 5});
       CHECK(one.values == many.values);
@@ -231,8 +253,8 @@ TEST_CASE("fits on grids reproduce polynomials of their total degree, up to the 
     std::vector<std::size_t> counts;
     int levels;
   };
-  const std::vector<Case> cases{{"grid:points=4x4,d=3", {6, 5}, 2},   {"grid:points=5x5,d=2", {5, 7}, 2},
-                                {"grid:points=4x5,d=1", {9, 6}, 3},   {"grid:points=3x3,d=2,a=3", {4, 5}, 2},
+  const std::vector<Case> cases{{"grid:points=4x4,d=3", {6, 5}, 2},      {"grid:points=5x5,d=2", {5, 7}, 2},
+                                {"grid:points=4x5,d=1", {9, 6}, 3},      {"grid:points=3x3,d=2,a=3", {4, 5}, 2},
                                 {"grid:points=2x2x2,d=1", {4, 3, 5}, 2}, {"grid:points=3x4x3,d=2", {4, 4, 5}, 1}};
   for (const Case& one : cases)
     for (const Boundary boundary : {Boundary::regression, Boundary::shrink})
@@ -240,7 +262,8 @@ TEST_CASE("fits on grids reproduce polynomials of their total degree, up to the 
         const MultivariateScheme scheme = std::get<MultivariateScheme>(make_any_scheme(one.scheme));
         const int degree = polynomial_reproduction(scheme.mask).reproduction_degree;
         std::vector<Axis> axes;
-        for (const std::size_t count : one.counts) axes.push_back(Axis::of(count + (boundary == Boundary::shrink ? 3 : 0)));
+        for (const std::size_t count : one.counts)
+          axes.push_back(Axis::of(count + (boundary == Boundary::shrink ? 3 : 0)));
         // A power of a linear form has total degree `degree` and all mixed terms.
         std::vector<Rational> form;
         for (std::size_t k = 0; k <= axes.size(); ++k) form.push_back(random.nonzero());
@@ -268,8 +291,8 @@ TEST_CASE("fits on grids reproduce polynomials of their total degree, up to the 
         for (std::size_t i = 0; i < exact.points(); ++i)
           for (std::size_t c = 0; c < dimension; ++c) {
             equal = equal && exact.values[i * dimension + c] == value_at(exact.axes, i) - Rational(c);
-            near = near && std::abs(approximate.values[i * dimension + c] - nearest_double(exact.values[i * dimension + c])) <=
-                               1e-12 * scale;
+            near = near && std::abs(approximate.values[i * dimension + c] -
+                                    nearest_double(exact.values[i * dimension + c])) <= 1e-12 * scale;
           }
         CHECK(equal);
         CHECK(near);
@@ -278,7 +301,8 @@ TEST_CASE("fits on grids reproduce polynomials of their total degree, up to the 
 
 TEST_CASE("a product is refined the same by its factors and by its mask") {
   Random random;
-  for (const char* text : {"tensor:(primal:n=2)x(dual:n=2)", "tensor:(dd:n=2)x(bspline:degree=2)", "tensor:(dual:n=1)x(dual:n=1)x(primal:n=1)"})
+  for (const char* text : {"tensor:(primal:n=2)x(dual:n=2)", "tensor:(dd:n=2)x(bspline:degree=2)",
+                           "tensor:(dual:n=1)x(dual:n=1)x(primal:n=1)"})
     for (const Boundary boundary : {Boundary::reflect, Boundary::periodic, Boundary::shrink})
       for (const bool closed : {false, true}) {
         const MultivariateScheme scheme = std::get<MultivariateScheme>(make_any_scheme(text));
@@ -325,8 +349,10 @@ TEST_CASE("questions without an answer are refused") {
   CHECK_THROWS_AS(refine(curve_data(data), mask, {-1, Boundary::regression, 1}), std::invalid_argument);
   CHECK_THROWS_AS(refine(curve_data(std::vector<double>{1, 2, 3, 4, 5}), mask, {1, Boundary::regression, 1}),
                   std::invalid_argument);
-  CHECK_THROWS_AS(refine(GridData<double>{data, 4, {Axis::of(2)}}, mask, {1, Boundary::regression, 1}), std::invalid_argument);
-  CHECK_THROWS_AS(refine(curve_data(data), std::vector<Mask>{mask, mask}, {1, Boundary::regression, 1}), std::invalid_argument);
+  CHECK_THROWS_AS(refine(GridData<double>{data, 4, {Axis::of(2)}}, mask, {1, Boundary::regression, 1}),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(refine(curve_data(data), std::vector<Mask>{mask, mask}, {1, Boundary::regression, 1}),
+                  std::invalid_argument);
   CHECK_THROWS_AS(refine(curve_data(data), Mask(LaurentPolynomial({1, 1, 1}, 0), 2), {1, Boundary::regression, 1}),
                   std::invalid_argument);
   CHECK(refine(curve_data(data), mask, {0, Boundary::regression, 1}).values == data);

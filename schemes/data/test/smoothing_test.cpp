@@ -174,7 +174,8 @@ TEST_CASE("double precision agrees with the exact rows") {
     exact.emplace_back(data.back());
   }
   // The widest rows leave no interior, the narrowest have it from the first spacing on.
-  for (const char* text : {"primal:n=1", "dual:n=1", "dual:n=3", "primal:n=4,d=3", "primal:n=12", "ary:a=3,points=3,d=1"})
+  for (const char* text :
+       {"primal:n=1", "dual:n=1", "dual:n=3", "primal:n=4,d=3", "primal:n=12", "ary:a=3,points=3,d=1"})
     for (const Extension kind : {Extension::interp, Extension::mirror, Extension::constant}) {
       const Scheme scheme = make_scheme(text);
       const LinearSmoother smoother(scheme.mask, data.size(), {kind, 2, 0});

@@ -20,8 +20,8 @@ std::string error_of(std::string_view text, Missing missing = Missing::refuse) {
 }  // namespace
 
 TEST_CASE("separators, headers, comments, quotes and line ends") {
-  for (const char* text : {"1,2\n3,4\n", "1;2\n3;4", "1\t2\r\n3\t4\r\n", "1 2\n3  4 \n", " 1   2\n3\t4\n", "# note\n\n1,2\n3,4\n\n\n",
-                           "\xef\xbb\xbf\"1\",\"2\"\n3 , 4\n", "+1,2e0\r3,4.0\r"}) {
+  for (const char* text : {"1,2\n3,4\n", "1;2\n3;4", "1\t2\r\n3\t4\r\n", "1 2\n3  4 \n", " 1   2\n3\t4\n",
+                           "# note\n\n1,2\n3,4\n\n\n", "\xef\xbb\xbf\"1\",\"2\"\n3 , 4\n", "+1,2e0\r3,4.0\r"}) {
     CAPTURE(text);
     const Table table = parse_table(text, "f");
     CHECK(table.values == std::vector<double>{1, 2, 3, 4});

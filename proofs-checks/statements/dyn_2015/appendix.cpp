@@ -383,7 +383,8 @@ void add_dyn_2015_appendix(PaperStatements& to) {
        R"(p^*(x_i) = y_i)", "", Verdict::holds, remark_9_basis});
   add({"dyn-2015/eq-a4", "appendix A.1, equations (A.3) and (A.4)",
        "The orthonormal family with L^j of degree j is unique.", "families with other signs",
-       R"(\langle L^i, L^j \rangle_{\mathbf{X}} = \delta_{i,j}, \; L^j \in \Pi_j: \text{ there exists a unique family})",
+       R"(\langle L^i, L^j \rangle_{\mathbf{X}} = \delta_{i,j}, \; L^j \in \Pi_j: \text{ there exists a unique )"
+       R"(family})",
        R"(\text{unique up to the sign of each } L^j, \text{ hence unique with positive leading coefficients}, k < m)",
        Verdict::misprint, unique_family});
   add({"dyn-2015/eq-a5", "appendix A.1, equation (A.5)", "The fit in orthonormal polynomials.",
@@ -395,21 +396,27 @@ void add_dyn_2015_appendix(PaperStatements& to) {
   add({"dyn-2015/families", "appendix A.2, before Corollary 11",
        "The families of d+1 orthonormal polynomials exist for n >= d >= 1.",
        "norms of the orthogonal polynomials over both point sets",
-       R"(\mathcal{L}_n^d = \{L_n^0, \dots, L_n^d\}, \; \hat{\mathcal{L}}_n^d = \{\hat L_n^0, \dots, \hat L_n^d\}, \quad n \geq d \geq 1)",
+       R"(\mathcal{L}_n^d = \{L_n^0, \dots, L_n^d\}, \; \hat{\mathcal{L}}_n^d = \{\hat L_n^0, \dots, \hat L_n^d\}, )"
+       R"(\quad n \geq d \geq 1)",
        R"(\mathcal{L}_n^d: d < 2n-1, \quad \hat{\mathcal{L}}_n^d: d < 2n)", Verdict::misprint, families});
   add({"dyn-2015/corollary-11", "Corollary 11, equations (A.6) and (A.7)",
        "The mask in orthonormal polynomials, d < 2n.", "every coefficient against the derived mask",
-       R"(\alpha_{2i} = \sum_{j=0}^d L_n^j(-2i) L_n^j(0), \quad \alpha_{2i+1} = \sum_{j=0}^d \hat L_n^j(-2i-1) \hat L_n^j(0), \quad d < 2n)",
-       R"(\alpha_{2i} = \sum_{j=0}^{\min(d, 2n-2)} L_n^j(-2i) L_n^j(0), \quad \alpha_{2i+1} = \sum_{j=0}^d \hat L_n^j(-2i-1) \hat L_n^j(0), \quad d < 2n)",
+       R"(\alpha_{2i} = \sum_{j=0}^d L_n^j(-2i) L_n^j(0), \quad \alpha_{2i+1} = \sum_{j=0}^d \hat L_n^j(-2i-1) \hat )"
+       R"(L_n^j(0), \quad d < 2n)",
+       R"(\alpha_{2i} = \sum_{j=0}^{\min(d, 2n-2)} L_n^j(-2i) L_n^j(0), \quad \alpha_{2i+1} = \sum_{j=0}^d \hat )"
+       R"(L_n^j(-2i-1) \hat L_n^j(0), \quad d < 2n)",
        Verdict::misprint, [](const Context& c) { return corollary_11(c); }});
   add({"dyn-2015/corollary-11-proof", "Corollary 11, proof", "The affine map between X_n and the nodes.",
        "points for j in X_n",
-       R"(\varphi(x) = <<dyn-2015/cor-11-map>>, \quad t_{i+j}^k = <<dyn-2015/cor-11-point>> = \varphi(j), \quad j = -2n+2, -2n+4, \dots, 2n-2)",
-       R"(\varphi(x) = <<dyn-2015/cor-11-map>>, \quad t_{i+j/2}^k = <<dyn-2015/cor-11-point>> = \varphi(j), \quad j = -2n+2, -2n+4, \dots, 2n-2)",
+       R"(\varphi(x) = <<dyn-2015/cor-11-map>>, \quad t_{i+j}^k = <<dyn-2015/cor-11-point>> = \varphi(j), \quad j = )"
+       R"(-2n+2, -2n+4, \dots, 2n-2)",
+       R"(\varphi(x) = <<dyn-2015/cor-11-map>>, \quad t_{i+j/2}^k = <<dyn-2015/cor-11-point>> = \varphi(j), \quad j )"
+       R"(= -2n+2, -2n+4, \dots, 2n-2)",
        Verdict::misprint, corollary_11_proof});
   add({"dyn-2015/low-degrees", "appendix A.3", "The orthonormal polynomials of degrees 0 and 1.",
        "squared norms of 1 and x",
-       R"(L_n^0(x) = 1/\sqrt{<<dyn-2015/l0-norm-even>>}, \; L_n^1(x) = x/\sqrt{<<dyn-2015/l1-norm-even>>}, \; \hat L_n^0(x) = 1/\sqrt{<<dyn-2015/l0-norm-odd>>}, \; \hat L_n^1(x) = x/\sqrt{<<dyn-2015/l1-norm-odd>>})",
+       R"(L_n^0(x) = 1/\sqrt{<<dyn-2015/l0-norm-even>>}, \; L_n^1(x) = x/\sqrt{<<dyn-2015/l1-norm-even>>}, \; \hat )"
+       R"(L_n^0(x) = 1/\sqrt{<<dyn-2015/l0-norm-odd>>}, \; \hat L_n^1(x) = x/\sqrt{<<dyn-2015/l1-norm-odd>>})",
        "", Verdict::holds_for_all, low_degrees});
   add({"dyn-2015/remark-12", "Remark 12", "The orthonormal polynomials are even or odd as their degree is.",
        "values over both point sets", R"(L_n^{2i+1}(0) = \hat L_n^{2i+1}(0) = 0)", "", Verdict::holds_for_all,
@@ -417,8 +424,10 @@ void add_dyn_2015_appendix(PaperStatements& to) {
   add({"dyn-2015/proposition-13", "Proposition 13 and what follows",
        "The mask is in the first rows of the pseudo-inverses (A^T A)^-1 A^T, d < 2n.",
        "every coefficient against the derived mask",
-       R"((\alpha_{2n-2}, \dots, \alpha_{-2n+2}) = A_{1,\bullet}^\dagger, \; (\alpha_{2n-1}, \dots, \alpha_{-2n+1}) = \hat A_{1,\bullet}^\dagger, \quad A^\dagger = (A^T A)^{-1} A^T)",
-       R"(A^\dagger = (A^T A)^{-1} A^T \text{ for } d < 2n-1, \quad A^\dagger = A^T (A A^T)^{-1} \text{ for } d = 2n-1)",
+       R"((\alpha_{2n-2}, \dots, \alpha_{-2n+2}) = A_{1,\bullet}^\dagger, \; (\alpha_{2n-1}, \dots, \alpha_{-2n+1}) )"
+       R"(= \hat A_{1,\bullet}^\dagger, \quad A^\dagger = (A^T A)^{-1} A^T)",
+       R"(A^\dagger = (A^T A)^{-1} A^T \text{ for } d < 2n-1, \quad A^\dagger = A^T (A A^T)^{-1} \text{ for } d = )"
+       R"(2n-1)",
        Verdict::misprint, [](const Context& c) { return proposition_13(c); }});
 }
 

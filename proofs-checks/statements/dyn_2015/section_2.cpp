@@ -253,7 +253,8 @@ void add_dyn_2015_section_2(PaperStatements& to) {
        value_at_centre});
   add({"dyn-2015/eq-2", "section 2, equation (2)", "The refinement rules of S_n are averages of 2n-1 and of 2n data.",
        "the weights against the local linear least squares fits",
-       R"(f_{2i}^{k+1} = <<dyn-2015/eq-2-even>> \sum_{j=-n+1}^{n-1} f_{i+j}^k, \quad f_{2i+1}^{k+1} = <<dyn-2015/eq-2-odd>> \sum_{j=-n+1}^{n} f_{i+j}^k)",
+       R"(f_{2i}^{k+1} = <<dyn-2015/eq-2-even>> \sum_{j=-n+1}^{n-1} f_{i+j}^k, \quad f_{2i+1}^{k+1} = )"
+       R"(<<dyn-2015/eq-2-odd>> \sum_{j=-n+1}^{n} f_{i+j}^k)",
        "", Verdict::holds_for_all, equation_2});
   add({"dyn-2015/eq-3", "section 2, equation (3)", "The symbol of S_n.", "every coefficient against the derived mask",
        R"(a_n(z) = \sum_{j=-n+1}^n <<dyn-2015/eq-3-odd>> z^{2j-1} + \sum_{j=-n+1}^{n-1} <<dyn-2015/eq-3-even>> z^{2j})",
@@ -266,7 +267,8 @@ void add_dyn_2015_section_2(PaperStatements& to) {
        primal_2n_point});
   add({"dyn-2015/masks-primal", "section 2, printed masks", "The masks of S_1, S_2, S_3.",
        "every entry against the derived mask",
-       R"(\mathbf{a}_1 = <<dyn-2015/a_1>>, \quad \mathbf{a}_2 = <<dyn-2015/a_2>>, \quad \mathbf{a}_3 = <<dyn-2015/a_3>>)",
+       R"(\mathbf{a}_1 = <<dyn-2015/a_1>>, \quad \mathbf{a}_2 = <<dyn-2015/a_2>>, \quad \mathbf{a}_3 = )"
+       R"(<<dyn-2015/a_3>>)",
        "", Verdict::holds, printed_masks});
   add({"dyn-2015/s-1-interpolates", "section 2, end",
        "S_1 is the interpolating 2-point scheme with piecewise linear limits.",
@@ -275,7 +277,8 @@ void add_dyn_2015_section_2(PaperStatements& to) {
        "a_n(1) = 2, a_n(-1) = 0, positive coefficients; convergence by the library",
        R"(S_n \text{ is convergent for } n \geq 1)", "", Verdict::holds_for_all, theorem_1});
   add({"dyn-2015/eq-4", "section 2.1, equation (4)", "The symbol of the difference scheme.", "(1+z) q_n = a_n",
-       R"(q_n(z) = \sum_{j=-n+1}^{n-1} <<dyn-2015/eq-4-odd>> z^{2j-1} + \sum_{j=-n+1}^{n-1} <<dyn-2015/eq-4-even>> z^{2j})",
+       R"(q_n(z) = \sum_{j=-n+1}^{n-1} <<dyn-2015/eq-4-odd>> z^{2j-1} + \sum_{j=-n+1}^{n-1} <<dyn-2015/eq-4-even>> )"
+       R"(z^{2j})",
        "", Verdict::holds_for_all, equation_4});
   add({"dyn-2015/norm-of-q", "section 2.1, after equation (4)", "The difference scheme has norm 1/2.",
        "both sums of the maximum, and operator norms",

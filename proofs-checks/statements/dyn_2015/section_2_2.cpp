@@ -497,8 +497,10 @@ void add_dyn_2015_section_2_2(PaperStatements& to) {
        Verdict::holds_for_all, corollary_4});
   add({"dyn-2015/corollary-4-proof", "Corollary 4, proof of the upper bound",
        "The sum over |j| <= 2n-2 exceeds the one over |j| <= n.", "exact sums",
-       R"(\sum_{|j| \leq 2n-2} \phi_n(j) > \sum_{|j| \leq n} \phi_n(j) > (2n+1) \phi_n(-n) = <<dyn-2015/cor-4-chain>> \phi_n(0))",
-       R"(\sum_{|j| \leq 2n-2} \phi_n(j) \geq \sum_{|j| \leq n} \phi_n(j) > (2n+1) \phi_n(-n) = <<dyn-2015/cor-4-chain>> \phi_n(0))",
+       R"(\sum_{|j| \leq 2n-2} \phi_n(j) > \sum_{|j| \leq n} \phi_n(j) > (2n+1) \phi_n(-n) = )"
+       R"(<<dyn-2015/cor-4-chain>> \phi_n(0))",
+       R"(\sum_{|j| \leq 2n-2} \phi_n(j) \geq \sum_{|j| \leq n} \phi_n(j) > (2n+1) \phi_n(-n) = )"
+       R"(<<dyn-2015/cor-4-chain>> \phi_n(0))",
        Verdict::misprint, corollary_4_proof});
   add({"dyn-2015/theorem-5", "Theorem 5, first bound", "max phi_n behaves like 1/n.",
        "two-sided bounds for every n, certified maxima", R"(\|\phi_n\|_\infty \sim <<dyn-2015/theorem-5-rate>>)", "",
@@ -518,7 +520,8 @@ void add_dyn_2015_section_2_2(PaperStatements& to) {
        R"((2q_n)_{2j-1} = <<dyn-2015/eq-12-odd>>, \quad (2q_n)_{2j} = <<dyn-2015/eq-12-even>>)", "",
        Verdict::holds_for_all, equation_12});
   add({"dyn-2015/eq-13", "Theorem 5, equation (13)", "One step of 2q_n on differences of delta.", "every entry",
-       R"(|(S_{[2q_n]} \Delta\delta)_j| = <<dyn-2015/eq-13-inside>> \text{ for } <<dyn-2015/eq-13-first>> < j < <<dyn-2015/eq-13-last>>, \; <<dyn-2015/eq-13-ends>> \text{ at both ends}, \; 0 \text{ otherwise})",
+       R"(|(S_{[2q_n]} \Delta\delta)_j| = <<dyn-2015/eq-13-inside>> \text{ for } <<dyn-2015/eq-13-first>> < j < )"
+       R"(<<dyn-2015/eq-13-last>>, \; <<dyn-2015/eq-13-ends>> \text{ at both ends}, \; 0 \text{ otherwise})",
        "", Verdict::holds_for_all, equation_13});
   add({"dyn-2015/eq-14", "Theorem 5, equation (14)", "The sizes and the number of the summands.", "every summand",
        R"((S_{[2q_n]}^2 \Delta\delta)_j = \sum_i (2q_n)_{j-2i} (S_{[2q_n]} \Delta\delta)_i)", "", Verdict::holds,

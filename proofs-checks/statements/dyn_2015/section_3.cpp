@@ -182,7 +182,8 @@ void add_dyn_2015_section_3(PaperStatements& to) {
   add({"dyn-2015/eq-16", "section 3.1, equations (15), (16) and (17)",
        "The expected squared error is variance plus squared bias.",
        "the mean over all signs of two-valued noise, exactly",
-       R"(E[(\hat f(x) - f(x))^2] = \sigma^2 \psi_n(x) + \Bigl(\sum_j f(jh) \phi_n(x-j) - f(x)\Bigr)^2, \quad \psi_n(x) = \sum_j \phi_n(x-j)^2)",
+       R"(E[(\hat f(x) - f(x))^2] = \sigma^2 \psi_n(x) + \Bigl(\sum_j f(jh) \phi_n(x-j) - f(x)\Bigr)^2, \quad )"
+       R"(\psi_n(x) = \sum_j \phi_n(x-j)^2)",
        "", Verdict::holds, bias_and_variance});
   add({"dyn-2015/eq-18", "section 3.1, equation (18)", "psi_n <= 1, and < 1 for n > 1.", "certified maxima",
        R"(\psi_n \leq <<dyn-2015/eq-18>>)", "", Verdict::holds_for_all, equation_18});
@@ -205,7 +206,8 @@ void add_dyn_2015_section_3(PaperStatements& to) {
        approximation_order});
   add({"dyn-2015/figs-3-7", "section 3.2, Figs. 3-7",
        "Comparison with local linear regression on noisy samples of f_1 and f_2.", "",
-       R"(f_1(x) = \sin \frac{x}{10} + \left(\frac{x}{50}\right)^2, \quad f_2(x) = \cos \frac{2x}{5} + \left(\frac{x}{40} - 1\right)^3)",
+       R"(f_1(x) = \sin \frac{x}{10} + \left(\frac{x}{50}\right)^2, \quad f_2(x) = \cos \frac{2x}{5} + )"
+       R"(\left(\frac{x}{40} - 1\right)^3)",
        "", Verdict::not_checkable, noisy_figures});
 }
 

@@ -269,11 +269,13 @@ void add_dyn_2015_section_4(PaperStatements& to) {
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
   add({"dyn-2015/eq-19", "section 4.1, equation (19)", "The refinement rules of the dual schemes.",
        "the weights against the local fits at 1/4 and 3/4",
-       R"(f_{2i}^{k+1} = \sum_{j=-n+1}^{n} <<dyn-2015/eq-19-even>> f_{i+j}^k, \quad f_{2i+1}^{k+1} = \sum_{j=-n+1}^{n} <<dyn-2015/eq-19-odd>> f_{i+j}^k)",
+       R"(f_{2i}^{k+1} = \sum_{j=-n+1}^{n} <<dyn-2015/eq-19-even>> f_{i+j}^k, \quad f_{2i+1}^{k+1} = )"
+       R"(\sum_{j=-n+1}^{n} <<dyn-2015/eq-19-odd>> f_{i+j}^k)",
        "", Verdict::holds_for_all, equation_19});
   add({"dyn-2015/eq-20", "section 4.1, equation (20)", "The symbol of the dual schemes.",
        "every coefficient against the derived mask",
-       R"(\bar a_n(z) = <<dyn-2015/eq-20-outer>> \sum_{j=-n}^{n-1} \left(1 + z + <<dyn-2015/eq-20-inner>> (1 - z)\right) z^{2j})",
+       R"(\bar a_n(z) = <<dyn-2015/eq-20-outer>> \sum_{j=-n}^{n-1} \left(1 + z + <<dyn-2015/eq-20-inner>> (1 - )"
+       R"(z)\right) z^{2j})",
        "", Verdict::holds_for_all, equation_20});
   add({"dyn-2015/even-symmetry", "section 4.1, after equation (20)", "The dual schemes are even symmetric.",
        "the symbol (20) against its reversal", R"(\bar a_n(z) z = \bar a_n(1/z))", "", Verdict::holds_for_all,
@@ -284,7 +286,8 @@ void add_dyn_2015_section_4(PaperStatements& to) {
        [](const Context& c) { return support_of(c, "dyn-2015/support-dual", dual_mask, outer_weights); }});
   add({"dyn-2015/masks-dual", "section 4.1, printed masks", "The masks of the first three dual schemes.",
        "every entry against the derived mask",
-       R"(\bar{\mathbf{a}}_1 = <<dyn-2015/dual-1>>, \quad \bar{\mathbf{a}}_2 = <<dyn-2015/dual-2>>, \quad \bar{\mathbf{a}}_3 = <<dyn-2015/dual-3>>)",
+       R"(\bar{\mathbf{a}}_1 = <<dyn-2015/dual-1>>, \quad \bar{\mathbf{a}}_2 = <<dyn-2015/dual-2>>, \quad )"
+       R"(\bar{\mathbf{a}}_3 = <<dyn-2015/dual-3>>)",
        "", Verdict::holds, [](const Context& c) {
          return printed_masks(c, "dyn-2015/dual-", dual_mask, {1, 2, 3});
        }});
@@ -311,7 +314,8 @@ void add_dyn_2015_section_4(PaperStatements& to) {
        [](const Context&) { return twice_differentiable("dual", 2); }});
   add({"dyn-2015/dual-odd-rules", "section 4.2, first display", "The rules of the dual (2n+1)-point schemes.",
        "the weights against the local fits at -1/4 and 1/4",
-       R"(f_{2i-1}^{k+1} = \sum_{j=-n}^n <<dyn-2015/dual-odd-left>> f_{i+j}^k, \quad f_{2i}^{k+1} = \sum_{j=-n}^n <<dyn-2015/dual-odd-right>> f_{i+j}^k)",
+       R"(f_{2i-1}^{k+1} = \sum_{j=-n}^n <<dyn-2015/dual-odd-left>> f_{i+j}^k, \quad f_{2i}^{k+1} = \sum_{j=-n}^n )"
+       R"(<<dyn-2015/dual-odd-right>> f_{i+j}^k)",
        "", Verdict::holds_for_all, dual_odd_rules});
   add({"dyn-2015/support-dual-odd", "section 4.2", "The support for the dual (2n+1)-point schemes.",
        "both ends against the derived support",

@@ -314,7 +314,8 @@ void add_dyn_2015_section_4_3(PaperStatements& to) {
        "equal weights", R"(f_{i-1}^k, \dots, f_{i+2}^k)", "", Verdict::holds, four_point_rule});
   add({"dyn-2015/eq-22", "section 4.3, equation (22)", "The rules of the dual schemes of degree d.",
        "the library's masks against the normal equations",
-       R"(f_{2i}^{k+1} = \tilde p_{n,i}^d((3t_i^k + t_{i+1}^k)/4), \quad f_{2i+1}^{k+1} = \tilde p_{n,i}^d((t_i^k + 3t_{i+1}^k)/4))",
+       R"(f_{2i}^{k+1} = \tilde p_{n,i}^d((3t_i^k + t_{i+1}^k)/4), \quad f_{2i+1}^{k+1} = \tilde p_{n,i}^d((t_i^k + )"
+       R"(3t_{i+1}^k)/4))",
        "", Verdict::holds, equation_22});
   add({"dyn-2015/reproduction-dual", "section 4.3, after equation (22)",
        "The dual schemes reproduce degree d and have approximation order h^(d+1).", "exact reproduction degrees",
@@ -365,7 +366,8 @@ void add_dyn_2015_section_4_3(PaperStatements& to) {
        Verdict::holds_for_all, conjecture_8_degree_one});
   add({"dyn-2015/figs-10-13", "section 4.4, Figs. 10-13", "Schemes of degree 1 and 3 on noisy samples of f_3 and f_4.",
        "",
-       R"(f_3(x) = \cos \frac{x}{10} - \left(\frac{x}{50} - 1\right)^3, \quad f_4(x) = \cos \frac{2x}{5} - \left(\frac{x}{50} - \frac{4}{5}\right)^3)",
+       R"(f_3(x) = \cos \frac{x}{10} - \left(\frac{x}{50} - 1\right)^3, \quad f_4(x) = \cos \frac{2x}{5} - )"
+       R"(\left(\frac{x}{50} - \frac{4}{5}\right)^3)",
        "", Verdict::not_checkable, [](const Context&) {
          return not_checkable("the noise of the experiments was not published; the figures show single random samples");
        }});

@@ -281,9 +281,9 @@ void add_mustafa_bari_2016_bivariate(PaperStatements& to) {
        "The bivariate cubic on the grid of 4n^2 points.",
        "every beta against the normal equations, the exchange of r and s included",
        latex("mustafa-bari-2016/eq-3.8", "\\lambda", ""),
-       latex(
-           "mustafa-bari-2016/eq-3.8", "\\lambda",
-           R"(, \quad \nu = n^2 - \tfrac14, \; R = r - \tfrac12, \; S = s - \tfrac12, \text{ in powers of } x - \tfrac12 \text{ and } y - \tfrac12)"),
+       latex("mustafa-bari-2016/eq-3.8", "\\lambda",
+             R"(, \quad \nu = n^2 - \tfrac14, \; R = r - \tfrac12, \; S = s - \tfrac12, \text{ in powers of } x - )"
+             R"(\tfrac12 \text{ and } y - \tfrac12)"),
        Verdict::misprint, equation_3_8});
   add({"mustafa-bari-2016/16-point", "section 3, after equation (3.8)",
        "For n = 2 there are four rules of 16 points, no tensor product.", "sums, counts and ranks of the weights",

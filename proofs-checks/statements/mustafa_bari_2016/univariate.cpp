@@ -277,10 +277,13 @@ void add_mustafa_bari_2016_univariate(PaperStatements& to) {
        R"(r = -n+1, \dots, n \text{ and } n > <<mustafa-bari-2016/smallest-n>>)", Verdict::misprint, smallest_size});
   add({"mustafa-bari-2016/eq-2.4", "section 2, equation (2.4)", "The weights of the 2n-point a-ary schemes.",
        "every weight against the local cubic fits at (2q+1)/(2a)",
-       R"(f_{ai+q}^{k+1} = \frac{1}{\phi_n} \sum_{r=-n+1}^n p_{r,n} f_r^k, \quad \phi_n = <<mustafa-bari-2016/phi>>, \quad p_{r,n} = <<mustafa-bari-2016/p>>, \quad \omega = <<mustafa-bari-2016/omega>>)",
+       R"(f_{ai+q}^{k+1} = \frac{1}{\phi_n} \sum_{r=-n+1}^n p_{r,n} f_r^k, \quad \phi_n = )"
+       R"(<<mustafa-bari-2016/phi>>, \quad p_{r,n} = <<mustafa-bari-2016/p>>, \quad \omega = )"
+       R"(<<mustafa-bari-2016/omega>>)",
        "", Verdict::holds_for_all, equation_2_4});
   const std::string printed =
-      R"(\frac{1}{\psi_n} \sum_{r=-n}^n b_{r,n} f_r^k, \quad \psi_n = <<mustafa-bari-2016/psi>>, \quad b_{r,n} = <<mustafa-bari-2016/b>>)";
+      R"(\frac{1}{\psi_n} \sum_{r=-n}^n b_{r,n} f_r^k, \quad \psi_n = <<mustafa-bari-2016/psi>>, \quad b_{r,n} = )"
+      R"(<<mustafa-bari-2016/b>>)";
   add({"mustafa-bari-2016/eq-2.5", "section 2.1, equation (2.5)",
        "The weights of the (2n+1)-point schemes of even arity.", "every weight against the local cubic fits at q/(2a)",
        printed, printed, Verdict::misprint, [](const Context& c) { return equation_2_5(c, 2); }});

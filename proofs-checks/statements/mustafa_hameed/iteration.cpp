@@ -321,8 +321,8 @@ void add_mustafa_hameed_iteration(PaperStatements& to) {
        "rules with all weights 1 against the masks of the dual schemes", R"(w = 1)", "", Verdict::holds, ordinary});
   add({mustafa_hameed_key + "proposition-2.2", "Proposition 2.2, equations (2.13) to (2.16)",
        "The coefficients of the next cubic.", "derived forms against the normal equations for random weights",
-       lost +
-           R"(\beta_0 = <<mustafa-hameed/eq-2.13>>, \quad \beta_1 = <<mustafa-hameed/eq-2.14>>, \quad \beta_2 = <<mustafa-hameed/eq-2.15>>, \quad \beta_3 = <<mustafa-hameed/eq-2.16>>)",
+       lost + R"(\beta_0 = <<mustafa-hameed/eq-2.13>>, \quad \beta_1 = <<mustafa-hameed/eq-2.14>>, \quad \beta_2 = )"
+              R"(<<mustafa-hameed/eq-2.15>>, \quad \beta_3 = <<mustafa-hameed/eq-2.16>>)",
        "", Verdict::holds_for_all, coefficients});
   add({mustafa_hameed_key + "eq-2.17-2.18", "Proposition 2.2, equations (2.17) and (2.18)",
        "Determinant and adjoint of the normal equations of the cubic.", "matrix times adjoint, entry by entry",
@@ -336,8 +336,10 @@ void add_mustafa_hameed_iteration(PaperStatements& to) {
   add({mustafa_hameed_key + "eq-2.25-2.29", "section 2.3, equations (2.25) to (2.29)",
        "The rules of the 2n-point schemes of degree 3.",
        "derived forms as identities, and against the library for random weights",
-       lost +
-           R"(f_{2i} = \sum_r <<mustafa-hameed/eq-2.25-even>>, \quad f_{2i+1} = \sum_r <<mustafa-hameed/eq-2.25-odd>>, \quad \psi_1 = <<mustafa-hameed/eq-2.26>>, \quad \psi_2 = <<mustafa-hameed/eq-2.27>>, \quad \psi_3 = <<mustafa-hameed/eq-2.28>>, \quad \psi_4 = <<mustafa-hameed/eq-2.29>>)",
+       lost + R"(f_{2i} = \sum_r <<mustafa-hameed/eq-2.25-even>>, \quad f_{2i+1} = \sum_r )"
+              R"(<<mustafa-hameed/eq-2.25-odd>>, \quad \psi_1 = <<mustafa-hameed/eq-2.26>>, \quad \psi_2 = )"
+              R"(<<mustafa-hameed/eq-2.27>>, \quad \psi_3 = <<mustafa-hameed/eq-2.28>>, \quad \psi_4 = )"
+              R"(<<mustafa-hameed/eq-2.29>>)",
        "", Verdict::holds_for_all, rules});
 }
 

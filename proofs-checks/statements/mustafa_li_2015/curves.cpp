@@ -308,20 +308,24 @@ void add_mustafa_li_2015_curves(PaperStatements& to) {
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
   add({mustafa_li_key + "solution", "section 2.2, last displays", "The solution of the weighted normal equations.",
        "both coefficients for all weights, and against the normal equations for random ones",
-       R"(\beta_2 = \sum_r <<mustafa-li-2015/solution-beta-2>>, \quad \beta_1 = \sum_r <<mustafa-li-2015/solution-beta-1-sum>> - <<mustafa-li-2015/solution-beta-1-rest>>)",
+       R"(\beta_2 = \sum_r <<mustafa-li-2015/solution-beta-2>>, \quad \beta_1 = \sum_r )"
+       R"(<<mustafa-li-2015/solution-beta-1-sum>> - <<mustafa-li-2015/solution-beta-1-rest>>)",
        "", Verdict::holds_for_all,
        [](const Context& c) { return solution(c, "solution", "solution-beta-2", "solution-beta-1"); }});
   add({mustafa_li_key + "solution-tau", "section 2.2, last displays", "The sums tau_1, tau_2, tau_3.",
        "the entries of the normal equations",
-       R"(\tau_1 = \sum_r <<mustafa-li-2015/solution-tau-1>>, \; \tau_2 = \sum_r <<mustafa-li-2015/solution-tau-2>>, \; \tau_3 = \sum_r <<mustafa-li-2015/solution-tau-3>>)",
+       R"(\tau_1 = \sum_r <<mustafa-li-2015/solution-tau-1>>, \; \tau_2 = \sum_r )"
+       R"(<<mustafa-li-2015/solution-tau-2>>, \; \tau_3 = \sum_r <<mustafa-li-2015/solution-tau-3>>)",
        "", Verdict::holds_for_all, [](const Context& c) { return equation_5(c, "solution"); }});
   add({mustafa_li_key + "eq-4", "Appendix A.1, equation (4)", "The rules of D_2n at 1/4 and 3/4.",
        "both rules for all weights, and against normal equations and library for random ones",
-       R"(f_{2i}^{(k+1)} = \sum_r <<mustafa-li-2015/eq-4-even>>, \quad f_{2i+1}^{(k+1)} = \sum_r <<mustafa-li-2015/eq-4-odd>>)",
+       R"(f_{2i}^{(k+1)} = \sum_r <<mustafa-li-2015/eq-4-even>>, \quad f_{2i+1}^{(k+1)} = \sum_r )"
+       R"(<<mustafa-li-2015/eq-4-odd>>)",
        "", Verdict::holds_for_all, equation_4});
   add({mustafa_li_key + "eq-5", "Appendix A.1, equation (5)", "The sums tau_1, tau_2, tau_3.",
        "the entries of the normal equations",
-       R"(\tau_1 = \sum_r <<mustafa-li-2015/eq-5-tau-1>>, \; \tau_2 = \sum_r <<mustafa-li-2015/eq-5-tau-2>>, \; \tau_3 = \sum_r <<mustafa-li-2015/eq-5-tau-3>>)",
+       R"(\tau_1 = \sum_r <<mustafa-li-2015/eq-5-tau-1>>, \; \tau_2 = \sum_r <<mustafa-li-2015/eq-5-tau-2>>, \; )"
+       R"(\tau_3 = \sum_r <<mustafa-li-2015/eq-5-tau-3>>)",
        "", Verdict::holds_for_all, [](const Context& c) { return equation_5(c, "eq-5"); }});
   add({mustafa_li_key + "eq-6", "Appendix A.1, equation (6)", "The dynamic weights.",
        "that they are h'(t)/t, as identities",
@@ -329,11 +333,13 @@ void add_mustafa_li_2015_curves(PaperStatements& to) {
        equation_6});
   add({mustafa_li_key + "eq-7-8", "Appendix A.1, equations (7) and (8)", "The coefficients of the next line.",
        "both coefficients for all weights, and against the normal equations for random ones",
-       R"(\beta_2 = \sum_r <<mustafa-li-2015/eq-7>>, \quad \beta_1 = \sum_r <<mustafa-li-2015/eq-8-sum>> - <<mustafa-li-2015/eq-8-rest>>)",
+       R"(\beta_2 = \sum_r <<mustafa-li-2015/eq-7>>, \quad \beta_1 = \sum_r <<mustafa-li-2015/eq-8-sum>> - )"
+       R"(<<mustafa-li-2015/eq-8-rest>>)",
        "", Verdict::holds_for_all, [](const Context& c) { return solution(c, "eq-5", "eq-7", "eq-8"); }});
   add({mustafa_li_key + "eq-9", "Appendix A.1, equation (9)", "The starting values are the least squares line.",
        "value and slope against the linear fits, at all x",
-       R"(\beta_2^{(0)} = \sum_{r=-n+1}^n <<mustafa-li-2015/eq-9-beta-2>> f_{i+r}, \quad \beta_1^{(0)} = <<mustafa-li-2015/eq-9-beta-1>> \sum_{r=-n+1}^n f_{i+r} - <<mustafa-li-2015/eq-9-factor>> \beta_2^{(0)})",
+       R"(\beta_2^{(0)} = \sum_{r=-n+1}^n <<mustafa-li-2015/eq-9-beta-2>> f_{i+r}, \quad \beta_1^{(0)} = )"
+       R"(<<mustafa-li-2015/eq-9-beta-1>> \sum_{r=-n+1}^n f_{i+r} - <<mustafa-li-2015/eq-9-factor>> \beta_2^{(0)})",
        "", Verdict::holds_for_all, [](const Context& c) { return starting_values(c, "eq-9", true); }});
   add({mustafa_li_key + "general-basis", "Appendix A.2", "The iteration serves any linear combination of functions.",
        "normal equations in four bases with random weights", R"(f(x) = \sum_{i=1}^K \beta_i f_i(x))", "",
@@ -344,11 +350,13 @@ void add_mustafa_li_2015_curves(PaperStatements& to) {
        odd_variant});
   add({mustafa_li_key + "eq-9-odd", "Appendix A.2", "The starting values of D_2n+1.",
        "value and slope against the linear fits, at all x",
-       R"(\beta_1^{(0)} = <<mustafa-li-2015/eq-9-odd-beta-1>> \sum_{r=-n}^n f_{i+r}, \quad \beta_2^{(0)} = \sum_{r=-n}^n <<mustafa-li-2015/eq-9-odd-beta-2>> f_{i+r})",
+       R"(\beta_1^{(0)} = <<mustafa-li-2015/eq-9-odd-beta-1>> \sum_{r=-n}^n f_{i+r}, \quad \beta_2^{(0)} = )"
+       R"(\sum_{r=-n}^n <<mustafa-li-2015/eq-9-odd-beta-2>> f_{i+r})",
        "", Verdict::holds_for_all, [](const Context& c) { return starting_values(c, "eq-9-odd", false); }});
   add({mustafa_li_key + "s-2n-1", "Appendix A.2", "With all weights 1, D_2n+1 is the scheme S_2n+1.",
        "both rules against the linear fits, the variant of (4) and the mask of the dual scheme",
-       R"(\sum_{r=-n}^n <<mustafa-li-2015/s-odd-even>> f_{i+r}, \quad \sum_{r=-n}^n <<mustafa-li-2015/s-odd-odd>> f_{i+r})",
+       R"(\sum_{r=-n}^n <<mustafa-li-2015/s-odd-even>> f_{i+r}, \quad \sum_{r=-n}^n <<mustafa-li-2015/s-odd-odd>> )"
+       R"(f_{i+r})",
        "", Verdict::holds_for_all, [](const Context& c) { return least_squares_rules(c, "s-odd", "r", false); }});
   add({mustafa_li_key + "chaikin", "Appendix A.2", "For n = 1 and all m, (4) is Chaikin's scheme.",
        "the coefficients for all weights", R"(<<mustafa-li-2015/chaikin>>)", "", Verdict::holds_for_all, chaikin});
@@ -356,7 +364,8 @@ void add_mustafa_li_2015_curves(PaperStatements& to) {
        "rules with a weight 2 at r = 0 and 1 elsewhere", R"(n \geq 2)", "", Verdict::holds, not_symmetric});
   add({mustafa_li_key + "s-2n", "Appendix A.2", "With all weights 1, D_2n is the scheme S_2n.",
        "both rules against the linear fits, (4) and the mask of the dual scheme",
-       R"(\sum_{j=-n+1}^n <<mustafa-li-2015/s-2n-even>> f_{i+j}, \quad \sum_{j=-n+1}^n <<mustafa-li-2015/s-2n-odd>> f_{i+j})",
+       R"(\sum_{j=-n+1}^n <<mustafa-li-2015/s-2n-even>> f_{i+j}, \quad \sum_{j=-n+1}^n <<mustafa-li-2015/s-2n-odd>> )"
+       R"(f_{i+j})",
        "", Verdict::holds_for_all, [](const Context& c) { return least_squares_rules(c, "s-2n", "j", true); }});
 }
 

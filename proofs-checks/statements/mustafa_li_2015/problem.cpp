@@ -86,7 +86,8 @@ void add_mustafa_li_2015_problem(PaperStatements& to) {
   const auto add = [&](const Statement& statement) { to.statements.push_back(statement); };
   add({mustafa_li_key + "eq-1", "section 2.2, first display and equation (1)", "The l1 problem of the line.",
        "that both displays agree; whether the minimiser is unique",
-       R"(\beta_1, \beta_2 = \arg\min \sum_{r=<<mustafa-li-2015/sum-first>>}^{<<mustafa-li-2015/sum-last>>} |<<mustafa-li-2015/eq-1>>|)",
+       R"(\beta_1, \beta_2 = \arg\min \sum_{r=<<mustafa-li-2015/sum-first>>}^{<<mustafa-li-2015/sum-last>>} )"
+       R"(|<<mustafa-li-2015/eq-1>>|)",
        "", Verdict::holds_for_all, l1_problem});
   add({mustafa_li_key + "eq-2", "section 2.2, equation (2)", "The smoothed problem approximates the l1 problem.",
        "bounds for the difference and the derivative, as identities",
@@ -94,7 +95,8 @@ void add_mustafa_li_2015_problem(PaperStatements& to) {
        smoothed});
   add({mustafa_li_key + "eq-3", "section 2.2, equation (3)", "The reweighted iteration for the smoothed problem.",
        "that the weights are h'(t)/t, so that fixed points are minimisers",
-       R"(\arg\min \sum_r <<mustafa-li-2015/eq-3-objective>>, \quad w = 1/[<<mustafa-li-2015/eq-3-weight>>]^{<<mustafa-li-2015/eq-3-weight-exponent>>})",
+       R"(\arg\min \sum_r <<mustafa-li-2015/eq-3-objective>>, \quad w = )"
+       R"(1/[<<mustafa-li-2015/eq-3-weight>>]^{<<mustafa-li-2015/eq-3-weight-exponent>>})",
        "", Verdict::holds_for_all, iteration});
   add({mustafa_li_key + "advice", "sections 2.3 and A.1",
        "n >= 3 gives better results; a small delta and m = 5 or 6 are good choices.", "",

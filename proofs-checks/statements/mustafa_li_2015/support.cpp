@@ -87,8 +87,10 @@ void add_mustafa_li_2015_support(PaperStatements& to) {
        Verdict::holds_for_all, proposition_1});
   add({mustafa_li_key + "proposition-1-sum", "Proof of Proposition 1, last display", "The sum of the influences.",
        "the finite sums as printed, and their limit",
-       R"(\frac{2n}{2} \sum_{j=0}^{k-1} \frac{1}{2^j} + \frac{2n-1}{2} \sum_{j=0}^{k-1} \frac{1}{2^j} = <<mustafa-li-2015/proposition-1-width>>)",
-       R"(\frac{2n}{2} \sum_{j=0}^{\infty} \frac{1}{2^j} + \frac{2n-1}{2} \sum_{j=0}^{\infty} \frac{1}{2^j} = <<mustafa-li-2015/proposition-1-width>>)",
+       R"(\frac{2n}{2} \sum_{j=0}^{k-1} \frac{1}{2^j} + \frac{2n-1}{2} \sum_{j=0}^{k-1} \frac{1}{2^j} = )"
+       R"(<<mustafa-li-2015/proposition-1-width>>)",
+       R"(\frac{2n}{2} \sum_{j=0}^{\infty} \frac{1}{2^j} + \frac{2n-1}{2} \sum_{j=0}^{\infty} \frac{1}{2^j} = )"
+       R"(<<mustafa-li-2015/proposition-1-width>>)",
        Verdict::misprint, geometric_sum});
   add({mustafa_li_key + "fig-2", "section 2.4, Fig. 2", "The basic limit functions have two peaks and a valley.", "",
        R"(\phi_6, \phi_7, \phi_8)", "", Verdict::not_checkable, [](const Context&) {

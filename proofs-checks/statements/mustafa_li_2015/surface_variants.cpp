@@ -182,8 +182,10 @@ void add_mustafa_li_2015_surface_variants(PaperStatements& to) {
   add({mustafa_li_key + "higher-degree", "Appendix B.2",
        "Polynomials of degree >= 2 are fitted to 4n^2 observations, n >= 1.",
        "for which n the grid determines quadratics",
-       R"(\text{degree} \geq 2, \; <<mustafa-li-2015/higher-degree-count>> \text{ observations}, \; n \geq <<mustafa-li-2015/higher-degree-n>>)",
-       R"(\text{degree } 2, \; <<mustafa-li-2015/higher-degree-count>> \text{ observations}, \; n \geq <<mustafa-li-2015/higher-degree-n>>)",
+       R"(\text{degree} \geq 2, \; <<mustafa-li-2015/higher-degree-count>> \text{ observations}, \; n \geq )"
+       R"(<<mustafa-li-2015/higher-degree-n>>)",
+       R"(\text{degree } 2, \; <<mustafa-li-2015/higher-degree-count>> \text{ observations}, \; n \geq )"
+       R"(<<mustafa-li-2015/higher-degree-n>>)",
        Verdict::misprint, higher_degree});
   add({mustafa_li_key + "surface-s-2n", "Appendix B.2, first displays",
        "With all weights 1, D_2n is the surface scheme S_2n.",
@@ -196,7 +198,8 @@ void add_mustafa_li_2015_surface_variants(PaperStatements& to) {
        lemma_1_positions});
   add({mustafa_li_key + "lemma-1-start", "Lemma 1, displays", "The starting values of D_2n+1 for surfaces.",
        "value and slopes against the normal equations, at all x and y",
-       R"(\beta_1 = <<mustafa-li-2015/lemma-1-beta-1>>, \quad \beta_2 = <<mustafa-li-2015/lemma-1-beta-2>>, \quad \beta_3 = <<mustafa-li-2015/lemma-1-beta-3>>)",
+       R"(\beta_1 = <<mustafa-li-2015/lemma-1-beta-1>>, \quad \beta_2 = <<mustafa-li-2015/lemma-1-beta-2>>, \quad )"
+       R"(\beta_3 = <<mustafa-li-2015/lemma-1-beta-3>>)",
        "", Verdict::holds_for_all, lemma_1_starting_values});
   add({mustafa_li_key + "surface-s-2n-1", "after Lemma 1", "With all weights 1, D_2n+1 is the surface scheme S_2n+1.",
        "the four rules against normal equations and masks; the indices of the data", rules("surface-s-odd"),

@@ -324,7 +324,8 @@ void add_mustafa_li_2015_surfaces(PaperStatements& to) {
        [](const Context& c) { return equation_15(c, "eq-15"); }});
   add({mustafa_li_key + "eq-16-18", "Appendix B.1, equations (16), (17) and (18)",
        "The coefficients of the next plane.", "as identities, and against the normal equations for random weights",
-       R"(\beta_1 = <<mustafa-li-2015/eq-16>>, \quad \beta_2 = <<mustafa-li-2015/eq-17>>, \quad \beta_3 = <<mustafa-li-2015/eq-18>>)",
+       R"(\beta_1 = <<mustafa-li-2015/eq-16>>, \quad \beta_2 = <<mustafa-li-2015/eq-17>>, \quad \beta_3 = )"
+       R"(<<mustafa-li-2015/eq-18>>)",
        "", Verdict::holds_for_all, equations_16_18});
   add({mustafa_li_key + "eq-19", "Appendix B.1, equation (19)", "The right-hand sides chi.",
        "those of the normal equations", R"(\chi_k = \sum_{r,s}: \; )" + listed("chi", "eq-19-chi", 3), "",

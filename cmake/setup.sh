@@ -5,7 +5,7 @@ readonly build=build/release
 
 # What the build and the reports need, as Debian names it.
 readonly packages="g++ cmake ninja-build libboost-dev libboost-filesystem-dev libboost-iostreams-dev libboost-system-dev
-  libeigen3-dev libgmp-dev libmpfr-dev libflint-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libtbb-dev libgnuplot-iostream-dev gnuplot-nox
+  libeigen3-dev libgmp-dev libmpfr-dev libflint-dev libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libtbb-dev libgnuplot-iostream-dev gnuplot-nox
   libopenmpi-dev openmpi-bin fonts-dejavu-core catch2 libbenchmark-dev python3"
 # Beside FLINT 2 the library Arb is a package of its own; FLINT 3 contains it.
 readonly packages_where_they_exist="libflint-arb-dev"

@@ -7,7 +7,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
-#include <subcert/analysis/symbol/flint.hpp>
+#include <subcert/analysis/symbol/balls.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,6 @@
 namespace subcert {
 namespace {
 
-using flint::BallVector;
 using namespace rounded;
 
 constexpr std::size_t most_nodes = 9;
@@ -266,7 +265,7 @@ struct LimitCells::Impl : Interpolation {
         const std::int64_t index = t * last + node[s];
         BallVector rest = values(index, node_level + 1);
         const Rational u = Rational(index) / Rational(arity * last) - Rational(1, 2);
-        flint::Ball at, weight;
+        Ball at, weight;
         arb_set_fmpq(at.get(), flint::Quotient(u).get(), bits);
         for (std::size_t r = 0; r < nodes; ++r) {
           arb_zero(weight.get());
@@ -281,7 +280,7 @@ struct LimitCells::Impl : Interpolation {
         eta.push_back(std::move(rest));
       }
       VectorPolynomial source{std::vector<double>(nodes * length, 0.0), std::vector<double>(nodes, 0.0), {}};
-      flint::Ball sum;
+      Ball sum;
       for (std::size_t j = 0; j < nodes; ++j)
         for (std::size_t k = 0; k < length; ++k) {
           arb_zero(sum.get());
@@ -598,7 +597,7 @@ CellForm LimitCells::limit_form(long k) const {
   if (place < 0 || place >= static_cast<long>(m.width)) return form;
   form.middle.assign(m.nodes, 0.0);
   form.radius.assign(m.nodes, 0.0);
-  flint::Ball sum;
+  Ball sum;
   for (std::size_t j = 0; j < m.nodes; ++j) {
     arb_zero(sum.get());
     for (std::size_t s = 0; s < m.nodes; ++s)
@@ -639,7 +638,7 @@ CellForm LimitCells::variance_form(std::int64_t index, int level) const {
   }
   form.middle.assign(2 * m.degree + 1, 0.0);
   form.radius.assign(2 * m.degree + 1, 0.0);
-  flint::Ball sum, product;
+  Ball sum, product;
   for (std::size_t i = 0; i <= 2 * m.degree; ++i) {
     arb_zero(sum.get());
     for (std::size_t j = i > m.degree ? i - m.degree : 0; 2 * j <= i; ++j) {

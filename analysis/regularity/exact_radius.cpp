@@ -1,8 +1,5 @@
 #include "exact_radius.hpp"
-
-#include "joint_spectral_radius.hpp"
-
-#include <subcert/analysis/symbol/flint.hpp>
+#include <subcert/analysis/symbol/balls.hpp>
 
 #if __has_include(<flint/acb_mat.h>)
 #include <flint/acb_mat.h>
@@ -51,13 +48,13 @@ class AcbMatrix {
 
 /// An upper bound for |ball - value|.
 Rational distance(acb_ptr ball, const Rational& re, const Rational& im) {
-  flint::Ball difference, bound;
+  Ball difference, bound;
   Rational sum = 0;
   for (const bool real : {true, false}) {
     arb_set_fmpq(difference.get(), flint::Quotient(real ? re : im).get(), precision);
     arb_sub(difference.get(), real ? acb_realref(ball) : acb_imagref(ball), difference.get(), precision);
     arb_abs(difference.get(), difference.get());
-    const Enclosure enclosure = difference.enclosure();
+    const Enclosure enclosure = difference.enclosure(256);
     if (!enclosure.upper) return -1;
     sum += *enclosure.upper;
   }
@@ -77,7 +74,7 @@ bool is_simple_and_leading(const LaurentPolynomial& p, const acb_t eigenvalue) {
   acb_init(conjugate);
   acb_init(value);
   acb_conj(conjugate, eigenvalue);
-  flint::Ball modulus, other;
+  Ball modulus, other;
   acb_abs(modulus.get(), eigenvalue, precision);
   int held = 0;
   bool leading = true;
@@ -268,9 +265,9 @@ class Proof {
                        is_simple_and_leading(characteristic_polynomial(product), eigenvalue);
     if (found) {
       find_eigenspace(cycle, product, eigenvalue);
-      flint::Ball modulus;
+      Ball modulus;
       acb_abs(modulus.get(), eigenvalue, precision);
-      const Enclosure enclosed = modulus.enclosure();
+      const Enclosure enclosed = modulus.enclosure(256);
       if (enclosed.lower && *enclosed.lower > 0)
         lower_ = std::min(lower_, *root_enclosure(*enclosed.lower, static_cast<int>(cycle.word.size())).lower);
     }

@@ -3,7 +3,7 @@
 #include "exact_radius.hpp"
 #include "polytope/decompositions.hpp"
 
-#include <subcert/analysis/symbol/flint.hpp>
+#include <subcert/analysis/symbol/balls.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -205,20 +205,6 @@ ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const
     if (exact.is_exact()) evidence.exact = exact.lower;
   }
   return evidence;
-}
-
-Enclosure root_enclosure(const Rational& value, int degree) {
-  if (value < 0 || degree < 1) throw std::invalid_argument("root_enclosure: need value >= 0 and degree >= 1");
-  if (degree == 1 || value == 0) return Enclosure::exactly(value);
-  // An exact root where there is one.
-  Integer num, den;
-  if (mpz_root(num.backend().data(), numerator(value).backend().data(), static_cast<unsigned long>(degree)) != 0 &&
-      mpz_root(den.backend().data(), denominator(value).backend().data(), static_cast<unsigned long>(degree)) != 0)
-    return Enclosure::exactly(Rational(num, den));
-  flint::Ball ball;
-  arb_set_fmpq(ball.get(), flint::Quotient(value).get(), 256);
-  arb_root_ui(ball.get(), ball.get(), static_cast<ulong>(degree), 256);
-  return ball.enclosure();
 }
 
 namespace {

@@ -67,7 +67,4 @@ JointSpectralRadius joint_spectral_radius(const std::vector<RationalMatrix>& mat
 /// size.
 ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const std::vector<int>& word);
 
-/// Encloses value^(1/degree). Domain: value >= 0, degree >= 1. Error: relative width below 2^-180.
-Enclosure root_enclosure(const Rational& value, int degree);
-
 }  // namespace subcert

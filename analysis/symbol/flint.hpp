@@ -96,43 +96,4 @@ class IntegerPolynomial {
 /// The exact value of a finite binary float.
 Rational to_rational(const arf_t value);
 
-/// A real ball. Its enclosure has ends with at most `bits` bits, and none where the ball is not finite.
-class Ball {
- public:
-  Ball() { arb_init(value_); }
-  Ball(const Ball&) = delete;
-  Ball& operator=(const Ball&) = delete;
-  ~Ball() { arb_clear(value_); }
-  arb_ptr get() { return value_; }
-  arb_srcptr get() const { return value_; }
-  Enclosure enclosure(slong bits = 256) const;
-
- private:
-  arb_t value_;
-};
-
-/// A vector of real balls.
-class BallVector {
- public:
-  explicit BallVector(std::size_t size) : size_(static_cast<slong>(size)), entries_(_arb_vec_init(size_)) {}
-  BallVector(const BallVector&) = delete;
-  BallVector(BallVector&& other) noexcept
-      : size_(std::exchange(other.size_, 0)), entries_(std::exchange(other.entries_, nullptr)) {}
-  BallVector& operator=(BallVector other) noexcept {
-    std::swap(size_, other.size_);
-    std::swap(entries_, other.entries_);
-    return *this;
-  }
-  ~BallVector() {
-    if (entries_) _arb_vec_clear(entries_, size_);
-  }
-  std::size_t size() const { return static_cast<std::size_t>(size_); }
-  arb_ptr operator[](std::size_t i) { return entries_ + i; }
-  arb_srcptr operator[](std::size_t i) const { return entries_ + i; }
-
- private:
-  slong size_;
-  arb_ptr entries_;
-};
-
 }  // namespace subcert::flint

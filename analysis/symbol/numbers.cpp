@@ -1,6 +1,6 @@
 #include "numbers.hpp"
 
-#include "flint.hpp"
+#include "balls.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -142,12 +142,18 @@ Enclosure log_ratio(const Rational& argument, int base) {
     if (rest == 1) return Enclosure::exactly(inverted ? -Rational(exponent) : Rational(exponent));
   }
   constexpr slong bits = 192;
-  flint::Ball numerator, denominator;
-  arb_set_fmpq(numerator.get(), flint::Quotient(argument).get(), bits);
-  arb_log(numerator.get(), numerator.get(), bits);
-  arb_log_ui(denominator.get(), static_cast<ulong>(base), bits);
-  arb_div(numerator.get(), numerator.get(), denominator.get(), bits);
-  return numerator.enclosure();
+  return (log(Ball(argument, bits)) / log(Ball(base, bits))).enclosure(256);
+}
+
+Enclosure root_enclosure(const Rational& value, int degree) {
+  if (value < 0 || degree < 1) throw std::invalid_argument("root_enclosure: need value >= 0 and degree >= 1");
+  if (degree == 1 || value == 0) return Enclosure::exactly(value);
+  // An exact root where there is one.
+  Integer num, den;
+  if (mpz_root(num.backend().data(), numerator(value).backend().data(), static_cast<unsigned long>(degree)) != 0 &&
+      mpz_root(den.backend().data(), denominator(value).backend().data(), static_cast<unsigned long>(degree)) != 0)
+    return Enclosure::exactly(Rational(num, den));
+  return Ball(value, 256).root(static_cast<ulong>(degree)).enclosure(256);
 }
 
 std::string to_text(Truth truth) {

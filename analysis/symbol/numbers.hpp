@@ -61,6 +61,9 @@ struct Enclosure {
 /// width below 2^-100 times max(1, |value|). Cost: one ball logarithm each. Ref: [Joh17].
 Enclosure log_ratio(const Rational& argument, int base);
 
+/// Encloses value^(1/degree). Domain: value >= 0, degree >= 1. Error: relative width below 2^-180.
+Enclosure root_enclosure(const Rational& value, int degree);
+
 /// A proof is three-valued; `unknown` says why, `yes` and `no` say by which argument.
 enum class Truth { yes, no, unknown };
 

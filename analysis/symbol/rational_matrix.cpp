@@ -1,6 +1,6 @@
 #include "rational_matrix.hpp"
 
-#include "flint.hpp"
+#include "balls.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -146,10 +146,10 @@ RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {
   acb_ptr roots = _acb_vec_init(count);
   arb_fmpz_poly_complex_roots(roots, polynomial.get(), 0,
                               bits + 8);  // the radius, not the width, is held to these bits
-  flint::Ball modulus;
+  Ball modulus;
   for (slong i = 0; i < count; ++i) {
     acb_abs(modulus.get(), roots + i, bits + 32);
-    const Enclosure candidate = modulus.enclosure();
+    const Enclosure candidate = modulus.enclosure(256);
     result.largest.lower = std::max(*result.largest.lower, *candidate.lower);
     result.largest.upper = std::max(*result.largest.upper, *candidate.upper);
   }

@@ -1,6 +1,6 @@
 #include "real_roots.hpp"
 
-#include "flint.hpp"
+#include "balls.hpp"
 
 #include <flint/fmpz_poly_factor.h>
 #include <flint/ulong_extras.h>
@@ -89,7 +89,7 @@ slong bits_of(const IntegerPolynomial& q) { return std::abs(fmpz_poly_max_bits(q
 
 /// A ball around the largest real zero of a squarefree polynomial and around no other; false where there is no real
 /// zero.
-bool isolate_largest(const IntegerPolynomial& q, flint::Ball& ball, slong bits) {
+bool isolate_largest(const IntegerPolynomial& q, Ball& ball, slong bits) {
   // The real zeros come first, in ascending order, with imaginary parts that are exactly zero; the balls are disjoint.
   const slong degree = fmpz_poly_degree(q.get());
   acb_ptr roots = _acb_vec_init(degree);
@@ -103,10 +103,10 @@ bool isolate_largest(const IntegerPolynomial& q, flint::Ball& ball, slong bits) 
 
 /// Interval Newton: the zero in `ball`, the only one there, to this many bits if the derivative has no zero in the
 /// ball.
-void refine(const IntegerPolynomial& q, flint::Ball& ball, slong bits) {
+void refine(const IntegerPolynomial& q, Ball& ball, slong bits) {
   IntegerPolynomial derivative;
   fmpz_poly_derivative(derivative.get(), q.get());
-  flint::Ball middle, value, slope;
+  Ball middle, value, slope;
   for (slong reached = 0;;) {
     const slong precision = 2 * bits + bits_of(q) + 64;
     arb_get_mid_arb(middle.get(), ball.get());
@@ -125,14 +125,14 @@ void refine(const IntegerPolynomial& q, flint::Ball& ball, slong bits) {
 /// The largest real zero of a squarefree polynomial, if there is one.
 std::optional<Enclosure> largest_simple_root(const LaurentPolynomial& factor, int bits) {
   IntegerPolynomial q(factor);
-  flint::Ball ball;
+  Ball ball;
   slong start = 64;
   if (!isolate_largest(q, ball, start)) return std::nullopt;
   // A rational zero times the leading coefficient is an integer, at most twice the largest coefficient.
   const Whole leading(factor.numerators().back());
   for (slong wanted = std::max<slong>(bits, bits_of(q) + 8);; wanted *= 2) {
     while (refine(q, ball, wanted), arb_rel_accuracy_bits(ball.get()) < wanted) isolate_largest(q, ball, start *= 2);
-    flint::Ball multiple;
+    Ball multiple;
     arb_mul_fmpz(multiple.get(), ball.get(), leading.get(), 2 * wanted);
     Whole candidate;
     if (arb_get_unique_fmpz(candidate.get(), multiple.get()) != 0) {
@@ -142,7 +142,7 @@ std::optional<Enclosure> largest_simple_root(const LaurentPolynomial& factor, in
     }
     if (!arb_contains_int(multiple.get())) break;
   }
-  return ball.enclosure();
+  return ball.enclosure(256);
 }
 
 }  // namespace

@@ -38,28 +38,28 @@ std::vector<Constant> common_constants() {
 }
 
 /// log base 2 of n.
-Real log2(int n) {
-  Real result(proof_bits);
+Ball log2(int n) {
+  Ball result(proof_bits);
   arb_log_base_ui(result.get(), exactly(n).get(), 2, proof_bits);
   return result;
 }
 
 /// The product of 1/sin(pi 2^(-j-2)) over j < count.
-Real inverse_sines(int count) {
-  const Real pi = Real::pi(proof_bits);
-  Real product(1, proof_bits);
+Ball inverse_sines(int count) {
+  const Ball pi = Ball::pi(proof_bits);
+  Ball product(1, proof_bits);
   for (int j = 0; j < count; ++j) product = product / sin(pi.scaled(-j - 2));
   return product;
 }
 
 std::vector<Check> common_checks(const Constants& c) {
-  const Real pi = Real::pi(proof_bits), N = exactly(first_N), square = N * N;
-  const Real limit = limit_ball(1);
+  const Ball pi = Ball::pi(proof_bits), N = exactly(first_N), square = N * N;
+  const Ball limit = limit_ball(1);
   const auto stated = [&](const char* name) { return exactly(c[name]); };
   return {
       defining(c, "c-", "C_1", limit),
       defining(c, "c+", "C_1", limit),
-      defining(c, "kappa", "sup |cos x - sin(x)/x|", Real::containing(cosine_minus_sinc_supremum(), proof_bits)),
+      defining(c, "kappa", "sup |cos x - sin(x)/x|", Ball::containing(cosine_minus_sinc_supremum(), proof_bits)),
       defining(c, "kappa_0", "(Phi(pi)^-2 - 1 - pi^2/9) / pi^4", degree_one_fourth_order()),
       defining(c, "mu", "1/(2 pi) integral of s^4 M(s)^2", degree_one_moment()),
       defining(c, "K", "(8/9 + kappa_0) (1 - 1/(2 N_1))^-5 mu",
@@ -118,7 +118,7 @@ void append(std::vector<Check>& all, std::vector<Check> more) {
 /// What the theorem on slopes adds.
 std::vector<Check> slope_checks(const Constants& c) {
   std::vector<Check> checks;
-  const Real pi = Real::pi(proof_bits), N = exactly(first_N);
+  const Ball pi = Ball::pi(proof_bits), N = exactly(first_N);
   const auto stated = [&](const char* name) { return exactly(c[name]); };
   for (int n = 2; n < tail; ++n) {
     Enclosure slope = Enclosure::at_least(0);
@@ -148,9 +148,9 @@ std::vector<Check> slope_checks(const Constants& c) {
 
 }  // namespace
 
-Real excess_of_shells() {
-  const Real pi = Real::pi(proof_bits);
-  Real sum(proof_bits);
+Ball excess_of_shells() {
+  const Ball pi = Ball::pi(proof_bits);
+  Ball sum(proof_bits);
   for (int i = 0; i < 10; ++i) sum += pi.scaled(-i - 1) / sin(pi.scaled(-i - 1)) - 1;
   return sum + (pi * pi).scaled(-20) / 15;
 }
@@ -177,7 +177,7 @@ std::vector<Check> degree_one_checks_8(const Constants& c) {
     checks.push_back(less(n + 1 < turn ? "4.1" : "4.2", "max psi_" + text(n + 1) + " < min psi_" + text(n),
                           ends(n + 1).maximum, ends(n).minimum));
   }
-  const Real N = exactly(first_N);
+  const Ball N = exactly(first_N);
   checks.push_back(
       less("4.3", "N_1 (N_1 + 2) (2 K/N_1^5 + 2 Omega/N_1^6) < 4 c-",
            ((exactly(c["K"]) / N.pow(5) + exactly(c["Omega"]) / N.pow(factors)).scaled(1) * N * (N + 2)).enclosure(),
@@ -189,8 +189,8 @@ std::vector<Check> degree_one_checks_7(const Constants& c) {
   std::vector<Check> checks = common_checks(c);
   append(checks, deviation_checks(c, "5.1", 1, "beta"));
   for (int n = 2; n < tail; ++n) append(checks, deviation_checks(c, n < turn ? "5.2" : "5.3", n, "beta_2"));
-  const Real N = exactly(first_N), twice = exactly(2 * c["c-"]);
-  const Real inside = exactly(degree_one_second_coefficient()) + exactly(c["K"]) / twice / N.pow(2) +
+  const Ball N = exactly(first_N), twice = exactly(2 * c["c-"]);
+  const Ball inside = exactly(degree_one_second_coefficient()) + exactly(c["K"]) / twice / N.pow(2) +
                       exactly(c["Omega"]) / twice / N.pow(3);
   checks.push_back(less("5.4", "(1 + 1/(2 N_1))^2/4 (13/36 + K/(2c N_1^2) + Omega/(2c N_1^3)) < beta_2",
                         ((1 / N.scaled(1) + 1).pow(2).scaled(-2) * inside).enclosure(),

@@ -2,7 +2,7 @@
 /// The Legendre kernel k_d, its transform khat and the product Phi in ball arithmetic, for the sources of this floor.
 /// [LC] is docs/limit-constants.md.
 
-#include "balls.hpp"
+#include <subcert/analysis/symbol/balls.hpp>
 
 #include <cmath>
 #include <vector>
@@ -77,15 +77,15 @@ class Kernel {
       result *= transform(scaled);
       if (!result.is_finite()) return result;
     }
-    const Real tail = abs(scaled).pow(degree_ + 1) * Real(2 * flatness(), bits_) /
-                      (Real(1, bits_).scaled(degree_ + 1) - 1);
+    const Ball tail = abs(scaled).pow(degree_ + 1) * Ball(2 * flatness(), bits_) /
+                      (Ball(1, bits_).scaled(degree_ + 1) - 1);
     return result * (one(s).widened(tail.scaled(1)));
   }
 
  private:
   double series_radius() const { return degree_ + 2; }
 
-  static double magnitude(const Real& s) {
+  static double magnitude(const Ball& s) {
     mag_t bound;
     mag_init(bound);
     arb_get_mag(bound, s.get());
@@ -93,7 +93,7 @@ class Kernel {
     mag_clear(bound);
     return result;
   }
-  static double magnitude(const Complex& s) {
+  static double magnitude(const ComplexBall& s) {
     mag_t bound;
     mag_init(bound);
     acb_get_mag(bound, s.get());
@@ -101,15 +101,15 @@ class Kernel {
     mag_clear(bound);
     return result;
   }
-  static Real one(const Real& like) { return Real(1, like.bits()); }
-  static Complex one(const Complex& like) { return Complex(Real(1, like.bits())); }
-  static Real indeterminate(const Real& like) {
-    Real result(like.bits());
+  static Ball one(const Ball& like) { return Ball(1, like.bits()); }
+  static ComplexBall one(const ComplexBall& like) { return ComplexBall(Ball(1, like.bits())); }
+  static Ball indeterminate(const Ball& like) {
+    Ball result(like.bits());
     arb_indeterminate(result.get());
     return result;
   }
-  static Complex indeterminate(const Complex& like) {
-    Complex result(like.bits());
+  static ComplexBall indeterminate(const ComplexBall& like) {
+    ComplexBall result(like.bits());
     acb_indeterminate(result.get());
     return result;
   }
@@ -150,7 +150,7 @@ class Kernel {
     Number power = square;
     for (int i = 1; i < (degree_ + 1) / 2; ++i) power *= square;
     // The terms left out are at most twice the first of them.
-    const Real first = Real(exact_series_[count], bits_) * abs(s).pow(degree_ + 1 + 2 * static_cast<long>(count));
+    const Ball first = Ball(exact_series_[count], bits_) * abs(s).pow(degree_ + 1 + 2 * static_cast<long>(count));
     return (one(s) - power * sum).widened(first.scaled(1));
   }
 
@@ -162,7 +162,7 @@ class Kernel {
     Number now = (before - cos(s)) * inverse;
     Number sum = before;
     for (int l = 1; l < degree_ - 1; ++l) {
-      Number next = inverse * Real(2 * l + 1, bits_) * now - before;
+      Number next = inverse * Ball(2 * l + 1, bits_) * now - before;
       before = now;
       now = next;
       if (l % 2 == 1) sum += now * bessel_balls_[static_cast<std::size_t>(l + 1) / 2];
@@ -194,9 +194,9 @@ class Kernel {
   int degree_;
   slong bits_;
   std::vector<Rational> bessel_;
-  std::vector<Real> bessel_balls_;
+  std::vector<Ball> bessel_balls_;
   std::vector<Rational> exact_series_;
-  std::vector<Real> series_;
+  std::vector<Ball> series_;
   std::vector<double> logs_;  ///< upper bounds of log2 of exact_series_
   std::vector<Rational> closed_form_;
 };

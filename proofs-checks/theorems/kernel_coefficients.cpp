@@ -24,16 +24,16 @@ std::vector<Rational> power_sum(int l) {
 
 /// Of a polynomial: its value, (value - value at 0) / tau, its derivative.
 struct Three {
-  Real value, slope, derivative;
+  Ball value, slope, derivative;
 };
 
-Three evaluate(const std::vector<Rational>& polynomial, const Real& tau) {
+Three evaluate(const std::vector<Rational>& polynomial, const Ball& tau) {
   const slong bits = tau.bits();
-  Three result{Real(bits), Real(bits), Real(bits)};
+  Three result{Ball(bits), Ball(bits), Ball(bits)};
   for (std::size_t i = polynomial.size(); i-- > 0;) {
     result.derivative = result.derivative * tau + result.value;
-    if (i > 0) result.slope = result.slope * tau + Real(polynomial[i], bits);
-    result.value = result.value * tau + Real(polynomial[i], bits);
+    if (i > 0) result.slope = result.slope * tau + Ball(polynomial[i], bits);
+    result.value = result.value * tau + Ball(polynomial[i], bits);
   }
   return result;
 }
@@ -44,11 +44,11 @@ class Matrix {
   Matrix(const Matrix&) = delete;
   Matrix& operator=(const Matrix&) = delete;
   ~Matrix() { arb_mat_clear(value_); }
-  void set(std::size_t i, std::size_t j, const Real& x) {
+  void set(std::size_t i, std::size_t j, const Ball& x) {
     arb_set(arb_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j)), x.get());
   }
-  Real at(std::size_t i, std::size_t j, slong bits) const {
-    Real result(bits);
+  Ball at(std::size_t i, std::size_t j, slong bits) const {
+    Ball result(bits);
     arb_set(result.get(), arb_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j)));
     return result;
   }
@@ -58,12 +58,12 @@ class Matrix {
   arb_mat_t value_;
 };
 
-std::vector<Real> solve(Matrix& matrix, const std::vector<Real>& right, slong bits) {
+std::vector<Ball> solve(Matrix& matrix, const std::vector<Ball>& right, slong bits) {
   Matrix column(static_cast<slong>(right.size()), 1), solution(static_cast<slong>(right.size()), 1);
   for (std::size_t i = 0; i < right.size(); ++i) column.set(i, 0, right[i]);
   if (!arb_mat_solve_precond(solution.get(), matrix.get(), column.get(), bits))
     throw std::runtime_error("kernel_coefficients: the moment system is not proved regular");
-  std::vector<Real> result;
+  std::vector<Ball> result;
   for (std::size_t i = 0; i < right.size(); ++i) result.push_back(solution.at(i, 0, bits));
   return result;
 }
@@ -85,10 +85,10 @@ std::vector<Rational> limit_coefficients(std::size_t size) {
 }
 
 /// slope and derivative for tau in [low, high].
-std::pair<std::vector<Real>, std::vector<Real>> slopes(const std::vector<Rational>& limit, const Rational& low,
+std::pair<std::vector<Ball>, std::vector<Ball>> slopes(const std::vector<Rational>& limit, const Rational& low,
                                                        const Rational& high, slong bits) {
   const std::size_t size = limit.size();
-  const Real tau = Real::containing({low, high}, bits);
+  const Ball tau = Ball::containing({low, high}, bits);
   Matrix moments(static_cast<slong>(size), static_cast<slong>(size));
   std::vector<std::vector<Three>> entries(size);
   for (std::size_t p = 0; p < size; ++p)
@@ -96,14 +96,14 @@ std::pair<std::vector<Real>, std::vector<Real>> slopes(const std::vector<Rationa
       entries[p].push_back(evaluate(power_sum(static_cast<int>(p + q)), tau));
       moments.set(p, q, entries[p].back().value);
     }
-  std::vector<Real> right(size, Real(bits));
+  std::vector<Ball> right(size, Ball(bits));
   for (std::size_t p = 0; p < size; ++p)
-    for (std::size_t q = 0; q < size; ++q) right[p] = right[p] - entries[p][q].slope * Real(limit[q], bits);
-  const std::vector<Real> slope = solve(moments, right, bits);
-  right.assign(size, Real(bits));
+    for (std::size_t q = 0; q < size; ++q) right[p] = right[p] - entries[p][q].slope * Ball(limit[q], bits);
+  const std::vector<Ball> slope = solve(moments, right, bits);
+  right.assign(size, Ball(bits));
   for (std::size_t p = 0; p < size; ++p)
     for (std::size_t q = 0; q < size; ++q)
-      right[p] = right[p] - entries[p][q].derivative * (Real(limit[q], bits) + tau * slope[q]);
+      right[p] = right[p] - entries[p][q].derivative * (Ball(limit[q], bits) + tau * slope[q]);
   return {slope, solve(moments, right, bits)};
 }
 
@@ -141,8 +141,8 @@ KernelCoefficients kernel_coefficients(int degree, const Rational& last, slong b
       result.derivative[q] = join(result.derivative[q], derivative[q]);
     }
   }
-  const Real tau = Real::containing({Rational(0), last}, bits);
-  for (std::size_t q = 0; q < size; ++q) result.value.push_back(Real(result.limit[q], bits) + tau * result.slope[q]);
+  const Ball tau = Ball::containing({Rational(0), last}, bits);
+  for (std::size_t q = 0; q < size; ++q) result.value.push_back(Ball(result.limit[q], bits) + tau * result.slope[q]);
   return result;
 }
 

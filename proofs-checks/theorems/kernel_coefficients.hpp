@@ -2,7 +2,7 @@
 /// The polynomials behind the masks of the least squares schemes, for all large sizes at once, for the sources of this
 /// floor. Proofs: docs/theorems/variance-curves.tex, section 7.
 
-#include "balls.hpp"
+#include <subcert/analysis/symbol/balls.hpp>
 
 #include <vector>
 
@@ -18,7 +18,7 @@ std::vector<Rational> reciprocal_sinc(int count);
 /// derivative in tau.
 struct KernelCoefficients {
   std::vector<Rational> limit;  ///< kappa_q(0)
-  std::vector<Real> value, slope, derivative;
+  std::vector<Ball> value, slope, derivative;
 };
 
 /// Errors: throws std::runtime_error where the system is not proved regular on [0, last].

@@ -19,11 +19,11 @@ void need(bool condition, const char* function, const char* inequality, long got
 /// Where to stop: the sum over k > terms of Phi(k pi)^2 is at most `tail`.
 struct Truncation {
   long terms;
-  Real tail;
+  Ball tail;
 };
 
 /// sup |Phi| on the real line, where |khat(s)| <= decay / s for s >= from. Ref: [LC, Lemma 4].
-Real supremum(const Kernel& kernel, const Rational& from, const Rational& decay) {
+Ball supremum(const Kernel& kernel, const Rational& from, const Rational& decay) {
   const int d = kernel.degree();
   Rational reach = 2 * (from > decay ? from : decay);
   int halvings = 0;
@@ -32,7 +32,7 @@ Real supremum(const Kernel& kernel, const Rational& from, const Rational& decay)
     ++halvings;
   }
   // The remaining factors give at most e^1.
-  return exp(Real(1, kernel.bits())) * sqrt(Real(kernel.squared_bound(), kernel.bits())).pow(halvings);
+  return exp(Ball(1, kernel.bits())) * sqrt(Ball(kernel.squared_bound(), kernel.bits())).pow(halvings);
 }
 
 /// The fewest terms for which the bound of [LC, Lemma 4] falls below 2^-wanted. Floating point searches for the
@@ -44,7 +44,7 @@ Truncation truncation(const Kernel& kernel, double wanted) {
   int best_octaves = 0;
   for (int step = 2; step <= 16; ++step) {
     const Rational from = Rational(step * (d + 1), 2), decay = kernel.decay(from);
-    const Real bound = supremum(kernel, from, decay);
+    const Ball bound = supremum(kernel, from, decay);
     const double log_bound = std::log2(arf_get_d(arb_midref(bound.get()), ARF_RND_NEAR));
     const double log_ratio = std::log2(to_double(decay) / M_PI);
     for (int octaves = 1; octaves <= 60; ++octaves) {
@@ -65,8 +65,8 @@ Truncation truncation(const Kernel& kernel, double wanted) {
   if (best > 1e7) throw std::length_error("limit_constant: need at most 10^7 terms for these digits");
   const auto terms = static_cast<long>(best);
   const slong bits = kernel.bits();
-  const Real pi = Real::pi(bits), factor = Real(best_decay, bits) / pi / terms;
-  if (!Real(best_from, bits).scaled(best_octaves).is_at_most(pi * terms))
+  const Ball pi = Ball::pi(bits), factor = Ball(best_decay, bits) / pi / terms;
+  if (!Ball(best_from, bits).scaled(best_octaves).is_at_most(pi * terms))
     throw std::logic_error("limit_constant: the truncation lies outside the domain of its bound");
   return {terms, supremum(kernel, best_from, best_decay).pow(2) *
                      factor.pow(2 * best_octaves).scaled(static_cast<slong>(best_octaves) * (best_octaves + 1)) *
@@ -74,17 +74,17 @@ Truncation truncation(const Kernel& kernel, double wanted) {
 }
 
 /// 0 <= x <= bound.
-Real between_zero_and(const Real& bound) { return bound.scaled(-1).widened(bound.scaled(-1)); }
+Ball between_zero_and(const Ball& bound) { return bound.scaled(-1).widened(bound.scaled(-1)); }
 
-Real sum_of_squares(const Kernel& kernel, double wanted) {
+Ball sum_of_squares(const Kernel& kernel, double wanted) {
   const Truncation stop = truncation(kernel, wanted);
   const slong bits = kernel.bits();
-  const Real pi = Real::pi(bits);
-  std::vector<Real> values{Real(1, bits)};
-  Real sum(Rational(1, 2), bits);
+  const Ball pi = Ball::pi(bits);
+  std::vector<Ball> values{Ball(1, bits)};
+  Ball sum(Rational(1, 2), bits);
   for (long k = 1; k <= stop.terms; ++k) {
-    const Real half = pi * k / 2;
-    Real value = k % 2 == 0 ? kernel.transform(half) * values[static_cast<std::size_t>(k / 2)] : kernel.product(pi * k);
+    const Ball half = pi * k / 2;
+    Ball value = k % 2 == 0 ? kernel.transform(half) * values[static_cast<std::size_t>(k / 2)] : kernel.product(pi * k);
     sum += value.pow(2);
     if (2 * k <= stop.terms) values.push_back(std::move(value));
   }
@@ -93,12 +93,12 @@ Real sum_of_squares(const Kernel& kernel, double wanted) {
 
 int square_of_product(acb_ptr result, const acb_t s, void* parameter, slong, slong bits) {
   const Kernel& kernel = *static_cast<const Kernel*>(parameter);
-  const Complex value = kernel.product(Complex(s, std::min(bits, kernel.bits())));
+  const ComplexBall value = kernel.product(ComplexBall(s, std::min(bits, kernel.bits())));
   acb_mul(result, value.get(), value.get(), bits);
   return 0;
 }
 
-Real quadrature(Kernel& kernel, double wanted) {
+Ball quadrature(Kernel& kernel, double wanted) {
   const Truncation stop = truncation(kernel, wanted);
   const slong bits = kernel.bits();
   acb_calc_integrate_opt_t options;
@@ -108,12 +108,12 @@ Real quadrature(Kernel& kernel, double wanted) {
   mag_t tolerance;
   mag_init(tolerance);
   mag_set_ui_2exp_si(tolerance, 1, static_cast<slong>(-wanted));
-  const Complex end(Real::pi(bits) * stop.terms);
-  Complex start(bits), integral(bits);
+  const ComplexBall end(Ball::pi(bits) * stop.terms);
+  ComplexBall start(bits), integral(bits);
   acb_calc_integrate(integral.get(), square_of_product, &kernel, start.get(), end.get(), bits, tolerance, options,
                      bits);
   mag_clear(tolerance);
-  const Real pi = Real::pi(bits);
+  const Ball pi = Ball::pi(bits);
   return (integral.real() + between_zero_and(pi * stop.tail)) / pi.scaled(1);
 }
 
@@ -124,7 +124,7 @@ void check_arguments(const char* function, int degree, int digits, int most_digi
 }
 
 /// Raises the precision until the ball is narrow enough.
-Enclosure to_digits(const char* function, int digits, const std::function<Real(slong bits, double wanted)>& value) {
+Enclosure to_digits(const char* function, int digits, const std::function<Ball(slong bits, double wanted)>& value) {
   const Rational width = power(Rational(10), -digits);
   const double wanted = digits * std::log2(10.0) + 4;
   for (slong extra = 40; extra <= 5120; extra *= 2) {
@@ -154,14 +154,14 @@ Enclosure kernel_transform(int degree, const Rational& s, int digits) {
   check_arguments("kernel_transform", degree, digits, 100);
   if (absolute(s) > 1'000'000) throw std::invalid_argument("kernel_transform: need |s| <= 10^6");
   return to_digits("kernel_transform", digits,
-                   [&](slong bits, double) { return Kernel(degree, bits).transform(Real(s, bits)); });
+                   [&](slong bits, double) { return Kernel(degree, bits).transform(Ball(s, bits)); });
 }
 
 Enclosure limit_transform(int degree, const Rational& s, int digits) {
   check_arguments("limit_transform", degree, digits, 100);
   if (absolute(s) > 1'000'000) throw std::invalid_argument("limit_transform: need |s| <= 10^6");
   return to_digits("limit_transform", digits,
-                   [&](slong bits, double) { return Kernel(degree, bits).product(Real(s, bits)); });
+                   [&](slong bits, double) { return Kernel(degree, bits).product(Ball(s, bits)); });
 }
 
 Enclosure limit_constant(int degree, int digits) {

@@ -37,7 +37,7 @@ const std::vector<int>& stated_degrees() {
 
 /// Both ways to one constant, and C_degree < C_{degree+2} for the degrees below 20; kept for the next call.
 struct Numbers {
-  std::vector<Real> sums, integrals;
+  std::vector<Ball> sums, integrals;
   std::vector<Check> order;
 };
 
@@ -46,7 +46,7 @@ const Numbers& numbers() {
     Numbers result;
     for (int degree : stated_degrees()) {
       result.sums.push_back(limit_ball(degree));
-      result.integrals.push_back(Real::containing(limit_constant_by_quadrature(degree, quadrature_digits), proof_bits));
+      result.integrals.push_back(Ball::containing(limit_constant_by_quadrature(degree, quadrature_digits), proof_bits));
     }
     for (int degree = 1; degree <= 19; degree += 2)
       result.order.push_back(less("C0", "C_" + std::to_string(degree) + " < C_" + std::to_string(degree + 2),
@@ -58,26 +58,26 @@ const Numbers& numbers() {
 
 /// N^2 (N I/(2c) - 1) at `large` from the exact mean, without the remainder K/(2c N^2) and the aliases.
 struct Observed {
-  Real coefficient, error;
+  Ball coefficient, error;
 };
 
 Observed second_coefficient_at_large() {
   const DegreeOneMean mean = degree_one_mean(large);
-  const Real N = exactly(Rational(4 * large - 1, 2)), leading = Real::containing(mean.leading, proof_bits);
-  const Real exact = exactly(squared_l2_norm(make_scheme("primal:n=" + std::to_string(large)).mask));
-  const Real error = Real::containing(mean.remainder, proof_bits) + exactly(*mean.aliases.upper);
+  const Ball N = exactly(Rational(4 * large - 1, 2)), leading = Ball::containing(mean.leading, proof_bits);
+  const Ball exact = exactly(squared_l2_norm(make_scheme("primal:n=" + std::to_string(large)).mask));
+  const Ball error = Ball::containing(mean.remainder, proof_bits) + exactly(*mean.aliases.upper);
   return {(exact / leading - 1) * N.pow(2), error / leading * N.pow(2)};
 }
 
 }  // namespace
 
-const Real& limit_ball(int degree) {
+const Ball& limit_ball(int degree) {
   static std::mutex mutex;
-  static std::map<int, Real> known;
+  static std::map<int, Ball> known;
   const std::lock_guard lock(mutex);
   const auto found = known.find(degree);
   if (found != known.end()) return found->second;
-  return known.emplace(degree, Real::containing(limit_constant(degree, 40), proof_bits)).first->second;
+  return known.emplace(degree, Ball::containing(limit_constant(degree, 40), proof_bits)).first->second;
 }
 
 Constants limit_constants_stated() {
@@ -101,7 +101,7 @@ std::vector<Check> limit_constants_checks(const Constants& c) {
   for (std::size_t i = 0; i < stated_degrees().size(); ++i) {
     const int degree = stated_degrees()[i];
     const std::string number = std::to_string(degree), symbol = "C_" + number;
-    const Real &sum = numbers().sums[i], &integral = numbers().integrals[i];
+    const Ball &sum = numbers().sums[i], &integral = numbers().integrals[i];
     checks.push_back(defining(c, name(degree, "-"), symbol + " as a sum", sum));
     checks.push_back(defining(c, name(degree, "+"), symbol + " as a sum", sum));
     checks.push_back(less("C" + number + "c", "|" + symbol + " as a sum - " + symbol + " as an integral| < 10^-32",
@@ -109,7 +109,7 @@ std::vector<Check> limit_constants_checks(const Constants& c) {
   }
   checks.insert(checks.end(), numbers().order.begin(), numbers().order.end());
   static const Observed observed = second_coefficient_at_large();
-  const Real slack = observed.error;
+  const Ball slack = observed.error;
   const std::string where = " at n = " + std::to_string(large);
   checks.push_back(less("N1", "nu- < N^2 (N I_n/(2c) - 1) + remainder" + where, Enclosure::exactly(c["nu-"]),
                         (observed.coefficient + slack).enclosure()));

@@ -1,27 +1,27 @@
 #pragma once
 /// The proofs behind theorem.hpp, one function each, for the sources of this floor.
 
-#include "balls.hpp"
+#include <subcert/analysis/symbol/balls.hpp>
 #include "theorem.hpp"
 
 namespace subcert::theorems {
 
 constexpr slong proof_bits = 192;
 
-inline Real exactly(const Rational& value) { return Real(value, proof_bits); }
+inline Ball exactly(const Rational& value) { return Ball(value, proof_bits); }
 
 /// C_d to 40 digits, kept for the next call.
-const Real& limit_ball(int degree);
+const Ball& limit_ball(int degree);
 
 /// The inequality that makes the stated value of a constant right: the number it stands for lies on the proved side.
-Check defining(const Constants& constants, const std::string& name, const std::string& formula, const Real& number);
+Check defining(const Constants& constants, const std::string& name, const std::string& formula, const Ball& number);
 
 /// (1/2 pi) times the integral of s^4 M(s)^2 over the real line, and kappa_0. Ref: [LC, thm 10].
-Real degree_one_moment();
-Real degree_one_fourth_order();
+Ball degree_one_moment();
+Ball degree_one_fourth_order();
 
 /// The sum of u/sin u - 1 over u = pi 2^(-i-1), i >= 0; for u <= 1/2 a term is at most u^2/5.
-Real excess_of_shells();
+Ball excess_of_shells();
 
 Constants degree_one_constants_7();
 Constants degree_one_constants_8();

@@ -180,7 +180,7 @@ const Proof* find(const Entry& entry, int degree) {
 
 }  // namespace
 
-Check defining(const Constants& constants, const std::string& name, const std::string& formula, const Real& number) {
+Check defining(const Constants& constants, const std::string& name, const std::string& formula, const Ball& number) {
   for (const Constant& constant : constants.all()) {
     if (constant.name != name) continue;
     const Enclosure stated = Enclosure::exactly(constant.value);

@@ -13,12 +13,12 @@ constexpr int kept_factors = 5;
 
 /// The numbers behind the stated constants of section 7: upper bounds, rounded upward and then exact.
 struct UniformNumbers {
-  Real near_zero_difference;  ///< H_R
-  Real near_zero_slope;       ///< E_R
-  Real slope;                 ///< E
-  std::vector<Real> decays;   ///< A_j, j < factors
-  Real products;              ///< B: products of suprema of |m| over different shells
-  Real mean;                  ///< K: N^3 |the integral of |transform|^2/(2 pi) over |xi| <= pi - 2 C_d/N|
+  Ball near_zero_difference;  ///< H_R
+  Ball near_zero_slope;       ///< E_R
+  Ball slope;                 ///< E
+  std::vector<Ball> decays;   ///< A_j, j < factors
+  Ball products;              ///< B: products of suprema of |m| over different shells
+  Ball mean;                  ///< K: N^3 |the integral of |transform|^2/(2 pi) over |xi| <= pi - 2 C_d/N|
 };
 
 /// For all n >= first_n; kept for the next call. Domain: odd degree, first_n large enough for the degree.

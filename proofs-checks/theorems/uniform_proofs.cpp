@@ -66,26 +66,26 @@ std::vector<Constant> uniform_constants(int degree, bool slopes) {
   return list;
 }
 
-Real first_N(int n) { return exactly(Rational(4 * n - 1, 2)); }
+Ball first_N(int n) { return exactly(Rational(4 * n - 1, 2)); }
 
 /// G^count times the product of 1/sin(pi 2^(-j-2)) over j < count, G = N_1^2/(N_1^2 - 1/4).
-Real shell_factors(const Real& N, int count) {
-  const Real pi = Real::pi(proof_bits);
-  Real product = (N * N / (N * N - exactly(Rational(1, 4)))).pow(count);
+Ball shell_factors(const Ball& N, int count) {
+  const Ball pi = Ball::pi(proof_bits);
+  Ball product = (N * N / (N * N - exactly(Rational(1, 4)))).pow(count);
   for (int j = 0; j < count; ++j) product = product / sin(pi.scaled(-j - 2));
   return product;
 }
 
-Real product_of(const std::vector<Real>& values, int count) {
-  Real product(1, proof_bits);
+Ball product_of(const std::vector<Ball>& values, int count) {
+  Ball product(1, proof_bits);
   for (int j = 0; j < count; ++j) product = product * values[static_cast<std::size_t>(j)];
   return product;
 }
 
 /// The number of shells with 2 n u > 1 is at most log2(n pi) + 1.
-Real shells_at_most(int n) {
-  Real result(proof_bits);
-  arb_log_base_ui(result.get(), (Real::pi(proof_bits) * n).get(), 2, proof_bits);
+Ball shells_at_most(int n) {
+  Ball result(proof_bits);
+  arb_log_base_ui(result.get(), (Ball::pi(proof_bits) * n).get(), 2, proof_bits);
   return result + 1;
 }
 
@@ -95,8 +95,8 @@ std::vector<Check> uniform_checks(const Constants& c, int degree, bool slopes) {
   const std::string end = "_" + text(degree);
   const auto name = [&](const char* head) { return head + end; };
   const auto value = [&](const char* head) { return exactly(c[head + end]); };
-  const Real pi = Real::pi(proof_bits), N = first_N(n), one(1, proof_bits);
-  const Real limit = limit_ball(degree);
+  const Ball pi = Ball::pi(proof_bits), N = first_N(n), one(1, proof_bits);
+  const Ball limit = limit_ball(degree);
   std::vector<Check> checks{
       defining(c, name("c-"), "C" + end, limit),
       defining(c, name("c+"), "C" + end, limit),
@@ -137,7 +137,7 @@ std::vector<Check> uniform_checks(const Constants& c, int degree, bool slopes) {
 }
 
 /// What mean, aliases and ripple of the degree can deviate by from 2 C/N, at any N >= N_1.
-Real deviation(const Constants& c, int degree, const Real& N) {
+Ball deviation(const Constants& c, int degree, const Ball& N) {
   const std::string end = "_" + text(degree);
   return exactly(c["K" + end]) / N.pow(3) + exactly(c["Omega" + end]) / N.pow(kept_factors);
 }
@@ -182,7 +182,7 @@ std::vector<Check> uniform_checks_8_n(const Constants& c, int degree, int thread
   for (int n = least_n(degree); n < start; ++n)
     checks.push_back(less("8.1", "max psi_" + text(n + 1) + " < min psi_" + text(n),
                           variance_ends(n + 1, degree).maximum, variance_ends(n, degree).minimum));
-  const Real N = first_N(start);
+  const Ball N = first_N(start);
   checks.push_back(less("8.2", "N_1 (N_1 + 2) (2 K/N_1^3 + 2 Omega/N_1^5) < 4 c-",
                         (deviation(c, degree, N).scaled(1) * N * (N + 2)).enclosure(),
                         Enclosure::exactly(4 * c["c-_" + text(degree)])));
@@ -197,7 +197,7 @@ std::vector<Check> uniform_checks_8_d(const Constants& c, int degree, int thread
   for (int n = least_n(next); n < start; ++n)
     checks.push_back(less("10.1", "max psi^" + text(degree) + " < min psi^" + text(next) + at(n),
                           variance_ends(n, degree).maximum, variance_ends(n, next).minimum));
-  const Real N = first_N(start);
+  const Ball N = first_N(start);
   checks.push_back(
       less("10.2",
            "N (K + K')/N^3 + N (Omega + Omega')/N^5 < 2 (c-_" + text(next) + " - c+_" + text(degree) + ")" + at(start),
@@ -227,7 +227,7 @@ std::vector<Check> uniform_checks_7(const Constants& c, int degree, int threads)
                           {-excess(n, *minimum.upper, below), -excess(n, *minimum.lower, above)},
                           Enclosure::exactly(c["beta"])));
   }
-  const Real N = first_N(start), ratio = (1 / N.scaled(1) + 1).pow(2).scaled(-2);  // n^2/N^2
+  const Ball N = first_N(start), ratio = (1 / N.scaled(1) + 1).pow(2).scaled(-2);  // n^2/N^2
   checks.push_back(defining(c, "beta_2", "(1 + 1/(2 N_1))^2/4 (K + Omega/N_1^2)/(2 C)",
                             ratio * deviation(c, degree, N) * N.pow(3) / exactly(2 * below)));
   for (int n = first; n < start; ++n) {

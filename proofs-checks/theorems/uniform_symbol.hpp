@@ -17,44 +17,44 @@ class UniformSymbol {
   static constexpr long radius = 1;
 
   /// H_R: N^2 |m(z/N) - khat(z)| <= H_R |z|^(d+1) for |z| <= R.
-  Real disc_difference() const;
+  Ball disc_difference() const;
   /// E_R: |M dD_M(z/M)/dM| <= E_R |z|^(d+1) for |z| <= R.
-  Real disc_slope() const;
-  Real slope() const;  ///< E: |M dD_M(w)/dM| <= E w/sin w on 0 <= w <= pi/2, where M w >= R
+  Ball disc_slope() const;
+  Ball slope() const;  ///< E: |M dD_M(w)/dM| <= E w/sin w on 0 <= w <= pi/2, where M w >= R
   /// A: M sin(w) |D_M(w)| <= A for 0 < w <= pi/2, M w >= from.
-  Real decay(const Rational& from) const;
+  Ball decay(const Rational& from) const;
 
   /// On R 2^octave (1 + [part, part + 1]/parts).
   struct Cell {
-    Real transform;   ///< |khat|
-    Real difference;  ///< N^2 |m(v/N) - khat(v)|
-    Real factor;      ///< both |m(v/N)| and |khat(v)|
+    Ball transform;   ///< |khat|
+    Ball difference;  ///< N^2 |m(v/N) - khat(v)|
+    Ball factor;      ///< both |m(v/N)| and |khat(v)|
   };
   static constexpr int parts = 16;
   Cell cell(int octave, int part) const;
 
   /// Phase-free bounds on v >= from: N^2 |m(v/N) - khat(v)| <= first v + zeroth.
   struct Growth {
-    Real first, zeroth;
+    Ball first, zeroth;
   };
   Growth growth(const Rational& from) const;
 
  private:
-  SincSum sum(const std::vector<Real>& coefficients, int r) const;
-  Real average(int r, const SincTable& table, const Real& rho) const;
-  Real difference_over(const Rational& low, const Rational& high) const;
-  Real weight(int r) const;
+  SincSum sum(const std::vector<Ball>& coefficients, int r) const;
+  Ball average(int r, const SincTable& table, const Ball& rho) const;
+  Ball difference_over(const Rational& low, const Rational& high) const;
+  Ball weight(int r) const;
   template <class Bound>
-  Real by_maximum_principle(const Bound& bound) const;
-  Real difference_on_disc(const Real& rho) const;
-  Real slope_on_disc(const Real& rho) const;
+  Ball by_maximum_principle(const Bound& bound) const;
+  Ball difference_on_disc(const Ball& rho) const;
+  Ball slope_on_disc(const Ball& rho) const;
 
   int degree_;
   slong bits_;
-  Real N_, M_;  ///< 2 n_1 - 1/2 and 2 n_1 - 1
+  Ball N_, M_;  ///< 2 n_1 - 1/2 and 2 n_1 - 1
   KernelCoefficients kappa_;
   std::vector<SincSum> full_, limit_, rise_, drift_;  ///< P_r of kappa, kappa(0), slope, derivative
-  std::vector<Real> end_;                             ///< b^(r)(pi/2)
+  std::vector<Ball> end_;                             ///< b^(r)(pi/2)
 };
 
 }  // namespace subcert::theorems

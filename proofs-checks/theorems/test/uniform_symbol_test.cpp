@@ -13,7 +13,7 @@ using namespace subcert::theorems;
 namespace {
 
 double number(const Rational& x) { return x.convert_to<double>(); }
-double upper(const Real& x) { return number(*x.enclosure().upper); }
+double upper(const Ball& x) { return number(*x.enclosure().upper); }
 
 /// A symmetric mask in floating point, from its exact coefficients with indices >= 0.
 std::vector<double> half_of(const Mask& mask) {
@@ -45,9 +45,9 @@ TEST_CASE("coefficients of the kernels against exact masks") {
       const Mask mask = scheme(degree, n);
       const int M = 2 * n - 1;  // even rule: a_x = sum of kappa_q x^2q / M^(2q+1)
       for (int x : {0, 2, 8, 2 * n - 2}) {
-        Real sum(128);
+        Ball sum(128);
         for (std::size_t q = 0; q < kappa.value.size(); ++q)
-          sum += kappa.value[q] * Real(Rational(power(Rational(x), 2 * static_cast<long>(q)) /
+          sum += kappa.value[q] * Ball(Rational(power(Rational(x), 2 * static_cast<long>(q)) /
                                                 power(Rational(M), 2 * static_cast<long>(q) + 1)),
                                        128);
         CAPTURE(degree, n, x);
@@ -111,7 +111,7 @@ TEST_CASE("bounds of sums of derivatives of sinc") {
   const slong bits = 160;
   testing::Random random;
   for (int round = 0; round < testing::rounds(20); ++round) {
-    std::vector<Real> c;
+    std::vector<Ball> c;
     std::vector<double> plain;
     for (int k = 0; k < 5; ++k) {
       const Rational value(random.integer(-20, 20), random.integer(1, 9));
@@ -120,17 +120,17 @@ TEST_CASE("bounds of sums of derivatives of sinc") {
     }
     const SincSum sum(c);
     const Rational middle(random.integer(100, 6000), 100), width(random.integer(0, 30), 100);
-    const SincTable table(Real(middle, bits), sum.needs());
+    const SincTable table(Ball(middle, bits), sum.needs());
     const Rational point = middle + width * Rational(random.integer(-100, 100), 100);
     if (point < 1) continue;
-    const SincTable exact(Real(point, bits), 5);
+    const SincTable exact(Ball(point, bits), 5);
     double value = 0;
     for (std::size_t k = 0; k < 5; ++k) value += plain[k] * number(*exact[k].enclosure().lower);
     CAPTURE(middle, width, point);
-    const Enclosure over = sum.over(table, Real(width, bits)).enclosure();
+    const Enclosure over = sum.over(table, Ball(width, bits)).enclosure();
     CHECK(value >= number(*over.lower) - 1e-9);
     CHECK(value <= number(*over.upper) + 1e-9);
-    CHECK(std::abs(value) * number(point) <= upper(sum.decay(Real(point, bits))) + 1e-9);
-    CHECK(std::abs(value) <= upper(sum.on_disc(Real(8, bits))) + (point <= 8 ? 1e-9 : 1e9));
+    CHECK(std::abs(value) * number(point) <= upper(sum.decay(Ball(point, bits))) + 1e-9);
+    CHECK(std::abs(value) <= upper(sum.on_disc(Ball(8, bits))) + (point <= 8 ? 1e-9 : 1e9));
   }
 }

@@ -47,7 +47,7 @@ function(subcert_precompiled target kind)
     file(CONFIGURE OUTPUT "${source}" CONTENT "")
     add_library(subcert_precompiled_${kind} OBJECT "${source}")
     target_compile_features(subcert_precompiled_${kind} PRIVATE cxx_std_20)
-    target_link_libraries(subcert_precompiled_${kind} PRIVATE Boost::headers)
+    target_link_libraries(subcert_precompiled_${kind} PRIVATE Boost::headers fmt::fmt)
     get_target_property(options ${target} COMPILE_OPTIONS)
     get_target_property(independent ${target} POSITION_INDEPENDENT_CODE)
     set_target_properties(subcert_precompiled_${kind} PROPERTIES COMPILE_OPTIONS "${options}"

@@ -1,7 +1,8 @@
 #pragma once
 // What almost every source reads, parsed once a build. Every source still includes what it uses.
 
-#include <boost/multiprecision/gmp.hpp>
+#include <fmt/core.h>
+#include <gmp.h>
 
 #include <algorithm>
 #include <array>

@@ -61,8 +61,8 @@ class PowerTree {
       sum = 0;
       const long first = std::max(0L, arity_ * j + t - degree_), last = std::min(width_ - 1, arity_ * j + t);
       for (long m = first; m <= last; ++m)
-        mpz_addmul(sum.backend().data(), numerators_[static_cast<std::size_t>(arity_ * j + t - m)].backend().data(),
-                   parent[static_cast<std::size_t>(m)].backend().data());
+        mpz_addmul(sum.get(), numerators_[static_cast<std::size_t>(arity_ * j + t - m)].get(),
+                   parent[static_cast<std::size_t>(m)].get());
     }
   }
 
@@ -93,7 +93,7 @@ class ExactSums {
     last_ = digits;
     Integer total = 0;
     for (const Integer& c : path_[digits.size()]) total += abs(c);
-    return Rational(total, boost::multiprecision::pow(tree_.denominator(), static_cast<unsigned>(digits.size())));
+    return Rational(total, pow(tree_.denominator(), static_cast<unsigned>(digits.size())));
   }
 
  private:

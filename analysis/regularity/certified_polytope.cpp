@@ -1,5 +1,7 @@
 #include "certified_polytope.hpp"
 
+#include <subcert/analysis/symbol/boost_numbers.hpp>
+
 #include <boost/multiprecision/mpfr.hpp>
 
 #include <algorithm>
@@ -142,7 +144,7 @@ class Orbit {
       for (std::size_t i = 0; i < m.rows(); ++i)
         for (std::size_t j = 0; j < m.rows(); ++j) {
           const Rational& entry = result.transposed ? m(j, i) : m(i, j);
-          real(i, j) = Real(numerator(entry)) / Real(denominator(entry));
+          real(i, j) = Real(to_boost(entry));
         }
       matrices_.push_back(std::move(real));
     }
@@ -225,11 +227,11 @@ class Orbit {
   std::optional<Real> first_radius_, scale_;
 };
 
-Integer round_scaled(const Real& value, int bits) { return Integer(round(ldexp(value, bits))); }
+Integer round_scaled(const Real& value, int bits) { return from_boost(boost::multiprecision::mpz_int(round(ldexp(value, bits)))); }
 
 double to_double(const Integer& value, long exponent) {
   long own = 0;
-  const double mantissa = mpz_get_d_2exp(&own, value.backend().data());
+  const double mantissa = mpz_get_d_2exp(&own, value.get());
   return std::ldexp(mantissa, static_cast<int>(std::clamp(own + exponent, -2000L, 2000L)));
 }
 
@@ -302,8 +304,8 @@ class Certifier {
     std::vector<Integer> result(size_, 0);
     for (std::size_t i = 0; i < size_; ++i)
       for (std::size_t j = 0; j < size_; ++j)
-        mpz_addmul(result[i].backend().data(), matrices_[letter][i * size_ + j].backend().data(),
-                   vector[j].backend().data());
+        mpz_addmul(result[i].get(), matrices_[letter][i * size_ + j].get(),
+                   vector[j].get());
     return result;
   }
 
@@ -336,7 +338,7 @@ class Certifier {
     for (std::size_t i = 0; i < size_; ++i) {
       Integer re = 0, im = 0;
       for (const WeightedVertex& term : terms) {
-        mpz_addmul(re.backend().data(), term.weight.backend().data(), real_part(term, i).backend().data());
+        mpz_addmul(re.get(), term.weight.get(), real_part(term, i).get());
         if (!is_complex()) continue;
         const Integer part = imaginary_part(term, i);
         re -= term.imaginary * part;
@@ -420,7 +422,7 @@ class Certifier {
       long exponent = 0;  // of the largest part, so that small residuals keep their digits
       for (const auto* parts : {&rest.re, &rest.im})
         for (const Integer& c : *parts)
-          if (c != 0) exponent = std::max(exponent, static_cast<long>(mpz_sizeinbase(c.backend().data(), 2)));
+          if (c != 0) exponent = std::max(exponent, static_cast<long>(mpz_sizeinbase(c.get(), 2)));
       if (exponent == 0) return;
       Column right(static_cast<Eigen::Index>(size_));
       for (std::size_t i = 0; i < size_; ++i) {

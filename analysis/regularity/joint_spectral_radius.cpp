@@ -4,6 +4,7 @@
 #include "polytope/decompositions.hpp"
 
 #include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/boost_numbers.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -70,7 +71,7 @@ std::pair<Gaussian<Number>, Gaussian<Number>> evaluate(const Coefficients& coeff
 
 Rational to_dyadic(const Real& value) {
   constexpr int bits = 200;
-  return Rational(Integer(round(ldexp(value, bits))), Integer(1) << bits);
+  return Rational(from_boost(boost::multiprecision::mpz_int(round(ldexp(value, bits)))), Integer(1) << bits);
 }
 
 Rational squared_modulus(const Gaussian<Rational>& z) { return z.re * z.re + z.im * z.im; }
@@ -89,11 +90,11 @@ std::optional<Rational> near_fraction(Real value) {
   for (int k = 0; k < 60; ++k) {
     const Real whole = floor(value);
     if (abs(whole) > large) return std::nullopt;
-    const Integer a(whole);
+    const Integer a = from_boost(boost::multiprecision::mpz_int(whole));
     std::tie(num, last_num) = std::pair(Integer(a * num + last_num), num);
     std::tie(den, last_den) = std::pair(Integer(a * den + last_den), den);
-    if (Real(den) > large) return std::nullopt;
-    if (abs(target - Real(num) / Real(den)) < tiny * (1 + abs(target))) return Rational(num, den);
+    if (Real(to_boost(den)) > large) return std::nullopt;
+    if (abs(target - Real(to_boost(num)) / Real(to_boost(den))) < tiny * (1 + abs(target))) return Rational(num, den);
     value = 1 / (value - whole);
   }
   return std::nullopt;
@@ -168,7 +169,7 @@ ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const
   if (squarefree.length() == 1) return evidence;
   std::vector<Real> real_coefficients;
   for (const Rational& c : coefficients_of(squarefree))
-    real_coefficients.push_back(Real(numerator(c)) / Real(denominator(c)));
+    real_coefficients.push_back(Real(to_boost(c)));
   // A multiple real eigenvalue may come out as a pair that is off by the root of the rounding.
   const double imaginary = std::abs(eigenvalues[leading].imag());
   const bool multiple = squarefree.length() < nonzero.length();

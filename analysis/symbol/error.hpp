@@ -1,6 +1,8 @@
 #pragma once
 /// What goes wrong and whose matter it is: one root for every exception that the library throws on purpose.
 
+#include "rational.hpp"
+
 #include <fmt/core.h>
 
 #include <stdexcept>
@@ -43,3 +45,13 @@ void require(bool condition, fmt::format_string<Arguments...> text, Arguments&&.
 }
 
 }  // namespace subcert
+
+/// Exact numbers in such texts: `p` or `p/q`.
+template <class Number>
+requires(std::same_as<Number, subcert::Integer> ||
+         std::same_as<Number, subcert::Rational>) struct fmt::formatter<Number> {
+  constexpr auto parse(fmt::format_parse_context& context) { return context.begin(); }
+  auto format(const Number& value, fmt::format_context& context) const {
+    return fmt::format_to(context.out(), "{}", value.str());
+  }
+};

@@ -1,11 +1,11 @@
 #include "flint.hpp"
 
-#include <stdexcept>
+#include "error.hpp"
 
 namespace subcert::flint {
 
 Rational to_rational(const arf_t value) {
-  if (!arf_is_finite(value)) throw std::domain_error("to_rational: need a finite float");
+  if (!arf_is_finite(value)) fail(ErrorKind::domain, "to_rational: need a finite float");
   Quotient exact;
   arf_get_fmpq(exact.get(), value);
   return to_rational(exact.get());

@@ -2,6 +2,7 @@
 /// Owners for the FLINT and Arb types that the sources (never the public headers) use, and their conversions to and
 /// from the numbers of the interface. Hides the difference between FLINT 2 with Arb apart and FLINT 3.
 
+#include "error.hpp"
 #include "laurent_polynomial.hpp"
 #include "numbers.hpp"
 
@@ -30,19 +31,19 @@
 
 namespace subcert::flint {
 
-inline void set(fmpz_t target, const Integer& value) { fmpz_set_mpz(target, value.backend().data()); }
+inline void set(fmpz_t target, const Integer& value) { fmpz_set_mpz(target, value.get()); }
 
 inline Integer to_integer(const fmpz_t value) {
   Integer result;
-  fmpz_get_mpz(result.backend().data(), value);
+  fmpz_get_mpz(result.get(), value);
   return result;
 }
 
-inline void set(fmpq_t target, const Rational& value) { fmpq_set_mpq(target, value.backend().data()); }
+inline void set(fmpq_t target, const Rational& value) { fmpq_set_mpq(target, value.get()); }
 
 inline Rational to_rational(const fmpq_t value) {
   Rational result;
-  fmpq_get_mpq(result.backend().data(), value);
+  fmpq_get_mpq(result.get(), value);
   return result;
 }
 

@@ -1,10 +1,10 @@
 #include "laurent_polynomial.hpp"
 
+#include "error.hpp"
 #include "flint.hpp"
 #include "term_text.hpp"
 
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 namespace subcert {
@@ -43,7 +43,7 @@ namespace {
 constexpr long max_length = 100'000'000;
 
 void require_nonzero(bool zero, const char* what) {
-  if (zero) throw std::domain_error(std::string(what) + ": need a non-zero polynomial, got 0");
+  if (zero) fail(ErrorKind::domain, "{}: need a non-zero polynomial, got 0", what);
 }
 
 }  // namespace
@@ -64,12 +64,11 @@ LaurentPolynomial::LaurentPolynomial(const Rational& constant) : LaurentPolynomi
 
 LaurentPolynomial::LaurentPolynomial(const std::vector<Rational>& coefficients, long lowest) : LaurentPolynomial() {
   Integer common = 1;
-  for (const Rational& c : coefficients) common = lcm(common, Integer(boost::multiprecision::denominator(c)));
+  for (const Rational& c : coefficients) common = lcm(common, subcert::denominator(c));
   fmpz_poly_t numerators;
   fmpz_poly_init2(numerators, static_cast<slong>(coefficients.size()));
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
-    const Integer scaled = boost::multiprecision::numerator(coefficients[i]) *
-                           (common / boost::multiprecision::denominator(coefficients[i]));
+    const Integer scaled = numerator(coefficients[i]) * (common / subcert::denominator(coefficients[i]));
     fmpz_poly_set_coeff_fmpz(numerators, static_cast<slong>(i), flint::Whole(scaled).get());
   }
   fmpq_poly_set_fmpz_poly(impl_->poly, numerators);
@@ -84,7 +83,7 @@ LaurentPolynomial LaurentPolynomial::monomial(const Rational& coefficient, long 
 }
 
 LaurentPolynomial LaurentPolynomial::all_ones(int count) {
-  if (count < 1) throw std::invalid_argument("all_ones: need count >= 1, got " + std::to_string(count));
+  require(count >= 1, "all_ones: need count >= 1, got {}", count);
   return LaurentPolynomial(std::vector<Rational>(static_cast<std::size_t>(count), 1), 0);
 }
 
@@ -147,7 +146,7 @@ Integer LaurentPolynomial::denominator() const { return flint::to_integer(fmpq_p
 Rational LaurentPolynomial::operator()(const Rational& z) const {
   if (is_zero()) return 0;
   if (z == 0) {
-    if (impl_->shift < 0) throw std::domain_error("value of a Laurent polynomial: need z != 0, got 0");
+    if (impl_->shift < 0) fail(ErrorKind::domain, "value of a Laurent polynomial: need z != 0, got 0");
     return coefficient(0);
   }
   flint::Quotient value;
@@ -166,7 +165,7 @@ LaurentPolynomial& LaurentPolynomial::operator+=(const LaurentPolynomial& other)
   if (is_zero()) return *this = other;
   const long low = std::min(impl_->shift, other.impl_->shift);
   if (std::max(impl_->shift, other.impl_->shift) - low > max_length)
-    throw std::length_error("sum of Laurent polynomials: exponents more than 10^8 apart");
+    fail(ErrorKind::size, "sum of Laurent polynomials: exponents more than 10^8 apart");
   fmpq_poly_shift_left(impl_->poly, impl_->poly, impl_->shift - low);
   impl_->shift = low;
   if (other.impl_->shift == low) {
@@ -194,9 +193,9 @@ bool LaurentPolynomial::operator==(const LaurentPolynomial& other) const {
 }
 
 LaurentPolynomial LaurentPolynomial::pow(long exponent) const {
-  if (exponent < 0) throw std::invalid_argument("pow: need exponent >= 0, got " + std::to_string(exponent));
+  require(exponent >= 0, "pow: need exponent >= 0, got {}", exponent);
   if (exponent > max_length / std::max(1L, length()))
-    throw std::length_error("pow: need length * exponent <= 10^8, got exponent " + std::to_string(exponent));
+    fail(ErrorKind::size, "pow: need length * exponent <= 10^8, got exponent {}", exponent);
   LaurentPolynomial result;
   fmpq_poly_pow(result.impl_->poly, impl_->poly, static_cast<ulong>(exponent));
   result.impl_->shift = result.is_zero() ? 0 : impl_->shift * exponent;
@@ -210,10 +209,10 @@ LaurentPolynomial LaurentPolynomial::shifted(long exponent) const {
 }
 
 LaurentPolynomial LaurentPolynomial::dilated(long factor) const {
-  if (factor < 1) throw std::invalid_argument("dilated: need factor >= 1, got " + std::to_string(factor));
+  require(factor >= 1, "dilated: need factor >= 1, got {}", factor);
   if (is_zero()) return {};
   if (length() - 1 > max_length / factor)
-    throw std::length_error("dilated: need at most 10^8 coefficients, got factor " + std::to_string(factor));
+    fail(ErrorKind::size, "dilated: need at most 10^8 coefficients, got factor {}", factor);
   LaurentPolynomial result;
   fmpq_poly_t& target = result.impl_->poly;
   fmpz_poly_t numerators;
@@ -242,7 +241,7 @@ LaurentPolynomial LaurentPolynomial::derivative() const {
 }
 
 LaurentPolynomial LaurentPolynomial::coset(int arity, long residue) const {
-  if (arity < 1) throw std::invalid_argument("coset: need arity >= 1, got " + std::to_string(arity));
+  require(arity >= 1, "coset: need arity >= 1, got {}", arity);
   if (is_zero()) return {};
   // First exponent of the form arity*j + residue that is not below lowest().
   long j = (lowest() - residue) / arity;
@@ -273,7 +272,7 @@ std::optional<LaurentPolynomial> LaurentPolynomial::exact_quotient(const Laurent
 
 int LaurentPolynomial::multiplicity(const LaurentPolynomial& factor) const {
   require_nonzero(is_zero(), "multiplicity");
-  if (factor.length() < 2) throw std::invalid_argument("multiplicity: need a factor with at least two terms");
+  if (factor.length() < 2) fail(ErrorKind::domain, "multiplicity: need a factor with at least two terms");
   int count = 0;
   for (auto rest = exact_quotient(factor); rest; rest = rest->exact_quotient(factor)) ++count;
   return count;

@@ -36,7 +36,7 @@ class LaurentPolynomial {
 
   bool is_zero() const;
   bool is_canonical() const;
-  /// Smallest and largest exponent. Errors: throw std::domain_error for zero, which has none.
+  /// Smallest and largest exponent. Errors: throws Error for zero, which has none.
   long lowest() const;
   long highest() const;
   /// highest() - lowest() + 1, and 0 for zero.
@@ -50,7 +50,7 @@ class LaurentPolynomial {
   /// Positive common denominator; 1 for zero.
   Integer denominator() const;
 
-  /// Value at z. Domain: z != 0 unless lowest() >= 0. Errors: throws std::domain_error. Cost: quasi-linear.
+  /// Value at z. Domain: z != 0 unless lowest() >= 0. Errors: throws Error. Cost: quasi-linear.
   Rational operator()(const Rational& z) const;
 
   LaurentPolynomial operator-() const;
@@ -81,7 +81,7 @@ class LaurentPolynomial {
 
   struct Division;
   /// Quotient and remainder after the lowest exponents of both were moved to zero: this = quotient * divisor +
-  /// remainder, and the remainder is shorter than the divisor. Domain: divisor != 0. Errors: throws std::domain_error.
+  /// remainder, and the remainder is shorter than the divisor. Domain: divisor != 0. Errors: throws Error.
   Division divided_by(const LaurentPolynomial& divisor) const;
   /// The quotient where the division leaves no remainder. Domain: divisor != 0.
   std::optional<LaurentPolynomial> exact_quotient(const LaurentPolynomial& divisor) const;

@@ -1,16 +1,22 @@
 #include "mask.hpp"
 
+#include "error.hpp"
+
 #include <algorithm>
-#include <stdexcept>
 
 namespace subcert {
+
+void check_mask(int arity, bool is_zero) {
+  require(arity >= 2, "mask: need arity >= 2, got {}", arity);
+  require(!is_zero, "mask: need at least one non-zero coefficient");
+}
 
 MultivariateMask tensor_product(const std::vector<Mask>& masks) {
   std::vector<LaurentPolynomial> symbols;
   for (const Mask& mask : masks) {
     if (mask.arity() != masks.front().arity())
-      throw std::invalid_argument("tensor product: need masks of one arity, got " +
-                                  std::to_string(masks.front().arity()) + " and " + std::to_string(mask.arity()));
+      fail(ErrorKind::domain, "tensor product: need masks of one arity, got {} and {}", masks.front().arity(),
+           mask.arity());
     symbols.push_back(mask.symbol());
   }
   return {MultivariatePolynomial::tensor_product(symbols), masks.front().arity()};

@@ -8,16 +8,18 @@
 
 namespace subcert {
 
+/// The precondition of masks. Errors: throws Error for arity < 2 or a zero symbol.
+void check_mask(int arity, bool is_zero);
+
 /// The mask of a linear, stationary subdivision scheme: f'_i = sum over j of a_{i - arity*j} f_j, with the coefficients
 /// a_i of `symbol()`; in several variables i and j are multi-indices.
 /// Canonical: arity >= 2 and symbol != 0.
 template <class Symbol>
 class BasicMask {
  public:
-  /// Errors: throws std::invalid_argument for arity < 2 or a zero symbol.
+  /// Errors: throws Error for arity < 2 or a zero symbol.
   BasicMask(Symbol symbol, int arity) : symbol_(std::move(symbol)), arity_(arity) {
-    if (arity < 2) throw std::invalid_argument("mask: need arity >= 2, got " + std::to_string(arity));
-    if (symbol_.is_zero()) throw std::invalid_argument("mask: need at least one non-zero coefficient");
+    check_mask(arity, symbol_.is_zero());
   }
 
   const Symbol& symbol() const { return symbol_; }

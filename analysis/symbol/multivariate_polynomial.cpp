@@ -1,10 +1,10 @@
 #include "multivariate_polynomial.hpp"
 
+#include "error.hpp"
 #include "flint.hpp"
 #include "term_text.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -13,7 +13,7 @@ namespace {
 
 void require_variables(int variables) {
   if (variables < 2 || variables > 3)
-    throw std::invalid_argument("multivariate polynomial: need 2 or 3 variables, got " + std::to_string(variables));
+    fail(ErrorKind::domain, "multivariate polynomial: need 2 or 3 variables, got {}", variables);
 }
 
 /// FLINT contexts live as long as the program; one for each number of variables.
@@ -112,8 +112,7 @@ namespace {
 
 void require_same(int a, int b) {
   if (a != b)
-    throw std::invalid_argument("multivariate polynomials: need as many variables on both sides, got " +
-                                std::to_string(a) + " and " + std::to_string(b));
+    fail(ErrorKind::domain, "multivariate polynomials: need as many variables on both sides, got {} and {}", a, b);
 }
 
 }  // namespace
@@ -138,8 +137,8 @@ MultivariatePolynomial::MultivariatePolynomial(int variables, const std::vector<
   Exponents low = terms.front().exponents;
   for (const Monomial& term : terms) {
     if (term.exponents.size() != static_cast<std::size_t>(variables))
-      throw std::invalid_argument("multivariate polynomial: need " + std::to_string(variables) +
-                                  " exponents in each term, got " + std::to_string(term.exponents.size()));
+      fail(ErrorKind::domain, "multivariate polynomial: need {} exponents in each term, got {}", variables,
+           term.exponents.size());
     for (std::size_t v = 0; v < low.size(); ++v) low[v] = std::min(low[v], term.exponents[v]);
   }
   for (const Monomial& term : terms) {
@@ -163,8 +162,7 @@ MultivariatePolynomial MultivariatePolynomial::tensor_product(const std::vector<
 MultivariatePolynomial MultivariatePolynomial::in_variable(int variables, int index, const LaurentPolynomial& p) {
   require_variables(variables);
   if (index < 0 || index >= variables)
-    throw std::invalid_argument("in_variable: need 0 <= index < " + std::to_string(variables) + ", got " +
-                                std::to_string(index));
+    fail(ErrorKind::domain, "in_variable: need 0 <= index < {}, got {}", variables, index);
   std::vector<Monomial> terms;
   long exponent = p.is_zero() ? 0 : p.lowest();
   for (const Rational& c : p.coefficients()) {
@@ -217,12 +215,12 @@ Rational MultivariatePolynomial::coefficient(const Exponents& exponents) const {
 }
 
 MultivariatePolynomial::Exponents MultivariatePolynomial::lowest() const {
-  if (is_zero()) throw std::domain_error("lowest: need a non-zero polynomial, got 0");
+  require(!is_zero(), "lowest: need a non-zero polynomial, got 0");
   return impl_->shift;
 }
 
 MultivariatePolynomial::Exponents MultivariatePolynomial::highest() const {
-  if (is_zero()) throw std::domain_error("highest: need a non-zero polynomial, got 0");
+  require(!is_zero(), "highest: need a non-zero polynomial, got 0");
   Exponents result = impl_->extreme(true);
   for (std::size_t v = 0; v < result.size(); ++v) result[v] += impl_->shift[v];
   return result;
@@ -287,7 +285,7 @@ MultivariatePolynomial MultivariatePolynomial::shifted(const Exponents& exponent
 }
 
 MultivariatePolynomial MultivariatePolynomial::dilated(long factor) const {
-  if (factor < 1) throw std::invalid_argument("dilated: need factor >= 1, got " + std::to_string(factor));
+  require(factor >= 1, "dilated: need factor >= 1, got {}", factor);
   std::vector<Monomial> result = terms();
   for (Monomial& term : result)
     for (long& e : term.exponents) e *= factor;
@@ -303,15 +301,14 @@ MultivariatePolynomial MultivariatePolynomial::reversed() const {
 
 MultivariatePolynomial MultivariatePolynomial::derivative(int index) const {
   if (index < 0 || index >= variables())
-    throw std::invalid_argument("derivative: need 0 <= index < " + std::to_string(variables()) + ", got " +
-                                std::to_string(index));
+    fail(ErrorKind::domain, "derivative: need 0 <= index < {}, got {}", variables(), index);
   std::vector<Monomial> result = terms();
   for (Monomial& term : result) term.coefficient *= term.exponents[static_cast<std::size_t>(index)]--;
   return MultivariatePolynomial(variables(), result);
 }
 
 MultivariatePolynomial MultivariatePolynomial::coset(int arity, const Exponents& residue) const {
-  if (arity < 1) throw std::invalid_argument("coset: need arity >= 1, got " + std::to_string(arity));
+  require(arity >= 1, "coset: need arity >= 1, got {}", arity);
   require_same(variables(), static_cast<int>(residue.size()));
   std::vector<Monomial> result;
   for (Monomial& term : terms()) {
@@ -328,7 +325,7 @@ MultivariatePolynomial MultivariatePolynomial::coset(int arity, const Exponents&
 
 MultivariatePolynomial::Division MultivariatePolynomial::divided_by(const MultivariatePolynomial& divisor) const {
   require_same(variables(), divisor.variables());
-  if (divisor.is_zero()) throw std::domain_error("divisor: need a non-zero polynomial, got 0");
+  require(!divisor.is_zero(), "divisor: need a non-zero polynomial, got 0");
   Division result{MultivariatePolynomial(variables()), MultivariatePolynomial(variables())};
   Impl &quotient = *result.quotient.impl_, &remainder = *result.remainder.impl_;
   fmpq_mpoly_divrem(quotient.poly, remainder.poly, impl_->poly, divisor.impl_->poly, impl_->ctx);
@@ -347,8 +344,8 @@ std::optional<MultivariatePolynomial> MultivariatePolynomial::exact_quotient(
 }
 
 int MultivariatePolynomial::multiplicity(const MultivariatePolynomial& factor) const {
-  if (is_zero()) throw std::domain_error("multiplicity: need a non-zero polynomial, got 0");
-  if (factor.count() < 2) throw std::invalid_argument("multiplicity: need a factor with at least two terms");
+  require(!is_zero(), "multiplicity: need a non-zero polynomial, got 0");
+  if (factor.count() < 2) fail(ErrorKind::domain, "multiplicity: need a factor with at least two terms");
   int count = 0;
   for (auto rest = exact_quotient(factor); rest; rest = rest->exact_quotient(factor)) ++count;
   return count;
@@ -358,7 +355,7 @@ MultivariatePolynomial gcd(const MultivariatePolynomial& a, const MultivariatePo
   require_same(a.variables(), b.variables());
   MultivariatePolynomial result(a.variables());
   if (!fmpq_mpoly_gcd(result.impl_->poly, a.impl_->poly, b.impl_->poly, result.impl_->ctx))
-    throw std::overflow_error("gcd: the exponents are too large");
+    fail(ErrorKind::size, "gcd: the exponents are too large");
   result.impl_->canonicalise();
   // canonicalise() keeps the dropped monomial in the shift; it is a unit, and the divisor is made unique without it.
   std::fill(result.impl_->shift.begin(), result.impl_->shift.end(), 0);

@@ -22,7 +22,7 @@ class MultivariatePolynomial {
   /// Zero. Domain: 2 <= variables <= 3.
   explicit MultivariatePolynomial(int variables);
   MultivariatePolynomial(int variables, const Rational& constant);
-  /// The sum of `terms`; repeated exponents add up. Errors: throws std::invalid_argument where a term has another
+  /// The sum of `terms`; repeated exponents add up. Errors: throws Error where a term has another
   /// number of exponents than there are variables.
   MultivariatePolynomial(int variables, const std::vector<Monomial>& terms);
   MultivariatePolynomial(const MultivariatePolynomial& other);
@@ -45,7 +45,7 @@ class MultivariatePolynomial {
   long count() const;
   std::vector<Monomial> terms() const;
   Rational coefficient(const Exponents& exponents) const;
-  /// Smallest and largest exponent of each variable. Errors: throw std::domain_error for zero.
+  /// Smallest and largest exponent of each variable. Errors: throws Error for zero.
   Exponents lowest() const;
   Exponents highest() const;
 

@@ -1,9 +1,9 @@
 #include "numbers.hpp"
 
 #include "balls.hpp"
+#include "error.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace subcert {
 namespace {
@@ -15,12 +15,12 @@ bool all_digits(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-Integer power_of_ten(long exponent) { return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(exponent)); }
+Integer power_of_ten(long exponent) { return pow(Integer(10), static_cast<unsigned>(exponent)); }
 
 /// The largest e with 10^e <= |value|. Domain: value != 0.
 long decimal_exponent(const Rational& value) {
   const Rational magnitude = abs(value);
-  const auto size = [](const Integer& x) { return static_cast<long>(mpz_sizeinbase(x.backend().data(), 10)); };
+  const auto size = [](const Integer& x) { return static_cast<long>(mpz_sizeinbase(x.get(), 10)); };
   long exponent = size(numerator(magnitude)) - size(denominator(magnitude)) + 1;
   while (power(Rational(10), exponent) > magnitude) --exponent;
   return exponent;
@@ -53,9 +53,9 @@ Integer to_integer(const Rational& value, Rounding rounding) {
   const Integer num = numerator(value), den = denominator(value);
   Integer result;
   if (rounding == Rounding::down)
-    mpz_fdiv_q(result.backend().data(), num.backend().data(), den.backend().data());
+    mpz_fdiv_q(result.get(), num.get(), den.get());
   else
-    mpz_cdiv_q(result.backend().data(), num.backend().data(), den.backend().data());
+    mpz_cdiv_q(result.get(), num.get(), den.get());
   return result;
 }
 
@@ -71,8 +71,8 @@ std::optional<Rational> parse_rational(std::string_view text) {
   if (!all_digits(num) || !all_digits(den)) return std::nullopt;
   // mpz_set_str is told base 10: the constructor of Integer would read a leading zero as octal.
   Integer numerator, denominator;
-  mpz_set_str(numerator.backend().data(), std::string(num).c_str(), 10);
-  mpz_set_str(denominator.backend().data(), std::string(den).c_str(), 10);
+  mpz_set_str(numerator.get(), std::string(num).c_str(), 10);
+  mpz_set_str(denominator.get(), std::string(den).c_str(), 10);
   if (denominator == 0) return std::nullopt;
   if (negative) numerator = -numerator;
   return Rational(numerator, denominator);
@@ -82,18 +82,18 @@ std::string to_text(const Rational& value) { return value.str(); }
 
 Rational power(const Rational& base, long exponent) {
   if (exponent < 0) {
-    if (base == 0) throw std::domain_error("power: need base != 0 for a negative exponent, got 0");
+    if (base == 0) fail(ErrorKind::domain, "power: need base != 0 for a negative exponent, got 0");
     return 1 / power(base, -exponent);
   }
   Integer num, den;
-  mpz_pow_ui(num.backend().data(), numerator(base).backend().data(), static_cast<unsigned long>(exponent));
-  mpz_pow_ui(den.backend().data(), denominator(base).backend().data(), static_cast<unsigned long>(exponent));
+  mpz_pow_ui(num.get(), numerator(base).get(), static_cast<unsigned long>(exponent));
+  mpz_pow_ui(den.get(), denominator(base).get(), static_cast<unsigned long>(exponent));
   return Rational(num, den);
 }
 
 std::string to_fixed(const Rational& value, int places, Rounding rounding) {
   if (places < 0 || places > static_cast<int>(max_digits))
-    throw std::invalid_argument("to_fixed: need 0 <= places <= 10000, got " + std::to_string(places));
+    fail(ErrorKind::domain, "to_fixed: need 0 <= places <= 10000, got {}", places);
   return place_point(to_integer(value * Rational(power_of_ten(places)), rounding).str(), places);
 }
 
@@ -104,7 +104,7 @@ std::string short_text(const Rational& value) {
 
 std::string to_decimal(const Rational& value, int digits, Rounding rounding) {
   if (digits < 1 || digits > static_cast<int>(max_digits))
-    throw std::invalid_argument("to_decimal: need 1 <= digits <= 10000, got " + std::to_string(digits));
+    fail(ErrorKind::domain, "to_decimal: need 1 <= digits <= 10000, got {}", digits);
   if (value == 0) return "0";
   long exponent = decimal_exponent(value);
   long shift = digits - 1 - exponent;
@@ -131,14 +131,14 @@ std::string Enclosure::lower_text(int digits) const {
 std::string Enclosure::upper_text(int digits) const { return upper ? to_decimal(*upper, digits, Rounding::up) : "inf"; }
 
 Enclosure log_ratio(const Rational& argument, int base) {
-  if (argument <= 0) throw std::domain_error("log_ratio: need argument > 0, got " + to_text(argument));
-  if (base < 2) throw std::domain_error("log_ratio: need base >= 2, got " + std::to_string(base));
+  if (argument <= 0) fail(ErrorKind::domain, "log_ratio: need argument > 0, got {}", argument);
+  require(base >= 2, "log_ratio: need base >= 2, got {}", base);
   // A power of the base has a rational logarithm.
   for (bool inverted : {false, true}) {
     const Rational value = inverted ? 1 / argument : argument;
     if (denominator(value) != 1) continue;
     Integer rest = numerator(value), base_integer = base;
-    const auto exponent = mpz_remove(rest.backend().data(), rest.backend().data(), base_integer.backend().data());
+    const auto exponent = mpz_remove(rest.get(), rest.get(), base_integer.get());
     if (rest == 1) return Enclosure::exactly(inverted ? -Rational(exponent) : Rational(exponent));
   }
   constexpr slong bits = 192;
@@ -146,12 +146,12 @@ Enclosure log_ratio(const Rational& argument, int base) {
 }
 
 Enclosure root_enclosure(const Rational& value, int degree) {
-  if (value < 0 || degree < 1) throw std::invalid_argument("root_enclosure: need value >= 0 and degree >= 1");
+  if (value < 0 || degree < 1) fail(ErrorKind::domain, "root_enclosure: need value >= 0 and degree >= 1");
   if (degree == 1 || value == 0) return Enclosure::exactly(value);
   // An exact root where there is one.
   Integer num, den;
-  if (mpz_root(num.backend().data(), numerator(value).backend().data(), static_cast<unsigned long>(degree)) != 0 &&
-      mpz_root(den.backend().data(), denominator(value).backend().data(), static_cast<unsigned long>(degree)) != 0)
+  if (mpz_root(num.get(), numerator(value).get(), static_cast<unsigned long>(degree)) != 0 &&
+      mpz_root(den.get(), denominator(value).get(), static_cast<unsigned long>(degree)) != 0)
     return Enclosure::exactly(Rational(num, den));
   return Ball(value, 256).root(static_cast<ulong>(degree)).enclosure(256);
 }

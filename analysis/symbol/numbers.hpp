@@ -1,16 +1,13 @@
 #pragma once
 /// Exact numbers, enclosures and three-valued answers: the vocabulary every floor speaks.
 
-#include <boost/multiprecision/gmp.hpp>
+#include "rational.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace subcert {
-
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 /// Reads `p` or `p/q` with optional sign; anything else (blanks, decimals, q = 0, more than 10,000 digits) gives
 /// nullopt. Cost: quadratic in the digits.

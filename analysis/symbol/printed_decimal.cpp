@@ -1,6 +1,6 @@
 #include "printed_decimal.hpp"
 
-#include <stdexcept>
+#include "error.hpp"
 
 namespace subcert {
 
@@ -14,7 +14,7 @@ PrintedDecimal read_printed_decimal(const std::string& text) {
   }
   const auto value = parse_rational(digits);
   if (!value || digits.find('/') != std::string::npos)
-    throw std::invalid_argument("printed value: need a decimal number, got '" + text + "'");
+    fail(ErrorKind::domain, "printed value: need a decimal number, got '{}'", text);
   return {*value * power(Rational(10), -places), places};
 }
 

@@ -13,7 +13,7 @@ struct PrintedDecimal {
   Rational unit() const { return power(Rational(10), -places); }
 };
 
-/// Reads `12.340`, also with a minus. Errors: throws std::invalid_argument.
+/// Reads `12.340`, also with a minus. Errors: throws Error.
 PrintedDecimal read_printed_decimal(const std::string& text);
 
 /// yes: the enclosure is narrower than one unit of the last printed place and lies within one unit of the printed

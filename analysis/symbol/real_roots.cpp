@@ -1,6 +1,7 @@
 #include "real_roots.hpp"
 
 #include "balls.hpp"
+#include "error.hpp"
 
 #include <flint/fmpz_poly_factor.h>
 #include <flint/ulong_extras.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 namespace subcert {
@@ -148,7 +148,7 @@ std::optional<Enclosure> largest_simple_root(const LaurentPolynomial& factor, in
 }  // namespace
 
 int count_real_roots(const LaurentPolynomial& p) {
-  if (p.is_zero()) throw std::domain_error("count_real_roots: need a non-zero polynomial, got 0");
+  require(!p.is_zero(), "count_real_roots: need a non-zero polynomial, got 0");
   // A factor z^k, k > 0, brings the zero 0; it is not in IntegerPolynomial.
   IntegerPolynomial q(p), derivative(p);
   fmpz_poly_derivative(derivative.get(), q.get());
@@ -159,12 +159,12 @@ int count_real_roots(const LaurentPolynomial& p) {
 }
 
 std::vector<PolynomialFactor> irreducible_factors(const LaurentPolynomial& p) {
-  if (p.is_zero()) throw std::domain_error("irreducible_factors: need a non-zero polynomial, got 0");
+  require(!p.is_zero(), "irreducible_factors: need a non-zero polynomial, got 0");
   return factors_of(p, fmpz_poly_factor);
 }
 
 std::optional<RealRoot> largest_real_root(const LaurentPolynomial& p, int bits) {
-  if (p.is_zero()) throw std::domain_error("largest_real_root: need a non-zero polynomial, got 0");
+  require(!p.is_zero(), "largest_real_root: need a non-zero polynomial, got 0");
   const std::vector<PolynomialFactor> candidates = factors_of(p, fmpz_poly_factor_squarefree);
   // The squarefree factors are coprime, so that enough bits tell which zero is the largest.
   for (;; bits *= 2) {
@@ -186,7 +186,7 @@ std::optional<RealRoot> largest_real_root(const LaurentPolynomial& p, int bits) 
 }
 
 bool has_root_on_unit_circle(const LaurentPolynomial& p) {
-  if (p.is_zero()) throw std::domain_error("has_root_on_unit_circle: need a non-zero polynomial, got 0");
+  require(!p.is_zero(), "has_root_on_unit_circle: need a non-zero polynomial, got 0");
   if (p(1) == 0 || p(-1) == 0) return true;
   LaurentPolynomial common = gcd(p, p.reversed());
   if (common.length() == 1) return false;
@@ -196,7 +196,7 @@ bool has_root_on_unit_circle(const LaurentPolynomial& p) {
 }
 
 bool is_nonnegative_on_unit_circle(const LaurentPolynomial& p) {
-  if (!(p.reversed() == p)) throw std::invalid_argument("is_nonnegative_on_unit_circle: need p(z) = p(1/z)");
+  if (!(p.reversed() == p)) fail(ErrorKind::domain, "is_nonnegative_on_unit_circle: need p(z) = p(1/z)");
   if (p.is_zero()) return true;
   const LaurentPolynomial c = in_sum_of_inverses(p);
   if (is_negative_somewhere(c)) return false;
@@ -219,8 +219,7 @@ bool is_nonnegative_on_unit_circle(const LaurentPolynomial& p) {
 }
 
 LaurentPolynomial cyclotomic(long order) {
-  if (order < 1 || order > 1'000'000)
-    throw std::invalid_argument("cyclotomic: need 1 <= order <= 1000000, got " + std::to_string(order));
+  if (order < 1 || order > 1'000'000) fail(ErrorKind::domain, "cyclotomic: need 1 <= order <= 1000000, got {}", order);
   fmpz_poly_t value;
   fmpz_poly_init(value);
   fmpz_poly_cyclotomic(value, static_cast<ulong>(order));
@@ -230,7 +229,7 @@ LaurentPolynomial cyclotomic(long order) {
 }
 
 long totient(long order) {
-  if (order < 1) throw std::invalid_argument("totient: need order >= 1, got " + std::to_string(order));
+  require(order >= 1, "totient: need order >= 1, got {}", order);
   return static_cast<long>(n_euler_phi(static_cast<ulong>(order)));
 }
 

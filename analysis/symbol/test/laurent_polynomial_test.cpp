@@ -1,3 +1,4 @@
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
@@ -74,12 +75,12 @@ TEST_CASE("division, multiplicity and gcd") {
     CHECK((q * ones.pow(power_of_ones)).multiplicity(ones) == q.multiplicity(ones) + power_of_ones);
   }
   CHECK(gcd(LaurentPolynomial(), LaurentPolynomial()).is_zero());
-  CHECK_THROWS_AS(LaurentPolynomial(1).divided_by(LaurentPolynomial()), std::domain_error);
-  CHECK_THROWS_AS(LaurentPolynomial().lowest(), std::domain_error);
-  CHECK_THROWS_AS(LaurentPolynomial().multiplicity(LaurentPolynomial::all_ones(2)), std::domain_error);
-  CHECK_THROWS_AS(LaurentPolynomial(1).multiplicity(LaurentPolynomial(2)), std::invalid_argument);
-  CHECK_THROWS_AS(LaurentPolynomial::monomial(1, -1)(0), std::domain_error);
-  CHECK_THROWS_AS(LaurentPolynomial::all_ones(2).dilated(2'000'000'000), std::length_error);
+  CHECK_THROWS_AS(LaurentPolynomial(1).divided_by(LaurentPolynomial()), Error);
+  CHECK_THROWS_AS(LaurentPolynomial().lowest(), Error);
+  CHECK_THROWS_AS(LaurentPolynomial().multiplicity(LaurentPolynomial::all_ones(2)), Error);
+  CHECK_THROWS_AS(LaurentPolynomial(1).multiplicity(LaurentPolynomial(2)), Error);
+  CHECK_THROWS_AS(LaurentPolynomial::monomial(1, -1)(0), Error);
+  CHECK_THROWS_AS(LaurentPolynomial::all_ones(2).dilated(2'000'000'000), Error);
 }
 
 TEST_CASE("the cosets put the symbol together again") {

@@ -1,3 +1,4 @@
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/multivariate_polynomial.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -64,7 +65,7 @@ TEST_CASE("division and gcd in several variables") {
     CHECK((p * d).exact_quotient(d) == p);
     CHECK(gcd(p * d, d).exact_quotient(d).has_value());
   }
-  CHECK_THROWS_AS(MultivariatePolynomial(2).divided_by(MultivariatePolynomial(2)), std::domain_error);
+  CHECK_THROWS_AS(MultivariatePolynomial(2).divided_by(MultivariatePolynomial(2)), Error);
 }
 
 TEST_CASE("tensor products, cosets and factors") {
@@ -87,6 +88,6 @@ TEST_CASE("tensor products, cosets and factors") {
   CHECK(MultivariatePolynomial::parse("z", 3).highest() == Exponents{0, 0, 1});
   CHECK(MultivariatePolynomial::parse("1/2*x*y", 2).to_latex() == "\\frac{1}{2} x y");
   CHECK_THROWS_AS(MultivariatePolynomial::parse("z", 2), ParseError);
-  CHECK_THROWS_AS(MultivariatePolynomial(4), std::invalid_argument);
-  CHECK_THROWS_AS(MultivariatePolynomial(2) + MultivariatePolynomial(3), std::invalid_argument);
+  CHECK_THROWS_AS(MultivariatePolynomial(4), Error);
+  CHECK_THROWS_AS(MultivariatePolynomial(2) + MultivariatePolynomial(3), Error);
 }

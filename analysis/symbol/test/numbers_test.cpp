@@ -1,3 +1,4 @@
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 
@@ -62,7 +63,7 @@ TEST_CASE("decimals are rounded outward") {
   CHECK(to_decimal(Rational(999) * power(Rational(10), -10), 2, Rounding::up) == "0.0000001");
   CHECK(to_decimal(Rational(999) * power(Rational(10), -20), 2, Rounding::up) == "1e-17");
   CHECK(to_decimal(Rational(999, 1000), 2, Rounding::nearest) == "1");
-  CHECK_THROWS_AS(to_decimal(1, 0, Rounding::up), std::invalid_argument);
+  CHECK_THROWS_AS(to_decimal(1, 0, Rounding::up), Error);
 }
 
 TEST_CASE("logarithms are enclosed") {
@@ -84,8 +85,8 @@ TEST_CASE("logarithms are enclosed") {
   CHECK(*log_ratio(Rational(1, 8), 2).lower == -3);
   CHECK(*log_ratio(Rational(81), 3).upper == 4);
   CHECK(log_ratio(Rational(2), 4).contains(Rational(1, 2)));
-  CHECK_THROWS_AS(log_ratio(0, 2), std::domain_error);
-  CHECK_THROWS_AS(log_ratio(2, 1), std::domain_error);
+  CHECK_THROWS_AS(log_ratio(0, 2), Error);
+  CHECK_THROWS_AS(log_ratio(2, 1), Error);
 }
 
 TEST_CASE("an enclosure prints a set that contains it") {

@@ -1,4 +1,5 @@
-# subcert_statement_tests(PROGRAM): each statement of the registry as a test of its own, with the label `statements`. The ids come from
+# subcert_statement_tests(PROGRAM): each statement of the registry as a test of its own, with the label `statements`.
+# The ids come from
 # the program once it is built.
 set(SUBCERT_WRITE_STATEMENT_TESTS "${CMAKE_CURRENT_LIST_DIR}/write_statement_tests.cmake")
 

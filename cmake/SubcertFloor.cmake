@@ -1,66 +1,65 @@
+# How the targets of the house are made.
+option(SUBCERT_JOIN "Compile sources of one folder together where their target says so" ON)
+
 # subcert_floor(NAME [QUICK] SOURCES ... HEADERS ... DEPENDS ... PRIVATE ...)
-# One static library for a floor of the house: alias subcert::NAME, exported, with its public headers installed
-# below include/subcert under their path in the source tree. QUICK: compiled quickly, for a floor that only calls others.
+# One static library for a floor of the house: alias subcert::NAME, exported. HEADERS are its public ones: they are
+# installed below include/subcert under their path in the source tree, and each compiles alone (a long test); headers
+# that no user needs are listed nowhere. QUICK: compiled quickly, for a floor that only calls others.
 function(subcert_floor name)
   cmake_parse_arguments(PARSE_ARGV 1 floor "QUICK" "" "SOURCES;HEADERS;DEPENDS;PRIVATE")
-  add_library(subcert_${name} STATIC ${floor_SOURCES} ${floor_HEADERS})
-  add_library(subcert::${name} ALIAS subcert_${name})
-  set_target_properties(subcert_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-  target_compile_features(subcert_${name} PUBLIC cxx_std_20)
-  target_include_directories(subcert_${name} SYSTEM PUBLIC
-    "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
-  target_link_libraries(subcert_${name} PUBLIC ${floor_DEPENDS})
-  foreach(library IN LISTS floor_PRIVATE)
-    target_link_libraries(subcert_${name} PRIVATE ${library})
-  endforeach()
-  subcert_warnings(subcert_${name})
-  if(floor_QUICK)
-    target_compile_options(subcert_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-  else()
-    subcert_precompiled(subcert_${name} floors)
-  endif()
+  set(target subcert_${name})
+  add_library(${target} STATIC ${floor_SOURCES})
+  add_library(subcert::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ${SUBCERT_BUILD_TESTS})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC ${floor_DEPENDS} PRIVATE ${floor_PRIVATE})
+  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${SUBCERT_INCLUDE}>")
   file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
-  foreach(header IN LISTS floor_HEADERS)
-    get_filename_component(inside "${header}" DIRECTORY)
-    install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/subcert/${folder}/${inside}")
-  endforeach()
-  install(TARGETS subcert_${name} EXPORT subcertTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-  if(SUBCERT_BUILD_TESTS)
-    subcert_headers_compile_alone(${name} ${floor_HEADERS})
+  list(TRANSFORM floor_HEADERS PREPEND "${SUBCERT_INCLUDE}/subcert/${folder}/")
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS "${SUBCERT_INCLUDE}" FILES ${floor_HEADERS})
+  install(TARGETS ${target} EXPORT subcertTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  subcert_warnings(${target})
+  if(floor_QUICK)
+    subcert_precompiled(${target} quick)
+  else()
+    subcert_precompiled(${target} floors)
   endif()
 endfunction()
 
 # subcert_precompiled(TARGET KIND): what almost every source reads is parsed once for all targets of a kind, which have
 # the same options.
-#   floors    optimised, position independent
-#   programs  tests, examples, reports: compiled quickly
+#   floors  optimised
+#   quick   compiled quickly: floors that only call others, reports, commands
+#   tests   compiled quickly, with Catch2
 function(subcert_precompiled target kind)
-  if(kind STREQUAL "programs")
+  target_compile_options(${target} PRIVATE -fPIC)
+  if(NOT kind STREQUAL "floors")
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
-  if(NOT TARGET subcert_precompiled_${kind})
+  set(common subcert_precompiled_${kind})
+  if(NOT TARGET ${common})
     set(headers "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
-    if(kind STREQUAL "programs" AND SUBCERT_BUILD_TESTS)
+    if(kind STREQUAL "tests")
       list(APPEND headers "${PROJECT_SOURCE_DIR}/cmake/catch.hpp")
     endif()
     set(source "${PROJECT_BINARY_DIR}/precompiled_${kind}.cpp")
     file(CONFIGURE OUTPUT "${source}" CONTENT "")
-    add_library(subcert_precompiled_${kind} OBJECT "${source}")
-    target_compile_features(subcert_precompiled_${kind} PRIVATE cxx_std_20)
-    target_link_libraries(subcert_precompiled_${kind} PRIVATE Boost::headers fmt::fmt)
+    add_library(${common} OBJECT "${source}")
+    target_compile_features(${common} PRIVATE cxx_std_20)
+    target_link_libraries(${common} PRIVATE fmt::fmt)
     get_target_property(options ${target} COMPILE_OPTIONS)
-    get_target_property(independent ${target} POSITION_INDEPENDENT_CODE)
-    set_target_properties(subcert_precompiled_${kind} PROPERTIES COMPILE_OPTIONS "${options}"
-      POSITION_INDEPENDENT_CODE "${independent}")
-    target_precompile_headers(subcert_precompiled_${kind} PRIVATE ${headers})
+    set_target_properties(${common} PROPERTIES COMPILE_OPTIONS "${options}")
+    target_precompile_headers(${common} PRIVATE ${headers})
   endif()
-  target_precompile_headers(${target} REUSE_FROM subcert_precompiled_${kind})
+  target_precompile_headers(${target} REUSE_FROM ${common})
 endfunction()
 
-# subcert_joined(TARGET COUNT): compiles COUNT sources at a time, so that the headers' functions are compiled less often.
+# subcert_joined(TARGET COUNT): compiles COUNT sources at a time, so that the headers' functions are compiled less
+# often.
 # Names in their unnamed namespaces have to differ.
 function(subcert_joined target count)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SUBCERT_JOIN} UNITY_BUILD_BATCH_SIZE ${count})
 endfunction()
 
 function(subcert_warnings target)
@@ -69,30 +68,14 @@ function(subcert_warnings target)
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
 endfunction()
 
-# Each public header compiles as a source of its own, so that it needs no other include before it: a long test a floor.
-function(subcert_headers_compile_alone name)
-  set(sources)
-  foreach(header IN LISTS ARGN)
-    string(REPLACE "/" "_" flat "${header}")
-    set(source "${CMAKE_CURRENT_BINARY_DIR}/alone/${flat}.cpp")
-    file(CONFIGURE OUTPUT "${source}" CONTENT "#include \"${CMAKE_CURRENT_SOURCE_DIR}/${header}\"\n")
-    list(APPEND sources "${source}")
-  endforeach()
-  add_library(subcert_${name}_headers_alone OBJECT EXCLUDE_FROM_ALL ${sources})
-  target_link_libraries(subcert_${name}_headers_alone PRIVATE subcert::${name})
-  add_test(NAME "headers alone: ${name}"
-    COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}" --target subcert_${name}_headers_alone)
-  set_tests_properties("headers alone: ${name}" PROPERTIES LABELS long TIMEOUT 900 RUN_SERIAL ON)
-endfunction()
-
-# subcert_test(NAME [LONG] SOURCES ... DEPENDS ...): one Catch2 program, its cases registered one by one. LONG: it has cases
-# with the tag [long], which get the label `long`.
+# subcert_test(NAME [LONG] SOURCES ... DEPENDS ...): one Catch2 program, its cases registered one by one. LONG: it has
+# cases with the tag [long], which get the label `long`.
 function(subcert_test name)
   cmake_parse_arguments(PARSE_ARGV 1 test "LONG" "" "SOURCES;DEPENDS")
   add_executable(${name} ${test_SOURCES})
-  target_link_libraries(${name} PRIVATE ${test_DEPENDS} Boost::headers Catch2::Catch2WithMain)
+  target_link_libraries(${name} PRIVATE ${test_DEPENDS} Catch2::Catch2WithMain)
   subcert_warnings(${name})
-  subcert_precompiled(${name} programs)
+  subcert_precompiled(${name} tests)
   catch_discover_tests(${name} TEST_SPEC "~[long]" TEST_PREFIX "${name}: " PROPERTIES LABELS quick TIMEOUT 300)
   if(test_LONG)
     catch_discover_tests(${name} TEST_SPEC "[long]" TEST_PREFIX "${name}: " PROPERTIES LABELS long TIMEOUT 900)

@@ -3,12 +3,15 @@ set -eu
 
 readonly build=build/release
 
-# What the build and the reports need, as Debian names it.
-readonly packages="g++ cmake ninja-build libboost-dev libboost-filesystem-dev libboost-iostreams-dev libboost-system-dev
-  libeigen3-dev libgmp-dev libmpfr-dev libflint-dev libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libtbb-dev libgnuplot-iostream-dev gnuplot-nox
-  libopenmpi-dev openmpi-bin fonts-dejavu-core catch2 libbenchmark-dev python3"
+# What the program and its reports need, as Debian names it.
+readonly packages_to_run="g++ cmake ninja-build libboost-dev libboost-filesystem-dev libboost-iostreams-dev
+  libboost-system-dev libeigen3-dev libgmp-dev libmpfr-dev libflint-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+  libtomlplusplus-dev libtbb-dev libgnuplot-iostream-dev gnuplot-nox libopenmpi-dev openmpi-bin fonts-dejavu-core"
+# What tests and benchmarks need beside.
+readonly packages_to_check="catch2 libbenchmark-dev python3 git clang-format clang-tidy"
 # Beside FLINT 2 the library Arb is a package of its own; FLINT 3 contains it.
 readonly packages_where_they_exist="libflint-arb-dev"
+packages=$packages_to_run
 
 has_package() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
@@ -25,7 +28,10 @@ as_root() {
 }
 
 install_missing() {
-  command -v dpkg-query >/dev/null || { echo "not a Debian system: install by hand what README.md lists" >&2; return; }
+  command -v dpkg-query >/dev/null || {
+    echo "not a Debian system: install by hand what docs/dependencies.md lists" >&2
+    return
+  }
   missing=$(missing_packages)
   [ -n "$missing" ] || return 0
   if [ "${1:-}" = list ]; then
@@ -45,7 +51,11 @@ install_missing() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $wanted >/dev/null
 }
 
-configure_and_build() {
-  cmake --preset release -DSUBCERT_BUILD_TESTS=ON -DSUBCERT_BUILD_BENCH=ON >/dev/null
-  cmake --build --preset release
+# build TARGET: progress is one line that moves on a terminal, and nothing elsewhere.
+build() {
+  if [ -t 1 ]; then
+    NINJA_STATUS="building %f of %t: " ninja -C "$build" "$1"
+  else
+    ninja -C "$build" --quiet "$1"
+  fi
 }

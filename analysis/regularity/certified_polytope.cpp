@@ -227,7 +227,9 @@ class Orbit {
   std::optional<Real> first_radius_, scale_;
 };
 
-Integer round_scaled(const Real& value, int bits) { return from_boost(boost::multiprecision::mpz_int(round(ldexp(value, bits)))); }
+Integer round_scaled(const Real& value, int bits) {
+  return from_boost(boost::multiprecision::mpz_int(round(ldexp(value, bits))));
+}
 
 double to_double(const Integer& value, long exponent) {
   long own = 0;
@@ -304,8 +306,7 @@ class Certifier {
     std::vector<Integer> result(size_, 0);
     for (std::size_t i = 0; i < size_; ++i)
       for (std::size_t j = 0; j < size_; ++j)
-        mpz_addmul(result[i].get(), matrices_[letter][i * size_ + j].get(),
-                   vector[j].get());
+        mpz_addmul(result[i].get(), matrices_[letter][i * size_ + j].get(), vector[j].get());
     return result;
   }
 

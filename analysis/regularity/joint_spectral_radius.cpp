@@ -168,8 +168,7 @@ ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const
   const LaurentPolynomial squarefree = *nonzero.exact_quotient(gcd(nonzero, nonzero.derivative()));
   if (squarefree.length() == 1) return evidence;
   std::vector<Real> real_coefficients;
-  for (const Rational& c : coefficients_of(squarefree))
-    real_coefficients.push_back(Real(to_boost(c)));
+  for (const Rational& c : coefficients_of(squarefree)) real_coefficients.push_back(Real(to_boost(c)));
   // A multiple real eigenvalue may come out as a pair that is off by the root of the rounding.
   const double imaginary = std::abs(eigenvalues[leading].imag());
   const bool multiple = squarefree.length() < nonzero.length();

@@ -10,7 +10,7 @@ namespace {
 
 /// The text that GMP allocated, as a string of ours.
 std::string owned(char* text) {
-  const std::string result(text);
+  std::string result(text);
   void (*release)(void*, std::size_t) = nullptr;
   mp_get_memory_functions(nullptr, nullptr, &release);
   release(text, result.size() + 1);

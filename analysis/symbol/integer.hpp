@@ -95,7 +95,7 @@ class Integer {
   }
   template <std::integral T>
   friend bool operator==(const Integer& a, T b) {
-    return (a <=> b) == 0;
+    return std::is_eq(a <=> b);
   }
   template <std::integral T>
   friend std::strong_ordering operator<=>(const Integer& a, T b) {

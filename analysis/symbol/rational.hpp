@@ -73,7 +73,7 @@ class Rational {
   }
   template <std::integral T>
   friend bool operator==(const Rational& a, T b) {
-    return (a <=> b) == 0;
+    return std::is_eq(a <=> b);
   }
   template <std::integral T>
   friend std::strong_ordering operator<=>(const Rational& a, T b) {

@@ -1,4 +1,5 @@
-# TOY under mpirun with RANKS ranks and alone: the same bytes. Failed cases are reported once and made up for, and a journal
+# TOY under mpirun with RANKS ranks and alone: the same bytes. Failed cases are reported once and made up for, and a
+# journal
 # that is refused ends all ranks with the message of rank 0.
 if(NOT MPIRUN)
   message("skipped: built without MPI")

@@ -1,6 +1,7 @@
 #pragma once
 /// Masks: a symbol together with its arity.
 
+#include "interval.hpp"
 #include "laurent_polynomial.hpp"
 #include "multivariate_polynomial.hpp"
 
@@ -64,12 +65,7 @@ struct IndexRange {
 
 IndexRange support(const Mask& mask);
 
-/// Where the closed, convex hull of the support of the basic limit function ends: first/(arity-1), last/(arity-1).
-struct Interval {
-  Rational lower;
-  Rational upper;
-};
-
+/// The closed, convex hull of the support of the basic limit function: first/(arity-1) to last/(arity-1).
 Interval limit_support(const Mask& mask);
 
 enum class Symmetry { odd, even, none };

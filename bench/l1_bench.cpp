@@ -10,22 +10,22 @@ namespace {
 
 using namespace subcert;
 
-GridData<double> noise(const std::vector<Axis>& axes, std::size_t dimension) {
+data::GridData<double> noise(const std::vector<data::Axis>& axes, std::size_t dimension) {
   std::mt19937 engine(1);
   std::normal_distribution<double> gauss;
-  GridData<double> data{{}, dimension, axes};
+  data::GridData<double> data{{}, dimension, axes};
   for (std::size_t i = 0; i < data.points() * dimension; ++i) data.values.push_back(gauss(engine));
   return data;
 }
 
 /// points, degree, iterations, coordinates.
 void BM_l1_curve(benchmark::State& state) {
-  L1Scheme scheme{{static_cast<int>(state.range(0))}, static_cast<int>(state.range(1))};
+  data::L1Scheme scheme{{static_cast<int>(state.range(0))}, static_cast<int>(state.range(1))};
   scheme.options.iterations = static_cast<int>(state.range(2));
-  const GridData<double> data = noise({Axis::of(100'000)}, static_cast<std::size_t>(state.range(3)));
+  const data::GridData<double> data = noise({data::Axis::of(100'000)}, static_cast<std::size_t>(state.range(3)));
   std::size_t outputs = 0;
   for (auto _ : state) {
-    const GridData<double> fine = refine(data, scheme, {});
+    const data::GridData<double> fine = refine(data, scheme, {});
     outputs += fine.points();
     benchmark::DoNotOptimize(fine.values.data());
   }
@@ -46,11 +46,11 @@ BENCHMARK(BM_l1_curve)
 /// points along each axis, degree.
 void BM_l1_grid(benchmark::State& state) {
   const int points = static_cast<int>(state.range(0));
-  const L1Scheme scheme{{points, points}, static_cast<int>(state.range(1))};
-  const GridData<double> data = noise({Axis::of(120), Axis::of(120)}, 1);
+  const data::L1Scheme scheme{{points, points}, static_cast<int>(state.range(1))};
+  const data::GridData<double> data = noise({data::Axis::of(120), data::Axis::of(120)}, 1);
   std::size_t outputs = 0;
   for (auto _ : state) {
-    const GridData<double> fine = refine(data, scheme, {});
+    const data::GridData<double> fine = refine(data, scheme, {});
     outputs += fine.points();
     benchmark::DoNotOptimize(fine.values.data());
   }

@@ -38,8 +38,8 @@ void BM_refine(benchmark::State& state) {
   const Mask mask = make_scheme("dual:n=" + std::to_string(state.range(0) / 2)).mask;
   const int threads = static_cast<int>(state.range(1));
   const std::vector<double> data = random_data(points);
-  AxisRefiner refiner(mask, Boundary::regression);
-  const AxisRefinement<double> rows = converted<double>(refiner.step(Axis::of(points)));
+  data::AxisRefiner refiner(mask, data::Boundary::regression);
+  const data::AxisRefinement<double> rows = converted<double>(refiner.step(data::Axis::of(points)));
   std::vector<double> out(rows.outputs());
   for (auto _ : state) {
     apply(rows, data.data(), out.data(), 1, 1, threads);
@@ -55,8 +55,8 @@ BENCHMARK(BM_refine)->ArgsProduct({{2, 4, 6, 8, 16}, {1, 2}})->Unit(benchmark::k
 void BM_refine_surface(benchmark::State& state) {
   const auto scheme = std::get<MultivariateScheme>(
       make_any_scheme(state.range(0) == 0 ? "tensor:(dual:n=2)x(dual:n=2)" : "grid:points=4x4,d=1"));
-  const GridData<double> data{random_data(4'000'000), 1, {Axis::of(2000), Axis::of(2000)}};
-  const RefineOptions options{1, Boundary::regression, 1};
+  const data::GridData<double> data{random_data(4'000'000), 1, {data::Axis::of(2000), data::Axis::of(2000)}};
+  const data::RefineOptions options{1, data::Boundary::regression, 1};
   for (auto _ : state)
     benchmark::DoNotOptimize(scheme.factors.empty() ? refine(data, scheme.mask, options)
                                                     : refine(data, scheme.factors, options));

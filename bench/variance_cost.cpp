@@ -2,7 +2,7 @@
 // Usage: subcert_variance_cost FILE.svg [options of Google Benchmark]
 
 #include <subcert/analysis/variance/variance_range.hpp>
-#include <subcert/reports/figure.hpp>
+#include <subcert/reports/formats/figure.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <benchmark/benchmark.h>
@@ -53,24 +53,24 @@ double exponent(const std::map<int, double>& seconds) {
 }
 
 void draw_cost(const Seconds& all, const std::string& file) {
-  Panel panel{"", "n", "seconds of one core", {}, true, "top left"};
+  formats::Panel panel{"", "n", "seconds of one core", {}, true, "top left"};
   panel.log_x = true;
   for (const auto& [degree, seconds] : all) {
     char label[64];
     std::snprintf(label, sizeof label, "d = %d: n^{%.1f} from n = %d on", degree, exponent(seconds), fit_from);
     std::printf("%s\n", label);
-    Curve curve{label, {}, true};
+    formats::Curve curve{label, {}, true};
     for (const auto& [n, time] : seconds) curve.points.emplace_back(n, time);
     panel.curves.push_back(curve);
   }
-  draw_file({"variance-cost", "", "", 1, {panel}}, file);
+  formats::draw_file({"variance-cost", "", "", 1, {panel}}, file);
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
   benchmark::Initialize(&count, arguments);
-  if (count != 2 || !is_picture_name(arguments[1])) {
+  if (count != 2 || !formats::is_picture_name(arguments[1])) {
     std::fprintf(stderr, "usage: subcert_variance_cost FILE.svg [options of Google Benchmark]\n");
     return 64;
   }

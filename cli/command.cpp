@@ -1,6 +1,7 @@
 #include "command.hpp"
 
-#include <subcert/reports/files.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/runtime/files.hpp>
 
 #include <unistd.h>
 
@@ -13,14 +14,26 @@
 
 namespace subcert::cli {
 
-int exit_code = done;
+ExitCode exit_code(Truth answer) { return answer == Truth::yes ? done : answer == Truth::no ? failed : undecided; }
+
+ExitCode exit_code(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::data: return bad_data;
+    case ErrorKind::missing_file: return missing_file;
+    case ErrorKind::undecided: return undecided;
+    case ErrorKind::usage:
+    case ErrorKind::domain:
+    case ErrorKind::size: break;
+  }
+  return usage;
+}
 
 std::string read_file(const std::string& path) {
-  if (!std::filesystem::exists(path)) throw DataError(path + ": no such file", missing_file);
+  if (!std::filesystem::exists(path)) fail(ErrorKind::missing_file, "{}: no such file", path);
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
-  if (!stream || std::filesystem::is_directory(path)) throw DataError(path + ": cannot be read", bad_data);
+  if (!stream || std::filesystem::is_directory(path)) fail(ErrorKind::data, "{}: cannot be read", path);
   return text.str();
 }
 
@@ -38,16 +51,16 @@ void CommonOptions::end_progress() const {
 
 void CommonOptions::answer(const std::string& text) const {
   if (!out.empty()) {
-    write_file(out, text);
+    runtime::write_file(out, text);
     return;
   }
   std::cout << text << std::flush;
-  if (!std::cout) throw std::runtime_error("cannot write to standard output");
+  if (!std::cout) fail(ErrorKind::missing_file, "cannot write to standard output");
 }
 
 CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& description,
                       const std::string& example, const std::shared_ptr<CommonOptions>& options,
-                      const std::function<int()>& run) {
+                      const std::function<ExitCode()>& run) {
   CLI::App* command = app.add_subcommand(name, description);
   command->footer("\nExample:\n  " + example);
   command->add_flag("--json", options->json, "One JSON object on standard output");
@@ -55,7 +68,9 @@ CLI::App& add_command(CLI::App& app, const std::string& name, const std::string&
   command->add_option("--jobs", options->jobs, "Threads (default: all cores)")->check(CLI::Range(1, 1024));
   command->add_option("--seed", options->seed, "Seed for whatever is random");
   command->add_option("--out", options->out, "Write the answer there");
-  command->callback([run] { exit_code = run(); });
+  command->callback([run] {
+    if (const ExitCode code = run(); code != done) throw CLI::RuntimeError(static_cast<int>(code));
+  });
   return *command;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// What the subcommands share.
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -9,28 +10,31 @@
 
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 namespace subcert::cli {
 
 using Json = nlohmann::ordered_json;
 
-enum ExitCode { done = 0, failed = 1, undecided = 2, usage = 64, bad_data = 65, missing_file = 66, internal = 70 };
-
-/// A data file that cannot be read; exit 65, or 66 where it is not there.
-struct DataError : std::runtime_error {
-  DataError(const std::string& message, ExitCode exit) : std::runtime_error(message), code(exit) {}
-  ExitCode code;
+/// What the program leaves with; its meanings: docs/errors-and-exit-codes.md.
+enum class ExitCode {
+  done = 0,
+  failed = 1,
+  undecided = 2,
+  usage = 64,
+  bad_data = 65,
+  missing_file = 66,
+  internal = 70
 };
+using enum ExitCode;
 
-/// The content of a file. Errors: throws DataError.
+/// done, failed or undecided.
+ExitCode exit_code(Truth answer);
+/// Whose matter the error is.
+ExitCode exit_code(ErrorKind kind);
+
+/// The content of a file. Errors: throws a data error, or missing_file.
 std::string read_file(const std::string& path);
-
-/// A wrong use that the option parser cannot see; exit 64.
-struct UsageError : std::invalid_argument {
-  using std::invalid_argument::invalid_argument;
-};
 
 /// Options that every subcommand takes.
 struct CommonOptions {
@@ -47,12 +51,15 @@ struct CommonOptions {
   /// Sends the answer to standard output or, with --out, to that file (written whole, then renamed).
   void answer(const std::string& text) const;
   void answer(const Json& json_object) const { answer(json_object.dump(2) + "\n"); }
+  /// The one that --json asks for.
+  void answer(const Json& json_object, const std::string& text) const { json ? answer(json_object) : answer(text); }
 };
 
-/// Registers a subcommand with the common options; `run` gives its exit code. `example` is shown in its help.
+/// Registers a subcommand with the common options; `run` gives its exit code, and CLI::RuntimeError takes it out of the
+/// parser where it is not `done`. `example` is shown in its help.
 CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& description,
                       const std::string& example, const std::shared_ptr<CommonOptions>& options,
-                      const std::function<int()>& run);
+                      const std::function<ExitCode()>& run);
 
 /// The positional argument SCHEME; `any` names the families of two and three variables in the help too.
 void add_scheme(CLI::App& command, std::string& target, bool any = false);
@@ -63,9 +70,6 @@ std::string enclosure_text(const Enclosure& enclosure, int digits = 12);
 
 /// `2 + 3 + 1`: the sizes of diagonal blocks.
 std::string sizes_text(const std::vector<std::size_t>& sizes);
-
-/// Set by the callback of the command that ran.
-extern int exit_code;
 
 void add_mask(CLI::App& app);
 void add_analyze(CLI::App& app);

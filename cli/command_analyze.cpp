@@ -77,7 +77,10 @@ Page make_page(Scheme scheme, const AnalyzeOptions& options) {
     page.integers = limit_values(mask, 0);
     page.grid = variance_grid(mask, options.grid_level, page.smoothness.order >= 1);
     page.mean = squared_l2_norm(mask);
-  } catch (const std::length_error& error) {
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::size) throw;
+    page.skipped = error.what();
+  } catch (const std::length_error& error) {  // until analysis throws Error
     page.skipped = error.what();
   }
   options.end_progress();
@@ -185,7 +188,7 @@ std::string page_text(const Page& page) {
   return text.str();
 }
 
-int run(const AnalyzeOptions& options) {
+ExitCode run(const AnalyzeOptions& options) {
   const AnyScheme scheme = make_any_scheme(options.scheme);
   if (const auto* multivariate = std::get_if<MultivariateScheme>(&scheme))
     return analyze_multivariate(*multivariate, {options.levels, options.budget}, options);

@@ -2,8 +2,9 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
-#include <subcert/reports/parallel.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ std::vector<properties::ExpectedScheme> read(const std::string& file) {
   try {
     return properties::read_expectations(read_file(file));
   } catch (const properties::FileError& error) {
-    throw DataError(file + ", " + error.what(), bad_data);
+    fail(ErrorKind::data, "{}, {}", file, error.what());
   }
 }
 
@@ -49,7 +50,7 @@ std::string answer_line(const Question& question, const Decision& answer) {
   return (answer.is_no() ? "FAILS      " : "undecided  ") + place + claim + " (" + answer.reason + ")\n";
 }
 
-int run(const CheckOptions& options) {
+ExitCode run(const CheckOptions& options) {
   std::vector<std::vector<properties::ExpectedScheme>> files;
   for (const std::string& file : options.files) files.push_back(read(file));
   std::vector<Question> questions;
@@ -58,7 +59,7 @@ int run(const CheckOptions& options) {
       for (const auto& expectation : scheme.expectations)
         questions.push_back({options.files[i], &scheme, &expectation});
   std::vector<Decision> answers(questions.size());
-  parallel_for_each(questions.size(), options.threads(), [&](std::size_t i) {
+  runtime::parallel_for_each(questions.size(), options.threads(), [&](std::size_t i) {
     answers[i] = has_property(questions[i].scheme->mask, *questions[i].expectation, options.budget);
   });
   Json json{{"properties", Json::array()}};
@@ -73,10 +74,7 @@ int run(const CheckOptions& options) {
   text += "\n" + std::to_string(answers.size()) + (answers.size() == 1 ? " property: " : " properties: ") +
           std::to_string(count(Truth::yes)) + " hold, " + std::to_string(count(Truth::no)) + " fail, " +
           std::to_string(count(Truth::unknown)) + " undecided.\n";
-  if (options.json)
-    options.answer(json);
-  else
-    options.answer(text);
+  options.answer(json, text);
   return count(Truth::no) > 0 ? failed : count(Truth::unknown) > 0 ? undecided : done;
 }
 

@@ -2,8 +2,10 @@
 
 #include "sweep_arguments.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/proofs-checks/verdict.hpp>
 #include <subcert/reports/conjecture_limit.hpp>
 #include <subcert/reports/conjectures.hpp>
 #include <subcert/reports/sweep/number_list.hpp>
@@ -41,14 +43,14 @@ subcert::VarianceOptions variance_options(const ConjectureOptions& options) {
   return result;
 }
 
-Json skipped_json(const PrimalSchemes& range) {
+Json skipped_json(const reports::PrimalSchemes& range) {
   Json skipped = Json::array();
   for (const auto& one : range.skipped)
     skipped.push_back({{"scheme", one.scheme.specification()}, {"reason", one.reason()}});
   return skipped;
 }
 
-std::string skipped_text(const PrimalSchemes& range) {
+std::string skipped_text(const reports::PrimalSchemes& range) {
   std::string text;
   for (const std::string& line : range.skipped_lines()) text += "left out: " + line + "\n";
   return text;
@@ -70,7 +72,7 @@ std::string table_text(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-Json answer_head(const ConjectureOptions& options, const SweepOptions& sweep) {
+Json answer_head(const ConjectureOptions& options, const sweeps::SweepOptions& sweep) {
   Json json{{"conjecture", options.number}, {"n", options.n}, {"d", options.d}};
   if (!sweep.shard.is_whole()) json["shard"] = options.shard;
   return json;
@@ -80,27 +82,15 @@ std::string shard_note(const ConjectureOptions& options) {
   return "shard " + options.shard + ": no verdict; join the journals with 'subcert merge' and run without --shard\n";
 }
 
-/// no before unknown before yes.
-Truth all_of(const std::vector<Truth>& truths) {
-  Truth result = Truth::yes;
-  for (Truth truth : truths) {
-    if (truth == Truth::no) return Truth::no;
-    if (truth == Truth::unknown) result = Truth::unknown;
-  }
-  return result;
-}
-
 std::string verdict_text(Truth truth) {
   return truth == Truth::yes ? "holds" : truth == Truth::no ? "violated" : "undecided";
 }
 
-ExitCode verdict_code(Truth truth) { return truth == Truth::yes ? done : truth == Truth::no ? failed : undecided; }
-
 // Conjecture 7
 
 Json range_json(const VarianceRange& range) {
-  Json json{{"sup", exact_json(range.maximum)}};
-  json["derivative_sup"] = range.slope ? exact_json(*range.slope) : Json();
+  Json json{{"sup", reports::exact_json(range.maximum)}};
+  json["derivative_sup"] = range.slope ? reports::exact_json(*range.slope) : Json();
   json["derivative_reason"] = range.slope_reason;
   json["mean"] = to_text(range.mean);
   json["complete"] = range.complete;
@@ -108,32 +98,32 @@ Json range_json(const VarianceRange& range) {
 }
 
 struct Row {
-  PrimalScheme scheme;
+  reports::PrimalScheme scheme;
   Enclosure sup;
   std::optional<Enclosure> slope;
   std::string slope_reason;
   std::string mean;
   bool complete = false;
 
-  Row(const PrimalScheme& of, const Json& json)
+  Row(const reports::PrimalScheme& of, const Json& json)
       : scheme(of),
-        sup(enclosure_from(json.at("sup"))),
+        sup(reports::enclosure_from(json.at("sup"))),
         slope_reason(json.at("derivative_reason")),
         mean(json.at("mean")),
         complete(json.at("complete")) {
-    if (!json.at("derivative_sup").is_null()) slope = enclosure_from(json.at("derivative_sup"));
+    if (!json.at("derivative_sup").is_null()) slope = reports::enclosure_from(json.at("derivative_sup"));
   }
 };
 
 /// n max psi / C_d - 1 for each degree that the rows have.
-using Limits = std::map<int, LimitComparison>;
+using Limits = std::map<int, reports::LimitComparison>;
 
 Limits limits_of(const std::vector<Row>& rows) {
-  std::map<int, std::vector<CertifiedMaximum>> maxima;
+  std::map<int, std::vector<reports::CertifiedMaximum>> maxima;
   for (const Row& row : rows) maxima[row.scheme.d].push_back({row.scheme.n, row.sup});
   Limits limits;
   for (const auto& [degree, values] : maxima)
-    if (const auto limit = limit_comparison(degree, values)) limits.emplace(degree, *limit);
+    if (const auto limit = reports::limit_comparison(degree, values)) limits.emplace(degree, *limit);
   return limits;
 }
 
@@ -141,12 +131,12 @@ Limits limits_of(const std::vector<Row>& rows) {
 std::optional<Enclosure> deviation_of(const Row& row, const Limits& limits) {
   const auto found = limits.find(row.scheme.d);
   if (found == limits.end()) return std::nullopt;
-  for (const CertifiedMaximum& one : found->second.deviation)
+  for (const reports::CertifiedMaximum& one : found->second.deviation)
     if (one.n == row.scheme.n) return one.value;
   return std::nullopt;
 }
 
-Json constant_json(const LimitComparison& limit) {
+Json constant_json(const reports::LimitComparison& limit) {
   constexpr int digits = 26;
   return {{"lower", limit.constant.lower_text(digits)}, {"upper", limit.constant.upper_text(digits)}};
 }
@@ -157,42 +147,42 @@ Json row_json(const Row& row, const Limits& limits) {
             {"n", n},
             {"scheme", row.scheme.specification()},
             {"sup", enclosure_json(row.sup)},
-            {"n_sup", enclosure_json(scaled(row.sup, n))}};
+            {"n_sup", enclosure_json(reports::scaled(row.sup, n))}};
   const auto deviation = deviation_of(row, limits);
   json["limit_constant"] = deviation ? constant_json(limits.at(row.scheme.d)) : Json();
   json["limit_deviation"] = deviation ? enclosure_json(*deviation) : Json();
   json["derivative_sup"] = row.slope ? enclosure_json(*row.slope) : Json();
-  json["n2_derivative_sup"] = row.slope ? enclosure_json(scaled(*row.slope, n * n)) : Json();
+  json["n2_derivative_sup"] = row.slope ? enclosure_json(reports::scaled(*row.slope, n * n)) : Json();
   if (!row.slope) json["derivative_reason"] = row.slope_reason;
   json["mean"] = row.mean;
   json["complete"] = row.complete;
   return json;
 }
 
-struct Finding {
+struct DegreeDecay {
   int d;
   std::string quantity;
-  DecayFinding decay;
+  reports::DecayFinding decay;
 };
 
-std::vector<Finding> findings_of(const std::vector<Row>& rows) {
-  std::vector<Finding> findings;
+std::vector<DegreeDecay> findings_of(const std::vector<Row>& rows) {
+  std::vector<DegreeDecay> findings;
   for (std::size_t begin = 0; begin < rows.size();) {
     std::size_t end = begin;
-    std::vector<CertifiedMaximum> sups, slopes;
+    std::vector<reports::CertifiedMaximum> sups, slopes;
     for (; end < rows.size() && rows[end].scheme.d == rows[begin].scheme.d; ++end) {
       sups.push_back({rows[end].scheme.n, rows[end].sup});
       if (rows[end].slope) slopes.push_back({rows[end].scheme.n, *rows[end].slope});
     }
-    findings.push_back({rows[begin].scheme.d, "max psi", decay_finding(1, sups)});
-    if (!slopes.empty()) findings.push_back({rows[begin].scheme.d, "max |psi'|", decay_finding(2, slopes)});
+    findings.push_back({rows[begin].scheme.d, "max psi", reports::decay_finding(1, sups)});
+    if (!slopes.empty()) findings.push_back({rows[begin].scheme.d, "max |psi'|", reports::decay_finding(2, slopes)});
     begin = end;
   }
   return findings;
 }
 
-Json finding_json(const Finding& finding) {
-  const DecayFinding& decay = finding.decay;
+Json finding_json(const DegreeDecay& finding) {
+  const reports::DecayFinding& decay = finding.decay;
   Json json{{"d", finding.d},
             {"quantity", finding.quantity},
             {"power", decay.power},
@@ -208,7 +198,7 @@ Json finding_json(const Finding& finding) {
   return json;
 }
 
-Json limit_json(const LimitComparison& limit) {
+Json limit_json(const reports::LimitComparison& limit) {
   Json json{{"d", limit.degree}, {"constant", constant_json(limit)}};
   if (limit.exponent) {
     json["deviation_exponent"] = enclosure_json(*limit.exponent);
@@ -218,13 +208,13 @@ Json limit_json(const LimitComparison& limit) {
   return json;
 }
 
-int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
-  std::vector<SweepCase> cases;
-  for (const PrimalScheme& scheme : range.schemes)
+ExitCode conjecture_7(const ConjectureOptions& options, const reports::PrimalSchemes& range) {
+  std::vector<sweeps::SweepCase> cases;
+  for (const reports::PrimalScheme& scheme : range.schemes)
     cases.push_back(
         {"variance range: " + scheme.specification() + ": " + budget_text(options), static_cast<double>(scheme.n)});
-  const SweepOptions sweep = sweep_options(options, options, "conjecture 7");
-  const auto results = run_sweep(
+  const sweeps::SweepOptions sweep = sweep_options(options, options, "conjecture 7");
+  const auto results = sweeps::run_sweep(
       cases,
       [&](std::size_t i) {
         return range_json(
@@ -237,12 +227,12 @@ int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
   std::vector<Row> rows;
   for (std::size_t i = 0; i < range.schemes.size(); ++i)
     if (results->values[i]) rows.push_back(Row(range.schemes[i], *results->values[i]));
-  const std::vector<Finding> findings = sweep.shard.is_whole() ? findings_of(rows) : std::vector<Finding>();
+  const std::vector<DegreeDecay> findings = sweep.shard.is_whole() ? findings_of(rows) : std::vector<DegreeDecay>();
   const Limits limits = limits_of(rows);
   bool has_rate = false;
   std::vector<Truth> truths;
   for (const Row& row : rows) truths.push_back(row.complete ? Truth::yes : Truth::unknown);
-  for (const Finding& finding : findings)
+  for (const DegreeDecay& finding : findings)
     if (finding.decay.exponent) {
       has_rate = true;
       truths.push_back(finding.decay.upper_bound.truth);
@@ -256,13 +246,13 @@ int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
     json["skipped"] = skipped_json(range);
     if (sweep.shard.is_whole()) {
       json["findings"] = Json::array();
-      for (const Finding& finding : findings) json["findings"].push_back(finding_json(finding));
+      for (const DegreeDecay& finding : findings) json["findings"].push_back(finding_json(finding));
       json["limits"] = Json::array();
       for (const auto& [degree, limit] : limits) json["limits"].push_back(limit_json(limit));
     }
     json["verdict"] = has_rate ? Json(verdict_text(verdict)) : Json();
     options.answer(json);
-    return verdict_code(verdict);
+    return exit_code(verdict);
   }
   constexpr int digits = 6;
   std::vector<std::vector<std::string>> table{
@@ -270,12 +260,12 @@ int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
   for (const Row& row : rows) {
     const int n = row.scheme.n;
     table.push_back({std::to_string(row.scheme.d), std::to_string(n), enclosure_text(row.sup, digits),
-                     enclosure_text(scaled(row.sup, n), digits)});
+                     enclosure_text(reports::scaled(row.sup, n), digits)});
     const auto deviation = deviation_of(row, limits);
     table.back().push_back(deviation ? enclosure_text(*deviation, 4) : "-");
     if (row.slope) {
       table.back().push_back(enclosure_text(*row.slope, digits));
-      table.back().push_back(enclosure_text(scaled(*row.slope, n * n), digits));
+      table.back().push_back(enclosure_text(reports::scaled(*row.slope, n * n), digits));
     } else {
       table.back().insert(table.back().end(), {"-", row.slope_reason});
     }
@@ -284,26 +274,26 @@ int conjecture_7(const ConjectureOptions& options, const PrimalSchemes& range) {
   std::ostringstream text;
   text << table_text(table) << "\n" << skipped_text(range);
   if (!sweep.shard.is_whole()) text << shard_note(options);
-  for (const Finding& finding : findings)
+  for (const DegreeDecay& finding : findings)
     text << "d = " << finding.d << ": " << finding.decay.sentence(finding.quantity) << "\n";
   if (sweep.shard.is_whole())
     for (const auto& [degree, limit] : limits) text << "d = " << degree << ": " << limit.sentence() << "\n";
   options.answer(text.str());
-  return verdict_code(verdict);
+  return exit_code(verdict);
 }
 
 // Conjecture 8
 
-int conjecture_8(const ConjectureOptions& options, const PrimalSchemes& range) {
-  const std::vector<VariancePair> pairs = neighbouring_pairs(range.schemes);
-  if (pairs.empty()) throw UsageError("conjecture 8 compares: give two different n or two different d");
-  std::vector<SweepCase> cases;
-  for (const VariancePair& pair : pairs)
+ExitCode conjecture_8(const ConjectureOptions& options, const reports::PrimalSchemes& range) {
+  const std::vector<reports::VariancePair> pairs = reports::neighbouring_pairs(range.schemes);
+  if (pairs.empty()) fail(ErrorKind::usage, "conjecture 8 compares: give two different n or two different d");
+  std::vector<sweeps::SweepCase> cases;
+  for (const reports::VariancePair& pair : pairs)
     cases.push_back({"variance order: " + pair.smaller.specification() + " <= " + pair.larger.specification() + ": " +
                          budget_text(options),
                      static_cast<double>(pair.smaller.n)});
-  const SweepOptions sweep = sweep_options(options, options, "conjecture 8");
-  const auto results = run_sweep(
+  const sweeps::SweepOptions sweep = sweep_options(options, options, "conjecture 8");
+  const auto results = sweeps::run_sweep(
       cases,
       [&](std::size_t i) -> Json {
         VarianceOrderOptions order_options;
@@ -349,7 +339,7 @@ int conjecture_8(const ConjectureOptions& options, const PrimalSchemes& range) {
     json["skipped"] = skipped_json(range);
     json["verdict"] = sweep.shard.is_whole() ? Json(verdict_text(verdict)) : Json();
     options.answer(json);
-    return verdict_code(verdict);
+    return exit_code(verdict);
   }
   text << "\n" << skipped_text(range);
   const auto count = [&](Truth truth) { return std::count(truths.begin(), truths.end(), truth); };
@@ -365,18 +355,18 @@ int conjecture_8(const ConjectureOptions& options, const PrimalSchemes& range) {
          << " for n in " << options.n << " and d in " << options.d
          << (verdict == Truth::yes ? "; all other comparisons follow by transitivity.\n" : ".\n");
   options.answer(text.str());
-  return verdict_code(verdict);
+  return exit_code(verdict);
 }
 
-int run(ConjectureOptions& options) {
-  const std::vector<int> n = parse_number_list("--n", options.n, 1, largest_n);
-  const std::vector<int> d = parse_number_list("--d", options.d, 0, largest_d);
-  options.n = number_list_text(n);
-  options.d = number_list_text(d);
-  const PrimalSchemes range = distinct_primal_schemes(n, d);
+ExitCode run(ConjectureOptions& options) {
+  const std::vector<int> n = sweeps::parse_number_list("--n", options.n, 1, largest_n);
+  const std::vector<int> d = sweeps::parse_number_list("--d", options.d, 0, largest_d);
+  options.n = sweeps::number_list_text(n);
+  options.d = sweeps::number_list_text(d);
+  const reports::PrimalSchemes range = reports::distinct_primal_schemes(n, d);
   if (range.schemes.empty())
-    throw UsageError(range.skipped.front().scheme.specification() + " is left out: " + range.skipped.front().reason() +
-                     "; no scheme remains");
+    fail(ErrorKind::usage, "{} is left out: {}; no scheme remains", range.skipped.front().scheme.specification(),
+         range.skipped.front().reason());
   return options.number == 7 ? conjecture_7(options, range) : conjecture_8(options, range);
 }
 

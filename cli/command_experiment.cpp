@@ -2,6 +2,7 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/report.hpp>
 
 #include <algorithm>
@@ -18,35 +19,32 @@ struct ExperimentCommand : CommonOptions {
 
 std::string known() {
   std::string result = "list";
-  for (const Experiment& candidate : experiments()) result += ", " + candidate.id;
+  for (const experiments::Experiment& candidate : experiments::experiments()) result += ", " + candidate.id;
   return result;
 }
 
-int list(const ExperimentCommand& options) {
-  if (!options.out.empty()) throw UsageError("--out: 'list' writes no files");
+ExitCode list(const ExperimentCommand& options) {
+  if (!options.out.empty()) fail(ErrorKind::usage, "--out: 'list' writes no files");
   Json rows = Json::array();
   std::string text;
-  for (const Experiment& candidate : experiments()) {
+  for (const experiments::Experiment& candidate : experiments::experiments()) {
     rows.push_back({{"experiment", candidate.id}, {"paper", candidate.paper}, {"title", candidate.title}});
     text += candidate.id + std::string(candidate.id.size() < 16 ? 16 - candidate.id.size() : 1, ' ') + candidate.paper +
             std::string(candidate.paper.size() < 18 ? 18 - candidate.paper.size() : 1, ' ') + candidate.title + "\n";
   }
-  if (options.json)
-    options.answer(Json{{"experiments", rows}});
-  else
-    options.answer(text);
+  options.answer(Json{{"experiments", rows}}, text);
   return done;
 }
 
-std::string page(const RanExperiment& ran, const Section& section) {
-  const ExperimentResult& result = ran.result;
+std::string page(const experiments::RanExperiment& ran, const formats::Section& section) {
+  const experiments::ExperimentResult& result = ran.result;
   std::ostringstream text;
   text << ran.experiment->title << " (" << ran.experiment->paper << ")\n\n";
   for (const std::string& paragraph : section.paragraphs) text << paragraph << "\n\n";
-  for (const Claim& claim : result.claims)
+  for (const experiments::Claim& claim : result.claims)
     text << to_text(claim.finding) << ": " << claim.sentence << " [" << claim.place
          << "]\n  decided by: " << claim.statistic << "\n  found: " << claim.numbers << "\n";
-  for (const PlainTable& table : result.tables) {
+  for (const formats::PlainTable& table : result.tables) {
     text << "\n" << table.title << "\n";
     for (std::size_t i = 0; i < table.head.size(); ++i) text << (i ? "; " : "  ") << table.head[i];
     text << "\n";
@@ -58,20 +56,21 @@ std::string page(const RanExperiment& ran, const Section& section) {
   return text.str();
 }
 
-int run(const ExperimentCommand& options) {
+ExitCode run(const ExperimentCommand& options) {
   if (options.id == "list") return list(options);
-  const auto& all = experiments();
-  if (std::none_of(all.begin(), all.end(), [&](const Experiment& e) { return e.id == options.id; }))
-    throw UsageError("ID '" + options.id + "': unknown experiment; expected " + known());
-  const Experiment& chosen = experiment(options.id);
+  const auto& all = experiments::experiments();
+  if (std::none_of(all.begin(), all.end(), [&](const experiments::Experiment& e) { return e.id == options.id; }))
+    fail(ErrorKind::usage, "ID '{}': unknown experiment; expected {}", options.id, known());
+  const experiments::Experiment& chosen = experiments::experiment(options.id);
   options.progress("experiment " + chosen.id);
-  const RanExperiment ran = run_experiment(chosen, {options.seed, options.runs, options.threads()});
-  const Section section = experiment_section(ran);
+  const experiments::RanExperiment ran = experiments::run_experiment(chosen,
+                                                                     {options.seed, options.runs, options.threads()});
+  const formats::Section section = experiments::experiment_section(ran);
   if (!options.out.empty())
-    write_reports({{chosen.paper, chosen.title, {section}, {ran}}}, options.out, options.threads());
+    reports::write_reports({{chosen.paper, chosen.title, {section}, {ran}}}, options.out, options.threads());
   options.end_progress();
-  std::cout << (options.json ? experiment_json(ran) + "\n" : page(ran, section));
-  if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+  std::cout << (options.json ? experiments::experiment_json(ran) + "\n" : page(ran, section));
+  if (!std::cout.flush()) fail(ErrorKind::missing_file, "cannot write to standard output");
   return ran.result.all_confirmed() ? done : failed;
 }
 

@@ -3,8 +3,9 @@
 #include "command.hpp"
 
 #include <subcert/analysis/regularity/joint_spectral_radius.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
-#include <subcert/reports/files.hpp>
+#include <subcert/reports/runtime/files.hpp>
 
 #include <sstream>
 
@@ -25,28 +26,26 @@ Rational read_entry(const nlohmann::json& entry, const std::string& where) {
                                                        : std::string();
   const auto value = text.size() > longest_number ? std::nullopt : parse_rational(text);
   if (!value)
-    throw DataError(where + ": expected an exact number \"p\" or \"p/q\", got " + entry.dump().substr(0, 40), bad_data);
+    fail(ErrorKind::data, "{}: expected an exact number \"p\" or \"p/q\", got {}", where, entry.dump().substr(0, 40));
   return *value;
 }
 
 std::vector<RationalMatrix> read_matrices(const std::string& file) {
   const auto json = nlohmann::json::parse(read_file(file), nullptr, false);
-  if (json.is_discarded()) throw DataError(file + ": not a JSON file", bad_data);
+  if (json.is_discarded()) fail(ErrorKind::data, "{}: not a JSON file", file);
   if (!json.is_object() || !json.contains("matrices") || !json["matrices"].is_array() || json["matrices"].empty() ||
       json["matrices"].size() > most_matrices)
-    throw DataError(file + ": expected {\"matrices\": [...]} with 1 to 64 matrices", bad_data);
+    fail(ErrorKind::data, "{}: expected {{\"matrices\": [...]}} with 1 to 64 matrices", file);
   std::vector<RationalMatrix> result;
   const std::size_t size = json["matrices"][0].is_array() ? json["matrices"][0].size() : 0;
-  if (size < 1 || size > largest_size) throw DataError(file + ", matrix 0: expected 1 to 256 rows", bad_data);
+  if (size < 1 || size > largest_size) fail(ErrorKind::data, "{}, matrix 0: expected 1 to 256 rows", file);
   for (const auto& rows : json["matrices"]) {
     const std::string name = file + ", matrix " + std::to_string(result.size());
-    if (!rows.is_array() || rows.size() != size)
-      throw DataError(name + ": expected " + std::to_string(size) + " rows", bad_data);
+    if (!rows.is_array() || rows.size() != size) fail(ErrorKind::data, "{}: expected {} rows", name, size);
     RationalMatrix matrix(size, size);
     for (std::size_t i = 0; i < size; ++i) {
       const std::string where = name + ", row " + std::to_string(i);
-      if (!rows[i].is_array() || rows[i].size() != size)
-        throw DataError(where + ": expected " + std::to_string(size) + " entries", bad_data);
+      if (!rows[i].is_array() || rows[i].size() != size) fail(ErrorKind::data, "{}: expected {} entries", where, size);
       for (std::size_t j = 0; j < size; ++j)
         matrix(i, j) = read_entry(rows[i][j], where + ", entry " + std::to_string(j));
     }
@@ -55,14 +54,14 @@ std::vector<RationalMatrix> read_matrices(const std::string& file) {
   return result;
 }
 
-int run(const JsrOptions& options) {
+ExitCode run(const JsrOptions& options) {
   const std::vector<RationalMatrix> matrices = read_matrices(options.file);
   options.progress("products and polytopes");
   const JointSpectralRadius radius = joint_spectral_radius(matrices, options.budget);
   options.end_progress();
   if (!options.certificate.empty()) {
-    write_file(options.certificate, radius_certificate(matrices, radius).text);
-    write_file(options.certificate + ".matrices", matrices_text(matrices));
+    runtime::write_file(options.certificate, radius_certificate(matrices, radius).text);
+    runtime::write_file(options.certificate + ".matrices", matrices_text(matrices));
   }
   // For a reducible family, of the block with the largest radius.
   const std::string method = radius.method == JsrMethod::invariant_polytope ? "invariant polytope"

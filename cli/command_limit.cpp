@@ -18,7 +18,7 @@ struct LimitOptions : CommonOptions {
   int derivative = 0;
 };
 
-int run(const LimitOptions& options) {
+ExitCode run(const LimitOptions& options) {
   const Scheme scheme = make_scheme(options.scheme);
   if (options.derivative == 0) {
     const Decision convergence = converges(scheme.mask);

@@ -2,6 +2,7 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/sweep/journal.hpp>
 
 #include <filesystem>
@@ -14,10 +15,11 @@ struct MergeOptions : CommonOptions {
   std::vector<std::string> journals;
 };
 
-int run(const MergeOptions& options) {
+ExitCode run(const MergeOptions& options) {
   for (const std::string& journal : options.journals)
-    if (!std::filesystem::exists(journal)) throw DataError(journal + ": no such file", missing_file);
-  const MergedJournals merged = merge_journals({options.journals.begin(), options.journals.end()}, options.out);
+    if (!std::filesystem::exists(journal)) fail(ErrorKind::missing_file, "{}: no such file", journal);
+  const sweeps::MergedJournals merged = sweeps::merge_journals({options.journals.begin(), options.journals.end()},
+                                                               options.out);
   for (const std::string& report : merged.damage) std::cerr << "subcert: " << report << "\n";
   if (options.json)
     std::cout << Json{{"journal", options.out}, {"cases", merged.cases}, {"damaged_lines", merged.damage.size()}}.dump(
@@ -25,7 +27,7 @@ int run(const MergeOptions& options) {
               << "\n";
   else
     std::cout << options.out << ": " << merged.cases << (merged.cases == 1 ? " case\n" : " cases\n");
-  if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+  if (!std::cout.flush()) fail(ErrorKind::missing_file, "cannot write to standard output");
   return done;
 }
 

@@ -4,8 +4,9 @@
 #include "data_file.hpp"
 
 #include <subcert/analysis/difference/multivariate_convergence.hpp>
-#include <subcert/reports/figure.hpp>
-#include <subcert/reports/surface_figure.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/formats/figure.hpp>
+#include <subcert/reports/formats/surface_figure.hpp>
 #include <subcert/schemes/data/axis_refinement.hpp>
 #include <subcert/schemes/data/grid_refinement.hpp>
 #include <subcert/schemes/data/l1_specification.hpp>
@@ -24,7 +25,7 @@ struct RefineCommand : CommonOptions {
   int levels = 5;
   bool closed = false;
   std::array<bool, 3> closed_directions{false, false, false};
-  std::string boundary = boundary_names().front();
+  std::string boundary = data::boundary_names().front();
   std::string plot;
   bool limit = false;
 };
@@ -33,47 +34,47 @@ struct RefineCommand : CommonOptions {
 struct DataRefiner {
   std::string specification;
   std::vector<std::size_t> fewest;  ///< points in each direction
-  std::function<GridData<double>(const GridData<double>&, const RefineOptions&)> refine;
+  std::function<data::GridData<double>(const data::GridData<double>&, const data::RefineOptions&)> refine;
   std::vector<Mask> factors = {};  ///< for limits: the masks of the directions, where there are such
 };
 
-DataRefiner make_refiner(const std::string& specification, Boundary boundary) {
-  if (is_l1_specification(specification)) {
-    const NamedL1Scheme named = make_l1_scheme(specification);
+DataRefiner make_refiner(const std::string& specification, data::Boundary boundary) {
+  if (data::is_l1_specification(specification)) {
+    const data::NamedL1Scheme named = data::make_l1_scheme(specification);
     return {named.specification,
             {named.scheme.points.begin(), named.scheme.points.end()},
-            [scheme = named.scheme](const GridData<double>& data, const RefineOptions& options) {
+            [scheme = named.scheme](const data::GridData<double>& data, const data::RefineOptions& options) {
               return refine(data, scheme, options);
             }};
   }
   const AnyScheme any = make_any_scheme(specification);
   if (const auto* scheme = std::get_if<Scheme>(&any))
     return {scheme->specification,
-            {AxisRefiner(scheme->mask, boundary).window()},
-            [mask = scheme->mask](const GridData<double>& data, const RefineOptions& options) {
+            {data::AxisRefiner(scheme->mask, boundary).window()},
+            [mask = scheme->mask](const data::GridData<double>& data, const data::RefineOptions& options) {
               return refine(data, mask, options);
             },
             {scheme->mask}};
   const auto& scheme = std::get<MultivariateScheme>(any);
   if (scheme.factors.empty())
-    return {scheme.specification, windows(scheme.mask),
-            [mask = scheme.mask](const GridData<double>& data, const RefineOptions& options) {
+    return {scheme.specification, data::windows(scheme.mask),
+            [mask = scheme.mask](const data::GridData<double>& data, const data::RefineOptions& options) {
               return refine(data, mask, options);
             }};
   std::vector<std::size_t> fewest;
-  for (const Mask& factor : scheme.factors) fewest.push_back(AxisRefiner(factor, boundary).window());
+  for (const Mask& factor : scheme.factors) fewest.push_back(data::AxisRefiner(factor, boundary).window());
   return {scheme.specification, fewest,
-          [masks = scheme.factors](const GridData<double>& data, const RefineOptions& options) {
+          [masks = scheme.factors](const data::GridData<double>& data, const data::RefineOptions& options) {
             return refine(data, masks, options);
           },
           scheme.factors};
 }
 
 /// The code to leave with where limits are not proved to exist; 0 else.
-int check_convergence(const DataRefiner& refiner) {
+ExitCode check_convergence(const DataRefiner& refiner) {
   if (refiner.factors.empty())
-    throw UsageError("--limit: " + refiner.specification +
-                     ": limits are of schemes of one variable and their tensor products");
+    fail(ErrorKind::usage, "--limit: {}: limits are of schemes of one variable and their tensor products",
+         refiner.specification);
   const Decision decision = tensor_product_converges(refiner.factors);
   if (decision.is_yes()) return done;
   std::cerr << "subcert: " << refiner.specification
@@ -81,7 +82,7 @@ int check_convergence(const DataRefiner& refiner) {
   return decision.is_no() ? failed : undecided;
 }
 
-Json points_json(const GridData<double>& data) {
+Json points_json(const data::GridData<double>& data) {
   Json points = Json::array();
   for (std::size_t i = 0; i < data.points(); ++i) {
     Json point = Json::array();
@@ -91,36 +92,36 @@ Json points_json(const GridData<double>& data) {
   return points;
 }
 
-subcert::Curve drawn(const GridData<double>& curve, const std::string& label, bool joined) {
+formats::Curve drawn(const data::GridData<double>& curve, const std::string& label, bool joined) {
   const std::size_t k = curve.dimension, count = curve.points();
-  subcert::Curve result{label, {}, !joined, joined};
+  formats::Curve result{label, {}, !joined, joined};
   for (std::size_t i = 0; i < count + (joined && curve.axes[0].closed && k > 1 ? 1 : 0); ++i) {
     const double* point = curve.values.data() + (i % count) * k;
     if (k == 1)
-      result.points.emplace_back(nearest_double(curve.axes[0].parameter(i)), point[0]);
+      result.points.emplace_back(data::nearest_double(curve.axes[0].parameter(i)), point[0]);
     else
       result.points.emplace_back(point[0], point[1]);
   }
   return result;
 }
 
-void draw_curve(const std::string& file, const std::string& scheme, const Table& table, const GridData<double>& data,
-                const GridData<double>& refined) {
+void draw_curve(const std::string& file, const std::string& scheme, const data::Table& table,
+                const data::GridData<double>& data, const data::GridData<double>& refined) {
   const bool plane = data.dimension == 2, named = !table.header.empty();
-  Panel panel{scheme,
-              plane ? (named ? table.header[0] : "x") : "parameter",
-              plane ? (named ? table.header[1] : "y") : (named ? table.header[0] : "value"),
-              {drawn(data, "data", false), drawn(refined, "refined", true)}};
+  formats::Panel panel{scheme,
+                       plane ? (named ? table.header[0] : "x") : "parameter",
+                       plane ? (named ? table.header[1] : "y") : (named ? table.header[0] : "value"),
+                       {drawn(data, "data", false), drawn(refined, "refined", true)}};
   panel.equal_units = plane;
-  draw_file({"refined", scheme, "", 1, {panel}}, file);
+  formats::draw_file({"refined", scheme, "", 1, {panel}}, file);
 }
 
-DrawnSurface drawn_surface(const GridData<double>& data, const std::string& title) {
-  DrawnSurface result{title, data.axes[0].count, data.axes[1].count, false, false, {}, data.dimension == 1};
+formats::DrawnSurface drawn_surface(const data::GridData<double>& data, const std::string& title) {
+  formats::DrawnSurface result{title, data.axes[0].count, data.axes[1].count, false, false, {}, data.dimension == 1};
   for (std::size_t i = 0; i < data.points(); ++i) {
     if (result.heights)
-      result.points.push_back({nearest_double(data.axes[0].parameter(i % result.columns)),
-                               nearest_double(data.axes[1].parameter(i / result.columns)), data.values[i]});
+      result.points.push_back({data::nearest_double(data.axes[0].parameter(i % result.columns)),
+                               data::nearest_double(data.axes[1].parameter(i / result.columns)), data.values[i]});
     else
       result.points.push_back({data.values[3 * i], data.values[3 * i + 1], data.values[3 * i + 2]});
   }
@@ -129,24 +130,26 @@ DrawnSurface drawn_surface(const GridData<double>& data, const std::string& titl
   return result;
 }
 
-void check_plot(const std::string& plot, const GridData<double>& data) {
+void check_plot(const std::string& plot, const data::GridData<double>& data) {
   if (plot.empty()) return;
-  if (!is_picture_name(plot)) throw UsageError("--plot " + plot + ": expected a name that ends in .svg or .png");
+  if (!formats::is_picture_name(plot))
+    fail(ErrorKind::usage, "--plot {}: expected a name that ends in .svg or .png", plot);
   const std::size_t axes = data.axes.size(), k = data.dimension;
   if ((axes == 1 && k > 2) || (axes == 2 && k != 1 && k != 3) || axes > 2)
-    throw UsageError("--plot " + plot +
-                     ": pictures are of curves with one or two coordinates and of surfaces with one or three; " +
-                     "the data have " + std::to_string(axes) + (axes == 1 ? " direction and " : " directions and ") +
-                     std::to_string(k) + (k == 1 ? " coordinate" : " coordinates"));
+    fail(ErrorKind::usage,
+         "--plot {}: pictures are of curves with one or two coordinates and of surfaces with one or three; the data "
+         "have {}{}{}{}",
+         plot, axes, (axes == 1 ? " direction and " : " directions and "), k,
+         (k == 1 ? " coordinate" : " coordinates"));
 }
 
-Json axis_json(const Axis& axis) {
+Json axis_json(const data::Axis& axis) {
   return {{"count", axis.count}, {"first", to_text(axis.first)}, {"step", to_text(axis.step)}, {"closed", axis.closed}};
 }
 
-Json result_json(const RefineCommand& options, const DataRefiner& refiner, const DataFile& file, Boundary boundary,
-                 const GridData<double>& refined) {
-  const Axis& axis = refined.axes[0];
+Json result_json(const RefineCommand& options, const DataRefiner& refiner, const DataFile& file,
+                 data::Boundary boundary, const data::GridData<double>& refined) {
+  const data::Axis& axis = refined.axes[0];
   Json json{{"scheme", refiner.specification},
             {"levels", options.levels},
             {"limit", options.limit},
@@ -159,43 +162,45 @@ Json result_json(const RefineCommand& options, const DataRefiner& refiner, const
     json["step"] = to_text(axis.step);
   } else {
     json["axes"] = Json::array();
-    for (const Axis& one : refined.axes) json["axes"].push_back(axis_json(one));
+    for (const data::Axis& one : refined.axes) json["axes"].push_back(axis_json(one));
   }
   json["points"] = points_json(refined);
   return json;
 }
 
-int run(const RefineCommand& options) {
-  const Boundary boundary = *parse_boundary(options.boundary);
+ExitCode run(const RefineCommand& options) {
+  const data::Boundary boundary = *data::parse_boundary(options.boundary);
   const DataRefiner refiner = make_refiner(options.scheme, boundary);
   const std::size_t variables = refiner.fewest.size();
-  if (!options.plot.empty() && !is_picture_name(options.plot))
-    throw UsageError("--plot " + options.plot + ": expected a name that ends in .svg or .png");
+  if (!options.plot.empty() && !formats::is_picture_name(options.plot))
+    fail(ErrorKind::usage, "--plot {}: expected a name that ends in .svg or .png", options.plot);
   std::array<bool, 3> closed = options.closed_directions;
   for (std::size_t v = 0; v < variables; ++v) closed[v] = closed[v] || options.closed;
-  if (boundary == Boundary::reflect || boundary == Boundary::shrink)
+  if (boundary == data::Boundary::reflect || boundary == data::Boundary::shrink)
     if (std::all_of(closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(variables), [](bool c) { return c; }))
-      throw UsageError("--boundary " + options.boundary +
-                       ": closed data have no boundary; leave out one of the two options");
+      fail(ErrorKind::usage, "--boundary {}: closed data have no boundary; leave out one of the two options",
+           options.boundary);
   if (options.limit)
-    if (const int code = check_convergence(refiner); code != done) return code;
+    if (const ExitCode code = check_convergence(refiner); code != done) return code;
   DataFile file = read_data_file(options.data, variables, closed);
-  if (boundary == Boundary::periodic)
-    for (Axis& axis : file.data.axes) axis = Axis::of(axis.count, true);
+  if (boundary == data::Boundary::periodic)
+    for (data::Axis& axis : file.data.axes) axis = data::Axis::of(axis.count, true);
   check_data(file, options.data, refiner.specification, refiner.fewest);
   check_plot(options.plot, file.data);
-  const RefineOptions how{options.levels, boundary, options.threads()};
-  const GridData<double> refined = options.limit ? limit_of_data(file.data, refiner.factors, how)
-                                                 : refiner.refine(file.data, how);
+  const data::RefineOptions how{options.levels, boundary, options.threads()};
+  const data::GridData<double> refined = options.limit ? data::limit_of_data(file.data, refiner.factors, how)
+                                                       : refiner.refine(file.data, how);
   if (!options.plot.empty()) {
     if (variables == 1)
       draw_curve(options.plot, refiner.specification, file.table, file.data, refined);
     else
-      draw_surfaces({drawn_surface(file.data, "data"), drawn_surface(refined, refiner.specification)}, options.plot);
+      formats::draw_surfaces({drawn_surface(file.data, "data"), drawn_surface(refined, refiner.specification)},
+                             options.plot);
   }
   if (options.json)
     options.answer(result_json(options, refiner, file,
-                               variables == 1 && file.data.axes[0].closed ? Boundary::periodic : boundary, refined));
+                               variables == 1 && file.data.axes[0].closed ? data::Boundary::periodic : boundary,
+                               refined));
   else
     options.answer(file_text(file, refined));
   return done;
@@ -224,7 +229,7 @@ void add_refine(CLI::App& app) {
   command.add_flag("--closed-y", options->closed_directions[1], "The same in the second direction alone");
   command.add_flag("--closed-z", options->closed_directions[2], "The same in the third direction alone");
   command.add_option("--boundary", options->boundary, "What rules at the ends read")
-      ->check(CLI::IsMember(boundary_names()))
+      ->check(CLI::IsMember(data::boundary_names()))
       ->capture_default_str();
   command.add_option("--plot", options->plot, "Draw data and result, as .svg or .png");
 }

@@ -4,8 +4,9 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
-#include <subcert/reports/files.hpp>
+#include <subcert/reports/runtime/files.hpp>
 
 #include <chrono>
 #include <sstream>
@@ -68,7 +69,7 @@ struct Answer {
   bool complete;
   double seconds;
 
-  int code() const {
+  ExitCode code() const {
     if (convergence.is_no()) return failed;
     return convergence.is_yes() && complete ? done : undecided;
   }
@@ -180,7 +181,7 @@ std::string certificate_text(const HolderRegularity& regularity, const Certifica
          method_text(regularity.radius) + " has no certificate\n";
 }
 
-int run(const RegularityOptions& options) {
+ExitCode run(const RegularityOptions& options) {
   const Answer answer = compute(options);
   std::optional<CertificateClaim> claim;
   if (!options.certificate.empty()) {
@@ -188,9 +189,10 @@ int run(const RegularityOptions& options) {
     const Rational& radius = answer.regularity.radius.certified_upper;
     const int rules = answer.regularity.bounds.sum_rules;
     if (!(radius < power(Rational(answer.scheme.mask.arity()), rules)))
-      throw UsageError("--certificate: rational numbers prove nothing positive about " + answer.scheme.specification);
+      fail(ErrorKind::usage, "--certificate: rational numbers prove nothing positive about {}",
+           answer.scheme.specification);
     const Certificate certificate = exponent_certificate(answer.scheme.mask, answer.regularity);
-    write_file(options.certificate, certificate.text);
+    runtime::write_file(options.certificate, certificate.text);
     claim = certificate.claim;
   }
   if (options.json) {

@@ -2,9 +2,10 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/errata.hpp>
-#include <subcert/reports/files.hpp>
 #include <subcert/reports/report.hpp>
+#include <subcert/reports/runtime/files.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -27,18 +28,18 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 void require_known(const ReproduceOptions& options, const std::vector<std::string>& papers) {
-  const auto known = reproducible_papers();
+  const auto known = reports::reproducible_papers();
   for (const std::string& paper : papers)
     if (std::find(known.begin(), known.end(), paper) == known.end())
-      throw UsageError("PAPER '" + paper + "' cannot be reproduced by this version; expected " + joined(known));
+      fail(ErrorKind::usage, "PAPER '{}' cannot be reproduced by this version; expected {}", paper, joined(known));
   for (const std::string& item : options.only) {
     std::vector<std::string> items;
     for (const std::string& paper : papers) {
-      const auto more = report_items(paper);
+      const auto more = reports::report_items(paper);
       items.insert(items.end(), more.begin(), more.end());
     }
     if (std::find(items.begin(), items.end(), item) == items.end())
-      throw UsageError("--only: unknown item '" + item + "'; expected " + joined(items));
+      fail(ErrorKind::usage, "--only: unknown item '{}'; expected {}", item, joined(items));
   }
 }
 
@@ -46,47 +47,47 @@ std::string counted(const std::string& before, int count, const std::string& aft
   return count == 0 ? "" : before + std::to_string(count) + after;
 }
 
-std::string experiment_line(const RanExperiment& ran) {
+std::string experiment_line(const experiments::RanExperiment& ran) {
   const std::string& id = ran.experiment->id;
-  const auto count = [&](Finding finding) { return static_cast<int>(ran.result.count(finding)); };
-  std::string findings = counted(", ", count(Finding::confirmed), " confirmed") +
-                         counted(", ", count(Finding::not_confirmed), " not confirmed") +
-                         counted(", ", count(Finding::not_reproducible), " not reproducible");
+  const auto count = [&](Verdict finding) { return static_cast<int>(ran.result.count(finding)); };
+  std::string findings = counted(", ", count(Verdict::confirmed), " confirmed") +
+                         counted(", ", count(Verdict::not_confirmed), " not confirmed") +
+                         counted(", ", count(Verdict::not_reproducible), " not reproducible");
   return "  " + id + std::string(id.size() < 10 ? 10 - id.size() : 1, ' ') +
          (findings.empty() ? "pictures" : "claims: " + findings.substr(2)) +
          (ran.result.as_recorded() ? "" : "   NOT AS RECORDED") + "\n";
 }
 
 /// The claims that are not confirmed, and those with another finding than the recorded one.
-std::string unconfirmed(const RanExperiment& ran) {
+std::string unconfirmed(const experiments::RanExperiment& ran) {
   std::string result;
-  for (const Claim& c : ran.result.claims)
-    if (c.finding == Finding::not_confirmed || c.finding != c.recorded)
+  for (const experiments::Claim& c : ran.result.claims)
+    if (c.finding == Verdict::not_confirmed || c.finding != c.recorded)
       result += "  " + to_text(c.finding) + "  " + ran.experiment->id + ": " + c.sentence + " (" + c.numbers + ")" +
                 (c.finding == c.recorded ? "" : " [recorded: " + to_text(c.recorded) + "]") + "\n";
   return result;
 }
 
-std::string summary(const std::vector<Report>& reports) {
+std::string summary(const std::vector<reports::Report>& reports) {
   std::ostringstream text;
-  for (const Report& report : reports) {
+  for (const reports::Report& report : reports) {
     text << report.citation << "\n\n";
-    for (const ComparisonTable* table : report.comparison_tables()) {
+    for (const formats::ComparisonTable* table : report.comparison_tables()) {
       text << "  " << table->id << std::string(table->id.size() < 10 ? 10 - table->id.size() : 1, ' ')
            << table->comparisons.size() << " values: " << table->count(Verdict::match) << " match, "
            << table->count(Verdict::mismatch) << " mismatch, " << table->count(Verdict::open) << " open"
            << counted(", ", table->count(Verdict::not_reproducible), " not reproducible")
            << (table->as_recorded() ? "" : "   NOT AS RECORDED") << "\n";
     }
-    for (const RanExperiment& ran : report.experiments) text << experiment_line(ran);
+    for (const experiments::RanExperiment& ran : report.experiments) text << experiment_line(ran);
     text << "\n";
-    for (const ComparisonTable* table : report.comparison_tables())
-      for (const Comparison& c : table->comparisons)
+    for (const formats::ComparisonTable* table : report.comparison_tables())
+      for (const formats::Comparison& c : table->comparisons)
         if (c.verdict == Verdict::mismatch || c.verdict != c.recorded)
           text << "  " << to_text(c.verdict) << "  " << table->id << ": " << c.cell() << ": printed " << c.printed
                << ", computed " << c.computed_text() << (c.note.empty() ? "" : " (" + c.note + ")")
                << (c.verdict == c.recorded ? "" : " [recorded: " + to_text(c.recorded) + "]") << "\n";
-    for (const RanExperiment& ran : report.experiments) text << unconfirmed(ran);
+    for (const experiments::RanExperiment& ran : report.experiments) text << unconfirmed(ran);
   }
   return text.str();
 }
@@ -95,40 +96,42 @@ std::string summary(const std::vector<Report>& reports) {
 bool write_errata(const ReproduceOptions& options) {
   std::vector<const statements::Statement*> all;
   for (const statements::Statement& statement : statements::statements()) all.push_back(&statement);
-  const auto checked = check_statements(all, statements::Tier::quick, options.threads(),
-                                        [&](const std::string& id) { options.progress(id); });
-  write_file(std::filesystem::path(options.out) / "errata.html", errata_page(checked));
-  return std::all_of(checked.begin(), checked.end(), [](const CheckedStatement& one) { return one.as_recorded(); });
+  const auto checked = reports::check_statements(all, statements::Tier::quick, options.threads(),
+                                                 [&](const std::string& id) { options.progress(id); });
+  runtime::write_file(std::filesystem::path(options.out) / "errata.html", reports::errata_page(checked));
+  return std::all_of(checked.begin(), checked.end(),
+                     [](const reports::CheckedStatement& one) { return one.as_recorded(); });
 }
 
-int run(ReproduceOptions& options) {
-  const auto papers = options.papers.empty() ? reproducible_papers() : options.papers;
+ExitCode run(ReproduceOptions& options) {
+  const auto papers = options.papers.empty() ? reports::reproducible_papers() : options.papers;
   require_known(options, papers);
-  std::vector<Report> reports;
+  std::vector<reports::Report> reports;
   std::mutex terminal;
-  ReportOptions report_options{options.only, options.threads(),
-                               [&](const std::string& line) {
-                                 const std::lock_guard lock(terminal);
-                                 options.progress(line);
-                               },
-                               options.seed};
-  for (const std::string& paper : papers) reports.push_back(make_report(paper, report_options));
+  reports::ReportOptions report_options{options.only, options.threads(),
+                                        [&](const std::string& line) {
+                                          const std::lock_guard lock(terminal);
+                                          options.progress(line);
+                                        },
+                                        options.seed};
+  for (const std::string& paper : papers) reports.push_back(reports::make_report(paper, report_options));
   bool statements_as_recorded = true;
   if (!options.out.empty()) {
     if (options.papers.empty() && options.only.empty()) statements_as_recorded = write_errata(options);
     options.progress("writing " + options.out);
-    write_reports(reports, options.out, options.threads());
+    reports::write_reports(reports, options.out, options.threads());
   }
   options.end_progress();
-  const bool as_recorded = std::all_of(reports.begin(), reports.end(), [](const Report& r) { return r.as_recorded(); });
+  const bool as_recorded = std::all_of(reports.begin(), reports.end(),
+                                       [](const reports::Report& r) { return r.as_recorded(); });
   if (options.json) {
-    std::cout << reports_json(reports) << "\n";
+    std::cout << reports::reports_json(reports) << "\n";
   } else {
     std::cout << summary(reports);
     if (!statements_as_recorded) std::cout << "\nStatements NOT AS RECORDED: see 'subcert statements check'\n";
     if (!options.out.empty()) std::cout << "\nThe page: " << options.out << "/index.html\n";
   }
-  if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+  if (!std::cout.flush()) fail(ErrorKind::missing_file, "cannot write to standard output");
   return as_recorded && statements_as_recorded ? done : failed;
 }
 
@@ -139,7 +142,7 @@ void add_reproduce(CLI::App& app) {
   CLI::App& command = add_command(
       app, "reproduce", "Recomputes tables, figures and experiments of papers beside what they print",
       "subcert reproduce dyn-2015 --only table1,table2 --out out", options, [=] { return run(*options); });
-  command.add_option("PAPER", options->papers, "Papers: " + joined(reproducible_papers()) + " (default: all)");
+  command.add_option("PAPER", options->papers, "Papers: " + joined(reports::reproducible_papers()) + " (default: all)");
   command.add_option("--only", options->only, "Items, separated by commas")->delimiter(',');
   command.get_option("--out")->description("Folder for index.html, tables and figures");
 }

@@ -4,7 +4,8 @@
 #include "samples.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/reports/figure.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/formats/figure.hpp>
 #include <subcert/schemes/data/axis_refinement.hpp>
 #include <subcert/schemes/data/l1_specification.hpp>
 #include <subcert/schemes/data/smoothing_choice.hpp>
@@ -36,7 +37,7 @@ struct Smooth {
   std::vector<std::string> notes;  ///< lines for people
   Json choice;
   std::vector<Rational> positions;  ///< in spacings, from the first datum
-  std::vector<NoiseEstimate> noise;
+  std::vector<data::NoiseEstimate> noise;
   std::vector<std::vector<double>> values;
   std::vector<std::vector<double>> deviations;  ///< standard deviations; empty where there are none
   std::vector<std::vector<double>> half_widths;
@@ -48,22 +49,22 @@ std::string number_text(double value) {
   return buffer;
 }
 
-Json risk_json(const SmoothingCandidate& candidate) {
+Json risk_json(const data::SmoothingCandidate& candidate) {
   return {{"scheme", candidate.specification},
           {"bias_squared", candidate.risk.bias_squared},
           {"variance", candidate.risk.variance},
           {"expected_squared_error", candidate.risk.total()}};
 }
 
-std::string risk_text(const SmoothingCandidate& candidate) {
+std::string risk_text(const data::SmoothingCandidate& candidate) {
   return candidate.specification + ": " + number_text(candidate.risk.total()) + " = bias^2 " +
          number_text(candidate.risk.bias_squared) + " + variance " + number_text(candidate.risk.variance);
 }
 
 /// The largest n among the candidates of a degree.
-int widest(const std::vector<SmoothingCandidate>& candidates, int degree) {
+int widest(const std::vector<data::SmoothingCandidate>& candidates, int degree) {
   int n = 0;
-  for (const SmoothingCandidate& candidate : candidates)
+  for (const data::SmoothingCandidate& candidate : candidates)
     if (candidate.degree == degree) n = std::max(n, candidate.n);
   return n;
 }
@@ -71,15 +72,14 @@ int widest(const std::vector<SmoothingCandidate>& candidates, int degree) {
 /// The scheme of the smallest estimated risk whose limits are smooth enough.
 Scheme choose_scheme(const SmoothCommand& options, const Samples& samples, Smooth& result) {
   if (samples.count() < 4)
-    throw DataFormatError(options.samples.file + ": expected at least 4 rows to choose a scheme; found " +
-                          std::to_string(samples.count()) + "; name one with --scheme");
-  for (const NoiseEstimate& noise : result.noise)
+    fail(ErrorKind::data, "expected at least 4 rows to choose a scheme; found {}; name one with --scheme",
+         samples.count());
+  for (const data::NoiseEstimate& noise : result.noise)
     if (noise.terms == 0)
-      throw DataFormatError(
-          options.samples.file +
-          ": expected three neighbouring data to estimate the noise; found none; name a scheme with --scheme");
-  const auto ranked = rank_schemes(samples.columns, result.noise, *parse_extension(options.boundary), samples.weights,
-                                   options.constant);
+      fail(ErrorKind::data,
+           "expected three neighbouring data to estimate the noise; found none; name a scheme with --scheme");
+  const auto ranked = data::rank_schemes(samples.columns, result.noise, *data::parse_extension(options.boundary),
+                                         samples.weights, options.constant);
   for (std::size_t i = 0; i < ranked.size(); ++i) {
     Scheme scheme = make_scheme(ranked[i].specification);
     if (options.derivative > 0 && proved_smoothness(scheme.mask).order < options.derivative) continue;
@@ -95,48 +95,48 @@ Scheme choose_scheme(const SmoothCommand& options, const Samples& samples, Smoot
         ++shown;
       }
     result.choice = {{"chosen", risk_json(ranked[i])}, {"candidates", Json::array()}};
-    for (const SmoothingCandidate& candidate : ranked) result.choice["candidates"].push_back(risk_json(candidate));
+    for (const data::SmoothingCandidate& candidate : ranked)
+      result.choice["candidates"].push_back(risk_json(candidate));
     return scheme;
   }
-  throw UsageError("--derivative " + std::to_string(options.derivative) +
-                   ": no scheme tried has limits proved to be so smooth");
+  fail(ErrorKind::usage, "--derivative {}: no scheme tried has limits proved to be so smooth", options.derivative);
 }
 
 void require_limits(const Scheme& scheme, int derivative) {
   if (derivative == 0) {
     const Decision convergence = converges(scheme.mask);
     if (!convergence.is_yes())
-      throw UsageError(scheme.specification + ": no proof that the scheme converges (" + convergence.reason + ")");
+      fail(ErrorKind::usage, "{}: no proof that the scheme converges ({})", scheme.specification, convergence.reason);
     return;
   }
   const SmoothnessProof smoothness = proved_smoothness(scheme.mask);
   if (smoothness.order < derivative)
-    throw UsageError("--derivative " + std::to_string(derivative) + ": " + scheme.specification +
-                     " is not proved to have continuous derivatives of that order; " + smoothness.obstacle);
+    fail(ErrorKind::usage, "--derivative {}: {} is not proved to have continuous derivatives of that order; {}",
+         derivative, scheme.specification, smoothness.obstacle);
 }
 
 /// The factor between standard deviation and half the width of a band.
-double band_factor(double level, const NoiseEstimate& noise) {
+double band_factor(double level, const data::NoiseEstimate& noise) {
   return boost::math::quantile(boost::math::students_t(noise.degrees_of_freedom), 0.5 + level / 2);
 }
 
 void smooth_linearly(const SmoothCommand& options, const Samples& samples, Smooth& result) {
   std::vector<double> weights;
-  for (const Rational& weight : samples.weights) weights.push_back(nearest_double(weight));
-  for (const auto& column : samples.columns) result.noise.push_back(estimate_noise(column, weights));
+  for (const Rational& weight : samples.weights) weights.push_back(data::nearest_double(weight));
+  for (const auto& column : samples.columns) result.noise.push_back(data::estimate_noise(column, weights));
   const Scheme scheme = options.scheme.empty() ? choose_scheme(options, samples, result) : make_scheme(options.scheme);
   require_limits(scheme, options.derivative);
   result.specification = scheme.specification;
-  const LinearSmoother smoother(scheme.mask, samples.count(),
-                                {*parse_extension(options.boundary), options.level, options.derivative}, scheme.rules,
-                                samples.weights);
-  const double unit = std::pow(nearest_double(samples.spacing), -options.derivative);
+  const data::LinearSmoother smoother(scheme.mask, samples.count(),
+                                      {*data::parse_extension(options.boundary), options.level, options.derivative},
+                                      scheme.rules, samples.weights);
+  const double unit = std::pow(data::nearest_double(samples.spacing), -options.derivative);
   for (std::size_t o = 0; o < smoother.outputs(); ++o) result.positions.push_back(smoother.position(o));
   for (std::size_t c = 0; c < samples.columns.size(); ++c) {
     const auto smoothed = smoother.apply(samples.columns[c], options.constant);
     result.values.push_back(smoothed.values);
     for (double& value : result.values.back()) value *= unit;
-    const NoiseEstimate& noise = result.noise[c];
+    const data::NoiseEstimate& noise = result.noise[c];
     result.notes.push_back("noise of " + samples.names[c] + ": " +
                            (noise.terms == 0 ? std::string("not estimated, there are no three neighbouring data")
                                              : "standard deviation " + number_text(std::sqrt(noise.variance)) +
@@ -155,15 +155,15 @@ void smooth_linearly(const SmoothCommand& options, const Samples& samples, Smoot
 }
 
 /// Values between neighbours of a fine refinement, by linear interpolation.
-std::vector<double> interpolate(const GridData<double>& fine, const std::vector<Rational>& positions) {
+std::vector<double> interpolate(const data::GridData<double>& fine, const std::vector<Rational>& positions) {
   std::vector<double> result;
   const auto last = static_cast<long>(fine.points()) - 1;
   for (const Rational& position : positions) {
     const Rational place = (position - fine.axes[0].first) / fine.axes[0].step;
-    const long left = static_cast<long>(std::floor(nearest_double(place)));
+    const long left = static_cast<long>(std::floor(data::nearest_double(place)));
     const bool closed = fine.axes[0].closed;
     const long i = closed ? left : std::clamp(left, 0L, last - 1);
-    const double t = nearest_double(place - i);
+    const double t = data::nearest_double(place - i);
     const auto at = [&](long k) { return fine.values[static_cast<std::size_t>((k + last + 1) % (last + 1))]; };
     result.push_back((1 - t) * at(i) + t * at(i + 1));
   }
@@ -173,38 +173,38 @@ std::vector<double> interpolate(const GridData<double>& fine, const std::vector<
 constexpr int finer_levels = 6;
 
 void smooth_by_l1(const SmoothCommand& options, const Samples& samples, Smooth& result) {
-  const NamedL1Scheme named = make_l1_scheme(options.scheme);
+  const data::NamedL1Scheme named = data::make_l1_scheme(options.scheme);
   const auto refuse = [&](const std::string& what) {
-    throw UsageError(what + " needs a linear scheme; " + named.specification + " is none");
+    fail(ErrorKind::usage, "{} needs a linear scheme; {} is none", what, named.specification);
   };
-  if (named.scheme.points.size() != 1) throw UsageError(named.specification + ": expected a scheme for curves");
+  if (named.scheme.points.size() != 1) fail(ErrorKind::usage, "{}: expected a scheme for curves", named.specification);
   if (options.derivative != 0) refuse("--derivative");
   if (options.bands_given && options.bands != 0) refuse("--bands");
   if (!samples.weights.empty()) refuse("prior weights and missing data: a fit with them");
-  const Extension extension = *parse_extension(options.boundary);
-  if (extension == Extension::nearest || extension == Extension::constant)
-    throw UsageError("--boundary " + options.boundary + ": expected interp, mirror or wrap for l1 schemes");
+  const data::Extension extension = *data::parse_extension(options.boundary);
+  if (extension == data::Extension::nearest || extension == data::Extension::constant)
+    fail(ErrorKind::usage, "--boundary {}: expected interp, mirror or wrap for l1 schemes", options.boundary);
   if (samples.count() < static_cast<std::size_t>(named.scheme.points[0]))
-    throw DataFormatError(options.samples.file + ": expected at least " + std::to_string(named.scheme.points[0]) +
-                          " rows for " + named.specification + "; found " + std::to_string(samples.count()));
-  const Boundary boundary = extension == Extension::interp   ? Boundary::regression
-                            : extension == Extension::mirror ? Boundary::reflect
-                                                             : Boundary::periodic;
+    fail(ErrorKind::data, "expected at least {} rows for {}; found {}", named.scheme.points[0], named.specification,
+         samples.count());
+  const data::Boundary boundary = extension == data::Extension::interp   ? data::Boundary::regression
+                                  : extension == data::Extension::mirror ? data::Boundary::reflect
+                                                                         : data::Boundary::periodic;
   result.specification = named.specification;
   result.notes.push_back("values " + std::to_string(finer_levels) +
                          " levels below the output grid, interpolated; no bands, as the scheme is not linear");
   const long scale = 1L << options.level;
-  require_smoothable(samples.count(), static_cast<std::size_t>(scale));
+  data::require_smoothable(samples.count(), static_cast<std::size_t>(scale));
   for (long o = 0; o <= static_cast<long>(samples.count() - 1) * scale; ++o) result.positions.emplace_back(o, scale);
   for (const auto& column : samples.columns)
     result.values.push_back(interpolate(
-        refine(curve_data(column), named.scheme, {options.level + finer_levels, boundary, options.threads()}),
+        refine(data::curve_data(column), named.scheme, {options.level + finer_levels, boundary, options.threads()}),
         result.positions));
 }
 
 /// Columns x, then value, deviation, lower and upper end for each column of the data.
-Table result_table(const Samples& samples, const Smooth& smooth) {
-  Table table;
+data::Table result_table(const Samples& samples, const Smooth& smooth) {
+  data::Table table;
   table.separator = samples.separator;
   table.header.push_back(samples.x_name);
   const bool single = samples.columns.size() == 1;
@@ -219,7 +219,7 @@ Table result_table(const Samples& samples, const Smooth& smooth) {
   }
   table.columns = table.header.size();
   for (std::size_t o = 0; o < smooth.positions.size(); ++o) {
-    table.values.push_back(nearest_double(samples.origin + samples.spacing * smooth.positions[o]));
+    table.values.push_back(data::nearest_double(samples.origin + samples.spacing * smooth.positions[o]));
     for (std::size_t c = 0; c < samples.columns.size(); ++c) {
       const double value = smooth.values[c][o];
       table.values.push_back(value);
@@ -233,7 +233,7 @@ Table result_table(const Samples& samples, const Smooth& smooth) {
   return table;
 }
 
-Json result_json(const SmoothCommand& options, const Samples& samples, const Smooth& smooth, const Table& table) {
+Json result_json(const SmoothCommand& options, const Samples& samples, const Smooth& smooth, const data::Table& table) {
   Json noise = Json::array(), rows = Json::array();
   for (std::size_t c = 0; c < smooth.noise.size(); ++c)
     noise.push_back({{"column", samples.names[c]},
@@ -259,22 +259,22 @@ Json result_json(const SmoothCommand& options, const Samples& samples, const Smo
           {"rows", rows}};
 }
 
-void draw_smooth(const SmoothCommand& options, const Samples& samples, const Smooth& smooth, const Table& table) {
-  Figure figure{"smooth", smooth.specification, "", 1, {}};
+void draw_smooth(const SmoothCommand& options, const Samples& samples, const Smooth& smooth, const data::Table& table) {
+  formats::Figure figure{"smooth", smooth.specification, "", 1, {}};
   for (std::size_t c = 0; c < samples.columns.size(); ++c) {
-    Panel panel{smooth.specification, samples.x_name, samples.names[c], {}, false, "below"};
+    formats::Panel panel{smooth.specification, samples.x_name, samples.names[c], {}, false, "below"};
     const auto curve = [&](const std::string& label, double sign) {
-      subcert::Curve result{label, {}};
+      formats::Curve result{label, {}};
       for (std::size_t o = 0; o < smooth.positions.size(); ++o)
         result.points.emplace_back(table.values[o * table.columns],
                                    smooth.values[c][o] + (sign == 0 ? 0 : sign * smooth.half_widths[c][o]));
       return result;
     };
     if (options.derivative == 0) {
-      subcert::Curve data{"data", {}, true, false};
+      formats::Curve data{"data", {}, true, false};
       for (std::size_t i = 0; i < samples.count(); ++i)
         if (samples.weights.empty() || samples.weights[i] > 0)
-          data.points.emplace_back(nearest_double(samples.origin + samples.spacing * Rational(i)),
+          data.points.emplace_back(data::nearest_double(samples.origin + samples.spacing * Rational(i)),
                                    samples.columns[c][i]);
       panel.curves.push_back(data);
     }
@@ -285,28 +285,26 @@ void draw_smooth(const SmoothCommand& options, const Samples& samples, const Smo
     }
     figure.panels.push_back(panel);
   }
-  draw_file(figure, options.plot);
+  formats::draw_file(figure, options.plot);
 }
 
-int run(const SmoothCommand& options) {
-  if (options.automatic && !options.scheme.empty()) throw UsageError("--auto and --scheme: expected one of the two");
-  if (!options.plot.empty() && !is_picture_name(options.plot))
-    throw UsageError("--plot " + options.plot + ": expected a name that ends in .svg or .png");
+ExitCode run(const SmoothCommand& options) {
+  if (options.automatic && !options.scheme.empty())
+    fail(ErrorKind::usage, "--auto and --scheme: expected one of the two");
+  if (!options.plot.empty() && !formats::is_picture_name(options.plot))
+    fail(ErrorKind::usage, "--plot {}: expected a name that ends in .svg or .png", options.plot);
   const Samples samples = read_samples(options.samples);
   Smooth smooth;
   try {
-    if (is_l1_specification(options.scheme))
+    if (data::is_l1_specification(options.scheme))
       smooth_by_l1(options, samples, smooth);
     else
       smooth_linearly(options, samples, smooth);
-  } catch (const std::domain_error& error) {
-    throw DataFormatError(options.samples.file + ": " + error.what());
-  } catch (const SpecificationError&) {
-    throw;
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::data) throw;
+    fail(ErrorKind::data, "{}: {}", options.samples.file, error.what());
   }
-  const Table table = result_table(samples, smooth);
+  const data::Table table = result_table(samples, smooth);
   if (!options.plot.empty()) draw_smooth(options, samples, smooth, table);
   if (options.json) {
     options.answer(result_json(options, samples, smooth, table));

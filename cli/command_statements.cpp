@@ -2,8 +2,9 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/errata.hpp>
-#include <subcert/reports/files.hpp>
+#include <subcert/reports/runtime/files.hpp>
 
 #include <algorithm>
 #include <map>
@@ -14,7 +15,6 @@ namespace {
 using statements::Outcome;
 using statements::Statement;
 using statements::Tier;
-using statements::Verdict;
 
 struct StatementsOptions : CommonOptions {
   std::vector<std::string> wanted;
@@ -26,12 +26,10 @@ struct StatementsOptions : CommonOptions {
 /// All statements, or those asked for, each once and in the order of the papers.
 std::vector<const Statement*> selected(const std::vector<std::string>& wanted) {
   std::vector<const Statement*> chosen;
-  for (const std::string& one : wanted) try {
-      const auto found = statements::find_statements(one);
-      chosen.insert(chosen.end(), found.begin(), found.end());
-    } catch (const std::out_of_range& error) {
-      throw UsageError(error.what());
-    }
+  for (const std::string& one : wanted) {
+    const auto found = statements::find_statements(one);
+    chosen.insert(chosen.end(), found.begin(), found.end());
+  }
   std::vector<const Statement*> result;
   for (const Statement& statement : statements::statements())
     if (wanted.empty() || std::find(chosen.begin(), chosen.end(), &statement) != chosen.end())
@@ -48,7 +46,7 @@ Json statement_json(const Statement& statement) {
           {"recorded", to_text(statement.recorded)}};
 }
 
-int list(const StatementsOptions& options) {
+ExitCode list(const StatementsOptions& options) {
   const auto chosen = selected(options.wanted);
   if (options.json) {
     Json json{{"statements", Json::array()}};
@@ -74,7 +72,7 @@ int list(const StatementsOptions& options) {
   return done;
 }
 
-Json outcome_json(const CheckedStatement& checked) {
+Json outcome_json(const reports::CheckedStatement& checked) {
   const Statement& statement = *checked.statement;
   Json json = statement_json(statement);
   json["verdict"] = to_text(checked.outcome.verdict);
@@ -103,16 +101,17 @@ std::string outcome_text(const Statement& statement, const Outcome& outcome) {
   return text;
 }
 
-int run_checks(const StatementsOptions& options) {
-  const auto results = check_statements(selected(options.wanted), options.wide ? Tier::wide : Tier::quick,
-                                        options.threads(), [&](const std::string& id) { options.progress(id); });
+ExitCode run_checks(const StatementsOptions& options) {
+  const auto results = reports::check_statements(selected(options.wanted), options.wide ? Tier::wide : Tier::quick,
+                                                 options.threads(),
+                                                 [&](const std::string& id) { options.progress(id); });
   options.end_progress();
-  if (!options.page.empty()) write_file(options.page, errata_page(results));
-  int code = done;
+  if (!options.page.empty()) runtime::write_file(options.page, reports::errata_page(results));
+  ExitCode code = done;
   Json json{{"statements", Json::array()}};
   std::string text;
   std::map<Verdict, int> counts;
-  for (const CheckedStatement& checked : results) {
+  for (const reports::CheckedStatement& checked : results) {
     ++counts[checked.outcome.verdict];
     if (checked.outcome.verdict == Verdict::undecided)
       code = code == done ? undecided : code;
@@ -125,10 +124,7 @@ int run_checks(const StatementsOptions& options) {
   for (const auto& [verdict, count] : counts) text += " " + std::to_string(count) + " " + to_text(verdict) + ",";
   text.back() = '.';
   text += std::string(code == done ? " All verdicts are the ones on record." : "") + "\n";
-  if (options.json)
-    options.answer(json);
-  else
-    options.answer(text);
+  options.answer(json, text);
   return code;
 }
 
@@ -149,7 +145,7 @@ void add_statements(CLI::App& app) {
   list_command.add_flag("--ids", list_options->ids, "Only the ids, one a line");
 
   group->callback([=] {
-    if (group->get_subcommands().empty()) exit_code = list(*list_options);
+    if (group->get_subcommands().empty()) list(*list_options);
   });
 
   auto check_options = std::make_shared<StatementsOptions>();

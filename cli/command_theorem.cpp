@@ -28,8 +28,6 @@ std::string verdict_word(Truth truth) {
   return truth == Truth::yes ? "holds" : truth == Truth::no ? "fails" : "unknown";
 }
 
-ExitCode verdict_code(Truth truth) { return truth == Truth::yes ? done : truth == Truth::no ? failed : undecided; }
-
 std::string joined(const std::vector<int>& numbers) {
   std::string text;
   for (int number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
@@ -167,7 +165,7 @@ std::string theorem_text(const Theorem& theorem, bool all) {
   return text.str();
 }
 
-int run(const TheoremOptions& options) {
+ExitCode run(const TheoremOptions& options) {
   if (options.id == "list") {
     options.json ? options.answer(list_json()) : options.answer(list_text());
     return done;
@@ -178,7 +176,7 @@ int run(const TheoremOptions& options) {
                                           options.threads());
   options.end_progress();
   options.json ? options.answer(theorem_json(theorem)) : options.answer(theorem_text(theorem, options.all));
-  return verdict_code(theorem.decision.truth);
+  return exit_code(theorem.decision.truth);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 
 #include <iostream>
@@ -17,11 +18,11 @@ struct Options : CommonOptions {
   double budget = 60;
 };
 
-int run(const Options& options) {
+ExitCode run(const Options& options) {
   const Scheme scheme = make_scheme(options.scheme);
   const auto width = parse_rational(options.width);
   if (!width || *width <= 0)
-    throw UsageError("--width: expected a positive number p or p/q, got '" + options.width + "'");
+    fail(ErrorKind::usage, "--width: expected a positive number p or p/q, got '{}'", options.width);
   const Decision convergence = converges(scheme.mask);
   const auto refuse = [&](const std::string& reason) {
     std::cerr << "subcert: " << scheme.specification
@@ -32,7 +33,10 @@ int run(const Options& options) {
   VarianceRange range;
   try {
     range = variance_range(scheme.mask, {*width, options.budget});
-  } catch (const std::domain_error& error) {
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::domain) throw;
+    return refuse(error.what());
+  } catch (const std::domain_error& error) {  // until analysis throws Error
     return refuse(error.what());
   }
   const ExitCode code = range.complete ? done : undecided;

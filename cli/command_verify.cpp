@@ -2,6 +2,8 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +11,7 @@
 #include <filesystem>
 #include <iostream>
 #include <sstream>
+#include <system_error>
 
 extern char** environ;
 
@@ -34,7 +37,7 @@ struct Outcome {
 
 Outcome run_checker(const std::vector<std::string>& arguments) {
   int channel[2];
-  if (pipe(channel) != 0) throw std::runtime_error("verify: cannot make a pipe");
+  if (pipe(channel) != 0) throw std::system_error(errno, std::generic_category(), "verify: cannot make a pipe");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, channel[1], STDOUT_FILENO);
@@ -50,7 +53,7 @@ Outcome run_checker(const std::vector<std::string>& arguments) {
   close(channel[1]);
   if (started != 0) {
     close(channel[0]);
-    throw std::runtime_error("verify: the checker subcert-check is not installed");
+    fail(ErrorKind::missing_file, "verify: the checker subcert-check is not installed");
   }
   Outcome outcome{};
   char buffer[4096];
@@ -59,7 +62,7 @@ Outcome run_checker(const std::vector<std::string>& arguments) {
   close(channel[0]);
   int status = 0;
   waitpid(child, &status, 0);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : internal;
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(internal);
   while (!outcome.line.empty() && outcome.line.back() == '\n') outcome.line.pop_back();
   return outcome;
 }
@@ -77,34 +80,31 @@ std::vector<std::string> claim_of(const std::string& file, const std::string& te
   subject_words >> kind >> first >> second;
   bound_words >> word >> lower >> upper;
   if (version.rfind("subcert-certificate", 0) != 0 || word != "bounds" || upper.empty() || second.empty())
-    throw DataError(file + ": not a certificate", bad_data);
+    fail(ErrorKind::data, "{}: not a certificate", file);
   std::vector<std::string> arguments;
   if (kind == "exponent")
     arguments = {"--mask", first, "--arity", second};
   else if (kind == "radius")
     arguments = {"--matrices", file + ".matrices"};
   else
-    throw DataError(file + ", line 2: expected exponent or radius", bad_data);
+    fail(ErrorKind::data, "{}, line 2: expected exponent or radius", file);
   if (lower != "-") arguments.insert(arguments.end(), {"--lower", lower});
   if (upper != "-") arguments.insert(arguments.end(), {"--upper", upper});
   arguments.push_back(file);
   return arguments;
 }
 
-int run(const VerifyOptions& options) {
+ExitCode run(const VerifyOptions& options) {
   Json list = Json::array();
   std::string text;
-  int worst = done;
+  ExitCode worst = done;
   for (const std::string& file : options.files) {
     const Outcome outcome = run_checker(claim_of(file, read_file(file)));
-    if (outcome.code != 0) worst = std::max(worst, outcome.code);
+    if (outcome.code != 0) worst = std::max(worst, static_cast<ExitCode>(outcome.code));
     list.push_back({{"file", file}, {"verified", outcome.code == 0}, {"answer", outcome.line}});
     text += file + ": " + outcome.line + "\n";
   }
-  if (options.json)
-    options.answer(Json{{"certificates", list}});
-  else
-    options.answer(text);
+  options.answer(Json{{"certificates", list}}, text);
   return worst;
 }
 

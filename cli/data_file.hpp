@@ -14,21 +14,21 @@ enum class DataKind { curve, matrix, obj, ply, vtk };
 /// What a file holds, and what is needed to write one of its kind.
 struct DataFile {
   DataKind kind;
-  GridData<double> data;
-  Table table = {};    ///< header and separator of a CSV file
-  Volume volume = {};  ///< title, name, origin and spacing of a VTK file
+  data::GridData<double> data;
+  data::Table table = {};    ///< header and separator of a CSV file
+  data::Volume volume = {};  ///< title, name, origin and spacing of a VTK file
 };
 
 /// Reads a file for a scheme of this many variables: `.obj`, `.ply` and `.vtk` by their endings, else CSV, one point in
 /// a row for one variable and a matrix of heights for two. `closed` says which directions are; a mesh says so itself.
-/// Errors: throws DataFormatError or DataError for the file, UsageError where it does not fit the variables.
+/// Errors: throws a data error, or missing_file, for the file, a usage error where it does not fit the variables.
 DataFile read_data_file(const std::string& path, std::size_t variables, const std::array<bool, 3>& closed);
 
-/// Throws DataFormatError where a direction has fewer points, or is closed and repeats its first points at the end.
+/// Throws a data error where a direction has fewer points, or is closed and repeats its first points at the end.
 void check_data(const DataFile& file, const std::string& path, const std::string& scheme,
                 const std::vector<std::size_t>& fewest);
 
 /// The text of a file of the same kind with these data.
-std::string file_text(const DataFile& file, const GridData<double>& data);
+std::string file_text(const DataFile& file, const data::GridData<double>& data);
 
 }  // namespace subcert::cli

@@ -2,9 +2,6 @@
 
 #include "command.hpp"
 
-#include <subcert/reports/sweep/journal.hpp>
-#include <subcert/schemes/data/table.hpp>
-
 #include <csignal>
 #include <iostream>
 #include <new>
@@ -14,11 +11,11 @@ namespace {
 using namespace subcert;
 
 /// One line, whatever the message holds.
-int complain(const std::string& message, int code) {
+int complain(const std::string& message, cli::ExitCode code) {
   std::string line;
   for (char c : message) line += (c == '\n' || c == '\r') ? ' ' : c;
   std::cerr << "subcert: " << line << "\n";
-  return code;
+  return static_cast<int>(code);
 }
 
 }  // namespace
@@ -46,27 +43,23 @@ int main(int argc, char** argv) {
   cli::add_check(app);
   try {
     app.parse(argc, argv);
-    return cli::exit_code;
+    return static_cast<int>(cli::done);
   } catch (const CLI::Success& help) {
     return app.exit(help);
+  } catch (const CLI::RuntimeError& left) {
+    return left.get_exit_code();
   } catch (const CLI::ParseError& error) {
     return complain(std::string(error.what()) + "; see 'subcert --help'", cli::usage);
-  } catch (const ParseError& error) {
-    return complain(error.what(), cli::usage);
-  } catch (const cli::UsageError& error) {
-    return complain(error.what(), cli::usage);
-  } catch (const cli::DataError& error) {
-    return complain(error.what(), error.code);
-  } catch (const DataFormatError& error) {
-    return complain(error.what(), cli::bad_data);
-  } catch (const JournalInUse& error) {
-    return complain(error.what(), cli::usage);
-  } catch (const JournalError& error) {
-    return complain(error.what(), cli::bad_data);
-  } catch (const std::length_error& error) {
-    return complain(error.what(), cli::usage);
+  } catch (const Error& error) {
+    return complain(error.what(), cli::exit_code(error.kind()));
   } catch (const std::bad_alloc&) {
     return complain("out of memory", cli::internal);
+  } catch (const std::logic_error& error) {  // until analysis throws Error, these four are of the arguments
+    const bool argument = dynamic_cast<const std::invalid_argument*>(&error) ||
+                          dynamic_cast<const std::domain_error*>(&error) ||
+                          dynamic_cast<const std::length_error*>(&error) ||
+                          dynamic_cast<const std::out_of_range*>(&error);
+    return complain(error.what(), argument ? cli::usage : cli::internal);
   } catch (const std::exception& error) {
     return complain(error.what(), cli::internal);
   }

@@ -88,7 +88,8 @@ Json limit_support_json(const MultivariateMask& mask) {
   return list;
 }
 
-int analyze_multivariate(const MultivariateScheme& scheme, const ProofLimits& limits, const CommonOptions& options) {
+ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimits& limits,
+                              const CommonOptions& options) {
   const Page page = make_page(scheme, limits);
   if (options.json) {
     Json shift = Json::array();

@@ -14,6 +14,7 @@ Json coefficients_json(const MultivariateMask& mask);
 Json limit_support_json(const MultivariateMask& mask);
 
 /// Prints the page; the exit code of the command.
-int analyze_multivariate(const MultivariateScheme& scheme, const ProofLimits& limits, const CommonOptions& options);
+ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimits& limits,
+                              const CommonOptions& options);
 
 }  // namespace subcert::cli

@@ -2,6 +2,7 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/decimal.hpp>
 
 #include <algorithm>
@@ -12,11 +13,11 @@ namespace {
 
 constexpr double largest_value = 1e150;  // squares stay finite
 
-std::string column_name(const Table& table, std::size_t column) {
+std::string column_name(const data::Table& table, std::size_t column) {
   return table.header.empty() ? "column " + std::to_string(column + 1) : table.header[column];
 }
 
-std::size_t find_column(const Table& table, const std::string& option, const std::string& text) {
+std::size_t find_column(const data::Table& table, const std::string& option, const std::string& text) {
   const auto named = std::find(table.header.begin(), table.header.end(), text);
   if (named != table.header.end()) return static_cast<std::size_t>(named - table.header.begin());
   const auto number = parse_rational(text);
@@ -24,28 +25,28 @@ std::size_t find_column(const Table& table, const std::string& option, const std
     return numerator(*number).convert_to<std::size_t>() - 1;
   std::string known;
   for (const std::string& name : table.header) known += (known.empty() ? " or one of " : ", ") + name;
-  throw UsageError(option + " " + text + ": expected a column from 1 to " + std::to_string(table.columns) + known);
+  fail(ErrorKind::usage, "{} {}: expected a column from 1 to {}{}", option, text, table.columns, known);
 }
 
-std::string place(const SampleOptions& options, const Table& table, std::size_t row, std::size_t column) {
+std::string place(const SampleOptions& options, const data::Table& table, std::size_t row, std::size_t column) {
   return options.file + ", line " + std::to_string(table.lines[row]) + ", column " + std::to_string(column + 1);
 }
 
 /// The decimal number that was read as this double, and the place of its last digit.
-Decimal decimal_of(double value) {
-  if (const auto decimal = parse_decimal(shortest_text(value))) return *decimal;
+data::Decimal decimal_of(double value) {
+  if (const auto decimal = data::parse_decimal(data::shortest_text(value))) return *decimal;
   return {Rational(value), 0};
 }
 
 /// Sets origin and spacing, or names the spacing that is farthest from the mean.
-void set_grid(const SampleOptions& options, const Table& table, std::size_t column, Samples& samples) {
+void set_grid(const SampleOptions& options, const data::Table& table, std::size_t column, Samples& samples) {
   std::vector<Rational> x;
   Rational unit = -1, largest = 0;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const double value = table.values[i * table.columns + column];
     if (std::isnan(value))
-      throw DataFormatError(place(options, table, i, column) + ": expected a position; found a missing value");
-    const Decimal decimal = decimal_of(value);
+      fail(ErrorKind::data, "{}: expected a position; found a missing value", place(options, table, i, column));
+    const data::Decimal decimal = decimal_of(value);
     x.push_back(decimal.value);
     if (unit < 0 || decimal.unit < unit) unit = decimal.unit;
     largest = std::max(largest, Rational(abs(decimal.value)));
@@ -56,8 +57,8 @@ void set_grid(const SampleOptions& options, const Table& table, std::size_t colu
   const auto shown = [](const Rational& value) { return to_decimal(value, 9, Rounding::nearest); };
   for (std::size_t i = 0; i + 1 < x.size(); ++i)
     if (x[i + 1] <= x[i])
-      throw DataFormatError(place(options, table, i + 1, column) + ": expected increasing positions; found " +
-                            shown(x[i + 1]) + " after " + shown(x[i]));
+      fail(ErrorKind::data, "{}: expected increasing positions; found {} after {}",
+           place(options, table, i + 1, column), shown(x[i + 1]), shown(x[i]));
   const Rational allowed = std::min(unit, Rational(mean / 20)) + largest * power(Rational(2), -48);
   bool uniform = true;
   std::size_t worst = 0;
@@ -66,15 +67,15 @@ void set_grid(const SampleOptions& options, const Table& table, std::size_t colu
     if (i > 0 && abs(x[i] - x[i - 1] - mean) > abs(x[worst + 1] - x[worst] - mean)) worst = i - 1;
   }
   if (!uniform)
-    throw DataFormatError(options.file + ", lines " + std::to_string(table.lines[worst]) + " and " +
-                          std::to_string(table.lines[worst + 1]) + ": expected a uniform grid, the mean spacing is " +
-                          shown(mean) + "; found the spacing " + shown(x[worst + 1] - x[worst]) + " between " +
-                          shown(x[worst]) + " and " + shown(x[worst + 1]));
+    fail(ErrorKind::data,
+         "{}, lines {} and {}: expected a uniform grid, the mean spacing is {}; found the spacing {} between {} and {}",
+         options.file, table.lines[worst], table.lines[worst + 1], shown(mean), shown(x[worst + 1] - x[worst]),
+         shown(x[worst]), shown(x[worst + 1]));
   samples.spacing = mean;
 }
 
 /// Prior weights, with 0 for rows that lack a value.
-void set_weights(const SampleOptions& options, const Table& table, const std::vector<std::size_t>& values,
+void set_weights(const SampleOptions& options, const data::Table& table, const std::vector<std::size_t>& values,
                  std::optional<std::size_t> weights, Samples& samples) {
   bool needed = weights.has_value();
   std::vector<Rational> result;
@@ -83,29 +84,29 @@ void set_weights(const SampleOptions& options, const Table& table, const std::ve
     if (weights) {
       const double value = table.values[i * table.columns + *weights];
       if (!(value >= 0))
-        throw DataFormatError(place(options, table, i, *weights) + ": expected a weight >= 0; found " +
-                              (std::isnan(value) ? "a missing value" : shortest_text(value)));
+        fail(ErrorKind::data, "{}: expected a weight >= 0; found {}", place(options, table, i, *weights),
+             (std::isnan(value) ? "a missing value" : data::shortest_text(value)));
       weight = decimal_of(value).value;
     }
     for (const std::size_t column : values) {
       if (!std::isnan(table.values[i * table.columns + column])) continue;
       if (options.missing != "drop")
-        throw DataFormatError(place(options, table, i, column) +
-                              ": expected a number; found a missing value (--missing drop leaves it out)");
+        fail(ErrorKind::data, "{}: expected a number; found a missing value (--missing drop leaves it out)",
+             place(options, table, i, column));
       weight = 0;
       needed = true;
     }
     result.push_back(weight);
   }
   if (std::all_of(result.begin(), result.end(), [](const Rational& weight) { return weight == 0; }))
-    throw DataFormatError(options.file + ": expected a row that is neither missing nor of weight 0; found none");
+    fail(ErrorKind::data, "{}: expected a row that is neither missing nor of weight 0; found none", options.file);
   if (needed) samples.weights = result;
 }
 
 }  // namespace
 
 Samples read_samples(const SampleOptions& options) {
-  const Table table = parse_table(read_file(options.file), options.file, Missing::keep);
+  const data::Table table = data::parse_table(read_file(options.file), options.file, data::Missing::keep);
   std::optional<std::size_t> weights, x;
   if (!options.weights.empty()) weights = find_column(table, "--weights", options.weights);
   const bool none = options.x == "none";
@@ -120,9 +121,9 @@ Samples read_samples(const SampleOptions& options) {
     left.erase(left.begin());
   }
   if (values.empty()) values = left;
-  if (values.empty()) throw DataFormatError(options.file + ": expected a column of values; found none");
+  if (values.empty()) fail(ErrorKind::data, "{}: expected a column of values; found none", options.file);
   for (const std::size_t c : values)
-    if (c == weights || c == x) throw UsageError("--y: column " + std::to_string(c + 1) + " has another use");
+    if (c == weights || c == x) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
 
   Samples samples;
   samples.separator = table.columns == 1 ? ',' : table.separator;
@@ -135,8 +136,8 @@ Samples read_samples(const SampleOptions& options) {
     for (std::size_t i = 0; i < table.rows(); ++i) {
       const double value = table.values[i * table.columns + c];
       if (std::abs(value) > largest_value)
-        throw DataFormatError(place(options, table, i, c) + ": expected at most 1e150 in modulus; found " +
-                              shortest_text(value));
+        fail(ErrorKind::data, "{}: expected at most 1e150 in modulus; found {}", place(options, table, i, c),
+             data::shortest_text(value));
       column.push_back(std::isnan(value) ? 0 : value);
     }
   }

@@ -31,8 +31,8 @@ struct Samples {
 };
 
 /// Positions must be uniform up to the rounding of their decimal text: each within one unit of the finest decimal place
-/// in the column, and within a twentieth of the spacing, of its place on the grid. Errors: throws UsageError for
-/// unknown columns, DataFormatError that names the line; for a grid that is not uniform the worst spacing.
+/// in the column, and within a twentieth of the spacing, of its place on the grid. Errors: throws a usage error for
+/// unknown columns, a data error that names the line; for a grid that is not uniform the worst spacing.
 Samples read_samples(const SampleOptions& options);
 
 }  // namespace subcert::cli

@@ -11,15 +11,12 @@ void add_sweep_arguments(CLI::App& command, SweepArguments& arguments) {
   command.add_option("--shard", arguments.shard, "Only part I of N, as I/N with I from 1 to N; see 'subcert merge'");
 }
 
-SweepOptions sweep_options(const CommonOptions& common, const SweepArguments& arguments, const std::string& title) {
-  SweepOptions options;
+sweeps::SweepOptions sweep_options(const CommonOptions& common, const SweepArguments& arguments,
+                                   const std::string& title) {
+  sweeps::SweepOptions options;
   options.journal = arguments.journal;
-  options.shard = parse_shard(arguments.shard);
-  try {
-    rank_count();
-  } catch (const std::runtime_error& error) {
-    throw UsageError(error.what());
-  }
+  options.shard = sweeps::parse_shard(arguments.shard);
+  sweeps::rank_count();  // refuses processes that cannot work together
   options.jobs = common.jobs;
   options.version = SUBCERT_VERSION;
   options.progress = [&common, title](const std::string& line) { common.progress(title + ": " + line); };

@@ -17,8 +17,9 @@ struct SweepArguments {
 
 void add_sweep_arguments(CLI::App& command, SweepArguments& arguments);
 
-/// What run_sweep takes; progress lines begin with `title`. Errors: throws ParseError for a malformed shard, UsageError
-/// where a launcher started several processes that cannot work together.
-SweepOptions sweep_options(const CommonOptions& common, const SweepArguments& arguments, const std::string& title);
+/// What run_sweep takes; progress lines begin with `title`. Errors: throws ParseError for a malformed shard, a usage
+/// error where a launcher started several processes that cannot work together.
+sweeps::SweepOptions sweep_options(const CommonOptions& common, const SweepArguments& arguments,
+                                   const std::string& title);
 
 }  // namespace subcert::cli

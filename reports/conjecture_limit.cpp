@@ -2,7 +2,7 @@
 
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
 constexpr int largest_degree = 99;
@@ -40,4 +40,4 @@ std::string LimitComparison::sentence() const {
   return text + ".";
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace subcert {
+namespace subcert::reports {
 
 /// n max psi / C_d - 1 for one degree. The limit for n to infinity is 0, like 1 / (4n) (docs/limit-constants.md).
 struct LimitComparison {
@@ -26,4 +26,4 @@ struct LimitComparison {
 /// computed. Domain: at least one value, n increasing. Cost: milliseconds to a second, by the degree. Ref: [LC, thm 5].
 std::optional<LimitComparison> limit_comparison(int degree, const std::vector<CertifiedMaximum>& maxima);
 
-}  // namespace subcert
+}  // namespace subcert::reports

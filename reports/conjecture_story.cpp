@@ -3,11 +3,12 @@
 #include "conjecture_limit.hpp"
 #include "variance_statements.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
 const std::vector<int>& degrees() {
@@ -33,14 +34,14 @@ struct Course {
   const Enclosure& slope_at(int n) const {
     for (const CertifiedMaximum& slope : slopes)
       if (slope.n == n) return slope.value;
-    throw std::out_of_range("no slope for n = " + std::to_string(n));
+    fail(ErrorKind::domain, "no slope for n = {}", n);
   }
 };
 
 double upper_as_double(const Enclosure& value) { return value.upper->convert_to<double>(); }
 
-Curve scaled_curve(const std::string& label, const std::vector<CertifiedMaximum>& values, int power_of_n) {
-  Curve curve{label, {}, true};
+formats::Curve scaled_curve(const std::string& label, const std::vector<CertifiedMaximum>& values, int power_of_n) {
+  formats::Curve curve{label, {}, true};
   for (const CertifiedMaximum& value : values)
     curve.points.emplace_back(value.n, upper_as_double(scaled(value.value, power(Rational(value.n), power_of_n))));
   return curve;
@@ -54,12 +55,12 @@ struct Suggested {
   explicit Suggested(Workshop& workshop) {
     const Shortcut& best = variance_shortcuts()[workshop.shortcuts().best()];
     shortcut.resize(last_n_of_figure_8);
-    parallel_for_each(shortcut.size(), workshop.jobs(), [&](std::size_t i) {
+    runtime::parallel_for_each(shortcut.size(), workshop.jobs(), [&](std::size_t i) {
       const int n = static_cast<int>(i) + 1;
       const ShortcutValues values = evaluate_shortcut(best, make_scheme(scheme_text("primal", n)).mask, n);
       shortcut[i] = {n, n * n * values.slope};
     });
-    for (const PublishedCell& cell : workshop.published("table3").cells)
+    for (const formats::PublishedCell& cell : workshop.published("table3").cells)
       if (cell.row.starts_with("d=1,") && cell.quantity == "n^2*slope")
         printed.emplace_back(VarianceCell(cell).n, cell.printed);
   }
@@ -67,11 +68,11 @@ struct Suggested {
   Rational shortcut_at(int n) const { return shortcut.at(static_cast<std::size_t>(n) - 1).second; }
 };
 
-Figure plot(const std::vector<Course>& courses, const Suggested& suggested) {
-  Panel values{"n max psi, and its limits", "n", "", {}, false, "top right"};
-  Panel deviations{"n max psi / C_d - 1", "n", "", {}, true, "top right"};
-  Panel slopes{"n^2 max |psi'|, certified", "n", "", {}, true, "top right"};
-  Panel degree_one{"n^2 max |psi'| for d = 1", "n", "", {}, true, "bottom left"};
+formats::Figure plot(const std::vector<Course>& courses, const Suggested& suggested) {
+  formats::Panel values{"n max psi, and its limits", "n", "", {}, false, "top right"};
+  formats::Panel deviations{"n max psi / C_d - 1", "n", "", {}, true, "top right"};
+  formats::Panel slopes{"n^2 max |psi'|, certified", "n", "", {}, true, "top right"};
+  formats::Panel degree_one{"n^2 max |psi'| for d = 1", "n", "", {}, true, "bottom left"};
   for (const Course& course : courses) {
     const std::string label = "d = " + std::to_string(course.degree);
     values.curves.push_back(scaled_curve(label, course.maxima, 1));
@@ -83,7 +84,7 @@ Figure plot(const std::vector<Course>& courses, const Suggested& suggested) {
     const std::string label = course.degree == degrees().front() ? "limits C_d" : "";
     values.curves.push_back({label, {{1, limit}, {last_n_of_figure_8, limit}}});
   }
-  Curve printed{"printed in Table 3", {}, true}, shortcut{"shortcut", {}, true};
+  formats::Curve printed{"printed in Table 3", {}, true}, shortcut{"shortcut", {}, true};
   for (const auto& [n, text] : suggested.printed) printed.points.emplace_back(n, std::stod(text));
   for (const auto& [n, value] : suggested.shortcut) shortcut.points.emplace_back(n, value.convert_to<double>());
   printed.joined = false;
@@ -97,13 +98,13 @@ Figure plot(const std::vector<Course>& courses, const Suggested& suggested) {
           {values, deviations, slopes, degree_one}};
 }
 
-PlainTable limits(const std::vector<Course>& courses) {
+formats::PlainTable limits(const std::vector<Course>& courses) {
   const std::string last = std::to_string(last_n_of_figure_8);
-  PlainTable table{"conjecture7-limits",
-                   "Limits of n max psi, and how near n = " + last + " is",
-                   {"d", "C_d, the limit of n max psi", "n max psi at n = " + last, "n max psi / C_d - 1",
-                    "falls like n^-r, r =", "n^2 max |psi'| at n = " + last},
-                   {}};
+  formats::PlainTable table{"conjecture7-limits",
+                            "Limits of n max psi, and how near n = " + last + " is",
+                            {"d", "C_d, the limit of n max psi", "n max psi at n = " + last, "n max psi / C_d - 1",
+                             "falls like n^-r, r =", "n^2 max |psi'| at n = " + last},
+                            {}};
   for (const Course& course : courses) {
     const LimitComparison& limit = course.limit;
     table.rows.push_back({std::to_string(course.degree), to_decimal(*limit.constant.lower, 22, Rounding::down) + "...",
@@ -164,16 +165,17 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
 
 }  // namespace
 
-Section conjecture_7_section(Workshop& workshop) {
+formats::Section conjecture_7_section(Workshop& workshop) {
   workshop.need_variance(schemes_of_figure_8());
   workshop.say("conjecture7");
   std::vector<Course> courses;
   for (int degree : degrees()) courses.emplace_back(degree, workshop);
   const Suggested suggested(workshop);
-  Section section{"conjecture-7", "Conjecture 7: what is true", story(courses, suggested, workshop.shortcuts())};
+  formats::Section section{"conjecture-7", "Conjecture 7: what is true",
+                           story(courses, suggested, workshop.shortcuts())};
   section.tables.push_back(limits(courses));
   section.figures.push_back(plot(courses, suggested));
   return section;
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

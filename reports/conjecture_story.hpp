@@ -4,9 +4,9 @@
 
 #include "dyn_2015_workshop.hpp"
 
-namespace subcert {
+namespace subcert::reports {
 
 /// Ref: [DHHS15, sec. 4.3]; proofs: docs/limit-constants.md, docs/theorems/README.md.
-Section conjecture_7_section(Workshop& workshop);
+formats::Section conjecture_7_section(Workshop& workshop);
 
-}  // namespace subcert
+}  // namespace subcert::reports

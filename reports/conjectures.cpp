@@ -2,6 +2,7 @@
 
 #include "sweep/number_list.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
 /// The quotient of a number and a positive one.
@@ -59,7 +60,7 @@ std::vector<std::string> PrimalSchemes::skipped_lines() const {
   std::vector<std::string> lines;
   for (const auto& [group, sizes] : groups) {
     const auto& [degree, beyond] = group;
-    lines.push_back("d = " + std::to_string(degree) + " with n = " + number_list_text(sizes) + ": " +
+    lines.push_back("d = " + std::to_string(degree) + " with n = " + sweeps::number_list_text(sizes) + ": " +
                     (beyond ? "2n data fix no degree above 2n-1; these are the schemes with d = 2n-1"
                             : "the same masks as d = " + std::to_string(degree + 1)));
   }
@@ -85,7 +86,7 @@ PrimalSchemes distinct_primal_schemes(const std::vector<int>& n, const std::vect
 }
 
 Enclosure decay_exponent(int first_n, const Enclosure& first, int second_n, const Enclosure& second) {
-  if (first_n < 1 || second_n <= first_n) throw std::invalid_argument("decay_exponent: need 1 <= first_n < second_n");
+  if (first_n < 1 || second_n <= first_n) fail(ErrorKind::domain, "decay_exponent: need 1 <= first_n < second_n");
   Enclosure logarithm;
   if (first.lower && second.upper && *first.lower > 0)
     logarithm.lower = log_ratio(*first.lower / *second.upper, 2).lower;
@@ -95,7 +96,7 @@ Enclosure decay_exponent(int first_n, const Enclosure& first, int second_n, cons
 }
 
 std::size_t rate_start(const std::vector<CertifiedMaximum>& values) {
-  if (values.size() < 2) throw std::invalid_argument("rate_start: need at least two values");
+  require(values.size() >= 2, "rate_start: need at least two values");
   const int last = values.back().n;
   const auto distance = [&](const CertifiedMaximum& value) { return std::abs(2 * value.n - last); };
   const auto half = std::min_element(values.begin(), values.end() - 1,
@@ -104,7 +105,7 @@ std::size_t rate_start(const std::vector<CertifiedMaximum>& values) {
 }
 
 DecayFinding decay_finding(int power_of_n, const std::vector<CertifiedMaximum>& values) {
-  if (values.empty()) throw std::invalid_argument("decay_finding: need at least one value");
+  require(!values.empty(), "decay_finding: need at least one value");
   DecayFinding finding;
   finding.power = power_of_n;
   finding.first_n = values.front().n;
@@ -201,15 +202,15 @@ nlohmann::ordered_json exact_json(const Enclosure& enclosure) {
 
 Enclosure enclosure_from(const nlohmann::ordered_json& json) {
   Enclosure enclosure;
-  if (!json.is_object()) throw std::invalid_argument("not an enclosure: " + json.dump().substr(0, 60));
+  if (!json.is_object()) fail(ErrorKind::domain, "not an enclosure: {}", json.dump().substr(0, 60));
   for (const auto& [key, end] : json.items()) {
     const auto value = end.is_string() ? parse_rational(end.get<std::string>()) : std::nullopt;
     if (!value || (key != "lower" && key != "upper"))
-      throw std::invalid_argument("not an enclosure: " + json.dump().substr(0, 60));
+      fail(ErrorKind::domain, "not an enclosure: {}", json.dump().substr(0, 60));
     (key == "lower" ? enclosure.lower : enclosure.upper) = *value;
   }
-  if (!enclosure.is_canonical()) throw std::invalid_argument("not an enclosure: the lower end is above the upper one");
+  require(enclosure.is_canonical(), "not an enclosure: the lower end is above the upper one");
   return enclosure;
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace subcert {
+namespace subcert::reports {
 
 /// S_n^d, written primal:n=N,d=D.
 struct PrimalScheme {
@@ -96,7 +96,7 @@ std::string shown(const Enclosure& enclosure);
 
 /// Enclosures with exact ends, for journals: {"lower": "p/q", "upper": "p/q"}, an absent end left out.
 nlohmann::ordered_json exact_json(const Enclosure& enclosure);
-/// Errors: throws std::invalid_argument for anything else.
+/// Errors: throws a domain error for anything else.
 Enclosure enclosure_from(const nlohmann::ordered_json& json);
 
-}  // namespace subcert
+}  // namespace subcert::reports

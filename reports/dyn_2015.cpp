@@ -3,27 +3,27 @@
 #include "conjecture_story.hpp"
 #include "dyn_2015_variance.hpp"
 #include "dyn_2015_workshop.hpp"
-#include "experiments/paper_experiments.hpp"
+#include "paper_experiments.hpp"
 #include "theorem_section.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/proofs-checks/statements/registry.hpp>
+#include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
 #include <set>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
-ComparisonTable compare_masks(const PublishedTable& table) {
-  ComparisonTable result = empty_table(table);
-  for (const PublishedCell& cell : table.cells) {
+formats::ComparisonTable compare_masks(const formats::PublishedTable& table) {
+  formats::ComparisonTable result = empty_table(table);
+  for (const formats::PublishedCell& cell : table.cells) {
     const Mask computed = make_scheme(cell.scheme).mask;
     // The paper prints no indices with the masks: the coefficients are compared in order.
     const LaurentPolynomial printed = LaurentPolynomial::parse_mask(cell.printed).shifted(computed.symbol().lowest());
-    Comparison comparison = compare_text(cell, computed.symbol().to_mask_text(),
-                                         printed == computed.symbol() ? Truth::yes : Truth::no);
+    formats::Comparison comparison = compare_text(cell, computed.symbol().to_mask_text(),
+                                                  printed == computed.symbol() ? Truth::yes : Truth::no);
     if (comparison.verdict == Verdict::mismatch)
       comparison.note = "the printed coefficients sum to " + to_text(coset_sums({printed, 2})[0]) + " and " +
                         to_text(coset_sums({printed, 2})[1]) + " over the even and odd indices; a mask needs 1 and 1";
@@ -32,9 +32,9 @@ ComparisonTable compare_masks(const PublishedTable& table) {
   return result;
 }
 
-ComparisonTable compare_supports(const PublishedTable& table) {
-  ComparisonTable result = empty_table(table);
-  for (const PublishedCell& cell : table.cells) {
+formats::ComparisonTable compare_supports(const formats::PublishedTable& table) {
+  formats::ComparisonTable result = empty_table(table);
+  for (const formats::PublishedCell& cell : table.cells) {
     const Interval support = limit_support(make_scheme(cell.scheme).mask);
     const std::string computed = "[" + to_text(support.lower) + ", " + to_text(support.upper) + "]";
     result.comparisons.push_back(compare_text(cell, computed, computed == cell.printed ? Truth::yes : Truth::no));
@@ -42,10 +42,10 @@ ComparisonTable compare_supports(const PublishedTable& table) {
   return result;
 }
 
-ComparisonTable compare_bounds(const PublishedTable& table, Workshop& workshop) {
+formats::ComparisonTable compare_bounds(const formats::PublishedTable& table, Workshop& workshop) {
   workshop.need_bounds(schemes_of(table));
-  ComparisonTable result = empty_table(table);
-  for (const PublishedCell& cell : table.cells)
+  formats::ComparisonTable result = empty_table(table);
+  for (const formats::PublishedCell& cell : table.cells)
     result.comparisons.push_back(compare_number(cell, workshop.bounds(cell.scheme).last().exponent));
   return result;
 }
@@ -58,12 +58,12 @@ std::vector<std::pair<double, double>> curve_points(const LimitValues& values) {
   return points;
 }
 
-Figure figure_1() {
-  Figure figure{"fig1",
-                "Basic limit functions of S_2, S_3 and S_4",
-                "Exact values at the dyadic points of level " + std::to_string(plot_level) + ".",
-                3,
-                {}};
+formats::Figure figure_1() {
+  formats::Figure figure{"fig1",
+                         "Basic limit functions of S_2, S_3 and S_4",
+                         "Exact values at the dyadic points of level " + std::to_string(plot_level) + ".",
+                         3,
+                         {}};
   for (int n = 2; n <= 4; ++n)
     figure.panels.push_back(
         {"S_" + std::to_string(n),
@@ -81,10 +81,10 @@ std::vector<std::string> bound_schemes() {
 }
 
 /// How the bounds move with the number of levels.
-void explain_levels(Section& section, Workshop& workshop) {
+void explain_levels(formats::Section& section, Workshop& workshop) {
   workshop.need_bounds(bound_schemes());
   const std::vector<int> shown{1, 2, 4, 8, 12, 16};
-  PlainTable table{"levels", "The bound after L levels", {"scheme"}, {}};
+  formats::PlainTable table{"levels", "The bound after L levels", {"scheme"}, {}};
   for (int level : shown) table.head.push_back("L = " + std::to_string(level));
   Rational largest_step = 0;
   std::string largest_scheme;
@@ -114,16 +114,16 @@ void explain_levels(Section& section, Workshop& workshop) {
       std::to_string(pairs) + " steps from one level to the next, " + std::to_string(decreasing) +
       " go down. A comparison of two schemes by these tables is safe only where their difference is larger than what "
       "further levels could add.");
-  Figure figure{
+  formats::Figure figure{
       "levels-plot",
       "The bounds over the number of levels",
       "One curve a scheme; every point is a proved bound. Those that are not positive say nothing and are left out.",
       2,
       {}};
   for (const char* family : {"primal", "dual"}) {
-    Panel panel{std::string(family) + " schemes", "levels", "bound", {}, false, "bottom right"};
+    formats::Panel panel{std::string(family) + " schemes", "levels", "bound", {}, false, "bottom right"};
     for (int n : {2, 3, 4, 5, 7, 10}) {
-      Curve curve{"n = " + std::to_string(n), {}, true};
+      formats::Curve curve{"n = " + std::to_string(n), {}, true};
       for (const HolderBound& bound : workshop.bounds(scheme_text(family, n)).levels)
         if (*bound.exponent.lower > 0)
           curve.points.emplace_back(bound.levels, bound.exponent.lower->convert_to<double>());
@@ -135,33 +135,34 @@ void explain_levels(Section& section, Workshop& workshop) {
 }
 
 /// The exponents themselves beside what sixteen levels show.
-Section exponents(Workshop& workshop) {
+formats::Section exponents(Workshop& workshop) {
   workshop.need_exponents(bound_schemes());
-  Section section{"exponents", "What the paper could not see", {}};
-  PlainTable table{"exponents",
-                   "Printed bounds and exponents",
-                   {"scheme", "printed bound", "16 levels", "exponent", "width", "product", "vertices", "exact"},
-                   {}};
-  Figure figure{"exponents-plot",
-                "Printed bounds and exponents over n",
-                "Bounds after 16 levels as printed, and the proved exponents.",
-                2,
-                {}};
+  formats::Section section{"exponents", "What the paper could not see", {}};
+  formats::PlainTable table{
+      "exponents",
+      "Printed bounds and exponents",
+      {"scheme", "printed bound", "16 levels", "exponent", "width", "product", "vertices", "exact"},
+      {}};
+  formats::Figure figure{"exponents-plot",
+                         "Printed bounds and exponents over n",
+                         "Bounds after 16 levels as printed, and the proved exponents.",
+                         2,
+                         {}};
   int exact = 0, total = 0;
   Rational widest = 0;
   std::string trend;
   for (const char* family : {"primal", "dual"}) {
-    const PublishedTable& printed = workshop.published(family == std::string("primal") ? "table1" : "table2");
-    Curve bound_curve{"printed bound", {}, true}, upper_curve{"exponent, proved upper end", {}, true},
+    const formats::PublishedTable& printed = workshop.published(family == std::string("primal") ? "table1" : "table2");
+    formats::Curve bound_curve{"printed bound", {}, true}, upper_curve{"exponent, proved upper end", {}, true},
         lower_curve{"exponent, proved lower end", {}, true};
     bool closed = true;
     std::string largest, above;  // the largest printed bound, and the n whose exponents are proved to exceed it
-    for (const PublishedCell& cell : printed.cells) largest = std::max(largest, cell.printed);
+    for (const formats::PublishedCell& cell : printed.cells) largest = std::max(largest, cell.printed);
     for (int n = 2; n <= 10; ++n) {
       const HolderRegularity& regularity = workshop.exponent(scheme_text(family, n));
       const Rational low = *regularity.exponent.lower, high = *regularity.exponent.upper;
       const std::string bound = printed.cells[static_cast<std::size_t>(n) - 2].printed;
-      if (compare(largest, Enclosure::at_least(low)) == Verdict::mismatch)
+      if (formats::compare(largest, Enclosure::at_least(low)) == Verdict::mismatch)
         above += (above.empty() ? "" : ", ") + std::to_string(n);
       widest = std::max(widest, Rational(high - low));
       closed = closed && regularity.radius.closed;
@@ -180,7 +181,7 @@ Section exponents(Workshop& workshop) {
       lower_curve.points.emplace_back(n, low.convert_to<double>());
     }
     if (closed) lower_curve.label = "exponent";
-    std::vector<Curve> curves{bound_curve, lower_curve};
+    std::vector<formats::Curve> curves{bound_curve, lower_curve};
     if (!closed) curves.push_back(upper_curve);
     figure.panels.push_back({std::string(family) + " schemes", "n", "", curves, false, "bottom right"});
     trend += std::string(trend.empty() ? "" : " ") + "For the " + family +
@@ -229,7 +230,7 @@ Report report_dyn_2015(const ReportOptions& options) {
   Workshop workshop(options);
   Report report{workshop.paper().key, statements::citation(workshop.paper().key), {}};
 
-  Section masks{"masks", "Masks, supports and basic limit functions", {}};
+  formats::Section masks{"masks", "Masks, supports and basic limit functions", {}};
   if (wanted("masks")) masks.comparisons.push_back(compare_masks(workshop.published("masks")));
   if (wanted("supports")) masks.comparisons.push_back(compare_supports(workshop.published("supports")));
   if (wanted("fig1")) masks.figures.push_back(figure_1());
@@ -242,7 +243,7 @@ Report report_dyn_2015(const ReportOptions& options) {
                                " A list that does not sum to 1 over the even and over the odd indices cannot be the "
                                "mask of a convergent scheme, whatever its fits; the notes name the sums.");
 
-  Section bounds{"bounds", "Lower bounds of the Hoelder exponent", {}};
+  formats::Section bounds{"bounds", "Lower bounds of the Hoelder exponent", {}};
   for (const char* id : {"table1", "table2"})
     if (wanted(id)) {
       bounds.comparisons.push_back(compare_bounds(workshop.published(id), workshop));
@@ -255,24 +256,24 @@ Report report_dyn_2015(const ReportOptions& options) {
         "rational number, and only its logarithm is rounded, outward.");
   if (wanted("levels")) explain_levels(bounds, workshop);
 
-  Section sharp{"exponents", "", {}};
+  formats::Section sharp{"exponents", "", {}};
   if (wanted("exponents")) sharp = exponents(workshop);
 
-  Section variance = variance_section(options, workshop), conjecture, theorems;
+  formats::Section variance = variance_section(options, workshop), conjecture, theorems;
   if (wanted("conjecture7")) conjecture = conjecture_7_section(workshop);
   if (wanted("theorems")) {
     workshop.say("theorems");
     theorems = theorem_section(options);
   }
 
-  const auto append = [&](Section& section) {
+  const auto append = [&](formats::Section& section) {
     if (!section.comparisons.empty() || !section.tables.empty() || !section.figures.empty())
       report.sections.push_back(std::move(section));
   };
-  for (Section* section : {&masks, &bounds, &sharp, &variance}) append(*section);
+  for (formats::Section* section : {&masks, &bounds, &sharp, &variance}) append(*section);
   add_experiments(report, options);
-  for (Section* section : {&conjecture, &theorems}) append(*section);
+  for (formats::Section* section : {&conjecture, &theorems}) append(*section);
   return report;
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -8,20 +8,21 @@
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
-ComparisonTable compare_table_3(const PublishedTable& table, Workshop& workshop) {
+formats::ComparisonTable compare_table_3(const formats::PublishedTable& table, Workshop& workshop) {
   workshop.need_variance(schemes_of(table));
   const ShortcutSearch& search = workshop.shortcuts();
-  ComparisonTable result = empty_table(table);
-  for (const PublishedCell& cell : table.cells) {
+  formats::ComparisonTable result = empty_table(table);
+  for (const formats::PublishedCell& cell : table.cells) {
     const VarianceFacts& facts = workshop.variance(cell.scheme);
     const VarianceCell what(cell);
-    Comparison comparison = compare_number(cell, scaled(what.slope ? facts.slope : facts.maximum, what.factor));
+    formats::Comparison comparison = compare_number(cell,
+                                                    scaled(what.slope ? facts.slope : facts.maximum, what.factor));
     if (comparison.verdict == Verdict::mismatch) {
       const Rational witnessed = what.factor * (what.slope ? facts.steepest : facts.largest);
-      comparison.note = compare(cell.printed, Enclosure::at_least(witnessed)) != Verdict::mismatch
+      comparison.note = formats::compare(cell.printed, Enclosure::at_least(witnessed)) != Verdict::mismatch
                             ? "not reached anywhere on [0, 1]"
                         : what.slope ? "exceeded " + facts.steepest_at
                                      : "exceeded at x = " + to_text(facts.largest_at);
@@ -32,9 +33,9 @@ ComparisonTable compare_table_3(const PublishedTable& table, Workshop& workshop)
   return result;
 }
 
-Curve variance_curve(int n, int degree, const std::string& label) {
+formats::Curve variance_curve(int n, int degree, const std::string& label) {
   const VarianceGrid grid = variance_grid(make_scheme(scheme_text("primal", n, degree)).mask, plot_level, false);
-  Curve curve{label, {}};
+  formats::Curve curve{label, {}};
   for (std::size_t i = 0; i < grid.values.size(); ++i)
     curve.points.emplace_back((Rational(i) * grid.step()).convert_to<double>(), grid.values[i].convert_to<double>());
   return curve;
@@ -43,18 +44,19 @@ Curve variance_curve(int n, int degree, const std::string& label) {
 const char* const curve_caption =
     "Exact values at the multiples of 1/128. The table gives maximum, minimum and largest slope over all x.";
 
-Figure figure_2() {
-  Figure figure{"fig2", "Variance curves psi_1, ..., psi_5", std::string("The scales differ. ") + curve_caption, 3, {}};
+formats::Figure figure_2() {
+  formats::Figure figure{
+      "fig2", "Variance curves psi_1, ..., psi_5", std::string("The scales differ. ") + curve_caption, 3, {}};
   for (int n = 1; n <= last_n_of_figure_2; ++n)
     figure.panels.push_back({"psi_" + std::to_string(n), "x", "", {variance_curve(n, 1, "")}});
   return figure;
 }
 
-Figure figure_8(Workshop& workshop) {
+formats::Figure figure_8(Workshop& workshop) {
   workshop.need_variance(schemes_of_figure_8());
-  Panel left{"n max psi", "n", "", {}}, right{"n^2 max |psi'|", "n", "", {}, true};
+  formats::Panel left{"n max psi", "n", "", {}}, right{"n^2 max |psi'|", "n", "", {}, true};
   for (int degree : {1, 3, 5}) {
-    Curve values{"d = " + std::to_string(degree), {}, true}, slopes = values;
+    formats::Curve values{"d = " + std::to_string(degree), {}, true}, slopes = values;
     for (int n = (degree + 1) / 2; n <= last_n_of_figure_8; ++n) {
       const VarianceFacts& facts = workshop.variance(scheme_text("primal", n, degree));
       values.points.emplace_back(n, Rational(n * *facts.maximum.lower).convert_to<double>());
@@ -70,8 +72,8 @@ Figure figure_8(Workshop& workshop) {
           {left, right}};
 }
 
-Figure figure_9() {
-  Panel by_degree{"n = 5", "x", "psi", {}, false, "outside right"}, by_n = by_degree;
+formats::Figure figure_9() {
+  formats::Panel by_degree{"n = 5", "x", "psi", {}, false, "outside right"}, by_n = by_degree;
   by_n.title = "d = 3";
   for (int degree : {5, 3, 1}) by_degree.curves.push_back(variance_curve(5, degree, "d = " + std::to_string(degree)));
   for (int n : {3, 4, 5, 6, 7}) by_n.curves.push_back(variance_curve(n, 3, "n = " + std::to_string(n)));
@@ -79,15 +81,15 @@ Figure figure_9() {
 }
 
 /// The certified numbers beside a figure of curves.
-PlainTable extremes_table(const std::string& id, const std::string& title, const std::vector<std::string>& schemes,
-                          Workshop& workshop) {
+formats::PlainTable extremes_table(const std::string& id, const std::string& title,
+                                   const std::vector<std::string>& schemes, Workshop& workshop) {
   workshop.need_variance(schemes);
   const auto certain = [](const Enclosure& e) {
     constexpr int digits = 6;
     return e.is_exact() ? to_decimal(*e.lower, digits, Rounding::nearest)
                         : e.lower_text(digits) + " ... " + e.upper_text(digits);
   };
-  PlainTable table{id, title, {"scheme", "max psi", "min psi", "max |psi'|"}, {}};
+  formats::PlainTable table{id, title, {"scheme", "max psi", "min psi", "max |psi'|"}, {}};
   for (const std::string& scheme : schemes) {
     const VarianceFacts& facts = workshop.variance(scheme);
     table.rows.push_back({scheme, certain(facts.maximum), certain(facts.minimum), certain(facts.slope)});
@@ -109,11 +111,11 @@ std::string slope_sentence(Workshop& workshop) {
 
 }  // namespace
 
-Section variance_section(const ReportOptions& options, Workshop& workshop) {
+formats::Section variance_section(const ReportOptions& options, Workshop& workshop) {
   const auto wanted = [&](const char* item) {
     return options.only.empty() || std::find(options.only.begin(), options.only.end(), item) != options.only.end();
   };
-  Section section{"variance", "The variance curves", {}};
+  formats::Section section{"variance", "The variance curves", {}};
   if (wanted("table3")) {
     workshop.say("table3");
     section.comparisons.push_back(compare_table_3(workshop.published("table3"), workshop));
@@ -154,4 +156,4 @@ Section variance_section(const ReportOptions& options, Workshop& workshop) {
   return section;
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -3,9 +3,9 @@
 
 #include "dyn_2015_workshop.hpp"
 
-namespace subcert {
+namespace subcert::reports {
 
 /// The wanted ones among the items table3, fig2, fig8 and fig9. Ref: [DHHS15, sec. 3.1 and 4.3].
-Section variance_section(const ReportOptions& options, Workshop& workshop);
+formats::Section variance_section(const ReportOptions& options, Workshop& workshop);
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
 constexpr int variance_level = 9;        // dyadic level of the exact grid with the witnesses of Table 3
@@ -53,7 +53,7 @@ VarianceFacts variance_facts(const std::string& specification) {
   return facts;
 }
 
-Workshop::Workshop(const ReportOptions& options) : options_(options), paper_(published_paper("dyn-2015")) {}
+Workshop::Workshop(const ReportOptions& options) : options_(options), paper_(formats::published_paper("dyn-2015")) {}
 
 void Workshop::need_bounds(const std::vector<std::string>& specifications) {
   need(bounds_, specifications, [](const auto& s) { return holder_bounds(make_scheme(s).mask, holder_levels); });
@@ -76,30 +76,30 @@ const ShortcutSearch& Workshop::shortcuts() {
   return *shortcuts_;
 }
 
-ComparisonTable empty_table(const PublishedTable& table) {
+formats::ComparisonTable empty_table(const formats::PublishedTable& table) {
   return {"dyn-2015", table.id, table.title, table.place, table.grid, {}};
 }
 
-Comparison compare_number(const PublishedCell& cell, const Enclosure& computed, const std::string& note) {
-  return {cell.row,      cell.column, cell.scheme, cell.printed, computed, compare(cell.printed, computed),
+formats::Comparison compare_number(const formats::PublishedCell& cell, const Enclosure& computed,
+                                   const std::string& note) {
+  return {cell.row,      cell.column, cell.scheme, cell.printed, computed, formats::compare(cell.printed, computed),
           cell.recorded, note};
 }
 
-Comparison compare_text(const PublishedCell& cell, const std::string& computed, Truth equal) {
-  const Verdict verdict = equal == Truth::yes ? Verdict::match : equal == Truth::no ? Verdict::mismatch : Verdict::open;
-  return {cell.row, cell.column, cell.scheme, cell.printed, computed, verdict, cell.recorded, ""};
+formats::Comparison compare_text(const formats::PublishedCell& cell, const std::string& computed, Truth equal) {
+  return {cell.row, cell.column, cell.scheme, cell.printed, computed, comparison_verdict(equal), cell.recorded, ""};
 }
 
-std::vector<std::string> schemes_of(const PublishedTable& table) {
+std::vector<std::string> schemes_of(const formats::PublishedTable& table) {
   std::vector<std::string> result;
-  for (const PublishedCell& cell : table.cells) result.push_back(cell.scheme);
+  for (const formats::PublishedCell& cell : table.cells) result.push_back(cell.scheme);
   return result;
 }
 
-std::string verdict_sentence(const ComparisonTable& table) {
+std::string verdict_sentence(const formats::ComparisonTable& table) {
   return std::to_string(table.count(Verdict::match)) + " of " + std::to_string(table.comparisons.size()) +
          " printed values match, " + std::to_string(table.count(Verdict::mismatch)) + " do not, " +
          std::to_string(table.count(Verdict::open)) + " are open.";
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

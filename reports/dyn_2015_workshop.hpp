@@ -1,9 +1,9 @@
 #pragma once
 /// What the items of the report on Dyn, Heard, Hormann & Sharon 2015 share: schemes, certified numbers, comparisons.
 
-#include "parallel.hpp"
-#include "published.hpp"
+#include "formats/published.hpp"
 #include "report.hpp"
+#include "runtime/parallel.hpp"
 #include "shortcut_search.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace subcert {
+namespace subcert::reports {
 
 inline constexpr int holder_levels = 16;  ///< as in the paper
 inline constexpr int plot_level = 7;      ///< of the drawn curves
@@ -40,8 +40,8 @@ class Workshop {
  public:
   explicit Workshop(const ReportOptions& options);
 
-  const PublishedPaper& paper() const { return paper_; }
-  const PublishedTable& published(const std::string& id) const { return paper_.table(id); }
+  const formats::PublishedPaper& paper() const { return paper_; }
+  const formats::PublishedTable& published(const std::string& id) const { return paper_.table(id); }
   int jobs() const { return options_.jobs; }
   void say(const std::string& line) const {
     if (options_.progress) options_.progress(line);
@@ -69,30 +69,31 @@ class Workshop {
       const auto [entry, fresh] = map.try_emplace(name);
       if (fresh) missing.push_back(&*entry);
     }
-    parallel_for_each(missing.size(), options_.jobs, [&](std::size_t i) {
+    runtime::parallel_for_each(missing.size(), options_.jobs, [&](std::size_t i) {
       say(missing[i]->first);
       missing[i]->second = make(missing[i]->first);
     });
   }
 
   const ReportOptions& options_;
-  PublishedPaper paper_;
+  formats::PublishedPaper paper_;
   std::map<std::string, std::optional<HolderBounds>> bounds_;
   std::map<std::string, std::optional<HolderRegularity>> exponents_;
   std::map<std::string, std::optional<VarianceFacts>> variance_;
   std::optional<ShortcutSearch> shortcuts_;
 };
 
-ComparisonTable empty_table(const PublishedTable& table);
+formats::ComparisonTable empty_table(const formats::PublishedTable& table);
 
-Comparison compare_number(const PublishedCell& cell, const Enclosure& computed, const std::string& note = "");
+formats::Comparison compare_number(const formats::PublishedCell& cell, const Enclosure& computed,
+                                   const std::string& note = "");
 
 /// yes is a match, no a mismatch.
-Comparison compare_text(const PublishedCell& cell, const std::string& computed, Truth equal);
+formats::Comparison compare_text(const formats::PublishedCell& cell, const std::string& computed, Truth equal);
 
-std::vector<std::string> schemes_of(const PublishedTable& table);
+std::vector<std::string> schemes_of(const formats::PublishedTable& table);
 
 /// "20 of 44 printed values match, ...".
-std::string verdict_sentence(const ComparisonTable& table);
+std::string verdict_sentence(const formats::ComparisonTable& table);
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -1,17 +1,16 @@
 #include "errata.hpp"
 
-#include "html.hpp"
-#include "parallel.hpp"
+#include "formats/html.hpp"
+#include "runtime/parallel.hpp"
 
 #include <chrono>
 #include <mutex>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
 using statements::Outcome;
 using statements::Statement;
-using statements::Verdict;
 
 const std::vector<Verdict> verdicts{Verdict::holds_for_all, Verdict::holds,         Verdict::misprint,
                                     Verdict::false_claim,   Verdict::not_checkable, Verdict::undecided};
@@ -27,26 +26,28 @@ std::string verdict_html(const Outcome& outcome) {
 std::string line(const std::string& label, const std::string& content, bool formula) {
   if (content.empty()) return "";
   return "<p><span class=label>" + label + "</span> " +
-         (formula ? "<code>" + html(content) + "</code>" : html(content)) + "</p>\n";
+         (formula ? "<code>" + formats::html(content) + "</code>" : formats::html(content)) + "</p>\n";
 }
 
 std::string erratum(const CheckedStatement& checked) {
   const Statement& statement = *checked.statement;
   const Outcome& outcome = checked.outcome;
   return "<div class=\"claim " + to_text(outcome.verdict) + "\" id=\"" + statement.id + "\">\n<p class=head>" +
-         html(statement.place) + " " + verdict_html(outcome) + "</p>\n" + line("claim", statement.paraphrase, false) +
-         line("printed", printed_latex(statement), true) + line("witness", outcome.witness, false) +
-         line("corrected", corrected_latex(statement), true) + line("tried on", outcome.range, false) +
-         line("remark", outcome.argument, false) + line("id", statement.id, false) + "</div>\n";
+         formats::html(statement.place) + " " + verdict_html(outcome) + "</p>\n" +
+         line("claim", statement.paraphrase, false) + line("printed", printed_latex(statement), true) +
+         line("witness", outcome.witness, false) + line("corrected", corrected_latex(statement), true) +
+         line("tried on", outcome.range, false) + line("remark", outcome.argument, false) +
+         line("id", statement.id, false) + "</div>\n";
 }
 
 std::string confirmation_row(const CheckedStatement& checked) {
   const Statement& statement = *checked.statement;
   const Outcome& outcome = checked.outcome;
-  return "<tr class=\"" + to_text(outcome.verdict) + "\" id=\"" + statement.id + "\"><th>" + html(statement.place) +
-         "</th><td class=text>" + html(statement.paraphrase) + "<br><code>" + html(printed_latex(statement)) +
-         "</code></td><td>" + verdict_html(outcome) + "</td><td class=text>" + html(outcome.range) +
-         (outcome.argument.empty() ? "" : "<br><span class=computed>" + html(outcome.argument) + "</span>") +
+  return "<tr class=\"" + to_text(outcome.verdict) + "\" id=\"" + statement.id + "\"><th>" +
+         formats::html(statement.place) + "</th><td class=text>" + formats::html(statement.paraphrase) + "<br><code>" +
+         formats::html(printed_latex(statement)) + "</code></td><td>" + verdict_html(outcome) + "</td><td class=text>" +
+         formats::html(outcome.range) +
+         (outcome.argument.empty() ? "" : "<br><span class=computed>" + formats::html(outcome.argument) + "</span>") +
          "</td></tr>\n";
 }
 
@@ -88,8 +89,8 @@ std::string paper_section(const statements::PaperStatements& paper, const std::v
         .push_back(&one);
   }
   if (wrong.empty() && right.empty() && open.empty()) return "";
-  std::string text = "<h2 id=\"" + paper.key + "\">" + paper.key + "</h2>\n<p class=citation>" + html(paper.citation) +
-                     "</p>\n";
+  std::string text = "<h2 id=\"" + paper.key + "\">" + paper.key + "</h2>\n<p class=citation>" +
+                     formats::html(paper.citation) + "</p>\n";
   if (!wrong.empty()) text += "<h3>Errata</h3>\n";
   for (const CheckedStatement* one : wrong) text += erratum(*one);
   if (!right.empty()) text += "<h3>Confirmations</h3>\n" + table_of(right);
@@ -103,7 +104,7 @@ std::vector<CheckedStatement> check_statements(const std::vector<const Statement
                                                int jobs, const std::function<void(const std::string&)>& progress) {
   std::vector<CheckedStatement> results(chosen.size());
   std::mutex one_at_a_time;
-  parallel_for_each(chosen.size(), jobs, [&](std::size_t i) {
+  runtime::parallel_for_each(chosen.size(), jobs, [&](std::size_t i) {
     if (progress) {
       const std::lock_guard lock(one_at_a_time);
       progress(chosen[i]->id);
@@ -131,7 +132,7 @@ std::string errata_page(const std::vector<CheckedStatement>& checked) {
   for (const auto& paper : statements::papers()) body += paper_section(paper, checked);
   return "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
          "content=\"width=device-width, initial-scale=1\">\n<title>subcert: errata and confirmations</title>\n<style>" +
-         page_style() + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
+         formats::page_style() + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -1,13 +1,13 @@
 #pragma once
 /// The statements of the papers, checked, and the page about them.
 
-#include <subcert/proofs-checks/statements/registry.hpp>
+#include <subcert/proofs-checks/papers/registry.hpp>
 
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace subcert {
+namespace subcert::reports {
 
 struct CheckedStatement {
   const statements::Statement* statement;
@@ -26,4 +26,4 @@ std::vector<CheckedStatement> check_statements(const std::vector<const statement
 /// Errata and confirmations by paper: first what is wrong, with witness and correction, then what holds.
 std::string errata_page(const std::vector<CheckedStatement>& checked);
 
-}  // namespace subcert
+}  // namespace subcert::reports

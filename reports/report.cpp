@@ -1,32 +1,33 @@
 #include "report.hpp"
 
 #include "dyn_2015.hpp"
-#include "experiments/paper_experiments.hpp"
-#include "files.hpp"
-#include "html.hpp"
-#include "parallel.hpp"
+#include "formats/html.hpp"
+#include "paper_experiments.hpp"
+#include "runtime/files.hpp"
+#include "runtime/parallel.hpp"
 
-#include <subcert/proofs-checks/statements/registry.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/proofs-checks/papers/registry.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_open_table = 12;  // rows; longer ones are folded on the page, claims never
 
-Json computed_json(const Computed& computed) {
+Json computed_json(const formats::Computed& computed) {
   if (const auto* text = std::get_if<std::string>(&computed)) return {{"lower", *text}, {"upper", *text}};
   const Enclosure& enclosure = std::get<Enclosure>(computed);
   return {{"lower", enclosure.lower_text()}, {"upper", enclosure.upper_text()}};
 }
 
-Json comparison_json(const ComparisonTable& table, const Comparison& comparison) {
+Json comparison_json(const formats::ComparisonTable& table, const formats::Comparison& comparison) {
   return {{"paper", table.paper},
           {"table", table.id},
           {"cell", comparison.cell()},
@@ -75,14 +76,14 @@ std::string latex_table(const std::string& caption, const std::vector<std::vecto
   return result + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
 }
 
-std::vector<std::vector<std::string>> rows_of(const ComparisonTable& table) {
+std::vector<std::vector<std::string>> rows_of(const formats::ComparisonTable& table) {
   std::vector<std::vector<std::string>> rows{{"cell", "scheme", "printed", "computed", "verdict", "note"}};
-  for (const Comparison& c : table.comparisons)
+  for (const formats::Comparison& c : table.comparisons)
     rows.push_back({c.cell(), c.scheme, c.printed, c.computed_text(), to_text(c.verdict), c.note});
   return rows;
 }
 
-std::vector<std::vector<std::string>> rows_of(const PlainTable& table) {
+std::vector<std::vector<std::string>> rows_of(const formats::PlainTable& table) {
   std::vector<std::vector<std::string>> rows{table.head};
   rows.insert(rows.end(), table.rows.begin(), table.rows.end());
   return rows;
@@ -96,43 +97,44 @@ std::vector<std::string> distinct(const std::vector<Value>& values, Get get) {
   return result;
 }
 
-std::string cell_html(const Comparison& c) {
-  return "<td class=\"" + to_text(c.verdict) + "\" title=\"" + html(c.scheme) + "\"><span class=printed>" +
-         html(c.printed) + "</span><span class=computed>" + html(c.computed_text()) + "</span><span class=verdict>" +
-         to_text(c.verdict) + "</span></td>";
+std::string cell_html(const formats::Comparison& c) {
+  return "<td class=\"" + to_text(c.verdict) + "\" title=\"" + formats::html(c.scheme) + "\"><span class=printed>" +
+         formats::html(c.printed) + "</span><span class=computed>" + formats::html(c.computed_text()) +
+         "</span><span class=verdict>" + to_text(c.verdict) + "</span></td>";
 }
 
-std::string table_html(const ComparisonTable& table) {
-  std::string result = "<h3 id=\"" + table.paper + "-table-" + table.id + "\">" + html(table.title) +
-                       "</h3>\n<p class=place>" + html(table.place) + "</p>\n<div class=scroll><table>\n";
+std::string table_html(const formats::ComparisonTable& table) {
+  std::string result = "<h3 id=\"" + table.paper + "-table-" + table.id + "\">" + formats::html(table.title) +
+                       "</h3>\n<p class=place>" + formats::html(table.place) + "</p>\n<div class=scroll><table>\n";
   if (table.grid) {
-    const auto columns = distinct(table.comparisons, [](const Comparison& c) { return c.column; });
-    const auto rows = distinct(table.comparisons, [](const Comparison& c) { return c.row; });
+    const auto columns = distinct(table.comparisons, [](const formats::Comparison& c) { return c.column; });
+    const auto rows = distinct(table.comparisons, [](const formats::Comparison& c) { return c.row; });
     result += "<tr><th></th>";
-    for (const std::string& column : columns) result += "<th>" + html(column) + "</th>";
+    for (const std::string& column : columns) result += "<th>" + formats::html(column) + "</th>";
     result += "</tr>\n";
     for (const std::string& row : rows) {
-      result += "<tr><th>" + html(row) + "</th>";
+      result += "<tr><th>" + formats::html(row) + "</th>";
       for (const std::string& column : columns) {
-        const auto found = std::find_if(table.comparisons.begin(), table.comparisons.end(),
-                                        [&](const Comparison& c) { return c.row == row && c.column == column; });
+        const auto found = std::find_if(
+            table.comparisons.begin(), table.comparisons.end(),
+            [&](const formats::Comparison& c) { return c.row == row && c.column == column; });
         result += found == table.comparisons.end() ? std::string("<td></td>") : cell_html(*found);
       }
       result += "</tr>\n";
     }
   } else {
     result += "<tr><th></th><th class=left>printed</th><th class=left>computed</th><th>verdict</th></tr>\n";
-    for (const Comparison& c : table.comparisons)
-      result += "<tr><th>" + html(c.column) + "</th><td class=wide>" + html(c.printed) + "</td><td class=wide>" +
-                html(c.computed_text()) + "</td><td class=\"" + to_text(c.verdict) + "\"><span class=verdict>" +
-                to_text(c.verdict) + "</span></td></tr>\n";
+    for (const formats::Comparison& c : table.comparisons)
+      result += "<tr><th>" + formats::html(c.column) + "</th><td class=wide>" + formats::html(c.printed) +
+                "</td><td class=wide>" + formats::html(c.computed_text()) + "</td><td class=\"" + to_text(c.verdict) +
+                "\"><span class=verdict>" + to_text(c.verdict) + "</span></td></tr>\n";
   }
   result += "</table></div>\n";
   std::string notes;
-  for (const Comparison& c : table.comparisons)
+  for (const formats::Comparison& c : table.comparisons)
     if (!c.note.empty())
-      notes += "<li><b>" + html(c.cell()) + "</b> (printed " + html(c.printed) + ", computed " +
-               html(c.computed_text()) + "): " + html(c.note) + "</li>\n";
+      notes += "<li><b>" + formats::html(c.cell()) + "</b> (printed " + formats::html(c.printed) + ", computed " +
+               formats::html(c.computed_text()) + "): " + formats::html(c.note) + "</li>\n";
   if (!notes.empty()) result += "<details><summary>Notes on single cells</summary><ul>\n" + notes + "</ul></details>\n";
   return result;
 }
@@ -140,7 +142,7 @@ std::string table_html(const ComparisonTable& table) {
 constexpr std::size_t widest_cell = 40;  // characters in a line
 
 /// " class=text" for the columns with sentences.
-std::vector<std::string> column_classes(const PlainTable& table) {
+std::vector<std::string> column_classes(const formats::PlainTable& table) {
   std::vector<std::string> result(table.head.size());
   for (const auto& row : table.rows)
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -150,21 +152,21 @@ std::vector<std::string> column_classes(const PlainTable& table) {
   return result;
 }
 
-std::string table_html(const std::string& paper, const PlainTable& table) {
+std::string table_html(const std::string& paper, const formats::PlainTable& table) {
   const auto classes = column_classes(table);
   const bool folded = table.rows.size() > longest_open_table && table.row_classes.empty();
   const std::string id = " id=\"" + paper + "-table-" + table.id + "\"";
-  std::string result = folded ? "<details" + id + "><summary>" + html(table.title) + "</summary>\n"
-                              : "<h3" + id + ">" + html(table.title) + "</h3>\n";
+  std::string result = folded ? "<details" + id + "><summary>" + formats::html(table.title) + "</summary>\n"
+                              : "<h3" + id + ">" + formats::html(table.title) + "</h3>\n";
   result += "<div class=scroll><table>\n<tr>";
   for (std::size_t i = 0; i < table.head.size(); ++i)
-    result += "<th" + classes[i] + ">" + html(table.head[i]) + "</th>";
+    result += "<th" + classes[i] + ">" + formats::html(table.head[i]) + "</th>";
   result += "</tr>\n";
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     result += table.row_classes.empty() ? std::string("<tr>") : "<tr class=\"" + table.row_classes[r] + "\">";
     for (std::size_t i = 0; i < table.rows[r].size(); ++i) {
       const std::string cell = i == 0 ? "th" : "td";
-      result += "<" + cell + classes[i] + ">" + html(table.rows[r][i]) + "</" + cell + ">";
+      result += "<" + cell + classes[i] + ">" + formats::html(table.rows[r][i]) + "</" + cell + ">";
     }
     result += "</tr>\n";
   }
@@ -174,8 +176,8 @@ std::string table_html(const std::string& paper, const PlainTable& table) {
 template <class Picture>
 std::string figure_html(const std::string& paper, const Picture& figure, const std::string& ending) {
   return "<figure id=\"" + paper + "-figure-" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending +
-         "\" alt=\"" + html(figure.title) + "\"><figcaption><b>" + html(figure.title) + ".</b> " +
-         html(figure.caption) + "</figcaption></figure>\n";
+         "\" alt=\"" + formats::html(figure.title) + "\"><figcaption><b>" + formats::html(figure.title) + ".</b> " +
+         formats::html(figure.caption) + "</figcaption></figure>\n";
 }
 
 /// What the experiments of a paper found, one line each.
@@ -184,18 +186,18 @@ std::string experiments_html(const Report& report) {
   std::string result =
       "<div class=scroll><table class=summary>\n<tr><th>experiment</th><th>claims</th><th>confirmed</th>"
       "<th>not confirmed</th><th>not reproducible</th></tr>\n";
-  for (const RanExperiment& ran : report.experiments)
-    result += "<tr><th><a href=\"#" + report.paper + "-" + ran.experiment->id + "\">" + html(ran.experiment->title) +
-              "</a></th><td>" + std::to_string(ran.result.claims.size()) + "</td><td>" +
-              std::to_string(ran.result.count(Finding::confirmed)) + "</td><td>" +
-              std::to_string(ran.result.count(Finding::not_confirmed)) + "</td><td>" +
-              std::to_string(ran.result.count(Finding::not_reproducible)) + "</td></tr>\n";
+  for (const experiments::RanExperiment& ran : report.experiments)
+    result += "<tr><th><a href=\"#" + report.paper + "-" + ran.experiment->id + "\">" +
+              formats::html(ran.experiment->title) + "</a></th><td>" + std::to_string(ran.result.claims.size()) +
+              "</td><td>" + std::to_string(ran.result.count(Verdict::confirmed)) + "</td><td>" +
+              std::to_string(ran.result.count(Verdict::not_confirmed)) + "</td><td>" +
+              std::to_string(ran.result.count(Verdict::not_reproducible)) + "</td></tr>\n";
   return result + "</table></div>\n";
 }
 
-bool is_experiment(const Report& report, const Section& section) {
+bool is_experiment(const Report& report, const formats::Section& section) {
   return std::any_of(report.experiments.begin(), report.experiments.end(),
-                     [&](const RanExperiment& ran) { return ran.experiment->id == section.id; });
+                     [&](const experiments::RanExperiment& ran) { return ran.experiment->id == section.id; });
 }
 
 std::string page(const std::vector<Report>& reports, bool with_errata) {
@@ -219,22 +221,22 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
   if (reports.size() > 1) {
     body += "<ul>\n";
     for (const Report& report : reports)
-      body += "<li><a href=\"#" + report.paper + "\">" + html(report.citation) + "</a></li>\n";
+      body += "<li><a href=\"#" + report.paper + "\">" + formats::html(report.citation) + "</a></li>\n";
     body += "</ul>\n";
   }
   for (const Report& report : reports) {
-    body += "<h1 class=paper id=\"" + report.paper + "\">" + html(report.citation) + "</h1>\n<nav>";
-    for (const Section& section : report.sections)
+    body += "<h1 class=paper id=\"" + report.paper + "\">" + formats::html(report.citation) + "</h1>\n<nav>";
+    for (const formats::Section& section : report.sections)
       if (!is_experiment(report, section))
-        body += "<a href=\"#" + report.paper + "-" + section.id + "\">" + html(section.heading) + "</a>";
+        body += "<a href=\"#" + report.paper + "-" + section.id + "\">" + formats::html(section.heading) + "</a>";
     body += "</nav>\n";
     const auto tables = report.comparison_tables();
     if (!tables.empty()) {
       body +=
           "<div class=scroll><table class=summary>\n<tr><th>table</th><th>values</th><th>match</th><th>mismatch</th>"
           "<th>open</th></tr>\n";
-      for (const ComparisonTable* table : tables)
-        body += "<tr><th><a href=\"#" + report.paper + "-table-" + table->id + "\">" + html(table->title) +
+      for (const formats::ComparisonTable* table : tables)
+        body += "<tr><th><a href=\"#" + report.paper + "-table-" + table->id + "\">" + formats::html(table->title) +
                 "</a></th><td>" + std::to_string(table->comparisons.size()) + "</td><td>" +
                 std::to_string(table->count(Verdict::match)) + "</td><td>" +
                 std::to_string(table->count(Verdict::mismatch)) + "</td><td>" +
@@ -242,36 +244,38 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
       body += "</table></div>\n";
     }
     body += experiments_html(report);
-    for (const Section& section : report.sections) {
-      body += "<h2 id=\"" + report.paper + "-" + section.id + "\">" + html(section.heading) + "</h2>\n";
-      for (const std::string& paragraph : section.paragraphs) body += "<p>" + html(paragraph) + "</p>\n";
-      for (const ComparisonTable& table : section.comparisons) body += table_html(table);
-      for (const PlainTable& table : section.tables) body += table_html(report.paper, table);
-      for (const Figure& figure : section.figures) body += figure_html(report.paper, figure, ".svg");
+    for (const formats::Section& section : report.sections) {
+      body += "<h2 id=\"" + report.paper + "-" + section.id + "\">" + formats::html(section.heading) + "</h2>\n";
+      for (const std::string& paragraph : section.paragraphs) body += "<p>" + formats::html(paragraph) + "</p>\n";
+      for (const formats::ComparisonTable& table : section.comparisons) body += table_html(table);
+      for (const formats::PlainTable& table : section.tables) body += table_html(report.paper, table);
+      for (const formats::Figure& figure : section.figures) body += figure_html(report.paper, figure, ".svg");
       // Surfaces have many thousands of facets.
-      for (const SurfaceFigure& figure : section.surface_figures) body += figure_html(report.paper, figure, ".png");
+      for (const formats::SurfaceFigure& figure : section.surface_figures)
+        body += figure_html(report.paper, figure, ".png");
     }
   }
   return "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
          "content=\"width=device-width, initial-scale=1\">\n<title>subcert: printed values, "
          "recomputed</title>\n<style>" +
-         page_style() + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
+         formats::page_style() + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
 }
 
 }  // namespace
 
-std::vector<const ComparisonTable*> Report::comparison_tables() const {
-  std::vector<const ComparisonTable*> result;
-  for (const Section& section : sections)
-    for (const ComparisonTable& table : section.comparisons) result.push_back(&table);
+std::vector<const formats::ComparisonTable*> Report::comparison_tables() const {
+  std::vector<const formats::ComparisonTable*> result;
+  for (const formats::Section& section : sections)
+    for (const formats::ComparisonTable& table : section.comparisons) result.push_back(&table);
   return result;
 }
 
 bool Report::as_recorded() const {
   const auto tables = comparison_tables();
-  return std::all_of(tables.begin(), tables.end(), [](const ComparisonTable* table) { return table->as_recorded(); }) &&
+  return std::all_of(tables.begin(), tables.end(),
+                     [](const formats::ComparisonTable* table) { return table->as_recorded(); }) &&
          std::all_of(experiments.begin(), experiments.end(),
-                     [](const RanExperiment& e) { return e.result.as_recorded(); });
+                     [](const experiments::RanExperiment& e) { return e.result.as_recorded(); });
 }
 
 std::vector<std::string> reproducible_papers() {
@@ -282,14 +286,13 @@ std::vector<std::string> report_items(const std::string& paper) {
   if (paper == "dyn-2015") return dyn_2015_items();
   const auto papers = reproducible_papers();
   if (std::find(papers.begin(), papers.end(), paper) != papers.end()) return experiment_ids(paper);
-  throw std::out_of_range("unknown paper '" + paper + "'");
+  fail(ErrorKind::domain, "unknown paper '{}'", paper);
 }
 
 Report make_report(const std::string& paper, const ReportOptions& options) {
   const auto items = report_items(paper);
   for (const std::string& item : options.only)
-    if (std::find(items.begin(), items.end(), item) == items.end())
-      throw std::out_of_range("unknown item '" + item + "' of " + paper);
+    require(std::find(items.begin(), items.end(), item) != items.end(), "unknown item '{}' of {}", item, paper);
   if (paper == "dyn-2015") return report_dyn_2015(options);
   Report report{paper, statements::citation(paper), {}};
   add_experiments(report, options);
@@ -300,44 +303,45 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
   std::vector<std::function<void()>> pictures;
   for (const Report& report : reports) {
     const std::filesystem::path inside = folder / report.paper;
-    for (const ComparisonTable* table : report.comparison_tables()) {
+    for (const formats::ComparisonTable* table : report.comparison_tables()) {
       Json json{
           {"paper", report.paper}, {"citation", report.citation}, {"table", table->id}, {"comparisons", Json::array()}};
-      for (const Comparison& comparison : table->comparisons)
+      for (const formats::Comparison& comparison : table->comparisons)
         json["comparisons"].push_back(comparison_json(*table, comparison));
-      write_file(inside / (table->id + ".json"), json.dump(2) + "\n");
-      write_file(inside / (table->id + ".csv"), csv(rows_of(*table)));
+      runtime::write_file(inside / (table->id + ".json"), json.dump(2) + "\n");
+      runtime::write_file(inside / (table->id + ".csv"), csv(rows_of(*table)));
       auto rows = rows_of(*table);
       for (auto& row : rows) row.erase(row.begin() + 5), row.erase(row.begin() + 1);  // too wide for a page
-      write_file(inside / (table->id + ".tex"), latex_table(table->title, rows));
+      runtime::write_file(inside / (table->id + ".tex"), latex_table(table->title, rows));
     }
-    for (const Section& section : report.sections) {
-      for (const PlainTable& table : section.tables) {
+    for (const formats::Section& section : report.sections) {
+      for (const formats::PlainTable& table : section.tables) {
         const auto rows = rows_of(table);
         Json json{{"paper", report.paper}, {"table", table.id}, {"rows", rows}};
-        write_file(inside / (table.id + ".json"), json.dump(2) + "\n");
-        write_file(inside / (table.id + ".csv"), csv(rows));
-        write_file(inside / (table.id + ".tex"), latex_table(table.title, rows));
+        runtime::write_file(inside / (table.id + ".json"), json.dump(2) + "\n");
+        runtime::write_file(inside / (table.id + ".csv"), csv(rows));
+        runtime::write_file(inside / (table.id + ".tex"), latex_table(table.title, rows));
       }
-      for (const Figure& figure : section.figures) pictures.push_back([&figure, inside] { draw(figure, inside); });
-      for (const SurfaceFigure& figure : section.surface_figures)
-        pictures.push_back([&figure, inside] { draw(figure, inside); });
+      for (const formats::Figure& figure : section.figures)
+        pictures.push_back([&figure, inside] { formats::draw(figure, inside); });
+      for (const formats::SurfaceFigure& figure : section.surface_figures)
+        pictures.push_back([&figure, inside] { formats::draw(figure, inside); });
     }
   }
-  parallel_for_each(pictures.size(), jobs, [&](std::size_t i) { pictures[i](); });
-  write_file(folder / "index.html", page(reports, std::filesystem::exists(folder / "errata.html")));
+  runtime::parallel_for_each(pictures.size(), jobs, [&](std::size_t i) { pictures[i](); });
+  runtime::write_file(folder / "index.html", page(reports, std::filesystem::exists(folder / "errata.html")));
 }
 
 std::string reports_json(const std::vector<Report>& reports) {
   Json json{{"comparisons", Json::array()}, {"experiments", Json::array()}};
   for (const Report& report : reports) {
-    for (const ComparisonTable* table : report.comparison_tables())
-      for (const Comparison& comparison : table->comparisons)
+    for (const formats::ComparisonTable* table : report.comparison_tables())
+      for (const formats::Comparison& comparison : table->comparisons)
         json["comparisons"].push_back(comparison_json(*table, comparison));
-    for (const RanExperiment& ran : report.experiments)
-      json["experiments"].push_back(Json::parse(experiment_json(ran)));
+    for (const experiments::RanExperiment& ran : report.experiments)
+      json["experiments"].push_back(Json::parse(experiments::experiment_json(ran)));
   }
   return json.dump(2);
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -2,22 +2,22 @@
 /// A report about one paper and its files.
 
 #include "experiments/experiment.hpp"
-#include "section.hpp"
+#include "formats/section.hpp"
 
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace subcert {
+namespace subcert::reports {
 
 struct Report {
   std::string paper;
   std::string citation;
-  std::vector<Section> sections;
-  std::vector<RanExperiment> experiments = {};
+  std::vector<formats::Section> sections;
+  std::vector<experiments::RanExperiment> experiments = {};
 
-  std::vector<const ComparisonTable*> comparison_tables() const;
+  std::vector<const formats::ComparisonTable*> comparison_tables() const;
   /// Whether all verdicts and findings are the recorded ones.
   bool as_recorded() const;
 };
@@ -34,18 +34,18 @@ struct ReportOptions {
 
 /// The papers that can be reproduced, and the items of each.
 std::vector<std::string> reproducible_papers();
-/// Errors: throws std::out_of_range for a paper that is not among them.
+/// Errors: throws a domain error for a paper that is not among them.
 std::vector<std::string> report_items(const std::string& paper);
 
-/// Recomputes the paper and compares. Errors: throws std::out_of_range for an unknown paper or item.
+/// Recomputes the paper and compares. Errors: throws a domain error for an unknown paper or item.
 Report make_report(const std::string& paper, const ReportOptions& options);
 
 /// Writes DIR/index.html for the reports, with a link to DIR/errata.html where that is there, and for each table
 /// DIR/PAPER/ID.csv, .tex, .json, for each figure .svg, .png
-/// and .csv. Domain: jobs >= 1, the pictures drawn at a time. Errors: throws std::runtime_error that names the file.
+/// and .csv. Domain: jobs >= 1, the pictures drawn at a time. Errors: throws missing_file that names the file.
 void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder, int jobs);
 
 /// {"comparisons": [...], "experiments": [...]} as in the contract; the experiments are those of experiment_json().
 std::string reports_json(const std::vector<Report>& reports);
 
-}  // namespace subcert
+}  // namespace subcert::reports

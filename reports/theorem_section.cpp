@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
 constexpr int grid_level = 5;  ///< of the exact values between which the ripple is seen
@@ -42,10 +42,11 @@ Mask scheme(int n, int degree) {
 double plain(const Rational& value) { return value.convert_to<double>(); }
 
 /// Means, and largest minus smallest exact value on a grid, over n = 1, 2, 3, 4, 6, 8, 12, ...
-Figure mean_and_ripple() {
-  Panel means{"mean of psi_n", "n", "", {}, true}, ripples{"largest minus smallest value of psi_n", "n", "", {}, true};
+formats::Figure mean_and_ripple() {
+  formats::Panel means{"mean of psi_n", "n", "", {}, true},
+      ripples{"largest minus smallest value of psi_n", "n", "", {}, true};
   for (int degree : {1, 3, 5}) {
-    Curve mean{"d = " + std::to_string(degree), {}, true}, ripple = mean;
+    formats::Curve mean{"d = " + std::to_string(degree), {}, true}, ripple = mean;
     for (int n = (degree + 1) / 2; n <= 24; n += n < 12 ? 1 : 3) {
       const Mask mask = scheme(n, degree);
       const VarianceGrid grid = variance_grid(mask, grid_level, false);
@@ -55,7 +56,7 @@ Figure mean_and_ripple() {
     means.curves.push_back(mean);
     ripples.curves.push_back(ripple);
   }
-  Curve bound{"proved bound, d = 1", {}, true};
+  formats::Curve bound{"proved bound, d = 1", {}, true};
   for (int n = 3; n <= 24; n += n < 12 ? 1 : 3)
     bound.points.emplace_back(n, plain(2 * *theorems::degree_one_bounds(n).ripple.upper));
   ripples.curves.push_back(bound);
@@ -71,8 +72,8 @@ Figure mean_and_ripple() {
 
 }  // namespace
 
-Section theorem_section(const ReportOptions& options) {
-  Section section{"theorems", "Conjectures 7 and 8 for every n", {}};
+formats::Section theorem_section(const ReportOptions& options) {
+  formats::Section section{"theorems", "Conjectures 7 and 8 for every n", {}};
   section.paragraphs.push_back(
       "Conjecture 7: for each degree, max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2. Conjecture 8: psi_n decreases "
       "pointwise in n "
@@ -80,7 +81,7 @@ Section theorem_section(const ReportOptions& options) {
       "every n, for the degrees 1, 3 and 5. Their proofs, docs/theorems/variance-curves.tex, rest on numbered "
       "inequalities, and "
       "each was run for this page ('subcert theorem ID --d D' prints them with their margins).");
-  PlainTable table{
+  formats::PlainTable table{
       "theorems", "Theorems, and the inequalities behind them", {"theorem", "degrees", "inequalities", "verdict"}, {}};
   for (const TheoremCase& one : theorem_cases())
     for (int degree : one.degrees) {
@@ -99,4 +100,4 @@ Section theorem_section(const ReportOptions& options) {
   return section;
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -3,10 +3,10 @@
 
 #include "report.hpp"
 
-namespace subcert {
+namespace subcert::reports {
 
 /// Statements, the verdicts of the theorems, means and ripples over n. Cost: half a minute on one thread,
 /// as all inequalities are run.
-Section theorem_section(const ReportOptions& options);
+formats::Section theorem_section(const ReportOptions& options);
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
 constexpr int first_level = 5, last_level = 10;
@@ -160,4 +160,4 @@ bool gives_digits(const Rational& value, const std::string& printed) {
   return to_fixed(value, places, Rounding::nearest) == printed || to_fixed(value, places, Rounding::down) == printed;
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

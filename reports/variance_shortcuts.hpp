@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace subcert {
+namespace subcert::reports {
 
 /// The sum of the squares f(x - j)^2 over j at x = i / 2^level, 0 <= i <= 2^level. f is the basic limit function, or
 /// the unit pulse after `level` refinements; j runs over all integers, or from -(n + beyond) to n + beyond, or one
@@ -51,4 +51,4 @@ ShortcutValues evaluate_shortcut(const Shortcut& shortcut, const Mask& mask, int
 /// Whether the value, rounded to nearest or cut, is printed like this. Domain: `printed` is a decimal number.
 bool gives_digits(const Rational& value, const std::string& printed);
 
-}  // namespace subcert
+}  // namespace subcert::reports

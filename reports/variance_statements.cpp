@@ -2,25 +2,19 @@
 
 #include "conjectures.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::reports {
 namespace {
 
 constexpr int digits = 4;
 
 Truth truth_of(bool yes, bool no) { return yes ? Truth::yes : no ? Truth::no : Truth::unknown; }
-
-/// yes if all are, no if one is.
-Truth all_of(const std::vector<Truth>& truths) {
-  if (std::count(truths.begin(), truths.end(), Truth::no) > 0) return Truth::no;
-  return std::count(truths.begin(), truths.end(), Truth::yes) == static_cast<long>(truths.size()) ? Truth::yes
-                                                                                                  : Truth::unknown;
-}
 
 struct Answer {
   Truth truth;
@@ -128,9 +122,9 @@ std::vector<int> sizes_of_figure_8(int degree) {
   return sizes;
 }
 
-std::vector<int> sizes_of_table_3(const PublishedTable& table, int degree) {
+std::vector<int> sizes_of_table_3(const formats::PublishedTable& table, int degree) {
   std::vector<int> sizes;
-  for (const PublishedCell& cell : table.cells)
+  for (const formats::PublishedCell& cell : table.cells)
     if (cell.row.starts_with("d=" + std::to_string(degree) + ",")) {
       const int n = VarianceCell(cell).n;
       if (sizes.empty() || sizes.back() != n) sizes.push_back(n);
@@ -138,7 +132,7 @@ std::vector<int> sizes_of_table_3(const PublishedTable& table, int degree) {
   return sizes;
 }
 
-Answer answer(const PublishedCell& cell, Workshop& workshop) {
+Answer answer(const formats::PublishedCell& cell, Workshop& workshop) {
   const std::string& what = cell.quantity;
   if (what == "below one") return below_one(workshop);
   if (what == "one at integers") return one_at_integers();
@@ -161,7 +155,7 @@ Answer answer(const PublishedCell& cell, Workshop& workshop) {
         source == "figure" ? sizes_of_figure_8(degree) : sizes_of_table_3(workshop.published("table3"), degree),
         kind == "slope");
   }
-  throw std::invalid_argument("unknown statement '" + what + "'");
+  fail(ErrorKind::domain, "unknown statement '{}'", what);
 }
 
 }  // namespace
@@ -186,13 +180,13 @@ std::vector<std::string> schemes_of_figure_9() {
   return schemes;
 }
 
-ComparisonTable compare_statements(const PublishedTable& table, Workshop& workshop) {
-  ComparisonTable result = empty_table(table);
-  for (const PublishedCell& cell : table.cells) {
+formats::ComparisonTable compare_statements(const formats::PublishedTable& table, Workshop& workshop) {
+  formats::ComparisonTable result = empty_table(table);
+  for (const formats::PublishedCell& cell : table.cells) {
     const Answer given = answer(cell, workshop);
     result.comparisons.push_back(compare_text(cell, given.text, given.truth));
   }
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -3,7 +3,7 @@
 
 #include "dyn_2015_workshop.hpp"
 
-namespace subcert {
+namespace subcert::reports {
 
 constexpr int last_n_of_figure_2 = 5;
 constexpr int last_n_of_figure_8 = 15;
@@ -12,8 +12,8 @@ std::vector<std::string> schemes_of_figure_2();
 std::vector<std::string> schemes_of_figure_8();
 std::vector<std::string> schemes_of_figure_9();
 
-/// Domain: the published tables fig2, fig8 and fig9. Errors: throws std::invalid_argument for a statement that is not
+/// Domain: the published tables fig2, fig8 and fig9. Errors: throws a domain error for a statement that is not
 /// known.
-ComparisonTable compare_statements(const PublishedTable& table, Workshop& workshop);
+formats::ComparisonTable compare_statements(const formats::PublishedTable& table, Workshop& workshop);
 
-}  // namespace subcert
+}  // namespace subcert::reports

@@ -2,14 +2,16 @@
 
 #include "local_regression.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <stdexcept>
 #include <string>
 
 namespace subcert {
 
 Mask bspline_mask(int degree, int arity) {
-  if (degree < 1) throw std::invalid_argument("bspline_mask: need degree >= 1, got " + std::to_string(degree));
-  if (arity < 2) throw std::invalid_argument("bspline_mask: need arity >= 2, got " + std::to_string(arity));
+  require(degree >= 1, "bspline_mask: need degree >= 1, got {}", degree);
+  require(arity >= 2, "bspline_mask: need arity >= 2, got {}", arity);
   const LaurentPolynomial power_of_ones = LaurentPolynomial::all_ones(arity).pow(degree + 1);
   return {(power_of_ones * LaurentPolynomial(power(Rational(arity), -degree))).shifted(-(power_of_ones.length() / 2)),
           arity};

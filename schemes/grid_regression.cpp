@@ -2,6 +2,8 @@
 
 #include "local_regression.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <algorithm>
 #include <map>
 #include <stdexcept>
@@ -47,8 +49,7 @@ class Products {
 std::vector<Rational> grid_regression_weights(const std::vector<std::vector<Rational>>& nodes, int degree,
                                               const std::vector<Rational>& x) {
   if (nodes.empty() || nodes.size() > 3 || nodes.size() != x.size())
-    throw std::invalid_argument(
-        "grid_regression_weights: need one to three variables and one coordinate of x for each");
+    fail(ErrorKind::domain, "grid_regression_weights: need one to three variables and one coordinate of x for each");
   std::vector<std::vector<std::vector<Rational>>> terms;
   for (std::size_t v = 0; v < nodes.size(); ++v) terms.push_back(regression_terms(nodes[v], {}, degree, x[v]));
   return Products(std::move(terms)).from(0, degree);
@@ -57,8 +58,7 @@ std::vector<Rational> grid_regression_weights(const std::vector<std::vector<Rati
 MultivariateMask grid_regression_mask(const GridRegression& scheme) {
   const std::size_t variables = scheme.points.size();
   if (variables < 2 || variables > 3)
-    throw std::invalid_argument("grid_regression_mask: need 2 or 3 numbers of points, got " +
-                                std::to_string(variables));
+    fail(ErrorKind::domain, "grid_regression_mask: need 2 or 3 numbers of points, got {}", variables);
   std::vector<LocalRegression> axes;
   std::vector<std::vector<Rational>> nodes;
   std::size_t outputs = 1, points = 1;

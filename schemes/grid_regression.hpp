@@ -11,7 +11,7 @@ namespace subcert {
 /// (p(node i) - y[i])^2 over the product of the node lists; the first variable runs fastest. Where several polynomials
 /// are minimal, the one without components that vanish at all nodes is taken, in the orthogonal basis of products.
 /// Domain: one to three lists of distinct nodes, one coordinate of x for each, degree >= 0. Errors: throws
-/// std::invalid_argument. Cost: nodes * degree^(variables - 1) rational operations. Proof: docs/schemes.md.
+/// a domain error. Cost: nodes * degree^(variables - 1) rational operations. Proof: docs/schemes.md.
 std::vector<Rational> grid_regression_weights(const std::vector<std::vector<Rational>>& nodes, int degree,
                                               const std::vector<Rational>& x);
 
@@ -24,7 +24,7 @@ struct GridRegression {
 };
 
 /// The exact mask. Domain: two or three numbers of points >= 2, degree >= 0, arity >= 2. Errors: throws
-/// std::invalid_argument. Ref: [MLZD15, App. B], [MB16, sec. 3].
+/// a domain error. Ref: [MLZD15, App. B], [MB16, sec. 3].
 MultivariateMask grid_regression_mask(const GridRegression& scheme);
 
 }  // namespace subcert

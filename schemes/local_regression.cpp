@@ -1,5 +1,7 @@
 #include "local_regression.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -26,16 +28,15 @@ std::vector<Rational> interpolation_weights(const std::vector<Rational>& nodes, 
 }
 
 void require_fit(std::vector<Rational> nodes, const std::vector<Rational>& weights, int degree) {
-  if (nodes.empty()) throw std::invalid_argument("regression_weights: need at least one node, got 0");
+  require(!nodes.empty(), "regression_weights: need at least one node, got 0");
   std::sort(nodes.begin(), nodes.end());
-  if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end())
-    throw std::invalid_argument("regression_weights: need distinct nodes");
+  require(std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end(), "regression_weights: need distinct nodes");
   if (!weights.empty() && weights.size() != nodes.size())
-    throw std::invalid_argument("regression_weights: need as many weights as nodes, got " +
-                                std::to_string(weights.size()) + " for " + std::to_string(nodes.size()));
-  if (std::any_of(weights.begin(), weights.end(), [](const Rational& w) { return w <= 0; }))
-    throw std::invalid_argument("regression_weights: need weights > 0");
-  if (degree < 0) throw std::invalid_argument("regression_weights: need degree >= 0, got " + std::to_string(degree));
+    fail(ErrorKind::domain, "regression_weights: need as many weights as nodes, got {} for {}", weights.size(),
+         nodes.size());
+  require(std::all_of(weights.begin(), weights.end(), [](const Rational& w) { return w > 0; }),
+          "regression_weights: need weights > 0");
+  require(degree >= 0, "regression_weights: need degree >= 0, got {}", degree);
 }
 
 }  // namespace
@@ -90,14 +91,12 @@ std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, con
 
 Mask regression_mask(const LocalRegression& scheme) {
   const auto arity = static_cast<long>(scheme.rules.size());
-  if (arity < 2) throw std::invalid_argument("regression_mask: need at least two rules, got " + std::to_string(arity));
+  require(arity >= 2, "regression_mask: need at least two rules, got {}", arity);
   // f'_{arity*i + s} uses f_{i+l} with weight a_{s - arity*l}.
   long lowest = 0, highest = 0;
   for (long k = 0; k < arity; ++k) {
     const RegressionRule& rule = scheme.rules[static_cast<std::size_t>(k)];
-    if (rule.first > rule.last)
-      throw std::invalid_argument("regression_mask: need first <= last, got " + std::to_string(rule.first) + " and " +
-                                  std::to_string(rule.last));
+    require(rule.first <= rule.last, "regression_mask: need first <= last, got {} and {}", rule.first, rule.last);
     const long output = scheme.first_output + k;
     lowest = k == 0 ? output - arity * rule.last : std::min(lowest, output - arity * rule.last);
     highest = k == 0 ? output - arity * rule.first : std::max(highest, output - arity * rule.first);
@@ -124,8 +123,8 @@ LocalRegression dual(int n, int degree) { return ary(2, 2 * n, degree); }
 LocalRegression dual_odd(int n, int degree) { return ary(2, 2 * n + 1, degree); }
 
 LocalRegression ary(int arity, int points, int degree) {
-  if (arity < 2) throw std::invalid_argument("ary: need arity >= 2, got " + std::to_string(arity));
-  if (points < 2) throw std::invalid_argument("ary: need points >= 2, got " + std::to_string(points));
+  require(arity >= 2, "ary: need arity >= 2, got {}", arity);
+  require(points >= 2, "ary: need points >= 2, got {}", points);
   LocalRegression scheme{{}, degree};
   const int n = points / 2;
   if (points % 2 == 0) {

@@ -11,7 +11,7 @@ namespace subcert {
 /// sum of weights[i] (p(nodes[i]) - y[i])^2. With degree >= nodes.size() - 1 it interpolates, and among the
 /// interpolating polynomials the one of smallest degree is taken ([DHHS15, Rem. 9] leaves the choice open).
 /// Domain: nodes distinct and not empty, weights positive and as many as the nodes (none: all one), degree >= 0.
-/// Errors: throws std::invalid_argument that names the broken inequality.
+/// Errors: throws a domain error that names the broken inequality.
 /// Cost: nodes * degree rational operations (three-term recurrence of the discrete orthogonal polynomials, which for
 /// equally spaced nodes are Gram's); interpolation nodes^2.
 /// Ref: [DHHS15, App. A], [EF07].

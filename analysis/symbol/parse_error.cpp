@@ -15,8 +15,8 @@ std::string printable(std::string_view text) {
 }  // namespace
 
 ParseError::ParseError(const std::string& subject, std::string_view token, std::size_t position, std::string expected)
-    : std::invalid_argument(subject + ", position " + std::to_string(position) + ": '" + printable(token) +
-                            "'; expected " + expected),
+    : Error(ErrorKind::usage,
+            fmt::format("{}, position {}: '{}'; expected {}", subject, position, printable(token), expected)),
       token_(printable(token)),
       position_(position),
       expected_(std::move(expected)) {}

@@ -1,14 +1,15 @@
 #pragma once
 /// Text that cannot be read: what, where, and what would be right.
 
-#include <stdexcept>
+#include "error.hpp"
+
 #include <string>
 #include <string_view>
 
 namespace subcert {
 
 /// what() is one printable line `SUBJECT, position P: 'TOKEN'; expected EXPECTED` with the 1-based position P.
-class ParseError : public std::invalid_argument {
+class ParseError : public Error {
  public:
   /// Tokens are cut to 40 characters and unprintable ones replaced.
   ParseError(const std::string& subject, std::string_view token, std::size_t position, std::string expected);

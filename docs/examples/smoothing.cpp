@@ -8,9 +8,9 @@
 int main() {
   using namespace subcert;
   const Scheme scheme = make_scheme("primal:n=2");
-  const LinearSmoother smoother(scheme.mask, 9, {Extension::interp});
+  const data::LinearSmoother smoother(scheme.mask, 9, {data::Extension::interp});
   for (const std::size_t i : {0, 4}) {
-    const SmoothingRow row = smoother.row(i);
+    const data::SmoothingRow row = smoother.row(i);
     std::cout << "s(" << i << ") =";
     for (std::size_t k = 0; k < row.weights.size(); ++k)
       if (row.weights[k] != 0) std::cout << " + " << row.weights[k] << " y_" << row.first + k;
@@ -19,12 +19,13 @@ int main() {
   // The samples i^2 with noise of variance 4.
   std::vector<Rational> squares;
   for (int i = 0; i < 9; ++i) squares.emplace_back(i * i);
-  const ExpectedError error = expected_error(smoother.row(4), squares, 16, 4);
+  const data::ExpectedError error = data::expected_error(smoother.row(4), squares, 16, 4);
   std::cout << "bias " << error.bias << ", expected squared error " << error.total() << "\n";
 
-  L1Scheme l1{{6}, 1};
+  data::L1Scheme l1{{6}, 1};
   l1.options.iterations = 100;
-  const GridData<double> fine = refine(curve_data<double>({0, 1, 2, 3, 40, 5, 6, 7, 8}), l1, {1, Boundary::shrink});
+  const data::GridData<double> fine = refine(data::curve_data<double>({0, 1, 2, 3, 40, 5, 6, 7, 8}), l1,
+                                             {1, data::Boundary::shrink});
   for (const double value : fine.values) std::cout << std::round(1000 * value) / 1000 << " ";
   std::cout << "\n";
 }

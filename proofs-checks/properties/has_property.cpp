@@ -5,6 +5,7 @@
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 
 namespace subcert::properties {
@@ -68,7 +69,9 @@ Decision variance(const Mask& mask, const Expectation& expectation, double secon
     VarianceOptions options;
     options.seconds = seconds;
     return compare(variance_range(mask, options).maximum, expectation, "the maximum");
-  } catch (const std::logic_error& error) {  // beyond what the library can enclose
+  } catch (const Error& error) {  // beyond what the library can enclose
+    return {Truth::unknown, error.what()};
+  } catch (const std::logic_error& error) {  // until analysis throws Error
     return {Truth::unknown, error.what()};
   }
 }
@@ -108,7 +111,7 @@ Decision has_property(const Mask& mask, const Expectation& expectation, double s
     return decided(found.lower == expectation.ends->lower && found.upper == expectation.ends->upper,
                    "it is [" + subcert::to_text(found.lower) + ", " + subcert::to_text(found.upper) + "]");
   }
-  throw std::invalid_argument("has_property: need a known property, got '" + property + "'");
+  fail(ErrorKind::domain, "has_property: need a known property, got '{}'", property);
 }
 
 }  // namespace subcert::properties

@@ -1,10 +1,10 @@
 #pragma once
 /// Expected properties of schemes, read from a TOML file and checked: docs/properties.md.
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/mask.hpp>
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +18,7 @@ struct Place {
 };
 
 /// A file that cannot be read as expected properties; what() is one line `line L, column C: MESSAGE`.
-class FileError : public std::runtime_error {
+class FileError : public Error {
  public:
   FileError(const Place& at, const std::string& message);
   const Place place;

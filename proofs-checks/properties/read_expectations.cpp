@@ -12,8 +12,7 @@
 namespace subcert::properties {
 
 FileError::FileError(const Place& at, const std::string& message)
-    : std::runtime_error("line " + std::to_string(at.line) + ", column " + std::to_string(at.column) + ": " + message),
-      place(at) {}
+    : Error(ErrorKind::data, fmt::format("line {}, column {}: {}", at.line, at.column, message)), place(at) {}
 
 const std::vector<PropertyHelp>& known_properties() {
   static const std::vector<PropertyHelp> all{
@@ -50,7 +49,7 @@ std::optional<Rational> number_in(std::string_view text) {
   if (const auto rational = parse_rational(text)) return rational;
   try {
     return read_printed_decimal(std::string(text)).value;
-  } catch (const std::invalid_argument&) {
+  } catch (const std::exception&) {  // what it throws says only that it is no decimal
     return std::nullopt;
   }
 }
@@ -136,9 +135,9 @@ ExpectedScheme read_scheme(const toml::table& table) {
   std::optional<Scheme> scheme;
   try {
     scheme = make_scheme(specification);
-  } catch (const std::invalid_argument& error) {
+  } catch (const Error& error) {
     throw FileError(place_of(*mask), error.what());
-  } catch (const std::length_error& error) {
+  } catch (const std::logic_error& error) {  // until analysis throws Error
     throw FileError(place_of(*mask), error.what());
   }
   ExpectedScheme result{shown(specification), scheme->specification, scheme->mask, {}};

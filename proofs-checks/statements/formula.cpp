@@ -1,5 +1,6 @@
 #include "formula.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
 
 #include <algorithm>
@@ -122,8 +123,7 @@ class Reader {
 
 long exponent_of(const Rational& value) {
   if (denominator(value) != 1 || abs(value) > largest_exponent)
-    throw std::domain_error("formula: need an integer exponent of modulus at most 1000, got " +
-                            subcert::to_text(value));
+    throw Undefined("formula: need an integer exponent of modulus at most 1000, got " + subcert::to_text(value));
   return static_cast<long>(numerator(value));
 }
 
@@ -133,7 +133,7 @@ Rational evaluate(const Node& n, const Values& values) {
     case 'v':
       for (const auto& [name, value] : values)
         if (name == n.name) return value;
-      throw std::out_of_range("formula: no value for " + n.name);
+      fail(ErrorKind::domain, "formula: no value for {}", n.name);
     case '(': return evaluate(*n.left, values);
     case '~': return -evaluate(*n.left, values);
     default: break;
@@ -144,14 +144,18 @@ Rational evaluate(const Node& n, const Values& values) {
     case '-': return left - right;
     case '*': return left * right;
     case '/':
-      if (right == 0) throw std::domain_error("division by zero at " + to_text(values));
+      if (right == 0) throw Undefined("division by zero at " + to_text(values));
       return left / right;
     default: {
       const long exponent = exponent_of(right);
-      if (left == 0 && exponent < 0) throw std::domain_error("division by zero at " + to_text(values));
+      if (left == 0 && exponent < 0) throw Undefined("division by zero at " + to_text(values));
       return power(left, exponent);
     }
   }
+}
+
+bool is_constant(const Node& n) {
+  return n.kind != 'v' && (!n.left || is_constant(*n.left)) && (!n.right || is_constant(*n.right));
 }
 
 Degrees degrees_of(const Node& n, const std::vector<std::string>& variables) {
@@ -162,12 +166,8 @@ Degrees degrees_of(const Node& n, const std::vector<std::string>& variables) {
     case '~': return degrees_of(*n.left, variables);
     case '^': {
       const Degrees base = degrees_of(*n.left, variables);
-      long exponent = 0;
-      try {
-        exponent = exponent_of(evaluate(*n.right, {}));
-      } catch (const std::out_of_range&) {
-        throw std::domain_error("formula: need constant exponents");
-      }
+      if (!is_constant(*n.right)) throw Undefined("formula: need constant exponents");
+      const long exponent = exponent_of(evaluate(*n.right, {}));
       return exponent >= 0 ? Degrees{base.numerator * exponent, base.denominator * exponent}
                            : Degrees{-base.denominator * exponent, -base.numerator * exponent};
     }
@@ -197,7 +197,7 @@ Fraction substitute(const Node& n, const Substitution& values) {
     case 'v':
       for (const auto& [name, value] : values)
         if (name == n.name) return {value, one};
-      throw std::out_of_range("formula: no value for " + n.name);
+      fail(ErrorKind::domain, "formula: no value for {}", n.name);
     case '(': return substitute(*n.left, values);
     case '~': {
       Fraction f = substitute(*n.left, values);
@@ -215,7 +215,7 @@ Fraction substitute(const Node& n, const Substitution& values) {
   switch (n.kind) {
     case '*': return {a.numerator * b.numerator, a.denominator * b.denominator};
     case '/':
-      if (b.numerator.is_zero()) throw std::domain_error("formula: division by the zero polynomial");
+      if (b.numerator.is_zero()) throw Undefined("formula: division by the zero polynomial");
       return {a.numerator * b.denominator, a.denominator * b.numerator};
     case '+': return {a.numerator * b.denominator + b.numerator * a.denominator, a.denominator * b.denominator};
     default: return {a.numerator * b.denominator - b.numerator * a.denominator, a.denominator * b.denominator};

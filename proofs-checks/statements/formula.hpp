@@ -1,6 +1,7 @@
 #pragma once
 /// Closed forms as papers print them: exact expressions in named variables, read from text.
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/multivariate_polynomial.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
 
@@ -11,6 +12,11 @@
 #include <vector>
 
 namespace subcert::statements {
+
+/// A form without a value where it is asked for one: a division by zero, a singular system.
+struct Undefined : Error {
+  explicit Undefined(const std::string& what) : Error(ErrorKind::domain, what) {}
+};
 
 /// Values of variables.
 using Values = std::vector<std::pair<std::string, Rational>>;
@@ -40,13 +46,13 @@ class Formula {
   /// in front binds less than `^`. Errors: throws ParseError. Domain: at most 10,000 characters, 100 nested brackets.
   static Formula parse(std::string_view text);
 
-  /// The value. Errors: throws std::domain_error for a division by zero and for an exponent that is not an integer of
-  /// modulus at most 1000, std::out_of_range for a name without value.
+  /// The value. Errors: throws Undefined for a division by zero and for an exponent that is not an integer of modulus
+  /// at most 1000, a domain error for a name without value.
   Rational operator()(const Values& values) const;
 
   /// The expression is a quotient of two polynomials in these variables together with at most these total degrees,
   /// whatever the other variables are. Nothing is cancelled. Domain: exponents are constants. Errors: throws
-  /// std::domain_error otherwise.
+  /// Undefined otherwise.
   Degrees degrees(const std::vector<std::string>& variables) const;
   Degrees degrees(const std::string& variable) const { return degrees(std::vector<std::string>{variable}); }
 

@@ -20,7 +20,7 @@ struct Line {
 };
 
 /// left = right for all values of the variables where both are defined. Domain: both are defined at the points tried,
-/// which follow each start. Errors: throws std::domain_error otherwise. Cost: the product of the degrees plus 1.
+/// which follow each start. Errors: throws Undefined otherwise. Cost: the product of the degrees plus 1.
 Trial identity(const Formula& left, const Formula& right, const std::vector<Variable>& variables);
 
 /// sum of term over index = first(n), ..., last(n).

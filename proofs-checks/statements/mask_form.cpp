@@ -1,5 +1,6 @@
 #include "mask_form.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/printed_decimal.hpp>
 
 #include <algorithm>
@@ -52,9 +53,8 @@ Trial mask_list(const std::vector<Formula>& printed, const Mask& derived, const 
 
 Trial table_row(const std::vector<std::string>& printed, const std::vector<std::string>& labels,
                 const std::function<Enclosure(std::size_t)>& certified) {
-  if (printed.size() != labels.size())
-    throw std::invalid_argument("table_row: need as many values as labels, got " + std::to_string(printed.size()) +
-                                " for " + std::to_string(labels.size()));
+  require(printed.size() == labels.size(), "table_row: need as many values as labels, got {} for {}", printed.size(),
+          labels.size());
   std::string failures;
   for (std::size_t i = 0; i < printed.size(); ++i) {
     const Enclosure truth = certified(i);

@@ -15,9 +15,19 @@ std::vector<Formula> monomials(int degree) {
   return result;
 }
 
+RationalMatrix solved(const RationalMatrix& a, const RationalMatrix& b) {
+  try {
+    return solve(a, b);
+  } catch (const Error& error) {
+    throw Undefined(error.what());
+  } catch (const std::domain_error& error) {  // until analysis/symbol throws Error
+    throw Undefined(error.what());
+  }
+}
+
 RationalMatrix pseudo_inverse(const RationalMatrix& design) {
   const RationalMatrix across = transposed(design);
-  return solve(across * design, across);
+  return solved(across * design, across);
 }
 
 std::vector<Rational> weights_by_normal_equations(const std::vector<Rational>& nodes, const std::vector<Formula>& basis,

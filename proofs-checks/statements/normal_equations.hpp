@@ -13,8 +13,11 @@ RationalMatrix design_matrix(const std::vector<Rational>& nodes, const std::vect
 /// 1, x, ..., x^degree.
 std::vector<Formula> monomials(int degree);
 
+/// The x with a x = b. Domain: square a. Errors: throws Undefined for a singular one.
+RationalMatrix solved(const RationalMatrix& a, const RationalMatrix& b);
+
 /// (A^T A)^-1 A^T for the design matrix A. Domain: more rows than columns or as many, full rank. Errors: throws
-/// std::domain_error for a singular A^T A.
+/// Undefined for a singular A^T A.
 RationalMatrix pseudo_inverse(const RationalMatrix& design);
 
 /// The weights of the data in the value at x of the least squares fit by this basis. Errors: as pseudo_inverse.

@@ -3,20 +3,14 @@
 
 #include "transcription.hpp"
 
+#include <subcert/proofs-checks/verdict.hpp>
+
 #include <functional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace subcert::statements {
-
-/// holds: on the range tried. holds_for_all: proved for every admissible parameter. misprint: the printed form fails at
-/// the witness, and a corrected form, tried in the same way, does not. false_claim: fails, and no correction of the
-/// formula saves it. not_checkable: the reason is in the outcome. undecided: the check ran out of its budget.
-enum class Verdict { holds, holds_for_all, misprint, false_claim, not_checkable, undecided };
-
-/// The words of the contract: `holds`, `holds-for-all-n`, `misprint`, `false`, `not-checkable`; and `undecided`.
-std::string to_text(Verdict verdict);
 
 /// What a check found. `range` says for which parameters; `witness` is the smallest exact counterexample, empty where
 /// there is none; `argument` says why the verdict holds where that is not a finite comparison, or what else is to be
@@ -72,7 +66,7 @@ struct Statement {
 };
 
 /// Runs the check. A formula that is undefined somewhere in its range is a counterexample. Errors: what the check
-/// throws, but for std::domain_error.
+/// throws, but for Undefined.
 Outcome check(const Statement& statement, const Context& context);
 
 }  // namespace subcert::statements

@@ -1,5 +1,6 @@
 #include "transcription.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
 
 #include <algorithm>
@@ -102,12 +103,12 @@ bool is_in_misprint(const std::string& text, std::size_t index) {
 Transcriptions::Transcriptions(const std::vector<Transcription>& all) {
   for (const Transcription& one : all)
     if (!texts_.emplace(one.id, one.text).second)
-      throw std::invalid_argument("transcriptions: need different ids, got " + one.id + " twice");
+      fail(ErrorKind::data, "transcriptions: need different ids, got {} twice", one.id);
 }
 
 const std::string& Transcriptions::text(const std::string& id) const {
   const auto found = texts_.find(id);
-  if (found == texts_.end()) throw std::out_of_range("no transcription '" + id + "'");
+  require(found != texts_.end(), "no transcription '{}'", id);
   return found->second;
 }
 

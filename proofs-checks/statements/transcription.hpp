@@ -22,7 +22,7 @@ enum class Form { printed, corrected };
 std::string form_text(const std::string& text, Form form);
 
 /// The text with its index-th number made larger: integers by 1, decimals by 3 units of the last place. Numbers of the
-/// marked places count too. Domain: index < number_count(text). Errors: throws std::out_of_range.
+/// marked places count too. Domain: index < number_count(text). Errors: throws a domain error.
 std::string with_changed_number(const std::string& text, std::size_t index);
 std::size_t number_count(const std::string& text);
 /// Whether the index-th number stands in the printed side of a marked place.
@@ -33,7 +33,7 @@ class Transcriptions {
  public:
   explicit Transcriptions(const std::vector<Transcription>& all);
 
-  /// Errors: throws std::out_of_range for an unknown id.
+  /// Errors: throws a domain error for an unknown id.
   const std::string& text(const std::string& id) const;
   std::vector<std::string> ids() const;
   /// A copy with another text for one id.

@@ -1,5 +1,7 @@
 #include "constants.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <stdexcept>
 
 namespace subcert::theorems {
@@ -9,7 +11,7 @@ Constants::Constants(std::vector<Constant> list) : list_(std::move(list)) {}
 std::size_t Constants::index(const std::string& name) const {
   for (std::size_t i = 0; i < list_.size(); ++i)
     if (list_[i].name == name) return i;
-  throw std::out_of_range("no constant is called '" + name + "'");
+  fail(ErrorKind::domain, "no constant is called '{}'", name);
 }
 
 const Rational& Constants::operator[](const std::string& name) const { return list_[index(name)].value; }
@@ -26,7 +28,7 @@ Rational decimal(const std::string& text) {
   const auto point = text.find('.');
   const std::string digits = point == std::string::npos ? text : text.substr(0, point) + text.substr(point + 1);
   const auto value = parse_rational(digits);
-  if (!value || digits.find('/') != std::string::npos) throw std::invalid_argument("not a decimal: '" + text + "'");
+  if (!value || digits.find('/') != std::string::npos) fail(ErrorKind::domain, "not a decimal: '{}'", text);
   return *value / power(Rational(10), point == std::string::npos ? 0 : static_cast<long>(text.size() - point - 1));
 }
 

@@ -28,10 +28,10 @@ class Constants {
 
   const std::vector<Constant>& all() const& { return list_; }
   std::vector<Constant> all() && { return std::move(list_); }
-  /// Errors: throws std::out_of_range with the name.
+  /// Errors: throws a domain error with the name.
   const Rational& operator[](const std::string& name) const;
   /// The same constants, but `name` moved by a part in a hundred towards its wrong side.
-  /// Errors: throws std::out_of_range with the name.
+  /// Errors: throws a domain error with the name.
   Constants broken(const std::string& name) const;
 
  private:
@@ -39,7 +39,7 @@ class Constants {
   std::vector<Constant> list_;
 };
 
-/// A decimal as printed, `193.31`, without rounding. Errors: throws std::invalid_argument.
+/// A decimal as printed, `193.31`, without rounding. Errors: throws a domain error.
 Rational decimal(const std::string& text);
 
 }  // namespace subcert::theorems

@@ -4,6 +4,8 @@
 #include "limit_constant.hpp"
 #include "proofs.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <stdexcept>
 #include <string>
 
@@ -13,8 +15,7 @@ namespace {
 constexpr slong precision = 192;
 
 void check_size(const char* function, int n) {
-  if (n < 2 || n > 1'000'000)
-    throw std::invalid_argument(std::string(function) + ": need 2 <= n <= 10^6, got " + std::to_string(n));
+  if (n < 2 || n > 1'000'000) fail(ErrorKind::domain, "{}: need 2 <= n <= 10^6, got {}", function, n);
 }
 
 Ball interval(const Rational& low, const Rational& high, slong bits) { return Ball::containing({low, high}, bits); }

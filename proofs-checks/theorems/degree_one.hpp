@@ -29,7 +29,7 @@ struct DegreeOneBounds {
   Enclosure slope;   ///< D_n >= |psi_n'(x)| for all x
 };
 
-/// Domain: 2 <= n <= 10^6. Errors: throws std::invalid_argument. Error: relative widths below 10^-15.
+/// Domain: 2 <= n <= 10^6. Errors: throws a domain error. Error: relative widths below 10^-15.
 /// Cost: O(log n) operations on balls. Ref: [LC, thm 9].
 DegreeOneBounds degree_one_bounds(int n);
 
@@ -46,7 +46,7 @@ struct DegreeOneMean {
 /// The coefficient of 1/N^2 in N I_n / (2c). Ref: [LC, thm 10].
 Rational degree_one_second_coefficient();
 
-/// Domain: 2 <= n <= 10^6. Errors: throws std::invalid_argument. Ref: [LC, thm 10].
+/// Domain: 2 <= n <= 10^6. Errors: throws a domain error. Ref: [LC, thm 10].
 DegreeOneMean degree_one_mean(int n);
 
 /// Contains max psi_n: from I_n below, I_n + O_n above, with I_n from degree_one_mean. Domain: 2 <= n <= 10^6.

@@ -62,7 +62,7 @@ std::vector<Ball> solve(Matrix& matrix, const std::vector<Ball>& right, slong bi
   Matrix column(static_cast<slong>(right.size()), 1), solution(static_cast<slong>(right.size()), 1);
   for (std::size_t i = 0; i < right.size(); ++i) column.set(i, 0, right[i]);
   if (!arb_mat_solve_precond(solution.get(), matrix.get(), column.get(), bits))
-    throw std::runtime_error("kernel_coefficients: the moment system is not proved regular");
+    fail(ErrorKind::undecided, "kernel_coefficients: the moment system is not proved regular");
   std::vector<Ball> result;
   for (std::size_t i = 0; i < right.size(); ++i) result.push_back(solution.at(i, 0, bits));
   return result;

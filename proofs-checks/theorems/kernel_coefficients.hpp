@@ -21,7 +21,7 @@ struct KernelCoefficients {
   std::vector<Ball> value, slope, derivative;
 };
 
-/// Errors: throws std::runtime_error where the system is not proved regular on [0, last].
+/// Errors: throws undecided where the system is not proved regular on [0, last].
 KernelCoefficients kernel_coefficients(int degree, const Rational& last, slong bits);
 
 }  // namespace subcert::theorems

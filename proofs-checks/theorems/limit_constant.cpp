@@ -2,6 +2,8 @@
 
 #include "kernel.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -12,8 +14,7 @@ namespace subcert::theorems {
 namespace {
 
 void need(bool condition, const char* function, const char* inequality, long got) {
-  if (!condition)
-    throw std::invalid_argument(std::string(function) + ": need " + inequality + ", got " + std::to_string(got));
+  require(condition, "{}: need {}, got {}", function, inequality, got);
 }
 
 /// Where to stop: the sum over k > terms of Phi(k pi)^2 is at most `tail`.
@@ -62,7 +63,7 @@ Truncation truncation(const Kernel& kernel, double wanted) {
       }
     }
   }
-  if (best > 1e7) throw std::length_error("limit_constant: need at most 10^7 terms for these digits");
+  if (best > 1e7) fail(ErrorKind::size, "limit_constant: need at most 10^7 terms for these digits");
   const auto terms = static_cast<long>(best);
   const slong bits = kernel.bits();
   const Ball pi = Ball::pi(bits), factor = Ball(best_decay, bits) / pi / terms;
@@ -131,7 +132,7 @@ Enclosure to_digits(const char* function, int digits, const std::function<Ball(s
     const Enclosure result = value(static_cast<slong>(wanted) + extra, wanted).enclosure();
     if (result.is_bounded() && *result.upper - *result.lower <= width) return result;
   }
-  throw std::runtime_error(std::string(function) + ": the balls did not become narrow enough");
+  fail(ErrorKind::undecided, "{}: the balls did not become narrow enough", function);
 }
 
 }  // namespace
@@ -152,14 +153,14 @@ Rational kernel_moment(int degree, int order) {
 
 Enclosure kernel_transform(int degree, const Rational& s, int digits) {
   check_arguments("kernel_transform", degree, digits, 100);
-  if (absolute(s) > 1'000'000) throw std::invalid_argument("kernel_transform: need |s| <= 10^6");
+  require(absolute(s) <= 1'000'000, "kernel_transform: need |s| <= 10^6");
   return to_digits("kernel_transform", digits,
                    [&](slong bits, double) { return Kernel(degree, bits).transform(Ball(s, bits)); });
 }
 
 Enclosure limit_transform(int degree, const Rational& s, int digits) {
   check_arguments("limit_transform", degree, digits, 100);
-  if (absolute(s) > 1'000'000) throw std::invalid_argument("limit_transform: need |s| <= 10^6");
+  require(absolute(s) <= 1'000'000, "limit_transform: need |s| <= 10^6");
   return to_digits("limit_transform", digits,
                    [&](slong bits, double) { return Kernel(degree, bits).product(Ball(s, bits)); });
 }

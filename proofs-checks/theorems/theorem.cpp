@@ -2,6 +2,8 @@
 
 #include "proofs.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
@@ -167,7 +169,7 @@ const std::vector<Entry>& entries() {
 const Entry& find(const std::string& id) {
   for (const Entry& entry : entries())
     if (entry.entry.id == id) return entry;
-  throw std::out_of_range("unknown theorem '" + id + "'");
+  fail(ErrorKind::domain, "unknown theorem '{}'", id);
 }
 
 const Proof* find(const Entry& entry, int degree) {
@@ -187,7 +189,7 @@ Check defining(const Constants& constants, const std::string& name, const std::s
     return constant.side == Side::above ? less(constant.check, formula + " < " + name, number.enclosure(), stated)
                                         : less(constant.check, name + " < " + formula, stated, number.enclosure());
   }
-  throw std::out_of_range("no constant is called '" + name + "'");
+  fail(ErrorKind::domain, "no constant is called '{}'", name);
 }
 
 const std::vector<TheoremEntry>& theorem_list() {
@@ -207,7 +209,7 @@ Constants stated_constants(const std::string& id, int degree) {
 Theorem prove(const std::string& id, int degree, const Constants& constants, int threads) {
   const Entry& entry = find(id);
   if (degree < 1 || degree > 99 || degree % 2 == 0)
-    throw std::invalid_argument("prove: need an odd degree from 1 to 99, got " + std::to_string(degree));
+    fail(ErrorKind::domain, "prove: need an odd degree from 1 to 99, got {}", degree);
   Theorem theorem;
   theorem.id = id;
   theorem.degrees = {degree};

@@ -33,11 +33,11 @@ struct TheoremEntry {
 
 const std::vector<TheoremEntry>& theorem_list();
 
-/// The constants as the text states them. Errors: throws std::out_of_range for an unknown id.
+/// The constants as the text states them. Errors: throws a domain error for an unknown id.
 Constants stated_constants(const std::string& id, int degree);
 
 /// Runs every inequality of the proof with these constants. Domain: odd degree, 1 <= degree <= 99; even degrees have
-/// the schemes of degree + 1. Errors: throws std::out_of_range for an unknown id, std::invalid_argument for a degree.
+/// the schemes of degree + 1. Errors: throws a domain error for an unknown id and for a degree beyond.
 /// Cost: seconds, for degree 5 half a minute on one thread.
 Theorem prove(const std::string& id, int degree, const Constants& constants, int threads = 1);
 Theorem prove(const std::string& id, int degree);

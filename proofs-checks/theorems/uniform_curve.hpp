@@ -22,7 +22,7 @@ struct UniformNumbers {
 };
 
 /// For all n >= first_n; kept for the next call. Domain: odd degree, first_n large enough for the degree.
-/// Errors: throws std::runtime_error or std::logic_error where it is not. Cost: a second.
+/// Errors: throws undecided or std::logic_error where it is not. Cost: a second.
 const UniformNumbers& uniform_numbers(int degree, int first_n);
 
 }  // namespace subcert::theorems

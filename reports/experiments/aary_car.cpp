@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr int level = 4;
@@ -34,7 +34,7 @@ std::vector<Method> all_methods() { return {cubic, splines[0], splines[1], four_
 /// Values at the multiples of 2^-at_level of the spacing.
 std::vector<Rational> values(const Method& method, int at_level) {
   if (!method.specification.empty())
-    return limit_of_data(curve_data(car), {make_scheme(method.specification).mask}, {at_level}).values;
+    return data::limit_of_data(data::curve_data(car), {make_scheme(method.specification).mask}, {at_level}).values;
   std::vector<Rational> nodes, result;
   for (std::size_t i = 0; i < car.size(); ++i) nodes.emplace_back(i);
   const std::size_t scale = std::size_t{1} << at_level;
@@ -73,7 +73,7 @@ double to_double(const Rational& value) { return value.convert_to<double>(); }
 LaurentPolynomial limit_at_data(const std::string& specification) {
   std::vector<Rational> impulse(17, 0);
   impulse[8] = 1;
-  return {limit_of_data(curve_data(impulse, 1, true), {make_scheme(specification).mask}, {0}).values, -8};
+  return {data::limit_of_data(data::curve_data(impulse, 1, true), {make_scheme(specification).mask}, {0}).values, -8};
 }
 
 /// Whether for each closed polygon the limit of the scheme is at most as far from the vertices, in the root mean
@@ -83,9 +83,9 @@ bool is_nearer_for_all_closed_data(const std::string& scheme, const std::string&
   return is_nonnegative_on_unit_circle(far * far - near * near);
 }
 
-Panel panel(const Method& method) {
+formats::Panel panel(const Method& method) {
   const auto fine = values(method, level);
-  Curve data{"data", {}, true, true, pale}, curve{"curve", {}, false, true, "#0b559f"};
+  formats::Curve data{"data", {}, true, true, pale}, curve{"curve", {}, false, true, "#0b559f"};
   for (std::size_t i = 0; i < car.size(); ++i)
     data.points.emplace_back(spacing * static_cast<double>(i), to_double(car[i]));
   for (std::size_t i = 0; i < fine.size(); ++i)
@@ -121,10 +121,10 @@ ExperimentResult run(const ExperimentOptions&) {
        "3 and 2 are tried."}};
   result.random = false;
   add_cubic_claims(result);
-  PlainTable table{"aary-fig3-distances",
-                   "Distance between data and curve at the data, in cm",
-                   {"curve", "root mean square", "largest"},
-                   {}};
+  formats::PlainTable table{"aary-fig3-distances",
+                            "Distance between data and curve at the data, in cm",
+                            {"curve", "root mean square", "largest"},
+                            {}};
   const auto squares = [](const Method& method) { return lagged_sum(residuals(method), 0); };
   for (const Method& method : all_methods()) {
     Rational largest = 0;
@@ -149,7 +149,7 @@ ExperimentResult run(const ExperimentOptions&) {
                                           "Sec. 2.5, Fig. 3"},
                                          "|1 - l| of the 4-point scheme is at most that of the B-spline on the whole "
                                          "unit circle, l the symbol of the limit at the data; exact"));
-  Figure figure{"aary-fig3", "Profile of a car", "", 2, {}};
+  formats::Figure figure{"aary-fig3", "Profile of a car", "", 2, {}};
   for (const Method& method : {cubic, splines[0], splines[1], four_point}) figure.panels.push_back(panel(method));
   result.figures.push_back(figure);
   result.tables.push_back(table);
@@ -162,4 +162,4 @@ std::vector<Experiment> aary_car_experiments() {
   return {{"aary-fig3", "mustafa-bari-2016", "Figure 3: the profile of a car", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

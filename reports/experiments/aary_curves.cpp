@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 struct Arity {
@@ -23,7 +23,7 @@ constexpr int drawn_levels = 3;
 
 struct Polygon {
   std::string name;
-  GridData<Rational> data;
+  data::GridData<Rational> data;
 };
 
 /// A guitar's outline, and a wave that breaks.
@@ -31,7 +31,7 @@ std::vector<Polygon> polygons() {
   const auto pairs = [](const std::vector<std::pair<int, int>>& vertices, bool closed) {
     std::vector<Rational> values;
     for (const auto& [x, y] : vertices) values.insert(values.end(), {x, y});
-    return curve_data<Rational>(values, 2, closed);
+    return data::curve_data<Rational>(values, 2, closed);
   };
   return {{"closed", pairs({{-9, 0},
                             {-8, 5},
@@ -64,31 +64,31 @@ std::vector<Polygon> polygons() {
 }
 
 struct Refined {
-  GridData<double> first;
-  GridData<double> third;
-  GridData<double> limit;
+  data::GridData<double> first;
+  data::GridData<double> third;
+  data::GridData<double> limit;
 };
 
 Refined refined(const Polygon& polygon, const Arity& arity) {
   const Mask mask = make_scheme("ary:a=" + std::to_string(arity.arity) + ",points=4,d=3").mask;
   return {rounded(refine(polygon.data, mask, {1})), rounded(refine(polygon.data, mask, {drawn_levels})),
-          rounded(limit_of_data(polygon.data, {mask}, {arity.level}))};
+          rounded(data::limit_of_data(polygon.data, {mask}, {arity.level}))};
 }
 
 /// The largest distance of a polygon from the limit at the same parameter, over the diameter of the limit.
-double distance_to_limit(const GridData<double>& polygon, const GridData<double>& limit) {
+double distance_to_limit(const data::GridData<double>& polygon, const data::GridData<double>& limit) {
   const auto all = distances(polygon_at(polygon, parameters(limit.axes[0])), limit.values, 2);
   return *std::max_element(all.begin(), all.end()) / diameter(limit.values, 2);
 }
 
-bool shares_a_point(const GridData<double>& first, const GridData<double>& second) {
+bool shares_a_point(const data::GridData<double>& first, const data::GridData<double>& second) {
   for (std::size_t i = 0; i < first.values.size(); i += 2)
     for (std::size_t j = 0; j < second.values.size(); j += 2)
       if (first.values[i] == second.values[j] && first.values[i + 1] == second.values[j + 1]) return true;
   return false;
 }
 
-Panel panel(const std::string& title, const Polygon& polygon, const Curve& curve) {
+formats::Panel panel(const std::string& title, const Polygon& polygon, const formats::Curve& curve) {
   return {title, "", "", {drawn_line("polygon", rounded(polygon.data), pale), curve}, false, "below", true};
 }
 
@@ -101,18 +101,18 @@ ExperimentResult run(const ExperimentOptions&) {
        "panels (a)-(c) first "
        "level and (d)-(f) limits; the caption says (a), (c), (e) and (b), (d), (f)."}};
   result.random = false;
-  PlainTable table{"aary-fig2-distances",
-                   "Distance from the limit at the same parameter, over the diameter of the limit curve",
-                   {"polygon", "arity", "points at level 1", "initial polygon", "level 1", "level 3"},
-                   {}};
+  formats::PlainTable table{"aary-fig2-distances",
+                            "Distance from the limit at the same parameter, over the diameter of the limit curve",
+                            {"polygon", "arity", "points at level 1", "initial polygon", "level 1", "level 3"},
+                            {}};
   Evidence inserted, approximating, third;
   for (const Polygon& polygon : polygons()) {
-    Figure figure{"aary-fig2-" + polygon.name,
-                  "First level and limit, " + polygon.name + " polygon",
-                  "Left: the polygon and its first refinement; right: the limit curve.",
-                  2,
-                  {}};
-    const GridData<double> data = rounded(polygon.data);
+    formats::Figure figure{"aary-fig2-" + polygon.name,
+                           "First level and limit, " + polygon.name + " polygon",
+                           "Left: the polygon and its first refinement; right: the limit curve.",
+                           2,
+                           {}};
+    const data::GridData<double> data = rounded(polygon.data);
     for (const Arity& arity : arities) {
       const Refined curves = refined(polygon, arity);
       const double level3 = distance_to_limit(curves.third, curves.limit);
@@ -152,4 +152,4 @@ std::vector<Experiment> aary_curve_experiments() {
   return {{"aary-fig2", "mustafa-bari-2016", "Figure 2: polygons refined with arities 2, 3 and 4", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

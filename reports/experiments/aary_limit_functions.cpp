@@ -10,7 +10,7 @@
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/schemes/specification.hpp>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr int points = 4;
@@ -50,9 +50,9 @@ Rational centred_value(const Centred& centred, long k) {
                                                                : values.values[static_cast<std::size_t>(i)];
 }
 
-Panel drawn_function(const Arity& arity, const Centred& centred) {
+formats::Panel drawn_function(const Arity& arity, const Centred& centred) {
   const LimitValues values = limit_values(centred.scheme.mask, arity.level);
-  Curve curve{"", {}};
+  formats::Curve curve{"", {}};
   for (std::size_t i = 0; i < values.values.size(); ++i)
     curve.points.emplace_back(Rational(values.point(i) - centred.shift).convert_to<double>(),
                               values.values[i].convert_to<double>());
@@ -76,10 +76,10 @@ ExperimentResult run(const ExperimentOptions&) {
        ""}};
   result.random = false;
   result.figures.push_back({"aary-fig1", "Basic limit functions of the 4-point schemes", "", 3, {}});
-  PlainTable table{"aary-fig1-functions",
-                   "The functions: exact mask, support and values at 0, 1, 2; certified extremes",
-                   {"arity", "mask", "support", "maximum", "minimum", "proved", "at 0", "at 1", "at 2"},
-                   {}};
+  formats::PlainTable table{"aary-fig1-functions",
+                            "The functions: exact mask, support and values at 0, 1, 2; certified extremes",
+                            {"arity", "mask", "support", "maximum", "minimum", "proved", "at 0", "at 1", "at 2"},
+                            {}};
   Evidence ends, convergence, proportion, falling;
   Rational last_width = 0, product = 0;
   for (const Arity& arity : arities) {
@@ -105,7 +105,7 @@ ExperimentResult run(const ExperimentOptions&) {
       convergence.decides({"The conditions for the schemes to converge are satisfied.", "Sec. 2.2"},
                           "convergence is proved"),
       proportion.decides({"Arity and support width are inversely proportional.", "Sec. 2.2, end"},
-                         "arity times width is the same for a = 2, 3, 4", Finding::not_confirmed),
+                         "arity times width is the same for a = 2, 3, 4", Verdict::not_confirmed),
       falling.decides(
           {"The larger the arity, the smaller the support (the weaker reading of the same sentence).", "Sec. 2.2, end"},
           "the width falls with the arity")};
@@ -119,4 +119,4 @@ std::vector<Experiment> aary_limit_function_experiments() {
   return {{"aary-fig1", "mustafa-bari-2016", "Figure 1: basic limit functions of arities 2, 3 and 4", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr int drawn_levels = 3, limit_level = 5;
@@ -43,8 +43,8 @@ std::array<double, 3> ring(double column, double row) {
   return {out * std::cos(column), out * std::sin(column), radius * std::sin(row) + 1.2 * std::sin(3 * column)};
 }
 
-GridData<double> points_of(const Mesh& mesh) {
-  GridData<double> data{{}, 3, {Axis::of(mesh.columns, true), Axis::of(mesh.rows, mesh.closed_rows)}};
+data::GridData<double> points_of(const Mesh& mesh) {
+  data::GridData<double> data{{}, 3, {data::Axis::of(mesh.columns, true), data::Axis::of(mesh.rows, mesh.closed_rows)}};
   const double turn = 2 * std::numbers::pi;
   const auto last = static_cast<double>(mesh.closed_rows ? mesh.rows : mesh.rows - 1);
   for (std::size_t j = 0; j < mesh.rows; ++j)
@@ -90,7 +90,7 @@ std::vector<long> data_of_rules(const MultivariateMask& mask) {
 }
 
 /// The largest distance between two surfaces at the parameters of the second, over the diameter of the second.
-double relative_distance(const GridData<double>& mesh, const GridData<double>& limit) {
+double relative_distance(const data::GridData<double>& mesh, const data::GridData<double>& limit) {
   const auto all = distances(mesh_at(mesh, limit.axes), limit.values, 3);
   return *std::max_element(all.begin(), all.end()) / diameter(limit.values, 3);
 }
@@ -126,17 +126,17 @@ ExperimentResult run(const SurfaceExperiment& experiment) {
                            specification + "; open ends take the scheme's own fit. Level 5 stands for the limit."}};
   result.random = false;
   add_exact_claims(result, experiment, scheme.mask);
-  const GridData<double> mesh = points_of(experiment.mesh), limit = refine(mesh, scheme.mask, {limit_level});
-  SurfaceFigure figure{experiment.id, experiment.title, "", {drawn_surface("initial mesh", mesh)}, 3};
-  PlainTable table{experiment.id + "-levels",
-                   "Distance from level 5 at the same parameters, over the diameter",
-                   {"level", "points", "largest distance"},
-                   {}};
+  const data::GridData<double> mesh = points_of(experiment.mesh), limit = refine(mesh, scheme.mask, {limit_level});
+  formats::SurfaceFigure figure{experiment.id, experiment.title, "", {drawn_surface("initial mesh", mesh)}, 3};
+  formats::PlainTable table{experiment.id + "-levels",
+                            "Distance from level 5 at the same parameters, over the diameter",
+                            {"level", "points", "largest distance"},
+                            {}};
   Evidence approach;
   double last = relative_distance(mesh, limit);
   table.rows.push_back({"0", std::to_string(mesh.points()), short_number(last)});
   for (int level = 1; level <= drawn_levels; ++level) {
-    const GridData<double> refined = refine(mesh, scheme.mask, {level});
+    const data::GridData<double> refined = refine(mesh, scheme.mask, {level});
     const double distance = relative_distance(refined, limit);
     figure.surfaces.push_back(drawn_surface("level " + std::to_string(level), refined));
     table.rows.push_back({std::to_string(level), std::to_string(refined.points()), short_number(distance)});
@@ -145,7 +145,7 @@ ExperimentResult run(const SurfaceExperiment& experiment) {
     last = distance;
   }
   figure.surfaces.push_back(drawn_surface("limit surface", limit));
-  for (DrawnSurface& surface : figure.surfaces) surface.zoom = experiment.mesh.zoom;
+  for (formats::DrawnSurface& surface : figure.surfaces) surface.zoom = experiment.mesh.zoom;
   result.claims.push_back(approach.decides({"The meshes of the first three levels lead to the limit surface (read as: "
                                             "the distance falls, and is below 1/200 of the diameter at level 3).",
                                             experiment.figure + "(b)-(e)"},
@@ -177,4 +177,4 @@ std::vector<Experiment> aary_surface_experiments() {
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -1,5 +1,6 @@
 #include "batch.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/axis_refinement.hpp>
 #include <subcert/schemes/data/grid_refinement.hpp>
 #include <subcert/schemes/data/l1_specification.hpp>
@@ -8,15 +9,15 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
-GridData<double> refine_any(const std::string& specification, const GridData<double>& data,
-                            const RefineOptions& options) {
-  if (is_l1_specification(specification)) {
-    const L1Scheme scheme = make_l1_scheme(specification).scheme;
+data::GridData<double> refine_any(const std::string& specification, const data::GridData<double>& data,
+                                  const data::RefineOptions& options) {
+  if (data::is_l1_specification(specification)) {
+    const data::L1Scheme scheme = data::make_l1_scheme(specification).scheme;
     if (scheme.options.joint_residuals)
-      throw std::invalid_argument("refined: need separate residuals, got " + specification);
+      fail(ErrorKind::domain, "refined: need separate residuals, got {}", specification);
     return refine(data, scheme, options);
   }
   const AnyScheme any = make_any_scheme(specification);
@@ -30,12 +31,12 @@ GridData<double> refine_any(const std::string& specification, const GridData<dou
 Batch refined(const std::string& specification, const Batch& data, int levels) {
   // The sets are coordinates of one set of points, and no scheme here mixes coordinates.
   const std::size_t sets = data.sets.size(), k = data.dimension;
-  GridData<double> joined{{}, sets * k, data.axes};
+  data::GridData<double> joined{{}, sets * k, data.axes};
   const std::size_t points = joined.points();
   joined.values.resize(points * sets * k);
   for (std::size_t s = 0; s < sets; ++s)
     for (std::size_t p = 0; p < points; ++p) std::copy_n(&data.sets[s][p * k], k, &joined.values[(p * sets + s) * k]);
-  const GridData<double> fine = refine_any(specification, joined, {levels, Boundary::regression, 1});
+  const data::GridData<double> fine = refine_any(specification, joined, {levels, data::Boundary::regression, 1});
   Batch result{fine.axes, k, std::vector<std::vector<double>>(sets, std::vector<double>(fine.points() * k))};
   for (std::size_t s = 0; s < sets; ++s)
     for (std::size_t p = 0; p < fine.points(); ++p)
@@ -43,10 +44,10 @@ Batch refined(const std::string& specification, const Batch& data, int levels) {
   return result;
 }
 
-std::vector<double> parameters(const Axis& axis) {
+std::vector<double> parameters(const data::Axis& axis) {
   std::vector<double> result;
-  for (std::size_t i = 0; i < axis.count; ++i) result.push_back(nearest_double(axis.parameter(i)));
+  for (std::size_t i = 0; i < axis.count; ++i) result.push_back(data::nearest_double(axis.parameter(i)));
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert {
+namespace subcert::experiments {
 
 double damped_sine(double x) { return std::sin(3 * x) * std::exp(-x / 3); }
 
@@ -36,7 +36,7 @@ void add_outliers(std::mt19937_64& engine, std::vector<double>& data, std::size_
 }
 
 OutlierCase with_outliers(std::size_t outliers, double sigma) {
-  return {{Axis::of(count)},
+  return {{data::Axis::of(count)},
           1,
           levels,
           [=](std::mt19937_64& engine) {
@@ -52,8 +52,9 @@ OutlierCase with_outliers(std::size_t outliers, double sigma) {
           }};
 }
 
-Panel panel(const std::string& title, const std::string& specification, const OutlierSample& sample, int refinements) {
-  const Batch fine = refined(specification, {{Axis::of(count)}, 1, {sample.with}}, refinements);
+formats::Panel panel(const std::string& title, const std::string& specification, const OutlierSample& sample,
+                     int refinements) {
+  const Batch fine = refined(specification, {{data::Axis::of(count)}, 1, {sample.with}}, refinements);
   PanelParts parts{title, {}, {}, {}, {}, specification.rfind("l1", 0) == 0};
   for (std::size_t u = 0; u < count; ++u) {
     const bool is_outlier = sample.with[u] != sample.without[u];
@@ -68,9 +69,9 @@ Panel panel(const std::string& title, const std::string& specification, const Ou
   return plane_panel(parts);
 }
 
-Figure figure(const std::string& id, const std::string& title, const std::string& caption,
-              const std::vector<Method>& methods, const OutlierSample& sample) {
-  Figure result{id, title, caption, 3, {}};
+formats::Figure figure(const std::string& id, const std::string& title, const std::string& caption,
+                       const std::vector<Method>& methods, const OutlierSample& sample) {
+  formats::Figure result{id, title, caption, 3, {}};
   for (const Method& method : methods) result.panels.push_back(panel(method.name, method.specification, sample));
   return result;
 }
@@ -104,4 +105,4 @@ std::string setup() {
 }
 
 }  // namespace damped
-}  // namespace subcert
+}  // namespace subcert::experiments

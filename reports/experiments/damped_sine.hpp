@@ -3,7 +3,7 @@
 
 #include "outlier_study.hpp"
 
-namespace subcert {
+namespace subcert::experiments {
 
 /// f_1(x) = sin(3x) e^(-x/3).
 double damped_sine(double x);
@@ -26,15 +26,15 @@ void add_outliers(std::mt19937_64& engine, std::vector<double>& data, std::size_
 OutlierCase with_outliers(std::size_t outliers, double sigma);
 
 /// The data, which of them are outliers, f_1 and the curve of a scheme; the panel is blue for l1 schemes, else red.
-Panel panel(const std::string& title, const std::string& specification, const OutlierSample& sample,
-            int refinements = levels);
+formats::Panel panel(const std::string& title, const std::string& specification, const OutlierSample& sample,
+                     int refinements = levels);
 
 /// A panel for each method, three in a row.
-Figure figure(const std::string& id, const std::string& title, const std::string& caption,
-              const std::vector<Method>& methods, const OutlierSample& sample);
+formats::Figure figure(const std::string& id, const std::string& title, const std::string& caption,
+                       const std::vector<Method>& methods, const OutlierSample& sample);
 
 /// What all experiments with f_1 choose.
 std::string setup();
 
 }  // namespace damped
-}  // namespace subcert
+}  // namespace subcert::experiments

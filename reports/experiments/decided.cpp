@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 std::string listed(const std::vector<NamedMean>& means) {
@@ -12,7 +12,7 @@ std::string listed(const std::vector<NamedMean>& means) {
 }
 
 Claim compared(const Sentence& sentence, const std::string& measure, const std::string& relation, double bound,
-               bool holds, const std::vector<NamedMean>& means, Finding recorded) {
+               bool holds, const std::vector<NamedMean>& means, Verdict recorded) {
   return decided(sentence, measure + ": " + relation + " " + short_number(bound) + " with the whole interval, each",
                  holds, listed(means), recorded);
 }
@@ -20,23 +20,23 @@ Claim compared(const Sentence& sentence, const std::string& measure, const std::
 }  // namespace
 
 Claim decided(const Sentence& sentence, const std::string& statistic, bool holds, const std::string& numbers,
-              Finding recorded) {
-  return {sentence.text, sentence.place, statistic, holds ? Finding::confirmed : Finding::not_confirmed,
+              Verdict recorded) {
+  return {sentence.text, sentence.place, statistic, holds ? Verdict::confirmed : Verdict::not_confirmed,
           numbers,       recorded};
 }
 
 Claim all_below(const Sentence& sentence, const std::string& measure, double bound, const std::vector<NamedMean>& means,
-                Finding recorded) {
+                Verdict recorded) {
   const bool holds = std::all_of(means.begin(), means.end(),
                                  [&](const NamedMean& m) { return m.mean.mean + m.mean.half_width < bound; });
   return compared(sentence, measure, "below", bound, holds, means, recorded);
 }
 
 Claim all_above(const Sentence& sentence, const std::string& measure, double bound, const std::vector<NamedMean>& means,
-                Finding recorded) {
+                Verdict recorded) {
   const bool holds = std::all_of(means.begin(), means.end(),
                                  [&](const NamedMean& m) { return m.mean.mean - m.mean.half_width > bound; });
   return compared(sentence, measure, "above", bound, holds, means, recorded);
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -4,7 +4,7 @@
 #include "experiment.hpp"
 #include "statistics.hpp"
 
-namespace subcert {
+namespace subcert::experiments {
 
 /// What a paper says, and where.
 struct Sentence {
@@ -20,12 +20,12 @@ struct NamedMean {
 
 /// confirmed where `holds`, else not_confirmed.
 Claim decided(const Sentence& sentence, const std::string& statistic, bool holds, const std::string& numbers,
-              Finding recorded = Finding::confirmed);
+              Verdict recorded = Verdict::confirmed);
 
 /// confirmed where every interval lies below (above) the bound as a whole. `measure` says what the means are of.
 Claim all_below(const Sentence& sentence, const std::string& measure, double bound, const std::vector<NamedMean>& means,
-                Finding recorded = Finding::confirmed);
+                Verdict recorded = Verdict::confirmed);
 Claim all_above(const Sentence& sentence, const std::string& measure, double bound, const std::vector<NamedMean>& means,
-                Finding recorded = Finding::confirmed);
+                Verdict recorded = Verdict::confirmed);
 
-}  // namespace subcert
+}  // namespace subcert::experiments

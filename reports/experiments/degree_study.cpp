@@ -1,10 +1,10 @@
 #include "degree_study.hpp"
 
-#include <subcert/reports/parallel.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 std::string specification(int points, int degree, bool grid) {
@@ -19,7 +19,7 @@ std::string name(const std::string& letter, int points, int degree) {
 constexpr std::size_t share = 24;  // samples that are refined together, an even number
 
 /// The mean squared distance at the data that are the same with and without outliers.
-double distance_from_data(const GridData<double>& limit, const OutlierCase& what, const OutlierSample& data) {
+double distance_from_data(const data::GridData<double>& limit, const OutlierCase& what, const OutlierSample& data) {
   const auto at_data = polygon_at(limit, parameters(what.axes[0]));
   const auto outlying = distances(data.with, data.without, what.dimension);
   const auto left = distances(at_data, data.with, what.dimension);
@@ -46,7 +46,7 @@ Method least_squares_method(int points, int degree, bool grid) {
 ErrorParts error_parts(const OutlierCase& what, const Method& method, const ExperimentOptions& options) {
   const std::size_t pairs = std::max<std::size_t>(2, options.runs / 2), samples = 2 * pairs;
   ErrorParts parts{std::vector<double>(pairs), std::vector<double>(pairs), std::vector<double>(samples)};
-  parallel_for_each((samples + share - 1) / share, options.jobs, [&](std::size_t task) {
+  runtime::parallel_for_each((samples + share - 1) / share, options.jobs, [&](std::size_t task) {
     const std::size_t first = task * share, count = std::min(share, samples - first);
     const Batch drawn = drawn_samples(what, options.seed, first, count);
     Batch with{drawn.axes, drawn.dimension, {}};
@@ -77,4 +77,4 @@ NamedMean paired(const std::string& name, const std::vector<double>& first, cons
   return {name, mean_difference(first, scaled)};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

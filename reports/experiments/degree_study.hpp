@@ -4,7 +4,7 @@
 #include "outlier_study.hpp"
 #include "refined_data.hpp"
 
-namespace subcert {
+namespace subcert::experiments {
 
 /// D_p^d: l1 regression of degree d on p data, on curves or (grid) on p x p data. S_p^d: the same by least squares.
 Method robust_method(int points, int degree, bool grid = false);
@@ -27,4 +27,4 @@ ErrorParts error_parts(const OutlierCase& what, const Method& method, const Expe
 NamedMean paired(const std::string& name, const std::vector<double>& first, const std::vector<double>& second,
                  double factor = 1);
 
-}  // namespace subcert
+}  // namespace subcert::experiments

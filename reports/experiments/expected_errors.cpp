@@ -3,12 +3,12 @@
 #include "families.hpp"
 #include "statistics.hpp"
 
-#include <subcert/reports/parallel.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 #include <subcert/schemes/data/axis_refinement.hpp>
 #include <subcert/schemes/data/expected_error.hpp>
 #include <subcert/schemes/specification.hpp>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr std::size_t count = 41;
@@ -18,8 +18,8 @@ struct Case {
   std::string scheme;
   int subdivision;  // h = 1 / subdivision
   std::size_t output;
-  ExpectedError exact{};
-  SimulatedError simulated{};
+  data::ExpectedError exact{};
+  data::SimulatedError simulated{};
 };
 
 Rational runge(const Rational& x) { return 1 / (1 + 25 * x * x); }
@@ -29,18 +29,19 @@ Rational value(const Case& c, const Rational& position) { return runge((position
 
 void evaluate(Case& c, const ExperimentOptions& options, std::uint64_t salt) {
   const Scheme scheme = make_scheme(c.scheme);
-  const LinearSmoother smoother(scheme.mask, count, {Extension::interp, 2, 0});
+  const data::LinearSmoother smoother(scheme.mask, count, {data::Extension::interp, 2, 0});
   std::vector<Rational> samples;
   std::vector<double> rounded;
   for (std::size_t i = 0; i < count; ++i) {
     samples.push_back(value(c, Rational(i)));
-    rounded.push_back(nearest_double(samples.back()));
+    rounded.push_back(data::nearest_double(samples.back()));
   }
-  const SmoothingRow row = smoother.row(c.output);
+  const data::SmoothingRow row = smoother.row(c.output);
   const Rational truth = value(c, smoother.position(c.output));
-  c.exact = expected_error(row, samples, truth, sigma_squared);
+  c.exact = data::expected_error(row, samples, truth, sigma_squared);
   auto engine = generator(options.seed, salt);
-  c.simulated = simulated_error(row, rounded, nearest_double(truth), 0.2, 100 * options.runs, engine(), 0.999);
+  c.simulated = data::simulated_error(row, rounded, data::nearest_double(truth), 0.2, 100 * options.runs, engine(),
+                                      0.999);
 }
 
 ExperimentResult run(const ExperimentOptions& options) {
@@ -49,31 +50,31 @@ ExperimentResult run(const ExperimentOptions& options) {
        {"primal:n=2", "primal:n=3", "primal:n=5", "primal:n=5,d=3", "dual:n=3", "bspline:degree=3"})
     for (const int subdivision : {10, 20, 40})
       for (const std::size_t output : {80u, 82u, 1u}) cases.push_back({scheme, subdivision, output});
-  parallel_for_each(cases.size(), options.jobs, [&](std::size_t i) { evaluate(cases[i], options, i); });
+  runtime::parallel_for_each(cases.size(), options.jobs, [&](std::size_t i) { evaluate(cases[i], options, i); });
   ExperimentResult result{
       {"f(x) = 1/(1 + 25 x^2), 41 data at (i - 20) h, sigma = 1/5; at the data 20 (the peak), 20 1/2, and 1/4, where "
        "the "
        "data are continued (interp). Bias and variance are exact rational numbers, rounded here; the simulation takes "
        "100 samples for each one of the other experiments; its intervals have 99.9 % confidence."}};
-  PlainTable table{"mse-values",
-                   "Expected squared error: exact and simulated",
-                   {"scheme", "h", "at", "bias^2", "sigma^2 psi", "exact sum", "simulated", "inside"},
-                   {}};
+  formats::PlainTable table{"mse-values",
+                            "Expected squared error: exact and simulated",
+                            {"scheme", "h", "at", "bias^2", "sigma^2 psi", "exact sum", "simulated", "inside"},
+                            {}};
   std::size_t inside = 0;
   for (const Case& c : cases) {
-    const double exact = nearest_double(c.exact.total());
+    const double exact = data::nearest_double(c.exact.total());
     const bool is_inside = c.simulated.lower <= exact && exact <= c.simulated.upper;
     inside += is_inside;
     table.rows.push_back({c.scheme, "1/" + std::to_string(c.subdivision), to_text(Rational(Rational(c.output) / 4)),
-                          short_number(nearest_double(c.exact.bias * c.exact.bias)),
-                          short_number(nearest_double(c.exact.variance)), short_number(exact),
+                          short_number(data::nearest_double(c.exact.bias * c.exact.bias)),
+                          short_number(data::nearest_double(c.exact.variance)), short_number(exact),
                           short_number(c.simulated.lower) + " ... " + short_number(c.simulated.upper),
                           is_inside ? "yes" : "no"});
   }
   result.claims.push_back(
       {"The expected squared error is bias^2 + sigma^2 psi.", "Eq. (16)",
        "the exact value lies in the 99.9 % interval of the simulation in at least 95 % of the cases",
-       inside * 20 >= cases.size() * 19 ? Finding::confirmed : Finding::not_confirmed,
+       inside * 20 >= cases.size() * 19 ? Verdict::confirmed : Verdict::not_confirmed,
        std::to_string(inside) + " of " + std::to_string(cases.size())});
   result.tables.push_back(table);
   return result;
@@ -85,4 +86,4 @@ std::vector<Experiment> expected_error_experiments() {
   return {{"mse", "dyn-2015", "Expected squared error, exact and simulated", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -2,31 +2,24 @@
 
 #include "families.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 
-namespace subcert {
-
-std::string to_text(Finding finding) {
-  switch (finding) {
-    case Finding::confirmed: return "confirmed";
-    case Finding::not_confirmed: return "not confirmed";
-    case Finding::not_reproducible: return "not-reproducible";
-  }
-  throw std::invalid_argument("unknown finding");
-}
+namespace subcert::experiments {
 
 bool ExperimentResult::all_confirmed() const {
-  return std::none_of(claims.begin(), claims.end(), [](const Claim& c) { return c.finding == Finding::not_confirmed; });
+  return std::none_of(claims.begin(), claims.end(), [](const Claim& c) { return c.finding == Verdict::not_confirmed; });
 }
 
 bool ExperimentResult::as_recorded() const {
   return std::all_of(claims.begin(), claims.end(), [](const Claim& c) { return c.finding == c.recorded; });
 }
 
-std::size_t ExperimentResult::count(Finding finding) const {
+std::size_t ExperimentResult::count(Verdict finding) const {
   return static_cast<std::size_t>(
       std::count_if(claims.begin(), claims.end(), [&](const Claim& c) { return c.finding == finding; }));
 }
@@ -50,7 +43,7 @@ const std::vector<Experiment>& experiments() {
 const Experiment& experiment(const std::string& id) {
   for (const Experiment& candidate : experiments())
     if (candidate.id == id) return candidate;
-  throw std::out_of_range("unknown experiment '" + id + "'");
+  fail(ErrorKind::domain, "unknown experiment '{}'", id);
 }
 
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options) {
@@ -59,15 +52,15 @@ RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptio
 
 namespace {
 
-PlainTable claims_table(const RanExperiment& ran) {
-  PlainTable table{ran.experiment->id + "-claims",
-                   "What the paper says, and what decides it",
-                   {"claim", "place", "statistic", "finding", "numbers"},
-                   {}};
+formats::PlainTable claims_table(const RanExperiment& ran) {
+  formats::PlainTable table{ran.experiment->id + "-claims",
+                            "What the paper says, and what decides it",
+                            {"claim", "place", "statistic", "finding", "numbers"},
+                            {}};
   for (const Claim& c : ran.result.claims) {
     table.rows.push_back({c.sentence, c.place, c.statistic, to_text(c.finding), c.numbers});
-    table.row_classes.push_back(c.finding == Finding::confirmed       ? "match"
-                                : c.finding == Finding::not_confirmed ? "mismatch"
+    table.row_classes.push_back(c.finding == Verdict::confirmed       ? "match"
+                                : c.finding == Verdict::not_confirmed ? "mismatch"
                                                                       : "open");
   }
   return table;
@@ -75,10 +68,10 @@ PlainTable claims_table(const RanExperiment& ran) {
 
 }  // namespace
 
-Section experiment_section(const RanExperiment& ran) {
+formats::Section experiment_section(const RanExperiment& ran) {
   const ExperimentResult& result = ran.result;
-  Section section{ran.experiment->id, ran.experiment->title, result.setup, result.comparisons, {},
-                  result.figures,     result.surface_figures};
+  formats::Section section{ran.experiment->id, ran.experiment->title, result.setup, result.comparisons, {},
+                           result.figures,     result.surface_figures};
   section.paragraphs.push_back(
       result.random ? "Seed " + std::to_string(ran.options.seed) + ", " + std::to_string(ran.options.runs) +
                           " samples of the noise; intervals are means with 95 % confidence (Student's t)."
@@ -100,9 +93,9 @@ std::string experiment_json(const RanExperiment& ran) {
                               {"finding", to_text(c.finding)},
                               {"recorded", to_text(c.recorded)},
                               {"numbers", c.numbers}});
-  for (const PlainTable& table : ran.result.tables)
+  for (const formats::PlainTable& table : ran.result.tables)
     json["tables"].push_back({{"id", table.id}, {"title", table.title}, {"head", table.head}, {"rows", table.rows}});
   return json.dump(2);
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

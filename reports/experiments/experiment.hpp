@@ -1,27 +1,22 @@
 #pragma once
 /// Experiments with random noise, and what they say about the claims that a paper makes.
 
-#include <subcert/reports/section.hpp>
+#include <subcert/reports/formats/section.hpp>
 
 #include <cstdint>
 #include <functional>
 
-namespace subcert {
-
-/// not_confirmed: the statistic does not show the claim; its numbers say whether it shows the contrary.
-enum class Finding { confirmed, not_confirmed, not_reproducible };
-
-std::string to_text(Finding finding);
+namespace subcert::experiments {
 
 /// A sentence of a paper and the statistic that decides it.
 struct Claim {
   std::string sentence;
   std::string place;
   std::string statistic;
-  Finding finding;
+  Verdict finding;
   std::string numbers;
   /// What this version of the toolkit is known to find with the default seed.
-  Finding recorded = Finding::confirmed;
+  Verdict recorded = Verdict::confirmed;
 };
 
 struct ExperimentOptions {
@@ -33,15 +28,15 @@ struct ExperimentOptions {
 struct ExperimentResult {
   std::vector<std::string> setup;  ///< what the paper leaves open and how it was chosen
   std::vector<Claim> claims = {};
-  std::vector<PlainTable> tables = {};
-  std::vector<Figure> figures = {};
-  std::vector<SurfaceFigure> surface_figures = {};
-  std::vector<ComparisonTable> comparisons = {};  ///< printed values beside ours, where the paper prints any
-  bool random = true;                             ///< whether seed and samples matter
+  std::vector<formats::PlainTable> tables = {};
+  std::vector<formats::Figure> figures = {};
+  std::vector<formats::SurfaceFigure> surface_figures = {};
+  std::vector<formats::ComparisonTable> comparisons = {};  ///< printed values beside ours, where the paper prints any
+  bool random = true;                                      ///< whether seed and samples matter
 
   bool all_confirmed() const;
   bool as_recorded() const;
-  std::size_t count(Finding finding) const;
+  std::size_t count(Verdict finding) const;
 };
 
 struct Experiment {
@@ -54,7 +49,7 @@ struct Experiment {
 
 /// All experiments, by paper and place.
 const std::vector<Experiment>& experiments();
-/// Errors: throws std::out_of_range for an unknown id.
+/// Errors: throws a domain error for an unknown id.
 const Experiment& experiment(const std::string& id);
 
 /// An experiment with its outcome. The same seed and runs give the same outcome for any number of jobs.
@@ -68,9 +63,9 @@ struct RanExperiment {
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options);
 
 /// As a section of a page: the setup, the claims as a table, and the experiment's tables and figures.
-Section experiment_section(const RanExperiment& ran);
+formats::Section experiment_section(const RanExperiment& ran);
 
 /// {"experiment", "paper", "title", "seed", "runs", "setup", "claims", "tables"} as text.
 std::string experiment_json(const RanExperiment& ran);
 
-}  // namespace subcert
+}  // namespace subcert::experiments

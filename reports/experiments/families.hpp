@@ -3,7 +3,7 @@
 
 #include "experiment.hpp"
 
-namespace subcert {
+namespace subcert::experiments {
 
 std::vector<Experiment> function_experiments();
 std::vector<Experiment> curve_experiments();
@@ -29,4 +29,4 @@ std::vector<Experiment> l1_band_experiments();
 /// Those of [MLZD15] in the order of the paper.
 std::vector<Experiment> l1_experiments();
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -1,10 +1,10 @@
 #include "function_trial.hpp"
 
-#include <subcert/reports/parallel.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr int level = 2;  // outputs at the multiples of h/4
@@ -59,7 +59,7 @@ FunctionTrial::FunctionTrial(const TestFunction& function, double h, const std::
     if (method == local_linear || method == local_cubic)
       regressions_.back().emplace(method == local_linear ? 1 : 3, count, positions);
     else
-      schemes_.back() = limit_matrix(method, count, Extension::interp, level);
+      schemes_.back() = limit_matrix(method, count, data::Extension::interp, level);
   }
 }
 
@@ -74,7 +74,7 @@ FunctionTrial::Errors FunctionTrial::errors(const ExperimentOptions& options) co
   Errors errors(schemes_.size(),
                 std::vector<std::vector<double>>(quietest - loudest + 1, std::vector<double>(options.runs)));
   const std::array<Coordinate, 1> truth{truth_};
-  parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
+  runtime::parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
     const auto sample = noise(options.seed, run);
     for (std::size_t m = 0; m < schemes_.size(); ++m) {
       Reconstruction reconstruction(*this, m, sample);
@@ -96,4 +96,4 @@ FunctionTrial::Shown FunctionTrial::shown(double decibel, std::uint64_t seed) co
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace subcert {
+namespace subcert::experiments {
 
 struct TestFunction {
   std::string name;
@@ -51,4 +51,4 @@ class FunctionTrial {
   std::vector<std::optional<LocalPolynomialRegression>> regressions_;
 };
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr int loudest = FunctionTrial::loudest, quietest = FunctionTrial::quietest;
@@ -26,7 +26,7 @@ struct Assertion {
   std::string place;
   std::string better;
   std::string worse;
-  Finding recorded = Finding::confirmed;
+  Verdict recorded = Verdict::confirmed;
   int from = loudest;
   int to = quietest;
   std::optional<double> tolerance = std::nullopt;
@@ -62,7 +62,7 @@ Claim decide(const Assertion& assertion, const std::vector<std::string>& names, 
   const auto& better = errors[index(assertion.better)];
   const auto& worse = errors[index(assertion.worse)];
   const std::string range = std::to_string(assertion.from) + " to " + std::to_string(assertion.to) + " dB";
-  Claim claim{assertion.sentence, assertion.place, "", Finding::confirmed, "", assertion.recorded};
+  Claim claim{assertion.sentence, assertion.place, "", Verdict::confirmed, "", assertion.recorded};
   std::vector<int> shown, contrary, undecided;
   double least = INFINITY, largest = 0;
   for (int decibel = assertion.from; decibel <= assertion.to; ++decibel) {
@@ -79,7 +79,7 @@ Claim decide(const Assertion& assertion, const std::vector<std::string>& names, 
   if (assertion.tolerance) {
     claim.statistic = "the ratio of the mean errors differs from 1 by at most " + short_number(*assertion.tolerance) +
                       " at each level, " + range;
-    if (least < 1 - *assertion.tolerance || largest > 1 + *assertion.tolerance) claim.finding = Finding::not_confirmed;
+    if (least < 1 - *assertion.tolerance || largest > 1 + *assertion.tolerance) claim.finding = Verdict::not_confirmed;
     claim.numbers = ratios;
     return claim;
   }
@@ -87,30 +87,31 @@ Claim decide(const Assertion& assertion, const std::vector<std::string>& names, 
                     method_name(assertion.worse) + ", negative with its whole interval at " +
                     (assertion.somewhere ? "some level, " : "each level, ") + range;
   if (assertion.somewhere ? shown.empty() : !contrary.empty() || !undecided.empty())
-    claim.finding = Finding::not_confirmed;
+    claim.finding = Verdict::not_confirmed;
   claim.numbers = "negative at " + levels_text(shown) + " dB; positive at " + levels_text(contrary) +
                   "; undecided at " + levels_text(undecided) + "; " + ratios;
   return claim;
 }
 
-Curve over_x(const std::string& label, const std::vector<double>& values, bool joined, const std::string& colour) {
-  Curve result{label, {}, !joined, joined, colour};
+formats::Curve over_x(const std::string& label, const std::vector<double>& values, bool joined,
+                      const std::string& colour) {
+  formats::Curve result{label, {}, !joined, joined, colour};
   const double step = 100.0 / static_cast<double>(values.size() - 1);
   for (std::size_t i = 0; i < values.size(); ++i) result.points.emplace_back(step * static_cast<double>(i), values[i]);
   return result;
 }
 
-Figure figure_of(const FunctionFigure& figure, const FunctionTrial& trial, const FunctionTrial::Errors& errors,
-                 std::uint64_t seed) {
+formats::Figure figure_of(const FunctionFigure& figure, const FunctionTrial& trial, const FunctionTrial::Errors& errors,
+                          std::uint64_t seed) {
   const std::string names[] = {method_name(figure.first), method_name(figure.second)};
   const std::string colours[] = {"#0b559f", "#c0392b"};
-  Panel over_noise{figure.function.name, "SNR (dB)", "relative error", {}};
-  Panel shown{"data with " + short_number(figure.shown) + " dB noise", "x", "", {}, false, "below"};
+  formats::Panel over_noise{figure.function.name, "SNR (dB)", "relative error", {}};
+  formats::Panel shown{"data with " + short_number(figure.shown) + " dB noise", "x", "", {}, false, "below"};
   const FunctionTrial::Shown sample = trial.shown(figure.shown, seed);
   shown.curves = {over_x("data", sample.data, false, "#8a97a3"),
                   over_x(figure.function.name, sample.truth, true, "#e0a030")};
   for (std::size_t m = 0; m < 2; ++m) {
-    Curve curve{names[m], {}, true, true, colours[m]};
+    formats::Curve curve{names[m], {}, true, true, colours[m]};
     for (int decibel = loudest; decibel <= quietest; ++decibel)
       curve.points.emplace_back(decibel, mean_interval(errors[m][static_cast<std::size_t>(decibel - loudest)]).mean);
     over_noise.curves.push_back(curve);
@@ -123,9 +124,9 @@ Figure figure_of(const FunctionFigure& figure, const FunctionTrial& trial, const
           {over_noise, shown}};
 }
 
-PlainTable errors_table(const FunctionFigure& figure, const std::vector<std::string>& names,
-                        const FunctionTrial::Errors& errors) {
-  PlainTable table{figure.id + "-errors", "Mean relative errors", {"SNR (dB)"}, {}};
+formats::PlainTable errors_table(const FunctionFigure& figure, const std::vector<std::string>& names,
+                                 const FunctionTrial::Errors& errors) {
+  formats::PlainTable table{figure.id + "-errors", "Mean relative errors", {"SNR (dB)"}, {}};
   for (const std::string& name : names) table.head.push_back(method_name(name));
   table.head.push_back("first minus second");
   for (int decibel = loudest; decibel <= quietest; ++decibel) {
@@ -139,11 +140,11 @@ PlainTable errors_table(const FunctionFigure& figure, const std::vector<std::str
 }
 
 /// The claims decided with other spacings of the data.
-PlainTable spacings_table(const FunctionFigure& figure, const ExperimentOptions& options) {
-  PlainTable table{figure.id + "-spacings",
-                   "The same claims with other spacings of the data",
-                   {"claim", "spacing", "finding", "numbers"},
-                   {}};
+formats::PlainTable spacings_table(const FunctionFigure& figure, const ExperimentOptions& options) {
+  formats::PlainTable table{figure.id + "-spacings",
+                            "The same claims with other spacings of the data",
+                            {"claim", "spacing", "finding", "numbers"},
+                            {}};
   const std::vector<std::string> names{figure.first, figure.second};
   for (const double h : {0.5, 2.0}) {
     const auto errors = FunctionTrial(figure.function, h, names).errors(options);
@@ -190,45 +191,45 @@ std::vector<FunctionFigure> figures() {
            s5,
            local_linear,
            7,
-           {{"S_5 behaves almost identically to LLR.", "Sec. 3.2, Fig. 4", s5, local_linear, Finding::not_confirmed,
+           {{"S_5 behaves almost identically to LLR.", "Sec. 3.2, Fig. 4", s5, local_linear, Verdict::not_confirmed,
              loudest, quietest, 0.1}}},
           {"fig5",
            f1,
            s7,
            local_linear,
            7.9,
-           {{"S_7 is even better than LLR.", "Sec. 3.2, Fig. 5", s7, local_linear, Finding::not_confirmed},
+           {{"S_7 is even better than LLR.", "Sec. 3.2, Fig. 5", s7, local_linear, Verdict::not_confirmed},
             {"There is a range of parameters for which a scheme outperforms LLR (S_7 on f_1).", "Sec. 3.2, end", s7,
-             local_linear, Finding::confirmed, loudest, quietest, std::nullopt, true}}},
+             local_linear, Verdict::confirmed, loudest, quietest, std::nullopt, true}}},
           {"fig6",
            f2,
            s3,
            local_linear,
            6.2,
            {{"S_3 suits f_2 better than LLR, except for extremely high noise (read as: from 5 dB).", "Sec. 3.2, Fig. 6",
-             s3, local_linear, Finding::not_confirmed, 5}}},
+             s3, local_linear, Verdict::not_confirmed, 5}}},
           {"fig7",
            f2,
            s5,
            local_linear,
            8,
            {{"S_5 is inferior to LLR for any reasonable level of noise (read as: from 5 dB).", "Sec. 3.2, Fig. 7",
-             local_linear, s5, Finding::confirmed, 5}}},
+             local_linear, s5, Verdict::confirmed, 5}}},
           {"fig10",
            f3,
            s5,
            s53,
            8.2,
            {{"S_5^1 is better as long as the noise is significant (read as: to 12 dB).", "Sec. 4.4, Fig. 10", s5, s53,
-             Finding::confirmed, 1, 12},
+             Verdict::confirmed, 1, 12},
             {"S_5^3 is more accurate as the noise decays (read as: from 18 dB).", "Sec. 4.4, Fig. 10", s53, s5,
-             Finding::not_confirmed, 18}}},
+             Verdict::not_confirmed, 18}}},
           {"fig11",
            f4,
            s5,
            s53,
            7.2,
-           {{"S_5^3 outperforms S_5^1 for all noise levels.", "Sec. 4.4, Fig. 11", s53, s5, Finding::not_confirmed}}},
+           {{"S_5^3 outperforms S_5^1 for all noise levels.", "Sec. 4.4, Fig. 11", s53, s5, Verdict::not_confirmed}}},
           {"fig12",
            f3,
            s63,
@@ -241,7 +242,7 @@ std::vector<FunctionFigure> figures() {
            s93,
            9.5,
            {{"The smaller support of S_6^3 leads to smaller errors for all noise levels.", "Sec. 4.4, Fig. 13", s63,
-             s93, Finding::not_confirmed}}}};
+             s93, Verdict::not_confirmed}}}};
 }
 
 }  // namespace
@@ -256,4 +257,4 @@ std::vector<Experiment> function_experiments() {
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr std::size_t columns = 40, rows = 50, few = 20, many = 100;
@@ -38,7 +38,7 @@ std::array<double, 3> direction(std::mt19937_64& engine, double radius) {
 }
 
 OutlierCase band_case(std::size_t outliers) {
-  return {{Axis::of(columns), Axis::of(rows)},
+  return {{data::Axis::of(columns), data::Axis::of(rows)},
           3,
           levels,
           [outliers](std::mt19937_64& engine) {
@@ -56,9 +56,9 @@ OutlierCase band_case(std::size_t outliers) {
 }
 
 /// Every `keep`-th point in both directions.
-DrawnSurface drawn(const std::string& title, const Batch& surface, std::size_t keep) {
+formats::DrawnSurface drawn(const std::string& title, const Batch& surface, std::size_t keep) {
   const std::size_t width = surface.axes[0].count, height = surface.axes[1].count;
-  DrawnSurface result{title, (width + keep - 1) / keep, (height + keep - 1) / keep, false, false, {}};
+  formats::DrawnSurface result{title, (width + keep - 1) / keep, (height + keep - 1) / keep, false, false, {}};
   for (std::size_t j = 0; j < height; j += keep)
     for (std::size_t i = 0; i < width; i += keep) {
       const double* p = &surface.sets[0][3 * (j * width + i)];
@@ -67,14 +67,14 @@ DrawnSurface drawn(const std::string& title, const Batch& surface, std::size_t k
   return result;
 }
 
-SurfaceFigure figure(const std::vector<Method>& methods, const OutlierCase& what, std::uint64_t seed) {
+formats::SurfaceFigure figure(const std::vector<Method>& methods, const OutlierCase& what, std::uint64_t seed) {
   auto engine = generator(seed, 0);
   const Batch data{what.axes, 3, {what.draw(engine).with}};
-  SurfaceFigure result{"l1-surface2",
-                       "A part of a Moebius band with normal noise of variance 0.1 and 20 outliers",
-                       "One sample. Original, data, biquadratic B-spline; least squares; l1 regression.",
-                       {drawn("original", {what.axes, 3, {samples()}}, 1), drawn("data", data, 1)},
-                       3};
+  formats::SurfaceFigure result{"l1-surface2",
+                                "A part of a Moebius band with normal noise of variance 0.1 and 20 outliers",
+                                "One sample. Original, data, biquadratic B-spline; least squares; l1 regression.",
+                                {drawn("original", {what.axes, 3, {samples()}}, 1), drawn("data", data, 1)},
+                                3};
   for (const std::size_t m : {6u, 0u, 1u, 2u, 3u, 4u, 5u})
     result.surfaces.push_back(drawn(methods[m].name, refined(methods[m].specification, data, 2), 4));
   return result;
@@ -113,7 +113,7 @@ ExperimentResult run(const ExperimentOptions& options) {
   result.claims = {
       all_below({"The l1 schemes outperform the least squares schemes.", "Sec. 4; " + place},
                 "paired differences of the errors", 0,
-                differences(outcomes, robust_over_least_squares, &Outcome::error), Finding::not_confirmed),
+                differences(outcomes, robust_over_least_squares, &Outcome::error), Verdict::not_confirmed),
       all_below({"The l1 schemes fit noisy data with outliers better than other subdivision schemes (read as: than the "
                  "biquadratic "
                  "B-spline).",
@@ -126,7 +126,7 @@ ExperimentResult run(const ExperimentOptions& options) {
                 "error", 3 * variance / 10, means(outcomes, robust, &Outcome::error)),
       all_below({"D_6 fits better than the other schemes.", "Sec. 2.5, Experiment 2"},
                 "paired differences of the errors", 0, differences(outcomes, six_over_others, &Outcome::error),
-                Finding::not_confirmed)};
+                Verdict::not_confirmed)};
   const std::vector<Method> sixes{surface_methods()[0], surface_methods()[3]};
   result.tables = {
       outcome_table("l1-surface2-measures", "Noise of variance 0.1 and 20 outliers (1 %)", outcomes),
@@ -141,4 +141,4 @@ std::vector<Experiment> l1_band_experiments() {
   return {{"l1-surface2", "mustafa-li-2015", "Surfaces, Experiment 2 and Figure 9: a Moebius band", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

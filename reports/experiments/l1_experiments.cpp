@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::experiments {
 
 std::vector<Experiment> l1_experiments() {
   std::vector<Experiment> result;
@@ -20,4 +20,4 @@ std::vector<Experiment> l1_experiments() {
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

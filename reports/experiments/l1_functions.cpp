@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 /// "Greatly affected" and "no response" are on two sides of this part of the range of f_1.
@@ -14,7 +14,7 @@ constexpr double noticed = 0.1;
 /// The claims that the paper makes in Experiment 1 and repeats in Experiment 2; what is recorded of the second and the
 /// last.
 std::vector<Claim> claims_about_responses(const std::vector<Outcome>& outcomes, const std::string& place,
-                                          Finding no_response, Finding robust_complexity) {
+                                          Verdict no_response, Verdict robust_complexity) {
   const double bound = noticed * damped::range();
   return {
       all_above({"The curves of S_6, S_7 and S_8 are greatly affected by the outliers (read as: moved by more than a "
@@ -50,7 +50,7 @@ ExperimentResult run_experiment_1(const ExperimentOptions& options) {
   const auto outcomes = study(what, curve_methods(), options);
   const std::string place = "Sec. 2.5, Experiment 1, Fig. 3";
   ExperimentResult result{{damped::setup(), "Two outliers, no noise."}};
-  result.claims = claims_about_responses(outcomes, place, Finding::confirmed, Finding::not_confirmed);
+  result.claims = claims_about_responses(outcomes, place, Verdict::confirmed, Verdict::not_confirmed);
   result.claims.push_back(all_below({"Each D_k has a smaller error than S_k.", "Sec. 2.5, Table 1"},
                                     "paired differences of the errors", 0,
                                     differences(outcomes, robust_over_least_squares, &Outcome::error)));
@@ -67,7 +67,7 @@ ExperimentResult run_experiment_2(const ExperimentOptions& options) {
   const auto outcomes = study(what, curve_methods(), options);
   const std::string place = "Sec. 2.5, Experiment 2, Fig. 5";
   ExperimentResult result{{damped::setup(), "Thirteen outliers and normal noise of variance 0.1."}};
-  result.claims = claims_about_responses(outcomes, place, Finding::not_confirmed, Finding::confirmed);
+  result.claims = claims_about_responses(outcomes, place, Verdict::not_confirmed, Verdict::confirmed);
   result.claims.push_back(all_below(
       {"The l1 schemes have smaller errors than the least squares schemes.", place + ", Table 2"},
       "paired differences of the errors", 0, differences(outcomes, robust_over_least_squares, &Outcome::error)));
@@ -77,14 +77,14 @@ ExperimentResult run_experiment_2(const ExperimentOptions& options) {
   result.claims.push_back(
       all_above({"Schemes of high complexity have larger errors than those of low complexity.", place + ", Table 2"},
                 "paired differences of the errors", 0, differences(outcomes, more_over_fewer_points, &Outcome::error),
-                Finding::not_confirmed));
+                Verdict::not_confirmed));
   result.claims.push_back(all_below({"D_6 fits better than the other schemes.", place + ", Table 2"},
                                     "paired differences of the errors", 0,
-                                    differences(outcomes, six_over_others, &Outcome::error), Finding::not_confirmed));
+                                    differences(outcomes, six_over_others, &Outcome::error), Verdict::not_confirmed));
   result.claims.push_back(all_below({"The l1 schemes fit best with outliers and without.", "Sec. 1"},
                                     "paired differences of the errors without outliers, noise alone", 0,
                                     differences(outcomes, robust_over_least_squares, &Outcome::error_without),
-                                    Finding::not_confirmed));
+                                    Verdict::not_confirmed));
   add_measures(result, "l1-exp2", "Noise and thirteen outliers", "table2", what, outcomes, options.seed);
   return result;
 }
@@ -132,11 +132,11 @@ ExperimentResult run_figure_1(const ExperimentOptions& options) {
       all_above({"One outlier can damage the whole model (read as: it moves more than nine tenths of the "
                  "curve).",
                  "Sec. 1"},
-                "part of the curve that one outlier among 101 data moves", 0.9, moved, Finding::not_confirmed));
+                "part of the curve that one outlier among 101 data moves", 0.9, moved, Verdict::not_confirmed));
   result.tables.push_back(outcome_table("l1-fig1-measures", "Two outliers", outcomes));
   auto engine = generator(options.seed, 0);
-  Figure figure = damped::figure("l1-fig1", "Outliers under Chaikin's scheme and a least squares scheme", "One sample.",
-                                 methods, what.draw(engine));
+  formats::Figure figure = damped::figure("l1-fig1", "Outliers under Chaikin's scheme and a least squares scheme",
+                                          "One sample.", methods, what.draw(engine));
   figure.columns = 2;
   result.figures.push_back(figure);
   return result;
@@ -152,4 +152,4 @@ std::vector<Experiment> l1_function_experiments() {
       {"l1-exp2", paper, "Experiment 2, Figure 5 and Table 2: noise and thirteen outliers", run_experiment_2, true}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

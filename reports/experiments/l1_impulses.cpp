@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr double largest_impulse = 8;
@@ -26,8 +26,9 @@ OutlierCase with_impulses(int percent) {
 
 ExperimentResult run(const ExperimentOptions& options) {
   const std::vector<int> parts{10, 20, 25, 30, 40, 50};
-  Panel over_parts{"error over the part of impulses", "impulses (%)", "mean squared error", {}, true, "bottom right"};
-  PlainTable table{"l1-exp4-errors", "Mean squared errors over the part of impulses", {"impulses (%)"}, {}};
+  formats::Panel over_parts{
+      "error over the part of impulses", "impulses (%)", "mean squared error", {}, true, "bottom right"};
+  formats::PlainTable table{"l1-exp4-errors", "Mean squared errors over the part of impulses", {"impulses (%)"}, {}};
   for (const Method& method : curve_methods()) {
     over_parts.curves.push_back({method.name, {}, true});
     table.head.push_back(method.name);
@@ -53,7 +54,7 @@ ExperimentResult run(const ExperimentOptions& options) {
                  "mean square of "
                  "f_1).",
                  place + "; Highlights"},
-                "error", signal / 10, means(shown, robust, &Outcome::error), Finding::not_confirmed),
+                "error", signal / 10, means(shown, robust, &Outcome::error), Verdict::not_confirmed),
       all_above({"The least squares schemes do not handle impulsive noise (read as: their error is above a tenth of "
                  "the mean square "
                  "of f_1).",
@@ -63,7 +64,7 @@ ExperimentResult run(const ExperimentOptions& options) {
                 "paired differences of the errors", 0, differences(shown, robust_over_least_squares, &Outcome::error)),
       all_below({"D_6 fits better than the other schemes, in the other experiments too.", "Sec. 2.5, Experiment 2"},
                 "paired differences of the errors", 0, differences(shown, six_over_others, &Outcome::error),
-                Finding::not_confirmed)};
+                Verdict::not_confirmed)};
   result.tables = {outcome_table("l1-exp4-measures", "A quarter of impulses", shown), table};
   auto engine = generator(options.seed, 0);
   const OutlierSample sample = with_impulses(25).draw(engine);
@@ -80,4 +81,4 @@ std::vector<Experiment> l1_impulse_experiments() {
   return {{"l1-exp4", "mustafa-li-2015", "Experiment 4 and Figure 7: impulsive noise", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -3,11 +3,11 @@
 #include "damped_sine.hpp"
 #include "families.hpp"
 
-#include <subcert/reports/parallel.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 struct Setting {
@@ -37,7 +37,7 @@ class Errors {
  public:
   Errors(std::vector<Setting> settings, const Batch& data, int jobs)
       : settings_(std::move(settings)), values_(settings_.size()) {
-    parallel_for_each(settings_.size(), jobs, [&](std::size_t i) { values_[i] = errors(settings_[i], data); });
+    runtime::parallel_for_each(settings_.size(), jobs, [&](std::size_t i) { values_[i] = errors(settings_[i], data); });
   }
   /// The differences of neighbours in the list, the later minus the earlier.
   std::vector<NamedMean> steps(const std::function<std::string(const Setting&)>& name) const {
@@ -47,7 +47,7 @@ class Errors {
           {name(settings_[i + 1]) + " - " + name(settings_[i]), mean_difference(values_[i + 1], values_[i])});
     return result;
   }
-  void add_rows(PlainTable& table) const {
+  void add_rows(formats::PlainTable& table) const {
     for (std::size_t i = 0; i < values_.size(); ++i)
       table.rows.push_back({std::to_string(settings_[i].fits), settings_[i].delta,
                             std::to_string(settings_[i].refinements), mean_interval(values_[i]).text()});
@@ -59,13 +59,13 @@ class Errors {
   std::vector<std::vector<double>> values_;
 };
 
-Figure drawn(const OutlierSample& sample) {
-  Figure figure{"l1-fig4",
-                "D_6 at work",
-                "One sample of Experiment 2. Above: the first refinement with 1, 2, 4 and 10 reweighted "
-                "fits. Below: 1, 2, 4 and 6 refinements with 6 fits.",
-                4,
-                {}};
+formats::Figure drawn(const OutlierSample& sample) {
+  formats::Figure figure{"l1-fig4",
+                         "D_6 at work",
+                         "One sample of Experiment 2. Above: the first refinement with 1, 2, 4 and 10 reweighted "
+                         "fits. Below: 1, 2, 4 and 6 refinements with 6 fits.",
+                         4,
+                         {}};
   for (const int fits : {1, 2, 4, 10})
     figure.panels.push_back(damped::panel(std::to_string(fits) + (fits == 1 ? " fit" : " fits"),
                                           specification({fits, 1, "1e-8"}), sample, 1));
@@ -99,7 +99,7 @@ ExperimentResult run(const ExperimentOptions& options) {
   result.claims.push_back(all_below(
       {"The curve gets better with 1, 2, 4, 6 refinements.", "Sec. 2.5, Fig. 4, second row"},
       "paired differences of the errors", 0,
-      refinements.steps([](const Setting& s) { return std::to_string(s.refinements); }), Finding::not_confirmed));
+      refinements.steps([](const Setting& s) { return std::to_string(s.refinements); }), Verdict::not_confirmed));
   std::vector<NamedMean> excess;
   for (const std::size_t i : {0u, 1u}) {
     std::vector<double> bound = sufficient[2];
@@ -110,14 +110,14 @@ ExperimentResult run(const ExperimentOptions& options) {
       all_below({"m = 5 or 6 is sufficient (read as: the error is at most a twentieth larger than after 100 "
                  "fits).",
                  "App. A.1"},
-                "paired differences of the error and 1.05 of that after 100 fits", 0, excess, Finding::not_confirmed));
+                "paired differences of the error and 1.05 of that after 100 fits", 0, excess, Verdict::not_confirmed));
   result.claims.push_back(
       all_below({"A small delta is a good choice (read as: from 1 down to 1e-8 in steps of 1/100 each error "
                  "is smaller than the one before).",
                  "App. A.1"},
                 "paired differences of the errors with 30 fits", 0,
-                deltas.steps([](const Setting& s) { return s.delta; }), Finding::not_confirmed));
-  PlainTable table{
+                deltas.steps([](const Setting& s) { return s.delta; }), Verdict::not_confirmed));
+  formats::PlainTable table{
       "l1-fig4-errors", "Errors of D_6", {"reweighted fits", "delta", "refinements", "mean squared error"}, {}};
   for (const Errors* part : {&fits, &sufficient, &refinements, &deltas}) part->add_rows(table);
   result.tables.push_back(table);
@@ -132,4 +132,4 @@ std::vector<Experiment> l1_iteration_experiments() {
   return {{"l1-fig4", "mustafa-li-2015", "Figure 4: iterations, refinements and delta", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr int level = 8;
@@ -19,10 +19,11 @@ struct Response {
   std::vector<double> values;
 };
 
-Response response(int points, const L1Options& options, int at_level = level) {
-  const GridData<double> data = l1_impulse_response({{points}, 1, options}, at_level);
+Response response(int points, const data::L1Options& options, int at_level = level) {
+  const data::GridData<double> data = data::l1_impulse_response({{points}, 1, options}, at_level);
   Response result{{}, data.values};
-  for (std::size_t i = 0; i < data.values.size(); ++i) result.at.push_back(nearest_double(data.axes[0].parameter(i)));
+  for (std::size_t i = 0; i < data.values.size(); ++i)
+    result.at.push_back(data::nearest_double(data.axes[0].parameter(i)));
   return result;
 }
 
@@ -96,14 +97,14 @@ double slope_change(const Response& r) {
   return largest;
 }
 
-PlainTable shapes_table() {
-  PlainTable table{"l1-fig2-shapes", "Shape over iterations and delta", {"iterations", "delta"}, {}};
+formats::PlainTable shapes_table() {
+  formats::PlainTable table{"l1-fig2-shapes", "Shape over iterations and delta", {"iterations", "delta"}, {}};
   for (const int points : {6, 7, 8})
     for (const char* what : {"height", "value at 0", "peaks"}) table.head.push_back(name_of(points) + " " + what);
-  std::vector<L1Options> settings;
+  std::vector<data::L1Options> settings;
   for (const int iterations : {0, 1, 2, 3, 6, 7, 20}) settings.push_back({1e-8, iterations});
   for (const double delta : {1e-2, 1e-4, 1e-6, 1e-10, 1e-12}) settings.push_back({delta, 6});
-  for (const L1Options& setting : settings) {
+  for (const data::L1Options& setting : settings) {
     std::vector<std::string> row{std::to_string(setting.iterations), short_number(setting.delta)};
     for (const int points : {6, 7, 8}) {
       const Shape s = shape(response(points, setting));
@@ -114,21 +115,22 @@ PlainTable shapes_table() {
   return table;
 }
 
-Figure drawn() {
-  Figure figure{"l1-fig2",
-                "Basic limit functions of D_6, D_7 and D_8",
-                "Above: 6 reweighted fits, delta = 1e-8. Below: 0 to 3 reweighted fits; 0 is the least squares scheme.",
-                3,
-                {}};
+formats::Figure drawn() {
+  formats::Figure figure{
+      "l1-fig2",
+      "Basic limit functions of D_6, D_7 and D_8",
+      "Above: 6 reweighted fits, delta = 1e-8. Below: 0 to 3 reweighted fits; 0 is the least squares scheme.",
+      3,
+      {}};
   const auto curve = [](const std::string& label, const Response& r) {
-    Curve result{label, {}};
+    formats::Curve result{label, {}};
     for (std::size_t i = 0; i < r.at.size(); ++i) result.points.emplace_back(r.at[i], r.values[i]);
     return result;
   };
   for (const int points : {6, 7, 8})
     figure.panels.push_back({name_of(points), "", "", {curve("", response(points, {}))}});
   for (const int points : {6, 7, 8}) {
-    Panel panel{name_of(points), "", "", {}};
+    formats::Panel panel{name_of(points), "", "", {}};
     for (const int fits : {0, 1, 2, 3})
       panel.curves.push_back(curve(std::to_string(fits), response(points, {1e-8, fits})));
     figure.panels.push_back(panel);
@@ -184,7 +186,7 @@ ExperimentResult run(const ExperimentOptions&) {
               is_local, local_numbers),
       decided(width, "distance of the outermost values that are not zero at level 8: (4n - 1)(1 - 2^-8)", is_wide,
               width_numbers),
-      decided(peaks, "6 and 7 reweighted fits, delta = 1e-8", has_peaks, peak_numbers, Finding::not_confirmed),
+      decided(peaks, "6 and 7 reweighted fits, delta = 1e-8", has_peaks, peak_numbers, Verdict::not_confirmed),
       decided(smooth,
               "log2 of the ratio of the largest changes of slope at the levels 6 and 7, ..., 9 and 10: all "
               "positive; an observation, no proof",
@@ -200,4 +202,4 @@ std::vector<Experiment> l1_limit_experiments() {
   return {{"l1-fig2", "mustafa-li-2015", "Figure 2: basic limit functions of D_6, D_7 and D_8", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr std::size_t count = 101;
@@ -21,7 +21,7 @@ std::array<double, 3> spiral(double u) {
 }
 
 OutlierCase spiral_case() {
-  return {{Axis::of(count)},
+  return {{data::Axis::of(count)},
           2,
           levels,
           [](std::mt19937_64& engine) {
@@ -41,8 +41,8 @@ OutlierCase spiral_case() {
           [](double u, double) { return spiral(u); }};
 }
 
-Panel panel(const Method& method, const OutlierSample& sample) {
-  const Batch fine = refined(method.specification, {{Axis::of(count)}, 2, {sample.with}}, levels);
+formats::Panel panel(const Method& method, const OutlierSample& sample) {
+  const Batch fine = refined(method.specification, {{data::Axis::of(count)}, 2, {sample.with}}, levels);
   PanelParts parts{method.name, {}, {}, {}, {}, method.name[0] == 'D', true};
   for (std::size_t i = 0; i < count; ++i) {
     const double x = sample.with[2 * i], y = sample.with[2 * i + 1];
@@ -92,7 +92,7 @@ ExperimentResult run(const ExperimentOptions& options) {
       all_below(
           {"Experiment 3 supports Experiment 1: schemes of large complexity respond less to outliers: l1.", place},
           "paired differences of the largest distance", 0,
-          differences(outcomes, more_robust_points, &Outcome::response), Finding::not_confirmed),
+          differences(outcomes, more_robust_points, &Outcome::response), Verdict::not_confirmed),
       all_below({"Experiment 3 supports Experiment 2: the l1 schemes have smaller errors.", place},
                 "paired differences of the errors", 0,
                 differences(outcomes, robust_over_least_squares, &Outcome::error)),
@@ -101,11 +101,11 @@ ExperimentResult run(const ExperimentOptions& options) {
   result.tables.push_back(outcome_table("l1-exp3-measures", "Spiral with three outliers", outcomes));
   auto engine = generator(options.seed, 0);
   const OutlierSample sample = what.draw(engine);
-  Figure figure{"l1-exp3",
-                "Logarithmic spiral with three outliers",
-                "One sample. Above least squares, below l1 regression.",
-                3,
-                {}};
+  formats::Figure figure{"l1-exp3",
+                         "Logarithmic spiral with three outliers",
+                         "One sample. Above least squares, below l1 regression.",
+                         3,
+                         {}};
   for (const Method& method : curve_methods()) figure.panels.push_back(panel(method, sample));
   result.figures.push_back(figure);
   return result;
@@ -117,4 +117,4 @@ std::vector<Experiment> l1_spiral_experiments() {
   return {{"l1-exp3", "mustafa-li-2015", "Experiment 3 and Figure 6: a spiral with three outliers", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -3,13 +3,13 @@
 #include "families.hpp"
 #include "outlier_study.hpp"
 
-#include <subcert/reports/parallel.hpp>
-#include <subcert/reports/published.hpp>
+#include <subcert/reports/formats/published.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr std::size_t side = 21;
@@ -22,7 +22,7 @@ double bump(double x, double y) { return x * std::exp(-x * x - y * y); }
 double range() { return std::sqrt(2) * std::exp(-0.5); }
 
 OutlierCase bump_case(double sigma) {
-  return {{Axis::of(side), Axis::of(side)},
+  return {{data::Axis::of(side), data::Axis::of(side)},
           1,
           levels,
           [sigma](std::mt19937_64& engine) {
@@ -44,9 +44,10 @@ OutlierCase bump_case(double sigma) {
 }
 
 /// Every `keep`-th point in both directions.
-DrawnSurface drawn(const std::string& title, const Batch& surface, std::size_t keep = 1) {
+formats::DrawnSurface drawn(const std::string& title, const Batch& surface, std::size_t keep = 1) {
   const auto xs = parameters(surface.axes[0]), ys = parameters(surface.axes[1]);
-  DrawnSurface result{title, (xs.size() + keep - 1) / keep, (ys.size() + keep - 1) / keep, false, false, {}, true};
+  formats::DrawnSurface result{title, (xs.size() + keep - 1) / keep, (ys.size() + keep - 1) / keep, false, false, {},
+                               true};
   for (std::size_t j = 0; j < ys.size(); j += keep)
     for (std::size_t i = 0; i < xs.size(); i += keep)
       result.points.push_back({position(xs[i]), position(ys[j]), surface.sets[0][j * xs.size() + i]});
@@ -54,19 +55,19 @@ DrawnSurface drawn(const std::string& title, const Batch& surface, std::size_t k
 }
 
 /// One sample under the methods with these numbers.
-SurfaceFigure figure(const std::string& id, const std::string& title, const std::vector<Method>& methods,
-                     const std::vector<std::size_t>& shown, double sigma, std::uint64_t seed) {
+formats::SurfaceFigure figure(const std::string& id, const std::string& title, const std::vector<Method>& methods,
+                              const std::vector<std::size_t>& shown, double sigma, std::uint64_t seed) {
   const OutlierCase what = bump_case(sigma);
   auto engine = generator(seed, 0);
   const Batch data{what.axes, 1, {what.draw(engine).with}};
   Batch truth{what.axes, 1, {{}}};
   for (std::size_t i = 0; i < side * side; ++i)
     truth.sets[0].push_back(bump(position(static_cast<double>(i % side)), position(static_cast<double>(i / side))));
-  SurfaceFigure result{id,
-                       title,
-                       "One sample; original, data with an outlier, and surfaces.",
-                       {drawn("original", truth), drawn("data", data)},
-                       3};
+  formats::SurfaceFigure result{id,
+                                title,
+                                "One sample; original, data with an outlier, and surfaces.",
+                                {drawn("original", truth), drawn("data", data)},
+                                3};
   for (const std::size_t m : shown)
     result.surfaces.push_back(drawn(methods[m].name, refined(methods[m].specification, data, levels), 2));
   return result;
@@ -74,7 +75,7 @@ SurfaceFigure figure(const std::string& id, const std::string& title, const std:
 
 /// The mean squares of what a scheme makes of noise alone.
 std::vector<double> left_of_noise(const Method& method, double sigma, const ExperimentOptions& options) {
-  Batch noise{{Axis::of(side), Axis::of(side)}, 1, {}};
+  Batch noise{{data::Axis::of(side), data::Axis::of(side)}, 1, {}};
   for (std::size_t run = 0; run < options.runs; ++run) {
     auto engine = generator(options.seed, run);
     noise.sets.push_back(normal_noise(engine, side * side));
@@ -93,9 +94,9 @@ Claim noise_of_table_3(const ExperimentOptions& options) {
     return *std::find_if(surface_methods().begin(), surface_methods().end(),
                          [&](const Method& m) { return m.name == names[i]; });
   };
-  parallel_for_each(names.size(), options.jobs,
-                    [&](std::size_t i) { left[i] = left_of_noise(method(i), std::sqrt(0.1), options); });
-  const auto cells = published_paper("mustafa-li-2015").table("table3").cells;
+  runtime::parallel_for_each(names.size(), options.jobs,
+                             [&](std::size_t i) { left[i] = left_of_noise(method(i), std::sqrt(0.1), options); });
+  const auto cells = formats::published_paper("mustafa-li-2015").table("table3").cells;
   bool holds = true;
   std::string numbers;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -149,7 +150,7 @@ ExperimentResult run(const ExperimentOptions& options) {
           {"The l1 schemes are free from the effect of the outlier (read as: less than a tenth of the range of F).",
            place},
           "largest change by the outlier", range() / 10, means(outcomes, robust, &Outcome::response),
-          Finding::not_confirmed),
+          Verdict::not_confirmed),
       all_below(
           {"Both kinds of schemes produce smooth surfaces (read as: smoother than the biquadratic B-spline).", place},
           "paired differences of the mean square of the second differences", 0,
@@ -181,4 +182,4 @@ std::vector<Experiment> l1_surface_experiments() {
   return {{"l1-surface1", "mustafa-li-2015", "Surfaces, Experiment 1, Figure 8 and Table 3: an outlier", run, true}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace subcert {
+namespace subcert::experiments {
 
 /// out = matrix * data, row by row.
 class DenseMatrix {
@@ -25,6 +25,6 @@ class DenseMatrix {
 
 /// The limit of a linear scheme at the multiples of arity^-level of the spacing; `wrap` data go once around, and so do
 /// the outputs. Domain and errors: as LinearSmoother. The entries are rounded.
-DenseMatrix limit_matrix(const std::string& specification, std::size_t count, Extension extension, int level);
+DenseMatrix limit_matrix(const std::string& specification, std::size_t count, data::Extension extension, int level);
 
-}  // namespace subcert
+}  // namespace subcert::experiments

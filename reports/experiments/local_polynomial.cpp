@@ -1,11 +1,13 @@
 #include "local_polynomial.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr double reach = 9;  // bandwidths; the kernel is below 3e-18 beyond
@@ -53,9 +55,8 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 LocalPolynomialRegression::LocalPolynomialRegression(int degree, std::size_t count,
                                                      const std::vector<double>& positions) {
   if (degree < 0 || degree > 3)
-    throw std::invalid_argument("LocalPolynomialRegression: need 0 <= degree <= 3, got " + std::to_string(degree));
-  if (count < 8)
-    throw std::invalid_argument("LocalPolynomialRegression: need count >= 8, got " + std::to_string(count));
+    fail(ErrorKind::domain, "LocalPolynomialRegression: need 0 <= degree <= 3, got {}", degree);
+  require(count >= 8, "LocalPolynomialRegression: need count >= 8, got {}", count);
   for (double bandwidth = (degree + 1) / 4.0; bandwidth <= static_cast<double>(count) / 4; bandwidth *= ratio) {
     bandwidths_.push_back(bandwidth);
     DenseMatrix data(count, count), other(positions.size(), count);
@@ -111,4 +112,4 @@ std::vector<double> RegressionOfSum::operator()(double sigma) {
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

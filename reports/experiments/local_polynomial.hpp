@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace subcert {
+namespace subcert::experiments {
 
 /// Local polynomial regression with the normal kernel on the data 0, ..., count - 1. The bandwidth is the one of the
 /// grid (degree + 1)/4 * ratio^k, in spacings, with the smallest sum of squared residuals when each datum is left out.
@@ -50,4 +50,4 @@ class RegressionOfSum {
   std::map<std::size_t, std::pair<std::vector<double>, std::vector<double>>> fits_;
 };
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 
 std::string scheme_name(const std::string& specification) {
   const std::string prefix = "primal:n=";
@@ -40,10 +40,10 @@ Measured empty_measure(std::size_t schemes, std::size_t runs) {
   return Measured(schemes, {std::vector<double>(runs), std::vector<double>(runs)});
 }
 
-PlainTable measures_table(const std::string& id, const std::string& title, const std::vector<std::string>& schemes,
-                          const TwoLevels& decibels,
-                          const std::vector<std::pair<std::string, const Measured*>>& columns) {
-  PlainTable table{id, title, {"scheme", "SNR (dB)"}, {}};
+formats::PlainTable measures_table(const std::string& id, const std::string& title,
+                                   const std::vector<std::string>& schemes, const TwoLevels& decibels,
+                                   const std::vector<std::pair<std::string, const Measured*>>& columns) {
+  formats::PlainTable table{id, title, {"scheme", "SNR (dB)"}, {}};
   for (const auto& column : columns) table.head.push_back(column.first);
   for (std::size_t s = 0; s < schemes.size(); ++s)
     for (std::size_t d = 0; d < 2; ++d) {
@@ -67,4 +67,4 @@ Dominance dominance(const Measured& error, std::size_t noise, const std::vector<
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

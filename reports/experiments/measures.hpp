@@ -8,7 +8,7 @@
 #include <array>
 #include <span>
 
-namespace subcert {
+namespace subcert::experiments {
 
 using Coordinate = std::vector<double>;
 
@@ -31,9 +31,9 @@ using TwoLevels = std::array<double, 2>;
 using Measured = std::vector<std::array<std::vector<double>, 2>>;
 Measured empty_measure(std::size_t schemes, std::size_t runs);
 
-PlainTable measures_table(const std::string& id, const std::string& title, const std::vector<std::string>& schemes,
-                          const TwoLevels& decibels,
-                          const std::vector<std::pair<std::string, const Measured*>>& columns);
+formats::PlainTable measures_table(const std::string& id, const std::string& title,
+                                   const std::vector<std::string>& schemes, const TwoLevels& decibels,
+                                   const std::vector<std::pair<std::string, const Measured*>>& columns);
 
 /// Whether each of `good` has smaller errors than each of `bad` at this level of noise, by the paired differences.
 struct Dominance {
@@ -43,4 +43,4 @@ struct Dominance {
 Dominance dominance(const Measured& error, std::size_t noise, const std::vector<std::string>& schemes,
                     const std::vector<std::size_t>& good, const std::vector<std::size_t>& bad);
 
-}  // namespace subcert
+}  // namespace subcert::experiments

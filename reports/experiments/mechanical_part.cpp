@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 /// 0 before `from`, 1 after `to`, with a continuous slope between.
@@ -38,4 +38,4 @@ PointGrid mechanical_part(std::size_t refinement) {
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

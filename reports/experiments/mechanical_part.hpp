@@ -3,7 +3,7 @@
 
 #include "tensor_limit.hpp"
 
-namespace subcert {
+namespace subcert::experiments {
 
 /// A plate of 48 x 80 units with its centre at the origin: a raised end behind a rounded step with a groove across it,
 /// a cylindrical boss with a fillet at its foot and a blind bore in it, and a half-round rib. The grid points lie over
@@ -13,4 +13,4 @@ PointGrid mechanical_part(std::size_t refinement);
 /// Its height over (x, y). Domain: |x| <= 24, |y| <= 40.
 double part_height(double x, double y);
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 const std::vector<int> windows{6, 8, 10};
@@ -18,7 +18,7 @@ struct NoisyExperiment {
   std::string setup;
   OutlierCase data;
   double noise;  ///< expected squared norm of the noise at a point
-  Finding cubic_without_outliers;
+  Verdict cubic_without_outliers;
 };
 
 constexpr std::size_t function_points = 61, curve_points = 60;
@@ -43,7 +43,7 @@ NoisyExperiment function_experiment() {
           "Figure 8: a function with noise and outliers",
           "f(x) = sin(x/5) + (x/30 - 1)^2 at x = 0, ..., 60; normal noise of 20 dB; 4 outliers at random places, up or "
           "down by 1/2 to 3/2 of the range of f.",
-          {{Axis::of(function_points)},
+          {{data::Axis::of(function_points)},
            1,
            3,
            draw,
@@ -51,7 +51,7 @@ NoisyExperiment function_experiment() {
              return std::array<double, 3>{function(x), 0, 0};
            }},
           sigma * sigma,
-          Finding::not_confirmed};
+          Verdict::not_confirmed};
 }
 
 /// A pear-shaped closed curve with a dent.
@@ -83,9 +83,9 @@ NoisyExperiment curve_experiment() {
           "Figure 9: a closed curve with noise and outliers",
           "r = 3 + cos 2t + (1/2) sin 3t, 60 points at equal steps of t, closed; normal noise of 25 dB in both "
           "coordinates; 4 outliers at random places, moved in any direction by 0.2 to 0.5 of the diameter.",
-          {{Axis::of(curve_points, true)}, 2, 3, draw, closed_curve},
+          {{data::Axis::of(curve_points, true)}, 2, 3, draw, closed_curve},
           2 * sigma * sigma,
-          Finding::confirmed};
+          Verdict::confirmed};
 }
 
 std::vector<Method> all_methods() {
@@ -111,19 +111,19 @@ NamePairs pairs(int degree, int other, bool robust = true) {
   return result;
 }
 
-Figure figure(const NoisyExperiment& experiment, std::uint64_t seed) {
+formats::Figure figure(const NoisyExperiment& experiment, std::uint64_t seed) {
   const OutlierCase& data = experiment.data;
   auto engine = generator(seed, 0);
-  const GridData<double> sample{data.draw(engine).with, data.dimension, data.axes};
-  Axis fine = data.axes[0];
+  const data::GridData<double> sample{data.draw(engine).with, data.dimension, data.axes};
+  data::Axis fine = data.axes[0];
   fine.count = (fine.closed ? fine.count : fine.count - 1) * 8 + !fine.closed;
   fine.step = Rational(1, 8);
-  const GridData<double> truth{true_points(data, {fine}), data.dimension, {fine}};
-  Figure result{experiment.id,
-                experiment.title,
-                "One sample: degrees 1, 2, 3 by l1 regression above, by least squares below, on 8 data.",
-                3,
-                {}};
+  const data::GridData<double> truth{true_points(data, {fine}), data.dimension, {fine}};
+  formats::Figure result{experiment.id,
+                         experiment.title,
+                         "One sample: degrees 1, 2, 3 by l1 regression above, by least squares below, on 8 data.",
+                         3,
+                         {}};
   for (const bool robust : {true, false})
     for (const int degree : {1, 2, 3}) {
       const Method method = robust ? robust_method(8, degree) : least_squares_method(8, degree);
@@ -141,7 +141,7 @@ Figure figure(const NoisyExperiment& experiment, std::uint64_t seed) {
 }
 
 /// The claims of one degree about over- and underfitting.
-void add_fit_claims(ExperimentResult& result, const NoisyExperiment& experiment, int degree, PlainTable& table,
+void add_fit_claims(ExperimentResult& result, const NoisyExperiment& experiment, int degree, formats::PlainTable& table,
                     const ExperimentOptions& options) {
   std::vector<NamedMean> overfit, underfit, approximating;
   for (const int points : windows) {
@@ -159,7 +159,7 @@ void add_fit_claims(ExperimentResult& result, const NoisyExperiment& experiment,
                                          " polynomials do not overfit (read as: the variance of the limit is below "
                                          "that of the noise, outliers apart).",
                                      place},
-                                    "variance", experiment.noise, overfit, Finding::not_confirmed));
+                                    "variance", experiment.noise, overfit, Verdict::not_confirmed));
   result.claims.push_back(all_below(
       {"Schemes of " + which + " polynomials do not underfit (read as: the squared bias is below the variance).",
        place},
@@ -178,10 +178,10 @@ ExperimentResult run(const NoisyExperiment& experiment, const ExperimentOptions&
                            "iterations and delta = 1e-8; S: least squares. The noise has the variance " +
                            short_number(experiment.noise) + "."}};
   const auto outcomes = study(experiment.data, all_methods(), options);
-  PlainTable parts{experiment.id + "-parts",
-                   "Parts of the mean squared error with outliers",
-                   {"scheme", "squared bias", "variance", "from data"},
-                   {}};
+  formats::PlainTable parts{experiment.id + "-parts",
+                            "Parts of the mean squared error with outliers",
+                            {"scheme", "squared bias", "variance", "from data"},
+                            {}};
   for (const int degree : {1, 2, 3}) {
     add_fit_claims(result, experiment, degree, parts, options);
     if (degree == 1) continue;
@@ -190,13 +190,13 @@ ExperimentResult run(const NoisyExperiment& experiment, const ExperimentOptions&
         {"On noisy data with outliers, schemes of " + which + " polynomials perform better than those of linear ones.",
          "Abstract"},
         "paired difference of the mean squared errors", 0, differences(outcomes, pairs(degree, 1), &Outcome::error),
-        Finding::not_confirmed));
+        Verdict::not_confirmed));
     result.claims.push_back(all_below({"On noisy data without outliers, schemes of " + which +
                                            " polynomials perform better than those of linear ones.",
                                        "Abstract"},
                                       "paired difference of the mean squared errors", 0,
                                       differences(outcomes, pairs(degree, 1), &Outcome::error_without),
-                                      degree == 3 ? experiment.cubic_without_outliers : Finding::confirmed));
+                                      degree == 3 ? experiment.cubic_without_outliers : Verdict::confirmed));
     result.claims.push_back(all_below(
         {"Schemes of " + which +
              " polynomials remove noise and outliers without prior information (read as: the mean squared error is "
@@ -205,7 +205,7 @@ ExperimentResult run(const NoisyExperiment& experiment, const ExperimentOptions&
         "mean squared error", experiment.noise,
         means(outcomes, {robust_method(6, degree).name, robust_method(8, degree).name, robust_method(10, degree).name},
               &Outcome::error),
-        Finding::not_confirmed));
+        Verdict::not_confirmed));
     result.claims.push_back(
         all_below({"Least squares are sensitive to outliers, l1 schemes of " + which + " polynomials suit them.",
                    "Sec. 1, abstract"},
@@ -228,4 +228,4 @@ std::vector<Experiment> nonlinear_noise_experiments() {
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr std::size_t count = 17;
@@ -35,8 +35,8 @@ struct PolynomialData {
     }
     return point;
   }
-  GridData<double> sampled(const Axis& axis) const {
-    GridData<double> data{{}, coordinates.size(), {axis}};
+  data::GridData<double> sampled(const data::Axis& axis) const {
+    data::GridData<double> data{{}, coordinates.size(), {axis}};
     for (const double x : parameters(axis)) {
       const auto point = at(x);
       data.values.insert(data.values.end(), point.begin(), point.end());
@@ -49,24 +49,25 @@ const std::vector<double> quadratic{-1, 0, 2}, cubic{0, -3, 0, 4};
 const std::vector<PolynomialData> polynomials{
     {"quadratic function", {quadratic}}, {"cubic function", {cubic}}, {"cubic curve in the plane", {quadratic, cubic}}};
 
-GridData<double> limit(const Method& method, const GridData<double>& data) {
+data::GridData<double> limit(const Method& method, const data::GridData<double>& data) {
   return refined(method.specification, data, levels);
 }
 
 /// The largest distance of the refined samples from the polynomial, over the diameter of the samples.
 double deviation(const PolynomialData& polynomial, const Method& method) {
-  const auto data = polynomial.sampled(Axis::of(count));
+  const auto data = polynomial.sampled(data::Axis::of(count));
   const auto fine = limit(method, data);
   const auto all = distances(fine.values, polynomial.sampled(fine.axes[0]).values, fine.dimension);
   return *std::max_element(all.begin(), all.end()) / diameter(data.values, data.dimension);
 }
 
 int linear_reproduction(const Method& method) {
-  return polynomial_reproduction(regression_mask(l1_linear_part(make_l1_scheme(method.specification).scheme)))
+  return polynomial_reproduction(
+             regression_mask(data::l1_linear_part(data::make_l1_scheme(method.specification).scheme)))
       .reproduction_degree;
 }
 
-Panel panel(const PolynomialData& polynomial, const Method& method, const GridData<double>& data) {
+formats::Panel panel(const PolynomialData& polynomial, const Method& method, const data::GridData<double>& data) {
   return {method.name + ", " + polynomial.name,
           "",
           "",
@@ -80,7 +81,7 @@ Panel panel(const PolynomialData& polynomial, const Method& method, const GridDa
 
 OutlierCase noisy_cubic(double decibel) {
   const PolynomialData& polynomial = polynomials[1];
-  const GridData<double> samples = polynomial.sampled(Axis::of(count));
+  const data::GridData<double> samples = polynomial.sampled(data::Axis::of(count));
   const double sigma = noise_deviation(mean_square(samples.values), decibel);
   return {samples.axes, 1, 3,
           [samples, sigma](std::mt19937_64& engine) {
@@ -125,7 +126,7 @@ void add_linear_claims(ExperimentResult& result) {
 ExperimentResult run_linear(const ExperimentOptions& options) {
   constexpr double decibel = 20;
   const OutlierCase noisy = noisy_cubic(decibel);
-  const double sigma = noise_deviation(mean_square(polynomials[1].sampled(Axis::of(count)).values), decibel);
+  const double sigma = noise_deviation(mean_square(polynomials[1].sampled(data::Axis::of(count)).values), decibel);
   ExperimentResult result{
       {"The polynomials are not named. Here: 2t^2 - 1, 4t^3 - 3t and the curve of both, 17 data at t = (x - 8)/7, x = "
        "0, ..., 16; the noise of (d) has 20 dB. Schemes D_6, D_7, D_8 with 6 iterations and delta = 1e-8, ends by the "
@@ -133,11 +134,11 @@ ExperimentResult run_linear(const ExperimentOptions& options) {
        "Underfitting is read as: the squared bias is larger than the variance, so that the error is the model's, not "
        "the noise's. Overfitting: the variance is larger than that of the noise."}};
   add_linear_claims(result);
-  PlainTable table{"nonlinear-fig1-errors",
-                   "Mean squared error of the cubic function with noise (" + short_number(sigma * sigma) +
-                       " is the variance of the noise)",
-                   {"scheme", "squared bias", "variance"},
-                   {}};
+  formats::PlainTable table{"nonlinear-fig1-errors",
+                            "Mean squared error of the cubic function with noise (" + short_number(sigma * sigma) +
+                                " is the variance of the noise)",
+                            {"scheme", "squared bias", "variance"},
+                            {}};
   std::vector<NamedMean> underfit, overfit;
   for (const int degree : {1, 2, 3})
     for (const int points : {6, 7, 8}) {
@@ -155,11 +156,12 @@ ExperimentResult run_linear(const ExperimentOptions& options) {
                 "squared bias minus variance", 0, underfit));
   result.claims.push_back(
       all_below({"The schemes of linear polynomials do not overfit.", "Sec. 1.1"}, "variance", sigma * sigma, overfit));
-  Figure figure{"nonlinear-fig1", "Schemes of linear polynomials on data of other polynomials", "", 2, {}};
+  formats::Figure figure{"nonlinear-fig1", "Schemes of linear polynomials on data of other polynomials", "", 2, {}};
   for (const PolynomialData& polynomial : polynomials)
-    figure.panels.push_back(panel(polynomial, robust_method(6, 1), polynomial.sampled(Axis::of(count))));
+    figure.panels.push_back(panel(polynomial, robust_method(6, 1), polynomial.sampled(data::Axis::of(count))));
   auto engine = generator(options.seed, 0);
-  figure.panels.push_back(panel(polynomials[1], robust_method(6, 1), {noisy.draw(engine).with, 1, {Axis::of(count)}}));
+  figure.panels.push_back(
+      panel(polynomials[1], robust_method(6, 1), {noisy.draw(engine).with, 1, {data::Axis::of(count)}}));
   figure.panels.back().title = "D_6^1, cubic function with noise";
   result.tables.push_back(table);
   result.figures.push_back(figure);
@@ -170,18 +172,18 @@ constexpr long trials = 20;
 
 /// Whether fits with different positive weights to t^k, k <= degree, are t^k at the outputs, in rational numbers.
 bool weights_do_not_matter(const Method& method) {
-  const L1Scheme scheme = make_l1_scheme(method.specification).scheme;
-  const RegressionWindow window = l1_window(scheme);
+  const data::L1Scheme scheme = data::make_l1_scheme(method.specification).scheme;
+  const data::RegressionWindow window = data::l1_window(scheme);
   for (long trial = 0; trial < trials; ++trial) {
     std::vector<Rational> weights;
     for (long i = 0; i < static_cast<long>(window.nodes()); ++i)
       weights.push_back(power(Rational(1 + (5 * i + 3 * trial) % 11, 1 + (7 * i + trial) % 13), 3));
     for (int k = 0; k <= scheme.degree; ++k) {
       std::vector<Rational> data, wanted;
-      for (const LatticePoint& node : window.node_points())
+      for (const data::LatticePoint& node : window.node_points())
         data.push_back(k == 0 ? Rational(1) : node.x == 0 ? Rational(0) : power(node.x, k));
-      for (const LatticePoint& output : window.output_points()) wanted.push_back(power(output.x, k));
-      if (weighted_fit(window, weights, data) != wanted) return false;
+      for (const data::LatticePoint& output : window.output_points()) wanted.push_back(power(output.x, k));
+      if (data::weighted_fit(window, weights, data) != wanted) return false;
     }
   }
   return true;
@@ -194,7 +196,7 @@ ExperimentResult run_reproduction(const ExperimentOptions&) {
                            "reweighted step returns the polynomial, and the schemes reproduce it on every level. This "
                            "is checked in rational numbers for twenty choices of weights whose ratios go up to 10^6."}};
   result.random = false;
-  PlainTable table{
+  formats::PlainTable table{
       "nonlinear-fig3-degrees",
       "Reproduction degree of the linear part, exact, and largest deviation of the l1 schemes over the diameter",
       {"scheme", "exact degree", "quadratic function", "cubic function", "cubic curve in the plane"},
@@ -232,10 +234,10 @@ ExperimentResult run_reproduction(const ExperimentOptions&) {
                         place},
                        "largest distance from the polynomial over the diameter, below 1e-12, polynomials of at most "
                        "the degree of the fit")};
-  Figure figure{"nonlinear-fig3", "Polynomial data kept by schemes of degrees 2 and 3", "", 3, {}};
+  formats::Figure figure{"nonlinear-fig3", "Polynomial data kept by schemes of degrees 2 and 3", "", 3, {}};
   const std::vector<Method> shown{robust_method(6, 2), robust_method(8, 3), robust_method(8, 3)};
   for (std::size_t k = 0; k < polynomials.size(); ++k)
-    figure.panels.push_back(panel(polynomials[k], shown[k], polynomials[k].sampled(Axis::of(count))));
+    figure.panels.push_back(panel(polynomials[k], shown[k], polynomials[k].sampled(data::Axis::of(count))));
   result.tables.push_back(table);
   result.figures.push_back(figure);
   return result;
@@ -248,4 +250,4 @@ std::vector<Experiment> nonlinear_polynomial_experiments() {
           {"nonlinear-fig3", paper, "Figures 3 to 5: reproduction of polynomials", run_reproduction}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -7,16 +7,16 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr int levels = 6;
 const std::vector<int> windows{6, 7, 8};
 
 /// A flower with five petals.
-GridData<double> flower() {
+data::GridData<double> flower() {
   constexpr std::size_t count = 60;
-  GridData<double> data{{}, 2, {Axis::of(count, true)}};
+  data::GridData<double> data{{}, 2, {data::Axis::of(count, true)}};
   for (std::size_t i = 0; i < count; ++i) {
     const double t = 2 * std::numbers::pi * static_cast<double>(i) / count, radius = 4 + std::cos(5 * t);
     data.values.insert(data.values.end(), {radius * std::cos(t), radius * std::sin(t)});
@@ -25,8 +25,8 @@ GridData<double> flower() {
 }
 
 /// A star with ten edges of six parts.
-GridData<double> star() {
-  GridData<double> data{{}, 2, {Axis::of(60, true)}};
+data::GridData<double> star() {
+  data::GridData<double> data{{}, 2, {data::Axis::of(60, true)}};
   const auto corner = [](int k) {
     const double t = std::numbers::pi * (0.5 + k / 5.0), radius = k % 2 == 0 ? 5 : 2.4;
     return std::array<double, 2>{radius * std::cos(t), radius * std::sin(t)};
@@ -38,19 +38,19 @@ GridData<double> star() {
   return data;
 }
 
-GridData<double> limit(const Method& method, const GridData<double>& data) {
+data::GridData<double> limit(const Method& method, const data::GridData<double>& data) {
   return refined(method.specification, data, levels);
 }
 
 /// The largest distance of the limit from the data at their parameters, over the diameter.
-double distance_from_data(const GridData<double>& limit, const GridData<double>& data) {
+double distance_from_data(const data::GridData<double>& limit, const data::GridData<double>& data) {
   const auto all = distances(polygon_at(limit, parameters(data.axes[0])), data.values, data.dimension);
   return *std::max_element(all.begin(), all.end()) / diameter(data.values, data.dimension);
 }
 
 /// The extrema of both coordinates along a closed polygon, without those that the coordinate leaves by at most `height`
 /// before it turns again.
-std::size_t extrema(const GridData<double>& curve, double height) {
+std::size_t extrema(const data::GridData<double>& curve, double height) {
   const std::size_t points = curve.points();
   std::size_t result = 0;
   for (std::size_t c = 0; c < 2; ++c) {
@@ -76,7 +76,7 @@ constexpr double visible = 1.0 / 200;
 
 struct Shape {
   std::string name;
-  GridData<double> data;
+  data::GridData<double> data;
 };
 
 ExperimentResult run(const ExperimentOptions&) {
@@ -86,11 +86,12 @@ ExperimentResult run(const ExperimentOptions&) {
        "edges. Schemes D_6, D_7, D_8 of degrees 1, 2, 3 with 6 iterations and delta = 1e-8, 6 levels. The limit at a "
        "vertex is that at its parameter."}};
   result.random = false;
-  PlainTable table{"nonlinear-fig7-distances",
-                   "Data without noise: largest distance of the limit from the vertices over the diameter, and extrema "
-                   "of both coordinates",
-                   {"polygon", "scheme", "distance", "extrema", "visible ones", "of the polygon", "visible ones"},
-                   {}};
+  formats::PlainTable table{
+      "nonlinear-fig7-distances",
+      "Data without noise: largest distance of the limit from the vertices over the diameter, and extrema "
+      "of both coordinates",
+      {"polygon", "scheme", "distance", "extrema", "visible ones", "of the polygon", "visible ones"},
+      {}};
   Evidence through, near, near_corners, kept, seen, better;
   for (const Shape& shape : shapes) {
     const double lowest = visible * diameter(shape.data.values, 2);
@@ -99,7 +100,7 @@ ExperimentResult run(const ExperimentOptions&) {
       double of_linear = 0;
       for (const int degree : {1, 2, 3}) {
         const Method method = robust_method(points, degree);
-        const GridData<double> fine = limit(method, shape.data);
+        const data::GridData<double> fine = limit(method, shape.data);
         const double distance = distance_from_data(fine, shape.data);
         const std::size_t all = extrema(fine, rounding), high = extrema(fine, lowest);
         const std::string name = shape.name + ", " + method.name;
@@ -122,17 +123,17 @@ ExperimentResult run(const ExperimentOptions&) {
       through.decides({"The schemes show interpolatory behaviour on data without noise: literally, limits pass through "
                        "the vertices.",
                        "Sec. 1.1, Fig. 7"},
-                      measure + "below 1e-6", Finding::not_confirmed),
+                      measure + "below 1e-6", Verdict::not_confirmed),
       near.decides(
           {"Interpolatory behaviour on smooth data, read as: nearer than 1/100 of the diameter.", "Sec. 1.1, Fig. 7"},
           measure + "below 1/100"),
       near_corners.decides(
           {"Interpolatory behaviour on a polygon with corners, read as: nearer than 1/100 of the diameter.",
            "Sec. 1.1, Fig. 7"},
-          measure + "below 1/100", Finding::not_confirmed),
+          measure + "below 1/100", Verdict::not_confirmed),
       kept.decides(
           {"Although not interpolatory, the schemes preserve the shape of the initial polygon.", "Abstract, Fig. 7"},
-          "the limit has as many extrema of its coordinates as the polygon", Finding::not_confirmed),
+          "the limit has as many extrema of its coordinates as the polygon", Verdict::not_confirmed),
       seen.decides(
           {"The schemes preserve the shape of the initial polygon, but for what cannot be seen.", "Abstract, Fig. 7"},
           "the same count without extrema that are lower than 1/200 of the diameter"),
@@ -140,7 +141,7 @@ ExperimentResult run(const ExperimentOptions&) {
           {"The schemes of non-linear polynomials perform better than those of linear ones, on data without noise.",
            "Abstract, Fig. 7"},
           "largest distance from the vertices, smaller than with degree 1 on as many data; the ratio")};
-  Figure figure{"nonlinear-fig7", "Data without noise", "", 3, {}};
+  formats::Figure figure{"nonlinear-fig7", "Data without noise", "", 3, {}};
   for (const Shape& shape : shapes)
     for (const int degree : {1, 2, 3}) {
       const Method method = robust_method(6, degree);
@@ -164,4 +165,4 @@ std::vector<Experiment> nonlinear_quiet_experiments() {
   return {{"nonlinear-fig7", "mustafa-hameed", "Figure 7: data without noise", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr std::size_t count = 21, outliers = 12;
@@ -25,7 +25,7 @@ OutlierCase hills(double& variance) {
     for (std::size_t i = 0; i < count; ++i) samples.push_back(height(static_cast<double>(i), static_cast<double>(j)));
   const double sigma = noise_deviation(mean_square(samples), 20), range = diameter(samples, 1);
   variance = sigma * sigma;
-  return {{Axis::of(count), Axis::of(count)},
+  return {{data::Axis::of(count), data::Axis::of(count)},
           1,
           levels,
           [samples, sigma, range](std::mt19937_64& engine) {
@@ -42,18 +42,18 @@ OutlierCase hills(double& variance) {
           }};
 }
 
-SurfaceFigure figure(const OutlierCase& data, std::uint64_t seed) {
+formats::SurfaceFigure figure(const OutlierCase& data, std::uint64_t seed) {
   auto engine = generator(seed, 0);
-  const GridData<double> sample{data.draw(engine).with, 1, data.axes};
-  SurfaceFigure result{"nonlinear-surface",
-                       "Noisy heights with outliers",
-                       "The data, linear polynomials on 6 x 6 data, quadratic ones, and the true surface.",
-                       {drawn_surface("data", sample)},
-                       2};
-  std::vector<Axis> fine;
+  const data::GridData<double> sample{data.draw(engine).with, 1, data.axes};
+  formats::SurfaceFigure result{"nonlinear-surface",
+                                "Noisy heights with outliers",
+                                "The data, linear polynomials on 6 x 6 data, quadratic ones, and the true surface.",
+                                {drawn_surface("data", sample)},
+                                2};
+  std::vector<data::Axis> fine;
   for (const int degree : {1, 2}) {
     const Method method = robust_method(6, degree, true);
-    const GridData<double> surface = refined(method.specification, sample, levels);
+    const data::GridData<double> surface = refined(method.specification, sample, levels);
     result.surfaces.push_back(drawn_surface(method.name, surface));
     fine = surface.axes;
   }
@@ -86,17 +86,17 @@ ExperimentResult run(const ExperimentOptions& options) {
       "In the surface case the schemes of quadratic polynomials produce smooth models compared with those of linear "
       "ones";
   std::vector<NamedMean> rough;
-  PlainTable table{"nonlinear-surface-errors",
-                   "Surfaces with outliers",
-                   {"scheme", "mean squared error", "without outliers", "roughness"},
-                   {}};
+  formats::PlainTable table{"nonlinear-surface-errors",
+                            "Surfaces with outliers",
+                            {"scheme", "mean squared error", "without outliers", "roughness"},
+                            {}};
   for (const Outcome& o : outcomes)
     table.rows.push_back({o.method.name, mean_interval(o.error).text(), mean_interval(o.error_without).text(),
                           mean_interval(o.roughness).text()});
   result.claims = {
       all_below({sentence + " (read literally: smoother).", "Sec. 1.1"},
                 "paired difference of the roughness, degree 2 minus degree 1", 0,
-                differences(outcomes, pairs(), &Outcome::roughness), Finding::not_confirmed),
+                differences(outcomes, pairs(), &Outcome::roughness), Verdict::not_confirmed),
       all_below({sentence + " (read as: nearer to the smooth surface from which the data come).", "Sec. 1.1"},
                 "paired difference of the mean squared errors, degree 2 minus degree 1", 0,
                 differences(outcomes, pairs(), &Outcome::error)),
@@ -115,4 +115,4 @@ std::vector<Experiment> nonlinear_surface_experiments() {
   return {{"nonlinear-surface", "mustafa-hameed", "Surfaces by linear and quadratic polynomials", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -1,13 +1,14 @@
 #include "outlier_study.hpp"
 
-#include <subcert/reports/parallel.hpp>
-#include <subcert/reports/published.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/formats/published.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::experiments {
 
 const Names least_squares{"S_6", "S_7", "S_8"}, robust{"D_6", "D_7", "D_8"};
 const NamePairs robust_over_least_squares{{"D_6", "S_6"}, {"D_7", "S_7"}, {"D_8", "S_8"}};
@@ -52,7 +53,7 @@ double largest_distance(const std::vector<double>& a, const std::vector<double>&
   return std::sqrt(largest);
 }
 
-double roughness(const std::vector<double>& values, const std::vector<Axis>& axes, std::size_t dimension) {
+double roughness(const std::vector<double>& values, const std::vector<data::Axis>& axes, std::size_t dimension) {
   double sum = 0;
   std::size_t count = 0;
   const std::size_t columns = axes[0].count, row = columns * dimension;
@@ -73,7 +74,7 @@ double roughness(const std::vector<double>& values, const std::vector<Axis>& axe
 
 }  // namespace
 
-std::vector<double> true_points(const OutlierCase& what, const std::vector<Axis>& axes) {
+std::vector<double> true_points(const OutlierCase& what, const std::vector<data::Axis>& axes) {
   const auto xs = parameters(axes[0]), ys = axes.size() > 1 ? parameters(axes[1]) : std::vector<double>{0};
   std::vector<double> result;
   for (const double y : ys)
@@ -101,7 +102,7 @@ std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& m
   const std::vector<double> none(options.runs);
   for (const Method& method : methods) outcomes.push_back({method, none, none, none, none});
   const std::size_t shares = (options.runs + share - 1) / share;
-  parallel_for_each(shares * methods.size(), options.jobs, [&](std::size_t task) {
+  runtime::parallel_for_each(shares * methods.size(), options.jobs, [&](std::size_t task) {
     Outcome& result = outcomes[task / shares];
     const std::size_t first = task % shares * share, count = std::min(share, options.runs - first);
     const Batch fine = refined(result.method.specification, drawn_samples(what, options.seed, first, count),
@@ -121,7 +122,7 @@ std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& m
 const Outcome& outcome(const std::vector<Outcome>& outcomes, const std::string& name) {
   const auto found = std::find_if(outcomes.begin(), outcomes.end(),
                                   [&](const Outcome& o) { return o.method.name == name; });
-  if (found == outcomes.end()) throw std::out_of_range("no outcome of " + name);
+  require(found != outcomes.end(), "no outcome of {}", name);
   return *found;
 }
 
@@ -147,8 +148,10 @@ std::vector<NamedMean> differences(const std::vector<Outcome>& outcomes, const N
   return result;
 }
 
-PlainTable outcome_table(const std::string& id, const std::string& title, const std::vector<Outcome>& outcomes) {
-  PlainTable table{id, title, {"scheme", "specification", "mean squared error", "without outliers", "response"}, {}};
+formats::PlainTable outcome_table(const std::string& id, const std::string& title,
+                                  const std::vector<Outcome>& outcomes) {
+  formats::PlainTable table{
+      id, title, {"scheme", "specification", "mean squared error", "without outliers", "response"}, {}};
   for (const Outcome& o : outcomes)
     table.rows.push_back({o.method.name, o.method.specification, mean_interval(o.error).text(),
                           mean_interval(o.error_without).text(), mean_interval(o.response).text()});
@@ -166,10 +169,10 @@ std::pair<double, double> range(const std::vector<double>& values) {
 
 }  // namespace
 
-ComparisonTable printed_errors(const std::string& table, const std::vector<Outcome>& outcomes) {
-  const PublishedTable printed = published_paper(paper).table(table);
-  ComparisonTable result{paper, printed.id, printed.title, printed.place, printed.grid, {}};
-  for (const PublishedCell& cell : printed.cells) {
+formats::ComparisonTable printed_errors(const std::string& table, const std::vector<Outcome>& outcomes) {
+  const formats::PublishedTable printed = formats::published_paper(paper).table(table);
+  formats::ComparisonTable result{paper, printed.id, printed.title, printed.place, printed.grid, {}};
+  for (const formats::PublishedCell& cell : printed.cells) {
     const Outcome& found = outcome(outcomes, cell.column);
     const auto [least, largest] = range(found.error);
     result.comparisons.push_back(
@@ -182,9 +185,9 @@ ComparisonTable printed_errors(const std::string& table, const std::vector<Outco
 }
 
 Claim printed_errors_claim(const std::string& table, const std::vector<Outcome>& outcomes) {
-  const PublishedTable printed = published_paper(paper).table(table);
+  const formats::PublishedTable printed = formats::published_paper(paper).table(table);
   std::string numbers;
-  for (const PublishedCell& cell : printed.cells) {
+  for (const formats::PublishedCell& cell : printed.cells) {
     const auto [least, largest] = range(outcome(outcomes, cell.column).error);
     numbers += (numbers.empty() ? "" : "; ") + cell.column + ": printed " + cell.printed + ", ours " +
                short_number(least) + " to " + short_number(largest);
@@ -192,9 +195,9 @@ Claim printed_errors_claim(const std::string& table, const std::vector<Outcome>&
   return {"The errors of " + printed.title + ".",
           printed.place,
           "the data were not published; the printed values beside the range over our samples",
-          Finding::not_reproducible,
+          Verdict::not_reproducible,
           numbers,
-          Finding::not_reproducible};
+          Verdict::not_reproducible};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-namespace subcert {
+namespace subcert::experiments {
 
 /// A scheme under the name that the paper gives it.
 struct Method {
@@ -27,7 +27,7 @@ struct OutlierSample {
 };
 
 struct OutlierCase {
-  std::vector<Axis> axes;
+  std::vector<data::Axis> axes;
   std::size_t dimension;
   int levels;
   /// One sample of noise and outliers.
@@ -37,7 +37,7 @@ struct OutlierCase {
 };
 
 /// The points from which the data come, at the parameters of these axes; ordered as GridData::values.
-std::vector<double> true_points(const OutlierCase& what, const std::vector<Axis>& axes);
+std::vector<double> true_points(const OutlierCase& what, const std::vector<data::Axis>& axes);
 
 /// The samples first, ..., first + count - 1; each set without outliers is followed by that with them.
 Batch drawn_samples(const OutlierCase& what, std::uint64_t seed, std::size_t first, std::size_t count);
@@ -56,7 +56,7 @@ struct Outcome {
 std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& methods,
                            const ExperimentOptions& options);
 
-/// Errors: throws std::out_of_range.
+/// Errors: throws a domain error.
 const Outcome& outcome(const std::vector<Outcome>& outcomes, const std::string& name);
 
 using Measure = std::vector<double> Outcome::*;
@@ -79,10 +79,11 @@ extern const NamePairs six_over_others;
 extern const NamePairs more_least_squares_points, more_robust_points, more_over_fewer_points;
 
 /// Errors, errors without outliers, responses.
-PlainTable outcome_table(const std::string& id, const std::string& title, const std::vector<Outcome>& outcomes);
+formats::PlainTable outcome_table(const std::string& id, const std::string& title,
+                                  const std::vector<Outcome>& outcomes);
 
 /// The printed table beside the errors, none of them reproducible, and the claim that says so.
-ComparisonTable printed_errors(const std::string& table, const std::vector<Outcome>& outcomes);
+formats::ComparisonTable printed_errors(const std::string& table, const std::vector<Outcome>& outcomes);
 Claim printed_errors_claim(const std::string& table, const std::vector<Outcome>& outcomes);
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -4,7 +4,7 @@
 #include "families.hpp"
 #include "mechanical_part.hpp"
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 ExperimentResult run(const ExperimentOptions& options) {
@@ -26,18 +26,18 @@ ExperimentResult run(const ExperimentOptions& options) {
   const std::string low = "With low noise S_3 x S_3 and S_6^3 x S_6^3 outperform the other two schemes";
   const std::string high = "With high noise S_5 x S_5 is superior to the other three";
   const auto add = [&](const std::string& sentence, const std::string& row, const Dominance& found,
-                       const std::string& of, Finding recorded) {
+                       const std::string& of, Verdict recorded) {
     result.claims.push_back(
         decided({sentence, "Sec. 5.2, Fig. 21, " + row},
                 "the mean paired differences of the errors of the " + of + " are negative with their whole intervals",
                 found.shown, found.numbers, recorded));
   };
-  add(low + ".", "upper row", dominance(error, 0, trial.schemes, {0, 3}, {1, 2}), "points", Finding::not_confirmed);
+  add(low + ".", "upper row", dominance(error, 0, trial.schemes, {0, 3}, {1, 2}), "points", Verdict::not_confirmed);
   add(low + " (read as: in the normals, which a shaded picture shows).", "upper row",
-      dominance(normal_error, 0, trial.schemes, {0, 3}, {1, 2}), "normals", Finding::confirmed);
-  add(high + ".", "lower row", dominance(error, 1, trial.schemes, {1}, {0, 2, 3}), "points", Finding::not_confirmed);
+      dominance(normal_error, 0, trial.schemes, {0, 3}, {1, 2}), "normals", Verdict::confirmed);
+  add(high + ".", "lower row", dominance(error, 1, trial.schemes, {1}, {0, 2, 3}), "points", Verdict::not_confirmed);
   add(high + " (read as: in the normals).", "lower row", dominance(normal_error, 1, trial.schemes, {1}, {0, 2, 3}),
-      "normals", Finding::not_confirmed);
+      "normals", Verdict::not_confirmed);
   result.tables.push_back(measures_table("fig21-measures", "Mechanical part", trial.schemes, trial.decibels,
                                          {{"relative error", &error}, {"normals (degrees)", &normal_error}}));
   result.surface_figures = {samples_figure(trial, "fig20", options.seed), limits_figure(trial, options.seed)};
@@ -50,4 +50,4 @@ std::vector<Experiment> part_experiments() {
   return {{"fig21", "dyn-2015", "Figures 20 and 21: a mechanical part", run}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

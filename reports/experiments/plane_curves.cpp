@@ -4,13 +4,13 @@
 #include "families.hpp"
 #include "measures.hpp"
 
-#include <subcert/reports/parallel.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 
 #include <cmath>
 #include <functional>
 #include <numbers>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 constexpr int level = 3;  // outputs at the multiples of 1/8
@@ -86,18 +86,19 @@ double roundness(const PlaneCurve& c) {
   return least / largest;
 }
 
-Curve drawn(const std::string& label, const PlaneCurve& curve, bool joined, const std::string& colour,
-            bool closed = false) {
-  Curve result{label, {}, !joined, joined, colour};
+formats::Curve drawn(const std::string& label, const PlaneCurve& curve, bool joined, const std::string& colour,
+                     bool closed = false) {
+  formats::Curve result{label, {}, !joined, joined, colour};
   for (std::size_t i = 0; i < curve[0].size(); ++i) result.points.emplace_back(curve[0][i], curve[1][i]);
   if (closed && joined) result.points.push_back(result.points.front());
   return result;
 }
 
-Figure limits_figure(const std::string& id, const std::string& title, const std::vector<std::string>& schemes,
-                     const std::vector<DenseMatrix>& matrices, const NoisyCurve& curve, const TwoLevels& decibels,
-                     std::uint64_t seed) {
-  Figure figure{id, title, "One sample of the noise; rows: low and high noise.", static_cast<int>(schemes.size()), {}};
+formats::Figure limits_figure(const std::string& id, const std::string& title, const std::vector<std::string>& schemes,
+                              const std::vector<DenseMatrix>& matrices, const NoisyCurve& curve,
+                              const TwoLevels& decibels, std::uint64_t seed) {
+  formats::Figure figure{
+      id, title, "One sample of the noise; rows: low and high noise.", static_cast<int>(schemes.size()), {}};
   auto engine = generator(seed, 0);
   for (const double decibel : decibels) {
     const PlaneCurve data = noisy(curve.samples, engine, decibel);
@@ -119,7 +120,7 @@ Figure limits_figure(const std::string& id, const std::string& title, const std:
 void for_each_limit(const NoisyCurve& curve, const std::vector<DenseMatrix>& matrices, const TwoLevels& decibels,
                     const ExperimentOptions& options,
                     const std::function<void(std::size_t, std::size_t, std::size_t, const PlaneCurve&)>& visit) {
-  parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
+  runtime::parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
     auto engine = generator(options.seed, run);
     for (std::size_t d = 0; d < decibels.size(); ++d) {
       const PlaneCurve data = noisy(curve.samples, engine, decibels[d]);
@@ -129,7 +130,7 @@ void for_each_limit(const NoisyCurve& curve, const std::vector<DenseMatrix>& mat
 }
 
 std::vector<DenseMatrix> limit_matrices(const std::vector<std::string>& schemes, std::size_t count,
-                                        Extension extension) {
+                                        data::Extension extension) {
   std::vector<DenseMatrix> result;
   for (const std::string& scheme : schemes) result.push_back(limit_matrix(scheme, count, extension, level));
   return result;
@@ -139,7 +140,7 @@ ExperimentResult run_alpha(const ExperimentOptions& options) {
   constexpr std::size_t count = 30;
   const std::vector<std::string> schemes{"primal:n=3", "primal:n=5"};
   const TwoLevels decibels{17, 4};
-  const auto matrices = limit_matrices(schemes, count, Extension::interp);
+  const auto matrices = limit_matrices(schemes, count, data::Extension::interp);
   const NoisyCurve curve{alpha(count), alpha(((count - 1) << level) + 1), false};
   const std::size_t true_crossings = crossings(curve.truth);
   Measured error = empty_measure(2, options.runs), turning = error, kept = error;
@@ -185,7 +186,7 @@ ExperimentResult run_star(const ExperimentOptions& options) {
   constexpr std::size_t count = 50;
   const std::vector<std::string> schemes{"primal:n=3", "primal:n=5", "primal:n=4,d=3", "primal:n=6,d=3"};
   const TwoLevels decibels{19, 10};
-  const auto matrices = limit_matrices(schemes, count, Extension::wrap);
+  const auto matrices = limit_matrices(schemes, count, data::Extension::wrap);
   const NoisyCurve curve{star(count), star(count << level), true};
   Measured error = empty_measure(4, options.runs), round = error, turning = error;
   for_each_limit(curve, matrices, decibels, options,
@@ -202,7 +203,7 @@ ExperimentResult run_star(const ExperimentOptions& options) {
   result.claims.push_back(decided(
       {"The samples at t_i = i/(100 pi), i = 0, ..., 49, are those of the star.", "Sec. 5.1, after (26)"},
       "50 steps make a period, 2 pi", std::abs(covered - 2 * std::numbers::pi) < 0.01,
-      "50 steps cover " + short_number(covered) + " of " + short_number(2 * std::numbers::pi), Finding::not_confirmed));
+      "50 steps cover " + short_number(covered) + " of " + short_number(2 * std::numbers::pi), Verdict::not_confirmed));
   bool as_said = true;
   std::string numbers;
   for (std::size_t s = 0; s < 4; ++s) {
@@ -239,4 +240,4 @@ std::vector<Experiment> curve_experiments() {
           {"fig17", "dyn-2015", "Figures 16 and 17: the star", run_star}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

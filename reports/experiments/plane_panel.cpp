@@ -1,12 +1,13 @@
 #include "plane_panel.hpp"
 
-namespace subcert {
+namespace subcert::experiments {
 
-Panel plane_panel(const PanelParts& parts) {
-  Panel panel{parts.title,
-              "",
-              "",
-              {{"original", parts.truth, false, true, "#e0a030"}, {"data", parts.data, false, false, "#8a97a3"}}};
+formats::Panel plane_panel(const PanelParts& parts) {
+  formats::Panel panel{
+      parts.title,
+      "",
+      "",
+      {{"original", parts.truth, false, true, "#e0a030"}, {"data", parts.data, false, false, "#8a97a3"}}};
   if (!parts.outliers.empty()) panel.curves.push_back({"outliers", parts.outliers, false, false, "#7d3c98"});
   panel.curves.push_back({"fitted", parts.curve, false, true, parts.robust ? "#0b559f" : "#c0392b"});
   panel.key = "below";
@@ -14,4 +15,4 @@ Panel plane_panel(const PanelParts& parts) {
   return panel;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

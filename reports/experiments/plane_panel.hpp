@@ -1,9 +1,9 @@
 #pragma once
 /// Panels of noisy data with outliers and a fitted curve.
 
-#include <subcert/reports/figure.hpp>
+#include <subcert/reports/formats/figure.hpp>
 
-namespace subcert {
+namespace subcert::experiments {
 
 struct PanelParts {
   std::string title;
@@ -12,6 +12,6 @@ struct PanelParts {
   bool equal_units = false;
 };
 
-Panel plane_panel(const PanelParts& parts);
+formats::Panel plane_panel(const PanelParts& parts);
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 double as_double(const Rational& value) { return value.convert_to<double>(); }
 
-Curve drawn(const std::string& label, const GridData<double>& data, bool joined, const std::string& colour) {
-  Curve result{label, {}, !joined, joined, colour};
+formats::Curve drawn(const std::string& label, const data::GridData<double>& data, bool joined,
+                     const std::string& colour) {
+  formats::Curve result{label, {}, !joined, joined, colour};
   const std::size_t points = data.points();
   for (std::size_t k = 0; k < points + (joined && data.axes[0].closed && data.dimension > 1); ++k) {
     const double* point = data.values.data() + k % points * data.dimension;
@@ -25,13 +26,13 @@ Curve drawn(const std::string& label, const GridData<double>& data, bool joined,
 
 }  // namespace
 
-GridData<double> refined(const std::string& specification, const GridData<double>& data, int levels) {
+data::GridData<double> refined(const std::string& specification, const data::GridData<double>& data, int levels) {
   Batch fine = refined(specification, Batch{data.axes, data.dimension, {data.values}}, levels);
   return {std::move(fine.sets.front()), fine.dimension, fine.axes};
 }
 
-std::vector<double> polygon_at(const GridData<double>& curve, const std::vector<double>& parameters) {
-  const Axis& axis = curve.axes[0];
+std::vector<double> polygon_at(const data::GridData<double>& curve, const std::vector<double>& parameters) {
+  const data::Axis& axis = curve.axes[0];
   const double first = as_double(axis.first), step = as_double(axis.step);
   const auto count = static_cast<long>(axis.count);
   std::vector<double> result;
@@ -50,7 +51,7 @@ std::vector<double> polygon_at(const GridData<double>& curve, const std::vector<
   return result;
 }
 
-std::vector<double> mesh_at(const GridData<double>& surface, const std::vector<Axis>& finer) {
+std::vector<double> mesh_at(const data::GridData<double>& surface, const std::vector<data::Axis>& finer) {
   // The rows are the points of a curve along the second axis.
   const std::size_t columns = surface.axes[0].count, width = columns * surface.dimension;
   const std::vector<double> rows = polygon_at({surface.values, width, {surface.axes[1]}}, parameters(finer[1])),
@@ -93,17 +94,17 @@ double diameter(const std::vector<double>& points, std::size_t dimension) {
 
 const std::string pale = "#9aa5b1";
 
-Curve drawn_points(const std::string& label, const GridData<double>& data, const std::string& colour) {
+formats::Curve drawn_points(const std::string& label, const data::GridData<double>& data, const std::string& colour) {
   return drawn(label, data, false, colour);
 }
 
-Curve drawn_line(const std::string& label, const GridData<double>& data, const std::string& colour) {
+formats::Curve drawn_line(const std::string& label, const data::GridData<double>& data, const std::string& colour) {
   return drawn(label, data, true, colour);
 }
 
-DrawnSurface drawn_surface(const std::string& title, const GridData<double>& surface) {
-  const Axis &x = surface.axes[0], &y = surface.axes[1];
-  DrawnSurface result{title, x.count, y.count, x.closed, y.closed, {}, surface.dimension == 1};
+formats::DrawnSurface drawn_surface(const std::string& title, const data::GridData<double>& surface) {
+  const data::Axis &x = surface.axes[0], &y = surface.axes[1];
+  formats::DrawnSurface result{title, x.count, y.count, x.closed, y.closed, {}, surface.dimension == 1};
   for (std::size_t j = 0; j < y.count; ++j)
     for (std::size_t i = 0; i < x.count; ++i) {
       const double* value = surface.values.data() + (j * x.count + i) * surface.dimension;
@@ -115,8 +116,8 @@ DrawnSurface drawn_surface(const std::string& title, const GridData<double>& sur
   return result;
 }
 
-GridData<double> rounded(const GridData<Rational>& data) {
-  GridData<double> result{{}, data.dimension, data.axes};
+data::GridData<double> rounded(const data::GridData<Rational>& data) {
+  data::GridData<double> result{{}, data.dimension, data.axes};
   for (const Rational& value : data.values) result.values.push_back(as_double(value));
   return result;
 }
@@ -126,4 +127,4 @@ void Evidence::require(const std::string& name, bool holds, const std::string& n
   numbers_ += (numbers_.empty() ? "" : "; ") + name + (name.empty() ? "" : ": ") + numbers;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

@@ -1,5 +1,7 @@
 #include "statistics.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
@@ -9,7 +11,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::experiments {
 
 std::mt19937_64 generator(std::uint64_t seed, std::size_t run) {
   std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
@@ -38,7 +40,7 @@ std::vector<std::size_t> chosen_indices(std::mt19937_64& engine, std::size_t cou
 std::string MeanInterval::text() const { return short_number(mean) + " ± " + short_number(half_width); }
 
 MeanInterval mean_interval(const std::vector<double>& values) {
-  if (values.size() < 2) throw std::invalid_argument("mean_interval: need at least 2 values");
+  require(values.size() >= 2, "mean_interval: need at least 2 values");
   const auto count = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
   double squares = 0;
@@ -69,4 +71,4 @@ std::string short_number(double value) {
   return text;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

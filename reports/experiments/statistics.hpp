@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace subcert {
+namespace subcert::experiments {
 
 /// The generator of sample `run` of an experiment.
 std::mt19937_64 generator(std::uint64_t seed, std::size_t run);
@@ -45,4 +45,4 @@ double mean_square(const std::vector<double>& values);
 /// Four significant digits.
 std::string short_number(double value);
 
-}  // namespace subcert
+}  // namespace subcert::experiments

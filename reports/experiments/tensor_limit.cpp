@@ -1,13 +1,13 @@
 #include "tensor_limit.hpp"
 
-#include <subcert/reports/parallel.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 /// matrix times each column of `values`, a matrix with `width` columns; zeros are skipped.
@@ -91,20 +91,20 @@ std::vector<TensorLimit> limits(const SurfaceTrial& trial, int level) {
   std::vector<TensorLimit> result;
   for (const std::string& scheme : trial.schemes)
     result.emplace_back(scheme, trial.samples.columns, trial.samples.rows,
-                        trial.closed ? Extension::wrap : Extension::interp, level);
+                        trial.closed ? data::Extension::wrap : data::Extension::interp, level);
   return result;
 }
 
 }  // namespace
 
-DrawnSurface PointGrid::drawn(const std::string& title, bool closed) const {
-  DrawnSurface result{title, columns, rows, closed, closed, {}};
+formats::DrawnSurface PointGrid::drawn(const std::string& title, bool closed) const {
+  formats::DrawnSurface result{title, columns, rows, closed, closed, {}};
   for (std::size_t i = 0; i < columns * rows; ++i) result.points.push_back({points[0][i], points[1][i], points[2][i]});
   return result;
 }
 
-TensorLimit::TensorLimit(const std::string& specification, std::size_t columns, std::size_t rows, Extension extension,
-                         int level)
+TensorLimit::TensorLimit(const std::string& specification, std::size_t columns, std::size_t rows,
+                         data::Extension extension, int level)
     : along_columns_(limit_matrix(specification, columns, extension, level)),
       along_rows_(limit_matrix(specification, rows, extension, level)) {}
 
@@ -121,7 +121,7 @@ SurfaceErrors measure(const SurfaceTrial& trial, const ExperimentOptions& option
   const auto schemes = limits(trial, trial.level);
   const Measured empty = empty_measure(schemes.size(), options.runs);
   SurfaceErrors result{empty, empty, empty};
-  parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
+  runtime::parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
     auto engine = generator(options.seed, run);
     for (std::size_t d = 0; d < 2; ++d) {
       const PointGrid data = noisy(trial.samples, trial.decibels[d], engine);
@@ -136,8 +136,8 @@ SurfaceErrors measure(const SurfaceTrial& trial, const ExperimentOptions& option
   return result;
 }
 
-SurfaceFigure samples_figure(const SurfaceTrial& trial, const std::string& id, std::uint64_t seed) {
-  SurfaceFigure figure{id, trial.title + " and its noisy samples", "One sample of the noise.", {}, 3};
+formats::SurfaceFigure samples_figure(const SurfaceTrial& trial, const std::string& id, std::uint64_t seed) {
+  formats::SurfaceFigure figure{id, trial.title + " and its noisy samples", "One sample of the noise.", {}, 3};
   figure.surfaces.push_back(trial.truth.drawn(trial.title, trial.closed));
   auto engine = generator(seed, 0);
   for (const double decibel : trial.decibels)
@@ -146,12 +146,12 @@ SurfaceFigure samples_figure(const SurfaceTrial& trial, const std::string& id, s
   return figure;
 }
 
-SurfaceFigure limits_figure(const SurfaceTrial& trial, std::uint64_t seed) {
-  SurfaceFigure figure{trial.id,
-                       trial.title + ": limits",
-                       "One sample of the noise; rows: low and high noise.",
-                       {},
-                       trial.schemes.size()};
+formats::SurfaceFigure limits_figure(const SurfaceTrial& trial, std::uint64_t seed) {
+  formats::SurfaceFigure figure{trial.id,
+                                trial.title + ": limits",
+                                "One sample of the noise; rows: low and high noise.",
+                                {},
+                                trial.schemes.size()};
   const auto schemes = limits(trial, trial.closed ? trial.level : 0);
   auto engine = generator(seed, 0);
   for (const double decibel : trial.decibels) {
@@ -165,4 +165,4 @@ SurfaceFigure limits_figure(const SurfaceTrial& trial, std::uint64_t seed) {
   return figure;
 }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

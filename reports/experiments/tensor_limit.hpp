@@ -3,7 +3,7 @@
 
 #include "measures.hpp"
 
-namespace subcert {
+namespace subcert::experiments {
 
 /// columns x rows points: coordinate[j * columns + i].
 struct PointGrid {
@@ -12,13 +12,14 @@ struct PointGrid {
   std::array<Coordinate, 3> points;
 
   /// As a picture.
-  DrawnSurface drawn(const std::string& title, bool closed) const;
+  formats::DrawnSurface drawn(const std::string& title, bool closed) const;
 };
 
 /// One scheme in both directions of a grid, its limit at the multiples of 2^-level.
 class TensorLimit {
  public:
-  TensorLimit(const std::string& specification, std::size_t columns, std::size_t rows, Extension extension, int level);
+  TensorLimit(const std::string& specification, std::size_t columns, std::size_t rows, data::Extension extension,
+              int level);
   PointGrid operator()(const PointGrid& grid) const;
 
  private:
@@ -47,7 +48,7 @@ struct SurfaceErrors {
 SurfaceErrors measure(const SurfaceTrial& trial, const ExperimentOptions& options);
 
 /// One sample of the noise: the surface and its noisy points, and the limits, one row for each level of noise.
-SurfaceFigure samples_figure(const SurfaceTrial& trial, const std::string& id, std::uint64_t seed);
-SurfaceFigure limits_figure(const SurfaceTrial& trial, std::uint64_t seed);
+formats::SurfaceFigure samples_figure(const SurfaceTrial& trial, const std::string& id, std::uint64_t seed);
+formats::SurfaceFigure limits_figure(const SurfaceTrial& trial, std::uint64_t seed);
 
-}  // namespace subcert
+}  // namespace subcert::experiments

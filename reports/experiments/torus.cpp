@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert {
+namespace subcert::experiments {
 namespace {
 
 PointGrid torus(std::size_t count) {
@@ -41,17 +41,17 @@ ExperimentResult run(const ExperimentOptions& options) {
   result.claims.push_back(decided(
       {"With low noise both limits are fairly good (read as: relative error below 1/10).", "Sec. 5.2, Fig. 19(a,b)"},
       "means below 1/10 with their intervals", low3.mean + low3.half_width < 0.1 && low5.mean + low5.half_width < 0.1,
-      "S_3: " + low3.text() + ", S_5: " + low5.text(), Finding::not_confirmed));
+      "S_3: " + low3.text() + ", S_5: " + low5.text(), Verdict::not_confirmed));
   const std::string sentence = "With high noise S_5 x S_5 provides a better approximation than S_3 x S_3";
   const Dominance whole = dominance(error, 1, trial.schemes, {1}, {0}),
                   shape = dominance(shape_error, 1, trial.schemes, {1}, {0}),
                   normals = dominance(normal_error, 1, trial.schemes, {1}, {0});
   result.claims.push_back(decided({sentence + ".", "Sec. 5.2, Fig. 19(c,d)"},
                                   "mean of the paired difference of relative errors, negative with its whole interval",
-                                  whole.shown, whole.numbers, Finding::not_confirmed));
+                                  whole.shown, whole.numbers, Verdict::not_confirmed));
   result.claims.push_back(decided({sentence + " (read as: of the shape, whatever its size).", "Sec. 5.2, Fig. 19(c,d)"},
                                   "the same with the errors up to size", shape.shown, shape.numbers,
-                                  Finding::not_confirmed));
+                                  Verdict::not_confirmed));
   result.claims.push_back(
       decided({sentence + " (read as: of the normals, which a shaded picture shows).", "Sec. 5.2, Fig. 19(c,d)"},
               "the same with the errors of the normals", normals.shown, normals.numbers));
@@ -66,4 +66,4 @@ ExperimentResult run(const ExperimentOptions& options) {
 
 std::vector<Experiment> torus_experiments() { return {{"fig19", "dyn-2015", "Figures 18 and 19: the torus", run}}; }
 
-}  // namespace subcert
+}  // namespace subcert::experiments

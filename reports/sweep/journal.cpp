@@ -1,6 +1,7 @@
 #include "journal.hpp"
 
-#include <subcert/reports/files.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/runtime/files.hpp>
 
 #include <boost/crc.hpp>
 #include <boost/uuid/name_generator_sha1.hpp>
@@ -19,7 +20,7 @@
 #include <optional>
 #include <string_view>
 
-namespace subcert {
+namespace subcert::sweeps {
 namespace {
 
 const std::string header = "subcert journal 1\n";
@@ -60,14 +61,15 @@ std::string place(const std::filesystem::path& path, std::size_t line) {
   return path.string() + " line " + std::to_string(line);
 }
 
-JournalError conflict(const std::string& first, const std::string& second, const std::string& specification) {
-  return JournalError(first + " and " + second + " have different results for the case '" + specification + "'");
+Error conflict(const std::string& first, const std::string& second, const std::string& specification) {
+  return {ErrorKind::data,
+          fmt::format("{} and {} have different results for the case '{}'", first, second, specification)};
 }
 
 JournalContent parse_journal(const std::filesystem::path& path, std::string_view text) {
   JournalContent content;
   if (text.size() < header.size() && header.compare(0, text.size(), text) == 0) return content;
-  if (text.substr(0, header.size()) != header) throw JournalError(path.string() + ": not a journal of subcert");
+  if (text.substr(0, header.size()) != header) fail(ErrorKind::data, "{}: not a journal of subcert", path.string());
   std::map<std::string, std::size_t> known;
   std::size_t number = 1;
   for (std::size_t begin = header.size(), end; begin < text.size(); begin = end + 1) {
@@ -94,15 +96,15 @@ JournalContent parse_journal(const std::filesystem::path& path, std::string_view
 }
 
 std::string file_text(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) throw JournalError(path.string() + ": not a file");
+  if (!std::filesystem::is_regular_file(path)) fail(ErrorKind::data, "{}: not a file", path.string());
   std::ifstream stream(path, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream.is_open() || stream.bad()) throw JournalError(path.string() + ": cannot be read");
+  if (!stream.is_open() || stream.bad()) fail(ErrorKind::data, "{}: cannot be read", path.string());
   return text;
 }
 
-JournalError system_error(const std::filesystem::path& path, const std::string& what) {
-  return JournalError(path.string() + ": " + what + ": " + std::strerror(errno));
+Error system_error(const std::filesystem::path& path, const std::string& what) {
+  return {ErrorKind::data, fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno))};
 }
 
 /// A name in a folder is on disk only after the folder is.
@@ -159,9 +161,10 @@ void Journal::lock() {
     if (file_ < 0) throw system_error(path_, "cannot be opened for writing");
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
       if (errno == EWOULDBLOCK)
-        throw JournalInUse(path_.string() +
-                           ": another process is using this journal; wait for it, or give each process a journal of "
-                           "its own with --shard and join them with 'subcert merge'");
+        fail(ErrorKind::usage,
+             "{}: another process is using this journal; wait for it, or give each process a journal of its own with "
+             "--shard and join them with 'subcert merge'",
+             path_.string());
       throw system_error(path_, "cannot be locked");
     }
     struct stat locked, named;
@@ -180,7 +183,7 @@ void Journal::write_whole(const std::string& text) {
   } while (written < 0 && errno == EINTR);
   if (written >= 0 && static_cast<std::size_t>(written) < text.size()) errno = ENOSPC;
   if (written != static_cast<ssize_t>(text.size()) || fsync(file_) != 0) {
-    const JournalError failure = system_error(path_, "cannot be written");
+    const Error failure = system_error(path_, "cannot be written");
     if (ftruncate(file_, static_cast<off_t>(bytes_)) != 0)
       throw system_error(path_, "cannot be cut to its whole lines");
     throw failure;
@@ -218,8 +221,8 @@ MergedJournals merge_journals(const std::vector<std::filesystem::path>& sources,
   }
   std::string text = header;
   for (const Source& source : merged) text += line_of(source.entry);
-  write_file(out, text);
+  runtime::write_file(out, text);
   return {merged.size(), damage};
 }
 
-}  // namespace subcert
+}  // namespace subcert::sweeps

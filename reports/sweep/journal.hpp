@@ -6,23 +6,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace subcert {
+namespace subcert::sweeps {
 
 using Json = nlohmann::ordered_json;
-
-/// A journal that cannot be used: not a journal, not readable or writable, or with two results for one case.
-struct JournalError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// Another process holds the journal.
-struct JournalInUse : JournalError {
-  using JournalError::JournalError;
-};
 
 /// The name of a case in a journal: the name-based UUID (version 5, SHA-1) of the program's version and the canonical
 /// specification, which states the scheme(s) and every option that the result depends on. Ref: RFC 4122, sec. 4.3.
@@ -46,7 +35,7 @@ struct JournalContent {
   std::uintmax_t whole_bytes = 0;  ///< the length of the file without a torn or damaged last line
 };
 
-/// Reads a journal, also one that is being written. Errors: throws JournalError that names the file for a file that
+/// Reads a journal, also one that is being written. Errors: throws a data error that names the file for a file that
 /// cannot be read or is no journal, and the file and both lines where one case has two different results.
 JournalContent read_journal(const std::filesystem::path& path);
 
@@ -58,7 +47,7 @@ std::vector<std::string> damage_reports(const std::filesystem::path& path, const
 class Journal {
  public:
   /// Opens the journal or makes a new one, locks it, reads it and cuts off a torn or damaged last line. Errors: throws
-  /// JournalInUse where another process holds it, JournalError as read_journal does.
+  /// a usage error where another process holds it, else as read_journal does.
   explicit Journal(const std::filesystem::path& path);
   ~Journal();
   Journal(const Journal&) = delete;
@@ -67,7 +56,7 @@ class Journal {
   const JournalContent& content() const { return content_; }
 
   /// Appends one case: one write, then fsync, so that afterwards the line survives whatever happens to the process or
-  /// the machine. Errors: throws JournalError; the journal then ends with its last whole line.
+  /// the machine. Errors: throws a data error; the journal then ends with its last whole line.
   void append(const JournalEntry& entry);
 
  private:
@@ -86,9 +75,9 @@ struct MergedJournals {
 };
 
 /// Joins journals, and the one at `out` where it exists, into `out`; cases stand in the order of their first
-/// occurrence. Errors: throws JournalError as read_journal does, and one that names both files and lines where two
-/// journals have different results for one case; JournalInUse where another process holds `out`. The file at `out` is
+/// occurrence. Errors: as read_journal, and a data error that names both files and lines where two
+/// journals have different results for one case; a usage error where another process holds `out`. The file at `out` is
 /// then as it was.
 MergedJournals merge_journals(const std::vector<std::filesystem::path>& sources, const std::filesystem::path& out);
 
-}  // namespace subcert
+}  // namespace subcert::sweeps

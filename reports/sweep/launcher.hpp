@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <initializer_list>
 
-namespace subcert {
+namespace subcert::sweeps {
 
 /// The number of processes of the job as Open MPI's and MPICH's mpirun and Slurm's srun with PMI state it; 0 where no
 /// launcher states one.
@@ -17,4 +17,4 @@ inline int launched_processes() {
 /// Whether an MPI launcher started this process, also one that states no number (srun with PMIx).
 inline bool is_launched() { return launched_processes() > 0 || std::getenv("PMIX_RANK") != nullptr; }
 
-}  // namespace subcert
+}  // namespace subcert::sweeps

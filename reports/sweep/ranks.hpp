@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace subcert {
+namespace subcert::sweeps {
 
 /// What became of a case: the text of its JSON value or, where it failed, the message.
 struct CaseOutcome {
@@ -18,14 +18,14 @@ using NextCase = std::function<std::optional<std::size_t>()>;
 using FinishCase = std::function<void(std::size_t, const CaseOutcome&)>;
 using ComputeCase = std::function<CaseOutcome(std::size_t)>;
 
-/// 1 without mpirun. Errors: throws std::runtime_error where a launcher started several processes of a program that
+/// 1 without mpirun. Errors: throws a usage error where a launcher started several processes of a program that
 /// was built without MPI, or with another MPI.
 int rank_count();
 /// From 0 to rank_count() - 1.
 int own_rank();
 
 /// Called on all ranks: rank 0 says whether the sweep begins, and `plan` names its cases; all get rank 0's word.
-/// Errors: throws std::runtime_error where this rank has another plan than rank 0.
+/// Errors: throws a usage error where this rank has another plan than rank 0.
 bool sweep_begins(bool ready, const std::string& plan);
 
 /// On rank 0, from the thread that called sweep_begins: gives the other ranks what `next` gives, and what they made of
@@ -38,4 +38,4 @@ void work_for_first_rank(int jobs, const ComputeCase& compute);
 /// Ends all ranks at once, after an error that the others cannot know of.
 [[noreturn]] void abandon_ranks(const std::string& message);
 
-}  // namespace subcert
+}  // namespace subcert::sweeps

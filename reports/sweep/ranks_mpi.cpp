@@ -6,7 +6,8 @@
 #include "launcher.hpp"
 #include "ranks.hpp"
 
-#include <subcert/reports/parallel.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 
 #include <mpi.h>
 
@@ -16,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-namespace subcert {
+namespace subcert::sweeps {
 namespace {
 
 constexpr int leave_tag = 1, request_tag = 2, first_answer_tag = 3;
@@ -86,9 +87,9 @@ void work(int thread, const ComputeCase& compute) {
 int rank_count() {
   const Session& session = Session::get();
   if (launched_processes() > 0 && launched_processes() != session.count)
-    throw std::runtime_error("the launcher started " + std::to_string(launched_processes()) +
-                             " processes, but MPI knows " + std::to_string(session.count) +
-                             ": mpirun belongs to another MPI than this program");
+    fail(ErrorKind::usage,
+         "the launcher started {} processes, but MPI knows {}: mpirun belongs to another MPI than this program",
+         launched_processes(), session.count);
   return session.count;
 }
 
@@ -102,8 +103,8 @@ bool sweep_begins(bool ready, const std::string& plan) {
   first_plan.resize(head[1]);
   MPI_Bcast(first_plan.data(), static_cast<int>(head[1]), MPI_CHAR, 0, MPI_COMM_WORLD);
   if (head[0] != 0 && first_plan != plan)
-    throw std::runtime_error("rank " + std::to_string(own_rank()) +
-                             " has other cases than rank 0: all ranks need the same program and arguments");
+    fail(ErrorKind::usage, "rank {} has other cases than rank 0: all ranks need the same program and arguments",
+         own_rank());
   return head[0] != 0;
 }
 
@@ -138,8 +139,8 @@ void work_for_first_rank(int jobs, const ComputeCase& compute) {
   if (jobs == 1 || !Session::get().threads_may_send)
     work(0, compute);
   else
-    parallel_for_each(static_cast<std::size_t>(jobs), jobs,
-                      [&](std::size_t thread) { work(static_cast<int>(thread), compute); });
+    runtime::parallel_for_each(static_cast<std::size_t>(jobs), jobs,
+                               [&](std::size_t thread) { work(static_cast<int>(thread), compute); });
   MPI_Send("", 0, MPI_CHAR, 0, leave_tag, MPI_COMM_WORLD);
 }
 
@@ -149,4 +150,4 @@ void abandon_ranks(const std::string& message) {
   std::abort();
 }
 
-}  // namespace subcert
+}  // namespace subcert::sweeps

@@ -3,15 +3,17 @@
 #include "launcher.hpp"
 #include "ranks.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::sweeps {
 
 int rank_count() {
   if (launched_processes() > 1)
-    throw std::runtime_error("started as one of several processes by an MPI launcher, but built without MPI");
+    fail(ErrorKind::usage, "started as one of several processes by an MPI launcher, but built without MPI");
   return 1;
 }
 
@@ -28,4 +30,4 @@ void abandon_ranks(const std::string& message) {
   std::exit(70);
 }
 
-}  // namespace subcert
+}  // namespace subcert::sweeps

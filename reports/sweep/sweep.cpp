@@ -3,7 +3,7 @@
 #include "ranks.hpp"
 
 #include <subcert/analysis/symbol/parse_error.hpp>
-#include <subcert/reports/parallel.hpp>
+#include <subcert/reports/runtime/parallel.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -13,7 +13,7 @@
 #include <numeric>
 #include <thread>
 
-namespace subcert {
+namespace subcert::sweeps {
 namespace {
 
 std::optional<std::size_t> parse_count(std::string_view text) {
@@ -162,7 +162,7 @@ std::optional<SweepResults> run_sweep(const std::vector<SweepCase>& cases,
   const NextCase next = [&] { return ledger->next(); };
   const FinishCase finish = [&](std::size_t i, const CaseOutcome& outcome) { ledger->finish(i, outcome); };
   const auto own_share = [&] {
-    parallel_for_each(ledger->waiting(), jobs, [&](std::size_t) {
+    runtime::parallel_for_each(ledger->waiting(), jobs, [&](std::size_t) {
       if (const auto i = next()) finish(*i, outcome_of(*i));
     });
   };
@@ -176,4 +176,4 @@ std::optional<SweepResults> run_sweep(const std::vector<SweepCase>& cases,
   return ledger->results();
 }
 
-}  // namespace subcert
+}  // namespace subcert::sweeps

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-namespace subcert {
+namespace subcert::sweeps {
 
 struct SweepCase {
   /// Canonical text of the scheme(s) and of every option that the result depends on. Distinct within a sweep.
@@ -57,9 +57,9 @@ struct SweepResults {
 /// nothing but the case; on every rank the cases are the same. The journal belongs to rank 0; each finished case is
 /// appended to it at once.
 /// Returns nothing on the ranks other than 0: these have only worked and should end without a word.
-/// Errors: throws JournalError, JournalInUse; std::runtime_error after all other cases are done where compute threw,
+/// Errors: as Journal; throws std::runtime_error after all other cases are done where compute threw,
 /// naming the first such case, which is not journalled; std::logic_error for repeated specifications.
 std::optional<SweepResults> run_sweep(const std::vector<SweepCase>& cases,
                                       const std::function<Json(std::size_t)>& compute, const SweepOptions& options);
 
-}  // namespace subcert
+}  // namespace subcert::sweeps

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 using namespace subcert;
+using namespace subcert::reports;
 
 namespace {
 

@@ -1,18 +1,19 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/errata.hpp>
-#include <subcert/reports/published.hpp>
+#include <subcert/reports/formats/published.hpp>
 
 using namespace subcert;
+using namespace subcert::reports;
 
 // Tables 1 to 3 were typed in twice: as data of the report and as transcriptions of the statements.
 TEST_CASE("both transcriptions of the tables agree") {
-  const PublishedPaper paper = published_paper("dyn-2015");
+  const formats::PublishedPaper paper = formats::published_paper("dyn-2015");
   const auto words = [](const std::string& id) {
     return statements::transcriptions().words("dyn-2015/" + id, statements::Form::printed);
   };
   const auto cells = [&](const std::string& table, const std::string& quantity) {
     std::vector<std::string> printed;
-    for (const PublishedCell& cell : paper.table(table).cells)
+    for (const formats::PublishedCell& cell : paper.table(table).cells)
       if (cell.quantity == quantity) printed.push_back(cell.printed);
     return printed;
   };

@@ -1,10 +1,11 @@
 #include <subcert/cmake/catch.hpp>
-#include <subcert/reports/files.hpp>
-#include <subcert/reports/published.hpp>
+#include <subcert/reports/formats/published.hpp>
 #include <subcert/reports/report.hpp>
+#include <subcert/reports/runtime/files.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <unistd.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include <sstream>
 
 using namespace subcert;
+using namespace subcert::reports;
 namespace fs = std::filesystem;
 
 namespace {
@@ -33,29 +35,29 @@ struct Folder {
 }  // namespace
 
 TEST_CASE("the published data are complete and well formed") {
-  const PublishedPaper paper = published_paper("dyn-2015");
+  const formats::PublishedPaper paper = formats::published_paper("dyn-2015");
   CHECK(paper.table("masks").cells.size() == 12);
   CHECK(paper.table("table1").cells.size() == 9);
   CHECK(paper.table("table2").cells.size() == 9);
   CHECK(paper.table("table3").cells.size() == 44);
-  for (const PublishedTable& table : paper.tables) {
+  for (const formats::PublishedTable& table : paper.tables) {
     std::set<std::string> places;
-    for (const PublishedCell& cell : table.cells) {
+    for (const formats::PublishedCell& cell : table.cells) {
       CAPTURE(table.id, cell.row, cell.column);
       CHECK(places.insert(cell.row + "|" + cell.column).second);
       CHECK(!cell.printed.empty());
     }
   }
   CHECK_THROWS_AS(paper.table("table4"), std::out_of_range);
-  CHECK_THROWS_AS(published_paper("nobody-1900"), std::out_of_range);
+  CHECK_THROWS_AS(formats::published_paper("nobody-1900"), std::out_of_range);
 }
 
 // The long cases compute what `subcert reproduce` computes, which ./check runs first.
 TEST_CASE("every verdict on Dyn et al. is the recorded one", "[long]") {
   const Report report = make_report(
       "dyn-2015", {{"masks", "supports", "table1", "table2", "table3", "fig2", "fig8", "fig9"}, 2, {}});
-  for (const ComparisonTable* table : report.comparison_tables())
-    for (const Comparison& c : table->comparisons) {
+  for (const formats::ComparisonTable* table : report.comparison_tables())
+    for (const formats::Comparison& c : table->comparisons) {
       CAPTURE(table->id, c.cell(), c.printed, c.computed_text());
       CHECK(to_text(c.verdict) == to_text(c.recorded));
       // Tables 1 and 2 agree in every printed digit, rounded to nearest.
@@ -68,7 +70,7 @@ TEST_CASE("every verdict on Dyn et al. is the recorded one", "[long]") {
 TEST_CASE("the story of Conjecture 7 comes with its numbers", "[long]") {
   const Report report = make_report("dyn-2015", {{"conjecture7"}, 2, {}});
   REQUIRE(report.sections.size() == 1);
-  const Section& section = report.sections.front();
+  const formats::Section& section = report.sections.front();
   CHECK(section.paragraphs.size() == 5);
   REQUIRE(section.tables.size() == 1);
   CHECK(section.tables.front().rows.size() == 3);
@@ -114,12 +116,12 @@ TEST_CASE("a report is written whole, in every format") {
 
 TEST_CASE("a failed write leaves the old file and nothing else") {
   const Folder folder;
-  write_file(folder.path / "a.txt", "old");
-  CHECK_THROWS(write_file_with(folder.path / "a.txt", [](const fs::path& temporary) {
+  runtime::write_file(folder.path / "a.txt", "old");
+  CHECK_THROWS(runtime::write_file_with(folder.path / "a.txt", [](const fs::path& temporary) {
     std::ofstream(temporary) << "half";
     throw std::runtime_error("stop");
   }));
   CHECK(content(folder.path / "a.txt") == "old");
   CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
-  CHECK_THROWS_AS(write_file("/proc/no/such/place", "x"), std::runtime_error);
+  CHECK_THROWS_AS(runtime::write_file("/proc/no/such/place", "x"), std::runtime_error);
 }

@@ -1,7 +1,7 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/cmake/catch.hpp>
-#include <subcert/reports/published.hpp>
+#include <subcert/reports/formats/published.hpp>
 #include <subcert/reports/shortcut_search.hpp>
 #include <subcert/reports/variance_shortcuts.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -9,6 +9,7 @@
 #include <algorithm>
 
 using namespace subcert;
+using namespace subcert::reports;
 
 namespace {
 
@@ -76,7 +77,7 @@ TEST_CASE("printed digits: rounded or cut, nothing else") {
 }
 
 TEST_CASE("one shortcut gives the digits of Table 3") {
-  const PublishedPaper paper = published_paper("dyn-2015");
+  const formats::PublishedPaper paper = formats::published_paper("dyn-2015");
   const ShortcutSearch search(paper.table("table3"), 2);
   const Shortcut& best = variance_shortcuts()[search.best()];
   CHECK(search.cells_given() == 42);
@@ -86,7 +87,7 @@ TEST_CASE("one shortcut gives the digits of Table 3") {
   CHECK(best.curve.window->beyond == 0);
   CHECK(best.curve.window->one_more);
   CHECK(best.two_steps);
-  for (const PublishedCell& cell : paper.table("table3").cells) {
+  for (const formats::PublishedCell& cell : paper.table("table3").cells) {
     CAPTURE(cell.row, cell.column);
     CHECK(search.gives(cell, search.best()) == (cell.row != "d=1, n=1" || !VarianceCell(cell).slope));
   }

@@ -4,6 +4,7 @@
 #include "weighted_sum.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 #include <algorithm>
@@ -11,9 +12,9 @@
 #include <limits>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::data {
 AxisStencils axis_stencils(const Mask& mask) {
-  if (!is_affine(mask)) throw std::invalid_argument("refine: need coset sums 1");
+  require(is_affine(mask), "refine: need coset sums 1");
   const PolynomialReproduction polynomials = polynomial_reproduction(mask);
   std::vector<AxisStencils::Class> classes;
   for (long residue = 0; residue < mask.arity(); ++residue) {
@@ -217,4 +218,4 @@ template GridData<double> apply_along<double>(const GridData<double>&, std::size
 template GridData<Rational> apply_along<Rational>(const GridData<Rational>&, std::size_t,
                                                   const AxisRefinement<Rational>&, int);
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace subcert {
+namespace subcert::data {
 
 /// new value = sum of weights[k] * value[at[k]].
 template <class Number>
@@ -43,7 +43,7 @@ struct AxisRefinement {
 /// next question.
 class AxisRefiner {
  public:
-  /// Domain: coset sums 1. Errors: throws std::invalid_argument.
+  /// Domain: coset sums 1. Errors: throws a domain error.
   AxisRefiner(const Mask& mask, Boundary boundary);
 
   std::size_t window() const { return stencils_.window(); }
@@ -61,7 +61,7 @@ class AxisRefiner {
   std::map<Rational, std::vector<Rational>> fits_;
 };
 
-/// The stencils of a mask of one variable. Domain: coset sums 1. Errors: throws std::invalid_argument.
+/// The stencils of a mask of one variable. Domain: coset sums 1. Errors: throws a domain error.
 AxisStencils axis_stencils(const Mask& mask);
 
 /// The same rows in another number type; doubles are the nearest ones.
@@ -82,4 +82,4 @@ template <class Number>
 GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Rational>& rows,
                              int threads = 1);
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -2,12 +2,14 @@
 
 #include "grid_index.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
-namespace subcert {
+namespace subcert::data {
 
 AxisStencils::AxisStencils(std::vector<Class> classes, const Rational& centre, int degree)
     : classes_(std::move(classes)), centre_(centre), degree_(degree) {
@@ -19,9 +21,7 @@ AxisStencils::AxisStencils(std::vector<Class> classes, const Rational& centre, i
 std::size_t AxisStencils::residue(long output) const { return static_cast<std::size_t>(modulo(output, arity())); }
 
 OutputRange AxisStencils::outputs(const Axis& axis, Boundary boundary) const {
-  if (axis.count < window_)
-    throw std::invalid_argument("refine: need at least " + std::to_string(window_) + " points, got " +
-                                std::to_string(axis.count));
+  require(axis.count >= window_, "refine: need at least {} points, got {}", window_, axis.count);
   OutputRange range{axis, axis, 0, 0, 0, 0};
   Axis& input = range.input;
   if (boundary == Boundary::periodic && !input.closed) {
@@ -29,8 +29,10 @@ OutputRange AxisStencils::outputs(const Axis& axis, Boundary boundary) const {
     input.length += input.step;
   }
   if (!input.closed && boundary == Boundary::reflect && denominator(Rational(2 * centre_)) != 1)
-    throw std::invalid_argument("refine: reflect needs 2 tau to be an integer, got tau = " + to_text(centre_) +
-                                " (tau = a'(1) / a(1), the centre of a symmetric mask)");
+    fail(ErrorKind::domain,
+         "refine: reflect needs 2 tau to be an integer, got tau = {} (tau = a'(1) / a(1), the centre of a symmetric "
+         "mask)",
+         to_text(centre_));
   const long count = static_cast<long>(input.count);
   // Output i stands at (i + base) new steps from the beginning of the domain.
   const Rational base = arity() * input.first / input.step - centre_;
@@ -48,8 +50,7 @@ OutputRange AxisStencils::outputs(const Axis& axis, Boundary boundary) const {
     range.end = input.closed ? range.begin + arity() * count
                              : floor_index(arity() * input.length / input.step - base) + 1;
   }
-  if (range.end <= range.begin)
-    throw std::invalid_argument("refine: need more points for one output, got " + std::to_string(input.count));
+  require(range.end > range.begin, "refine: need more points for one output, got {}", input.count);
   range.complete_begin = std::max(range.complete_begin, range.begin);
   range.complete_end = std::min(range.complete_end, range.end);
   range.output = input;
@@ -69,4 +70,4 @@ std::size_t source(long j, const Axis& axis, Boundary boundary) {
   return static_cast<std::size_t>(j);
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace subcert {
+namespace subcert::data {
 
 /// Outputs are numbered so that f'_i = sum of a_{i - arity*j} f_j with the data of the axis numbered from 0.
 struct OutputRange {
@@ -41,7 +41,7 @@ class AxisStencils {
   /// Where the output stands, in the numbers of the data.
   Rational position(long output) const { return Rational(output - centre_) / arity(); }
 
-  /// Domain: axis.count >= window(); `reflect` asks 2 tau to be an integer. Errors: throws std::invalid_argument that
+  /// Domain: axis.count >= window(); `reflect` asks 2 tau to be an integer. Errors: throws a domain error that
   /// names the inequality.
   OutputRange outputs(const Axis& axis, Boundary boundary) const;
 
@@ -56,4 +56,4 @@ class AxisStencils {
 /// where the axis is open and the boundary is another.
 std::size_t source(long j, const Axis& axis, Boundary boundary);
 
-}  // namespace subcert
+}  // namespace subcert::data

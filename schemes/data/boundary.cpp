@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::data {
 
 const std::vector<std::string>& boundary_names() {
   static const std::vector<std::string> names{"regression", "reflect", "periodic", "shrink"};
@@ -18,4 +18,4 @@ std::optional<Boundary> parse_boundary(std::string_view name) {
   return static_cast<Boundary>(found - names.begin());
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -1,12 +1,16 @@
 #pragma once
 /// What a rule reads where its stencil passes the end of open data.
 
+#include <subcert/analysis/symbol/numbers.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace subcert {
+namespace subcert::data {
+
+using subcert::to_text;
 
 /// regression: the least squares polynomial through the nearest complete window, of the scheme's reproduction degree;
 /// reflect: the data mirrored at the ends of the domain; periodic: the data repeated (closed data always are);
@@ -19,4 +23,4 @@ std::optional<Boundary> parse_boundary(std::string_view name);
 /// All names, the default first.
 const std::vector<std::string>& boundary_names();
 
-}  // namespace subcert
+}  // namespace subcert::data

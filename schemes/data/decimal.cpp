@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 constexpr std::size_t max_digits = 1000;
@@ -73,4 +73,4 @@ std::string to_short_text(const Rational& value) {
   return plain.size() <= scientific.size() ? plain : scientific;
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

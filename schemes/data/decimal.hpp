@@ -3,7 +3,7 @@
 
 #include <subcert/analysis/symbol/numbers.hpp>
 
-namespace subcert {
+namespace subcert::data {
 
 /// A number and the place of its last printed digit.
 struct Decimal {
@@ -19,4 +19,4 @@ std::optional<Decimal> parse_decimal(std::string_view text);
 /// number.
 std::string to_short_text(const Rational& value);
 
-}  // namespace subcert
+}  // namespace subcert::data

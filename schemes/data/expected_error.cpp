@@ -1,18 +1,19 @@
 #include "expected_error.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <boost/math/distributions/normal.hpp>
 
 #include <cmath>
 #include <random>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 void require_samples(const SmoothingRow& row, std::size_t count) {
   if (row.first + row.weights.size() > count)
-    throw std::invalid_argument("expected_error: need at least " + std::to_string(row.first + row.weights.size()) +
-                                " samples, got " + std::to_string(count));
+    fail(ErrorKind::domain, "expected_error: need at least {} samples, got {}", row.first + row.weights.size(), count);
 }
 
 }  // namespace
@@ -28,9 +29,9 @@ ExpectedError expected_error(const SmoothingRow& row, const std::vector<Rational
 SimulatedError simulated_error(const SmoothingRow& row, const std::vector<double>& samples, double truth, double sigma,
                                std::size_t runs, std::uint64_t seed, double confidence) {
   require_samples(row, samples.size());
-  if (runs < 2) throw std::invalid_argument("simulated_error: need runs >= 2, got " + std::to_string(runs));
-  if (!(confidence > 0 && confidence < 1)) throw std::invalid_argument("simulated_error: need 0 < confidence < 1");
-  if (!(sigma >= 0)) throw std::invalid_argument("simulated_error: need sigma >= 0");
+  require(runs >= 2, "simulated_error: need runs >= 2, got {}", runs);
+  if (!(confidence > 0 && confidence < 1)) fail(ErrorKind::domain, "simulated_error: need 0 < confidence < 1");
+  require(sigma >= 0, "simulated_error: need sigma >= 0");
   std::vector<double> weights;
   for (const Rational& weight : row.weights) weights.push_back(static_cast<double>(weight));
   std::mt19937_64 engine(seed);
@@ -50,4 +51,4 @@ SimulatedError simulated_error(const SmoothingRow& row, const std::vector<double
   return {mean, mean - width, mean + width, runs};
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace subcert {
+namespace subcert::data {
 
 /// For y_i = samples[i] + noise of mean 0 and variance sigma^2 / (prior weight), independent.
 struct ExpectedError {
@@ -27,9 +27,9 @@ struct SimulatedError {
   std::size_t runs;
 };
 
-/// Domain: runs >= 2, 0 < confidence < 1, sigma >= 0, equal prior weights. Errors: throws std::invalid_argument.
+/// Domain: runs >= 2, 0 < confidence < 1, sigma >= 0, equal prior weights. Errors: throws a domain error.
 /// Cost: runs times the width of the row. The same seed gives the same numbers.
 SimulatedError simulated_error(const SmoothingRow& row, const std::vector<double>& samples, double truth, double sigma,
                                std::size_t runs, std::uint64_t seed, double confidence = 0.95);
 
-}  // namespace subcert
+}  // namespace subcert::data

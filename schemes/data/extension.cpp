@@ -2,13 +2,14 @@
 
 #include "rounded_regression.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 constexpr std::array<std::pair<Extension, std::string_view>, 5> names{{{Extension::interp, "interp"},
@@ -30,7 +31,7 @@ std::optional<Extension> parse_extension(std::string_view name) {
 std::string to_text(Extension extension) {
   for (const auto& [candidate, text] : names)
     if (candidate == extension) return std::string(text);
-  throw std::invalid_argument("to_text: no such extension");
+  fail(ErrorKind::domain, "to_text: no such extension");
 }
 
 void Combination::add(const Combination& other, const Rational& factor) {
@@ -41,20 +42,18 @@ void Combination::add(const Combination& other, const Rational& factor) {
 
 ExtendedData::ExtendedData(const ExtensionRule& rule, std::size_t count, std::vector<Rational> weights)
     : rule_(rule), count_(count), weights_(std::move(weights)) {
-  if (count == 0) throw std::invalid_argument("ExtendedData: need count >= 1, got 0");
-  if (rule.window == 0 || rule.degree < 0)
-    throw std::invalid_argument("ExtendedData: need window >= 1 and degree >= 0");
+  require(count != 0, "ExtendedData: need count >= 1, got 0");
+  if (rule.window == 0 || rule.degree < 0) fail(ErrorKind::domain, "ExtendedData: need window >= 1 and degree >= 0");
   if (weights_.empty()) return;
-  if (weights_.size() != count)
-    throw std::invalid_argument("ExtendedData: need as many weights as data, got " + std::to_string(weights_.size()) +
-                                " for " + std::to_string(count));
+  require(weights_.size() == count, "ExtendedData: need as many weights as data, got {} for {}", weights_.size(),
+          count);
   Rational sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (weights_[i] < 0) throw std::invalid_argument("ExtendedData: need weights >= 0");
+    require(weights_[i] >= 0, "ExtendedData: need weights >= 0");
     if (weights_[i] > 0) present_.push_back(i);
     sum += weights_[i];
   }
-  if (present_.empty()) throw std::invalid_argument("ExtendedData: need a positive weight");
+  require(!present_.empty(), "ExtendedData: need a positive weight");
   mean_weight_ = sum / Rational(present_.size());
 }
 
@@ -130,4 +129,4 @@ Rational ExtendedData::weight(long index) const {
   return weights_[source(index)];
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -6,7 +6,9 @@
 #include <map>
 #include <vector>
 
-namespace subcert {
+namespace subcert::data {
+
+using subcert::to_text;
 
 /// The names that Savitzky-Golay filters have made common; ... a b c d ... are the first data:
 /// interp    the polynomial fitted to the data next to the end
@@ -45,7 +47,7 @@ struct ExtensionRule {
 /// The data 0, ..., count - 1 with prior weights (none: all 1; 0: missing) at every integer.
 class ExtendedData {
  public:
-  /// Domain: count >= 1, weights >= 0, as many as data or none, not all 0. Errors: throws std::invalid_argument.
+  /// Domain: count >= 1, weights >= 0, as many as data or none, not all 0. Errors: throws a domain error.
   ExtendedData(const ExtensionRule& rule, std::size_t count, std::vector<Rational> weights = {});
 
   std::size_t count() const { return count_; }
@@ -74,4 +76,4 @@ class ExtendedData {
   mutable std::map<long, Combination> fitted_;  // made so far
 };
 
-}  // namespace subcert
+}  // namespace subcert::data

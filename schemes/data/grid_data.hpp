@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace subcert {
+namespace subcert::data {
 
 /// One direction of a grid. Parameters count in spacings of the first data, so that datum j of these is at j, and the
 /// domain is [0, length]. Canonical: count >= 1, step > 0.
@@ -48,4 +48,4 @@ GridData<Number> curve_data(std::vector<Number> values, std::size_t dimension = 
   return {std::move(values), dimension, {Axis::of(count, closed)}};
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

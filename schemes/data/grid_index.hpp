@@ -3,7 +3,7 @@
 
 #include <subcert/analysis/symbol/numbers.hpp>
 
-namespace subcert {
+namespace subcert::data {
 
 inline long floor_index(const Rational& x) { return to_integer(x, Rounding::down).convert_to<long>(); }
 inline long ceil_index(const Rational& x) { return to_integer(x, Rounding::up).convert_to<long>(); }
@@ -12,4 +12,4 @@ inline long ceil_index(const Rational& x) { return to_integer(x, Rounding::up).c
 inline long floor_divide(long a, long b) { return a / b - (a % b < 0 ? 1 : 0); }
 inline long modulo(long a, long b) { return a - b * floor_divide(a, b); }
 
-}  // namespace subcert
+}  // namespace subcert::data

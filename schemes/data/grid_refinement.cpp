@@ -5,6 +5,7 @@
 #include "weighted_sum.hpp"
 
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/grid_regression.hpp>
 
 #include <algorithm>
@@ -12,12 +13,12 @@
 #include <map>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 std::vector<AxisStencils> stencils_of(const MultivariateMask& mask) {
   const MultivariateReproduction polynomials = polynomial_reproduction(mask);
-  if (polynomials.sum_rules < 1) throw std::invalid_argument("refine: need coset sums 1");
+  require(polynomials.sum_rules >= 1, "refine: need coset sums 1");
   const long arity = mask.arity();
   std::vector<AxisStencils> result;
   for (std::size_t v = 0; v < static_cast<std::size_t>(mask.dimension()); ++v) {
@@ -287,12 +288,10 @@ class Level {
 
 template <class Number>
 GridData<Number> refine(const GridData<Number>& data, const MultivariateMask& mask, const RefineOptions& options) {
-  if (!data.is_canonical()) throw std::invalid_argument("refine: need as many values as points times coordinates");
-  if (static_cast<std::size_t>(mask.dimension()) != data.axes.size())
-    throw std::invalid_argument("refine: need as many axes as variables, got " + std::to_string(data.axes.size()) +
-                                " for " + std::to_string(mask.dimension()));
-  if (options.levels < 0)
-    throw std::invalid_argument("refine: need levels >= 0, got " + std::to_string(options.levels));
+  require(data.is_canonical(), "refine: need as many values as points times coordinates");
+  require(static_cast<std::size_t>(mask.dimension()) == data.axes.size(),
+          "refine: need as many axes as variables, got {} for {}", data.axes.size(), mask.dimension());
+  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
   long growth = 1;
   for (int v = 0; v < mask.dimension(); ++v) growth *= mask.arity();
   require_refinable(data.values.size(), growth, options.levels);
@@ -312,4 +311,4 @@ std::vector<std::size_t> windows(const MultivariateMask& mask) {
 template GridData<double> refine<double>(const GridData<double>&, const MultivariateMask&, const RefineOptions&);
 template GridData<Rational> refine<Rational>(const GridData<Rational>&, const MultivariateMask&, const RefineOptions&);
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -3,7 +3,7 @@
 
 #include "refine.hpp"
 
-namespace subcert {
+namespace subcert::data {
 
 /// Applies the mask `levels` times. Points, domains and boundaries are, axis by axis, those of refine(); with
 /// `regression` an output whose box of data passes an end takes the least squares polynomial of the reproduced total
@@ -16,4 +16,4 @@ GridData<Number> refine(const GridData<Number>& data, const MultivariateMask& ma
 /// The number of points that each axis must have at least.
 std::vector<std::size_t> windows(const MultivariateMask& mask);
 
-}  // namespace subcert
+}  // namespace subcert::data

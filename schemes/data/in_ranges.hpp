@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace subcert {
+namespace subcert::data {
 
 /// Calls work(begin, end) on disjoint ranges that cover 0, ..., count - 1, on at most `threads` threads, each with at
 /// least some 65,000 of the `numbers` that are written.
@@ -21,4 +21,4 @@ void in_ranges(std::size_t count, std::size_t numbers, int threads, const Work& 
   work(0, count / team);
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

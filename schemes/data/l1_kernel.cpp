@@ -2,7 +2,6 @@
 // without wide registers give the same bits.
 
 #include "l1_regression.hpp"
-
 #include "reweighted_step.hpp"
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 typedef double Lanes __attribute__((vector_size(8 * L1Fitter::lanes), aligned(8 * L1Fitter::lanes), may_alias));
@@ -159,4 +158,4 @@ void L1Fitter::fit(const double* data, std::size_t dimension, double* out, Works
   std::memcpy(out, a.fits, dimension * s.outputs * sizeof(Lanes));
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -2,12 +2,14 @@
 
 #include "reweighted_step.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 constexpr int max_degree = 3;
@@ -53,9 +55,9 @@ LatticePoint centre(const std::vector<LatticePoint>& nodes) {
 RegressionWindow::RegressionWindow(std::vector<LatticePoint> nodes, int degree, std::vector<LatticePoint> outputs)
     : nodes_(std::move(nodes)), outputs_(std::move(outputs)), degree_(degree) {
   if (degree < 0 || degree > max_degree)
-    throw std::invalid_argument("RegressionWindow: need 0 <= degree <= 3, got " + std::to_string(degree));
+    fail(ErrorKind::domain, "RegressionWindow: need 0 <= degree <= 3, got {}", degree);
   if (nodes_.empty() || outputs_.empty())
-    throw std::invalid_argument("RegressionWindow: need at least one node and one output");
+    fail(ErrorKind::domain, "RegressionWindow: need at least one node and one output");
   const bool line = is_line(nodes_);
   const LatticePoint c = centre(nodes_);
   at_nodes_ = monomials(nodes_, degree, line, c);
@@ -68,9 +70,8 @@ RegressionWindow::RegressionWindow(std::vector<LatticePoint> nodes, int degree, 
     }
     Rational largest = 0;
     for (const Rational& value : at_nodes_[k]) largest = std::max(largest, Rational(abs(value)));
-    if (largest == 0)
-      throw std::invalid_argument("RegressionWindow: need nodes that determine polynomials of degree " +
-                                  std::to_string(degree) + ", got " + std::to_string(nodes_.size()) + " nodes");
+    require(largest != 0, "RegressionWindow: need nodes that determine polynomials of degree {}, got {} nodes", degree,
+            nodes_.size());
     for (Rational& value : at_nodes_[k]) value /= largest;
     for (Rational& value : at_outputs_[k]) value /= largest;
   }
@@ -91,11 +92,10 @@ std::vector<Number> flat(const std::vector<std::vector<Rational>>& rows) {
 std::vector<Rational> weighted_fit(const RegressionWindow& window, const std::vector<Rational>& weights,
                                    const std::vector<Rational>& data) {
   if (weights.size() != window.nodes() || data.size() != window.nodes())
-    throw std::invalid_argument("weighted_fit: need as many weights and data as nodes, got " +
-                                std::to_string(weights.size()) + " and " + std::to_string(data.size()) + " for " +
-                                std::to_string(window.nodes()));
-  if (std::any_of(weights.begin(), weights.end(), [](const Rational& w) { return w <= 0; }))
-    throw std::invalid_argument("weighted_fit: need weights > 0");
+    fail(ErrorKind::domain, "weighted_fit: need as many weights and data as nodes, got {} and {} for {}",
+         weights.size(), data.size(), window.nodes());
+  require(std::all_of(weights.begin(), weights.end(), [](const Rational& w) { return w > 0; }),
+          "weighted_fit: need weights > 0");
   std::vector<Rational> at_nodes = flat<Rational>(window.at_nodes()), at_outputs = flat<Rational>(window.at_outputs());
   std::vector<Rational> residuals = data, fits(window.outputs(), 0);
   project<Rational>({window.nodes(), window.outputs(), window.terms(), 1, weights.data(), at_nodes.data(),
@@ -110,19 +110,16 @@ L1Fitter::L1Fitter(const RegressionWindow& window, const L1Options& options)
       at_nodes_(flat<double>(window.at_nodes())),
       at_outputs_(flat<double>(window.at_outputs())) {
   if (!(options.delta > 0) || !std::isfinite(options.delta))
-    throw std::invalid_argument("L1Fitter: need a finite delta > 0, got " + std::to_string(options.delta));
-  if (options.iterations < 0)
-    throw std::invalid_argument("L1Fitter: need iterations >= 0, got " + std::to_string(options.iterations));
-  if (!(options.tolerance >= 0))
-    throw std::invalid_argument("L1Fitter: need tolerance >= 0, got " + std::to_string(options.tolerance));
+    fail(ErrorKind::domain, "L1Fitter: need a finite delta > 0, got {}", options.delta);
+  require(options.iterations >= 0, "L1Fitter: need iterations >= 0, got {}", options.iterations);
+  require(options.tolerance >= 0, "L1Fitter: need tolerance >= 0, got {}", options.tolerance);
   for (const auto& row : window.at_nodes()) inverse_norms_.push_back(static_cast<double>(Rational(1 / dot(row, row))));
 }
 
 std::vector<double> L1Fitter::fit(const std::vector<double>& data, std::size_t dimension) const {
   const std::size_t nodes = window_.nodes(), outputs = window_.outputs();
   if (dimension == 0 || data.size() != nodes * dimension)
-    throw std::invalid_argument("L1Fitter::fit: need nodes * dimension = " + std::to_string(nodes * dimension) +
-                                " data, got " + std::to_string(data.size()));
+    fail(ErrorKind::domain, "L1Fitter::fit: need nodes * dimension = {} data, got {}", nodes * dimension, data.size());
   std::vector<double> in(nodes * dimension * lanes), out(outputs * dimension * lanes), result(outputs * dimension);
   for (std::size_t i = 0; i < nodes; ++i)
     for (std::size_t c = 0; c < dimension; ++c)
@@ -149,4 +146,4 @@ double L1Fitter::objective(const std::vector<double>& data, const std::vector<do
   return sum;
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace subcert {
+namespace subcert::data {
 
 /// A point of the lattice of the data, in one variable (y = 0) or two.
 struct LatticePoint {
@@ -20,7 +20,7 @@ class RegressionWindow {
  public:
   /// Polynomials of total degree at most `degree`, in x alone where all nodes have y = 0.
   /// Domain: degree 0, ..., 3; at least one output; the nodes determine the polynomials. Errors: throws
-  /// std::invalid_argument that names the broken inequality.
+  /// a domain error that names the broken inequality.
   RegressionWindow(std::vector<LatticePoint> nodes, int degree, std::vector<LatticePoint> outputs);
 
   std::size_t nodes() const { return nodes_.size(); }
@@ -53,14 +53,14 @@ struct L1Options {
 };
 
 /// The exact fit with given weights, evaluated at the outputs: minimises sum of weights[i] (p(node_i) - data[i])^2.
-/// Domain: as many positive weights and data as nodes. Errors: throws std::invalid_argument.
+/// Domain: as many positive weights and data as nodes. Errors: throws a domain error.
 std::vector<Rational> weighted_fit(const RegressionWindow& window, const std::vector<Rational>& weights,
                                    const std::vector<Rational>& data);
 
 /// Fits many windows of one shape in double precision.
 class L1Fitter {
  public:
-  /// Domain: delta > 0, iterations >= 0, tolerance >= 0. Errors: throws std::invalid_argument.
+  /// Domain: delta > 0, iterations >= 0, tolerance >= 0. Errors: throws a domain error.
   L1Fitter(const RegressionWindow& window, const L1Options& options);
 
   const RegressionWindow& window() const { return window_; }
@@ -97,4 +97,4 @@ class L1Fitter {
   std::vector<double> inverse_norms_;
 };
 
-}  // namespace subcert
+}  // namespace subcert::data

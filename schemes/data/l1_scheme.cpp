@@ -2,22 +2,22 @@
 
 #include "grid_index.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 void require_sizes(const L1Scheme& scheme) {
   if (scheme.points.empty() || scheme.points.size() > 2)
-    throw std::invalid_argument("l1 scheme: need one or two numbers of points, got " +
-                                std::to_string(scheme.points.size()));
+    fail(ErrorKind::domain, "l1 scheme: need one or two numbers of points, got {}", scheme.points.size());
   for (const int points : scheme.points)
     if (points < 2 || points <= scheme.degree)
-      throw std::invalid_argument("l1 scheme: need points >= 2 and points > degree = " + std::to_string(scheme.degree) +
-                                  ", got " + std::to_string(points));
+      fail(ErrorKind::domain, "l1 scheme: need points >= 2 and points > degree = {}, got {}", scheme.degree, points);
 }
 
 /// The first datum of a window about 0.
@@ -80,9 +80,8 @@ AxisPlan plan_axis(Axis axis, int points, Boundary boundary) {
     axis.closed = true;
     axis.length += axis.step;
   }
-  if (axis.count < static_cast<std::size_t>(points))
-    throw std::invalid_argument("refine: need at least " + std::to_string(points) + " points, got " +
-                                std::to_string(axis.count));
+  require(axis.count >= static_cast<std::size_t>(points), "refine: need at least {} points, got {}", points,
+          axis.count);
   const auto [begin, end] = output_range(axis, points, boundary);
   const long last_start = static_cast<long>(axis.count) - points;
   const bool clamp = !axis.closed && boundary == Boundary::regression;
@@ -259,19 +258,17 @@ RegressionWindow l1_window(const L1Scheme& scheme) {
 
 LocalRegression l1_linear_part(const L1Scheme& scheme) {
   require_sizes(scheme);
-  if (scheme.points.size() != 1) throw std::invalid_argument("l1_linear_part: need a scheme for curves");
+  require(scheme.points.size() == 1, "l1_linear_part: need a scheme for curves");
   const int n = scheme.points[0] / 2;
   return scheme.points[0] % 2 == 0 ? dual(n, scheme.degree) : dual_odd(n, scheme.degree);
 }
 
 GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options) {
   require_sizes(scheme);
-  if (data.axes.size() != scheme.points.size())
-    throw std::invalid_argument("refine: need one number of points for each axis, got " +
-                                std::to_string(scheme.points.size()) + " for " + std::to_string(data.axes.size()));
-  if (!data.is_canonical()) throw std::invalid_argument("refine: need points * dimension values");
-  if (options.levels < 0)
-    throw std::invalid_argument("refine: need levels >= 0, got " + std::to_string(options.levels));
+  require(data.axes.size() == scheme.points.size(), "refine: need one number of points for each axis, got {} for {}",
+          scheme.points.size(), data.axes.size());
+  require(data.is_canonical(), "refine: need points * dimension values");
+  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
   require_refinable(data.values.size(), scheme.points.size() == 2 ? 4 : 2, options.levels);
   GridData<double> result = data;
   for (int level = 0; level < options.levels; ++level) result = refine_once(result, scheme, options);
@@ -280,9 +277,8 @@ GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, co
 
 GridData<double> l1_impulse_response(const L1Scheme& scheme, int level) {
   require_sizes(scheme);
-  if (scheme.points.size() != 1) throw std::invalid_argument("l1_impulse_response: need a scheme for curves");
-  if (level < 0 || level > 16)
-    throw std::invalid_argument("l1_impulse_response: need 0 <= level <= 16, got " + std::to_string(level));
+  require(scheme.points.size() == 1, "l1_impulse_response: need a scheme for curves");
+  if (level < 0 || level > 16) fail(ErrorKind::domain, "l1_impulse_response: need 0 <= level <= 16, got {}", level);
   // The support has width 2 points - 1; complete windows take less than `points` away from either end in all.
   const int reach = 2 * scheme.points[0];
   std::vector<double> impulse(static_cast<std::size_t>(2 * reach + 1), 0);
@@ -292,4 +288,4 @@ GridData<double> l1_impulse_response(const L1Scheme& scheme, int level) {
   return data;
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

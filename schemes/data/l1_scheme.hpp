@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace subcert {
+namespace subcert::data {
 
 /// points = {p}: windows of p consecutive data; points = {p, q}: p columns times q rows of a grid. Along each axis an
 /// even number 2n takes the data -n+1, ..., n and gives the outputs at 1/4 and 3/4, an odd number 2n+1 takes -n, ..., n
@@ -21,7 +21,7 @@ struct L1Scheme {
 };
 
 /// The window of a scheme, about the datum at 0; its outputs are numbered with x running fastest.
-/// Domain: one or two numbers of points, each >= 2 and > degree. Errors: throws std::invalid_argument.
+/// Domain: one or two numbers of points, each >= 2 and > degree. Errors: throws a domain error.
 RegressionWindow l1_window(const L1Scheme& scheme);
 
 /// The linear scheme that has all weights 1, for curves: dual(n, degree) or dual_odd(n, degree).
@@ -37,4 +37,4 @@ GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, co
 /// Domain: a scheme for curves, 0 <= level <= 16. Ref: [MLZD15, sec. 2.4, Prop. 1].
 GridData<double> l1_impulse_response(const L1Scheme& scheme, int level);
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 using namespace specification_text;
@@ -82,4 +82,4 @@ NamedL1Scheme make_l1_scheme(std::string_view text) {
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

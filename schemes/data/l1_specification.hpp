@@ -5,7 +5,7 @@
 
 #include <subcert/schemes/specification.hpp>
 
-namespace subcert {
+namespace subcert::data {
 
 /// A data-dependent scheme with its canonical specification and a name for people.
 struct NamedL1Scheme {
@@ -25,4 +25,4 @@ NamedL1Scheme make_l1_scheme(std::string_view specification);
 /// The line of help beside those of families().
 FamilyHelp l1_help();
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -4,13 +4,14 @@
 
 #include <subcert/analysis/limit/limit_at_point.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 /// The first outputs of a step as a matrix on the first data: as many rows as columns, so that steps multiply.
@@ -51,8 +52,7 @@ std::vector<Rational> end_functional(const Mask& mask, Axis axis) {
       cycle = static_cast<std::size_t>(seen - offsets.begin());
       break;
     }
-    if (offsets.size() == 64)
-      throw std::domain_error("limit_of_data: the grids at the end do not repeat within 64 levels");
+    require(offsets.size() != 64, "limit_of_data: the grids at the end do not repeat within 64 levels");
     offsets.push_back(offset);
     const AxisRefinement<Rational> rows = refiner.step(axis);
     steps.push_back(end_matrix(rows, size));
@@ -63,7 +63,7 @@ std::vector<Rational> end_functional(const Mask& mask, Axis axis) {
   // The functional that the round keeps: it must be the only one, and all others must die out.
   const auto rest = characteristic_polynomial(round).exact_quotient(LaurentPolynomial({-1, 1}, 0));
   if (!rest || !(*largest_root_modulus(*rest).largest.upper < 1))
-    throw std::domain_error("limit_of_data: refinement is not proved to converge at an end of open data");
+    fail(ErrorKind::domain, "limit_of_data: refinement is not proved to converge at an end of open data");
   RationalMatrix transposed(size, size);
   for (std::size_t i = 0; i < size; ++i)
     for (std::size_t j = 0; j < size; ++j) transposed(i, j) = round(j, i) - (i == j ? 1 : 0);
@@ -119,8 +119,7 @@ class LimitRows {
     };
     while (shrink && begin < stop && !supported(begin)) ++begin;
     while (shrink && begin < stop && !supported(stop - 1)) --stop;
-    if (begin >= stop)
-      throw std::invalid_argument("limit_of_data: need more points for one value, got " + std::to_string(count));
+    require(begin < stop, "limit_of_data: need more points for one value, got {}", count);
     long head = begin, tail = stop;
     while (head < stop && !complete(head)) result.head.push_back(row(head++, ends));
     while (tail > head && !complete(tail - 1)) --tail;
@@ -189,9 +188,8 @@ int extra_levels(const Mask& mask) {
 template <class Number>
 GridData<Number> limit_of_data(const GridData<Number>& data, const std::vector<Mask>& masks,
                                const RefineOptions& options) {
-  if (masks.size() != data.axes.size())
-    throw std::invalid_argument("limit_of_data: need one mask for each axis, got " + std::to_string(masks.size()) +
-                                " for " + std::to_string(data.axes.size()));
+  require(masks.size() == data.axes.size(), "limit_of_data: need one mask for each axis, got {} for {}", masks.size(),
+          data.axes.size());
   GridData<Number> result = data;
   for (std::size_t k = 0; k < masks.size(); ++k) {
     if (options.boundary == Boundary::periodic && !result.axes[k].closed) {
@@ -218,4 +216,4 @@ template GridData<double> limit_of_data<double>(const GridData<double>&, const s
 template GridData<Rational> limit_of_data<Rational>(const GridData<Rational>&, const std::vector<Mask>&,
                                                     const RefineOptions&);
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -2,12 +2,14 @@
 
 #include "text_lines.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 using Quad = std::array<std::size_t, 4>;
@@ -72,7 +74,7 @@ std::size_t obj_vertex(const TextLines& lines, std::size_t word, std::size_t ver
 
 void require_surface(const GridData<double>& data) {
   if (data.axes.size() != 2 || data.dimension != 3 || !data.is_canonical())
-    throw std::invalid_argument("quad mesh: need two axes and three coordinates");
+    fail(ErrorKind::domain, "quad mesh: need two axes and three coordinates");
 }
 
 std::string point_lines(const GridData<double>& data, const std::string& begin) {
@@ -201,4 +203,4 @@ std::string to_ply(const GridData<double>& data) {
          "\nproperty list uchar int vertex_indices\nend_header\n" + point_lines(data, "") + faces;
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

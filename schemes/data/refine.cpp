@@ -2,11 +2,13 @@
 
 #include "axis_refinement.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 /// About how many, as 12345 or 10^17.
@@ -20,19 +22,16 @@ std::string estimate_text(double decimal_logarithm) {
 void require_refinable(std::size_t numbers, long growth, long levels) {
   const double logarithm = std::log10(static_cast<double>(numbers)) + static_cast<double>(levels) * std::log10(growth);
   if (logarithm > std::log10(most_refined_numbers))
-    throw std::length_error(std::to_string(levels) + " levels would make about " + estimate_text(logarithm) +
-                            " numbers of " + std::to_string(numbers) + "; need at most " +
-                            estimate_text(std::log10(most_refined_numbers)));
+    fail(ErrorKind::size, "{} levels would make about {} numbers of {}; need at most {}", levels,
+         estimate_text(logarithm), numbers, estimate_text(std::log10(most_refined_numbers)));
 }
 
 template <class Number>
 GridData<Number> refine(const GridData<Number>& data, const std::vector<Mask>& masks, const RefineOptions& options) {
-  if (!data.is_canonical()) throw std::invalid_argument("refine: need as many values as points times coordinates");
-  if (masks.size() != data.axes.size())
-    throw std::invalid_argument("refine: need one mask for each axis, got " + std::to_string(masks.size()) + " for " +
-                                std::to_string(data.axes.size()));
-  if (options.levels < 0)
-    throw std::invalid_argument("refine: need levels >= 0, got " + std::to_string(options.levels));
+  require(data.is_canonical(), "refine: need as many values as points times coordinates");
+  require(masks.size() == data.axes.size(), "refine: need one mask for each axis, got {} for {}", masks.size(),
+          data.axes.size());
+  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
   std::vector<AxisRefiner> refiners;
   long growth = 1;
   for (const Mask& mask : masks) {
@@ -50,4 +49,4 @@ GridData<Number> refine(const GridData<Number>& data, const std::vector<Mask>& m
 template GridData<double> refine<double>(const GridData<double>&, const std::vector<Mask>&, const RefineOptions&);
 template GridData<Rational> refine<Rational>(const GridData<Rational>&, const std::vector<Mask>&, const RefineOptions&);
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -9,7 +9,7 @@
 #define SUBCERT_INLINE inline
 #endif
 
-namespace subcert {
+namespace subcert::data {
 
 /// Arrays of one window; [k][i] means position k * nodes + i (or k * outputs + i).
 template <class Number>
@@ -75,4 +75,4 @@ SUBCERT_INLINE void project(const StepArrays<Number>& a, const Number& zero, con
   }
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -1,9 +1,11 @@
 #include "rounded_regression.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <cmath>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 std::vector<double> interpolation_weights(const std::vector<double>& nodes, double x) {
@@ -23,7 +25,7 @@ std::vector<double> rounded_regression_weights(const std::vector<double>& nodes,
                                                int degree, double x) {
   const std::size_t m = nodes.size();
   if (m == 0 || weights.size() != m || degree < 0)
-    throw std::invalid_argument("rounded_regression_weights: need nodes, as many weights, and degree >= 0");
+    fail(ErrorKind::domain, "rounded_regression_weights: need nodes, as many weights, and degree >= 0");
   if (static_cast<std::size_t>(degree) + 1 >= m) return interpolation_weights(nodes, x);
   // Orthonormal polynomials by Stieltjes' recurrence, as values at the nodes and at x.
   std::vector<double> previous(m, 0), current(m, 1), result(m, 0);
@@ -52,4 +54,4 @@ std::vector<double> rounded_regression_weights(const std::vector<double>& nodes,
   }
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace subcert {
+namespace subcert::data {
 
 /// regression_weights() in double precision. Domain: as there; degree at most 30, nodes within a few hundreds of x.
 /// Error: a small multiple of 2^-53 times the largest weight for degrees up to 5, not bounded here; the tests compare
@@ -11,4 +11,4 @@ namespace subcert {
 std::vector<double> rounded_regression_weights(const std::vector<double>& nodes, const std::vector<double>& weights,
                                                int degree, double x);
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -4,11 +4,12 @@
 #include "rounded_regression.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 constexpr int max_shift_level = 12;
@@ -17,20 +18,18 @@ constexpr int max_shift_level = 12;
 int adic_level(const Rational& x, int arity) {
   for (int level = 0; level <= max_shift_level; ++level)
     if (denominator(Rational(x * power(Rational(arity), level))) == 1) return level;
-  throw std::domain_error("smoothing: the data of this scheme stand at " + to_text(x) + " from the integers, no " +
-                          std::to_string(arity) + "-adic number");
+  fail(ErrorKind::domain, "smoothing: the data of this scheme stand at {} from the integers, no {}-adic number",
+       to_text(x), arity);
 }
 
-const PolynomialReproduction checked_reproduction(const Mask& mask) {
+PolynomialReproduction checked_reproduction(const Mask& mask) {
   const PolynomialReproduction reproduction = polynomial_reproduction(mask);
-  if (reproduction.reproduction_degree < 0)
-    throw std::domain_error("smoothing: need a scheme that reproduces constants");
+  require(reproduction.reproduction_degree >= 0, "smoothing: need a scheme that reproduces constants");
   return reproduction;
 }
 
 LimitValues checked_values(const Mask& mask, const Rational& shift, const SmoothingOptions& options) {
-  if (options.level < 0)
-    throw std::invalid_argument("smoothing: need level >= 0, got " + std::to_string(options.level));
+  require(options.level >= 0, "smoothing: need level >= 0, got {}", options.level);
   return limit_values(mask, std::max(options.level, adic_level(shift, mask.arity())), options.derivative);
 }
 
@@ -38,8 +37,8 @@ LimitValues checked_values(const Mask& mask, const Rational& shift, const Smooth
 
 void require_smoothable(std::size_t count, std::size_t scale) {
   if (count - 1 > (most_smoothed_values - 1) / scale)
-    throw std::length_error("smoothing: need at most " + std::to_string(most_smoothed_values) + " outputs, got " +
-                            std::to_string(count) + " data with " + std::to_string(scale) + " outputs each");
+    fail(ErrorKind::size, "smoothing: need at most {} outputs, got {} data with {} outputs each", most_smoothed_values,
+         count, scale);
 }
 
 ExtensionRule extension_rule(const Mask& mask, Extension kind) {
@@ -59,7 +58,7 @@ LinearSmoother::LinearSmoother(const Mask& mask, std::size_t count, const Smooth
       scale_(numerator(power(Rational(mask.arity()), options.level)).convert_to<std::size_t>()) {
   require_smoothable(count, scale_);
   if (data_.weighted() && !rules_)
-    throw std::invalid_argument("smoothing: prior weights and missing data need a scheme of local regressions");
+    fail(ErrorKind::domain, "smoothing: prior weights and missing data need a scheme of local regressions");
   for (std::size_t i = 0; i < count; ++i)
     prior_weights_.push_back(static_cast<double>(data_.weight(static_cast<long>(i))));
 }
@@ -119,9 +118,8 @@ LinearSmoother::Window LinearSmoother::window_of(long index) const {
   }
   const std::size_t needed = std::min(points, static_cast<std::size_t>(rules_->degree) + 1);
   if (window.kept.size() < needed)
-    throw std::domain_error("smoothing: " + std::to_string(window.kept.size()) + " of the " + std::to_string(points) +
-                            " data around datum " + std::to_string(group + 1) + " are present, a fit of degree " +
-                            std::to_string(rules_->degree) + " needs " + std::to_string(needed));
+    fail(ErrorKind::data, "smoothing: {} of the {} data around datum {} are present, a fit of degree {} needs {}",
+         window.kept.size(), points, group + 1, rules_->degree, needed);
   return window;
 }
 
@@ -247,9 +245,7 @@ std::vector<LinearSmoother::RoundedRow> LinearSmoother::rounded_rows() const {
 }
 
 LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data, double constant) const {
-  if (data.size() != data_.count())
-    throw std::invalid_argument("smoothing: need " + std::to_string(data_.count()) + " data, got " +
-                                std::to_string(data.size()));
+  require(data.size() == data_.count(), "smoothing: need {} data, got {}", data_.count(), data.size());
   Smoothed result;
   result.values.reserve(outputs());
   result.variances.reserve(outputs());
@@ -265,4 +261,4 @@ LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data, 
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -6,12 +6,12 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
-namespace subcert {
+namespace subcert::data {
 
 /// Outputs that one smoother may have.
 constexpr std::size_t most_smoothed_values = 4'000'000;
 
-/// Throws std::length_error where (count - 1) * scale + 1 outputs would pass most_smoothed_values. Domain: count >= 1.
+/// Throws a size error where (count - 1) * scale + 1 outputs would pass most_smoothed_values. Domain: count >= 1.
 void require_smoothable(std::size_t count, std::size_t scale);
 
 struct SmoothingOptions {
@@ -34,15 +34,15 @@ struct SmoothingRow {
 class LinearSmoother {
  public:
   /// Domain: the scheme converges (for derivatives: proved_smoothness), reproduces constants, and its parametrization
-  /// is arity-adic; `rules` are those of `mask` and needed for prior weights. Errors: throws std::invalid_argument or
-  /// std::domain_error that says which of these fails; else as limit_values, ExtendedData
+  /// is arity-adic; `rules` are those of `mask` and needed for prior weights. Errors: throws a domain error
+  /// that says which of these fails; else as limit_values, ExtendedData
   /// and require_smoothable.
   LinearSmoother(const Mask& mask, std::size_t count, const SmoothingOptions& options,
                  const std::optional<LocalRegression>& rules = std::nullopt, std::vector<Rational> prior_weights = {});
 
   std::size_t outputs() const;
   Rational position(std::size_t output) const;
-  /// Exact. Errors: throws std::domain_error where prior weights leave too few data for a fit, and names the datum.
+  /// Exact. Errors: throws a data error where prior weights leave too few data for a fit, and names the datum.
   SmoothingRow row(std::size_t output) const;
 
   /// A SmoothingRow in double precision.
@@ -103,4 +103,4 @@ class LinearSmoother {
 /// The data that one rule of the scheme combines at most, and the degree it reproduces: what Extension::interp fits.
 ExtensionRule extension_rule(const Mask& mask, Extension kind);
 
-}  // namespace subcert
+}  // namespace subcert::data

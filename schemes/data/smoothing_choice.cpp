@@ -1,5 +1,6 @@
 #include "smoothing_choice.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 /// A second difference y[i-1]/2 - y[i] + y[i+1]/2, normed to the variance of a datum of weight 1.
@@ -35,8 +36,8 @@ double covariance(const SecondDifference& a, const SecondDifference& b, const st
 
 NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<double>& prior_weights) {
   if (!prior_weights.empty() && prior_weights.size() != data.size())
-    throw std::invalid_argument("estimate_noise: need as many weights as data, got " +
-                                std::to_string(prior_weights.size()) + " for " + std::to_string(data.size()));
+    fail(ErrorKind::domain, "estimate_noise: need as many weights as data, got {} for {}", prior_weights.size(),
+         data.size());
   std::vector<SecondDifference> terms;
   double sum = 0;
   for (std::size_t i = 1; i + 1 < data.size(); ++i) {
@@ -94,7 +95,7 @@ std::vector<SmoothingCandidate> rank_schemes(const std::vector<std::vector<doubl
                                              const std::vector<NoiseEstimate>& noise, Extension extension,
                                              const std::vector<Rational>& prior_weights, double constant, int max_n) {
   const std::size_t count = columns.empty() ? 0 : columns.front().size();
-  if (count < 4) throw std::invalid_argument("rank_schemes: need at least 4 data, got " + std::to_string(count));
+  require(count >= 4, "rank_schemes: need at least 4 data, got {}", count);
   std::vector<double> weights;
   for (const Rational& weight : prior_weights) weights.push_back(static_cast<double>(weight));
   std::vector<SmoothingCandidate> candidates;
@@ -105,15 +106,15 @@ std::vector<SmoothingCandidate> rank_schemes(const std::vector<std::vector<doubl
       try {
         candidates.push_back(
             {n, degree, scheme.specification, estimate_risk(smoother, columns, noise, weights, constant)});
-      } catch (const std::domain_error&) {
-        continue;  // a gap is too wide for its windows
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::data) throw;  // else a gap is too wide for its windows
       }
     }
-  if (candidates.empty()) throw std::domain_error("no scheme has enough data in every window; gaps are too wide");
+  if (candidates.empty()) fail(ErrorKind::data, "no scheme has enough data in every window; gaps are too wide");
   std::stable_sort(candidates.begin(), candidates.end(), [](const SmoothingCandidate& a, const SmoothingCandidate& b) {
     return a.risk.total() < b.risk.total();
   });
   return candidates;
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

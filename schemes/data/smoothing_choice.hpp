@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace subcert {
+namespace subcert::data {
 
 /// Variance of the noise of data with prior weight 1. Computed from sums of squares in `terms` second differences,
 /// which linear trends do not enter; distributed nearly as chi squared with `degrees_of_freedom` where the noise is
@@ -50,4 +50,4 @@ std::vector<SmoothingCandidate> rank_schemes(const std::vector<std::vector<doubl
                                              const std::vector<Rational>& prior_weights = {}, double constant = 0,
                                              int max_n = 20);
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -1,12 +1,14 @@
 #include "table.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <optional>
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -87,14 +89,15 @@ class Reader {
       add_row();
     }
     if (table_.values.empty())
-      throw DataFormatError(file_ + ": expected rows of numbers; found " + (started_ ? "a header alone" : "none"));
+      subcert::fail(ErrorKind::data, "{}: expected rows of numbers; found {}", file_,
+                    started_ ? "a header alone" : "none");
     return std::move(table_);
   }
 
  private:
   [[noreturn]] void fail(std::size_t column, const std::string& expected) const {
-    throw DataFormatError(file_ + ", line " + std::to_string(number_) +
-                          (column == 0 ? "" : ", column " + std::to_string(column)) + ": expected " + expected);
+    subcert::fail(ErrorKind::data, "{}, line {}{}: expected {}", file_, number_,
+                  (column == 0 ? "" : ", column " + std::to_string(column)), expected);
   }
 
   bool next_line() {
@@ -230,4 +233,4 @@ std::string to_text(const Table& table) {
   return text;
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

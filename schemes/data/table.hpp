@@ -2,18 +2,11 @@
 /// Tables of numbers as text: comma, semicolon, tab or blank between the columns, with or without a header line.
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace subcert {
-
-/// Data that cannot be read; what() is one line that names file, line and column (both from 1) and what would be right.
-class DataFormatError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace subcert::data {
 
 /// values[row * columns + column]. Canonical: columns >= 1, values.size() == rows * columns, header empty or one name
 /// for each column. The separator is ',', ';', '\t' or ' '.
@@ -33,7 +26,7 @@ enum class Missing { refuse, keep };
 /// Reads a table. The separator is the first of semicolon, tab, comma that occurs in the first line, else blanks. The
 /// first line is a header where none of its fields is a number or made of a number's characters. Lines that begin with
 /// # and empty lines at the beginning and the end are skipped; fields may stand in double quotes. `file` is the name
-/// for errors. Errors: throws DataFormatError for no rows, rows of different lengths, text where a number belongs,
+/// for errors. Errors: throws a data error for no rows, rows of different lengths, text where a number belongs,
 /// values that are not finite. Cost: linear.
 Table parse_table(std::string_view text, const std::string& file, Missing missing = Missing::refuse);
 
@@ -43,4 +36,4 @@ std::string to_text(const Table& table);
 /// The shortest decimal text that reads back as `value`.
 std::string shortest_text(double value);
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -1,10 +1,12 @@
 #include "text_lines.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 
-namespace subcert {
+namespace subcert::data {
 
 std::optional<double> parse_finite(std::string_view word) {
   if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
@@ -54,12 +56,12 @@ std::size_t TextLines::count(std::size_t i, std::size_t lowest, std::size_t high
 void TextLines::fail(std::size_t i, const std::string& expected) const {
   std::string shown;
   for (char c : word(i).substr(0, 40)) shown += c >= 32 && c < 127 ? c : '?';
-  throw DataFormatError(file_ + ", line " + std::to_string(number_) + ", word " + std::to_string(i + 1) +
-                        ": expected " + expected + "; found " + (shown.empty() ? "nothing" : "'" + shown + "'"));
+  subcert::fail(ErrorKind::data, "{}, line {}, word {}: expected {}; found {}", file_, number_, i + 1, expected,
+                (shown.empty() ? "nothing" : "'" + shown + "'"));
 }
 
 void TextLines::fail_file(const std::string& expected) const {
-  throw DataFormatError(file_ + ": expected " + expected);
+  subcert::fail(ErrorKind::data, "{}: expected {}", file_, expected);
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace subcert {
+namespace subcert::data {
 
 /// A finite number, or nothing.
 std::optional<double> parse_finite(std::string_view word);
@@ -25,7 +25,7 @@ class TextLines {
   std::size_t line() const { return number_; }
   bool is(std::size_t i, std::string_view expected) const { return word(i) == expected; }
 
-  /// Errors: throw DataFormatError.
+  /// Errors: throw a data error.
   double number(std::size_t i) const;
   std::size_t count(std::size_t i, std::size_t lowest, std::size_t highest, const std::string& what) const;
   void need(bool condition, std::size_t i, const std::string& expected) const {
@@ -43,4 +43,4 @@ class TextLines {
   std::size_t number_ = 0;
 };
 
-}  // namespace subcert
+}  // namespace subcert::data

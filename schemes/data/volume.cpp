@@ -3,7 +3,7 @@
 #include "axis_refinement.hpp"
 #include "text_lines.hpp"
 
-namespace subcert {
+namespace subcert::data {
 namespace {
 
 constexpr std::size_t most_values = 100'000'000;
@@ -104,4 +104,4 @@ std::string to_vtk(const Volume& volume) {
   return text;
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

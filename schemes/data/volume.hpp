@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace subcert {
+namespace subcert::data {
 
 /// Structured points with one array. Where the third dimension is 1 the data have two axes.
 struct Volume {
@@ -19,10 +19,10 @@ struct Volume {
 };
 
 /// Reads an ASCII file with DATASET STRUCTURED_POINTS and one array, SCALARS with 1 to 4 components or VECTORS, as
-/// POINT_DATA. Errors: throws DataFormatError. Ref: [VTK, "Simple legacy formats"].
+/// POINT_DATA. Errors: throws a data error. Ref: [VTK, "Simple legacy formats"].
 Volume parse_vtk(std::string_view text, const std::string& file);
 
 /// The text of such a file; the origin and the spacing follow the axes.
 std::string to_vtk(const Volume& volume);
 
-}  // namespace subcert
+}  // namespace subcert::data

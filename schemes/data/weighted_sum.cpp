@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::data {
 
 #pragma GCC push_options
 #pragma GCC optimize("O3")
@@ -37,4 +37,4 @@ void interleave(const double* parts, std::size_t pitch, std::size_t arity, std::
   SUBCERT_DISPATCH(interleave(parts, pitch, arity, groups, size, out));
 }
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace subcert {
+namespace subcert::data {
 
 /// out[x] = sum over k < taps of weights[k] * in[k * stride + x], for 0 <= x < length; `add` adds it to out[x]. The
 /// sums run from k = 0 upwards without contraction, so every machine gives the same bits. Domain: taps >= 1; `out`
@@ -16,4 +16,4 @@ void weighted_sum(const double* in, std::size_t stride, const double* weights, s
 void interleave(const double* parts, std::size_t pitch, std::size_t arity, std::size_t groups, std::size_t size,
                 double* out);
 
-}  // namespace subcert
+}  // namespace subcert::data

@@ -1,6 +1,5 @@
-#include "../registry.hpp"
-
 #include <subcert/cmake/catch.hpp>
+#include <subcert/proofs-checks/papers/registry.hpp>
 
 #include <set>
 

@@ -1,12 +1,13 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/experiments/local_polynomial.hpp>
 #include <subcert/reports/experiments/mechanical_part.hpp>
-#include <subcert/reports/experiments/paper_experiments.hpp>
+#include <subcert/reports/paper_experiments.hpp>
 
 #include <cmath>
 #include <set>
 
 using namespace subcert;
+using namespace subcert::experiments;
 
 TEST_CASE("local regression of each degree keeps its polynomials at every bandwidth") {
   const std::vector<double> positions{0, 0.3, 10.5, 19};
@@ -47,13 +48,13 @@ TEST_CASE("more noise asks for a larger bandwidth") {
 }
 
 TEST_CASE("the limit matrix keeps linear data, and wraps") {
-  const DenseMatrix open = limit_matrix("primal:n=3", 12, Extension::interp, 1);
+  const DenseMatrix open = limit_matrix("primal:n=3", 12, data::Extension::interp, 1);
   std::vector<double> line;
   for (int i = 0; i < 12; ++i) line.push_back(i);
   const auto values = open * line;
   REQUIRE(values.size() == 23);
   for (std::size_t i = 0; i < 23; ++i) CHECK(values[i] == Approx(static_cast<double>(i) / 2).margin(1e-12));
-  const DenseMatrix closed = limit_matrix("primal:n=2", 12, Extension::wrap, 1);
+  const DenseMatrix closed = limit_matrix("primal:n=2", 12, data::Extension::wrap, 1);
   REQUIRE(closed.rows() == 24);
   for (std::size_t r = 0; r < 24; ++r)
     for (std::size_t c = 0; c < 12; ++c)
@@ -89,7 +90,7 @@ TEST_CASE("experiments have different names, and do not depend on the number of 
 
 // Long, as `subcert reproduce` decides the same, and ./check runs it first.
 TEST_CASE("with the seed and the runs of a report, every finding is the recorded one", "[long]") {
-  const ReportOptions defaults;
+  const reports::ReportOptions defaults;
   for (const Experiment& e : experiments())
     for (const Claim& claim :
          run_experiment(e, {defaults.seed, report_runs(e, defaults.runs), defaults.jobs}).result.claims) {
@@ -99,9 +100,9 @@ TEST_CASE("with the seed and the runs of a report, every finding is the recorded
 }
 
 TEST_CASE("every paper has a report of its experiments, and its claims are told in full") {
-  for (const std::string& paper : reproducible_papers())
+  for (const std::string& paper : reports::reproducible_papers())
     for (const std::string& id : experiment_ids(paper)) CHECK(experiment(id).paper == paper);
-  const Report report = make_report("dyn-2015", {{"fig15", "fig17"}, 2, {}, 1, 4});
+  const reports::Report report = reports::make_report("dyn-2015", {{"fig15", "fig17"}, 2, {}, 1, 4});
   REQUIRE(report.experiments.size() == 2);
   CHECK(report.sections.size() == 2);
   CHECK(report.experiments.front().options.runs == 4);
@@ -114,9 +115,9 @@ TEST_CASE("every paper has a report of its experiments, and its claims are told 
 }
 
 TEST_CASE("a finding that changes is noticed") {
-  Report report = make_report("dyn-2015", {{"fig19"}, 1, {}, 1, 20});
+  reports::Report report = reports::make_report("dyn-2015", {{"fig19"}, 1, {}, 1, 20});
   REQUIRE(report.as_recorded());
-  report.experiments.front().result.claims.front().recorded = Finding::not_reproducible;
+  report.experiments.front().result.claims.front().recorded = Verdict::not_reproducible;
   CHECK(!report.as_recorded());
 }
 
@@ -129,7 +130,7 @@ TEST_CASE("tensor product limits keep a plane, open, and turn with the data, clo
       plane.points[1].push_back(y);
       plane.points[2].push_back(3 * x - 2 * y + x * y);
     }
-  const PointGrid limit = TensorLimit("primal:n=3", 12, 14, Extension::interp, 1)(plane);
+  const PointGrid limit = TensorLimit("primal:n=3", 12, 14, data::Extension::interp, 1)(plane);
   REQUIRE(limit.columns == 23);
   REQUIRE(limit.rows == 27);
   for (std::size_t j = 0; j < limit.rows; ++j)

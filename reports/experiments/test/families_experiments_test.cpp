@@ -5,6 +5,7 @@
 #include <numeric>
 
 using namespace subcert;
+using namespace subcert::experiments;
 
 namespace {
 
@@ -15,7 +16,7 @@ double mean(const std::vector<double>& values) {
 /// A parabola with noise, without outliers where `height` is 0.
 OutlierCase parabola(double sigma, double height) {
   const auto value = [](double x) { return (x - 10) * (x - 10) / 20; };
-  return {{Axis::of(21)},
+  return {{data::Axis::of(21)},
           1,
           2,
           [=](std::mt19937_64& engine) {
@@ -34,16 +35,16 @@ OutlierCase parabola(double sigma, double height) {
 }  // namespace
 
 TEST_CASE("polygons between their points: inside, beyond open ends, around closed ones") {
-  GridData<double> open = curve_data<double>({0, 0, 1, 2, 3, 2}, 2);
+  data::GridData<double> open = data::curve_data<double>({0, 0, 1, 2, 3, 2}, 2);
   open.axes[0].first = Rational(1, 2);
   CHECK(polygon_at(open, {0.5, 1, 2, 0, 3}) == std::vector<double>{0, 0, 0.5, 1, 2, 2, -0.5, -1, 4, 2});
-  const GridData<double> closed = curve_data<double>({0, 4, 8}, 1, true);
+  const data::GridData<double> closed = data::curve_data<double>({0, 4, 8}, 1, true);
   CHECK(polygon_at(closed, {0, 2.5, -0.5, 3.5}) == std::vector<double>{0, 4, 4, 2});
 }
 
 TEST_CASE("meshes are bilinear between their points") {
-  const GridData<double> surface{{0, 1, 2, 3, 5, 7}, 1, {Axis::of(3), Axis::of(2)}};
-  const Axis x{2, false, 2, Rational(1, 2), 1}, y{2, false, 1, Rational(1, 4), Rational(1, 2)};
+  const data::GridData<double> surface{{0, 1, 2, 3, 5, 7}, 1, {data::Axis::of(3), data::Axis::of(2)}};
+  const data::Axis x{2, false, 2, Rational(1, 2), 1}, y{2, false, 1, Rational(1, 4), Rational(1, 2)};
   CHECK(mesh_at(surface, {x, y}) == std::vector<double>{1.375, 2.625, 3.125, 4.875});
 }
 

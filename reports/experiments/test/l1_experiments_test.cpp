@@ -1,11 +1,12 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/experiments/damped_sine.hpp>
-#include <subcert/reports/published.hpp>
+#include <subcert/reports/formats/published.hpp>
 #include <subcert/schemes/data/l1_scheme.hpp>
 
 #include <cmath>
 
 using namespace subcert;
+using namespace subcert::experiments;
 
 namespace {
 
@@ -20,8 +21,8 @@ TEST_CASE("sets that are refined together are refined as if alone") {
   const auto first = random_values(1, 40), second = random_values(2, 40);
   for (const char* scheme : {"dual:n=3", "l1:points=6", "bspline:degree=2"}) {
     INFO(scheme);
-    const Batch both = refined(scheme, {{Axis::of(20)}, 2, {first, second}}, 2);
-    const Batch alone = refined(scheme, {{Axis::of(20)}, 2, {second}}, 2);
+    const Batch both = refined(scheme, {{data::Axis::of(20)}, 2, {first, second}}, 2);
+    const Batch alone = refined(scheme, {{data::Axis::of(20)}, 2, {second}}, 2);
     REQUIRE(both.sets.size() == 2);
     CHECK(both.sets[1] == alone.sets[0]);
     CHECK(both.axes[0].count == alone.axes[0].count);
@@ -30,26 +31,27 @@ TEST_CASE("sets that are refined together are refined as if alone") {
   const auto a = random_values(3, 80), b = random_values(4, 80);
   for (const char* scheme : {"grid:points=6x6,d=1", "l1:points=6x6", "tensor:(bspline:degree=2)x(bspline:degree=2)"}) {
     INFO(scheme);
-    const std::vector<Axis> axes{Axis::of(8), Axis::of(10)};
+    const std::vector<data::Axis> axes{data::Axis::of(8), data::Axis::of(10)};
     CHECK(refined(scheme, {axes, 1, {a, b}}, 1).sets[1] == refined(scheme, {axes, 1, {b}}, 1).sets[0]);
   }
 }
 
 TEST_CASE("a batch has what refine() makes, and refuses what mixes coordinates") {
   const auto values = random_values(5, 30);
-  const L1Scheme scheme{{7}, 1, {}};
-  CHECK(refined("l1:points=7", {{Axis::of(30)}, 1, {values}}, 3).sets[0] ==
-        refine(curve_data(std::vector<double>(values)), scheme, {3, Boundary::regression, 1}).values);
-  CHECK_THROWS_AS(refined("l1:points=6,residuals=joint", {{Axis::of(30)}, 1, {values}}, 1), std::invalid_argument);
-  CHECK_THROWS_AS(refined("grid:points=4x4x4", {{Axis::of(30)}, 1, {values}}, 1), std::invalid_argument);
+  const data::L1Scheme scheme{{7}, 1, {}};
+  CHECK(refined("l1:points=7", {{data::Axis::of(30)}, 1, {values}}, 3).sets[0] ==
+        refine(data::curve_data(std::vector<double>(values)), scheme, {3, data::Boundary::regression, 1}).values);
+  CHECK_THROWS_AS(refined("l1:points=6,residuals=joint", {{data::Axis::of(30)}, 1, {values}}, 1),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(refined("grid:points=4x4x4", {{data::Axis::of(30)}, 1, {values}}, 1), std::invalid_argument);
 }
 
 TEST_CASE("the l1 schemes without reweighting are the least squares schemes") {
   const auto curve = random_values(6, 30), surface = random_values(7, 120);
   for (std::size_t m = 0; m < 3; ++m) {
     for (const auto& [methods, batch] :
-         {std::pair{curve_methods(), Batch{{Axis::of(30)}, 1, {curve}}},
-          std::pair{surface_methods(), Batch{{Axis::of(10), Axis::of(12)}, 1, {surface}}}}) {
+         {std::pair{curve_methods(), Batch{{data::Axis::of(30)}, 1, {curve}}},
+          std::pair{surface_methods(), Batch{{data::Axis::of(10), data::Axis::of(12)}, 1, {surface}}}}) {
       INFO(methods[m].name);
       const Batch linear = refined(methods[m].specification, batch, 2);
       const Batch robust = refined(methods[m + 3].specification + ",iterations=0", batch, 2);
@@ -62,10 +64,10 @@ TEST_CASE("the l1 schemes without reweighting are the least squares schemes") {
 
 TEST_CASE("claims need whole intervals on the right side of the bound") {
   const NamedMean clear{"clear", {-2, 1}}, open{"open", {-0.5, 1}};
-  CHECK(all_below({"", ""}, "", 0, {clear}).finding == Finding::confirmed);
-  CHECK(all_below({"", ""}, "", 0, {clear, open}).finding == Finding::not_confirmed);
-  CHECK(all_above({"", ""}, "", -4, {clear, open}).finding == Finding::confirmed);
-  CHECK(all_above({"", ""}, "", -3, {clear, open}).finding == Finding::not_confirmed);
+  CHECK(all_below({"", ""}, "", 0, {clear}).finding == Verdict::confirmed);
+  CHECK(all_below({"", ""}, "", 0, {clear, open}).finding == Verdict::not_confirmed);
+  CHECK(all_above({"", ""}, "", -4, {clear, open}).finding == Verdict::confirmed);
+  CHECK(all_above({"", ""}, "", -3, {clear, open}).finding == Verdict::not_confirmed);
 }
 
 TEST_CASE("a study measures errors and responses") {
@@ -103,9 +105,9 @@ TEST_CASE("outliers stand where they should") {
 }
 
 TEST_CASE("the printed tables of errors name each scheme once") {
-  const PublishedPaper paper = published_paper("mustafa-li-2015");
+  const formats::PublishedPaper paper = formats::published_paper("mustafa-li-2015");
   for (const char* id : {"table1", "table2", "table3"}) {
-    const PublishedTable& table = paper.table(id);
+    const formats::PublishedTable& table = paper.table(id);
     const auto& methods = std::string(id) == "table3" ? surface_methods() : curve_methods();
     REQUIRE(table.cells.size() == methods.size());
     for (std::size_t i = 0; i < methods.size(); ++i) {

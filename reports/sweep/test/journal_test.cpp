@@ -11,6 +11,7 @@
 #include <sstream>
 
 using namespace subcert;
+using namespace subcert::sweeps;
 namespace fs = std::filesystem;
 
 namespace {

@@ -3,6 +3,7 @@
 #include <subcert/reports/sweep/number_list.hpp>
 
 using namespace subcert;
+using namespace subcert::sweeps;
 
 TEST_CASE("lists of integers are read, put in order and printed back") {
   const auto read = [](const char* text) { return parse_number_list("--n", text, 0, 100); };

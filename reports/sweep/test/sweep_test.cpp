@@ -15,6 +15,7 @@
 #include <thread>
 
 using namespace subcert;
+using namespace subcert::sweeps;
 namespace fs = std::filesystem;
 
 namespace {

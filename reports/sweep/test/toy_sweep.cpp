@@ -10,6 +10,7 @@
 
 int main(int argc, char** argv) {
   using namespace subcert;
+  using namespace subcert::sweeps;
   if (argc < 4) return 64;
   const long count = std::atol(argv[1]);
   const auto pause = std::chrono::milliseconds(std::atol(argv[2]));

@@ -4,6 +4,7 @@
 #include <subcert/schemes/specification.hpp>
 
 using namespace subcert;
+using namespace subcert::data;
 
 TEST_CASE("away from the ends the expected squared error is eq. (16)") {
   const Rational h(1, 10), sigma_squared(1, 25);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 using namespace subcert;
+using namespace subcert::data;
 using subcert::testing::least_absolute_deviation;
 using subcert::testing::Random;
 using subcert::testing::rounds;

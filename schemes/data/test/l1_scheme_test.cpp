@@ -8,6 +8,7 @@
 #include <cmath>
 
 using namespace subcert;
+using namespace subcert::data;
 using subcert::testing::least_absolute_deviation;
 using subcert::testing::Random;
 

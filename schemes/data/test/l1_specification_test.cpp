@@ -3,6 +3,7 @@
 #include <subcert/schemes/data/l1_specification.hpp>
 
 using namespace subcert;
+using namespace subcert::data;
 
 TEST_CASE("l1 specifications are read and printed back in canonical form") {
   const auto canonical = [](const char* text) {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 using namespace subcert;
+using namespace subcert::data;
 using subcert::testing::Random;
 
 namespace {

@@ -10,6 +10,7 @@
 #include <cmath>
 
 using namespace subcert;
+using namespace subcert::data;
 using subcert::testing::Random;
 using subcert::testing::rounds;
 

@@ -7,6 +7,7 @@
 #include <random>
 
 using namespace subcert;
+using namespace subcert::data;
 
 namespace {
 

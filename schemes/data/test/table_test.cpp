@@ -5,6 +5,7 @@
 #include <random>
 
 using namespace subcert;
+using namespace subcert::data;
 
 namespace {
 

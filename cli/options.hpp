@@ -1,0 +1,61 @@
+#pragma once
+/// Subcommands, their options and flags. CLI11, which parses them, is compiled in options.cpp alone.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace subcert::cli {
+
+/// An option or argument that may be restricted further.
+class Option {
+ public:
+  explicit Option(CLI::Option* option) : option_(option) {}
+  Option& required();
+  Option& within(int low, int high);
+  Option& within(double low, double high);
+  Option& one_of(const std::vector<std::string>& words);
+  /// Help shows the value that the target has now.
+  Option& with_default();
+  /// `a,b` is the same as `a b`.
+  Option& separated_by_commas();
+  Option& describe(const std::string& text);
+
+ private:
+  CLI::Option* option_;
+};
+
+/// The program, or a subcommand of it. Names that start with dashes are options, others positional arguments; targets
+/// must live until the program has run.
+class Command {
+ public:
+  explicit Command(CLI::App* app) : app_(app) {}
+
+  Option option(const std::string& name, int& target, const std::string& text);
+  Option option(const std::string& name, unsigned long& target, const std::string& text);
+  Option option(const std::string& name, double& target, const std::string& text);
+  Option option(const std::string& name, std::optional<double>& target, const std::string& text);
+  Option option(const std::string& name, std::string& target, const std::string& text);
+  Option option(const std::string& name, std::vector<std::string>& target, const std::string& text);
+  Option flag(const std::string& name, bool& target, const std::string& text);
+  /// One that was added before.
+  Option existing(const std::string& name);
+
+  Command subcommand(const std::string& name, const std::string& text);
+  /// At least and at most so many subcommands.
+  void require_subcommands(std::size_t at_least, std::size_t at_most);
+  bool has_parsed_subcommand() const;
+  void footer(const std::string& text);
+  void run(const std::function<void()>& action);
+
+ private:
+  CLI::App* app_;
+};
+
+}  // namespace subcert::cli

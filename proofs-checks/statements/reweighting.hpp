@@ -1,0 +1,81 @@
+#pragma once
+/// Weighted least squares on windows of data, for closed forms that hold for all positive weights.
+/// docs/statements.md, section 3.
+
+#include "identities.hpp"
+
+#include <subcert/analysis/symbol/rational_matrix.hpp>
+
+namespace subcert::statements {
+
+/// Data f with positive weights w at the nodes (r, s); s = 0 on a line.
+struct WeightedWindow {
+  std::vector<std::pair<long, long>> nodes;
+  std::vector<Rational> weights;
+  std::vector<Rational> data;
+};
+
+/// The nodes first, ..., last of a line (variables = 1) or of a square (variables = 2), all weights 1 and data 0.
+WeightedWindow window(long first, long last, int variables);
+/// The same with pseudo-random rational weights and data, which depend on the seed alone.
+WeightedWindow random_window(long first, long last, int variables, unsigned seed);
+
+/// The sum of a term in r, s, w, f and the names given, over the nodes with first <= r, s <= last.
+Rational sum_over(const WeightedWindow& window, const Formula& term, long first, long last, const Values& names = {});
+
+/// The coefficients of the basis, functions of r and s, in the weighted fit: its normal equations solved. Domain: the
+/// nodes determine the basis. Errors: throws Undefined otherwise.
+std::vector<Rational> weighted_coefficients(const WeightedWindow& window, const std::vector<Formula>& basis);
+
+/// The matrix A^T W A of the normal equations.
+RationalMatrix normal_matrix(const WeightedWindow& window, const std::vector<Formula>& basis);
+
+/// A linear function of weighted data, sum of rule(r) w f, with rule(r) = p(r) for a polynomial p of degree at most
+/// `degree`, and the moments sum of rule(r) r^k w = moments[k], as identities in tau1, tau2, ..., which stand for the
+/// sums of w, r w, r^2 w, ... . Domain: the rule is a function of r and the taus; `start` is where each tau is tried
+/// first, so that no divisor vanishes.
+Trial weighted_moments(const Formula& rule, int degree, const std::vector<Formula>& moments,
+                       const std::vector<Variable>& start);
+
+/// term = coefficient * w * f, where the coefficient is the term at w = f = 1.
+Trial is_weighted_datum(const Formula& term, const std::vector<Variable>& names);
+/// The term at w = f = 1.
+Formula coefficient_of_datum(const Formula& term);
+
+/// matrix * adjoint = determinant * identity, entry by entry, as identities in the variables. Domain: square.
+Trial adjoint_identity(const std::vector<std::vector<Formula>>& matrix,
+                       const std::vector<std::vector<Formula>>& adjoint, const Formula& determinant,
+                       const std::vector<Variable>& variables);
+
+/// A square grid fit whose weights have a closed form: `weight`, a function of n, r, s and the parameters, belongs to
+/// the node (r, s), first(n) <= r, s <= last(n); the fit has this total degree and is evaluated at (x, y), functions of
+/// the parameters.
+struct GridFit {
+  Formula weight;
+  Line first;
+  Line last;
+  Formula x;
+  Formula y;
+  int degree;
+  long smallest_n;
+  std::vector<Variable> parameters;
+};
+
+/// Compares with the normal equations for n up to largest_n, then proves the form for all n >= smallest_n: the weights
+/// are a polynomial of at most this degree in the node and reproduce the monomials.
+Trial grid_fit(const GridFit& fit, long largest_n);
+
+/// `n = 2, random weights 1`, as in witnesses.
+std::string weighted_case(long n, unsigned seed);
+
+/// The weights 1/bracket^exponent belong to the smoothed modulus h(t) = smoothed^smoothed_exponent: w = h'(t)/t for the
+/// residual t, as identities in f and the other names.
+Trial weights_of_modulus(const Formula& bracket, const Rational& exponent, const Formula& residual,
+                         const std::vector<Variable>& names);
+
+/// term = w r^i s^j for the k-th pair (i, j), and the sums run over 2n (even) or 2n+1 consecutive indices about 1/2 or
+/// 0.
+Trial entries_of_normal_equations(const std::vector<Formula>& terms, const std::vector<std::string>& expected);
+Trial summation_range(const Formula& first, const Formula& last, bool even);
+
+}  // namespace subcert::statements

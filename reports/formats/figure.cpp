@@ -1,0 +1,88 @@
+#include "figure.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/runtime/files.hpp>
+
+#include <gnuplot-iostream.h>
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace subcert::formats {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+void plot(const Figure& figure, const std::string& terminal, const std::filesystem::path& target) {
+  Gnuplot gnuplot("gnuplot 2>/dev/null");
+  const auto count = static_cast<int>(figure.panels.size());
+  const int columns = std::min(figure.columns, count), rows = (count + columns - 1) / columns;
+  gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 460 * columns << "," << 320 * rows << "\n"
+          << "set output " << quoted(target.string()) << "\n"
+          << "set border 3 lc rgb '#555555'\nset tics nomirror textcolor rgb '#333333'\n"
+          << "set grid lc rgb '#dddddd' lt 1\n";
+  const char* colours[] = {"#0b559f", "#c0392b", "#1e8449", "#7d3c98", "#b9770e", "#117a8b"};
+  for (std::size_t i = 0; i < std::size(colours); ++i)
+    gnuplot << "set linetype " << i + 1 << " lc rgb '" << colours[i] << "' lw 2 pt 7 ps 0.6\n";
+  gnuplot << "set multiplot layout " << rows << "," << columns << "\n";
+  for (const Panel& panel : figure.panels) {
+    gnuplot << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.x_label) << "\nset ylabel "
+            << quoted(panel.y_label) << "\nset key " << panel.key << "\n"
+            << (panel.log_y ? "set logscale y\nset format y '10^{%T}'\n" : "unset logscale y\nset format y '%g'\n")
+            << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
+            << (panel.equal_units ? "set size ratio -1\n" : "set size noratio\n")
+            << "set offsets graph 0, graph 0, graph 0.08, graph 0.03\nplot ";
+    for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+      const Curve& curve = panel.curves[i];
+      gnuplot << (i ? ", " : "") << "'-' with " << (!curve.joined ? "points" : curve.marked ? "linespoints" : "lines");
+      if (!curve.colour.empty()) gnuplot << " lc rgb " << quoted(curve.colour);
+      if (curve.label.empty())
+        gnuplot << " notitle";
+      else
+        gnuplot << " title " << quoted(curve.label);
+    }
+    gnuplot << "\n";
+    for (const Curve& curve : panel.curves) gnuplot.send1d(curve.points);
+  }
+  gnuplot << "unset multiplot\nunset output\n";
+  gnuplot.flush();
+}
+
+}  // namespace
+
+void draw(const Figure& figure, const std::filesystem::path& folder) {
+  std::ostringstream csv;
+  csv.precision(12);
+  csv << "panel,curve,x,y\n";
+  for (const Panel& panel : figure.panels)
+    for (const Curve& curve : panel.curves)
+      for (const auto& [x, y] : curve.points)
+        csv << '"' << panel.title << "\",\"" << curve.label << "\"," << x << ',' << y << '\n';
+  runtime::write_file(folder / (figure.id + ".csv"), csv.str());
+  for (const char* ending : {".svg", ".png"}) draw_file(figure, folder / (figure.id + ending));
+}
+
+bool is_picture_name(const std::filesystem::path& file) {
+  return file.extension() == ".svg" || file.extension() == ".png";
+}
+
+void draw_file(const Figure& figure, const std::filesystem::path& file) {
+  require(is_picture_name(file), "draw_file: need a name that ends in .svg or .png, got {}", file.string());
+  const char* terminal = file.extension() == ".svg" ? "svg font 'DejaVu Sans,12' background rgb 'white'"
+                                                    : "pngcairo font 'DejaVu Sans,11' fontscale 1.0";
+  runtime::write_file_with(file, [&](const std::filesystem::path& temporary) {
+    plot(figure, terminal, temporary);  // gnuplot has ended when this returns
+    if (!std::filesystem::exists(temporary) || std::filesystem::file_size(temporary) == 0)
+      fail(ErrorKind::missing_file, "gnuplot did not draw {} (is gnuplot installed?)", file.string());
+  });
+}
+
+}  // namespace subcert::formats

@@ -1,0 +1,49 @@
+#pragma once
+/// Figures: data first, drawn by gnuplot as SVG and PNG.
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace subcert::formats {
+
+struct Curve {
+  std::string label;
+  std::vector<std::pair<double, double>> points;
+  bool marked = false;      ///< points with marks, as for a sequence over n
+  bool joined = true;       ///< a line through the points; else marks alone
+  std::string colour = {};  ///< as "#0b559f"; empty: by place in the panel
+};
+
+struct Panel {
+  std::string title;
+  std::string x_label;
+  std::string y_label;
+  std::vector<Curve> curves;
+  bool log_y = false;
+  std::string key = "top right";  ///< where gnuplot puts the legend
+  bool equal_units = false;       ///< the same scale on both axes, as for curves in the plane
+  bool log_x = false;
+};
+
+/// Panels side by side, at most `columns` in a row.
+struct Figure {
+  std::string id;
+  std::string title;
+  std::string caption;
+  int columns = 2;
+  std::vector<Panel> panels;
+};
+
+/// Writes FOLDER/ID.svg, FOLDER/ID.png and FOLDER/ID.csv (panel, curve, x, y). Errors: throws missing_file where
+/// gnuplot is missing or fails; the CSV file is written first.
+void draw(const Figure& figure, const std::filesystem::path& folder);
+
+/// Whether draw_file() knows the ending of this name: .svg or .png.
+bool is_picture_name(const std::filesystem::path& file);
+
+/// Writes one picture, its kind by the ending. Errors: throws a domain error for another ending, else as draw().
+void draw_file(const Figure& figure, const std::filesystem::path& file);
+
+}  // namespace subcert::formats

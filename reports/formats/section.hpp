@@ -1,0 +1,33 @@
+#pragma once
+/// The parts of a page.
+
+#include "comparison.hpp"
+#include "figure.hpp"
+#include "surface_figure.hpp"
+
+#include <string>
+#include <vector>
+
+namespace subcert::formats {
+
+/// A table of our own, without printed counterpart.
+struct PlainTable {
+  std::string id;
+  std::string title;
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> row_classes = {};  ///< how the page marks each row; empty for no marks
+};
+
+/// One part of the page. Items that were not asked for have no section.
+struct Section {
+  std::string id;
+  std::string heading;
+  std::vector<std::string> paragraphs;
+  std::vector<ComparisonTable> comparisons = {};
+  std::vector<PlainTable> tables = {};
+  std::vector<Figure> figures = {};
+  std::vector<SurfaceFigure> surface_figures = {};
+};
+
+}  // namespace subcert::formats

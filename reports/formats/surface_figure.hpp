@@ -1,0 +1,41 @@
+#pragma once
+/// Pictures of surfaces, drawn by gnuplot.
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace subcert::formats {
+
+/// A grid of points in space: points[j * columns + i]; closed directions are joined.
+struct DrawnSurface {
+  std::string title;
+  std::size_t columns;
+  std::size_t rows;
+  bool closed_x;
+  bool closed_y;
+  std::vector<std::array<double, 3>> points;
+  bool heights = false;  ///< a function over a grid: x and y scaled freely against z
+  double zoom = 2;       ///< of surfaces that are no heights; tall ones need less
+};
+
+/// Surfaces side by side, at most `columns` in a row.
+struct SurfaceFigure {
+  std::string id;
+  std::string title;
+  std::string caption;
+  std::vector<DrawnSurface> surfaces;
+  std::size_t columns = 2;
+};
+
+/// Writes FOLDER/ID.svg and FOLDER/ID.png. Errors: as draw_surfaces().
+void draw(const SurfaceFigure& figure, const std::filesystem::path& folder);
+
+/// Writes one picture with the surfaces side by side, at most `columns` in a row where it is not 0, as .svg or .png.
+/// Errors: throws a domain error for another ending, missing_file where gnuplot is missing or fails.
+void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file,
+                   std::size_t columns = 0);
+
+}  // namespace subcert::formats

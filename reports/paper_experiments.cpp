@@ -1,0 +1,30 @@
+#include "paper_experiments.hpp"
+
+#include <algorithm>
+
+namespace subcert::reports {
+
+std::vector<std::string> experiment_ids(const std::string& paper) {
+  std::vector<std::string> result;
+  for (const experiments::Experiment& candidate : experiments::experiments())
+    if (candidate.paper == paper) result.push_back(candidate.id);
+  return result;
+}
+
+std::size_t report_runs(const experiments::Experiment& experiment, std::size_t runs) {
+  return experiment.prints_values ? 4 * runs : runs;
+}
+
+void add_experiments(Report& report, const ReportOptions& options) {
+  for (const std::string& id : experiment_ids(report.paper)) {
+    if (!options.only.empty() && std::find(options.only.begin(), options.only.end(), id) == options.only.end())
+      continue;
+    if (options.progress) options.progress(id);
+    report.experiments.push_back(experiments::run_experiment(
+        experiments::experiment(id),
+        {options.seed, report_runs(experiments::experiment(id), options.runs), options.jobs}));
+    report.sections.push_back(experiments::experiment_section(report.experiments.back()));
+  }
+}
+
+}  // namespace subcert::reports

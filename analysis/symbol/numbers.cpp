@@ -69,10 +69,8 @@ std::optional<Rational> parse_rational(std::string_view text) {
   const std::string_view num = text.substr(0, slash);
   const std::string_view den = slash == std::string_view::npos ? std::string_view("1") : text.substr(slash + 1);
   if (!all_digits(num) || !all_digits(den)) return std::nullopt;
-  // mpz_set_str is told base 10: the constructor of Integer would read a leading zero as octal.
-  Integer numerator, denominator;
-  mpz_set_str(numerator.get(), std::string(num).c_str(), 10);
-  mpz_set_str(denominator.get(), std::string(den).c_str(), 10);
+  Integer numerator{std::string(num)};
+  const Integer denominator{std::string(den)};
   if (denominator == 0) return std::nullopt;
   if (negative) numerator = -numerator;
   return Rational(numerator, denominator);

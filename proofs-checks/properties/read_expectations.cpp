@@ -1,6 +1,6 @@
 #include "properties.hpp"
 
-#include <subcert/analysis/symbol/printed_decimal.hpp>
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #define TOML_HEADER_ONLY 1
@@ -47,11 +47,8 @@ std::string shown(std::string_view text) {
 /// An integer, or a rational or decimal number in a string.
 std::optional<Rational> number_in(std::string_view text) {
   if (const auto rational = parse_rational(text)) return rational;
-  try {
-    return read_printed_decimal(std::string(text)).value;
-  } catch (const std::exception&) {  // what it throws says only that it is no decimal
-    return std::nullopt;
-  }
+  if (const auto decimal = parse_decimal(text)) return decimal->value;
+  return std::nullopt;
 }
 
 std::optional<Rational> exact_number(const toml::node& node) {

@@ -1,7 +1,7 @@
 #include "mask_form.hpp"
 
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/printed_decimal.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -58,7 +58,7 @@ Trial table_row(const std::vector<std::string>& printed, const std::vector<std::
   std::string failures;
   for (std::size_t i = 0; i < printed.size(); ++i) {
     const Enclosure truth = certified(i);
-    if (agrees(read_printed_decimal(printed[i]), truth) == Truth::yes) continue;
+    if (agrees(read_decimal(printed[i]), truth) == Truth::yes) continue;
     failures += (failures.empty() ? "" : "; ") + labels[i] + ": printed " + printed[i] + ", certified " +
                 truth.lower_text(8) + " ... " + truth.upper_text(8);
   }

@@ -24,12 +24,4 @@ Constants Constants::broken(const std::string& name) const {
   return result;
 }
 
-Rational decimal(const std::string& text) {
-  const auto point = text.find('.');
-  const std::string digits = point == std::string::npos ? text : text.substr(0, point) + text.substr(point + 1);
-  const auto value = parse_rational(digits);
-  if (!value || digits.find('/') != std::string::npos) fail(ErrorKind::domain, "not a decimal: '{}'", text);
-  return *value / power(Rational(10), point == std::string::npos ? 0 : static_cast<long>(text.size() - point - 1));
-}
-
 }  // namespace subcert::theorems

@@ -1,7 +1,7 @@
 #include "comparison.hpp"
 
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/printed_decimal.hpp>
 
 #include <algorithm>
 
@@ -13,13 +13,13 @@ Verdict parse_verdict(const std::string& text) {
 }
 
 Verdict compare(const std::string& printed, const Enclosure& computed) {
-  return comparison_verdict(agrees(read_printed_decimal(printed), computed));
+  return comparison_verdict(agrees(read_decimal(printed), computed));
 }
 
 std::string Comparison::computed_text() const {
   if (const auto* text = std::get_if<std::string>(&computed)) return *text;
   const Enclosure& enclosure = std::get<Enclosure>(computed);
-  const int places = read_printed_decimal(printed).places + 3;
+  const int places = read_decimal(printed).places() + 3;
   if (!enclosure.is_bounded()) {
     if (enclosure.lower) return ">= " + to_fixed(*enclosure.lower, places, Rounding::down);
     if (enclosure.upper) return "<= " + to_fixed(*enclosure.upper, places, Rounding::up);

@@ -1,7 +1,6 @@
 #include "l1_specification.hpp"
 
-#include "decimal.hpp"
-
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/schemes/specification_text.hpp>
 
 #include <algorithm>

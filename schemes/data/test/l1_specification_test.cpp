@@ -1,5 +1,4 @@
 #include <subcert/cmake/catch.hpp>
-#include <subcert/schemes/data/decimal.hpp>
 #include <subcert/schemes/data/l1_specification.hpp>
 
 using namespace subcert;
@@ -50,25 +49,4 @@ TEST_CASE("bad l1 specifications name the token, its position and what would be 
   CHECK_THAT(message("l1:points=6,iterations=-1"), contains("iterations as an integer from 0 to 1000000"));
   CHECK_THAT(message("l1:points=6,residuals=vector"), contains("residuals=separate or residuals=joint"));
   CHECK_THAT(message("l1:points=6,n=3"), contains("position 13: 'n'; expected a key of"));
-}
-
-TEST_CASE("decimal numbers are read exactly") {
-  const auto value = [](const char* text) { return parse_decimal(text)->value; };
-  CHECK(value("0.25") == Rational(1, 4));
-  CHECK(value("-.5e1") == -5);
-  CHECK(value("+3.") == 3);
-  CHECK(value("007") == 7);
-  CHECK(value("1E+2") == 100);
-  CHECK(value("-0.0") == 0);
-  CHECK(parse_decimal("0.250")->unit == Rational(1, 1000));
-  CHECK(parse_decimal("25.0e-2")->unit == Rational(1, 1000));
-  CHECK(parse_decimal("1e3")->unit == 1000);
-  for (const char* text :
-       {"", ".", "-", "1e", "1e+", "e5", "1.2.3", "1,5", "0x10", "nan", "inf", " 1", "1 ", "1e401", "1e99999", "--1"})
-    CHECK_FALSE(parse_decimal(text));
-  for (const Rational& number : {Rational(1, 400), Rational(7), Rational(1, 3), Rational(12000), Rational(-1, 8)}) {
-    const std::string text = to_short_text(number);
-    const auto decimal = parse_decimal(text);
-    CHECK((decimal ? decimal->value : *parse_rational(text)) == number);
-  }
 }

@@ -1,9 +1,11 @@
 #include "decimal.hpp"
 
+#include "error.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 
-namespace subcert::data {
+namespace subcert {
 namespace {
 
 constexpr std::size_t max_digits = 1000;
@@ -51,10 +53,24 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
     exponent += negative ? -shift : shift;
   }
   if (!text.empty()) return std::nullopt;
-  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));  // a leading 0 would mean octal
   const Rational unit = power(Rational(10), exponent);
   const Rational value = Rational(Integer(digits)) * unit;
   return Decimal{minus ? Rational(-value) : value, unit};
+}
+
+Decimal read_decimal(std::string_view text) {
+  const std::optional<Decimal> result = parse_decimal(text);
+  if (!result) fail(ErrorKind::usage, "need a decimal number, got '{}'", text);
+  return *result;
+}
+
+Truth agrees(const Decimal& printed, const Enclosure& computed) {
+  const Rational low = printed.value - printed.unit, high = printed.value + printed.unit;
+  if ((computed.lower && *computed.lower > high) || (computed.upper && *computed.upper < low)) return Truth::no;
+  if (computed.is_bounded() && *computed.upper - *computed.lower < printed.unit && *computed.lower >= low &&
+      *computed.upper <= high)
+    return Truth::yes;
+  return Truth::unknown;
 }
 
 std::string to_short_text(const Rational& value) {
@@ -73,4 +89,4 @@ std::string to_short_text(const Rational& value) {
   return plain.size() <= scientific.size() ? plain : scientific;
 }
 
-}  // namespace subcert::data
+}  // namespace subcert

@@ -58,29 +58,26 @@ void CommonOptions::answer(const std::string& text) const {
   if (!std::cout) fail(ErrorKind::missing_file, "cannot write to standard output");
 }
 
-CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& description,
-                      const std::string& example, const std::shared_ptr<CommonOptions>& options,
-                      const std::function<ExitCode()>& run) {
-  CLI::App* command = app.add_subcommand(name, description);
-  command->footer("\nExample:\n  " + example);
-  command->add_flag("--json", options->json, "One JSON object on standard output");
-  command->add_flag("--quiet", options->quiet, "No progress");
-  command->add_option("--jobs", options->jobs, "Threads (default: all cores)")->check(CLI::Range(1, 1024));
-  command->add_option("--seed", options->seed, "Seed for whatever is random");
-  command->add_option("--out", options->out, "Write the answer there");
-  command->callback([run] {
-    if (const ExitCode code = run(); code != done) throw CLI::RuntimeError(static_cast<int>(code));
-  });
-  return *command;
+Command add_command(Command& app, const std::string& name, const std::string& description, const std::string& example,
+                    const std::shared_ptr<CommonOptions>& options, const std::function<ExitCode()>& run) {
+  Command command = app.subcommand(name, description);
+  command.add_to_footer("\nExample:\n  " + example);
+  command.flag("--json", options->json, "One JSON object on standard output");
+  command.flag("--quiet", options->quiet, "No progress");
+  command.option("--jobs", options->jobs, "Threads (default: all cores)").within(1, 1024);
+  command.option("--seed", options->seed, "Seed for whatever is random");
+  command.option("--out", options->out, "Write the answer there");
+  command.run([run] { return static_cast<int>(run()); });
+  return command;
 }
 
-void add_scheme(CLI::App& command, std::string& target, bool any) {
+void add_scheme(Command& command, std::string& target, bool any) {
   std::vector<FamilyHelp> help = families();
   if (any) help.insert(help.end(), multivariate_families().begin(), multivariate_families().end());
   std::string known;
   for (const FamilyHelp& family : help) known += "\n  " + family.usage + "\n      " + family.meaning;
-  command.add_option("SCHEME", target, "Scheme specification")->required();
-  command.footer(command.get_footer() + "\n\nSchemes:" + known);
+  command.option("SCHEME", target, "Scheme specification").required();
+  command.add_to_footer("\n\nSchemes:" + known);
 }
 
 Json enclosure_json(const Enclosure& enclosure) {

@@ -1,11 +1,12 @@
 #pragma once
 /// What the subcommands share.
 
+#include "options.hpp"
+
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
 #include <subcert/schemes/specification.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <functional>
@@ -55,14 +56,12 @@ struct CommonOptions {
   void answer(const Json& json_object, const std::string& text) const { json ? answer(json_object) : answer(text); }
 };
 
-/// Registers a subcommand with the common options; `run` gives its exit code, and CLI::RuntimeError takes it out of the
-/// parser where it is not `done`. `example` is shown in its help.
-CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& description,
-                      const std::string& example, const std::shared_ptr<CommonOptions>& options,
-                      const std::function<ExitCode()>& run);
+/// Registers a subcommand with the common options; `run` gives its exit code. `example` is shown in its help.
+Command add_command(Command& app, const std::string& name, const std::string& description, const std::string& example,
+                    const std::shared_ptr<CommonOptions>& options, const std::function<ExitCode()>& run);
 
 /// The positional argument SCHEME; `any` names the families of two and three variables in the help too.
-void add_scheme(CLI::App& command, std::string& target, bool any = false);
+void add_scheme(Command& command, std::string& target, bool any = false);
 
 Json enclosure_json(const Enclosure& enclosure);
 /// Exact decimal ends for people: `1.2345`, or `1.2345 ... 1.2346`, `>= 1.2345`.
@@ -71,21 +70,21 @@ std::string enclosure_text(const Enclosure& enclosure, int digits = 12);
 /// `2 + 3 + 1`: the sizes of diagonal blocks.
 std::string sizes_text(const std::vector<std::size_t>& sizes);
 
-void add_mask(CLI::App& app);
-void add_analyze(CLI::App& app);
-void add_regularity(CLI::App& app);
-void add_limit(CLI::App& app);
-void add_variance(CLI::App& app);
-void add_reproduce(CLI::App& app);
-void add_jsr(CLI::App& app);
-void add_verify(CLI::App& app);
-void add_conjecture(CLI::App& app);
-void add_merge(CLI::App& app);
-void add_theorem(CLI::App& app);
-void add_refine(CLI::App& app);
-void add_smooth(CLI::App& app);
-void add_experiment(CLI::App& app);
-void add_statements(CLI::App& app);
-void add_check(CLI::App& app);
+void add_mask(Command& app);
+void add_analyze(Command& app);
+void add_regularity(Command& app);
+void add_limit(Command& app);
+void add_variance(Command& app);
+void add_reproduce(Command& app);
+void add_jsr(Command& app);
+void add_verify(Command& app);
+void add_conjecture(Command& app);
+void add_merge(Command& app);
+void add_theorem(Command& app);
+void add_refine(Command& app);
+void add_smooth(Command& app);
+void add_experiment(Command& app);
+void add_statements(Command& app);
+void add_check(Command& app);
 
 }  // namespace subcert::cli

@@ -202,16 +202,12 @@ ExitCode run(const AnalyzeOptions& options) {
 
 }  // namespace
 
-void add_analyze(CLI::App& app) {
+void add_analyze(Command& app) {
   auto options = std::make_shared<AnalyzeOptions>();
-  CLI::App& command = add_command(app, "analyze", "One page about one scheme", "subcert analyze 'mask:[1,3,3,1]/4'",
-                                  options, [=] { return run(*options); });
-  command.add_option("--levels", options->levels, "Levels of the difference scheme")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  command.add_option("--budget", options->budget, "Seconds for each proof")
-      ->check(CLI::Range(0.001, 1e6))
-      ->capture_default_str();
+  Command command = add_command(app, "analyze", "One page about one scheme", "subcert analyze 'mask:[1,3,3,1]/4'",
+                                options, [=] { return run(*options); });
+  command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
+  command.option("--budget", options->budget, "Seconds for each proof").within(0.001, 1e6).with_default();
   add_scheme(command, options->scheme, true);
 }
 

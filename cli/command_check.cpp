@@ -80,18 +80,16 @@ ExitCode run(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app) {
+void add_check(Command& app) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App& command = add_command(app, "check", "Checks expected properties of schemes, given in TOML files",
-                                  "subcert check my-schemes.toml", options, [=] { return run(*options); });
-  command.add_option("FILE", options->files, "TOML files with schemes and properties")->required();
-  command.add_option("--budget", options->budget, "Seconds for each search")
-      ->check(CLI::Range(0.001, 1e6))
-      ->capture_default_str();
+  Command command = add_command(app, "check", "Checks expected properties of schemes, given in TOML files",
+                                "subcert check my-schemes.toml", options, [=] { return run(*options); });
+  command.option("FILE", options->files, "TOML files with schemes and properties").required();
+  command.option("--budget", options->budget, "Seconds for each search").within(0.001, 1e6).with_default();
   std::string known;
   for (const auto& property : properties::known_properties())
     known += "\n  " + property.name + " = " + property.values + "\n      " + property.meaning;
-  command.footer(command.get_footer() + "\n\nProperties:" + known);
+  command.add_to_footer("\n\nProperties:" + known);
 }
 
 }  // namespace subcert::cli

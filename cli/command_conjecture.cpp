@@ -372,23 +372,18 @@ ExitCode run(ConjectureOptions& options) {
 
 }  // namespace
 
-void add_conjecture(CLI::App& app) {
+void add_conjecture(Command& app) {
   auto options = std::make_shared<ConjectureOptions>();
-  CLI::App& command = add_command(
+  Command command = add_command(
       app, "conjecture", "Conjectures 7 and 8 of Dyn et al. over ranges of n and d, certified",
       "subcert conjecture 7 --n 1..40 --d 1,3,5 --journal seven.journal", options, [=] { return run(*options); });
-  command
-      .add_option("NUMBER", options->number, "7: max psi ~ 1/n and max |psi'| ~ 1/n^2; 8: psi is monotone in d and n")
-      ->required()
-      ->check(CLI::IsMember({7, 8}));
-  command.add_option("--n", options->n, "Values of n, as 1..40 or 1,2,5..9")->capture_default_str();
-  command.add_option("--d", options->d, "Degrees")->capture_default_str();
-  command.add_option("--width", options->width, "Relative width of the enclosures")
-      ->check(CLI::Range(1e-15, 0.5))
-      ->capture_default_str();
-  command.add_option("--budget", options->budget, "Seconds for each case")
-      ->check(CLI::Range(0.001, 1e6))
-      ->capture_default_str();
+  command.option("NUMBER", options->number, "7: max psi ~ 1/n and max |psi'| ~ 1/n^2; 8: psi is monotone in d and n")
+      .required()
+      .within(7, 8);
+  command.option("--n", options->n, "Values of n, as 1..40 or 1,2,5..9").with_default();
+  command.option("--d", options->d, "Degrees").with_default();
+  command.option("--width", options->width, "Relative width of the enclosures").within(1e-15, 0.5).with_default();
+  command.option("--budget", options->budget, "Seconds for each case").within(0.001, 1e6).with_default();
   add_sweep_arguments(command, *options);
 }
 

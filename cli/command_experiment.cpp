@@ -76,15 +76,13 @@ ExitCode run(const ExperimentCommand& options) {
 
 }  // namespace
 
-void add_experiment(CLI::App& app) {
+void add_experiment(Command& app) {
   auto options = std::make_shared<ExperimentCommand>();
-  CLI::App& command = add_command(app, "experiment", "Runs an experiment of a paper on seeded random data",
-                                  "subcert experiment fig5 --seed 7", options, [=] { return run(*options); });
-  command.add_option("ID", options->id, "An experiment, or 'list' (default)");
-  command.add_option("--runs", options->runs, "Samples of the noise")
-      ->check(CLI::Range(2, 100000))
-      ->capture_default_str();
-  command.get_option("--out")->description("Folder for index.html, tables and figures");
+  Command command = add_command(app, "experiment", "Runs an experiment of a paper on seeded random data",
+                                "subcert experiment fig5 --seed 7", options, [=] { return run(*options); });
+  command.option("ID", options->id, "An experiment, or 'list' (default)");
+  command.option("--runs", options->runs, "Samples of the noise").within(2, 100000).with_default();
+  command.existing("--out").describe("Folder for index.html, tables and figures");
 }
 
 }  // namespace subcert::cli

@@ -93,16 +93,16 @@ ExitCode run(const JsrOptions& options) {
 
 }  // namespace
 
-void add_jsr(CLI::App& app) {
+void add_jsr(Command& app) {
   auto options = std::make_shared<JsrOptions>();
-  CLI::App& command = add_command(
+  Command command = add_command(
       app, "jsr", "The joint spectral radius of rational matrices, enclosed with proof",
       "subcert jsr pair.json    with {\"matrices\": [[[\"1\",\"1\"],[\"0\",\"1\"]], [[\"1\",\"0\"],[\"1\",\"1\"]]]}",
       options, [=] { return run(*options); });
-  command.add_option("FILE", options->file, "JSON file")->required();
-  command.add_option("--budget", options->budget, "Seconds")->check(CLI::Range(0.001, 1e6))->capture_default_str();
-  command.add_option("--certificate", options->certificate,
-                     "Write a certificate there, and the matrices beside it as FILE.matrices");
+  command.option("FILE", options->file, "JSON file").required();
+  command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
+  command.option("--certificate", options->certificate,
+                 "Write a certificate there, and the matrices beside it as FILE.matrices");
 }
 
 }  // namespace subcert::cli

@@ -58,16 +58,12 @@ ExitCode run(const LimitOptions& options) {
 
 }  // namespace
 
-void add_limit(CLI::App& app) {
+void add_limit(Command& app) {
   auto options = std::make_shared<LimitOptions>();
-  CLI::App& command = add_command(app, "limit", "Exact values of the basic limit function",
-                                  "subcert limit primal:n=2 --level 3", options, [=] { return run(*options); });
-  command.add_option("--level", options->level, "Values at the points i / arity^LEVEL")
-      ->check(CLI::Range(0, 60))
-      ->capture_default_str();
-  command.add_option("--derivative", options->derivative, "Order of the derivative")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+  Command command = add_command(app, "limit", "Exact values of the basic limit function",
+                                "subcert limit primal:n=2 --level 3", options, [=] { return run(*options); });
+  command.option("--level", options->level, "Values at the points i / arity^LEVEL").within(0, 60).with_default();
+  command.option("--derivative", options->derivative, "Order of the derivative").within(0, 1000).with_default();
   add_scheme(command, options->scheme);
 }
 

@@ -35,10 +35,10 @@ void print(const MultivariateScheme& scheme, const CommonOptions& options) {
 
 }  // namespace
 
-void add_mask(CLI::App& app) {
+void add_mask(Command& app) {
   auto options = std::make_shared<CommonOptions>();
   auto specification = std::make_shared<std::string>();
-  CLI::App& command = add_command(app, "mask", "The exact mask of a scheme", "subcert mask primal:n=3", options, [=] {
+  Command command = add_command(app, "mask", "The exact mask of a scheme", "subcert mask primal:n=3", options, [=] {
     std::visit([&](const auto& scheme) { print(scheme, *options); }, make_any_scheme(*specification));
     return done;
   });

@@ -33,13 +33,13 @@ ExitCode run(const MergeOptions& options) {
 
 }  // namespace
 
-void add_merge(CLI::App& app) {
+void add_merge(Command& app) {
   auto options = std::make_shared<MergeOptions>();
-  CLI::App& command = add_command(app, "merge", "Joins the journals of the shards of a sweep",
-                                  "subcert merge shard-*.journal --out whole.journal", options,
-                                  [=] { return run(*options); });
-  command.add_option("JOURNAL", options->journals, "Journals to join")->required();
-  command.get_option("--out")->description("The journal that takes them; its own cases are kept")->required();
+  Command command = add_command(app, "merge", "Joins the journals of the shards of a sweep",
+                                "subcert merge shard-*.journal --out whole.journal", options,
+                                [=] { return run(*options); });
+  command.option("JOURNAL", options->journals, "Journals to join").required();
+  command.existing("--out").describe("The journal that takes them; its own cases are kept").required();
 }
 
 }  // namespace subcert::cli

@@ -208,30 +208,27 @@ ExitCode run(const RefineCommand& options) {
 
 }  // namespace
 
-void add_refine(CLI::App& app) {
+void add_refine(Command& app) {
   auto options = std::make_shared<RefineCommand>();
-  CLI::App& command = add_command(app, "refine", "Applies a scheme to data",
-                                  "subcert refine primal:n=3 samples.csv --levels 4", options,
-                                  [=] { return run(*options); });
+  Command command = add_command(app, "refine", "Applies a scheme to data",
+                                "subcert refine primal:n=3 samples.csv --levels 4", options,
+                                [=] { return run(*options); });
   add_scheme(command, options->scheme, true);
   command
-      .add_option("DATA", options->data,
-                  "CSV: points in rows, or a matrix of heights for a scheme of two variables; .obj, .ply: a mesh of "
-                  "quadrilaterals; .vtk: a regular volume")
-      ->required();
-  command.add_option("--levels", options->levels, "How often the scheme is applied")
-      ->check(CLI::Range(0, 1000000000))
-      ->capture_default_str();
-  command.add_flag("--limit", options->limit,
-                   "Values of the limit at the parameters i / arity^LEVELS, at the data for 0");
-  command.add_flag("--closed", options->closed, "The first point follows the last, in every direction");
-  command.add_flag("--closed-x", options->closed_directions[0], "The same in the first direction alone");
-  command.add_flag("--closed-y", options->closed_directions[1], "The same in the second direction alone");
-  command.add_flag("--closed-z", options->closed_directions[2], "The same in the third direction alone");
-  command.add_option("--boundary", options->boundary, "What rules at the ends read")
-      ->check(CLI::IsMember(data::boundary_names()))
-      ->capture_default_str();
-  command.add_option("--plot", options->plot, "Draw data and result, as .svg or .png");
+      .option("DATA", options->data,
+              "CSV: points in rows, or a matrix of heights for a scheme of two variables; .obj, .ply: a mesh of "
+              "quadrilaterals; .vtk: a regular volume")
+      .required();
+  command.option("--levels", options->levels, "How often the scheme is applied").within(0, 1000000000).with_default();
+  command.flag("--limit", options->limit, "Values of the limit at the parameters i / arity^LEVELS, at the data for 0");
+  command.flag("--closed", options->closed, "The first point follows the last, in every direction");
+  command.flag("--closed-x", options->closed_directions[0], "The same in the first direction alone");
+  command.flag("--closed-y", options->closed_directions[1], "The same in the second direction alone");
+  command.flag("--closed-z", options->closed_directions[2], "The same in the third direction alone");
+  command.option("--boundary", options->boundary, "What rules at the ends read")
+      .one_of(data::boundary_names())
+      .with_default();
+  command.option("--plot", options->plot, "Draw data and result, as .svg or .png");
 }
 
 }  // namespace subcert::cli

@@ -209,16 +209,14 @@ ExitCode run(const RegularityOptions& options) {
 
 }  // namespace
 
-void add_regularity(CLI::App& app) {
+void add_regularity(Command& app) {
   auto options = std::make_shared<RegularityOptions>();
-  CLI::App& command = add_command(app, "regularity", "The Hoelder exponent, enclosed with proof",
-                                  "subcert regularity primal:n=5 --certificate s5.cert", options,
-                                  [=] { return run(*options); });
-  command.add_option("--levels", options->levels, "Levels of the difference scheme")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  command.add_option("--budget", options->budget, "Seconds")->check(CLI::Range(0.001, 1e6))->capture_default_str();
-  command.add_option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
+  Command command = add_command(app, "regularity", "The Hoelder exponent, enclosed with proof",
+                                "subcert regularity primal:n=5 --certificate s5.cert", options,
+                                [=] { return run(*options); });
+  command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
+  command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
+  command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
   add_scheme(command, options->scheme);
 }
 

@@ -137,14 +137,14 @@ ExitCode run(ReproduceOptions& options) {
 
 }  // namespace
 
-void add_reproduce(CLI::App& app) {
+void add_reproduce(Command& app) {
   auto options = std::make_shared<ReproduceOptions>();
-  CLI::App& command = add_command(
+  Command command = add_command(
       app, "reproduce", "Recomputes tables, figures and experiments of papers beside what they print",
       "subcert reproduce dyn-2015 --only table1,table2 --out out", options, [=] { return run(*options); });
-  command.add_option("PAPER", options->papers, "Papers: " + joined(reports::reproducible_papers()) + " (default: all)");
-  command.add_option("--only", options->only, "Items, separated by commas")->delimiter(',');
-  command.get_option("--out")->description("Folder for index.html, tables and figures");
+  command.option("PAPER", options->papers, "Papers: " + joined(reports::reproducible_papers()) + " (default: all)");
+  command.option("--only", options->only, "Items, separated by commas").separated_by_commas();
+  command.existing("--out").describe("Folder for index.html, tables and figures");
 }
 
 }  // namespace subcert::cli

@@ -24,8 +24,8 @@ struct SmoothCommand : CommonOptions {
   bool automatic = false;
   std::string boundary = "interp";
   double constant = 0;
-  double bands = 0.95;
-  bool bands_given = false;
+  std::optional<double> requested_bands;
+  double bands() const { return requested_bands.value_or(0.95); }
   int level = 2;
   int derivative = 0;
   std::string plot;
@@ -145,12 +145,12 @@ void smooth_linearly(const SmoothCommand& options, const Samples& samples, Smoot
     if (noise.terms == 0) continue;
     auto& deviations = result.deviations.emplace_back();
     for (const double variance : smoothed.variances) deviations.push_back(unit * std::sqrt(noise.variance * variance));
-    if (options.bands == 0) continue;
+    if (options.bands() == 0) continue;
     auto& half_widths = result.half_widths.emplace_back(deviations);
-    for (double& width : half_widths) width *= band_factor(options.bands, noise);
+    for (double& width : half_widths) width *= band_factor(options.bands(), noise);
   }
   if (!result.half_widths.empty())
-    result.notes.push_back("bands: " + number_text(100 * options.bands) +
+    result.notes.push_back("bands: " + number_text(100 * options.bands()) +
                            " % pointwise, for the expected value of the limit; the bias is not in them");
 }
 
@@ -179,7 +179,7 @@ void smooth_by_l1(const SmoothCommand& options, const Samples& samples, Smooth& 
   };
   if (named.scheme.points.size() != 1) fail(ErrorKind::usage, "{}: expected a scheme for curves", named.specification);
   if (options.derivative != 0) refuse("--derivative");
-  if (options.bands_given && options.bands != 0) refuse("--bands");
+  if (options.requested_bands.value_or(0) != 0) refuse("--bands");
   if (!samples.weights.empty()) refuse("prior weights and missing data: a fit with them");
   const data::Extension extension = *data::parse_extension(options.boundary);
   if (extension == data::Extension::nearest || extension == data::Extension::constant)
@@ -254,7 +254,7 @@ Json result_json(const SmoothCommand& options, const Samples& samples, const Smo
           {"level", options.level},
           {"derivative", options.derivative},
           {"noise", noise},
-          {"bands", smooth.half_widths.empty() ? Json() : Json(options.bands)},
+          {"bands", smooth.half_widths.empty() ? Json() : Json(options.bands())},
           {"columns", table.header},
           {"rows", rows}};
 }
@@ -322,44 +322,33 @@ ExitCode run(const SmoothCommand& options) {
 
 }  // namespace
 
-void add_smooth(CLI::App& app) {
+void add_smooth(Command& app) {
   auto options = std::make_shared<SmoothCommand>();
-  CLI::App& command = add_command(app, "smooth", "Smooths data on a uniform grid by the limit of a scheme, with bands",
-                                  "subcert smooth samples.csv --bands 0.95 --plot smooth.svg", options,
-                                  [=] { return run(*options); });
-  command.add_option("DATA", options->samples.file, "CSV: a column of positions, then one or more of values")
-      ->required();
-  command.add_option("--scheme", options->scheme, "Scheme specification, also l1:...");
-  command.add_flag("--auto", options->automatic, "Choose the scheme from noise and bias (the default)");
-  command.add_option("--x", options->samples.x, "Column of positions, by name or number; none: 0, 1, 2, ...");
-  command.add_option("--y", options->samples.y, "Columns of values, by name or number")->delimiter(',');
-  command.add_option("--weights", options->samples.weights,
-                     "Column of prior weights, inverse to the variance of the noise");
-  command.add_option("--missing", options->samples.missing, "Missing values")
-      ->check(CLI::IsMember({"raise", "drop"}))
-      ->capture_default_str();
-  command.add_option("--boundary", options->boundary, "How data go on past the ends")
-      ->check(CLI::IsMember({"interp", "mirror", "nearest", "constant", "wrap"}))
-      ->capture_default_str();
-  command.add_option("--constant", options->constant, "The value of --boundary constant")
-      ->check(CLI::Range(-1e300, 1e300))
-      ->capture_default_str();
+  Command command = add_command(app, "smooth", "Smooths data on a uniform grid by the limit of a scheme, with bands",
+                                "subcert smooth samples.csv --bands 0.95 --plot smooth.svg", options,
+                                [=] { return run(*options); });
+  command.option("DATA", options->samples.file, "CSV: a column of positions, then one or more of values").required();
+  command.option("--scheme", options->scheme, "Scheme specification, also l1:...");
+  command.flag("--auto", options->automatic, "Choose the scheme from noise and bias (the default)");
+  command.option("--x", options->samples.x, "Column of positions, by name or number; none: 0, 1, 2, ...");
+  command.option("--y", options->samples.y, "Columns of values, by name or number").separated_by_commas();
+  command.option("--weights", options->samples.weights,
+                 "Column of prior weights, inverse to the variance of the noise");
+  command.option("--missing", options->samples.missing, "Missing values").one_of({"raise", "drop"}).with_default();
+  command.option("--boundary", options->boundary, "How data go on past the ends")
+      .one_of({"interp", "mirror", "nearest", "constant", "wrap"})
+      .with_default();
+  command.option("--constant", options->constant, "The value of --boundary constant")
+      .within(-1e300, 1e300)
+      .with_default();
   command
-      .add_option_function<double>(
-          "--bands",
-          [options](const double& level) {
-            options->bands = level;
-            options->bands_given = true;
-          },
-          "Level of the pointwise confidence bands, 0 for none (default 0.95)")
-      ->check(CLI::Range(0.0, 0.999999));
-  command.add_option("--level", options->level, "Values at the multiples of arity^-LEVEL of the spacing")
-      ->check(CLI::Range(0, 12))
-      ->capture_default_str();
-  command.add_option("--derivative", options->derivative, "Order of the derivative")
-      ->check(CLI::Range(0, 20))
-      ->capture_default_str();
-  command.add_option("--plot", options->plot, "Draw data and result, as .svg or .png");
+      .option("--bands", options->requested_bands, "Level of the pointwise confidence bands, 0 for none (default 0.95)")
+      .within(0.0, 0.999999);
+  command.option("--level", options->level, "Values at the multiples of arity^-LEVEL of the spacing")
+      .within(0, 12)
+      .with_default();
+  command.option("--derivative", options->derivative, "Order of the derivative").within(0, 20).with_default();
+  command.option("--plot", options->plot, "Draw data and result, as .svg or .png");
 }
 
 }  // namespace subcert::cli

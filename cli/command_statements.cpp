@@ -130,31 +130,28 @@ ExitCode run_checks(const StatementsOptions& options) {
 
 }  // namespace
 
-void add_statements(CLI::App& app) {
-  CLI::App* group = app.add_subcommand("statements", "The statements of the papers as executable checks");
-  group->require_subcommand(0, 1);
+void add_statements(Command& app) {
+  Command group = app.subcommand("statements", "The statements of the papers as executable checks");
   std::string known;
   for (const auto& paper : statements::papers()) known += (known.empty() ? "" : ", ") + paper.key;
   const std::string meaning = "Statements or papers (" + known + "; default: all)";
 
   auto list_options = std::make_shared<StatementsOptions>();
-  CLI::App& list_command = add_command(*group, "list", "Lists the statements with the verdicts on record",
-                                       "subcert statements list dyn-2015", list_options,
-                                       [=] { return list(*list_options); });
-  list_command.add_option("ID", list_options->wanted, meaning);
-  list_command.add_flag("--ids", list_options->ids, "Only the ids, one a line");
+  Command list_command = add_command(group, "list", "Lists the statements with the verdicts on record",
+                                     "subcert statements list dyn-2015", list_options,
+                                     [=] { return list(*list_options); });
+  list_command.option("ID", list_options->wanted, meaning);
+  list_command.flag("--ids", list_options->ids, "Only the ids, one a line");
 
-  group->callback([=] {
-    if (group->get_subcommands().empty()) list(*list_options);
-  });
+  group.run_without_subcommand([=] { return static_cast<int>(list(*list_options)); });
 
   auto check_options = std::make_shared<StatementsOptions>();
-  CLI::App& check_command = add_command(*group, "check", "Checks statements and compares with the verdicts on record",
-                                        "subcert statements check dyn-2015/eq-2", check_options,
-                                        [=] { return run_checks(*check_options); });
-  check_command.add_option("ID", check_options->wanted, meaning);
-  check_command.add_flag("--wide", check_options->wide, "Larger ranges");
-  check_command.add_option("--page", check_options->page, "Write the page 'errata and confirmations' there");
+  Command check_command = add_command(group, "check", "Checks statements and compares with the verdicts on record",
+                                      "subcert statements check dyn-2015/eq-2", check_options,
+                                      [=] { return run_checks(*check_options); });
+  check_command.option("ID", check_options->wanted, meaning);
+  check_command.flag("--wide", check_options->wide, "Larger ranges");
+  check_command.option("--page", check_options->page, "Write the page 'errata and confirmations' there");
 }
 
 }  // namespace subcert::cli

@@ -181,21 +181,18 @@ ExitCode run(const TheoremOptions& options) {
 
 }  // namespace
 
-void add_theorem(CLI::App& app) {
+void add_theorem(Command& app) {
   auto options = std::make_shared<TheoremOptions>();
   std::vector<std::string> ids{"list"};
   for (const TheoremEntry& entry : theorems::theorem_list()) ids.push_back(entry.id);
-  CLI::App& command = add_command(app, "theorem",
-                                  "Computer-assisted theorems: runs every certified inequality of a proof",
-                                  "subcert theorem conjecture-8-n --d 1", options, [=] { return run(*options); });
-  command.add_option("ID", options->id, "list, or a theorem of the list")
-      ->check(CLI::IsMember(ids))
-      ->capture_default_str();
-  command
-      .add_option("--d", options->degree, "Degree; for conjecture-8-d the smaller one of two neighbouring odd degrees")
-      ->check(CLI::Range(0, 98))
-      ->capture_default_str();
-  command.add_flag("--all", options->all, "Every single inequality, also where many differ in n only");
+  Command command = add_command(app, "theorem",
+                                "Computer-assisted theorems: runs every certified inequality of a proof",
+                                "subcert theorem conjecture-8-n --d 1", options, [=] { return run(*options); });
+  command.option("ID", options->id, "list, or a theorem of the list").one_of(ids).with_default();
+  command.option("--d", options->degree, "Degree; for conjecture-8-d the smaller one of two neighbouring odd degrees")
+      .within(0, 98)
+      .with_default();
+  command.flag("--all", options->all, "Every single inequality, also where many differ in n only");
 }
 
 }  // namespace subcert::cli

@@ -69,13 +69,13 @@ ExitCode run(const Options& options) {
 
 }  // namespace
 
-void add_variance(CLI::App& app) {
+void add_variance(Command& app) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(app, "variance",
-                                  "The variance curve psi: maximum, minimum and largest slope, enclosed with proof",
-                                  "subcert variance primal:n=5", options, [=] { return run(*options); });
-  command.add_option("--width", options->width, "Relative width of the enclosures, p or p/q")->capture_default_str();
-  command.add_option("--budget", options->budget, "Seconds")->check(CLI::PositiveNumber)->capture_default_str();
+  Command command = add_command(app, "variance",
+                                "The variance curve psi: maximum, minimum and largest slope, enclosed with proof",
+                                "subcert variance primal:n=5", options, [=] { return run(*options); });
+  command.option("--width", options->width, "Relative width of the enclosures, p or p/q").with_default();
+  command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
   add_scheme(command, options->scheme);
 }
 

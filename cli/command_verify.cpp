@@ -110,11 +110,11 @@ ExitCode run(const VerifyOptions& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& app) {
+void add_verify(Command& app) {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App& command = add_command(app, "verify", "Checks certificates with the independent checker",
-                                  "subcert verify s5.cert", options, [=] { return run(*options); });
-  command.add_option("FILE", options->files, "Certificates")->required();
+  Command command = add_command(app, "verify", "Checks certificates with the independent checker",
+                                "subcert verify s5.cert", options, [=] { return run(*options); });
+  command.option("FILE", options->files, "Certificates").required();
 }
 
 }  // namespace subcert::cli

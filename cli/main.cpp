@@ -22,34 +22,13 @@ int complain(const std::string& message, cli::ExitCode code) {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
-  CLI::App app{"Certifies what is claimed about subdivision schemes", "subcert"};
-  app.set_version_flag("--version", std::string("subcert ") + SUBCERT_VERSION);
-  app.require_subcommand(1);
-  cli::add_reproduce(app);
-  cli::add_analyze(app);
-  cli::add_mask(app);
-  cli::add_regularity(app);
-  cli::add_jsr(app);
-  cli::add_verify(app);
-  cli::add_limit(app);
-  cli::add_variance(app);
-  cli::add_refine(app);
-  cli::add_smooth(app);
-  cli::add_experiment(app);
-  cli::add_conjecture(app);
-  cli::add_merge(app);
-  cli::add_theorem(app);
-  cli::add_statements(app);
-  cli::add_check(app);
   try {
-    app.parse(argc, argv);
-    return static_cast<int>(cli::done);
-  } catch (const CLI::Success& help) {
-    return app.exit(help);
-  } catch (const CLI::RuntimeError& left) {
-    return left.get_exit_code();
-  } catch (const CLI::ParseError& error) {
-    return complain(std::string(error.what()) + "; see 'subcert --help'", cli::usage);
+    return cli::run_program(
+        "Certifies what is claimed about subdivision schemes",
+        {cli::add_reproduce, cli::add_analyze, cli::add_mask, cli::add_regularity, cli::add_jsr, cli::add_verify,
+         cli::add_limit, cli::add_variance, cli::add_refine, cli::add_smooth, cli::add_experiment, cli::add_conjecture,
+         cli::add_merge, cli::add_theorem, cli::add_statements, cli::add_check},
+        argc, argv);
   } catch (const Error& error) {
     return complain(error.what(), cli::exit_code(error.kind()));
   } catch (const std::bad_alloc&) {

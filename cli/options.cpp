@@ -1,5 +1,7 @@
 #include "options.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <CLI/CLI.hpp>
 
 namespace subcert::cli {
@@ -74,14 +76,39 @@ Command Command::subcommand(const std::string& name, const std::string& text) {
   return Command(app_->add_subcommand(name, text));
 }
 
-void Command::require_subcommands(std::size_t at_least, std::size_t at_most) {
-  app_->require_subcommand(static_cast<int>(at_least), static_cast<int>(at_most));
+void Command::add_to_footer(const std::string& text) { app_->footer(app_->get_footer() + text); }
+
+void Command::run(const std::function<int()>& action) {
+  app_->callback([action] {
+    if (const int code = action(); code != 0) throw CLI::RuntimeError(code);
+  });
 }
 
-bool Command::has_parsed_subcommand() const { return !app_->get_subcommands().empty(); }
+void Command::run_without_subcommand(const std::function<int()>& action) {
+  app_->require_subcommand(0, 1);
+  app_->callback([app = app_, action] {
+    if (!app->get_subcommands().empty()) return;
+    if (const int code = action(); code != 0) throw CLI::RuntimeError(code);
+  });
+}
 
-void Command::footer(const std::string& text) { app_->footer(text); }
-
-void Command::run(const std::function<void()>& action) { app_->callback(action); }
+int run_program(const std::string& description, const std::vector<void (*)(Command&)>& add_commands, int argc,
+                char** argv) {
+  CLI::App app{description, "subcert"};
+  app.set_version_flag("--version", std::string("subcert ") + SUBCERT_VERSION);
+  app.require_subcommand(1);
+  Command program(&app);
+  for (const auto add : add_commands) add(program);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::RuntimeError& left) {
+    return left.get_exit_code();
+  } catch (const CLI::ParseError& error) {
+    fail(ErrorKind::usage, "{}; see 'subcert --help'", error.what());
+  }
+}
 
 }  // namespace subcert::cli

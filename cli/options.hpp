@@ -48,14 +48,19 @@ class Command {
   Option existing(const std::string& name);
 
   Command subcommand(const std::string& name, const std::string& text);
-  /// At least and at most so many subcommands.
-  void require_subcommands(std::size_t at_least, std::size_t at_most);
-  bool has_parsed_subcommand() const;
-  void footer(const std::string& text);
-  void run(const std::function<void()>& action);
+  void add_to_footer(const std::string& text);
+  /// What the command does; it returns the program's exit code.
+  void run(const std::function<int()>& action);
+  /// The same for a command that has subcommands and was given none of them.
+  void run_without_subcommand(const std::function<int()>& action);
 
  private:
   CLI::App* app_;
 };
+
+/// Reads the command line, runs the command that it names and returns the exit code. Errors: throws a usage error for a
+/// command line that cannot be read, and whatever the command throws.
+int run_program(const std::string& description, const std::vector<void (*)(Command&)>& add_commands, int argc,
+                char** argv);
 
 }  // namespace subcert::cli

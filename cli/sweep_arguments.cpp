@@ -6,9 +6,9 @@
 
 namespace subcert::cli {
 
-void add_sweep_arguments(CLI::App& command, SweepArguments& arguments) {
-  command.add_option("--journal", arguments.journal, "Keep finished cases there and go on from those it has");
-  command.add_option("--shard", arguments.shard, "Only part I of N, as I/N with I from 1 to N; see 'subcert merge'");
+void add_sweep_arguments(Command& command, SweepArguments& arguments) {
+  command.option("--journal", arguments.journal, "Keep finished cases there and go on from those it has");
+  command.option("--shard", arguments.shard, "Only part I of N, as I/N with I from 1 to N; see 'subcert merge'");
 }
 
 sweeps::SweepOptions sweep_options(const CommonOptions& common, const SweepArguments& arguments,

@@ -15,7 +15,7 @@ struct SweepArguments {
   std::string shard = "1/1";
 };
 
-void add_sweep_arguments(CLI::App& command, SweepArguments& arguments);
+void add_sweep_arguments(Command& command, SweepArguments& arguments);
 
 /// What run_sweep takes; progress lines begin with `title`. Errors: throws ParseError for a malformed shard, a usage
 /// error where a launcher started several processes that cannot work together.

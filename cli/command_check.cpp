@@ -23,7 +23,7 @@ struct Question {
   const properties::Expectation* expectation;
 };
 
-std::vector<properties::ExpectedScheme> read(const std::string& file) {
+std::vector<properties::ExpectedScheme> read_expected(const std::string& file) {
   try {
     return properties::read_expectations(read_file(file));
   } catch (const properties::FileError& error) {
@@ -52,7 +52,7 @@ std::string answer_line(const Question& question, const Decision& answer) {
 
 ExitCode run(const CheckOptions& options) {
   std::vector<std::vector<properties::ExpectedScheme>> files;
-  for (const std::string& file : options.files) files.push_back(read(file));
+  for (const std::string& file : options.files) files.push_back(read_expected(file));
   std::vector<Question> questions;
   for (std::size_t i = 0; i < files.size(); ++i)
     for (const auto& scheme : files[i])

@@ -7,6 +7,8 @@
 #include <subcert/reports/report.hpp>
 #include <subcert/reports/runtime/files.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -21,17 +23,12 @@ struct ReproduceOptions : CommonOptions {
   std::vector<std::string> only;
 };
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string result;
-  for (const std::string& word : words) result += (result.empty() ? "" : ", ") + word;
-  return result;
-}
-
 void require_known(const ReproduceOptions& options, const std::vector<std::string>& papers) {
   const auto known = reports::reproducible_papers();
   for (const std::string& paper : papers)
     if (std::find(known.begin(), known.end(), paper) == known.end())
-      fail(ErrorKind::usage, "PAPER '{}' cannot be reproduced by this version; expected {}", paper, joined(known));
+      fail(ErrorKind::usage, "PAPER '{}' cannot be reproduced by this version; expected {}", paper,
+           fmt::join(known, ", "));
   for (const std::string& item : options.only) {
     std::vector<std::string> items;
     for (const std::string& paper : papers) {
@@ -39,7 +36,7 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
       items.insert(items.end(), more.begin(), more.end());
     }
     if (std::find(items.begin(), items.end(), item) == items.end())
-      fail(ErrorKind::usage, "--only: unknown item '{}'; expected {}", item, joined(items));
+      fail(ErrorKind::usage, "--only: unknown item '{}'; expected {}", item, fmt::join(items, ", "));
   }
 }
 
@@ -142,7 +139,8 @@ void add_reproduce(Command& app) {
   Command command = add_command(
       app, "reproduce", "Recomputes tables, figures and experiments of papers beside what they print",
       "subcert reproduce dyn-2015 --only table1,table2 --out out", options, [=] { return run(*options); });
-  command.option("PAPER", options->papers, "Papers: " + joined(reports::reproducible_papers()) + " (default: all)");
+  command.option("PAPER", options->papers,
+                 fmt::format("Papers: {} (default: all)", fmt::join(reports::reproducible_papers(), ", ")));
   command.option("--only", options->only, "Items, separated by commas").separated_by_commas();
   command.existing("--out").describe("Folder for index.html, tables and figures");
 }

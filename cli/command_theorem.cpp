@@ -4,6 +4,8 @@
 
 #include <subcert/proofs-checks/theorems/theorem.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -28,12 +30,6 @@ std::string verdict_word(Truth truth) {
   return truth == Truth::yes ? "holds" : truth == Truth::no ? "fails" : "unknown";
 }
 
-std::string joined(const std::vector<int>& numbers) {
-  std::string text;
-  for (int number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
-  return text;
-}
-
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size(), width), ' ');
   return text;
@@ -50,7 +46,7 @@ std::string list_text() {
   std::string text;
   for (const TheoremEntry& entry : theorems::theorem_list())
     text += padded(entry.id, 17) + entry.title +
-            (entry.degrees.empty() ? "" : "; proved for --d " + joined(entry.degrees)) + "\n";
+            (entry.degrees.empty() ? "" : fmt::format("; proved for --d {}", fmt::join(entry.degrees, ", "))) + "\n";
   return text;
 }
 
@@ -146,7 +142,8 @@ std::string checks_text(const Theorem& theorem, bool all) {
 
 std::string theorem_text(const Theorem& theorem, bool all) {
   std::ostringstream text;
-  text << theorem.id << ", d = " << joined(theorem.degrees) << ": " << theorem.title << "\n\n";
+  text << theorem.id << ", d = " << fmt::format("{}", fmt::join(theorem.degrees, ", ")) << ": " << theorem.title
+       << "\n\n";
   for (const std::string& sentence : theorem.statement) text << sentence << "\n";
   if (!theorem.text.empty()) text << "Proof: " << theorem.text << "\n";
   for (const std::string& lack : theorem.missing) text << "missing: " << lack << "\n";

@@ -30,12 +30,12 @@ std::string checker() {
   return !error && std::filesystem::exists(beside) ? beside.string() : "subcert-check";
 }
 
-struct Outcome {
+struct CheckerAnswer {
   int code;
   std::string line;
 };
 
-Outcome run_checker(const std::vector<std::string>& arguments) {
+CheckerAnswer run_checker(const std::vector<std::string>& arguments) {
   int channel[2];
   if (pipe(channel) != 0) throw std::system_error(errno, std::generic_category(), "verify: cannot make a pipe");
   posix_spawn_file_actions_t actions;
@@ -55,16 +55,16 @@ Outcome run_checker(const std::vector<std::string>& arguments) {
     close(channel[0]);
     fail(ErrorKind::missing_file, "verify: the checker subcert-check is not installed");
   }
-  Outcome outcome{};
+  CheckerAnswer answer{};
   char buffer[4096];
   for (ssize_t n; (n = read(channel[0], buffer, sizeof buffer)) > 0;)
-    outcome.line.append(buffer, static_cast<std::size_t>(n));
+    answer.line.append(buffer, static_cast<std::size_t>(n));
   close(channel[0]);
   int status = 0;
   waitpid(child, &status, 0);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(internal);
-  while (!outcome.line.empty() && outcome.line.back() == '\n') outcome.line.pop_back();
-  return outcome;
+  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(internal);
+  while (!answer.line.empty() && answer.line.back() == '\n') answer.line.pop_back();
+  return answer;
 }
 
 /// The claim that the certificate says it proves. The checker proves that claim or rejects; which claim it was is part
@@ -99,10 +99,10 @@ ExitCode run(const VerifyOptions& options) {
   std::string text;
   ExitCode worst = done;
   for (const std::string& file : options.files) {
-    const Outcome outcome = run_checker(claim_of(file, read_file(file)));
-    if (outcome.code != 0) worst = std::max(worst, static_cast<ExitCode>(outcome.code));
-    list.push_back({{"file", file}, {"verified", outcome.code == 0}, {"answer", outcome.line}});
-    text += file + ": " + outcome.line + "\n";
+    const CheckerAnswer answer = run_checker(claim_of(file, read_file(file)));
+    if (answer.code != 0) worst = std::max(worst, static_cast<ExitCode>(answer.code));
+    list.push_back({{"file", file}, {"verified", answer.code == 0}, {"answer", answer.line}});
+    text += file + ": " + answer.line + "\n";
   }
   options.answer(Json{{"certificates", list}}, text);
   return worst;

@@ -18,24 +18,25 @@ Json nested(const MultivariatePolynomial& symbol, MultivariatePolynomial::Expone
   return list;
 }
 
-std::string list_text(const std::vector<Rational>& values) {
+std::string bracketed(const std::vector<Rational>& values) {
   std::string text;
   for (const Rational& value : values) text += (text.empty() ? "(" : ", ") + to_text(value);
   return text + ")";
 }
 
-struct Page {
+struct MultivariatePage {
   MultivariateReproduction polynomials;
   std::vector<Interval> support;
   Decision convergence;
   std::optional<SmoothnessProof> smoothness;  ///< of tensor products: that of the roughest factor
 };
 
-Page make_page(const MultivariateScheme& scheme, const ProofLimits& limits) {
-  Page page{scheme.factors.empty() ? polynomial_reproduction(scheme.mask) : tensor_product_reproduction(scheme.factors),
-            limit_support(scheme.mask),
-            {},
-            {}};
+MultivariatePage make_page(const MultivariateScheme& scheme, const ProofLimits& limits) {
+  MultivariatePage page{
+      scheme.factors.empty() ? polynomial_reproduction(scheme.mask) : tensor_product_reproduction(scheme.factors),
+      limit_support(scheme.mask),
+      {},
+      {}};
   if (scheme.factors.empty()) {
     page.convergence = converges(scheme.mask, limits);
     return page;
@@ -48,7 +49,7 @@ Page make_page(const MultivariateScheme& scheme, const ProofLimits& limits) {
   return page;
 }
 
-std::string page_text(const MultivariateScheme& scheme, const Page& page) {
+std::string page_text(const MultivariateScheme& scheme, const MultivariatePage& page) {
   std::ostringstream text;
   text << "scheme        " << scheme.specification << "  (" << scheme.title << ")\n";
   const long count = scheme.mask.symbol().count();
@@ -66,7 +67,7 @@ std::string page_text(const MultivariateScheme& scheme, const Page& page) {
   }
   text << "\npolynomials   generates total degree " << page.polynomials.generation_degree()
        << ", reproduces total degree " << page.polynomials.reproduction_degree << " with f_j at j + "
-       << list_text(page.polynomials.parametrization) << "\n"
+       << bracketed(page.polynomials.parametrization) << "\n"
        << "convergence   " << to_text(page.convergence.truth) << ": " << page.convergence.reason << "\n";
   if (page.smoothness && page.convergence.is_yes())
     text << "smoothness    C^" << page.smoothness->order << " proved, by the factors; C^" << page.smoothness->order + 1
@@ -90,7 +91,7 @@ Json limit_support_json(const MultivariateMask& mask) {
 
 ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimits& limits,
                               const CommonOptions& options) {
-  const Page page = make_page(scheme, limits);
+  const MultivariatePage page = make_page(scheme, limits);
   if (options.json) {
     Json shift = Json::array();
     for (const Rational& s : page.polynomials.parametrization) shift.push_back(to_text(s));

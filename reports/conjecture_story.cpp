@@ -115,7 +115,7 @@ formats::PlainTable limits(const std::vector<Course>& courses) {
   return table;
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string in_words(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i)
     text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
@@ -146,21 +146,21 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
       "same is Theorem 6 of the paper.",
       "What Table 3 suggested. Its caption reads the columns n max psi and n^2 max |psi'| as approximately constant. "
       "For d = 1 and n = " +
-          joined(sizes) + " it prints n^2 max |psi'| = " + joined(printed) +
-          ". Over all x, n^2 max |psi'| is proved to be at most " + joined(certified) + " there.",
+          in_words(sizes) + " it prints n^2 max |psi'| = " + in_words(printed) +
+          ". Over all x, n^2 max |psi'| is proved to be at most " + in_words(certified) + " there.",
       "Where the printed values may come from. Of the " + std::to_string(search.cells()) + " printed values, " +
           std::to_string(search.cells_given()) + " have the digits of one numerical shortcut: " +
-          variance_shortcuts()[search.best()].text() + ". For d = 1 and n = " + joined(sizes) +
-          " it gives n^2 max |psi'| = " + joined(by_shortcut) + " and at n = " + last + " still " +
+          variance_shortcuts()[search.best()].text() + ". For d = 1 and n = " + in_words(sizes) +
+          " it gives n^2 max |psi'| = " + in_words(by_shortcut) + " and at n = " + last + " still " +
           to_fixed(suggested.shortcut_at(last_n_of_figure_8), 4, Rounding::nearest) +
           ". The terms that such a sum leaves out have slopes of their own, far larger than those of psi, and these "
           "are what it measures. What was really computed for the paper we cannot know.",
       "What is true of the first half. It holds, as a rate and for every degree: n max psi tends to a constant, " +
-          joined(constants) + " (docs/limit-constants.md, with proof and any number of digits).",
+          in_words(constants) + " (docs/limit-constants.md, with proof and any number of digits).",
       "What is true of the second half. As an upper bound it holds, as a rate it does not: for every degree max |psi'| "
       "falls faster than every power of n. Between n = " +
-          std::to_string(decay_finding(2, first.slopes).rate_from) + " and n = " + last + " it falls " + joined(falls) +
-          ". For d = 1, 3 and 5 there are explicit bounds for every n (docs/theorems/README.md)."};
+          std::to_string(decay_finding(2, first.slopes).rate_from) + " and n = " + last + " it falls " +
+          in_words(falls) + ". For d = 1, 3 and 5 there are explicit bounds for every n (docs/theorems/README.md)."};
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include <subcert/analysis/symbol/numbers.hpp>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>

@@ -130,9 +130,7 @@ std::string errata_page(const std::vector<CheckedStatement>& checked) {
       "closed forms among them are printed from what was checked.</p>\n" +
       summary(checked);
   for (const auto& paper : statements::papers()) body += paper_section(paper, checked);
-  return "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
-         "content=\"width=device-width, initial-scale=1\">\n<title>subcert: errata and confirmations</title>\n<style>" +
-         formats::page_style() + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
+  return formats::html_page("subcert: errata and confirmations", body);
 }
 
 }  // namespace subcert::reports

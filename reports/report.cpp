@@ -255,10 +255,7 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
         body += figure_html(report.paper, figure, ".png");
     }
   }
-  return "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
-         "content=\"width=device-width, initial-scale=1\">\n<title>subcert: printed values, "
-         "recomputed</title>\n<style>" +
-         formats::page_style() + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
+  return formats::html_page("subcert: printed values, recomputed", body);
 }
 
 }  // namespace

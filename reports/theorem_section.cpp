@@ -6,6 +6,8 @@
 #include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace subcert::reports {
@@ -23,12 +25,6 @@ const std::vector<TheoremCase>& theorem_cases() {
   static const std::vector<TheoremCase> list{
       {"conjecture-7", {1, 3, 5}}, {"conjecture-8-n", {1, 3, 5}}, {"conjecture-8-d", {1, 3}}};
   return list;
-}
-
-std::string joined(const std::vector<int>& numbers) {
-  std::string text;
-  for (int number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
-  return text;
 }
 
 std::string verdict_word(Truth truth) {
@@ -88,8 +84,8 @@ formats::Section theorem_section(const ReportOptions& options) {
       if (options.progress) options.progress(std::string("theorem ") + one.id + ", d = " + std::to_string(degree));
       const theorems::Theorem theorem = theorems::prove(one.id, degree, theorems::stated_constants(one.id, degree),
                                                         options.jobs);
-      table.rows.push_back({one.id, joined(theorem.degrees), std::to_string(theorem.checks.size()),
-                            verdict_word(theorem.decision.truth)});
+      table.rows.push_back({one.id, fmt::format("{}", fmt::join(theorem.degrees, ", ")),
+                            std::to_string(theorem.checks.size()), verdict_word(theorem.decision.truth)});
       if (!theorem.decision.is_yes()) continue;
       std::string statement = theorem.title + ".";
       for (const std::string& sentence : theorem.statement) statement += " " + sentence;

@@ -6,6 +6,8 @@
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -26,12 +28,6 @@ const VarianceFacts& facts_of(Workshop& workshop, int n, int degree = 1) {
   return workshop.variance(scheme_text("primal", n, degree));
 }
 
-std::string list(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 /// psi_n <= 1, with strict inequality for n > 1.
 Answer below_one(Workshop& workshop) {
   std::vector<Truth> truths;
@@ -42,7 +38,7 @@ Answer below_one(Workshop& workshop) {
                             : truth_of(*maximum.upper < 1, *maximum.lower >= 1));
     bounds.push_back(maximum.upper_text(digits));
   }
-  return {all_of(truths), "max psi_n for n = 1, ..., 5 is at most " + list(bounds)};
+  return {all_of(truths), "max psi_n for n = 1, ..., 5 is at most " + fmt::format("{}", fmt::join(bounds, ", "))};
 }
 
 /// psi_1(x) = 1 at the integers.
@@ -84,7 +80,8 @@ Answer different_scales(Workshop& workshop) {
     before = height;
     words.push_back(to_decimal(*height.upper, 2, Rounding::up));
   }
-  return {all_of(truths), "max psi_n - min psi_n is at most " + list(words) + ", each below half of the one before"};
+  return {all_of(truths), "max psi_n - min psi_n is at most " + fmt::format("{}", fmt::join(words, ", ")) +
+                              ", each below half of the one before"};
 }
 
 /// Theorem 6, first sentence: positive, symmetric, of period 1.
@@ -98,7 +95,7 @@ Answer positive_and_symmetric(Workshop& workshop) {
     truths.push_back(truth_of(*minimum.lower > 0, *minimum.upper <= 0));
     bounds.push_back(minimum.lower_text(digits));
   }
-  return {all_of(truths), "min psi_n for n = 1, ..., 5 is at least " + list(bounds) +
+  return {all_of(truths), "min psi_n for n = 1, ..., 5 is at least " + fmt::format("{}", fmt::join(bounds, ", ")) +
                               "; the masks are palindromes about 0; the period is 1 by definition"};
 }
 
@@ -145,16 +142,14 @@ Answer answer(const formats::PublishedCell& cell, Workshop& workshop) {
     return {all_of({low.truth, high.truth}), "d = 1 and 3: " + low.text + "; d = 3 and 5: " + high.text};
   }
   if (what == "smaller with n for d = 3") return decreasing_in_n(2, 7, 3);
-  // "value 3 figure": the maxima of psi or of |psi'|, the degree, and where the sizes are taken from.
-  const std::size_t degree_at = what.find(' ') + 1, source_at = what.find(' ', degree_at) + 1;
-  const std::string kind = what.substr(0, degree_at - 1), source = what.substr(source_at);
-  if ((kind == "value" || kind == "slope") && (source == "figure" || source == "table")) {
-    const int degree = std::stoi(what.substr(degree_at));
-    return rate_over(
-        workshop, degree,
-        source == "figure" ? sizes_of_figure_8(degree) : sizes_of_table_3(workshop.published("table3"), degree),
-        kind == "slope");
-  }
+  // The maxima of psi or of |psi'|, the degree, and where the sizes are taken from.
+  for (const int degree : {1, 3, 5})
+    for (const bool slope : {false, true}) {
+      const std::string rate = fmt::format("{} {} ", slope ? "slope" : "value", degree);
+      if (what == rate + "figure") return rate_over(workshop, degree, sizes_of_figure_8(degree), slope);
+      if (what == rate + "table")
+        return rate_over(workshop, degree, sizes_of_table_3(workshop.published("table3"), degree), slope);
+    }
   fail(ErrorKind::domain, "unknown statement '{}'", what);
 }
 

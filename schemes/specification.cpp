@@ -170,9 +170,9 @@ Scheme make_mask(const Piece& family, const Piece& body, const std::string& usag
   rest.erase(rest.begin());
   const auto count = 1 + std::count(vector.text.begin(), vector.text.end(), ',');
   if (count > 4 * max_points) fail(vector, "at most " + number(4 * max_points) + " coefficients");
-  MaskText parts;
+  text::MaskText parts;
   try {
-    parts = parse_mask_text(vector.text);
+    parts = text::parse_mask_text(vector.text);
   } catch (const ParseError& error) {
     throw SpecificationError(error.token(), vector.at + error.position(), error.expected());
   }

@@ -89,7 +89,7 @@ LaurentPolynomial LaurentPolynomial::all_ones(int count) {
 
 LaurentPolynomial LaurentPolynomial::parse(std::string_view text) {
   std::map<long, Rational> sum;
-  for (const Term& term : parse_terms(text, 1)) sum[term.exponents[0]] += term.coefficient;
+  for (const text::Monomial& term : text::parse_terms(text, 1)) sum[term.exponents[0]] += term.coefficient;
   const long low = sum.begin()->first;
   std::vector<Rational> coefficients(static_cast<std::size_t>(sum.rbegin()->first - low + 1));
   for (const auto& [exponent, coefficient] : sum) coefficients[static_cast<std::size_t>(exponent - low)] = coefficient;
@@ -97,7 +97,7 @@ LaurentPolynomial LaurentPolynomial::parse(std::string_view text) {
 }
 
 LaurentPolynomial LaurentPolynomial::parse_mask(std::string_view text) {
-  const MaskText parts = parse_mask_text(text);
+  const text::MaskText parts = text::parse_mask_text(text);
   return LaurentPolynomial(parts.coefficients, parts.first.value_or(0));
 }
 
@@ -286,8 +286,8 @@ LaurentPolynomial gcd(const LaurentPolynomial& a, const LaurentPolynomial& b) {
 
 namespace {
 
-std::vector<Term> terms_of(const LaurentPolynomial& p) {
-  std::vector<Term> terms;
+std::vector<text::Monomial> terms_of(const LaurentPolynomial& p) {
+  std::vector<text::Monomial> terms;
   long exponent = p.is_zero() ? 0 : p.lowest();
   for (const Rational& c : p.coefficients()) {
     if (c != 0) terms.push_back({c, {exponent}});
@@ -298,9 +298,9 @@ std::vector<Term> terms_of(const LaurentPolynomial& p) {
 
 }  // namespace
 
-std::string LaurentPolynomial::to_text() const { return print_terms(terms_of(*this), TermStyle::plain); }
+std::string LaurentPolynomial::to_text() const { return text::print_terms(terms_of(*this), text::Style::plain); }
 
-std::string LaurentPolynomial::to_latex() const { return print_terms(terms_of(*this), TermStyle::latex); }
+std::string LaurentPolynomial::to_latex() const { return text::print_terms(terms_of(*this), text::Style::latex); }
 
 std::string LaurentPolynomial::to_mask_text() const {
   if (is_zero()) return "[0]@0";

@@ -2,7 +2,6 @@
 
 #include "error.hpp"
 #include "flint.hpp"
-#include "term_text.hpp"
 
 #include <algorithm>
 #include <string>
@@ -175,9 +174,7 @@ MultivariatePolynomial MultivariatePolynomial::in_variable(int variables, int in
 
 MultivariatePolynomial MultivariatePolynomial::parse(std::string_view text, int variables) {
   require_variables(variables);
-  std::vector<Monomial> terms;
-  for (Term& term : parse_terms(text, variables)) terms.push_back({term.coefficient, std::move(term.exponents)});
-  return MultivariatePolynomial(variables, terms);
+  return MultivariatePolynomial(variables, text::parse_terms(text, variables));
 }
 
 int MultivariatePolynomial::variables() const { return impl_->variables; }
@@ -362,17 +359,7 @@ MultivariatePolynomial gcd(const MultivariatePolynomial& a, const MultivariatePo
   return result;
 }
 
-namespace {
-
-std::string print(const MultivariatePolynomial& p, TermStyle style) {
-  std::vector<Term> terms;
-  for (auto& monomial : p.terms()) terms.push_back({monomial.coefficient, std::move(monomial.exponents)});
-  return print_terms(terms, style);
-}
-
-}  // namespace
-
-std::string MultivariatePolynomial::to_text() const { return print(*this, TermStyle::plain); }
-std::string MultivariatePolynomial::to_latex() const { return print(*this, TermStyle::latex); }
+std::string MultivariatePolynomial::to_text() const { return text::print_terms(terms(), text::Style::plain); }
+std::string MultivariatePolynomial::to_latex() const { return text::print_terms(terms(), text::Style::latex); }
 
 }  // namespace subcert

@@ -2,6 +2,7 @@
 /// Sparse Laurent polynomials in two or three variables over the rationals: the symbols of surface and volume schemes.
 
 #include "laurent_polynomial.hpp"
+#include "term_text.hpp"
 
 #include <memory>
 #include <vector>
@@ -13,10 +14,7 @@ namespace subcert {
 class MultivariatePolynomial {
  public:
   using Exponents = std::vector<long>;
-  struct Monomial {
-    Rational coefficient;
-    Exponents exponents;
-  };
+  using Monomial = text::Monomial;
   struct Division;
 
   /// Zero. Domain: 2 <= variables <= 3.

@@ -3,7 +3,6 @@
 #include <utility>
 
 namespace subcert {
-namespace {
 
 std::string printable(std::string_view text) {
   constexpr std::size_t most = 40;
@@ -11,8 +10,6 @@ std::string printable(std::string_view text) {
   for (char c : text.substr(0, most)) result += (c >= ' ' && c <= '~') ? c : '?';
   return text.size() > most ? result + "..." : result;
 }
-
-}  // namespace
 
 ParseError::ParseError(const std::string& subject, std::string_view token, std::size_t position, std::string expected)
     : Error(ErrorKind::usage,

@@ -8,6 +8,9 @@
 
 namespace subcert {
 
+/// At most 40 characters of the text, unprintable ones replaced by `?`, and `...` for what is cut.
+std::string printable(std::string_view text);
+
 /// what() is one printable line `SUBJECT, position P: 'TOKEN'; expected EXPECTED` with the 1-based position P.
 class ParseError : public Error {
  public:

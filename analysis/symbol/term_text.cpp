@@ -6,20 +6,20 @@
 #include <cstdlib>
 #include <stdexcept>
 
-namespace subcert {
+namespace subcert::text {
 namespace {
 
 constexpr long max_exponent = 1'000'000;
 constexpr long max_index = 1'000'000'000;
 
-std::string print_power(const std::string& name, long exponent, TermStyle style) {
+std::string print_power(const std::string& name, long exponent, Style style) {
   if (exponent == 1) return name;
   const std::string text = std::to_string(exponent);
-  return style == TermStyle::latex ? name + "^{" + text + "}" : name + "^" + text;
+  return style == Style::latex ? name + "^{" + text + "}" : name + "^" + text;
 }
 
-std::string print_magnitude(const Rational& value, TermStyle style) {
-  if (style == TermStyle::latex && denominator(value) != 1)
+std::string print_magnitude(const Rational& value, Style style) {
+  if (style == Style::latex && denominator(value) != 1)
     return "\\frac{" + numerator(value).str() + "}{" + denominator(value).str() + "}";
   return to_text(value);
 }
@@ -28,8 +28,8 @@ class Reader {
  public:
   Reader(std::string_view text, int variables) : text_(text), names_(variable_names(variables)) {}
 
-  std::vector<Term> sum() {
-    std::vector<Term> terms;
+  std::vector<Monomial> sum() {
+    std::vector<Monomial> terms;
     skip_blanks();
     bool negative = take('-');
     if (!negative) take('+');
@@ -62,14 +62,14 @@ class Reader {
     return text_.substr(begin, at_ - begin);
   }
 
-  Term term(bool negative) {
-    Term result{negative ? -1 : 1, std::vector<long>(names_.size(), 0)};
+  Monomial term(bool negative) {
+    Monomial result{negative ? -1 : 1, std::vector<long>(names_.size(), 0)};
     do factor(result);
     while (take('*'));
     return result;
   }
 
-  void factor(Term& term) {
+  void factor(Monomial& term) {
     skip_blanks();
     const auto name = std::find(names_.begin(), names_.end(), std::string(1, peek()));
     if (name != names_.end()) {
@@ -121,9 +121,9 @@ std::vector<std::string> variable_names(int variables) {
   throw std::invalid_argument("variable_names: need 1 <= variables <= 3, got " + std::to_string(variables));
 }
 
-std::string print_terms(const std::vector<Term>& terms, TermStyle style) {
+std::string print_terms(const std::vector<Monomial>& terms, Style style) {
   std::string text;
-  for (const Term& term : terms) {
+  for (const Monomial& term : terms) {
     const auto names = variable_names(static_cast<int>(term.exponents.size()));
     std::vector<std::string> factors;
     const Rational magnitude = abs(term.coefficient);
@@ -133,14 +133,14 @@ std::string print_terms(const std::vector<Term>& terms, TermStyle style) {
     const bool negative = term.coefficient < 0;
     text += text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
     for (std::size_t i = 0; i < factors.size(); ++i) {
-      if (i > 0) text += style == TermStyle::latex ? " " : "*";
+      if (i > 0) text += style == Style::latex ? " " : "*";
       text += factors[i];
     }
   }
   return text.empty() ? "0" : text;
 }
 
-std::vector<Term> parse_terms(std::string_view text, int variables) { return Reader(text, variables).sum(); }
+std::vector<Monomial> parse_terms(std::string_view text, int variables) { return Reader(text, variables).sum(); }
 
 MaskText parse_mask_text(std::string_view text) {
   const auto fail = [](std::string_view token, std::size_t at, const std::string& expected) {
@@ -174,4 +174,4 @@ MaskText parse_mask_text(std::string_view text) {
   return result;
 }
 
-}  // namespace subcert
+}  // namespace subcert::text

@@ -6,25 +6,25 @@
 
 #include <vector>
 
-namespace subcert {
+namespace subcert::text {
 
 /// coefficient * x_1^exponents[0] * x_2^exponents[1] * ...
-struct Term {
+struct Monomial {
   Rational coefficient;
   std::vector<long> exponents;
 };
 
-enum class TermStyle { plain, latex };
+enum class Style { plain, latex };
 
 /// Names of the variables: z for one, x, y for two, x, y, z for three. Domain: 1 <= variables <= 3.
 std::vector<std::string> variable_names(int variables);
 
 /// `3/4*z^-2 - z + 5`, or the same in LaTeX; `0` for no terms. The order of the terms is kept.
-std::string print_terms(const std::vector<Term>& terms, TermStyle style);
+std::string print_terms(const std::vector<Monomial>& terms, Style style);
 
 /// Reads the plain style; blanks around terms and factors are free, terms may repeat. Errors: throws ParseError; an
 /// exponent beyond +-10^6 is refused.
-std::vector<Term> parse_terms(std::string_view text, int variables);
+std::vector<Monomial> parse_terms(std::string_view text, int variables);
 
 /// The parts of `[c0,c1,...]/D@first`; /D and @first may be absent.
 struct MaskText {
@@ -35,4 +35,4 @@ struct MaskText {
 /// Reads a mask vector with rational coefficients, divided by the positive integer D. Errors: throws ParseError.
 MaskText parse_mask_text(std::string_view text);
 
-}  // namespace subcert
+}  // namespace subcert::text

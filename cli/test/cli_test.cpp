@@ -1,9 +1,12 @@
 #include <subcert/cmake/catch.hpp>
 
-#include <sys/wait.h>
-#include <unistd.h>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <nlohmann/json.hpp>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -54,6 +57,22 @@ nlohmann::json run_json(const std::string& arguments, int code = 0) {
   return nlohmann::json::parse(result.out);
 }
 
+/// The decimal number in units of 10^-places, cut after them.
+boost::multiprecision::cpp_int in_units(const std::string& text, std::size_t places) {
+  const std::size_t point = std::min(text.find('.'), text.size());
+  std::string decimals = point < text.size() ? text.substr(point + 1) : "";
+  decimals.resize(places, '0');
+  std::string digits = text.substr(0, point) + decimals;
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  return boost::multiprecision::cpp_int(digits);
+}
+
+/// Whether the positive number lies within one unit of the last place of `expected`.
+bool has_digits(const nlohmann::json& number, const std::string& expected) {
+  const std::size_t places = expected.size() - expected.find('.') - 1;
+  return abs(in_units(number.get<std::string>(), places) - in_units(expected, places)) <= 1;
+}
+
 /// Compares with an approved file; SUBCERT_APPROVE=1 in the environment writes it instead.
 void check_baseline(const std::string& name, const std::string& arguments) {
   const Run result = run(arguments);
@@ -101,26 +120,26 @@ TEST_CASE("the fields of the contract") {
   CHECK(regularity.at("sum_rules") == 3);
   CHECK(regularity.at("bound").at("levels") == 16);
   CHECK(regularity.at("bound").at("norm").is_string());
-  CHECK(regularity.at("bound").at("holder").at("lower").get<std::string>().substr(0, 5) == "2.633");
+  CHECK(has_digits(regularity.at("bound").at("holder").at("lower"), "2.633"));
   CHECK(regularity.at("stable") == true);
   CHECK(regularity.at("product").is_string());
-  CHECK(regularity.at("holder").at("upper").get<std::string>().substr(0, 5) == "2.994");
+  CHECK(has_digits(regularity.at("holder").at("upper"), "2.994"));
 
   const auto closed = run_json("regularity primal:n=5");
   CHECK(closed.at("closed") == true);
   CHECK(closed.at("exact") == true);
   CHECK(closed.at("method") == "invariant polytope");
-  CHECK(closed.at("holder").at("lower").get<std::string>().substr(0, 13) == "1.99014395938");
+  CHECK(has_digits(closed.at("holder").at("lower"), "1.99014395938"));
 
   const auto single = run_json("regularity 'mask:[-5,-7,35,105,105,35,-7,-5]/128'");
   CHECK(single.at("method") == "single spectral radius");
   CHECK(single.at("exact") == true);
-  CHECK(single.at("holder").at("lower").get<std::string>().substr(0, 14) == "2.830074998557");
+  CHECK(has_digits(single.at("holder").at("lower"), "2.830074998557"));
   CHECK(single.at("logarithm").at("at_most") == 0);
   CHECK(run_json("regularity four-point:w=1/16").at("logarithm").at("at_least") == 1);
   for (const char* command : {"regularity", "analyze"}) {
     const auto sobolev = run_json(std::string(command) + " dd:n=2").at("sobolev");
-    CHECK(sobolev.at("exponent").at("lower").get<std::string>().substr(0, 8) == "2.440765");
+    CHECK(has_digits(sobolev.at("exponent").at("lower"), "2.440765"));
     CHECK(sobolev.at("stable") == true);
     // Dependent shifts: no upper end.
     const auto unstable = run_json(std::string(command) + " 'mask:[1,2,2,2,1]/4'", -1).at("sobolev");
@@ -133,11 +152,11 @@ TEST_CASE("the fields of the contract") {
   CHECK(variance.at("sup").at("lower") == "1");
   CHECK(variance.at("sup").at("upper") == "1");
   CHECK(variance.at("inf").at("upper") == "0.5");
-  CHECK(variance.at("derivative_sup").at("upper").get<std::string>().substr(0, 10) == "2.00000000");
+  CHECK(has_digits(variance.at("derivative_sup").at("upper"), "2.00000000"));
   const auto smooth = run_json("variance dd:n=2");
   CHECK(smooth.at("sup").at("lower") == "1");
   CHECK(smooth.at("complete") == true);
-  CHECK(smooth.at("derivative_sup").at("lower").get<std::string>().substr(0, 7) == "1.09267");
+  CHECK(has_digits(smooth.at("derivative_sup").at("lower"), "1.09267"));
   CHECK(run_json("variance four-point:w=1/5").at("derivative_sup").is_null());
   CHECK(run_json("variance primal:n=10 --budget 0.000001", 2).at("complete") == false);
 
@@ -229,12 +248,11 @@ TEST_CASE("conjectures over a range, whole, split and continued") {
   const auto seven = run_json("conjecture 7 --n 1..4 --d 1,3");
   CHECK(seven.at("conjecture") == 7);
   CHECK(seven.at("limits").size() == 2);
-  CHECK(seven.at("limits").at(0).at("constant").at("lower").get<std::string>().substr(0, 22) ==
-        "0.40443676798398528146");
-  CHECK(seven.at("rows").at(3).at("limit_deviation").at("lower").get<std::string>().substr(0, 6) == "0.0736");
+  CHECK(has_digits(seven.at("limits").at(0).at("constant").at("lower"), "0.40443676798398528146"));
+  CHECK(has_digits(seven.at("rows").at(3).at("limit_deviation").at("lower"), "0.0736"));
   REQUIRE(seven.at("rows").size() == 7);
   CHECK(seven.at("rows").at(2).at("n") == 3);
-  CHECK(seven.at("rows").at(2).at("sup").at("lower").get<std::string>().substr(0, 6) == "0.1489");
+  CHECK(has_digits(seven.at("rows").at(2).at("sup").at("lower"), "0.1489"));
   CHECK(seven.at("rows").at(2).at("derivative_sup").at("upper").is_string());
   CHECK(seven.at("skipped").at(0).at("scheme") == "primal:n=1,d=3");
   CHECK(seven.at("verdict") == "holds");
@@ -326,7 +344,7 @@ TEST_CASE("matrices from a file") {
                           " --json --certificate " + file + ".cert");
   CHECK(golden.code == 0);
   CHECK(nlohmann::json::parse(golden.out).at("product").size() == 2);
-  CHECK(nlohmann::json::parse(golden.out).at("radius").at("lower").get<std::string>().substr(0, 12) == "1.6180339887");
+  CHECK(has_digits(nlohmann::json::parse(golden.out).at("radius").at("lower"), "1.6180339887"));
   CHECK(run("verify " + file + ".cert").code == 0);
   const Run blocks = with(R"({"matrices": [[["2","7"],["0","1"]], [["1","5"],["0","-3"]]]})",
                           " --json --certificate " + file + ".cert");
@@ -402,7 +420,7 @@ TEST_CASE("data are refined") {
         "--boundary shrink: closed data have no boundary; leave out one of the two options");
   CHECK(run("refine primal:n=1 " + data + " --boundary other").code == 64);
   CHECK(run("refine primal:n=1 " + folder.string() + "/nowhere.csv").code == 66);
-  CHECK(run("refine primal:n=1 " + data + " --out /proc/nowhere/file").code == 70);
+  CHECK(run("refine primal:n=1 " + data + " --out /proc/nowhere/file").code == 66);
   fs::remove_all(folder);
 }
 
@@ -581,7 +599,7 @@ TEST_CASE("answers go to a file when asked") {
   CHECK(result.out.empty());
   CHECK(read(file) == "[1,3,3,1]/4@-2\n");
   fs::remove(file);
-  CHECK(run("mask dual:n=1 --out /proc/nowhere/file").code == 70);
+  CHECK(run("mask dual:n=1 --out /proc/nowhere/file").code == 66);
 }
 
 TEST_CASE("statements: the fields of the contract") {

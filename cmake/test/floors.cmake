@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.25)
-# A floor includes only floors below it (SOURCE: the source tree).
+# A floor includes only floors below it, and no two folders include each other (SOURCE: the source tree).
 
 # may_use(FLOOR FOLDERS...): the files of FLOOR may include only these folders of subcert, beside their own.
 function(may_use floor)
@@ -32,6 +32,64 @@ may_use(schemes/data analysis schemes)
 may_use(reports analysis schemes proofs-checks)
 may_use(proofs-checks analysis schemes)
 may_use(cli analysis schemes proofs-checks reports)
+
+# Folders include each other in one direction only, tests aside: where some are in a cycle, none of them can be read,
+# changed or moved alone.
+# What may stay for now, as "FOLDER->FOLDER", with its reason:
+#   the proof that a scheme converges asks for the transition matrices, which stand with regularity
+set(known_cycles "analysis/difference->analysis/regularity")
+
+file(GLOB_RECURSE files RELATIVE "${SOURCE}" "${SOURCE}/analysis/*.[hc]pp" "${SOURCE}/schemes/*.[hc]pp"
+  "${SOURCE}/proofs-checks/*.[hc]pp" "${SOURCE}/reports/*.[hc]pp" "${SOURCE}/cli/*.[hc]pp" "${SOURCE}/bench/*.[hc]pp")
+set(folders "")
+foreach(file IN LISTS files)
+  if(file MATCHES "/(test|fuzz|checker)/")
+    continue()
+  endif()
+  get_filename_component(folder "${file}" DIRECTORY)
+  list(APPEND folders "${folder}")
+  file(STRINGS "${SOURCE}/${file}" includes REGEX "#include (<subcert/|\"[^\"]*/)")
+  foreach(include IN LISTS includes)
+    if(include MATCHES "\"[.][.]/")
+      message(SEND_ERROR "${file}: ${include}: what stands elsewhere is included as <subcert/FOLDER/HEADER>")
+    elseif(include MATCHES "<subcert/(.*)/[^/]*>")
+      list(APPEND "from ${folder}" "${CMAKE_MATCH_1}")
+    elseif(include MATCHES "\"(.*)/[^/]*\"")
+      list(APPEND "from ${folder}" "${folder}/${CMAKE_MATCH_1}")
+    endif()
+  endforeach()
+endforeach()
+list(REMOVE_DUPLICATES folders)
+# In a cycle, or between two, are the folders that include one of those left and are included by one.
+set(left_before 0)
+list(LENGTH folders count)
+while(NOT count EQUAL left_before)
+  set(left_before ${count})
+  set(edges "")
+  set(above "")
+  set(below "")
+  foreach(folder IN LISTS folders)
+    list(REMOVE_DUPLICATES "from ${folder}")
+    foreach(other IN LISTS "from ${folder}")
+      if(NOT other STREQUAL folder AND other IN_LIST folders AND NOT "${folder}->${other}" IN_LIST known_cycles)
+        list(APPEND edges "${folder} includes ${other}")
+        list(APPEND above "${folder}")
+        list(APPEND below "${other}")
+      endif()
+    endforeach()
+  endforeach()
+  set(left "")
+  foreach(folder IN LISTS folders)
+    if(folder IN_LIST above AND folder IN_LIST below)
+      list(APPEND left "${folder}")
+    endif()
+  endforeach()
+  set(folders "${left}")
+  list(LENGTH folders count)
+endwhile()
+foreach(edge IN LISTS edges)
+  message(SEND_ERROR "a cycle of folders: ${edge}")
+endforeach()
 
 # Nothing at the top but what the design names.
 file(GLOB entries RELATIVE "${SOURCE}" "${SOURCE}/*")

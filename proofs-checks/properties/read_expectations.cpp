@@ -1,6 +1,7 @@
 #include "properties.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/parse_error.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #define TOML_HEADER_ONLY 1
@@ -36,13 +37,6 @@ constexpr std::size_t longest_file = 1'000'000;
 
 Place place_of(const toml::source_region& source) { return {source.begin.line, source.begin.column}; }
 Place place_of(const toml::node& node) { return place_of(node.source()); }
-
-/// Text of the file in an error message: printable, not too long.
-std::string shown(std::string_view text) {
-  std::string result;
-  for (const char c : text.substr(0, 40)) result += c >= 32 && c < 127 ? c : '?';
-  return text.size() > 40 ? result + "..." : result;
-}
 
 /// An integer, or a rational or decimal number in a string.
 std::optional<Rational> number_in(std::string_view text) {
@@ -137,18 +131,18 @@ ExpectedScheme read_scheme(const toml::table& table) {
   } catch (const std::logic_error& error) {  // until analysis throws Error
     throw FileError(place_of(*mask), error.what());
   }
-  ExpectedScheme result{shown(specification), scheme->specification, scheme->mask, {}};
+  ExpectedScheme result{printable(specification), scheme->specification, scheme->mask, {}};
   for (const auto& [key, node] : table) {
     const Place place = place_of(key.source());
     if (key.str() == "mask") continue;
     if (key.str() == "name") {
       if (!node.is_string()) throw FileError(place_of(node), "'name' takes a string");
-      result.name = shown(node.as_string()->get());
+      result.name = printable(node.as_string()->get());
       continue;
     }
     const PropertyHelp* property = find_property(key.str());
     if (!property)
-      throw FileError(place, "unknown property '" + shown(key.str()) + "'; expected one of " + joined_names());
+      throw FileError(place, "unknown property '" + printable(key.str()) + "'; expected one of " + joined_names());
     result.expectations.push_back(read_expectation(*property, node, place));
   }
   if (result.expectations.empty()) throw FileError(place_of(*mask), "the scheme has no expected property");
@@ -166,7 +160,7 @@ std::vector<ExpectedScheme> read_expectations(std::string_view text) {
   try {
     table = toml::parse(text);
   } catch (const toml::parse_error& error) {
-    throw FileError(place_of(error.source()), "not TOML: " + shown(error.description()));
+    throw FileError(place_of(error.source()), "not TOML: " + printable(error.description()));
   }
   std::vector<ExpectedScheme> result;
   const toml::node* list = table.get("scheme");
@@ -177,7 +171,7 @@ std::vector<ExpectedScheme> read_expectations(std::string_view text) {
   for (const auto& [key, node] : table)
     if (key.str() != "scheme")
       throw FileError(place_of(key.source()),
-                      "'" + shown(key.str()) + "' beside [[scheme]]; expected it inside of one");
+                      "'" + printable(key.str()) + "' beside [[scheme]]; expected it inside of one");
   if (!list->is_array_of_tables())
     throw FileError(place_of(*list), "'scheme' is not a list of tables; expected [[scheme]]");
   for (const toml::node& entry : *list->as_array()) result.push_back(read_scheme(*entry.as_table()));

@@ -13,10 +13,7 @@ namespace {
 constexpr int turn = 24, tail = 64;
 constexpr int factors = 6;  // of X_0 that are kept
 
-const Rational first_N(4 * tail - 1, 2);
-
-std::string text(int n) { return std::to_string(n); }
-std::string at(int n) { return " at n = " + text(n); }
+const Rational N_after_tail(4 * tail - 1, 2);
 
 /// The constants of section 3, on which both conjectures rest.
 std::vector<Constant> common_constants() {
@@ -53,7 +50,7 @@ Ball inverse_sines(int count) {
 }
 
 std::vector<Check> common_checks(const Constants& c) {
-  const Ball pi = Ball::pi(proof_bits), N = exactly(first_N), square = N * N;
+  const Ball pi = Ball::pi(proof_bits), N = exactly(N_after_tail), square = N * N;
   const Ball limit = limit_ball(1);
   const auto stated = [&](const char* name) { return exactly(c[name]); };
   return {
@@ -118,7 +115,7 @@ void append(std::vector<Check>& all, std::vector<Check> more) {
 /// What the theorem on slopes adds.
 std::vector<Check> slope_checks(const Constants& c) {
   std::vector<Check> checks;
-  const Ball pi = Ball::pi(proof_bits), N = exactly(first_N);
+  const Ball pi = Ball::pi(proof_bits), N = exactly(N_after_tail);
   const auto stated = [&](const char* name) { return exactly(c[name]); };
   for (int n = 2; n < tail; ++n) {
     Enclosure slope = Enclosure::at_least(0);
@@ -177,7 +174,7 @@ std::vector<Check> degree_one_checks_8(const Constants& c) {
     checks.push_back(less(n + 1 < turn ? "4.1" : "4.2", "max psi_" + text(n + 1) + " < min psi_" + text(n),
                           ends(n + 1).maximum, ends(n).minimum));
   }
-  const Ball N = exactly(first_N);
+  const Ball N = exactly(N_after_tail);
   checks.push_back(
       less("4.3", "N_1 (N_1 + 2) (2 K/N_1^5 + 2 Omega/N_1^6) < 4 c-",
            ((exactly(c["K"]) / N.pow(5) + exactly(c["Omega"]) / N.pow(factors)).scaled(1) * N * (N + 2)).enclosure(),
@@ -189,7 +186,7 @@ std::vector<Check> degree_one_checks_7(const Constants& c) {
   std::vector<Check> checks = common_checks(c);
   append(checks, deviation_checks(c, "5.1", 1, "beta"));
   for (int n = 2; n < tail; ++n) append(checks, deviation_checks(c, n < turn ? "5.2" : "5.3", n, "beta_2"));
-  const Ball N = exactly(first_N), twice = exactly(2 * c["c-"]);
+  const Ball N = exactly(N_after_tail), twice = exactly(2 * c["c-"]);
   const Ball inside = exactly(degree_one_second_coefficient()) + exactly(c["K"]) / twice / N.pow(2) +
                       exactly(c["Omega"]) / twice / N.pow(3);
   checks.push_back(less("5.4", "(1 + 1/(2 N_1))^2/4 (13/36 + K/(2c N_1^2) + Omega/(2c N_1^3)) < beta_2",

@@ -1,14 +1,19 @@
 #pragma once
 /// The proofs behind theorem.hpp, one function each, for the sources of this floor.
 
-#include <subcert/analysis/symbol/balls.hpp>
 #include "theorem.hpp"
+
+#include <subcert/analysis/symbol/balls.hpp>
 
 namespace subcert::theorems {
 
 constexpr slong proof_bits = 192;
 
 inline Ball exactly(const Rational& value) { return Ball(value, proof_bits); }
+
+/// For claims: the number, and ` at n = 5`.
+inline std::string text(int n) { return std::to_string(n); }
+inline std::string at(int n) { return " at n = " + text(n); }
 
 /// C_d to 40 digits, kept for the next call.
 const Ball& limit_ball(int degree);

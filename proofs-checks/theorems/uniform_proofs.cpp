@@ -10,9 +10,6 @@
 namespace subcert::theorems {
 namespace {
 
-std::string text(int n) { return std::to_string(n); }
-std::string at(int n) { return " at n = " + text(n); }
-
 /// As stated for one degree, in the order of section 7.
 struct Stated {
   const char *below, *above, *H, *F, *E, *A, *B, *K, *Y, *W, *Omega;

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace subcert::experiments {
+namespace subcert::experiments::aary_car {
 namespace {
 
 constexpr int level = 4;
@@ -158,8 +158,6 @@ ExperimentResult run(const ExperimentOptions&) {
 
 }  // namespace
 
-std::vector<Experiment> aary_car_experiments() {
-  return {{"aary-fig3", "mustafa-bari-2016", "Figure 3: the profile of a car", run}};
-}
+std::vector<Experiment> all() { return {{"aary-fig3", "mustafa-bari-2016", "Figure 3: the profile of a car", run}}; }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::aary_car

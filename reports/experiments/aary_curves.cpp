@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace subcert::experiments {
+namespace subcert::experiments::aary_curves {
 namespace {
 
 struct Arity {
@@ -148,8 +148,8 @@ ExperimentResult run(const ExperimentOptions&) {
 
 }  // namespace
 
-std::vector<Experiment> aary_curve_experiments() {
+std::vector<Experiment> all() {
   return {{"aary-fig2", "mustafa-bari-2016", "Figure 2: polygons refined with arities 2, 3 and 4", run}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::aary_curves

@@ -10,7 +10,7 @@
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/schemes/specification.hpp>
 
-namespace subcert::experiments {
+namespace subcert::experiments::aary_limit_functions {
 namespace {
 
 constexpr int points = 4;
@@ -115,8 +115,8 @@ ExperimentResult run(const ExperimentOptions&) {
 
 }  // namespace
 
-std::vector<Experiment> aary_limit_function_experiments() {
+std::vector<Experiment> all() {
   return {{"aary-fig1", "mustafa-bari-2016", "Figure 1: basic limit functions of arities 2, 3 and 4", run}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::aary_limit_functions

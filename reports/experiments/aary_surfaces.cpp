@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert::experiments {
+namespace subcert::experiments::aary_surfaces {
 namespace {
 
 constexpr int drawn_levels = 3, limit_level = 5;
@@ -157,7 +157,7 @@ ExperimentResult run(const SurfaceExperiment& experiment) {
 
 }  // namespace
 
-std::vector<Experiment> aary_surface_experiments() {
+std::vector<Experiment> all() {
   const std::vector<SurfaceExperiment> surfaces{
       {"aary-fig4",
        "Fig. 4",
@@ -177,4 +177,4 @@ std::vector<Experiment> aary_surface_experiments() {
   return result;
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::aary_surfaces

@@ -8,7 +8,7 @@
 #include <subcert/schemes/data/expected_error.hpp>
 #include <subcert/schemes/specification.hpp>
 
-namespace subcert::experiments {
+namespace subcert::experiments::expected_errors {
 namespace {
 
 constexpr std::size_t count = 41;
@@ -82,8 +82,6 @@ ExperimentResult run(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> expected_error_experiments() {
-  return {{"mse", "dyn-2015", "Expected squared error, exact and simulated", run}};
-}
+std::vector<Experiment> all() { return {{"mse", "dyn-2015", "Expected squared error, exact and simulated", run}}; }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::expected_errors

@@ -28,10 +28,9 @@ const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = [] {
     std::vector<Experiment> result;
     for (const auto& family :
-         {expected_error_experiments, function_experiments, curve_experiments, torus_experiments, part_experiments,
-          l1_experiments, nonlinear_polynomial_experiments, nonlinear_quiet_experiments, nonlinear_noise_experiments,
-          nonlinear_surface_experiments, aary_limit_function_experiments, aary_curve_experiments, aary_car_experiments,
-          aary_surface_experiments}) {
+         {expected_errors::all, functions::all, plane_curves::all, torus::all, part_scan::all, l1_experiments,
+          nonlinear_polynomials::all, nonlinear_quiet::all, nonlinear_noise::all, nonlinear_surface::all,
+          aary_limit_functions::all, aary_curves::all, aary_car::all, aary_surfaces::all}) {
       const auto more = family();
       result.insert(result.end(), more.begin(), more.end());
     }

@@ -5,27 +5,67 @@
 
 namespace subcert::experiments {
 
-std::vector<Experiment> function_experiments();
-std::vector<Experiment> curve_experiments();
-std::vector<Experiment> torus_experiments();
-std::vector<Experiment> part_experiments();
-std::vector<Experiment> expected_error_experiments();
-std::vector<Experiment> nonlinear_polynomial_experiments();
-std::vector<Experiment> nonlinear_quiet_experiments();
-std::vector<Experiment> nonlinear_noise_experiments();
-std::vector<Experiment> nonlinear_surface_experiments();
-std::vector<Experiment> aary_limit_function_experiments();
-std::vector<Experiment> aary_curve_experiments();
-std::vector<Experiment> aary_car_experiments();
-std::vector<Experiment> aary_surface_experiments();
+namespace functions {
+std::vector<Experiment> all();
+}
+namespace plane_curves {
+std::vector<Experiment> all();
+}
+namespace torus {
+std::vector<Experiment> all();
+}
+namespace part_scan {
+std::vector<Experiment> all();
+}
+namespace expected_errors {
+std::vector<Experiment> all();
+}
+namespace nonlinear_polynomials {
+std::vector<Experiment> all();
+}
+namespace nonlinear_quiet {
+std::vector<Experiment> all();
+}
+namespace nonlinear_noise {
+std::vector<Experiment> all();
+}
+namespace nonlinear_surface {
+std::vector<Experiment> all();
+}
+namespace aary_limit_functions {
+std::vector<Experiment> all();
+}
+namespace aary_curves {
+std::vector<Experiment> all();
+}
+namespace aary_car {
+std::vector<Experiment> all();
+}
+namespace aary_surfaces {
+std::vector<Experiment> all();
+}
 
-std::vector<Experiment> l1_function_experiments();
-std::vector<Experiment> l1_limit_experiments();
-std::vector<Experiment> l1_iteration_experiments();
-std::vector<Experiment> l1_spiral_experiments();
-std::vector<Experiment> l1_impulse_experiments();
-std::vector<Experiment> l1_surface_experiments();
-std::vector<Experiment> l1_band_experiments();
+namespace l1_functions {
+std::vector<Experiment> all();
+}
+namespace l1_limits {
+std::vector<Experiment> all();
+}
+namespace l1_iterations {
+std::vector<Experiment> all();
+}
+namespace l1_spiral {
+std::vector<Experiment> all();
+}
+namespace l1_impulses {
+std::vector<Experiment> all();
+}
+namespace l1_surfaces {
+std::vector<Experiment> all();
+}
+namespace l1_band {
+std::vector<Experiment> all();
+}
 /// Those of [MLZD15] in the order of the paper.
 std::vector<Experiment> l1_experiments();
 

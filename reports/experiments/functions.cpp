@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert::experiments {
+namespace subcert::experiments::functions {
 namespace {
 
 constexpr int loudest = FunctionTrial::loudest, quietest = FunctionTrial::quietest;
@@ -247,7 +247,7 @@ std::vector<FunctionFigure> figures() {
 
 }  // namespace
 
-std::vector<Experiment> function_experiments() {
+std::vector<Experiment> all() {
   std::vector<Experiment> result;
   for (const FunctionFigure& figure : figures())
     result.push_back({figure.id, "dyn-2015",
@@ -257,4 +257,4 @@ std::vector<Experiment> function_experiments() {
   return result;
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::functions

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert::experiments {
+namespace subcert::experiments::l1_band {
 namespace {
 
 constexpr std::size_t columns = 40, rows = 50, few = 20, many = 100;
@@ -137,8 +137,8 @@ ExperimentResult run(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> l1_band_experiments() {
+std::vector<Experiment> all() {
   return {{"l1-surface2", "mustafa-li-2015", "Surfaces, Experiment 2 and Figure 9: a Moebius band", run}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::l1_band

@@ -6,9 +6,8 @@ namespace subcert::experiments {
 
 std::vector<Experiment> l1_experiments() {
   std::vector<Experiment> result;
-  for (const auto& family :
-       {l1_function_experiments, l1_limit_experiments, l1_iteration_experiments, l1_spiral_experiments,
-        l1_impulse_experiments, l1_surface_experiments, l1_band_experiments}) {
+  for (const auto& family : {l1_functions::all, l1_limits::all, l1_iterations::all, l1_spiral::all, l1_impulses::all,
+                             l1_surfaces::all, l1_band::all}) {
     const auto more = family();
     result.insert(result.end(), more.begin(), more.end());
   }

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace subcert::experiments {
+namespace subcert::experiments::l1_functions {
 namespace {
 
 /// "Greatly affected" and "no response" are on two sides of this part of the range of f_1.
@@ -144,7 +144,7 @@ ExperimentResult run_figure_1(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> l1_function_experiments() {
+std::vector<Experiment> all() {
   const std::string paper = "mustafa-li-2015";
   return {
       {"l1-fig1", paper, "Figure 1: Chaikin's scheme and least squares against outliers", run_figure_1},
@@ -152,4 +152,4 @@ std::vector<Experiment> l1_function_experiments() {
       {"l1-exp2", paper, "Experiment 2, Figure 5 and Table 2: noise and thirteen outliers", run_experiment_2, true}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::l1_functions

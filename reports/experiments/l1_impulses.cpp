@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert::experiments {
+namespace subcert::experiments::l1_impulses {
 namespace {
 
 constexpr double largest_impulse = 8;
@@ -77,8 +77,8 @@ ExperimentResult run(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> l1_impulse_experiments() {
+std::vector<Experiment> all() {
   return {{"l1-exp4", "mustafa-li-2015", "Experiment 4 and Figure 7: impulsive noise", run}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::l1_impulses

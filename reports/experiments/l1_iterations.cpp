@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace subcert::experiments {
+namespace subcert::experiments::l1_iterations {
 namespace {
 
 struct Setting {
@@ -128,8 +128,8 @@ ExperimentResult run(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> l1_iteration_experiments() {
+std::vector<Experiment> all() {
   return {{"l1-fig4", "mustafa-li-2015", "Figure 4: iterations, refinements and delta", run}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::l1_iterations

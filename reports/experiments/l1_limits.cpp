@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert::experiments {
+namespace subcert::experiments::l1_limits {
 namespace {
 
 constexpr int level = 8;
@@ -198,8 +198,8 @@ ExperimentResult run(const ExperimentOptions&) {
 
 }  // namespace
 
-std::vector<Experiment> l1_limit_experiments() {
+std::vector<Experiment> all() {
   return {{"l1-fig2", "mustafa-li-2015", "Figure 2: basic limit functions of D_6, D_7 and D_8", run}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::l1_limits

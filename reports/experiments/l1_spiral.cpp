@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert::experiments {
+namespace subcert::experiments::l1_spiral {
 namespace {
 
 constexpr std::size_t count = 101;
@@ -113,8 +113,8 @@ ExperimentResult run(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> l1_spiral_experiments() {
+std::vector<Experiment> all() {
   return {{"l1-exp3", "mustafa-li-2015", "Experiment 3 and Figure 6: a spiral with three outliers", run}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::l1_spiral

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert::experiments {
+namespace subcert::experiments::l1_surfaces {
 namespace {
 
 constexpr std::size_t side = 21;
@@ -178,8 +178,8 @@ ExperimentResult run(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> l1_surface_experiments() {
+std::vector<Experiment> all() {
   return {{"l1-surface1", "mustafa-li-2015", "Surfaces, Experiment 1, Figure 8 and Table 3: an outlier", run, true}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::l1_surfaces

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert::experiments {
+namespace subcert::experiments::nonlinear_noise {
 namespace {
 
 const std::vector<int> windows{6, 8, 10};
@@ -220,7 +220,7 @@ ExperimentResult run(const NoisyExperiment& experiment, const ExperimentOptions&
 
 }  // namespace
 
-std::vector<Experiment> nonlinear_noise_experiments() {
+std::vector<Experiment> all() {
   std::vector<Experiment> result;
   for (const NoisyExperiment& experiment : {function_experiment(), curve_experiment()})
     result.push_back({experiment.id, "mustafa-hameed", experiment.title,
@@ -228,4 +228,4 @@ std::vector<Experiment> nonlinear_noise_experiments() {
   return result;
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::nonlinear_noise

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace subcert::experiments {
+namespace subcert::experiments::nonlinear_polynomials {
 namespace {
 
 constexpr std::size_t count = 17;
@@ -245,9 +245,9 @@ ExperimentResult run_reproduction(const ExperimentOptions&) {
 
 }  // namespace
 
-std::vector<Experiment> nonlinear_polynomial_experiments() {
+std::vector<Experiment> all() {
   return {{"nonlinear-fig1", paper, "Figure 1: linear polynomials on data of other polynomials", run_linear},
           {"nonlinear-fig3", paper, "Figures 3 to 5: reproduction of polynomials", run_reproduction}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::nonlinear_polynomials

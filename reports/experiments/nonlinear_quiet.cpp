@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert::experiments {
+namespace subcert::experiments::nonlinear_quiet {
 namespace {
 
 constexpr int levels = 6;
@@ -161,8 +161,6 @@ ExperimentResult run(const ExperimentOptions&) {
 
 }  // namespace
 
-std::vector<Experiment> nonlinear_quiet_experiments() {
-  return {{"nonlinear-fig7", "mustafa-hameed", "Figure 7: data without noise", run}};
-}
+std::vector<Experiment> all() { return {{"nonlinear-fig7", "mustafa-hameed", "Figure 7: data without noise", run}}; }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::nonlinear_quiet

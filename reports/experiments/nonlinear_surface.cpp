@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace subcert::experiments {
+namespace subcert::experiments::nonlinear_surface {
 namespace {
 
 constexpr std::size_t count = 21, outliers = 12;
@@ -111,8 +111,8 @@ ExperimentResult run(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> nonlinear_surface_experiments() {
+std::vector<Experiment> all() {
   return {{"nonlinear-surface", "mustafa-hameed", "Surfaces by linear and quadratic polynomials", run}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::nonlinear_surface

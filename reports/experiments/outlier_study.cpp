@@ -32,7 +32,7 @@ const std::vector<Method>& surface_methods() {
 
 namespace {
 
-constexpr std::size_t share = 25;  // samples that are refined together
+constexpr std::size_t samples_per_task = 25;  // samples that are refined together
 
 double squared_distance(const double* a, const double* b, std::size_t dimension) {
   double sum = 0;
@@ -101,10 +101,11 @@ std::vector<Outcome> study(const OutlierCase& what, const std::vector<Method>& m
   std::vector<Outcome> outcomes;
   const std::vector<double> none(options.runs);
   for (const Method& method : methods) outcomes.push_back({method, none, none, none, none});
-  const std::size_t shares = (options.runs + share - 1) / share;
+  const std::size_t shares = (options.runs + samples_per_task - 1) / samples_per_task;
   runtime::parallel_for_each(shares * methods.size(), options.jobs, [&](std::size_t task) {
     Outcome& result = outcomes[task / shares];
-    const std::size_t first = task % shares * share, count = std::min(share, options.runs - first);
+    const std::size_t first = task % shares * samples_per_task,
+                      count = std::min(samples_per_task, options.runs - first);
     const Batch fine = refined(result.method.specification, drawn_samples(what, options.seed, first, count),
                                what.levels);
     const std::vector<double> truth = true_points(what, fine.axes);

@@ -4,7 +4,7 @@
 #include "families.hpp"
 #include "mechanical_part.hpp"
 
-namespace subcert::experiments {
+namespace subcert::experiments::part_scan {
 namespace {
 
 ExperimentResult run(const ExperimentOptions& options) {
@@ -46,8 +46,6 @@ ExperimentResult run(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> part_experiments() {
-  return {{"fig21", "dyn-2015", "Figures 20 and 21: a mechanical part", run}};
-}
+std::vector<Experiment> all() { return {{"fig21", "dyn-2015", "Figures 20 and 21: a mechanical part", run}}; }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::part_scan

@@ -10,7 +10,7 @@
 #include <functional>
 #include <numbers>
 
-namespace subcert::experiments {
+namespace subcert::experiments::plane_curves {
 namespace {
 
 constexpr int level = 3;  // outputs at the multiples of 1/8
@@ -235,9 +235,9 @@ ExperimentResult run_star(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> curve_experiments() {
+std::vector<Experiment> all() {
   return {{"fig15", "dyn-2015", "Figures 14 and 15: the alpha curve", run_alpha},
           {"fig17", "dyn-2015", "Figures 16 and 17: the star", run_star}};
 }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::plane_curves

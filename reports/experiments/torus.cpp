@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace subcert::experiments {
+namespace subcert::experiments::torus {
 namespace {
 
 PointGrid torus(std::size_t count) {
@@ -64,6 +64,6 @@ ExperimentResult run(const ExperimentOptions& options) {
 
 }  // namespace
 
-std::vector<Experiment> torus_experiments() { return {{"fig19", "dyn-2015", "Figures 18 and 19: the torus", run}}; }
+std::vector<Experiment> all() { return {{"fig19", "dyn-2015", "Figures 18 and 19: the torus", run}}; }
 
-}  // namespace subcert::experiments
+}  // namespace subcert::experiments::torus

@@ -1,23 +1,7 @@
 #include "html.hpp"
 
 namespace subcert::formats {
-
-std::string html(const std::string& text) {
-  std::string result;
-  for (char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
+namespace {
 
 const std::string& page_style() {
   static const std::string style = R"css(
@@ -73,6 +57,31 @@ td.text, th.text { white-space: normal; text-align: left; min-width: 12rem; }
 .not-checkable .verdict, .undecided .verdict { color: #8a5a00; }
 )css";
   return style;
+}
+
+}  // namespace
+
+std::string html(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string html_page(const std::string& title, const std::string& body) {
+  return "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
+         "content=\"width=device-width, initial-scale=1\">\n<title>" +
+         title + "</title>\n<style>" + page_style() + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
 }
 
 }  // namespace subcert::formats

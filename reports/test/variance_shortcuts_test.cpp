@@ -1,4 +1,5 @@
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/test/specimens.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/formats/published.hpp>
@@ -10,12 +11,7 @@
 
 using namespace subcert;
 using namespace subcert::reports;
-
-namespace {
-
-Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
-
-}  // namespace
+using subcert::testing::mask_of;
 
 TEST_CASE("the whole sum over limit values is the exact variance grid") {
   const Mask mask = mask_of("primal:n=3,d=3");

@@ -1,5 +1,6 @@
 #include "extension.hpp"
 
+#include "grid_index.hpp"
 #include "rounded_regression.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
@@ -17,8 +18,6 @@ constexpr std::array<std::pair<Extension, std::string_view>, 5> names{{{Extensio
                                                                        {Extension::nearest, "nearest"},
                                                                        {Extension::constant, "constant"},
                                                                        {Extension::wrap, "wrap"}}};
-
-long floor_mod(long a, long b) { return ((a % b) + b) % b; }
 
 }  // namespace
 
@@ -59,10 +58,10 @@ ExtendedData::ExtendedData(const ExtensionRule& rule, std::size_t count, std::ve
 
 std::size_t ExtendedData::source(long index) const {
   const auto n = static_cast<long>(count_);
-  if (rule_.kind == Extension::wrap) return static_cast<std::size_t>(floor_mod(index, n));
+  if (rule_.kind == Extension::wrap) return static_cast<std::size_t>(modulo(index, n));
   if (rule_.kind == Extension::mirror) {
     if (n == 1) return 0;
-    const long folded = floor_mod(index, 2 * (n - 1));
+    const long folded = modulo(index, 2 * (n - 1));
     return static_cast<std::size_t>(std::min(folded, 2 * (n - 1) - folded));
   }
   if (present_.empty()) return index < 0 ? 0 : count_ - 1;

@@ -123,7 +123,7 @@ void fit_portable(const Shape& s, const Arrays& a, const L1Options& options) { f
 [[gnu::target("avx2")]] void fit_wide(const Shape& s, const Arrays& a, const L1Options& options) {
   fit_shape(s, a, options);
 }
-const bool use_wide = __builtin_cpu_supports("avx2") != 0;
+const bool use_wide_lanes = __builtin_cpu_supports("avx2") != 0;
 #endif
 
 }  // namespace
@@ -151,7 +151,7 @@ void L1Fitter::fit(const double* data, std::size_t dimension, double* out, Works
   const Arrays a{parts[0], parts[1], parts[2], parts[3], parts[4], parts[5], parts[6]};
   std::memcpy(a.residuals, data, dimension * s.nodes * sizeof(Lanes));
 #ifdef SUBCERT_WIDE_LANES
-  (use_wide ? fit_wide : fit_portable)(s, a, options_);
+  (use_wide_lanes ? fit_wide : fit_portable)(s, a, options_);
 #else
   fit_portable(s, a, options_);
 #endif

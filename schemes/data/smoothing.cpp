@@ -105,11 +105,11 @@ SmoothingRow LinearSmoother::limit_row(std::size_t output) const {
 LinearSmoother::Window LinearSmoother::window_of(long index) const {
   const long arity = mask_.arity();
   const long offset = index - rules_->first_output;
-  const long residue = ((offset % arity) + arity) % arity;
+  const long residue = modulo(offset, arity);
   const auto rule = static_cast<std::size_t>(residue);
   const RegressionRule& r = rules_->rules[rule];
   const auto points = static_cast<std::size_t>(r.last - r.first + 1);
-  const long group = (offset - residue) / arity;
+  const long group = floor_divide(offset, arity);
   Window window{rule, group + r.first, group, std::vector<Rational>(points, 0), {}};
   for (std::size_t k = 0; k < points; ++k) {
     window.weights[k] = data_.weight(window.first + static_cast<long>(k)) *

@@ -1,6 +1,6 @@
 #include "table.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/parse_error.hpp>
 
 #include <charconv>
 #include <cmath>
@@ -19,12 +19,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// A field for an error message: printable, at most 40 characters.
-std::string shown(std::string_view field) {
-  std::string result;
-  for (char c : field.substr(0, 40)) result += c >= 32 && c < 127 ? c : '?';
-  return "'" + result + "'";
-}
+std::string quoted(std::string_view field) { return "'" + printable(field) + "'"; }
 
 enum class Kind { number, missing, infinite, text };
 
@@ -179,10 +174,10 @@ class Reader {
                " as in the first row; found " + std::to_string(fields_.size()));
     for (std::size_t c = 0; c < fields_.size(); ++c) {
       const Field field = read_field(fields_[c]);
-      if (field.kind == Kind::text) fail(c + 1, "a number; found " + shown(fields_[c]));
-      if (field.kind == Kind::infinite) fail(c + 1, "a finite number; found " + shown(fields_[c]));
+      if (field.kind == Kind::text) fail(c + 1, "a number; found " + quoted(fields_[c]));
+      if (field.kind == Kind::infinite) fail(c + 1, "a finite number; found " + quoted(fields_[c]));
       if (field.kind == Kind::missing && missing_ == Missing::refuse)
-        fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : shown(fields_[c])));
+        fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : quoted(fields_[c])));
       table_.values.push_back(field.value);
     }
     table_.lines.push_back(number_);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+using subcert::Verdict;
 using namespace subcert::statements;
 
 namespace {

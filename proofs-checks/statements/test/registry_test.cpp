@@ -3,6 +3,7 @@
 
 #include <set>
 
+using subcert::Verdict;
 using namespace subcert::statements;
 
 TEST_CASE("the registry is complete and well formed") {

@@ -17,7 +17,7 @@ TEST_CASE("weighted fits of windows solve their normal equations") {
   CHECK(random_window(-1, 2, 1, 7).weights == data.weights);
   for (std::size_t i = 0; i < 4; ++i) data.data[i] = 3 - 2 * data.nodes[i].first;
   CHECK(weighted_coefficients(data, {f("1"), f("r")}) == std::vector<Rational>{3, -2});
-  CHECK_THROWS_AS(weighted_coefficients(data, {f("r"), f("2*r")}), std::domain_error);
+  CHECK_THROWS_AS(weighted_coefficients(data, {f("r"), f("2*r")}), Undefined);
   CHECK(sum_over(window(-1, 2, 2), f("r*s"), 0, 1) == 1);
   CHECK(sum_over(window(-1, 2, 1), f("w"), 1, 2) == 2);
 }

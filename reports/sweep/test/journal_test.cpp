@@ -1,4 +1,7 @@
+#include "test_folder.hpp"
+
 #include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/error_kind.hpp>
 #include <subcert/reports/sweep/journal.hpp>
 
 #include <sys/resource.h>
@@ -12,25 +15,11 @@
 
 using namespace subcert;
 using namespace subcert::sweeps;
+using subcert::testing::content;
+using subcert::testing::Folder;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("subcert-journal-test-" + std::to_string(getpid()));
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 void overwrite(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
@@ -46,7 +35,8 @@ fs::path make_journal(const fs::path& path, int first, int count) {
 std::string message_of(const std::function<void()>& action) {
   try {
     action();
-  } catch (const JournalError& error) {
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::data);
     return error.what();
   }
   return "no error";
@@ -162,15 +152,15 @@ TEST_CASE("a file that is no journal stays as it is") {
     CHECK(message_of([&] { merge_journals({path}, folder.path / "out"); }) ==
           path.string() + ": not a journal of subcert");
     make_journal(folder.path / "good", 0, 1);
-    CHECK_THROWS_AS(merge_journals({folder.path / "good"}, path), JournalError);
+    CHECK_FAILS(merge_journals({folder.path / "good"}, path), data);
     CHECK(content(path) == text);
     CHECK_FALSE(fs::exists(folder.path / "out"));
   }
-  CHECK_THROWS_AS(Journal(folder.path), JournalError);
-  CHECK_THROWS_AS(Journal("/proc/no/such/place"), JournalError);
-  CHECK_THROWS_AS(read_journal(folder.path / "nowhere"), JournalError);
-  CHECK_THROWS_AS(read_journal(folder.path), JournalError);
-  CHECK_THROWS_AS(Journal("/dev/null"), JournalError);
+  CHECK_FAILS(Journal(folder.path), data);
+  CHECK_FAILS(Journal("/proc/no/such/place"), data);
+  CHECK_FAILS(read_journal(folder.path / "nowhere"), data);
+  CHECK_FAILS(read_journal(folder.path), data);
+  CHECK_FAILS(Journal("/dev/null"), data);
 }
 
 TEST_CASE("one journal, one writer") {
@@ -178,10 +168,10 @@ TEST_CASE("one journal, one writer") {
   const fs::path path = make_journal(folder.path / "journal", 0, 2);
   {
     const Journal held(path);
-    CHECK_THROWS_AS(Journal(path), JournalInUse);
+    CHECK_FAILS(Journal(path), usage);
     CHECK(message_of([&] { Journal second(path); }).find("another process is using this journal") != std::string::npos);
     make_journal(folder.path / "other", 2, 1);
-    CHECK_THROWS_AS(merge_journals({folder.path / "other"}, path), JournalInUse);
+    CHECK_FAILS(merge_journals({folder.path / "other"}, path), usage);
     CHECK(read_journal(path).entries.size() == 2);  // reading is free
   }
   CHECK_NOTHROW(Journal(path));

@@ -1,3 +1,5 @@
+#include "test_folder.hpp"
+
 #include <subcert/analysis/symbol/parse_error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/sweep/sweep.hpp>
@@ -16,25 +18,11 @@
 
 using namespace subcert;
 using namespace subcert::sweeps;
+using subcert::testing::content;
+using subcert::testing::Folder;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("subcert-sweep-test-" + std::to_string(getpid()));
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 std::vector<SweepCase> make_cases(int count) {
   std::vector<SweepCase> cases;

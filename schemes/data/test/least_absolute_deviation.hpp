@@ -16,7 +16,7 @@ struct LeastAbsoluteDeviation {
   bool unique;                   // no other vertex of the enumeration is optimal
 };
 
-inline LeastAbsoluteDeviation least_absolute_deviation(const RegressionWindow& window,
+inline LeastAbsoluteDeviation least_absolute_deviation(const data::RegressionWindow& window,
                                                        const std::vector<Rational>& data) {
   const std::size_t m = window.nodes(), terms = window.terms();
   std::vector<bool> chosen(m, false);

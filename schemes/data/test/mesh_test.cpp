@@ -1,3 +1,4 @@
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/data/quad_mesh.hpp>
 #include <subcert/schemes/data/table.hpp>
@@ -21,7 +22,8 @@ template <class Parse>
 std::string error_of(Parse parse, const std::string& text) {
   try {
     parse(text, "f");
-  } catch (const DataFormatError& error) {
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::data);
     return error.what();
   }
   return "";

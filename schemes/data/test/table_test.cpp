@@ -1,3 +1,4 @@
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/data/table.hpp>
 
@@ -12,7 +13,8 @@ namespace {
 std::string error_of(std::string_view text, Missing missing = Missing::refuse) {
   try {
     parse_table(text, "f", missing);
-  } catch (const DataFormatError& error) {
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::data);
     return error.what();
   }
   return "";

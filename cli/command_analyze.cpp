@@ -9,6 +9,7 @@
 #include <subcert/analysis/regularity/holder_bound.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 
 #include <sstream>
@@ -61,7 +62,7 @@ Page make_page(Scheme scheme, const AnalyzeOptions& options) {
             {},
             {}};
   options.progress("convergence");
-  const ProofLimits limits{options.levels, options.budget};
+  const ProofLimits limits{options.levels, Deadline::in(options.budget)};
   page.convergence = converges(mask, limits);
   if (!page.convergence.is_yes()) {
     options.end_progress();
@@ -77,7 +78,8 @@ Page make_page(Scheme scheme, const AnalyzeOptions& options) {
     page.integers = limit_values(mask, 0);
     page.grid = variance_grid(mask, options.grid_level, page.smoothness.order >= 1);
     page.mean = squared_l2_norm(mask);
-  } catch (const std::length_error& error) {
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::size) throw;
     page.skipped = error.what();
   }
   options.end_progress();

@@ -3,6 +3,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 
 #include <iostream>
@@ -31,8 +32,9 @@ int run(const Options& options) {
   if (!convergence.is_yes()) return refuse(convergence.reason);
   VarianceRange range;
   try {
-    range = variance_range(scheme.mask, {*width, options.budget});
-  } catch (const std::domain_error& error) {
+    range = variance_range(scheme.mask, {*width, {Deadline::in(options.budget)}});
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::domain) throw;
     return refuse(error.what());
   }
   const ExitCode code = range.complete ? done : undecided;

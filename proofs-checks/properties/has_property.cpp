@@ -5,6 +5,7 @@
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 
 namespace subcert::properties {
@@ -42,9 +43,9 @@ Decision compare(const Enclosure& value, const Expectation& expectation, const s
 }
 
 Decision smoothness(const Mask& mask, const Expectation& expectation, double seconds) {
-  const Decision convergence = converges(mask, {levels, seconds});
+  const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
   if (convergence.is_no()) return decided(false, "not convergent: " + convergence.reason);
-  const SmoothnessProof proof = proved_smoothness(mask, {levels, seconds});
+  const SmoothnessProof proof = proved_smoothness(mask, {levels, Deadline::in(seconds)});
   if (proof.order >= expectation.number)
     return decided(true, "C^" + std::to_string(proof.order) + ": " + proof.evidence);
   if (!is_affine(mask)) return {Truth::unknown, proof.obstacle};
@@ -62,13 +63,13 @@ Decision holder(const Mask& mask, const Expectation& expectation, double seconds
 }
 
 Decision variance(const Mask& mask, const Expectation& expectation, double seconds) {
-  const Decision convergence = converges(mask, {levels, seconds});
+  const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   try {
     VarianceOptions options;
-    options.seconds = seconds;
+    options.budget.deadline = Deadline::in(seconds);
     return compare(variance_range(mask, options).maximum, expectation, "the maximum");
-  } catch (const std::logic_error& error) {  // beyond what the library can enclose
+  } catch (const Error& error) {  // beyond what the library can enclose
     return {Truth::unknown, error.what()};
   }
 }
@@ -85,9 +86,9 @@ Decision whole_number(long value, const Expectation& expectation) {
 
 Decision has_property(const Mask& mask, const Expectation& expectation, double seconds) {
   const std::string& property = expectation.property;
-  if (property == "convergent") return matches(converges(mask, {levels, seconds}), expectation.yes);
+  if (property == "convergent") return matches(converges(mask, {levels, Deadline::in(seconds)}), expectation.yes);
   if (property == "stable") {
-    const Decision convergence = converges(mask, {levels, seconds});
+    const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
     if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
     return matches(has_stable_shifts(mask), expectation.yes);
   }

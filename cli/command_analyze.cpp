@@ -190,7 +190,7 @@ std::string page_text(const Page& page) {
 int run(const AnalyzeOptions& options) {
   const AnyScheme scheme = make_any_scheme(options.scheme);
   if (const auto* multivariate = std::get_if<MultivariateScheme>(&scheme))
-    return analyze_multivariate(*multivariate, {options.levels, options.budget}, options);
+    return analyze_multivariate(*multivariate, {options.levels, Deadline::in(options.budget)}, options);
   const Page page = make_page(std::get<Scheme>(scheme), options);
   if (options.json)
     options.answer(page_json(page));

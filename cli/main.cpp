@@ -2,6 +2,7 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/sweep/journal.hpp>
 #include <subcert/schemes/data/table.hpp>
 
@@ -63,6 +64,8 @@ int main(int argc, char** argv) {
     return complain(error.what(), cli::usage);
   } catch (const JournalError& error) {
     return complain(error.what(), cli::bad_data);
+  } catch (const Error& error) {
+    return complain(error.what(), cli::usage);
   } catch (const std::length_error& error) {
     return complain(error.what(), cli::usage);
   } catch (const std::bad_alloc&) {

@@ -57,8 +57,9 @@ struct CellRange {
 /// Refines forms of one mask. Domain: convergence proved by a contractive power of the difference scheme; at most 1,500
 /// integers in the support. Errors: the constructor throws Error where contraction is not found, with the reason, and
 /// as limit_values(). Bounds hold after all rounding (docs/limit-enclosures.md, section 6).
-/// Cost: one exact elimination and about 30 products with the mask in ball arithmetic, then for each cell one product
-/// of transition matrix and rows in double precision.
+/// Cost: the norms of at most two divided difference schemes, 10 s each at most, one exact elimination and about 30
+/// products with the mask in ball arithmetic, then for each cell one product of transition matrix and rows in double
+/// precision.
 class LimitCells {
  public:
   explicit LimitCells(const Mask& mask);

@@ -14,23 +14,26 @@ namespace {
 constexpr long max_integers = 1500;
 constexpr long max_values = 10'000'000;
 
-long ceil_div(long a, long b) { return a >= 0 ? (a + b - 1) / b : -(-a / b); }
-long floor_div(long a, long b) { return -ceil_div(-a, b); }
+/// The points of Z / scale in the closed support of phi, times scale.
+IndexRange grid_in_support(const Mask& mask, long scale) {
+  const Interval support = limit_support(mask);
+  return {to_integer(support.lower * scale, Rounding::up).convert_to<long>(),
+          to_integer(support.upper * scale, Rounding::down).convert_to<long>()};
+}
 
 /// sum over the integers k of phi(k) z^k.
 LaurentPolynomial values_at_integers(const Mask& mask) {
-  const IndexRange range = support(mask);
-  const long first = ceil_div(range.first, mask.arity() - 1), last = floor_div(range.last, mask.arity() - 1);
-  const long size = last - first + 1;
+  const IndexRange integers = grid_in_support(mask, 1);
+  const long size = integers.last - integers.first + 1;
   if (size > max_integers)
     fail(ErrorKind::size, "limit_values: need at most {} integers in the support, got {}", max_integers, size);
   require(size >= 1, "limit_values: the support contains no integer");
   // phi(k) = sum over j of a_{arity*k - j} phi(j).
-  const auto values = fixed_vector(transition_block(mask.symbol(), mask.arity(), 0, {first, last}, {first, last}));
+  const auto values = fixed_vector(transition_block(mask.symbol(), mask.arity(), 0, integers, integers));
   require(values.has_value(),
           "limit_values: the values at the integers are not determined by the refinement equation; "
           "the divided difference scheme of this order does not converge");
-  return {*values, first};
+  return {*values, integers.first};
 }
 
 }  // namespace
@@ -65,9 +68,7 @@ LimitValues limit_values(const Mask& mask, int level, int order) {
   const LaurentPolynomial difference = LaurentPolynomial(1) - LaurentPolynomial::monomial(1, scale);
   values *= difference.pow(order);
 
-  const IndexRange range = support(mask);
-  const long first = ceil_div(range.first * scale, mask.arity() - 1);
-  const long last = floor_div(range.last * scale, mask.arity() - 1);
+  const auto [first, last] = grid_in_support(mask, scale);
   LimitValues result{mask.arity(), level, order, first,
                      std::vector<Rational>(static_cast<std::size_t>(last - first + 1), 0)};
   if (values.is_zero()) return result;

@@ -110,10 +110,9 @@ RationalMatrix central_matrix(const LaurentPolynomial& symbol, int arity, long r
   return result;
 }
 
-RefinementWindow::RefinementWindow(const Mask& mask) {
-  const long lowest = mask.symbol().lowest(), steps = mask.arity() - 1;
-  first = lowest >= 0 ? lowest / steps : -((-lowest + steps - 1) / steps);
-  coefficients.assign(static_cast<std::size_t>(lowest - steps * first), 0);
+RefinementWindow::RefinementWindow(const Mask& mask)
+    : first(to_integer(limit_support(mask).lower, Rounding::down).convert_to<long>()),
+      coefficients(static_cast<std::size_t>(mask.symbol().lowest() - (mask.arity() - 1) * first), 0) {
   for (const Rational& c : mask.symbol().coefficients()) coefficients.push_back(c);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
 
-/// By the definition: multiply the symbol out, sum |coefficients| over residue classes.
+/// By the definition: multiply the symbol out, sum |coefficients| over cosets.
 Rational norm_by_definition(const Mask& mask, int level) {
   LaurentPolynomial power_of_symbol = 1;
   long factor = 1;
@@ -57,7 +57,7 @@ TEST_CASE("level norms are what their definition says") {
 }
 
 TEST_CASE("ties, huge numbers and a spent budget") {
-  // All residue classes tie: the Haar mask and its powers.
+  // All cosets tie: the Haar mask and its powers.
   CHECK(level_norms(mask_of("mask:[1,1]"), 12).norms.back() == 1);
   // Beyond the range of double precision the answer is still exact.
   const Mask huge({LaurentPolynomial({power(Rational(10), 200), -1, 3}, 0)}, 2);

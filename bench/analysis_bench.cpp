@@ -6,7 +6,7 @@
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/certified_polytope.hpp>
-#include <subcert/analysis/regularity/transition.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
@@ -180,7 +180,7 @@ BENCHMARK(BM_variance_range)->ArgsProduct({{5, 20, 40}, {1, 3}})->Unit(benchmark
 void BM_variance_order(benchmark::State& state) {
   const Mask first = make_scheme("primal:n=" + std::to_string(state.range(0))).mask;
   const Mask second = make_scheme("primal:n=" + std::to_string(state.range(0) - 1)).mask;
-  for (auto _ : state) benchmark::DoNotOptimize(is_below(first, second));
+  for (auto _ : state) benchmark::DoNotOptimize(compare_variance(first, second));
 }
 BENCHMARK(BM_variance_order)->Arg(5)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
 

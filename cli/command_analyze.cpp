@@ -9,6 +9,7 @@
 #include <subcert/analysis/regularity/holder_bound.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 
 #include <sstream>
@@ -61,7 +62,7 @@ Page make_page(Scheme scheme, const AnalyzeOptions& options) {
             {},
             {}};
   options.progress("convergence");
-  const ProofLimits limits{options.levels, options.budget};
+  const ProofLimits limits{options.levels, Deadline::in(options.budget)};
   page.convergence = converges(mask, limits);
   if (!page.convergence.is_yes()) {
     options.end_progress();
@@ -79,8 +80,6 @@ Page make_page(Scheme scheme, const AnalyzeOptions& options) {
     page.mean = squared_l2_norm(mask);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::size) throw;
-    page.skipped = error.what();
-  } catch (const std::length_error& error) {  // until analysis throws Error
     page.skipped = error.what();
   }
   options.end_progress();
@@ -191,7 +190,7 @@ std::string page_text(const Page& page) {
 ExitCode run(const AnalyzeOptions& options) {
   const AnyScheme scheme = make_any_scheme(options.scheme);
   if (const auto* multivariate = std::get_if<MultivariateScheme>(&scheme))
-    return analyze_multivariate(*multivariate, {options.levels, options.budget}, options);
+    return analyze_multivariate(*multivariate, {options.levels, Deadline::in(options.budget)}, options);
   const Page page = make_page(std::get<Scheme>(scheme), options);
   if (options.json)
     options.answer(page_json(page));

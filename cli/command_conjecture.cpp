@@ -39,7 +39,7 @@ std::string budget_text(const ConjectureOptions& options) {
 subcert::VarianceOptions variance_options(const ConjectureOptions& options) {
   subcert::VarianceOptions result;
   result.relative_width = Rational(options.width);
-  result.seconds = options.budget;
+  result.budget.deadline = Deadline::in(options.budget);
   return result;
 }
 
@@ -297,9 +297,9 @@ ExitCode conjecture_8(const ConjectureOptions& options, const reports::PrimalSch
       cases,
       [&](std::size_t i) -> Json {
         VarianceOrderOptions order_options;
-        order_options.seconds = options.budget;
-        const VarianceOrder order = is_below(make_scheme(pairs[i].smaller.specification()).mask,
-                                             make_scheme(pairs[i].larger.specification()).mask, order_options);
+        order_options.deadline = Deadline::in(options.budget);
+        const VarianceOrder order = compare_variance(make_scheme(pairs[i].smaller.specification()).mask,
+                                                     make_scheme(pairs[i].larger.specification()).mask, order_options);
         // The conjecture allows equality: curves that touch do not refute it.
         if (order.below == Truth::no && order.difference == 0)
           return {{"verdict", to_text(Truth::unknown)},

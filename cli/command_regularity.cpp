@@ -86,7 +86,7 @@ Answer compute(const RegularityOptions& options) {
   // A bound that is not positive proves nothing, not even convergence.
   const bool proves = *regularity.exponent.lower > 0;
   Decision convergence = proves ? Decision{Truth::yes, "the exponent is positive"}
-                                : converges(scheme.mask, {options.levels, options.budget});
+                                : converges(scheme.mask, {options.levels, Deadline::in(options.budget)});
   Enclosure holder;
   if (proves)
     holder = regularity.exponent;

@@ -32,11 +32,9 @@ ExitCode run(const Options& options) {
   if (!convergence.is_yes()) return refuse(convergence.reason);
   VarianceRange range;
   try {
-    range = variance_range(scheme.mask, {*width, options.budget});
+    range = variance_range(scheme.mask, {*width, {Deadline::in(options.budget)}});
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::domain) throw;
-    return refuse(error.what());
-  } catch (const std::domain_error& error) {  // until analysis throws Error
     return refuse(error.what());
   }
   const ExitCode code = range.complete ? done : undecided;

@@ -48,7 +48,7 @@ Answer one_at_integers() {
 }
 
 Answer ordered(const std::string& smaller, const std::string& larger) {
-  const VarianceOrder order = is_below(make_scheme(smaller).mask, make_scheme(larger).mask);
+  const VarianceOrder order = compare_variance(make_scheme(smaller).mask, make_scheme(larger).mask);
   // Equality is allowed.
   const Truth truth = order.below == Truth::no && order.difference == 0 ? Truth::unknown : order.below;
   return {truth, order.reason};

@@ -3,7 +3,7 @@
 #include "difference.hpp"
 #include "level_norms.hpp"
 
-#include <subcert/analysis/regularity/transition.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>
 #include <string>
@@ -23,7 +23,7 @@ Decision contracts(const Mask& mask, const ProofLimits& limits) {
   int reached = 0;
   // Doubling keeps the cost near that of the first level that proves it.
   for (int levels = std::min(4, limits.levels); levels > reached; levels = std::min(2 * levels, limits.levels)) {
-    const LevelNorms powers = level_norms(derived, levels, limits.seconds);
+    const LevelNorms powers = level_norms(derived, levels, limits.deadline);
     for (std::size_t l = static_cast<std::size_t>(reached); l < powers.norms.size(); ++l) {
       const int level = static_cast<int>(l) + 1;
       const Rational norm = norm_of_difference(powers.norms[l], level);

@@ -1,14 +1,16 @@
 #pragma once
 /// Convergence and continuous differentiability, proved or refuted.
 
+#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/mask.hpp>
 
 namespace subcert {
 
-/// How much work a proof may take: levels of the contractivity test, and seconds in all.
+/// How much work a proof may take: levels of the contractivity test, and when it ends with what is proved; by default
+/// 20 seconds after this was made.
 struct ProofLimits {
   int levels = 16;
-  double seconds = 20;
+  Deadline deadline = Deadline::in(20);
 };
 
 /// Whether the scheme converges uniformly for every bounded data. `yes` by the positive mask theorem or by a

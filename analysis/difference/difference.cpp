@@ -1,20 +1,20 @@
 #include "difference.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
 #include <algorithm>
-#include <stdexcept>
 
 namespace subcert {
 
 int sum_rules(const Mask& mask) { return mask.symbol().multiplicity(LaurentPolynomial::all_ones(mask.arity())); }
 
 Mask divided_difference_scheme(const Mask& mask, int order) {
-  if (order < 0)
-    throw std::invalid_argument("divided_difference_scheme: need order >= 0, got " + std::to_string(order));
+  require(order >= 0, "divided_difference_scheme: need order >= 0, got {}", order);
   const LaurentPolynomial factor = LaurentPolynomial::all_ones(mask.arity()).pow(order);
   const auto quotient = mask.symbol().exact_quotient(factor);
   if (!quotient)
-    throw std::invalid_argument("divided_difference_scheme: need order <= number of sum rules (" +
-                                std::to_string(sum_rules(mask)) + "), got " + std::to_string(order));
+    fail(ErrorKind::domain, "divided_difference_scheme: need order <= number of sum rules ({}), got {}",
+         sum_rules(mask), order);
   return {*quotient * LaurentPolynomial(power(Rational(mask.arity()), order)), mask.arity()};
 }
 

@@ -10,10 +10,10 @@ int sum_rules(const Mask& mask);
 
 /// The scheme for the divided differences of this order, with symbol a(z) / ((1 + ... + z^(arity-1)) / arity)^order;
 /// its limits are the derivatives of this order. Domain: 0 <= order <= sum_rules(mask). Errors: throws
-/// std::invalid_argument. Ref: [DL02, sec. 4].
+/// Error. Ref: [DL02, sec. 4].
 Mask divided_difference_scheme(const Mask& mask, int order);
 
-/// The maximum norm of the subdivision operator: the largest sum of |a_i| over a residue class modulo the arity.
+/// The maximum norm of the subdivision operator: the largest sum of |a_i| over a coset modulo the arity.
 Rational operator_norm(const Mask& mask);
 
 }  // namespace subcert

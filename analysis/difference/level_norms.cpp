@@ -1,12 +1,13 @@
 #include "level_norms.hpp"
 
+#include "difference.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/transition/transition.hpp>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace subcert {
@@ -21,64 +22,43 @@ double round_up(const Rational& value) {
 }
 
 /// The symbols b(z) b(z^a) ... of the powers, read as a tree: the node for the residue r modulo a^k holds the vector
-/// v_j = coefficient of z^(r + a^k j); its child for the digit t is T_t v with (T_t)_{jm} = b_{a j + t - m}.
+/// v_j = coefficient of z^(r + a^k j); its child for the digit t is T_t v. In floating point and, times the common
+/// denominator at each step, in integers.
 class PowerTree {
  public:
   explicit PowerTree(const Mask& mask)
-      : arity_(mask.arity()),
-        numerators_(mask.symbol().numerators()),
+      : palindromic_(symmetry(mask).kind != Symmetry::none),
         denominator_(mask.symbol().denominator()),
-        degree_(mask.symbol().length() - 1),
-        width_(std::max(1L, (degree_ + arity_ - 2) / (arity_ - 1))),
-        palindromic_(symmetry(mask).kind != Symmetry::none),
-        cosets_(static_cast<std::size_t>(arity_)) {
-    for (std::size_t i = 0; i < numerators_.size(); ++i)
-      cosets_[i % cosets_.size()].push_back(Rational(numerators_[i], denominator_).convert_to<double>());
-  }
+        rounded_(rounded(mask), mask.arity()),
+        exact_(mask.symbol().numerators(), mask.arity()) {}
 
-  int arity() const { return arity_; }
-  long degree() const { return degree_; }
-  std::size_t width() const { return static_cast<std::size_t>(width_); }
+  int arity() const { return static_cast<int>(rounded_.window().arity); }
+  long degree() const { return rounded_.window().degree; }
+  std::size_t width() const { return rounded_.width(); }
   bool palindromic() const { return palindromic_; }
-
-  /// child = T_t parent, in floating point. Column m of T_t is a stretch of one coset of the coefficients.
-  void step(const double* __restrict parent, long t, double* __restrict child) const {
-    std::fill(child, child + width_, 0.0);
-    for (long m = 0; m < width_; ++m) {
-      const long residue = (((t - m) % arity_) + arity_) % arity_, offset = (t - m - residue) / arity_;
-      const std::vector<double>& coset = cosets_[static_cast<std::size_t>(residue)];
-      const long first = std::max(0L, -offset), last = std::min(width_, static_cast<long>(coset.size()) - offset);
-      const double factor = parent[m];
-      const double* __restrict entries = coset.data();
-      for (long j = first; j < last; ++j) child[j] += factor * entries[j + offset];
-    }
-  }
-
-  /// child = D T_t parent with the common denominator D, in integers.
-  void step(const std::vector<Integer>& parent, int t, std::vector<Integer>& child) const {
-    for (long j = 0; j < width_; ++j) {
-      Integer& sum = child[static_cast<std::size_t>(j)];
-      sum = 0;
-      const long first = std::max(0L, arity_ * j + t - degree_), last = std::min(width_ - 1, arity_ * j + t);
-      for (long m = first; m <= last; ++m)
-        mpz_addmul(sum.get(), numerators_[static_cast<std::size_t>(arity_ * j + t - m)].get(),
-                   parent[static_cast<std::size_t>(m)].get());
-    }
-  }
-
   const Integer& denominator() const { return denominator_; }
 
+  void step(const std::vector<double>& parent, int t, std::vector<double>& child) const {
+    rounded_.apply(t, parent.data(), child.data());
+  }
+  void step(const std::vector<Integer>& parent, int t, std::vector<Integer>& child) const {
+    exact_.apply(t, parent.data(), child.data());
+  }
+
  private:
-  int arity_;
-  std::vector<Integer> numerators_;
-  Integer denominator_;
-  long degree_;
-  long width_;
+  static std::vector<double> rounded(const Mask& mask) {
+    std::vector<double> result;
+    for (const Rational& c : mask.symbol().coefficients()) result.push_back(c.convert_to<double>());
+    return result;
+  }
+
   bool palindromic_;
-  std::vector<std::vector<double>> cosets_;
+  Integer denominator_;
+  Transition<double> rounded_;
+  Transition<Integer> exact_;
 };
 
-/// Exact sums of |coefficients| over residue classes, with the prefixes common to successive classes kept.
+/// Exact sums of |coefficients| over cosets, with the prefixes common to successive ones kept.
 class ExactSums {
  public:
   ExactSums(const PowerTree& tree, int levels)
@@ -86,10 +66,14 @@ class ExactSums {
     path_.front().front() = 1;
   }
 
-  Rational sum(const std::vector<int>& digits) {
+  /// Nothing once the deadline has passed: no later sum is right.
+  std::optional<Rational> sum(const std::vector<int>& digits, const Deadline& deadline) {
     std::size_t common = 0;
     while (common < last_.size() && last_[common] == digits[common]) ++common;
-    for (std::size_t k = common; k < digits.size(); ++k) tree_.step(path_[k], digits[k], path_[k + 1]);
+    for (std::size_t k = common; k < digits.size(); ++k) {
+      if (deadline.expired()) return std::nullopt;
+      tree_.step(path_[k], digits[k], path_[k + 1]);
+    }
     last_ = digits;
     Integer total = 0;
     for (const Integer& c : path_[digits.size()]) total += abs(c);
@@ -102,10 +86,11 @@ class ExactSums {
   std::vector<int> last_;
 };
 
+/// The norm of one level: the largest sum over a coset modulo arity^levels.
 class Search {
  public:
   Search(const PowerTree& tree, int levels, const std::vector<double>& known, LevelNorms& counters,
-         std::chrono::steady_clock::time_point deadline)
+         const Deadline& deadline)
       : tree_(tree),
         levels_(levels),
         known_(known),
@@ -115,7 +100,8 @@ class Search {
         vectors_(static_cast<std::size_t>(levels) * static_cast<std::size_t>(tree.arity()) + 1,
                  std::vector<double>(tree.width(), 0.0)),
         digits_(static_cast<std::size_t>(levels), 0),
-        losses_(static_cast<std::size_t>(levels) + 1, 0.0) {
+        losses_(static_cast<std::size_t>(levels) + 1, 0.0),
+        exact_(tree, levels) {
     vectors_.front().front() = 1.0;
     // Mirror of the residue r modulo a^L is D_L - r with D_L = degree * (a^L - 1) / (a - 1); by digits from below.
     if (tree.palindromic()) {
@@ -131,15 +117,9 @@ class Search {
   /// The exact maximum, or nothing where the time ran out.
   std::optional<Rational> run() {
     visit(0, 0, 1.0, tree_.palindromic() ? 0 : -1);
+    sum_candidates();
     if (expired_) return std::nullopt;
-    ExactSums exact(tree_, levels_);
-    Rational best = 0;
-    for (const Candidate& candidate : candidates_) {
-      if (candidate.upper < best_lower_) continue;
-      ++counters_.exact;
-      best = std::max(best, exact.sum(candidate.digits));
-    }
-    return best;
+    return best_;
   }
 
  private:
@@ -149,6 +129,19 @@ class Search {
   };
 
   double bound_of_powers(int level) const { return level == 0 ? 1.0 : known_[static_cast<std::size_t>(level) - 1]; }
+
+  /// Sums the cosets that were kept, as far as they can hold the maximum, and keeps none of them.
+  void sum_candidates() {
+    for (const Candidate& candidate : candidates_) {
+      if (candidate.upper < best_lower_) continue;
+      const auto sum = expired_ ? std::nullopt : exact_.sum(candidate.digits, deadline_);
+      expired_ = !sum;
+      if (expired_) break;
+      ++counters_.exact;
+      best_ = std::max(best_, *sum);
+    }
+    candidates_.clear();
+  }
 
   /// An upper bound for the 1-norm of the error of the vector at this depth: what each step lost, carried on by the
   /// steps after it.
@@ -165,7 +158,7 @@ class Search {
     work_ += tree_.width() * tree_.width() + 100;
     if (work_ > 2'000'000) {
       work_ = 0;
-      expired_ = std::chrono::steady_clock::now() > deadline_;
+      expired_ = deadline_.expired();
     }
     if (expired_) return;
     if (depth == levels_) {
@@ -174,6 +167,8 @@ class Search {
       if (upper < best_lower_) return;
       if (std::isfinite(upper)) best_lower_ = std::max(best_lower_, lower);  // overflow decides nothing
       candidates_.push_back({digits_, upper});
+      counters_.held = std::max<std::uint64_t>(counters_.held, candidates_.size());
+      if (candidates_.size() == LevelNorms::most_held) sum_candidates();
       return;
     }
     struct Child {
@@ -191,7 +186,7 @@ class Search {
         if (mirrored == t) next_borrow = difference < 0 ? 1 : 0;
       }
       std::vector<double>& child = vectors_[child_slot(depth, t)];
-      tree_.step(vectors_[slot].data(), t, child.data());
+      tree_.step(vectors_[slot], t, child);
       double child_norm = 0;
       for (double x : child) child_norm += std::abs(x);
       children.push_back({t, child_norm, next_borrow});
@@ -216,13 +211,15 @@ class Search {
   int levels_;
   const std::vector<double>& known_;  // upper bounds for the norms of the lower levels; known_[0] for one level
   LevelNorms& counters_;
-  std::chrono::steady_clock::time_point deadline_;
+  Deadline deadline_;
   double growth_;  // relative error of a sum of width + 1 products, rounded up
   std::vector<std::vector<double>> vectors_;
   std::vector<int> digits_;
   std::vector<double> losses_;  // rounding errors of the step to each depth on the path, in the 1-norm
   std::vector<int> mirror_digits_;
-  std::vector<Candidate> candidates_;
+  std::vector<Candidate> candidates_;  // their sums are not known exactly yet; at most most_held
+  ExactSums exact_;
+  Rational best_ = 0;  // of the sums known exactly
   double best_lower_ = 0;
   std::uint64_t work_ = 0;  // since the clock was last read
   bool expired_ = false;
@@ -230,20 +227,14 @@ class Search {
 
 }  // namespace
 
-LevelNorms level_norms(const Mask& mask, int levels, double seconds) {
-  if (levels < 1) throw std::invalid_argument("level_norms: need levels >= 1, got " + std::to_string(levels));
-  if (!(seconds > 0)) throw std::invalid_argument("level_norms: need seconds > 0, got " + std::to_string(seconds));
-  const auto start = std::chrono::steady_clock::now();
-  const auto deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                    std::chrono::duration<double>(std::min(seconds, 1e9)));
+LevelNorms level_norms(const Mask& mask, int levels, const Deadline& deadline) {
+  require(levels >= 1, "level_norms: need levels >= 1, got {}", levels);
   const PowerTree tree(mask);
-  LevelNorms result;
   // Filled from below: the search for one level prunes with the norms of all lower ones. The norm of a single level
-  // is needed for the error bound of every search, so it is summed first.
-  Rational first = 0;
-  for (int t = 0; t < mask.arity(); ++t) first = std::max(first, ExactSums(tree, 1).sum({t}));
-  std::vector<double> known{round_up(first)};
-  result.norms.push_back(first);
+  // is needed for the error bound of every search.
+  LevelNorms result;
+  result.norms.push_back(operator_norm(mask));
+  std::vector<double> known{round_up(result.norms.front())};
   for (int level = 2; level <= levels; ++level) {
     const auto norm = Search(tree, level, known, result, deadline).run();
     if (!norm) break;

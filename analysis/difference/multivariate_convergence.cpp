@@ -1,7 +1,6 @@
 #include "multivariate_convergence.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <string>
 
@@ -11,7 +10,7 @@ namespace {
 const char* const variable_names[] = {"x", "y", "z"};
 constexpr double most_terms = 1e6;
 
-std::map<std::vector<long>, Rational> class_sums(const MultivariateMask& mask, bool moduli) {
+std::map<std::vector<long>, Rational> sums_over_cosets(const MultivariateMask& mask, bool moduli) {
   std::map<std::vector<long>, Rational> sums;
   const long arity = mask.arity();
   for (auto& term : mask.symbol().terms()) {
@@ -43,7 +42,6 @@ double next_terms(const MultivariatePolynomial& power, const MultivariatePolynom
 
 /// Whether a power of the difference scheme in the variable `index` contracts.
 Decision contracts(const MultivariatePolynomial& quotient, int arity, std::size_t index, const ProofLimits& limits) {
-  const auto start = std::chrono::steady_clock::now();
   MultivariatePolynomial power = quotient;
   const std::string name = std::string("S_q") + variable_names[index];
   Rational smallest = 0;
@@ -54,8 +52,7 @@ Decision contracts(const MultivariatePolynomial& quotient, int arity, std::size_
     if (norm < 1)
       return {Truth::yes, "||" + name + (level == 1 ? "" : "^" + std::to_string(level)) + "|| = " + short_text(norm)};
     smallest = level == 1 ? norm : std::min(smallest, norm);
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    if (level >= limits.levels || spent.count() > limits.seconds || next_terms(power, quotient, dilation) > most_terms)
+    if (level >= limits.levels || limits.deadline.expired() || next_terms(power, quotient, dilation) > most_terms)
       break;
     power = power * quotient.dilated(dilation);
   }
@@ -67,15 +64,15 @@ Decision contracts(const MultivariatePolynomial& quotient, int arity, std::size_
 
 Rational operator_norm(const MultivariateMask& mask) {
   Rational largest = 0;
-  for (const auto& [residue, sum] : class_sums(mask, true)) largest = std::max(largest, sum);
+  for (const auto& [residue, sum] : sums_over_cosets(mask, true)) largest = std::max(largest, sum);
   return largest;
 }
 
 Decision converges(const MultivariateMask& mask, const ProofLimits& limits) {
-  const auto sums = class_sums(mask, false);
+  const auto sums = sums_over_cosets(mask, false);
   std::size_t classes = 1;
   for (int v = 0; v < mask.dimension(); ++v) classes *= static_cast<std::size_t>(mask.arity());
-  if (sums.size() < classes) return {Truth::no, "a residue class has no coefficients, so its sum is 0 instead of 1"};
+  if (sums.size() < classes) return {Truth::no, "a coset has no coefficients, so its sum is 0 instead of 1"};
   for (const auto& [residue, sum] : sums) {
     if (sum == 1) continue;
     std::string text;

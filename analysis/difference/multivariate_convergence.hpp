@@ -7,12 +7,11 @@
 
 namespace subcert {
 
-/// The maximum norm of the subdivision operator with this symbol and arity: the largest sum of moduli over a residue
-/// class.
+/// The maximum norm of the subdivision operator with this symbol and arity: the largest sum of moduli over a coset.
 Rational operator_norm(const MultivariateMask& mask);
 
 /// Whether the scheme converges uniformly for every bounded data. `yes` where the symbol has the factor 1 + z_i + ... +
-/// z_i^(arity-1) for every variable and powers of all difference schemes contract; `no` by a residue class whose sum is
+/// z_i^(arity-1) for every variable and powers of all difference schemes contract; `no` by a coset whose sum is
 /// not 1, or where the scheme for data that depend on one variable alone does not converge; else `unknown` with the
 /// reason. Cost: limits.levels products of the symbol, as far as they have less than some 10^6 terms. Proof:
 /// docs/convergence.md. Ref: [CDM91], [DL02, sec. 4].

@@ -1,13 +1,13 @@
 #include "cell_range.hpp"
 
-#include "rounded.hpp"
+#include <subcert/analysis/outward_rounding/outward.hpp>
 
 #include <limits>
 
 namespace subcert {
 namespace {
 
-using namespace rounded;
+using namespace outward;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 

@@ -15,7 +15,7 @@ struct ShiftedValues {
 
 /// Domain: the scheme converges; x runs into a cycle of at most 64 points under multiplication by the arity modulo 1,
 /// as every rational does whose denominator is small; at most 1,500 integers in the support. Errors: throws
-/// std::domain_error where the refinement equation does not determine the values, std::length_error beyond these sizes.
+/// Error, of kind domain where the refinement equation does not determine the values, of kind size beyond these sizes.
 /// Cost: one exact elimination of the size of the support, and products of such matrices along the cycle. Proof:
 /// docs/limit-values.md.
 ShiftedValues limit_values_at(const Mask& mask, const Rational& x);

@@ -29,6 +29,11 @@ struct CellForm {
   double slope_slack = 0;
   double square = 0;
   double square_slope = 0;
+
+  /// That it holds, in bytes.
+  std::size_t memory() const {
+    return sizeof(CellForm) + sizeof(double) * (middle.size() + radius.size() + rows.size() + row_losses.size());
+  }
 };
 
 /// What a form says about its function on the cell: value_lower <= f <= value_upper; slope_lower <= f' <= slope_upper
@@ -50,10 +55,11 @@ struct CellRange {
 };
 
 /// Refines forms of one mask. Domain: convergence proved by a contractive power of the difference scheme; at most 1,500
-/// integers in the support. Errors: the constructor throws std::domain_error where contraction is not found, with the
-/// reason, and as limit_values(). Bounds hold after all rounding (docs/limit-enclosures.md, section 6).
-/// Cost: one exact elimination and about 30 products with the mask in ball arithmetic, then for each cell one product
-/// of transition matrix and rows in double precision.
+/// integers in the support. Errors: the constructor throws Error where contraction is not found, with the reason, and
+/// as limit_values(). Bounds hold after all rounding (docs/limit-enclosures.md, section 6).
+/// Cost: the norms of at most two divided difference schemes, 10 s each at most, one exact elimination and about 30
+/// products with the mask in ball arithmetic, then for each cell one product of transition matrix and rows in double
+/// precision.
 class LimitCells {
  public:
   explicit LimitCells(const Mask& mask);

@@ -1,22 +1,17 @@
 #include "limit_range.hpp"
 
-#include "extreme.hpp"
-#include "limit_cells.hpp"
+#include "cell_walk.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <stdexcept>
 
 namespace subcert {
 namespace {
-
-constexpr std::size_t most_cells = 1'000'000;  // of one level
 
 bool has_negative(const Mask& mask) {
   const auto coefficients = mask.symbol().coefficients();
@@ -27,13 +22,15 @@ double cell_width(const LimitCells& cells, const CellForm& form) {
   return std::pow(static_cast<double>(cells.arity()), -form.level);
 }
 
-/// Encloses the integral of |f| over the cell of the form.
 struct Integral {
-  double lower, upper;
+  double lower = 0, upper = 0;
 };
 
-Integral integral_of_modulus(const CellForm& form, const CellRange& range, double width) {
-  if (range.value_lower < 0 && range.value_upper > 0) {
+/// Encloses the integral of |f| over the cell.
+Integral integral_of_modulus(const WalkedCell& cell, double width) {
+  const CellForm& form = cell.form;
+  const CellRange& range = cell.range;
+  if (!cell.own || (range.value_lower < 0 && range.value_upper > 0)) {
     const double most = std::max(-range.value_lower, range.value_upper) * width * (1 + 0x1p-50);
     return {0, most};
   }
@@ -69,15 +66,14 @@ Rational left_end(const LimitCells& cells, const CellForm& form) {
 Rational width_of(const LimitCells& cells, const CellForm& form) { return power(Rational(cells.arity()), -form.level); }
 
 /// Visits cells that meet (from, to) inside; `judge` says yes, no, or unknown for split; the rest is `no` or unknown at
-/// the deepest level.
-Decision for_all_cells(const LimitCells& cells, const Rational& from, const Rational& to, int levels,
+/// the deepest level and when the time is up.
+Decision for_all_cells(const LimitCells& cells, const Rational& from, const Rational& to, const CellLimits& limits,
                        const std::function<Decision(const CellForm&, bool inside)>& judge) {
-  if (from >= to) throw std::invalid_argument("need from < to, got " + to_text(from) + " and " + to_text(to));
+  require(from < to, "need from < to, got {} and {}", to_text(from), to_text(to));
   const Integer begin = numerator(from) / denominator(from) - 1, end = numerator(to) / denominator(to) + 1;
-  if (begin < cells.first_integer() - 1 || end > cells.last_integer() + 1)
-    throw std::invalid_argument("need an interval inside the support [" + std::to_string(cells.first_integer()) + ", " +
-                                std::to_string(cells.last_integer()) + "], got " + to_text(from) + " ... " +
-                                to_text(to));
+  require(begin >= cells.first_integer() - 1 && end <= cells.last_integer() + 1,
+          "need an interval inside the support [{}, {}], got {} ... {}", cells.first_integer(), cells.last_integer(),
+          to_text(from), to_text(to));
   std::vector<CellForm> stack;
   for (long k = end.convert_to<long>(); k >= begin.convert_to<long>(); --k) stack.push_back(cells.limit_form(k));
   while (!stack.empty()) {
@@ -88,8 +84,10 @@ Decision for_all_cells(const LimitCells& cells, const Rational& from, const Rati
     const Decision decision = judge(form, left >= from && right <= to);
     if (decision.is_no()) return decision;
     if (decision.is_yes()) continue;
-    if (form.level >= std::min(levels, cells.deepest_level()))
-      return {Truth::unknown, "undecided between " + to_text(left) + " and " + to_text(right)};
+    const bool late = limits.deadline.expired();
+    if (late || form.level >= std::min(limits.levels, cells.deepest_level()))
+      return {Truth::unknown,
+              "undecided between " + to_text(left) + " and " + to_text(right) + (late ? ": the time is up" : "")};
     for (int t = cells.arity() - 1; t >= 0; --t) stack.push_back(cells.child(form, t, {}));
   }
   return {Truth::yes, "proved on every cell"};
@@ -99,9 +97,8 @@ Decision for_all_cells(const LimitCells& cells, const Rational& from, const Rati
 
 LimitCell limit_cell(const Mask& mask, std::int64_t index, int level) {
   const LimitCells cells(mask);
-  if (level < 0 || level > cells.deepest_level())
-    throw std::invalid_argument("limit_cell: need 0 <= level <= " + std::to_string(cells.deepest_level()) + ", got " +
-                                std::to_string(level));
+  require(level >= 0 && level <= cells.deepest_level(), "limit_cell: need 0 <= level <= {}, got {}",
+          cells.deepest_level(), level);
   const CellRange range = cells.range(form_at(cells, index, level));
   LimitCell cell{{Rational(range.value_lower), Rational(range.value_upper)}, std::nullopt};
   if (cells.has_slopes()) cell.slope = Enclosure{Rational(range.slope_lower), Rational(range.slope_upper)};
@@ -109,78 +106,55 @@ LimitCell limit_cell(const Mask& mask, std::int64_t index, int level) {
 }
 
 LimitRange limit_range(const Mask& mask, const LimitOptions& options) {
-  if (options.relative_width <= 0)
-    throw std::invalid_argument("limit_range: need relative_width > 0, got " + to_text(options.relative_width));
-  if (!(options.seconds > 0))
-    throw std::invalid_argument("limit_range: need seconds > 0, got " + std::to_string(options.seconds));
-  const auto start = std::chrono::steady_clock::now();
+  require(options.relative_width > 0, "limit_range: need relative_width > 0, got {}", to_text(options.relative_width));
   const LimitCells cells(mask);
-  const double tolerance = options.relative_width.convert_to<double>() * 0.9;
-  const bool slopes = cells.has_slopes(), signs = has_negative(mask);
+  const bool signs = has_negative(mask);
   const auto support = static_cast<double>(cells.last_integer() - cells.first_integer());
-  Extreme highest(0), lowest(0), steepest(0);  // phi is 0 outside its support
-  double lower_integral = 0, upper_integral = 0;
+  const double tolerance = options.relative_width.convert_to<double>() * 0.9;
+  CellExtremes extremes{Extreme(0), Extreme(0), cells.has_slopes(), tolerance};  // phi is 0 outside its support
+  Integral modulus;
   LimitRange result;
   result.slope_reason = cells.slope_reason();
   result.complete = true;
-  std::vector<CellForm> active;
-  for (long k = cells.first_integer(); k < cells.last_integer(); ++k) active.push_back(cells.limit_form(k));
-  while (!active.empty()) {
-    std::vector<CellRange> ranges;
-    bool stopped = active.front().level >= cells.deepest_level() || active.size() > most_cells;
-    for (const CellForm& form : active) {
-      stopped = stopped ||
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > options.seconds;
-      ranges.push_back(cells.range(form));
-      highest.attain(std::max(ranges.back().left_lower, ranges.back().right_lower));
-      lowest.attain(-std::min(ranges.back().left_upper, ranges.back().right_upper));
-      if (slopes) steepest.attain(ranges.back().steepness);
+  const auto split = [&](const WalkedCell& cell, bool may_split) {
+    const double width = cell_width(cells, cell.form);
+    const double size = std::max(extremes.highest.attained(), extremes.lowest.attained());
+    const Integral integral = signs ? integral_of_modulus(cell, width) : Integral{};
+    const bool settled = extremes.values_settled(cell.range, size, size) && extremes.slope_settled(cell.range) &&
+                         integral.upper - integral.lower <= tolerance * width / support;  // the integral is 1 or more
+    std::vector<CellForm> parts;
+    if (!settled && may_split && cell.range.value_rounding < 0.5) {
+      for (int t = 0; t < cells.arity(); ++t) parts.push_back(cells.child(cell.form, t, {}));
+      return parts;
     }
-    result.cells += active.size();
-    const double size = std::max(highest.attained(), lowest.attained());
-    std::vector<CellForm> next;
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      const CellRange& range = ranges[i];
-      const double width = cell_width(cells, active[i]);
-      const double slope = std::max(std::abs(range.slope_lower), std::abs(range.slope_upper));
-      const Integral integral = signs ? integral_of_modulus(active[i], range, width) : Integral{0, 0};
-      const bool settled = highest.is_settled(range.value_upper, tolerance * size) &&
-                           lowest.is_settled(-range.value_lower, tolerance * size) &&
-                           (!slopes || steepest.is_settled(slope, tolerance * steepest.attained())) &&
-                           integral.upper - integral.lower <= tolerance * width / support;  // the integral is 1 or more
-      if (!settled && !stopped && range.value_rounding < 0.5) {
-        for (int t = 0; t < cells.arity(); ++t) next.push_back(cells.child(active[i], t, {}));
-        continue;
-      }
-      if (!settled) result.complete = false;
-      highest.put_aside(range.value_upper);
-      lowest.put_aside(-range.value_lower);
-      if (slopes) steepest.put_aside(slope);
-      lower_integral += integral.lower;
-      upper_integral += integral.upper;
-    }
-    active = std::move(next);
-  }
-  result.maximum = highest.enclosure();
-  result.minimum = lowest.negated();
-  if (!signs) result.minimum = Enclosure::exactly(0);
+    if (!settled) result.complete = false;
+    extremes.put_aside(cell.range);
+    modulus.lower += integral.lower;
+    modulus.upper += integral.upper;
+    return parts;
+  };
+  std::vector<CellForm> first;
+  for (long k = cells.first_integer(); k < cells.last_integer(); ++k) first.push_back(cells.limit_form(k));
+  result.cells = walk_cells(
+      cells, std::move(first), options.budget, [&](const CellRange& range) { extremes.attain(range); }, split);
+  result.maximum = extremes.highest.enclosure();
+  result.minimum = signs ? extremes.lowest.negated() : Enclosure::exactly(0);
   result.sup_norm = {std::max(*result.maximum.lower, Rational(-*result.minimum.upper)),
                      std::max(*result.maximum.upper, Rational(-*result.minimum.lower))};
-  if (slopes) result.slope = steepest.enclosure();
+  if (extremes.slopes) result.slope = extremes.steepest.enclosure();
+  result.l1_norm = Enclosure::exactly(1);
   if (signs)
-    result.l1_norm = {std::max(Rational(1), Rational(lower_integral * (1 - 0x1p-40))),
-                      Rational(upper_integral * (1 + 0x1p-40))};
-  else
-    result.l1_norm = Enclosure::exactly(1);
+    result.l1_norm = {std::max(Rational(1), Rational(modulus.lower * (1 - 0x1p-40))),
+                      Rational(modulus.upper * (1 + 0x1p-40))};
   return result;
 }
 
-Decision is_positive(const Mask& mask, const Rational& from, const Rational& to, int levels) {
+Decision is_positive(const Mask& mask, const Rational& from, const Rational& to, const CellLimits& limits) {
   const Interval support = limit_support(mask);
   if (has_positive_mask(mask) && from < to && support.lower < from && to < support.upper)
     return {Truth::yes, "the mask is positive and the interval lies inside the support"};
   const LimitCells cells(mask);
-  return for_all_cells(cells, from, to, levels, [&](const CellForm& form, bool) {
+  return for_all_cells(cells, from, to, limits, [&](const CellForm& form, bool) {
     const CellRange range = cells.range(form);
     const Rational left = left_end(cells, form), right = left + width_of(cells, form);
     if (range.value_lower > 0) return Decision{Truth::yes, ""};
@@ -190,7 +164,7 @@ Decision is_positive(const Mask& mask, const Rational& from, const Rational& to,
   });
 }
 
-Decision is_increasing(const Mask& mask, const Rational& from, const Rational& to, int levels) {
+Decision is_increasing(const Mask& mask, const Rational& from, const Rational& to, const CellLimits& limits) {
   const LimitCells cells(mask);
   if (!cells.has_slopes()) return {Truth::unknown, cells.slope_reason()};
   // With a derived scheme without negative coefficients, phi' >= 0 wherever no difference of the control data that
@@ -206,7 +180,7 @@ Decision is_increasing(const Mask& mask, const Rational& from, const Rational& t
     }
   }
   const Interval support = limit_support(mask);
-  return for_all_cells(cells, from, to, levels, [&](const CellForm& form, bool inside) {
+  return for_all_cells(cells, from, to, limits, [&](const CellForm& form, bool inside) {
     const CellRange range = cells.range(form);
     if (range.slope_lower >= 0) return Decision{Truth::yes, ""};
     const Rational left = left_end(cells, form), right = left + width_of(cells, form);

@@ -1,10 +1,12 @@
 #include "limit_values.hpp"
 
+#include "fixed_vector.hpp"
+
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace subcert {
 namespace {
@@ -12,35 +14,26 @@ namespace {
 constexpr long max_integers = 1500;
 constexpr long max_values = 10'000'000;
 
-long ceil_div(long a, long b) { return a >= 0 ? (a + b - 1) / b : -(-a / b); }
-long floor_div(long a, long b) { return -ceil_div(-a, b); }
+/// The points of Z / scale in the closed support of phi, times scale.
+IndexRange grid_in_support(const Mask& mask, long scale) {
+  const Interval support = limit_support(mask);
+  return {to_integer(support.lower * scale, Rounding::up).convert_to<long>(),
+          to_integer(support.upper * scale, Rounding::down).convert_to<long>()};
+}
 
 /// sum over the integers k of phi(k) z^k.
 LaurentPolynomial values_at_integers(const Mask& mask) {
-  const IndexRange range = support(mask);
-  const long first = ceil_div(range.first, mask.arity() - 1), last = floor_div(range.last, mask.arity() - 1);
-  const long size = last - first + 1;
+  const IndexRange integers = grid_in_support(mask, 1);
+  const long size = integers.last - integers.first + 1;
   if (size > max_integers)
-    throw std::length_error("limit_values: need at most " + std::to_string(max_integers) +
-                            " integers in the support, got " + std::to_string(size));
-  if (size < 1) throw std::domain_error("limit_values: the support contains no integer");
+    fail(ErrorKind::size, "limit_values: need at most {} integers in the support, got {}", max_integers, size);
+  require(size >= 1, "limit_values: the support contains no integer");
   // phi(k) = sum over j of a_{arity*k - j} phi(j).
-  const auto n = static_cast<std::size_t>(size);
-  RationalMatrix matrix(n, n);
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t j = 0; j < n; ++j)
-      matrix(k, j) = mask.symbol().coefficient(mask.arity() * (first + static_cast<long>(k)) - first -
-                                               static_cast<long>(j)) -
-                     (k == j ? 1 : 0);
-  const auto basis = kernel(matrix);
-  Rational sum = 0;
-  if (basis.size() == 1)
-    for (const Rational& x : basis.front()) sum += x;
-  if (sum == 0)
-    throw std::domain_error(
-        "limit_values: the values at the integers are not determined by the refinement equation; "
-        "the divided difference scheme of this order does not converge");
-  return LaurentPolynomial(basis.front(), first) * LaurentPolynomial(1 / sum);
+  const auto values = fixed_vector(transition_block(mask.symbol(), mask.arity(), 0, integers, integers));
+  require(values.has_value(),
+          "limit_values: the values at the integers are not determined by the refinement equation; "
+          "the divided difference scheme of this order does not converge");
+  return {*values, integers.first};
 }
 
 }  // namespace
@@ -55,14 +48,14 @@ Rational LimitValues::point(std::size_t i) const {
 }
 
 LimitValues limit_values(const Mask& mask, int level, int order) {
-  if (level < 0) throw std::invalid_argument("limit_values: need level >= 0, got " + std::to_string(level));
-  if (order < 0) throw std::invalid_argument("limit_values: need order >= 0, got " + std::to_string(order));
+  require(level >= 0, "limit_values: need level >= 0, got {}", level);
+  require(order >= 0, "limit_values: need order >= 0, got {}", order);
   long scale = 1;
   for (int k = 0; k < level; ++k) {
     scale *= mask.arity();
     if (mask.symbol().length() * scale > max_values)
-      throw std::length_error("limit_values: need at most 10^7 values, got level " + std::to_string(level) +
-                              " for a mask of length " + std::to_string(mask.symbol().length()));
+      fail(ErrorKind::size, "limit_values: need at most 10^7 values, got level {} for a mask of length {}", level,
+           mask.symbol().length());
   }
   const Mask derived = divided_difference_scheme(mask, order);
   // V_{k+1}(z) = a(z^(arity^k)) V_k(z), where V_k holds the values at level k.
@@ -75,9 +68,7 @@ LimitValues limit_values(const Mask& mask, int level, int order) {
   const LaurentPolynomial difference = LaurentPolynomial(1) - LaurentPolynomial::monomial(1, scale);
   values *= difference.pow(order);
 
-  const IndexRange range = support(mask);
-  const long first = ceil_div(range.first * scale, mask.arity() - 1);
-  const long last = floor_div(range.last * scale, mask.arity() - 1);
+  const auto [first, last] = grid_in_support(mask, scale);
   LimitValues result{mask.arity(), level, order, first,
                      std::vector<Rational>(static_cast<std::size_t>(last - first + 1), 0)};
   if (values.is_zero()) return result;
@@ -93,29 +84,13 @@ std::vector<Rational> l2_inner_products(const Mask& mask) {
   const LaurentPolynomial c = mask.symbol() * mask.symbol().reversed() * LaurentPolynomial(Rational(1, mask.arity()));
   const long last = (c.highest() - 1) / (mask.arity() - 1);  // continuous, so zero at the ends of the support
   if (last > max_integers)
-    throw std::length_error("l2_inner_products: need at most " + std::to_string(max_integers) +
-                            " integers in half the support, got " + std::to_string(last));
-  // w_k = sum over j of c_{arity*k - j} w_j, with w_{-j} = w_j.
-  const auto n = static_cast<std::size_t>(last) + 1;
-  RationalMatrix matrix(n, n);
-  for (long k = 0; k <= last; ++k)
-    for (long j = 0; j <= last; ++j) {
-      Rational entry = c.coefficient(mask.arity() * k - j);
-      if (j > 0) entry += c.coefficient(mask.arity() * k + j);
-      matrix(static_cast<std::size_t>(k), static_cast<std::size_t>(j)) = entry - (k == j ? 1 : 0);
-    }
-  const auto basis = kernel(matrix);
-  Rational sum = 0;
-  if (basis.size() == 1) {
-    for (const Rational& x : basis.front()) sum += 2 * x;
-    sum -= basis.front().front();
-  }
-  if (sum == 0)
-    throw std::domain_error(
-        "l2_inner_products: not determined by the refinement equation; the scheme does not converge");
-  std::vector<Rational> products = basis.front();
-  for (Rational& x : products) x /= sum;
-  return products;
+    fail(ErrorKind::size, "l2_inner_products: need at most {} integers in half the support, got {}", max_integers,
+         last);
+  // w_k = sum over j of c_{arity*k - j} w_j, with w_{-j} = w_j, and the sum of all w_j is 1.
+  auto products = fixed_vector(central_matrix(c, mask.arity(), last), 2);
+  require(products.has_value(),
+          "l2_inner_products: not determined by the refinement equation; the scheme does not converge");
+  return std::move(*products);
 }
 
 Rational squared_l2_norm(const Mask& mask) { return l2_inner_products(mask).front(); }

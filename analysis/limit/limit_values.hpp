@@ -20,8 +20,8 @@ struct LimitValues {
 
 /// The values of the basic limit function or of its derivative of this order at the arity-adic points of this level.
 /// Domain: the divided difference scheme of this order converges (decide with proved_smoothness(): order <= its order);
-/// at most 1,500 integers inside the support, at most 10^7 values. Errors: throws std::domain_error where the
-/// refinement equation does not determine the values at the integers, std::length_error beyond the sizes. Cost: one
+/// at most 1,500 integers inside the support, at most 10^7 values. Errors: throws Error, of kind domain where the
+/// refinement equation does not determine the values at the integers, of kind size beyond the sizes. Cost: one
 /// exact elimination at the integers, then one sparse product for each level. Ref: [DHHS15, sec. 2.2].
 LimitValues limit_values(const Mask& mask, int level, int order = 0);
 

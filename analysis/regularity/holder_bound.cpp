@@ -16,7 +16,7 @@ const HolderBound& HolderBounds::best() const {
 HolderBounds holder_bounds(const Mask& mask, int levels, double seconds) {
   if (!is_affine(mask)) throw std::invalid_argument("holder_bounds: need coset sums 1");
   const int rules = sum_rules(mask);
-  const LevelNorms powers = level_norms(divided_difference_scheme(mask, rules), levels, seconds);
+  const LevelNorms powers = level_norms(divided_difference_scheme(mask, rules), levels, Deadline::in(seconds));
   HolderBounds result{rules, {}, powers.visited};
   for (std::size_t l = 0; l < powers.norms.size(); ++l) {
     const int level = static_cast<int>(l) + 1;

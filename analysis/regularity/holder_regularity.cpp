@@ -1,10 +1,10 @@
 #include "holder_regularity.hpp"
 
 #include "stability.hpp"
-#include "transition.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,7 @@
 #include "single_radius.hpp"
 
-#include "transition.hpp"
-
 #include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 
 #include <stdexcept>
 

@@ -1,8 +1,7 @@
 #include "sobolev.hpp"
 
-#include "transition.hpp"
-
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 
 #include <stdexcept>
 

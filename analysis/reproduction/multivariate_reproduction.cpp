@@ -22,9 +22,9 @@ std::vector<Exponents> exponents_of(std::size_t variables, long degree) {
   return result;
 }
 
-/// The sums of a_n n^exponents over the residue classes of n modulo the arity, the first variable running fastest.
-std::vector<Rational> class_moments(const std::vector<MultivariatePolynomial::Monomial>& terms, long arity,
-                                    const Exponents& exponents) {
+/// The sums of a_n n^exponents over the cosets of n modulo the arity, the first variable running fastest.
+std::vector<Rational> moments_over_cosets(const std::vector<MultivariatePolynomial::Monomial>& terms, long arity,
+                                          const Exponents& exponents) {
   std::size_t classes = 1;
   for (std::size_t v = 0; v < exponents.size(); ++v) classes *= static_cast<std::size_t>(arity);
   std::vector<Rational> sums(classes, 0);
@@ -63,7 +63,7 @@ MultivariateReproduction polynomial_reproduction(const MultivariateMask& mask) {
   bool reproduces = true;
   for (int degree = 0;; ++degree) {
     for (const Exponents& exponents : exponents_of(variables, degree)) {
-      const std::vector<Rational> moments = class_moments(terms, arity, exponents);
+      const std::vector<Rational> moments = moments_over_cosets(terms, arity, exponents);
       if (std::any_of(moments.begin(), moments.end(), [&](const Rational& m) { return m != moments.front(); }))
         return result;
       Rational expected = 1;

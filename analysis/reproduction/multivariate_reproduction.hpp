@@ -9,7 +9,7 @@ namespace subcert {
 
 /// Degrees are total degrees of one step; for the meaning in one variable see PolynomialReproduction. Ref: [CH11].
 struct MultivariateReproduction {
-  /// The order of the sum rules: moments of total degree below it are the same over all residue classes.
+  /// The order of the sum rules: moments of total degree below it are the same over all cosets.
   int sum_rules;
   /// The multiplicity of 1 + z_i + ... + z_i^(arity-1) in the symbol, for each variable.
   std::vector<int> factors;

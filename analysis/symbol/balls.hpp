@@ -76,6 +76,10 @@ class Ball {
   bool is_at_most(const Ball& other) const { return arb_le(value_, other.value_); }
   bool is_finite() const { return arb_is_finite(value_); }
 
+  /// The double nearest to the middle, and one that is not below the radius.
+  double middle() const { return arf_get_d(arb_midref(value_), ARF_RND_NEAR); }
+  double radius() const { return mag_get_d(arb_radref(value_)); }
+
   Ball operator-() const { return map(arb_neg_plain); }
   friend Ball operator+(const Ball& a, const Ball& b) { return combine(arb_add, a, b); }
   friend Ball operator-(const Ball& a, const Ball& b) { return combine(arb_sub, a, b); }
@@ -89,6 +93,8 @@ class Ball {
   friend Ball operator/(long a, const Ball& b) { return Ball(a, b.bits_) / b; }
   Ball& operator+=(const Ball& b) { return *this = *this + b; }
   Ball& operator*=(const Ball& b) { return *this = *this * b; }
+  /// Adds a * b, rounded once.
+  void add_product(const Ball& a, const Ball& b) { arb_addmul(value_, a.value_, b.value_, bits_); }
 
   /// Contains both balls and all between them.
   friend Ball join(const Ball& a, const Ball& b) { return combine(arb_union, a, b); }
@@ -157,6 +163,35 @@ class BallVector {
   std::size_t size() const { return static_cast<std::size_t>(size_); }
   arb_ptr operator[](std::size_t i) { return entries_ + i; }
   arb_srcptr operator[](std::size_t i) const { return entries_ + i; }
+
+  Ball at(std::size_t i, slong bits) const {
+    Ball result(bits);
+    arb_set(result.get(), entries_ + i);
+    return result;
+  }
+  void set(std::size_t i, const Ball& value) { arb_set(entries_ + i, value.get()); }
+  /// The entry i becomes sum of a[first_a + k] b[first_b + k], 0 <= k < count.
+  void set_dot(std::size_t i, const BallVector& a, std::size_t first_a, const BallVector& b, std::size_t first_b,
+               std::size_t count, slong bits) {
+    arb_dot(entries_ + i, nullptr, 0, a[first_a], 1, b[first_b], 1, static_cast<slong>(count), bits);
+  }
+  /// Adds factor * x. Domain: x.size() <= size().
+  void add_multiple(const Ball& factor, const BallVector& x) {
+    _arb_vec_scalar_addmul(entries_, x.entries_, x.size_, factor.get(), factor.bits());
+  }
+  /// x_k becomes x_0 + ... + x_k.
+  void sum_up(slong bits) {
+    for (slong k = 1; k < size_; ++k) arb_add(entries_ + k, entries_ + k, entries_ + k - 1, bits);
+  }
+  /// x_k becomes x_k - x_{k+1} for all k but the last.
+  void take_differences(slong bits) {
+    for (slong k = 0; k + 1 < size_; ++k) arb_sub(entries_ + k, entries_ + k, entries_ + k + 1, bits);
+  }
+  friend Ball dot(const BallVector& a, const BallVector& b, slong bits) {
+    Ball result(bits);
+    arb_dot(result.get(), nullptr, 0, a.entries_, 1, b.entries_, 1, std::min(a.size_, b.size_), bits);
+    return result;
+  }
 
  private:
   slong size_;

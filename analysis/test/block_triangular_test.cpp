@@ -1,6 +1,6 @@
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/regularity/block_triangular.hpp>
-#include <subcert/analysis/regularity/transition.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/specification.hpp>

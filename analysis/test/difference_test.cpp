@@ -1,6 +1,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -13,7 +14,7 @@ namespace {
 
 Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
 
-/// By the definition: multiply the symbol out, sum |coefficients| over residue classes.
+/// By the definition: multiply the symbol out, sum |coefficients| over cosets.
 Rational norm_by_definition(const Mask& mask, int level) {
   LaurentPolynomial power_of_symbol = 1;
   long factor = 1;
@@ -56,16 +57,30 @@ TEST_CASE("level norms are what their definition says") {
 }
 
 TEST_CASE("ties, huge numbers and a spent budget") {
-  // All residue classes tie: the Haar mask and its powers.
+  // All cosets tie: the Haar mask and its powers.
   CHECK(level_norms(mask_of("mask:[1,1]"), 12).norms.back() == 1);
   // Beyond the range of double precision the answer is still exact.
   const Mask huge({LaurentPolynomial({power(Rational(10), 200), -1, 3}, 0)}, 2);
   CHECK(level_norms(huge, 4).norms.back() == norm_by_definition(huge, 4));
   const Mask small({LaurentPolynomial({power(Rational(10), -200), -power(Rational(10), -201)}, 0)}, 2);
   CHECK(level_norms(small, 4).norms.back() == norm_by_definition(small, 4));
-  CHECK(level_norms(mask_of("primal:n=300"), 16, 1e-3).norms.size() < 16);
-  CHECK_THROWS_AS(level_norms(huge, 0), std::invalid_argument);
-  CHECK_THROWS_AS(level_norms(huge, 1, 0.0), std::invalid_argument);
+  CHECK(level_norms(mask_of("primal:n=300"), 16, Deadline::in(1e-3)).norms.size() < 16);
+  CHECK(level_norms(huge, 9, Deadline::in(0)).norms == std::vector<Rational>{operator_norm(huge)});
+  CHECK_THROWS_AS(level_norms(huge, 0), Error);
+}
+
+TEST_CASE("cosets that tie are summed in batches, and the deadline holds among them") {
+  const Mask haar = mask_of("mask:[1,1]");  // all cosets have the sum 1
+  const LevelNorms all = level_norms(haar, 15);
+  CHECK(all.held == LevelNorms::most_held);
+  CHECK(all.exact > LevelNorms::most_held);
+  CHECK(all.norms == std::vector<Rational>(15, 1));
+  const Stopwatch watch;
+  const LevelNorms partial = level_norms(haar, 40, Deadline::in(0.3));
+  CHECK(watch.seconds() < 3);
+  CHECK(partial.norms.size() < 40);
+  CHECK(partial.held <= LevelNorms::most_held);
+  for (const Rational& norm : partial.norms) CHECK(norm == 1);
 }
 
 TEST_CASE("sum rules and divided difference schemes") {
@@ -81,8 +96,8 @@ TEST_CASE("sum rules and divided difference schemes") {
                                        LaurentPolynomial(power(Rational(mask.arity()), -k));
       CHECK(divided_difference_scheme(mask, k).symbol() * factor == mask.symbol());
     }
-    CHECK_THROWS_AS(divided_difference_scheme(mask, rules + 1), std::invalid_argument);
-    CHECK_THROWS_AS(divided_difference_scheme(mask, -1), std::invalid_argument);
+    CHECK_THROWS_AS(divided_difference_scheme(mask, rules + 1), Error);
+    CHECK_THROWS_AS(divided_difference_scheme(mask, -1), Error);
   }
 }
 

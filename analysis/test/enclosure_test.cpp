@@ -1,8 +1,9 @@
 #include "specimens.hpp"
 
-#include <subcert/analysis/limit/limit_cells.hpp>
+#include <subcert/analysis/limit/cell_walk.hpp>
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -129,7 +130,7 @@ TEST_CASE("extremes, norms, sign and monotonicity of phi") {
   CHECK(cubic.slope->contains(Rational(2, 3)));  // at 2/3 from the centre
   for (const Mask& mask : masks()) {
     CAPTURE(mask.symbol().to_mask_text(), mask.arity());
-    const LimitRange range = limit_range(mask, {Rational(1, 10'000), 60});
+    const LimitRange range = limit_range(mask, {.relative_width = Rational(1, 10'000)});
     CHECK(range.complete);
     const LimitValues grid = limit_values(mask, mask.arity() == 2 ? 7 : 4);
     Rational sum = 0, largest = 0, smallest = 0, steepest = 0;
@@ -153,5 +154,50 @@ TEST_CASE("extremes, norms, sign and monotonicity of phi") {
   CHECK(is_increasing(mask_of("bspline:degree=3"), -2, Rational(-1, 8)).is_yes());
   CHECK(is_increasing(mask_of("bspline:degree=3"), Rational(1, 8), 1).is_no());
   CHECK(is_increasing(mask_of("four-point:w=1/5"), -1, 0).truth == Truth::unknown);
-  CHECK_THROWS_AS(is_positive(mask_of("dd:n=2"), 1, 0), std::invalid_argument);
+  CHECK_THROWS_AS(is_positive(mask_of("dd:n=2"), 1, 0), Error);
+}
+
+TEST_CASE("walks over cells end with what is proved: out of time, out of memory") {
+  const Mask mask = mask_of("dd:n=2");
+  const LimitRange whole = limit_range(mask);
+  for (const Budget& budget : {Budget{Deadline::in(0)}, Budget{{}, 0}, Budget{{}, 20'000}}) {
+    const LimitRange part = limit_range(mask, {Rational(1, 1'000'000), budget});
+    CHECK_FALSE(part.complete);
+    CHECK(part.cells < whole.cells);
+    CHECK(*part.maximum.upper >= *whole.maximum.lower);
+    CHECK(*part.minimum.lower <= *whole.minimum.upper);
+    CHECK(*part.slope->upper >= *whole.slope->lower);
+    CHECK(*part.l1_norm.lower <= *whole.l1_norm.upper);
+    CHECK(*part.l1_norm.upper >= *whole.l1_norm.lower);
+  }
+  const Decision late = is_increasing(mask, -1, 0, {40, Deadline::in(0)});
+  CHECK(late.truth == Truth::unknown);
+  CHECK(late.reason.ends_with("the time is up"));
+}
+
+TEST_CASE("a walk that is late gives the cells that are left the range of a larger one") {
+  const LimitCells cells(mask_of("bspline:degree=3"));
+  Deadline soon = Deadline::in(0.3);
+  std::size_t inherited = 0;
+  std::vector<CellForm> first;
+  first.push_back(cells.limit_form(0));
+  walk_cells(
+      cells, std::move(first), {soon}, [](const CellRange&) {},
+      [&](const WalkedCell& cell, bool may_split) {
+        std::vector<CellForm> parts;
+        if (!cell.own) {
+          ++inherited;
+          const CellRange own = cells.range(cell.form);
+          CHECK(cell.range.value_lower <= own.value_upper);
+          CHECK(cell.range.value_upper >= own.value_lower);
+          CHECK_FALSE(may_split);
+        }
+        if (may_split)
+          for (int t = 0; t < 2; ++t) parts.push_back(cells.child(cell.form, t, {}));
+        if (cell.form.level >= 6)
+          while (!soon.expired()) {
+          }
+        return parts;
+      });
+  CHECK(inherited > 0);
 }

@@ -1,5 +1,6 @@
 #include "specimens.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
@@ -45,7 +46,8 @@ TEST_CASE("variance ranges that are known in closed form") {
 TEST_CASE("variance ranges of all families hold the exact grid") {
   for (const Mask& mask : masks()) {
     CAPTURE(mask.symbol().to_mask_text(), mask.arity());
-    const VarianceRange range = variance_range(mask), rough = variance_range(mask, {Rational(1, 1000), 60});
+    const VarianceRange range = variance_range(mask),
+                        rough = variance_range(mask, {.relative_width = Rational(1, 1000)});
     CHECK(range.complete);
     CHECK(relative_width(range.maximum) <= Rational(1, 1'000'000));
     CHECK(relative_width(range.minimum) <= Rational(1, 1'000'000));
@@ -71,16 +73,20 @@ TEST_CASE("variance ranges of all families hold the exact grid") {
 }
 
 TEST_CASE("budgets and bad arguments") {
-  CHECK_THROWS_AS(variance_range(mask_of("dd:n=2"), {0, 60}), std::invalid_argument);
-  CHECK_THROWS_AS(variance_range(mask_of("dd:n=2"), {Rational(1, 10), 0}), std::invalid_argument);
-  CHECK_THROWS_AS(variance_range(mask_of("mask:[1,1]")), std::domain_error);
-  CHECK_THROWS_AS(variance_range(mask_of("mask:[1,0,0,1]")), std::domain_error);
-  CHECK_THROWS_AS(is_below(mask_of("dd:n=2"), mask_of("ary:a=3,points=4,d=3")), std::invalid_argument);
-  const VarianceRange partial = variance_range(mask_of("primal:n=10"), {Rational(1, 1'000'000), 1e-9});
-  CHECK_FALSE(partial.complete);
-  CHECK(partial.maximum.contains(Rational(4152017505, 100000000000)));
-  REQUIRE(partial.slope);
-  CHECK(partial.slope->contains(Rational(101421690, 1000000000000000)));
+  CHECK_THROWS_AS(variance_range(mask_of("dd:n=2"), {.relative_width = 0}), Error);
+  CHECK_THROWS_AS(variance_range(mask_of("mask:[1,1]")), Error);
+  CHECK_THROWS_AS(variance_range(mask_of("mask:[1,0,0,1]")), Error);
+  CHECK_THROWS_AS(compare_variance(mask_of("dd:n=2"), mask_of("ary:a=3,points=4,d=3")), Error);
+  for (const Budget& budget : {Budget{Deadline::in(0)}, Budget{{}, 0}}) {
+    const VarianceRange partial = variance_range(mask_of("primal:n=10"), {Rational(1, 1'000'000), budget});
+    CHECK_FALSE(partial.complete);
+    CHECK(partial.maximum.contains(Rational(4152017505, 100000000000)));
+    REQUIRE(partial.slope);
+    CHECK(partial.slope->contains(Rational(101421690, 1000000000000000)));
+  }
+  // Other curves would be refuted or proved at the first cell.
+  const VarianceOrder late = compare_variance(mask_of("primal:n=5"), mask_of("primal:n=4"), {40, Deadline::in(0)});
+  CHECK(late.below != Truth::no);
   const VarianceRange unknown = variance_range(mask_of("four-point:w=1/5"));
   CHECK_FALSE(unknown.slope);
   CHECK_FALSE(unknown.slope_reason.empty());
@@ -89,17 +95,17 @@ TEST_CASE("budgets and bad arguments") {
 TEST_CASE("variance curves in order") {
   for (int n = 2; n <= 6; ++n) {
     const std::string text = "primal:n=" + std::to_string(n), before = "primal:n=" + std::to_string(n - 1);
-    const VarianceOrder order = is_below(mask_of(text), mask_of(before));
+    const VarianceOrder order = compare_variance(mask_of(text), mask_of(before));
     CHECK(order.below == Truth::yes);
     const VarianceGrid a = variance_grid(mask_of(text), 4, false), b = variance_grid(mask_of(before), 4, false);
     for (std::size_t i = 0; i < a.values.size(); ++i)
       CHECK(b.values[i] - a.values[i] >= *order.smallest_difference.lower);
-    const VarianceOrder reversed = is_below(mask_of(before), mask_of(text));
+    const VarianceOrder reversed = compare_variance(mask_of(before), mask_of(text));
     CHECK(reversed.below == Truth::no);
     CHECK(reversed.difference < 0);
   }
-  CHECK(is_below(mask_of("primal:n=3"), mask_of("primal:n=3,d=3")).below == Truth::yes);
-  const VarianceOrder equal = is_below(mask_of("dd:n=2"), mask_of("dd:n=2"));
+  CHECK(compare_variance(mask_of("primal:n=3"), mask_of("primal:n=3,d=3")).below == Truth::yes);
+  const VarianceOrder equal = compare_variance(mask_of("dd:n=2"), mask_of("dd:n=2"));
   CHECK(equal.below == Truth::no);
   CHECK(equal.difference == 0);
 }

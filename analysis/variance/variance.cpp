@@ -46,10 +46,8 @@ VarianceGrid variance_grid(const Mask& mask, int level, bool differentiable) {
 
 Rational variance_floor(const Mask& mask) {
   const Interval range = limit_support(mask);
-  const Rational width = range.upper - range.lower;
-  // The open interval of length `width` meets at most ceil(width) shifted copies of a point.
-  const Integer whole = numerator(width) / denominator(width);
-  return 1 / Rational(std::max(Integer(1), Rational(whole) == width ? whole : Integer(whole + 1)));
+  // The open interval of this length meets at most ceil(length) shifted copies of a point.
+  return 1 / Rational(std::max(Integer(1), to_integer(range.upper - range.lower, Rounding::up)));
 }
 
 std::optional<Rational> variance_ceiling(const Mask& mask) {

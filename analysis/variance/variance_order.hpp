@@ -1,6 +1,7 @@
 #pragma once
 /// Variance curves compared at all points.
 
+#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/mask.hpp>
 
 #include <cstdint>
@@ -19,16 +20,17 @@ struct VarianceOrder {
   std::uint64_t cells = 0;
 };
 
+/// The search over cells ends, by default, 60 seconds after the options were made.
 struct VarianceOrderOptions {
-  double seconds = 60;
   int levels = 40;  ///< deepest cells
+  Deadline deadline = Deadline::in(60);
 };
 
 /// Bisection of [0, 1] into cells on which the difference is enclosed. Domain: masks of one arity, convergence of both
-/// proved by contraction. Errors: throws std::invalid_argument, and as LimitCells. Equal curves, or curves that touch
+/// proved by contraction. Errors: throws Error, also as LimitCells. Equal curves, or curves that touch
 /// without a common point on the grid, end as unknown. Cost: mostly the setup of both masks.
 /// Ref: [DHHS15, conj. 8]; proofs: docs/limit-enclosures.md.
-VarianceOrder is_below(const Mask& first, const Mask& second, const VarianceOrderOptions& options = {});
+VarianceOrder compare_variance(const Mask& first, const Mask& second, const VarianceOrderOptions& options = {});
 
 /// psi(index / arity^level), exact. Domain: 0 <= index <= arity^level < 2^62. Errors: as limit_values.
 Rational variance_at(const Mask& mask, std::int64_t index, int level);

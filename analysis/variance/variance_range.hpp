@@ -1,6 +1,7 @@
 #pragma once
 /// Certified maxima and minima of the variance curve and of its slope.
 
+#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/mask.hpp>
 
 #include <cstdint>
@@ -15,18 +16,19 @@ struct VarianceRange {
   std::optional<Enclosure> slope;
   std::string slope_reason;
   Rational mean;
-  bool complete = false;    ///< all enclosures have the relative width asked for; else time or precision ran out
+  bool complete = false;  ///< all enclosures have the relative width asked for; else time, memory or precision ran out
   std::uint64_t cells = 0;  ///< cells looked at
 };
 
+/// The budget ends, by default, 60 seconds after the options were made; it is that of the search over cells.
 struct VarianceOptions {
   Rational relative_width = Rational(1, 1'000'000);
-  double seconds = 60;
+  Budget budget{Deadline::in(60)};
 };
 
-/// Branch and bound over arity-adic cells. Domain: convergence proved by contraction; relative_width > 0, seconds > 0.
+/// Branch and bound over arity-adic cells. Domain: convergence proved by contraction; relative_width > 0.
 /// Error: none, the enclosures hold after all rounding; relative widths as asked for where `complete`.
-/// Errors: throws std::invalid_argument, and as LimitCells. Cost: for primal n = 40 about a third of a second.
+/// Errors: throws Error, also as LimitCells. Cost: for primal n = 40 about a third of a second.
 /// Ref: [DHHS15, sec. 3.1]; proofs: docs/limit-enclosures.md.
 VarianceRange variance_range(const Mask& mask, const VarianceOptions& options = {});
 

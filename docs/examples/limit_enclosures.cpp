@@ -13,7 +13,7 @@ int main() {
     std::cout << text << ": max psi <= " << psi.maximum.upper_text(5) << ", min psi >= " << psi.minimum.lower_text(5)
               << ", max |psi'| in [" << psi.slope->lower_text(5) << ", " << psi.slope->upper_text(5) << "]\n";
   }
-  const VarianceOrder order = is_below(make_scheme("primal:n=3").mask, make_scheme("primal:n=2").mask);
+  const VarianceOrder order = compare_variance(make_scheme("primal:n=3").mask, make_scheme("primal:n=2").mask);
   std::cout << "psi of primal:n=3 below psi of primal:n=2: " << to_text(order.below) << "; " << order.reason << "\n";
 
   const Mask four_point = make_scheme("dd:n=2").mask;

@@ -43,9 +43,9 @@ Decision compare(const Enclosure& value, const Expectation& expectation, const s
 }
 
 Decision smoothness(const Mask& mask, const Expectation& expectation, double seconds) {
-  const Decision convergence = converges(mask, {levels, seconds});
+  const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
   if (convergence.is_no()) return decided(false, "not convergent: " + convergence.reason);
-  const SmoothnessProof proof = proved_smoothness(mask, {levels, seconds});
+  const SmoothnessProof proof = proved_smoothness(mask, {levels, Deadline::in(seconds)});
   if (proof.order >= expectation.number)
     return decided(true, "C^" + std::to_string(proof.order) + ": " + proof.evidence);
   if (!is_affine(mask)) return {Truth::unknown, proof.obstacle};
@@ -63,15 +63,13 @@ Decision holder(const Mask& mask, const Expectation& expectation, double seconds
 }
 
 Decision variance(const Mask& mask, const Expectation& expectation, double seconds) {
-  const Decision convergence = converges(mask, {levels, seconds});
+  const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   try {
     VarianceOptions options;
-    options.seconds = seconds;
+    options.budget.deadline = Deadline::in(seconds);
     return compare(variance_range(mask, options).maximum, expectation, "the maximum");
   } catch (const Error& error) {  // beyond what the library can enclose
-    return {Truth::unknown, error.what()};
-  } catch (const std::logic_error& error) {  // until analysis throws Error
     return {Truth::unknown, error.what()};
   }
 }
@@ -88,9 +86,9 @@ Decision whole_number(long value, const Expectation& expectation) {
 
 Decision has_property(const Mask& mask, const Expectation& expectation, double seconds) {
   const std::string& property = expectation.property;
-  if (property == "convergent") return matches(converges(mask, {levels, seconds}), expectation.yes);
+  if (property == "convergent") return matches(converges(mask, {levels, Deadline::in(seconds)}), expectation.yes);
   if (property == "stable") {
-    const Decision convergence = converges(mask, {levels, seconds});
+    const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
     if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
     return matches(has_stable_shifts(mask), expectation.yes);
   }

@@ -50,7 +50,8 @@ const HolderRegularity& holder_regularity_of(const std::string& scheme) {
 }
 
 const VarianceOrder& variance_order_of(const std::string& first, const std::string& second) {
-  return remembered<VarianceOrder>(first + " | " + second, [&] { return is_below(mask_of(first), mask_of(second)); });
+  return remembered<VarianceOrder>(first + " | " + second,
+                                   [&] { return compare_variance(mask_of(first), mask_of(second)); });
 }
 
 std::string specification(const std::string& family, int n, int degree) {

@@ -1,5 +1,5 @@
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/regularity/transition.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>

@@ -1,0 +1,15 @@
+#pragma once
+/// Solutions of refinement equations at finitely many points.
+
+#include <subcert/analysis/symbol/rational_matrix.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace subcert {
+
+/// The vector x = matrix x with x_0 + weight (x_1 + x_2 + ...) = 1; nothing where it does not exist or is not the only
+/// one. Domain: square. Cost: one elimination.
+std::optional<std::vector<Rational>> fixed_vector(RationalMatrix matrix, const Rational& weight = 1);
+
+}  // namespace subcert

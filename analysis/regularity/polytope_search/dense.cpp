@@ -58,26 +58,33 @@ Matrix Matrix::diagonal_block(std::size_t begin, std::size_t size) const {
   return result;
 }
 
+// New vectors and matrices are zero: what Eigen would set to zero once more, it adds to.
 Matrix operator*(const Matrix& a, const Matrix& b) {
   Matrix result(a.rows(), b.columns());
-  Eigen::Map<Eigen::MatrixXd>(&result(0, 0), index(a.rows()), index(b.columns())).noalias() = view(a) * view(b);
+  Eigen::Map<Eigen::MatrixXd>(&result(0, 0), index(a.rows()), index(b.columns())).noalias() += view(a) * view(b);
+  return result;
+}
+
+Vector operator*(const Matrix& a, const Vector& x) {
+  Vector result(a.rows());
+  add_product(a, x.data(), result.data());
   return result;
 }
 
 ComplexVector operator*(const Matrix& a, const ComplexVector& x) {
   ComplexVector result(a.rows());
-  view(result).noalias() = view(a) * view(x);
+  view(result).noalias() += view(a) * view(x);
   return result;
 }
 
-void multiply(const Matrix& a, const double* x, double* out) {
-  Eigen::Map<Eigen::VectorXd>(out, index(a.rows())).noalias() = view(a) * Eigen::Map<const Eigen::VectorXd>(
-                                                                              x, index(a.columns()));
+void add_product(const Matrix& a, const double* x, double* out) {
+  Eigen::Map<Eigen::VectorXd>(out, index(a.rows())).noalias() += view(a) * Eigen::Map<const Eigen::VectorXd>(
+                                                                               x, index(a.columns()));
 }
 
 ComplexVector multiply_transposed(const Matrix& a, const ComplexVector& x) {
   ComplexVector result(a.columns());
-  view(result).noalias() = view(a).transpose() * view(x);
+  view(result).noalias() += view(a).transpose() * view(x);
   return result;
 }
 
@@ -86,6 +93,18 @@ double norm(std::span<const double> entries) {
 }
 
 double squared_norm(const ComplexVector& x) { return view(x).squaredNorm(); }
+
+// Two running sums, of the even and of the odd places.
+double inner(const Vector& x, const Vector& y) {
+  double even = 0, odd = 0;
+  std::size_t k = 0;
+  for (; k + 1 < x.size(); k += 2) {
+    even += x[k] * y[k];
+    odd += x[k + 1] * y[k + 1];
+  }
+  even += odd;
+  return k < x.size() ? even + x[k] * y[k] : even;
+}
 
 std::complex<double> inner(const ComplexVector& x, const ComplexVector& y) { return view(x).dot(view(y)); }
 

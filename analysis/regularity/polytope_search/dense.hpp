@@ -43,15 +43,17 @@ class Matrix {
 
 /// Domain of what follows: sizes that fit. Error: rounding of double precision.
 Matrix operator*(const Matrix& a, const Matrix& b);
+Vector operator*(const Matrix& a, const Vector& x);
 ComplexVector operator*(const Matrix& a, const ComplexVector& x);
-/// out = a x; `out` holds a.rows() numbers.
-void multiply(const Matrix& a, const double* x, double* out);
+/// out += a x; `out` holds a.rows() numbers.
+void add_product(const Matrix& a, const double* x, double* out);
 /// a^T x
 ComplexVector multiply_transposed(const Matrix& a, const ComplexVector& x);
 
 /// Frobenius or Euclidean.
 double norm(std::span<const double> entries);
 double squared_norm(const ComplexVector& x);
+double inner(const Vector& x, const Vector& y);
 /// conj(x) . y
 std::complex<double> inner(const ComplexVector& x, const ComplexVector& y);
 ComplexVector conjugate(ComplexVector x);

@@ -15,6 +15,34 @@ constexpr std::size_t kOrbitWidth = 16;
 constexpr double kSpanningSize = 0.02;  // of vertices added only to span, relative to the largest vertex
 constexpr double kFlat = 1e-16;         // relative eigenvalue, per coordinate, of a direction that no vertex reaches
 
+// The largest modulus of complex functionals on real points.
+class LargestValue {
+ public:
+  explicit LargestValue(const std::vector<ComplexVector>& functionals) {
+    for (const ComplexVector& u : functionals) {
+      Vector re, im;
+      for (const auto& entry : u) {
+        re.push_back(entry.real());
+        im.push_back(entry.imag());
+      }
+      if (std::all_of(im.begin(), im.end(), [](double y) { return y == 0; })) im.clear();
+      parts_.emplace_back(std::move(re), std::move(im));
+    }
+  }
+
+  double operator()(const Vector& x) const {
+    double largest = 0;
+    for (const auto& [re, im] : parts_) {
+      const double value = inner(re, x);
+      largest = std::max(largest, im.empty() ? std::abs(value) : std::hypot(value, inner(im, x)));
+    }
+    return largest;
+  }
+
+ private:
+  std::vector<std::pair<Vector, Vector>> parts_;  // real and imaginary, the latter empty if zero
+};
+
 }  // namespace
 
 // One vertex in each of a set of orthogonal directions, as long as its orbit allows: it must stay well behind the faces
@@ -37,20 +65,20 @@ void PolytopeRun::add_extra_vertices() {
     for (std::size_t j = 0; j < dimension_; ++j)
       for (std::size_t i = 0; i < dimension_; ++i) gram(i, j) += (u[i] * std::conj(u[j])).real();
   }
-  const LargestValue largest(duals, kind_);
+  const LargestValue largest(duals);
   std::size_t begin = 0;
   for (const std::size_t size : coordinates_.blocks) {
     if (size == 0) continue;
     const SymmetricDecomposition eigen = symmetric_decomposition(gram.diagonal_block(begin, size));
     for (std::size_t k = 0; k < size && !options_.budget.deadline.expired() && !full(); ++k) {
-      ComplexVector x(dimension_);
+      Vector x(dimension_, 0.0);
       std::copy_n(eigen.vectors.column(k), size, x.begin() + static_cast<std::ptrdiff_t>(begin));
       double reach = largest(x);
-      follow_orbit({x}, matrices_, kGenerations, kOrbitWidth, options_.budget.deadline, largest,
-                   [&](const ComplexVector& y) { reach = std::max(reach, largest(y)); });
+      follow_orbit<Vector>({x}, matrices_, kGenerations, kOrbitWidth, options_.budget.deadline, largest,
+                           [&](const Vector& y) { reach = std::max(reach, largest(y)); });
       if (!(reach > 0)) continue;
       Vector vertex(simplex_.dimension(), 0.0);
-      for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = x[i].real() * (kExtraReach / reach);
+      for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = x[i] * (kExtraReach / reach);
       add({std::move(vertex)});
     }
     begin += size;

@@ -92,7 +92,7 @@ ComplexVector PolytopeRun::complex_form(const Vector& x) const {
 Vector PolytopeRun::apply(int letter, const Vector& x) const {
   Vector result(x.size());
   for (std::size_t h = 0; h < x.size(); h += dimension_)
-    multiply(matrices_[static_cast<std::size_t>(letter)], x.data() + h, result.data() + h);
+    add_product(matrices_[static_cast<std::size_t>(letter)], x.data() + h, result.data() + h);
   return result;
 }
 
@@ -201,20 +201,20 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
 
 // Is x a multiple c of a vertex, |c| = 1 up to rounding? A linear program comes near that phase by many pivots only.
 bool PolytopeRun::match(const Vector& x, Image& entry) {
-  const ComplexVector z = complex_form(x);
-  const double size = squared_norm(z);
+  const double size = inner(x, x);
   for (std::size_t j = 0; j < vertices_.size(); ++j) {
-    const ComplexVector v = complex_form(vertices_[j].value);
+    // Those of another length are no candidates: |x| and |c v| differ by 2 kSame at most.
+    if (std::abs(inner(vertices_[j].value, vertices_[j].value) - size) > 10 * kSame * size) continue;
+    const ComplexVector z = complex_form(x);
     for (int g = 0; g < coordinates_.action.order(); ++g) {
-      ComplexVector image = v;
-      coordinates_.action.apply(g, image.data());
+      ComplexVector w = complex_form(vertices_[j].value);
+      coordinates_.action.apply(g, w.data());
       for (const bool conjugated : {false, true}) {
-        const ComplexVector w = conjugated ? conjugate(image) : image;
+        if (conjugated) w = conjugate(std::move(w));
         const std::complex<double> c = inner(w, z) / squared_norm(w);
-        if (std::abs(std::abs(c) - 1) > kSame) continue;
         double distance = 0;
         for (std::size_t k = 0; k < dimension_; ++k) distance += std::norm(z[k] - c * w[k]);
-        if (distance > kSame * kSame * size) continue;
+        if (std::abs(std::abs(c) - 1) > kSame || distance > kSame * kSame * size) continue;
         entry.known = entry.identity = true;
         entry.norm = 1;
         set_terms(entry, {CombinationTerm{static_cast<int>(j), g, conjugated, c}});

@@ -51,6 +51,16 @@ void fill_cycle(RootCycle& cycle, ComplexVector v, const ComplexVector* dual, co
   }
 }
 
+// The largest modulus on x of functionals and, where points are complex, of their conjugates.
+double largest_value(const std::vector<ComplexVector>& conjugates, PolytopeKind kind, const ComplexVector& x) {
+  double largest = 0;
+  for (const ComplexVector& u : conjugates) {
+    largest = std::max(largest, std::abs(inner(u, x)));
+    if (kind == PolytopeKind::complex) largest = std::max(largest, std::abs(inner(conjugate(u), x)));
+  }
+  return largest;
+}
+
 // Potentials p with p_i + q_ij + t <= p_j for all i and j; false if there are none.
 bool find_potentials(const Matrix& q, double t, Vector& p) {
   p.assign(q.rows(), 0.0);
@@ -81,34 +91,25 @@ std::vector<ComplexVector> with_images(const std::vector<ComplexVector>& vectors
   return result;
 }
 
-LargestValue::LargestValue(const std::vector<ComplexVector>& functionals, PolytopeKind kind) {
-  for (const ComplexVector& u : functionals) {
-    conjugates_.push_back(conjugate(u));
-    if (kind == PolytopeKind::complex) conjugates_.push_back(u);
-  }
-}
-
-double LargestValue::operator()(const ComplexVector& x) const {
-  double largest = 0;
-  for (const ComplexVector& u : conjugates_) largest = std::max(largest, std::abs(inner(u, x)));
-  return largest;
-}
-
 void balance(std::vector<RootCycle>& cycles, const std::vector<Matrix>& matrices, const GroupAction& action,
              PolytopeKind kind, const Budget& budget) {
   const std::size_t n = cycles.size();
   if (n < 2) return;
   const std::size_t point = action.dimension() * sizeof(std::complex<double>) + sizeof(ComplexVector);
   const std::size_t width = std::clamp<std::size_t>(budget.memory / (point * matrices.size()), 1, kOrbitWidth);
-  std::vector<LargestValue> values;
-  for (const RootCycle& cycle : cycles) values.emplace_back(with_images(cycle.left, action), kind);
+  std::vector<std::vector<ComplexVector>> conjugate_duals;
+  for (const RootCycle& cycle : cycles) {
+    conjugate_duals.push_back(with_images(cycle.left, action));
+    for (ComplexVector& u : conjugate_duals.back()) u = conjugate(std::move(u));
+  }
   Matrix q(n, n);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) q(i, j) = -50;
     follow_orbit(cycles[i].right, matrices, kGenerations, width, budget.deadline, squared_norm,
                  [&](const ComplexVector& x) {
                    for (std::size_t j = 0; j < n; ++j) {
-                     if (j != i) q(i, j) = std::max(q(i, j), std::log(values[j](x) + kUnreached));
+                     if (j != i)
+                       q(i, j) = std::max(q(i, j), std::log(largest_value(conjugate_duals[j], kind, x) + kUnreached));
                    }
                  });
   }

@@ -24,26 +24,18 @@ std::vector<RootCycle> leading_cycles(const std::vector<Matrix>& matrices, const
 /// The vectors and their images under the symmetry.
 std::vector<ComplexVector> with_images(const std::vector<ComplexVector>& vectors, const GroupAction& action);
 
-/// The largest modulus on x of a set of functionals and, where points are complex, of their conjugates.
-class LargestValue {
- public:
-  LargestValue(const std::vector<ComplexVector>& functionals, PolytopeKind kind);
-  double operator()(const ComplexVector& x) const;
-
- private:
-  std::vector<ComplexVector> conjugates_;
-};
-
 /// Calls visit(x) for the points of the orbit of `front`, at most `width` of them, of largest `value`, per generation.
-template <class Value, class Visit>
-void follow_orbit(std::vector<ComplexVector> front, const std::vector<Matrix>& matrices, int generations,
-                  std::size_t width, const Deadline& deadline, Value value, Visit visit) {
+/// Point: Vector or ComplexVector.
+template <class Point, class Value, class Visit>
+void follow_orbit(std::vector<Point> front, const std::vector<Matrix>& matrices, int generations, std::size_t width,
+                  const Deadline& deadline, Value value, Visit visit) {
   for (int generation = 0; generation < generations; ++generation) {
-    std::vector<std::pair<double, ComplexVector>> next;
+    std::vector<std::pair<double, Point>> next;
+    next.reserve(front.size() * matrices.size());
     for (std::size_t k = 0; k < front.size(); ++k) {
       if (k % 16 == 0 && deadline.expired()) return;
       for (const Matrix& a : matrices) {
-        ComplexVector x = a * front[k];
+        Point x = a * front[k];
         const double size = value(x);
         next.emplace_back(size, std::move(x));
       }

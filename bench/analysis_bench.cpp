@@ -6,6 +6,7 @@
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/certified_polytope.hpp>
+#include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
@@ -108,31 +109,28 @@ BENCHMARK(BM_level_norms)->ArgsProduct({{3, 5, 10}, {8, 12, 16}})->Unit(benchmar
 /// The search for an invariant polytope alone, then its proof alone (rounding, refinement, exact residuals).
 struct PolytopeCase {
   std::vector<RationalMatrix> matrices;
-  SearchFamily family;
+  polytope::SearchFamily family;
   explicit PolytopeCase(const std::string& scheme) : matrices(transition_matrices(derived(scheme))) {
     for (const RationalMatrix& m : matrices) {
-      const auto size = static_cast<Eigen::Index>(m.rows());
-      family.matrices.emplace_back(size, size);
-      for (Eigen::Index i = 0; i < size; ++i)
-        for (Eigen::Index j = 0; j < size; ++j)
-          family.matrices.back()(i,
-                                 j) = m(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).convert_to<double>();
+      polytope::Matrix& a = family.matrices.emplace_back(m.rows(), m.rows());
+      for (std::size_t i = 0; i < m.rows(); ++i)
+        for (std::size_t j = 0; j < m.rows(); ++j) a(i, j) = m(i, j).convert_to<double>();
     }
-    family.flip_symmetric = true;  // the masks are palindromes
+    family.symmetry = polytope::SymmetryGroup::flip();  // the masks are palindromes
   }
 };
 
 void BM_polytope_search(benchmark::State& state, const std::string& scheme) {
   const PolytopeCase input(scheme);
   std::size_t vertices = 0;
-  for (auto _ : state) vertices = search_polytope(input.family, {}).vertices.size();
+  for (auto _ : state) vertices = search_polytope(input.family).vertices.size();
   state.counters["vertices"] = static_cast<double>(vertices);
   state.counters["dimension"] = static_cast<double>(input.matrices.front().rows());
 }
 
 void BM_polytope_proof(benchmark::State& state, const std::string& scheme) {
   const PolytopeCase input(scheme);
-  const SearchResult result = search_polytope(input.family, {});
+  const polytope::SearchResult result = search_polytope(input.family);
   for (auto _ : state) benchmark::DoNotOptimize(certify_polytope(input.matrices, true, result));
 }
 

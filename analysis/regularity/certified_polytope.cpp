@@ -1,5 +1,8 @@
 #include "certified_polytope.hpp"
 
+#include "polytope_search/decompositions.hpp"
+#include "polytope_search/polytope_search.hpp"
+
 #include <subcert/analysis/symbol/boost_numbers.hpp>
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -67,9 +70,9 @@ Vector scaled(Vector v, const Real& re, const Real& im) {
   return v;
 }
 
-Vector from_double(const Eigen::VectorXcd& v, bool is_complex) {
+Vector from_double(const polytope::ComplexVector& v, bool is_complex) {
   Vector result;
-  for (Eigen::Index i = 0; i < v.size(); ++i) {
+  for (std::size_t i = 0; i < v.size(); ++i) {
     result.x.emplace_back(v[i].real());
     if (is_complex) result.y.emplace_back(v[i].imag());
   }
@@ -138,7 +141,7 @@ EigenPair refine_eigenpair(const RealMatrix& a, Vector v) {
 /// The orbit of the search once more, at the precision of Real.
 class Orbit {
  public:
-  Orbit(const std::vector<RationalMatrix>& matrices, const SearchResult& result) : result_(result) {
+  Orbit(const std::vector<RationalMatrix>& matrices, const polytope::SearchResult& result) : result_(result) {
     for (const RationalMatrix& m : matrices) {
       RealMatrix real{m.rows(), std::vector<Real>(m.rows() * m.rows())};
       for (std::size_t i = 0; i < m.rows(); ++i)
@@ -152,7 +155,7 @@ class Orbit {
 
   std::vector<Vector> vertices() {
     std::vector<Vector> values;
-    for (const Vertex& vertex : result_.vertices) {
+    for (const polytope::Vertex& vertex : result_.vertices) {
       if (vertex.parent >= 0)
         values.push_back(
             scaled(matrices_[static_cast<std::size_t>(vertex.letter)] * values[static_cast<std::size_t>(vertex.parent)],
@@ -174,7 +177,7 @@ class Orbit {
  private:
   bool is_complex() const { return result_.kind == PolytopeKind::complex; }
 
-  Vector root(const Vertex& vertex) {
+  Vector root(const polytope::Vertex& vertex) {
     const std::vector<int>& word = result_.products[static_cast<std::size_t>(vertex.cycle)].word;
     const Vector near = from_double(vertex.value, is_complex());
     for (const Turn& turn : turns_) {
@@ -221,7 +224,7 @@ class Orbit {
     Vector vector;
   };
 
-  const SearchResult& result_;
+  const polytope::SearchResult& result_;
   std::vector<RealMatrix> matrices_;
   std::vector<Turn> turns_;
   std::optional<Real> first_radius_, scale_;
@@ -239,7 +242,7 @@ double to_double(const Integer& value, long exponent) {
 
 class Certifier {
  public:
-  Certifier(const std::vector<RationalMatrix>& matrices, bool symmetric, const SearchResult& result)
+  Certifier(const std::vector<RationalMatrix>& matrices, bool symmetric, const polytope::SearchResult& result)
       : result_(result), size_(matrices.front().rows()) {
     polytope_.kind = result.kind;
     polytope_.symmetric = symmetric;
@@ -275,7 +278,7 @@ class Certifier {
     const bool spans = is_complex() ? express_units<std::complex<double>>() : express_units<double>();
     if (!spans) return std::nullopt;
     Integer largest = 0;  // bound times denominator * 2^(vertex_bits + weight_bits)
-    for (const ImageProof& proof : result_.images) {
+    for (const polytope::ImageProof& proof : result_.images) {
       const Target target = image(static_cast<std::size_t>(proof.letter), static_cast<std::size_t>(proof.vertex));
       std::vector<WeightedVertex> terms = start_from(proof);
       if (is_complex())
@@ -377,12 +380,12 @@ class Certifier {
   }
 
   /// The combination that the search found; several phases of one vertex are one term.
-  std::vector<WeightedVertex> start_from(const ImageProof& proof) const {
+  std::vector<WeightedVertex> start_from(const polytope::ImageProof& proof) const {
     std::vector<WeightedVertex> terms;
-    for (const Term& term : proof.terms) {
+    for (const polytope::CombinationTerm& term : proof.terms) {
       const auto weight = [&](double part) { return round_scaled(Real(part) * scale_, weight_bits); };
       WeightedVertex next{static_cast<std::size_t>(term.vertex),
-                          term.flipped,
+                          term.element != 0,
                           term.conjugated && is_complex(),
                           weight(term.coefficient.real()),
                           is_complex() ? weight(term.coefficient.imag()) : Integer(0),
@@ -409,13 +412,10 @@ class Certifier {
       for (WeightedVertex& term : terms) term.weight = std::max(Integer(0), term.weight);
       return;
     }
-    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-    using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-    Matrix basis(static_cast<Eigen::Index>(size_), static_cast<Eigen::Index>(terms.size()));
-    for (std::size_t k = 0; k < terms.size(); ++k)
-      for (std::size_t i = 0; i < size_; ++i)
-        basis(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = entry<Scalar>(terms[k], i);
-    const Eigen::ColPivHouseholderQR<Matrix> factors(basis);
+    std::vector<Scalar> basis;
+    for (const WeightedVertex& term : terms)
+      for (std::size_t i = 0; i < size_; ++i) basis.push_back(entry<Scalar>(term, i));
+    const polytope::PivotedQr<Scalar> factors(basis, size_, terms.size());
     // Residuals are denominator_ * 2^(vertex_bits + weight_bits) times their value; weights 2^weight_bits times theirs.
     const double scale = 1 / to_double(denominator_, 0);
     for (int round_of = 0; round_of < refinements; ++round_of) {
@@ -425,15 +425,20 @@ class Certifier {
         for (const Integer& c : *parts)
           if (c != 0) exponent = std::max(exponent, static_cast<long>(mpz_sizeinbase(c.get(), 2)));
       if (exponent == 0) return;
-      Column right(static_cast<Eigen::Index>(size_));
+      std::vector<Scalar> right(size_);
       for (std::size_t i = 0; i < size_; ++i) {
         if constexpr (std::is_same_v<Scalar, double>)
-          right[static_cast<Eigen::Index>(i)] = to_double(rest.re[i], -exponent);
+          right[i] = to_double(rest.re[i], -exponent);
         else
-          right[static_cast<Eigen::Index>(i)] = {to_double(rest.re[i], -exponent), to_double(rest.im[i], -exponent)};
+          right[i] = {to_double(rest.re[i], -exponent), to_double(rest.im[i], -exponent)};
       }
-      const Column correction = factors.solve(right) * scale;
-      if (!correction.allFinite()) return;
+      std::vector<Scalar> correction = factors.solve(right);
+      bool finite = true;
+      for (Scalar& c : correction) {
+        c *= scale;
+        finite = finite && std::isfinite(std::abs(c));
+      }
+      if (!finite) return;
       const int shift = static_cast<int>(exponent - vertex_bits);  // correction * 2^shift in units of 2^-weight_bits
       bool changed = false;
       const auto add = [&](Integer& weight, double c) {
@@ -442,7 +447,7 @@ class Certifier {
         weight += step;
       };
       for (std::size_t k = 0; k < terms.size(); ++k) {
-        const Scalar c = correction[static_cast<Eigen::Index>(k)];
+        const Scalar c = correction[k];
         if constexpr (std::is_same_v<Scalar, double>) {
           add(terms[k].weight, c);
         } else {
@@ -465,16 +470,13 @@ class Certifier {
           all.push_back({v, variant % 2 == 1, variant >= 2, 0, 0, 0});
     std::vector<WeightedVertex> basis;
     if (!cone()) {
-      Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> columns(static_cast<Eigen::Index>(size_),
-                                                                    static_cast<Eigen::Index>(all.size()));
-      for (std::size_t k = 0; k < all.size(); ++k)
-        for (std::size_t i = 0; i < size_; ++i)
-          columns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = entry<Scalar>(all[k], i);
-      const Eigen::ColPivHouseholderQR<decltype(columns)> factors(columns);
-      if (factors.rank() < static_cast<Eigen::Index>(size_)) return false;
-      for (std::size_t k = 0; k < size_; ++k)
-        basis.push_back(
-            all[static_cast<std::size_t>(factors.colsPermutation().indices()[static_cast<Eigen::Index>(k)])]);
+      std::vector<Scalar> columns;
+      for (const WeightedVertex& term : all)
+        for (std::size_t i = 0; i < size_; ++i) columns.push_back(entry<Scalar>(term, i));
+      const polytope::PivotedQr<Scalar> factors(columns, size_, all.size());
+      if (factors.rank() < size_) return false;
+      const std::vector<std::size_t> pivots = factors.pivots();
+      for (std::size_t k = 0; k < size_; ++k) basis.push_back(all[pivots[k]]);
     }
     Integer most = 0, largest_residual = 0;
     for (std::size_t k = 0; k < (polytope_.symmetric ? (size_ + 1) / 2 : size_); ++k) {
@@ -503,7 +505,7 @@ class Certifier {
     return true;
   }
 
-  const SearchResult& result_;
+  const polytope::SearchResult& result_;
   std::size_t size_;
   Integer denominator_ = 1;
   std::vector<std::vector<Integer>> matrices_;  // denominator_ times the matrices, transposed where the search was
@@ -515,7 +517,7 @@ class Certifier {
 }  // namespace
 
 std::optional<CertifiedPolytope> certify_polytope(const std::vector<RationalMatrix>& matrices, bool symmetric,
-                                                  const SearchResult& result) {
+                                                  const polytope::SearchResult& result) {
   if (result.vertices.empty()) return std::nullopt;
   return Certifier(matrices, symmetric, result).run();
 }

@@ -1,11 +1,15 @@
 #pragma once
 /// Rational proofs of upper bounds for joint spectral radii, made from what the floating point search found.
 
-#include "polytope/polytope_search.hpp"
+#include "polytope_kind.hpp"
 
 #include <subcert/analysis/symbol/rational_matrix.hpp>
 
 namespace subcert {
+
+namespace polytope {
+struct SearchResult;
+}
 
 /// (weight + i imaginary) / 2^weight_bits times the vertex, or its mirror image, or the complex conjugate of either.
 /// Canonical: modulus >= |weight + i imaginary|; imaginary = 0 and conjugated = false unless the polytope is complex.
@@ -45,6 +49,6 @@ struct CertifiedPolytope {
 /// do not span. Domain: `result` belongs to these matrices. Error: none, the bound is proved.
 /// Cost: vertices * matrices * size^2 integer products, and a small factorisation for each image.
 std::optional<CertifiedPolytope> certify_polytope(const std::vector<RationalMatrix>& matrices, bool symmetric,
-                                                  const SearchResult& result);
+                                                  const polytope::SearchResult& result);
 
 }  // namespace subcert

@@ -1,5 +1,7 @@
 #include "exact_radius.hpp"
+
 #include <subcert/analysis/symbol/balls.hpp>
+#include "polytope_search/polytope_search.hpp"
 
 #if __has_include(<flint/acb_mat.h>)
 #include <flint/acb_mat.h>
@@ -97,8 +99,8 @@ bool is_simple_and_leading(const LaurentPolynomial& p, const acb_t eigenvalue) {
 
 class Proof {
  public:
-  Proof(const std::vector<RationalMatrix>& matrices, const SearchResult& result, const CertifiedPolytope& polytope,
-        const Rational& lower)
+  Proof(const std::vector<RationalMatrix>& matrices, const polytope::SearchResult& result,
+        const CertifiedPolytope& polytope, const Rational& lower)
       : result_(result), polytope_(polytope), lower_(lower), count_(matrices.size()) {
     for (const RationalMatrix& m : matrices) matrices_.push_back(polytope.transposed ? transposed(m) : m);
     for (std::size_t k = 0; k < result.maximizing; ++k) cycles_.push_back({result.products[k].word, {}, {}, {}});
@@ -106,7 +108,7 @@ class Proof {
 
   Decision run() {
     const auto unknown = [](const char* reason) { return Decision{Truth::unknown, reason}; };
-    if (result_.status != SearchStatus::closed) return unknown("the polytope did not close");
+    if (result_.status != polytope::SearchStatus::closed) return unknown("the polytope did not close");
     if (polytope_.kind == PolytopeKind::nonnegative) return unknown("polytopes of cones are only enclosed");
     for (Cycle& cycle : cycles_) cycle.mirror_shift = mirror_shift(cycle.word);
     if (!bound_vertex_errors())
@@ -115,7 +117,7 @@ class Proof {
     if (error_ >= 1) return unknown("the vertices are not known well enough");
     const Rational kappa = 1 / (1 - error_);
     for (std::size_t i = 0; i < result_.images.size(); ++i) {
-      const ImageProof& image = result_.images[i];
+      const polytope::ImageProof& image = result_.images[i];
       if (image.identity && is_same_vertex(image)) continue;
       const Rational& moduli = polytope_.moduli[i];
       const Rational rest = polytope_.residuals[i] * polytope_.unit_norm + (polytope_.bound + moduli) * error_;
@@ -201,7 +203,7 @@ class Proof {
     std::vector<Rational> errors;
     const auto growth = [&] { return polytope_.bound / lower_; };  // of the norm of an error in one step
     for (std::size_t v = 0; v < result_.vertices.size(); ++v) {
-      const Vertex& origin = result_.vertices[v];
+      const polytope::Vertex& origin = result_.vertices[v];
       if (origin.parent >= 0) {
         const auto parent = static_cast<std::size_t>(origin.parent);
         errors.push_back(growth() * errors[parent] + step_error(parent, {origin.letter}, v));
@@ -401,13 +403,13 @@ class Proof {
   }
 
   /// Whether the true image is radius * (a number of modulus 1) * (the true vertex, mirrored or conjugated as said).
-  bool is_same_vertex(const ImageProof& image) const {
+  bool is_same_vertex(const polytope::ImageProof& image) const {
     const auto source = static_cast<std::size_t>(image.vertex),
                target = static_cast<std::size_t>(image.terms.front().vertex);
-    const Vertex& aim = result_.vertices[target];
-    const bool plain = !image.terms.front().flipped && !image.terms.front().conjugated;
+    const polytope::Vertex& aim = result_.vertices[target];
+    const bool plain = image.terms.front().element == 0 && !image.terms.front().conjugated;
     if (plain && aim.parent == image.vertex && aim.letter == image.letter) return true;
-    if (follows_from_extra_vertex(source, image.letter, target, image.terms.front().flipped)) return true;
+    if (follows_from_extra_vertex(source, image.letter, target, image.terms.front().element != 0)) return true;
     if (image.terms.front().conjugated) return false;
     if (follows_from_cycle(source, image.letter, target, plain)) return true;
     return follows_linearly(source, image.letter, target, !plain);
@@ -459,7 +461,7 @@ class Proof {
     return moved == normalised(*to);
   }
 
-  const SearchResult& result_;
+  const polytope::SearchResult& result_;
   const CertifiedPolytope& polytope_;
   Rational lower_;  // a lower bound for the radius of the product, by the very eigenvalue whose vector is used
   std::size_t count_;
@@ -470,7 +472,7 @@ class Proof {
 
 }  // namespace
 
-Decision product_attains_radius(const std::vector<RationalMatrix>& matrices, const SearchResult& result,
+Decision product_attains_radius(const std::vector<RationalMatrix>& matrices, const polytope::SearchResult& result,
                                 const CertifiedPolytope& polytope, const Rational& lower) {
   return Proof(matrices, result, polytope, lower).run();
 }

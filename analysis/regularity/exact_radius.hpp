@@ -11,7 +11,7 @@ namespace subcert {
 /// symmetry of the product, or lies inside with a margin that exact and ball arithmetic confirm.
 /// Domain: `polytope` was made from `result` and these matrices; `lower` <= radius of the first product, proved; all
 /// maximizing products have exactly that radius, proved.
-Decision product_attains_radius(const std::vector<RationalMatrix>& matrices, const SearchResult& result,
+Decision product_attains_radius(const std::vector<RationalMatrix>& matrices, const polytope::SearchResult& result,
                                 const CertifiedPolytope& polytope, const Rational& lower);
 
 }  // namespace subcert

@@ -1,7 +1,8 @@
 #include "joint_spectral_radius.hpp"
 
 #include "exact_radius.hpp"
-#include "polytope/decompositions.hpp"
+#include "polytope_search/decompositions.hpp"
+#include "polytope_search/polytope_search.hpp"
 
 #include <subcert/analysis/symbol/balls.hpp>
 #include <subcert/analysis/symbol/boost_numbers.hpp>
@@ -23,11 +24,10 @@ using Real =
 
 const Rational rounding = power(Rational(10), -15);
 
-Eigen::MatrixXd to_double(const RationalMatrix& m) {
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(m.rows()), static_cast<Eigen::Index>(m.columns()));
+polytope::Matrix to_double(const RationalMatrix& m) {
+  polytope::Matrix result(m.rows(), m.columns());
   for (std::size_t i = 0; i < m.rows(); ++i)
-    for (std::size_t j = 0; j < m.columns(); ++j)
-      result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = m(i, j).convert_to<double>();
+    for (std::size_t j = 0; j < m.columns(); ++j) result(i, j) = m(i, j).convert_to<double>();
   return result;
 }
 
@@ -157,9 +157,9 @@ ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const
   const LaurentPolynomial p = characteristic_polynomial(product);
   const std::vector<Rational> coefficients = coefficients_of(p);
 
-  const Eigen::VectorXcd eigenvalues = detail::eigenvalues(to_double(product));
-  Eigen::Index leading = 0;
-  for (Eigen::Index k = 0; k < eigenvalues.size(); ++k)
+  const polytope::ComplexVector eigenvalues = polytope::eigenvalues(to_double(product));
+  std::size_t leading = 0;
+  for (std::size_t k = 0; k < eigenvalues.size(); ++k)
     if (std::abs(eigenvalues[k]) > std::abs(eigenvalues[leading]) * (1 + 1e-12)) leading = k;
   if (std::abs(eigenvalues[leading]) == 0) return evidence;
 
@@ -237,7 +237,7 @@ bool is_dominated(const std::vector<RationalMatrix>& first, const ProductEvidenc
 }
 
 /// Whether all maximizing products of the search have the radius of the first, exactly.
-bool have_equal_radii(const std::vector<RationalMatrix>& matrices, const SearchResult& search,
+bool have_equal_radii(const std::vector<RationalMatrix>& matrices, const polytope::SearchResult& search,
                       const ProductEvidence& first) {
   for (std::size_t k = 1; k < search.maximizing; ++k) {
     std::vector<int> word = search.products[k].word;
@@ -253,12 +253,12 @@ bool have_equal_radii(const std::vector<RationalMatrix>& matrices, const SearchR
 JointSpectralRadius radius_of_family(const std::vector<RationalMatrix>& matrices, double seconds,
                                      const std::optional<KnownNorm>& known) {
   const bool symmetric = is_flip_symmetric(matrices);
-  SearchFamily family;
+  polytope::SearchFamily family;
   for (const RationalMatrix& m : matrices) family.matrices.push_back(to_double(m));
-  family.flip_symmetric = symmetric;
-  SearchOptions options;
-  options.seconds = seconds;
-  const SearchResult search = search_polytope(family, options);
+  if (symmetric) family.symmetry = polytope::SymmetryGroup::flip();
+  polytope::SearchOptions options;
+  options.budget.deadline = Deadline::in(seconds);
+  const polytope::SearchResult search = search_polytope(family, options);
 
   JointSpectralRadius result;
   // The word of the search lists the matrix applied first; its transposed words are the other way round already.
@@ -286,7 +286,7 @@ JointSpectralRadius radius_of_family(const std::vector<RationalMatrix>& matrices
     result.exact = {Truth::yes, "both ends of the enclosure are the same number"};
   else if (result.method != JsrMethod::invariant_polytope || *result.radius.lower <= 0)
     result.exact = {Truth::unknown, "no polytope closed"};
-  else if (search.status == SearchStatus::closed && !have_equal_radii(matrices, search, result.product))
+  else if (search.status == polytope::SearchStatus::closed && !have_equal_radii(matrices, search, result.product))
     result.exact = {Truth::unknown,
                     "several products seem to attain the radius, but their radii were not proved equal"};
   else
@@ -320,9 +320,10 @@ JointSpectralRadius radius_of_numbers(const std::vector<RationalMatrix>& matrice
 
 /// A quick look at a family: a product, and norms.
 JointSpectralRadius first_look(const std::vector<RationalMatrix>& matrices, double seconds) {
-  SearchFamily family;
+  polytope::SearchFamily family;
   for (const RationalMatrix& m : matrices) family.matrices.push_back(to_double(m));
-  const auto candidates = search_products(family, {8, 12, seconds, 5e-3});
+  const auto candidates = search_products(
+      family, {.max_length = 8, .width = 12, .budget = {.deadline = Deadline::in(seconds)}});
   std::vector<int> word = candidates.front().word;
   std::reverse(word.begin(), word.end());
   const KnownNorm norm = norm_of_products(matrices);

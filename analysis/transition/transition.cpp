@@ -10,9 +10,7 @@ namespace {
 
 void add_product(double& sum, double a, double b) { sum += a * b; }
 
-void add_product(Integer& sum, const Integer& a, const Integer& b) {
-  mpz_addmul(sum.backend().data(), a.backend().data(), b.backend().data());
-}
+void add_product(Integer& sum, const Integer& a, const Integer& b) { add_product(sum, a, b); }
 
 void add_product(Rational& sum, const Rational& a, const Rational& b) {
   if (b != 0) sum += a * b;

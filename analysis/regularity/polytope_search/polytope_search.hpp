@@ -1,20 +1,18 @@
 #pragma once
+/// The search for an invariant polytope in floating point: what callers ask and get. Nothing of it is proved;
+/// analysis/regularity/certified_polytope.hpp does that.
 
 #include "incremental_simplex.hpp"
 #include "product_search.hpp"
 
-#include <Eigen/Dense>
-
-#include <complex>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <vector>
 
-namespace subcert {
+namespace subcert::polytope {
 
 struct SearchOptions {
-  double seconds = 60;  ///< wall clock; the search ends soon after
+  /// Every phase ends soon after the deadline. The memory is that of what grows; a few copies of the family come on
+  /// top.
+  Budget budget{.deadline = Deadline::in(60)};
   int max_product_length = 40;
   std::size_t max_vertices = 40000;
   double tolerance = 1e-9;  ///< an image is inside when its norm is at most 1 - tolerance
@@ -22,13 +20,13 @@ struct SearchOptions {
 
 enum class SearchStatus {
   closed,       ///< every image is a vertex or strictly inside: the radius is that of the product, up to rounding
-  budget_spent  ///< time or vertices ran out: `radius` and `upper_bound` enclose, up to rounding
+  budget_spent  ///< time, memory or vertices ran out: `radius` and `upper_bound` enclose, up to rounding
 };
 
 /// A vertex in the coordinates of the family (of the transposed family, if SearchResult::transposed).
 struct Vertex {
-  Eigen::VectorXcd value;  ///< imaginary parts zero unless kind == complex
-  int parent = -1;         ///< value = A_letter vertices[parent] / scale; -1: a root
+  ComplexVector value;  ///< imaginary parts zero unless kind == complex
+  int parent = -1;      ///< value = A_letter vertices[parent] / scale; -1: a root
   int letter = -1;
   int cycle = -1;  ///< roots: index into SearchResult::products, or -1 for an extra vertex
   int place = -1;  ///< roots: letters of that word applied to its first root so far
@@ -38,9 +36,9 @@ struct Vertex {
 struct ImageProof {
   int vertex = 0;
   int letter = 0;
-  bool identity = false;    ///< the image is terms[0], a vertex up to flip, conjugation, sign or phase
-  double norm = 0;          ///< sum of |coefficient|; above 1 only if not closed
-  std::vector<Term> terms;  ///< the image is the sum of the terms (non-negative kind: is below the sum)
+  bool identity = false;               ///< the image is terms[0], a vertex up to symmetry, conjugation, sign or phase
+  double norm = 0;                     ///< sum of |coefficient|; above 1 only if not closed
+  std::vector<CombinationTerm> terms;  ///< the image is the sum of the terms (non-negative kind: is below the sum)
 };
 
 struct SearchCounters {
@@ -55,8 +53,7 @@ struct SearchCounters {
 
 struct SearchResult {
   SearchStatus status = SearchStatus::budget_spent;
-  std::vector<Candidate>
-      products;  ///< first the spectrum maximizing ones (`maximizing` of them), then nearly maximizing roots
+  std::vector<Candidate> products;  ///< the spectrum maximizing ones (`maximizing` of them) first
   std::size_t maximizing = 0;
   double radius = 0;  ///< rho(product)^(1/length) of the first
   double scale = 0;   ///< what images are divided by: radius if closed, radius (1 + eps) if only enclosed
@@ -65,19 +62,20 @@ struct SearchResult {
   PolytopeKind kind = PolytopeKind::real;
   bool transposed = false;         ///< the polytope belongs to the transposed matrices
   bool spanning = false;           ///< the vertices span; otherwise they prove nothing
-  std::vector<Vertex> vertices;    ///< under flip symmetry: one of each mirror pair
+  std::vector<Vertex> vertices;    ///< one of each orbit of the symmetry
   std::vector<ImageProof> images;  ///< one for every vertex and letter, ordered by vertex, then letter
   SearchCounters counters;
 };
 
 /// Searches a spectrum maximizing product and an invariant polytope that shows it is one.
-/// Meaning: with status closed, the hull P of the vertices (with their mirror images, negatives, phases as `kind` and
-/// the family tell) satisfies A_i P within radius * P, so that the joint spectral radius is `radius`. A family all
+/// Meaning: with status closed, the hull P of the vertices (with their images under the symmetry, negatives, phases as
+/// `kind` tells) satisfies A_i P within radius * P, so that the joint spectral radius is `radius`. A family all
 /// whose long products vanish is closed with radius 0 and no vertices. Domain: at least one matrix, all square of one
-/// size >= 1, finite entries; flip_symmetric only if it holds to 1e-12; seconds > 0, 0 < tolerance < 1e-2. Otherwise
-/// throws std::invalid_argument. Error: floating point throughout, nothing is proved; radius good to about 1e-13 times
+/// size >= 1, finite entries; a symmetry only if it holds to 1e-12; max_product_length >= 1, 0 < tolerance < 1e-2;
+/// throws Error otherwise. Where the budget is spent before anything closed, what was found so far is returned: one
+/// product at least. Error: floating point throughout, nothing is proved; radius good to about 1e-13 times
 /// the condition of its eigenvalue. Cost: one small linear program per vertex and matrix, mostly. Ref: [GP13, Alg. 1],
 /// [GP16] (balancing), [Mej20].
-SearchResult search_polytope(const SearchFamily& family, const SearchOptions& options);
+SearchResult search_polytope(const SearchFamily& family, const SearchOptions& options = {});
 
-}  // namespace subcert
+}  // namespace subcert::polytope

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace subcert::kernels {
+namespace subcert::polytope::kernels {
 
 // The sums may be reordered: a search needs no reproducible last bit.
 #pragma GCC push_options
@@ -51,4 +51,4 @@ float price_complex_block(const float* block, std::size_t even, std::size_t odd,
   SUBCERT_DISPATCH(price_complex_block(block, even, odd, flip, y, out));
 }
 
-}  // namespace subcert::kernels
+}  // namespace subcert::polytope::kernels

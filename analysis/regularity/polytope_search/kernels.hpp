@@ -1,11 +1,10 @@
 #pragma once
-
-// Dense kernels of the search: plain loops the compiler vectorises, compiled for wider registers as well where the
-// tool chain can choose between versions at load time.
+/// Dense kernels of the simplex method: plain loops the compiler vectorises, compiled for wider registers as well where
+/// the tool chain can choose between versions at load time.
 
 #include <cstddef>
 
-namespace subcert::kernels {
+namespace subcert::polytope::kernels {
 
 /// out = A x, A column major with `rows` rows (a multiple of 4) and `columns` columns.
 void multiply(const double* a, std::size_t rows, std::size_t columns, const double* x, double* out);
@@ -26,4 +25,4 @@ float price_block(const float* block, std::size_t even, std::size_t odd, const f
 /// |<y, g v>| over g = identity, conjugation and, with `flip`, negation of the odd coordinates; returns the largest.
 float price_complex_block(const float* block, std::size_t even, std::size_t odd, bool flip, const float* y, float* out);
 
-}  // namespace subcert::kernels
+}  // namespace subcert::polytope::kernels

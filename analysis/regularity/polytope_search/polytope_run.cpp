@@ -1,0 +1,363 @@
+#include "polytope_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace subcert::polytope {
+
+namespace {
+
+constexpr double kComfortable = 1e-4;        // images this far inside are not looked at again
+constexpr double kSame = 1e-8;               // an image this close to a vertex is that vertex
+constexpr double kBetter = 1e-9;             // a product that beats another by less is the same up to rounding
+constexpr double kLargestNorm = 1e3;         // norms beyond say only that the vertices do not span yet
+constexpr double kRealPhase = 1e-9;          // an eigenvalue whose phase is this close to real is real
+constexpr std::size_t kLongestPath = 60;     // letters of a word that is tried as a product
+constexpr std::size_t kPaths = 6;            // deep vertices whose words are tried
+constexpr std::size_t kLargeDimension = 32;  // from here on the clock costs nothing beside a program
+constexpr std::size_t kAllocation = 16;      // bytes that the heap spends on a block of its own
+
+// Makes a vector that is even or odd under the symmetry up to rounding exactly so; leaves others alone.
+void restore_symmetry(ComplexVector& x, const GroupAction& action) {
+  for (int g = 1; g < action.order(); ++g) {
+    ComplexVector image = x;
+    action.apply(g, image.data());
+    for (const double sign : {1.0, -1.0}) {
+      ComplexVector symmetric = x, rest = x;
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        symmetric[k] = (x[k] + sign * image[k]) / 2.0;
+        rest[k] -= symmetric[k];
+      }
+      if (squared_norm(rest) > 1e-24 * squared_norm(x)) continue;
+      x = symmetric;
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+PolytopeRun::PolytopeRun(const SearchFamily& family, std::vector<Candidate> products, PolytopeKind kind, double scale,
+                         const SearchOptions& options)
+    : family_(family),
+      kind_(kind),
+      scale_(scale),
+      options_(options),
+      products_(std::move(products)),
+      coordinates_(working_coordinates(family, kind, options.budget.deadline)),
+      dimension_(family.matrices.front().rows()),
+      stride_between_looks_(dimension_ < kLargeDimension ? 16 : 1),
+      // A quarter of the memory for what only saves time.
+      simplex_(kind, coordinates_.action, {options.budget.deadline, options.budget.memory / 4}) {
+  for (const Matrix& a : family.matrices) matrices_.push_back(coordinates_.to * a * coordinates_.from);
+  cycles_ = leading_cycles(matrices_, products_, 1e-10, options_.budget.deadline);
+  for (Matrix& a : matrices_) a /= scale_;
+  if (kind_ == PolytopeKind::nonnegative) {
+    for (RootCycle& cycle : cycles_) {
+      for (ComplexVector& v : cycle.right) {
+        for (auto& entry : v) entry = std::abs(entry);
+      }
+    }
+  }
+  balance(cycles_, matrices_, coordinates_.action, kind_, {options_.budget.deadline, options_.budget.memory / 4});
+  add_roots();
+  add_extra_vertices();
+}
+
+Vector PolytopeRun::real_form(const ComplexVector& x) const {
+  Vector result;
+  if (kind_ == PolytopeKind::complex) {
+    for (const auto& entry : x) result.push_back(entry.real());
+    for (const auto& entry : x) result.push_back(entry.imag());
+    return result;
+  }
+  // An eigenvector of a real eigenvalue is real up to a phase.
+  std::complex<double> largest = x.front();
+  for (const auto& entry : x) {
+    if (std::abs(entry) > std::abs(largest)) largest = entry;
+  }
+  const std::complex<double> turn = std::conj(largest / std::abs(largest));
+  for (const auto& entry : x) result.push_back((entry * turn).real());
+  return result;
+}
+
+ComplexVector PolytopeRun::complex_form(const Vector& x) const {
+  ComplexVector result(dimension_);
+  for (std::size_t k = 0; k < dimension_; ++k)
+    result[k] = {x[k], kind_ == PolytopeKind::complex ? x[dimension_ + k] : 0.0};
+  return result;
+}
+
+Vector PolytopeRun::apply(int letter, const Vector& x) const {
+  Vector result(x.size());
+  for (std::size_t h = 0; h < x.size(); h += dimension_)
+    add_product(matrices_[static_cast<std::size_t>(letter)], x.data() + h, result.data() + h);
+  return result;
+}
+
+int PolytopeRun::add(Node node) {
+  const int index = simplex_.add(node.value);
+  vertices_.push_back(std::move(node));
+  images_.resize(images_.size() + matrices_.size());
+  for (int a = 0; a < static_cast<int>(matrices_.size()); ++a) fresh_.push_back({index, a, 0, {}});
+  return index;
+}
+
+// A vertex, its images as far as their number goes, and what a report makes of them.
+std::size_t PolytopeRun::bytes_of_vertex() const {
+  const std::size_t image = sizeof(Image) + sizeof(ImageProof) + 3 * sizeof(Pending) + kAllocation;
+  return sizeof(Node) + sizeof(Vertex) + 2 * kAllocation + simplex_.dimension() * sizeof(double) +
+         dimension_ * sizeof(std::complex<double>) + matrices_.size() * image;
+}
+
+std::size_t PolytopeRun::bytes() const {
+  return vertices_.size() * bytes_of_vertex() + bytes_of_terms_ + simplex_.bytes() +
+         waiting_.size() * simplex_.bytes_of_warm_start();
+}
+
+void PolytopeRun::set_terms(Image& entry, std::vector<CombinationTerm> terms) {
+  bytes_of_terms_ -= entry.terms.capacity() * sizeof(CombinationTerm);
+  entry.terms = std::move(terms);
+  bytes_of_terms_ += entry.terms.capacity() * sizeof(CombinationTerm);
+}
+
+// Is the root at place t the image of an earlier one of its cycle under the symmetry?
+bool PolytopeRun::is_image_of_earlier_root(const RootCycle& cycle, std::size_t t) const {
+  const ComplexVector& v = cycle.right[t];
+  const double size = std::sqrt(squared_norm(v));
+  for (int g = 1; g < coordinates_.action.order(); ++g) {
+    ComplexVector image = v;
+    coordinates_.action.apply(g, image.data());
+    for (std::size_t s = 0; s < t; ++s) {
+      const ComplexVector& w = cycle.right[s];
+      const double other = std::sqrt(squared_norm(w));
+      const auto parallel = [&](const ComplexVector& x) {
+        return std::abs(std::abs(inner(w, x)) - size * other) <= 1e-12 * size * other;
+      };
+      if (std::abs(other - size) <= kSame * size && (parallel(image) || parallel(conjugate(image)))) return true;
+    }
+  }
+  return false;
+}
+
+void PolytopeRun::add_roots() {
+  for (const RootCycle& cycle : cycles_) {
+    for (std::size_t t = 0; t < cycle.right.size(); ++t) {
+      if (is_image_of_earlier_root(cycle, t)) continue;
+      ComplexVector v = cycle.right[t];
+      scale(v, cycle.size);
+      // The real part of a complex eigenvector is a vertex like any other.
+      const bool eigenvector = kind_ == PolytopeKind::complex || std::abs(cycle.phase.imag()) < kRealPhase;
+      if (eigenvector) {
+        add({real_form(v), -1, -1, cycle.product, static_cast<int>(t)});
+      } else {
+        add({real_form(v)});
+      }
+    }
+  }
+}
+
+// Decides one image; true if it is inside or a vertex. Otherwise sets the key to an estimate of its norm.
+bool PolytopeRun::settle(Pending& pending, bool optimum) {
+  const Vector x = apply(pending.letter, value(pending.vertex));
+  Image& entry = image(pending.vertex, pending.letter);
+  if (std::all_of(x.begin(), x.end(), [](double c) { return c == 0; })) {
+    entry.known = true;
+    entry.norm = 0;
+    return true;
+  }
+  if (kind_ == PolytopeKind::complex && match(x, entry)) return true;
+  const double reject = optimum ? std::numeric_limits<double>::max() / 4 : 1.0;
+  const Membership m = simplex_.solve(x, 1 - kComfortable, reject, optimum ? nullptr : &pending.warm);
+  const bool decided = m.answer != Membership::Answer::undecided;
+  if (m.answer != Membership::Answer::inside && (!decided || m.upper > 1 + kSame)) {
+    pending.key = std::sqrt(std::max(m.lower, 1.0) * std::min(m.upper, kLargestNorm));
+    entry.norm = std::min(entry.norm, m.upper);
+    return false;
+  }
+  std::vector<CombinationTerm> terms = simplex_.combination();
+  if (m.upper > 1 - kSame) {
+    const auto largest = std::max_element(terms.begin(), terms.end(), [](const auto& a, const auto& b) {
+      return std::abs(a.coefficient) < std::abs(b.coefficient);
+    });
+    if (std::abs(std::abs(largest->coefficient) - 1) <= kSame) {
+      entry.known = entry.identity = true;
+      entry.norm = 1;
+      set_terms(entry, {*largest});
+      return true;
+    }
+  }
+  if (m.upper > 1 - options_.tolerance) {
+    pending.key = m.upper;
+    entry.norm = std::min(entry.norm, m.upper);
+    return false;
+  }
+  entry.known = true;
+  entry.norm = m.upper;
+  set_terms(entry, std::move(terms));
+  return true;
+}
+
+// Is x a multiple c of a vertex, |c| = 1 up to rounding? A linear program comes near that phase by many pivots only.
+bool PolytopeRun::match(const Vector& x, Image& entry) {
+  const double size = inner(x, x);
+  for (std::size_t j = 0; j < vertices_.size(); ++j) {
+    // Those of another length are no candidates: |x| and |c v| differ by 2 kSame at most.
+    if (std::abs(inner(vertices_[j].value, vertices_[j].value) - size) > 10 * kSame * size) continue;
+    const ComplexVector z = complex_form(x);
+    for (int g = 0; g < coordinates_.action.order(); ++g) {
+      ComplexVector w = complex_form(vertices_[j].value);
+      coordinates_.action.apply(g, w.data());
+      for (const bool conjugated : {false, true}) {
+        if (conjugated) w = conjugate(std::move(w));
+        const std::complex<double> c = inner(w, z) / squared_norm(w);
+        double distance = 0;
+        for (std::size_t k = 0; k < dimension_; ++k) distance += std::norm(z[k] - c * w[k]);
+        if (std::abs(std::abs(c) - 1) > kSame || distance > kSame * kSame * size) continue;
+        entry.known = entry.identity = true;
+        entry.norm = 1;
+        set_terms(entry, {CombinationTerm{static_cast<int>(j), g, conjugated, c}});
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+PolytopeRun::State PolytopeRun::advance(const Deadline& slice) {
+  while (state_ == State::open && !vertices_.empty() && !must_stop(slice)) {
+    if (!settle_fresh(slice)) break;
+    if (!waiting_.empty()) {
+      add_largest(slice);
+      continue;
+    }
+    if (!spanning_) add_spanning_vertices();
+    spanning_ = true;
+    if (fresh_.empty()) state_ = State::closed;
+  }
+  return state_;
+}
+
+// Images of the newest vertices against the polytope so far; false if they were not all settled in time.
+bool PolytopeRun::settle_fresh(const Deadline& slice) {
+  std::size_t done = 0;
+  for (; done < fresh_.size(); ++done) {
+    if ((done + 1) % stride_between_looks_ == 0 && must_stop(slice)) break;
+    if (!settle(fresh_[done])) waiting_.push_back(std::move(fresh_[done]));
+  }
+  fresh_.erase(fresh_.begin(), fresh_.begin() + static_cast<std::ptrdiff_t>(done));
+  return fresh_.empty();
+}
+
+// The largest images become vertices, the largest first: each may put smaller ones inside.
+void PolytopeRun::add_largest(const Deadline& slice) {
+  std::sort(waiting_.begin(), waiting_.end(), [](const Pending& a, const Pending& b) { return a.key > b.key; });
+  // An image on the boundary that is no vertex becomes one.
+  const double threshold = std::min(1.0, waiting_.front().key);
+  std::vector<Pending> later;
+  for (std::size_t k = 0; k < waiting_.size(); ++k) {
+    Pending& pending = waiting_[k];
+    if (pending.key < threshold || ((k + 1) % stride_between_looks_ == 0 && must_stop(slice))) {
+      std::move(waiting_.begin() + static_cast<std::ptrdiff_t>(k), waiting_.end(), std::back_inserter(later));
+      break;
+    }
+    if (k > 0 && settle(pending)) continue;
+    if (pending.key < threshold) {
+      later.push_back(std::move(pending));
+    } else {
+      make_vertex(pending);
+    }
+  }
+  waiting_ = std::move(later);
+}
+
+void PolytopeRun::make_vertex(const Pending& pending) {
+  Image& entry = image(pending.vertex, pending.letter);
+  entry.known = entry.identity = true;
+  entry.norm = 1;
+  set_terms(entry, {CombinationTerm{static_cast<int>(vertices_.size()), 0, false, 1.0}});
+  add({apply(pending.letter, value(pending.vertex)), pending.vertex, pending.letter});
+}
+
+std::vector<int> PolytopeRun::path(int vertex) const {
+  std::vector<int> word;
+  for (int v = vertex; word.size() < kLongestPath && vertices_[static_cast<std::size_t>(v)].parent >= 0;
+       v = vertices_[static_cast<std::size_t>(v)].parent)
+    word.push_back(vertices_[static_cast<std::size_t>(v)].letter);
+  std::reverse(word.begin(), word.end());
+  return word;
+}
+
+std::optional<Candidate> PolytopeRun::better_product(double radius) const {
+  std::optional<Candidate> best;
+  std::set<std::vector<int>> tried;
+  // The deepest vertices tell along which words the orbit does not shrink.
+  for (std::size_t k = 0; k < kPaths && k < size(); ++k) {
+    const std::vector<int> word = path(static_cast<int>(size() - 1 - k * (1 + size() / 40)));
+    for (std::size_t length = 2; length <= word.size(); ++length) {
+      if (static_cast<int>(length) > options_.max_product_length || options_.budget.deadline.expired()) break;
+      std::vector<int> tail(word.end() - static_cast<std::ptrdiff_t>(length), word.end());
+      tail = canonical_word(tail, matrices_.size(), family_.symmetry);
+      if (!tried.insert(tail).second) continue;
+      const double r = product_radius(family_.matrices, tail);
+      if (r > radius * (1 + kBetter) && (!best || r > best->radius)) best = Candidate{tail, r};
+    }
+  }
+  return best;
+}
+
+void PolytopeRun::finish(const Deadline& deadline) {
+  for (int v = 0; v < static_cast<int>(size()); ++v) {
+    for (int a = 0; a < static_cast<int>(matrices_.size()); ++a) {
+      Image& entry = image(v, a);
+      if (entry.known && (entry.identity || entry.norm <= 1 - kComfortable)) continue;
+      if (deadline.expired()) return;
+      const Image before = entry;
+      Pending pending{v, a, 0, {}};
+      if (settle(pending, true) && !entry.identity) continue;
+      if (before.known && before.norm < entry.norm) {
+        entry.identity = before.identity;
+        entry.norm = before.norm;
+        set_terms(entry, before.terms);
+      }
+    }
+  }
+}
+
+void PolytopeRun::count(SearchCounters& counters) const {
+  counters.programs += simplex_.programs();
+  counters.pivots += simplex_.pivots();
+  counters.cold_starts += simplex_.cold_starts();
+}
+
+void PolytopeRun::report(SearchResult& result) && {
+  result.status = state_ == State::closed ? SearchStatus::closed : SearchStatus::budget_spent;
+  result.products = std::move(products_);
+  result.maximizing = result.products.size();
+  result.radius = result.products.front().radius;
+  result.scale = scale_;
+  result.kind = kind_;
+  result.spanning = spanning_ || state_ == State::closed;
+  result.vertices.clear();
+  result.vertices.reserve(size());
+  const GroupAction action = family_.symmetry.action(dimension_);
+  for (const Node& node : vertices_) {
+    result.vertices.push_back(
+        {coordinates_.from * complex_form(node.value), node.parent, node.letter, node.cycle, node.place});
+    if (node.parent < 0 && node.cycle < 0) restore_symmetry(result.vertices.back().value, action);
+  }
+  result.images.clear();
+  result.images.reserve(images_.size());
+  double worst = 0, margin = 1;
+  for (Image& entry : images_) {
+    const int m = static_cast<int>(matrices_.size()), index = static_cast<int>(result.images.size());
+    result.images.push_back({index / m, index % m, entry.identity, entry.norm, std::move(entry.terms)});
+    worst = std::max(worst, entry.norm);
+    if (!entry.identity) margin = std::min(margin, 1 - entry.norm);
+  }
+  result.worst_margin = margin;
+  result.upper_bound = scale_ * worst;
+}
+
+}  // namespace subcert::polytope

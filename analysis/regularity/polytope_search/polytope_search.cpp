@@ -1,0 +1,280 @@
+#include "polytope_search.hpp"
+
+#include "polytope_run.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace subcert::polytope {
+
+namespace {
+
+constexpr std::size_t kMaxMaximizing = 12;  // products that roots are made of; more are shifts of a continuum of them
+constexpr double kSymmetric = 1e-12;        // a symmetry may be off by that, relatively
+
+// Shares of the whole time. A polytope that closes exactly is worth most of it; enclosing gets the rest.
+constexpr double kFirstProducts = 0.25, kLaterProducts = 0.125;
+constexpr double kFirstRace = 0.6, kAllRaces = 0.65, kLastRace = 0.5;
+// A polytope that closes mostly does so within a small multiple of the first look at the products; one that does not
+// gets a wider look for a better product, and more time each round.
+constexpr double kFirstPatience = 20, kPatience = 60;
+constexpr double kLeastRace = 0.1;                        // seconds
+constexpr double kLeastSlice = 0.02, kLargestSlice = 60;  // seconds of a run before it is the turn of the other one
+constexpr double kClearlyAhead = 0.6;                     // ratio of the shares of open images
+
+// Descending tolerance: by what the radius is exceeded at first, and how it falls.
+constexpr double kFirstExcess = 0.1, kExcessFactor = 0.4;
+constexpr double kThirdExcess = 6e-4;  // encloses the logarithm to base 2 within 1e-3
+constexpr int kExcesses = 24;          // the last is below the rounding of the radius
+
+void check(const SearchFamily& family, const SearchOptions& options) {
+  require(!family.matrices.empty(), "search_polytope: need at least one matrix, got {}", family.matrices.size());
+  const std::size_t d = family.matrices.front().rows(), m = family.matrices.size();
+  require(d >= 1, "search_polytope: need dimension >= 1, got {}", d);
+  for (const Matrix& a : family.matrices) {
+    require(a.rows() == d && a.columns() == d, "search_polytope: need square matrices of one size {}, got {} x {}", d,
+            a.rows(), a.columns());
+    for (const double entry : a.entries())
+      require(std::isfinite(entry), "search_polytope: need finite entries, got {}", entry);
+  }
+  for (int g = 1; g < family.symmetry.order(); ++g) {
+    for (std::size_t i = 0; i < m; ++i) {
+      const Matrix& a = family.matrices[i];
+      const int image = family.symmetry.letter(g, static_cast<int>(i), m);
+      Matrix difference = family.symmetry.conjugated(g, a);
+      difference /= -1;
+      difference += family.matrices[static_cast<std::size_t>(image)];
+      const double off = difference.largest_modulus();
+      require(
+          off <= kSymmetric * std::max(1.0, a.largest_modulus()),
+          "search_polytope: need J A_i J = A_(m-1-i) for a symmetric family, got matrices {} and {} that differ by {}",
+          i, image, off);
+    }
+  }
+  require(options.tolerance > 0 && options.tolerance < 1e-2, "search_polytope: need 0 < tolerance < 1e-2, got {}",
+          options.tolerance);
+  require(options.max_product_length >= 1, "search_polytope: need max_product_length >= 1, got {}",
+          options.max_product_length);
+}
+
+std::size_t bytes_of(const SearchResult& result) {
+  std::size_t bytes = 0;
+  for (const Vertex& v : result.vertices) bytes += sizeof v + v.value.size() * sizeof v.value.front();
+  for (const ImageProof& i : result.images) bytes += sizeof i + i.terms.capacity() * sizeof i.terms.front();
+  return bytes;
+}
+
+class Search {
+ public:
+  Search(const SearchFamily& family, const SearchOptions& options)
+      : options_(options), seconds_(options.budget.deadline.remaining()) {
+    family_[0] = family_[1] = family;
+    for (Matrix& a : family_[1].matrices) a = a.transposed();
+  }
+
+  SearchResult run() {
+    look_for_products(std::min(12, options_.max_product_length), 12, kFirstProducts);
+    const double first_look = elapsed();
+    if (candidates_.front().radius == 0) return vanishing();
+    if (race(std::min(kLeastRace + kFirstPatience * first_look, kFirstRace * seconds_), 1)) return closed();
+    for (const int width : {32, 200}) {
+      look_for_products(options_.max_product_length, width, kLaterProducts);
+      const double rest = kAllRaces * seconds_ - elapsed();
+      if (race(width == 200 ? rest : std::min(kPatience * elapsed(), rest), 2)) return closed();
+      if (elapsed() > kLastRace * seconds_ || full()) break;
+    }
+    return enclosed();
+  }
+
+ private:
+  double elapsed() const { return stopwatch_.seconds(); }
+  const Deadline& deadline() const { return options_.budget.deadline; }
+  // Products get a quarter of the memory, polytopes the rest.
+  std::size_t memory_of_products() const { return options_.budget.memory / 4; }
+  std::size_t memory_of_polytopes() const { return options_.budget.memory - memory_of_products(); }
+
+  bool full() const { return runs_[0] && runs_[1] && runs_[0]->full() && runs_[1]->full(); }
+
+  // Looks for products and gives up what is built on a worse one.
+  void look_for_products(int max_length, int width, double share) {
+    ProductSearchOptions options;
+    options.max_length = max_length;
+    options.width = width;
+    options.budget = {deadline().at_most(share * seconds_), memory_of_products()};
+    take(search_products(family_[0], options));
+  }
+
+  void take(std::vector<Candidate> found) {
+    for (const Candidate& c : candidates_) {
+      if (std::none_of(found.begin(), found.end(), [&c](const Candidate& f) { return f.word == c.word; })) {
+        found.push_back(c);
+      }
+    }
+    const std::vector<Candidate> old = maximizing();
+    maximizing_ = std::min(sort_candidates(found), kMaxMaximizing);
+    candidates_ = std::move(found);
+    if (std::ranges::equal(old, maximizing(), {}, &Candidate::word, &Candidate::word)) return;
+    if (!old.empty() && old.front().radius > 0) ++counters_.restarts;
+    for (auto& run : runs_) retire(run);
+  }
+
+  std::vector<Candidate> maximizing() const {
+    return {candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(maximizing_)};
+  }
+
+  void retire(std::unique_ptr<PolytopeRun>& run) {
+    if (run) run->count(counters_);
+    run.reset();
+  }
+
+  PolytopeKind kind() const {
+    const auto& matrices = family_[0].matrices;
+    const auto is_nonnegative = [](const Matrix& a) {
+      return std::all_of(a.entries().begin(), a.entries().end(), [](double entry) { return entry >= 0; });
+    };
+    if (std::all_of(matrices.begin(), matrices.end(), is_nonnegative)) return PolytopeKind::nonnegative;
+    for (const RootCycle& cycle : leading_cycles(matrices, maximizing(), 1e-10, deadline())) {
+      if (std::abs(cycle.phase.imag()) > 1e-9) return PolytopeKind::complex;
+    }
+    return PolytopeKind::real;
+  }
+
+  std::unique_ptr<PolytopeRun> start(std::size_t side, double scale, PolytopeKind kind, std::size_t memory) {
+    ++counters_.runs;
+    std::vector<Candidate> products = maximizing();
+    if (side == 1) {
+      for (Candidate& c : products) std::reverse(c.word.begin(), c.word.end());
+    }
+    SearchOptions options = options_;
+    options.budget.memory = memory;
+    return std::make_unique<PolytopeRun>(family_[side], std::move(products), kind, scale, options);
+  }
+
+  // Whether the run of that side is clearly nearer to its end, judged by the share of its images that are still open.
+  bool is_ahead(std::size_t side) const {
+    return runs_[0] && runs_[1] && runs_[side]->open_share() < kClearlyAhead * runs_[1 - side]->open_share();
+  }
+
+  // Advances the family, or the family and its transpose in turn, by slices that grow; true when one closes.
+  bool race(double seconds, std::size_t sides) {
+    const Stopwatch race_watch;
+    const auto left = [&] { return seconds - race_watch.seconds(); };
+    const auto first_slice = [&] { return std::clamp(left() / 64, kLeastSlice, kLargestSlice); };
+    double slice = sides == 1 ? seconds : first_slice();
+    for (int round = 0; left() > 0 && !full(); ++round) {
+      // Every fourth round the one behind gets its turn as well.
+      const bool all = round % 4 == 3;
+      const std::size_t skipped = all ? 2 : is_ahead(0) ? 1 : is_ahead(1) ? 0 : 2;
+      for (std::size_t side = 0; side < sides && left() > 0; ++side) {
+        if (sides == 2 && side == skipped) continue;
+        auto& run = runs_[side];
+        if (!run) run = start(side, candidates_.front().radius, kind(), memory_of_polytopes() / 2);
+        const double share = std::min(slice, left());
+        if (share <= 0) break;
+        if (run->advance(deadline().at_most(share)) == PolytopeRun::State::closed) {
+          winner_ = side;
+          return true;
+        }
+        if (take_better_product(side)) {
+          slice = first_slice();
+          break;
+        }
+      }
+      if (sides == 1 && runs_[0]) break;
+      slice *= 1.5;
+    }
+    return false;
+  }
+
+  bool take_better_product(std::size_t side) {
+    std::optional<Candidate> better = runs_[side]->better_product(candidates_.front().radius);
+    if (!better) return false;
+    if (side == 1) {
+      std::reverse(better->word.begin(), better->word.end());
+      better->word = canonical_word(better->word, family_[0].matrices.size(), family_[0].symmetry);
+    }
+    take({*better});
+    return true;
+  }
+
+  double radius_bound() const { return orbit_shape(family_[0].matrices, deadline()).radius_bound; }
+
+  SearchResult with_counters(SearchResult result) {
+    for (auto& run : runs_) retire(run);
+    counters_.seconds = elapsed();
+    result.counters = counters_;
+    return result;
+  }
+
+  SearchResult vanishing() {
+    SearchResult result;
+    result.products = {candidates_.front()};
+    result.maximizing = 1;
+    result.upper_bound = radius_bound();
+    result.status = result.upper_bound == 0 ? SearchStatus::closed : SearchStatus::budget_spent;
+    return with_counters(std::move(result));
+  }
+
+  SearchResult closed() {
+    PolytopeRun& run = *runs_[winner_];
+    retire(runs_[1 - winner_]);
+    run.finish(deadline());
+    counters_.vertices = run.size();
+    SearchResult result;
+    std::move(run).report(result);
+    result.transposed = winner_ == 1;
+    return with_counters(std::move(result));
+  }
+
+  // Images divided by (1 + excess) radius, the excess smaller as long as time and memory last.
+  SearchResult enclosed() {
+    SearchResult best;
+    const double radius = candidates_.front().radius;
+    const std::size_t side = runs_[0] && runs_[1] && runs_[1]->open_share() < runs_[0]->open_share() ? 1 : 0;
+    for (auto& run : runs_) retire(run);
+    // No image needs to come back to a vertex any more, so that real polytopes do for complex eigenvalues.
+    const PolytopeKind simple = kind() == PolytopeKind::nonnegative ? PolytopeKind::nonnegative : PolytopeKind::real;
+    double excess = kFirstExcess;
+    for (int k = 0; k < kExcesses && !deadline().expired(); ++k, excess *= kExcessFactor) {
+      if (k == 3) excess = kThirdExcess;
+      const std::size_t held = std::min(bytes_of(best), memory_of_polytopes());
+      auto run = start(side, radius * (1 + excess), simple, memory_of_polytopes() - held);
+      if (run->advance(deadline()) != PolytopeRun::State::closed) {
+        retire(run);
+        break;
+      }
+      run->finish(deadline().after(0.5));
+      counters_.vertices = run->size();
+      run->count(counters_);
+      std::move(*run).report(best);
+      best.transposed = side == 1;
+    }
+    best.status = SearchStatus::budget_spent;
+    best.radius = radius;
+    if (best.products.empty()) best.products = {candidates_.front()};
+    best.upper_bound = std::min(best.upper_bound, radius_bound() * (1 + 1e-6));
+    return with_counters(std::move(best));
+  }
+
+  SearchOptions options_;
+  Stopwatch stopwatch_;
+  double seconds_;
+  SearchFamily family_[2];  // as given, transposed
+  std::vector<Candidate> candidates_;
+  std::size_t maximizing_ = 0;
+  std::unique_ptr<PolytopeRun> runs_[2];
+  std::size_t winner_ = 0;
+  SearchCounters counters_;
+};
+
+}  // namespace
+
+SearchResult search_polytope(const SearchFamily& family, const SearchOptions& options) {
+  check(family, options);
+  return Search(family, options).run();
+}
+
+}  // namespace subcert::polytope

@@ -1,0 +1,294 @@
+#include "product_search.hpp"
+
+#include "decompositions.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace subcert::polytope {
+
+namespace {
+
+constexpr double kEqual = 1e-11;  // radii this close are equal: eigenvalues carry some 1e-13
+constexpr std::size_t kMaxCandidates = 64;
+constexpr int kShort = 8;  // words up to this length are few: more of them are solved exactly
+constexpr int kSolvedShort = 32, kSolvedLong = 8;
+
+std::size_t at(int letter) { return static_cast<std::size_t>(letter); }
+
+std::vector<int> least_shift(const std::vector<int>& word) {
+  const std::size_t n = word.size();
+  std::size_t best = 0;
+  for (std::size_t s = 1; s < n; ++s) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const int a = word[(s + k) % n], b = word[(best + k) % n];
+      if (a == b) continue;
+      if (a < b) best = s;
+      break;
+    }
+  }
+  std::vector<int> shifted(n);
+  for (std::size_t k = 0; k < n; ++k) shifted[k] = word[(best + k) % n];
+  return shifted;
+}
+
+struct Partial {
+  std::vector<int> word;
+  Matrix product;    // divided by scale^length
+  double norm = 0;   // Frobenius, averaged, of the scaled product
+  double bound = 0;  // least averaged norm of the prefixes
+  double score = 0;  // averaged estimate of the spectral radius
+};
+
+// |tr P^2|^(1/2) is the radius of P up to the weight of the other eigenvalues.
+double estimated_radius(const Matrix& p) {
+  double trace = 0;
+  for (std::size_t j = 0; j < p.columns(); ++j)
+    for (std::size_t i = 0; i < p.rows(); ++i) trace += p(i, j) * p(j, i);
+  return std::sqrt(std::abs(trace));
+}
+
+// One search, length by length.
+class ProductSearch {
+ public:
+  ProductSearch(const SearchFamily& family, const ProductSearchOptions& options)
+      : family_(family), options_(options), orbit_(orbit_shape(family.matrices, options.budget.deadline)) {}
+
+  std::vector<Candidate> run() {
+    if (orbit_.radius_bound == 0) return {Candidate{{0}, 0.0}};
+    begin();
+    for (int length = 2; length <= options_.max_length && !level_.empty() && !late(); ++length) {
+      std::vector<Partial> next = extensions(length);
+      if (late()) break;
+      std::vector<std::size_t> order = by_score(next);
+      solve_most_promising(next, order, length);
+      if (next.size() > width_) narrow(next, order, width_);
+      level_ = std::move(next);
+    }
+    std::vector<Candidate> result;
+    for (const auto& [word, radius] : known_) {
+      if (radius >= best_ * (1 - options_.near)) result.push_back({word, radius * orbit_.radius_bound});
+    }
+    sort_candidates(result);
+    if (result.size() > kMaxCandidates) result.resize(kMaxCandidates);
+    return result;
+  }
+
+ private:
+  bool late() const { return options_.budget.deadline.expired(); }
+
+  // The exact radius of a product, unless it is known already.
+  bool record(const Partial& p) {
+    std::vector<int> word = canonical_word(p.word, matrices_.size(), family_.symmetry);
+    if (known_.contains(word)) return false;
+    const double radius = std::pow(spectral_radius(p.product), 1.0 / static_cast<double>(p.word.size()));
+    best_ = std::max(best_, radius);
+    return known_.emplace(std::move(word), radius).second;
+  }
+
+  void begin() {
+    // In the coordinates of the averaged orbit the Frobenius norm says more about the radius.
+    const auto [to, from] = whitening(orbit_.shape, 1e-14);
+    for (const Matrix& a : family_.matrices) {
+      matrices_.push_back(to * a * from);
+      matrices_.back() /= orbit_.radius_bound;
+    }
+    const std::size_t letters = matrices_.size();
+    const std::size_t bytes = sizeof(Partial) + at(options_.max_length) * 2 * sizeof(int) +
+                              matrices_.front().entries().size() * sizeof(double);
+    // A level and all its extensions are held at a time.
+    const std::size_t widest = std::max<std::size_t>(options_.budget.memory / ((letters + 1) * bytes), 1);
+    width_ = std::min(widest, at(std::max(options_.width, 1)));
+    for (std::size_t a = 0; a < letters && (a == 0 || !late()); ++a) {
+      Partial p;
+      p.word = {static_cast<int>(a)};
+      p.product = matrices_[a];
+      p.norm = p.bound = norm(p.product.entries());
+      p.score = estimated_radius(p.product);
+      record(p);
+      level_.push_back(std::move(p));
+    }
+    if (level_.size() > widest) {
+      std::vector<std::size_t> order = by_score(level_);
+      narrow(level_, order, widest);
+    }
+  }
+
+  static std::vector<std::size_t> by_score(const std::vector<Partial>& partials) {
+    std::vector<std::size_t> order(partials.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return partials[a].score > partials[b].score; });
+    return order;
+  }
+
+  // All products one letter longer that may still beat the best, one of each orbit of the symmetry.
+  std::vector<Partial> extensions(int length) const {
+    const double exponent = 1.0 / length;
+    std::vector<Partial> next;
+    std::set<std::vector<int>> seen;
+    for (const Partial& parent : level_) {
+      if (late()) break;
+      for (std::size_t a = 0; a < matrices_.size(); ++a) {
+        Partial p;
+        p.word = parent.word;
+        p.word.push_back(static_cast<int>(a));
+        bool mirrored = false;
+        for (int g = 1; g < family_.symmetry.order() && !mirrored; ++g)
+          mirrored = seen.contains(family_.symmetry.word(g, p.word, matrices_.size()));
+        if (mirrored) continue;
+        if (family_.symmetry.order() > 1) seen.insert(p.word);
+        p.product = matrices_[a] * parent.product;
+        p.norm = std::pow(norm(p.product.entries()), exponent);
+        p.bound = std::min(parent.bound, p.norm);
+        if (p.bound <= best_ * (1 - options_.near)) continue;
+        p.score = std::pow(estimated_radius(p.product), exponent);
+        next.push_back(std::move(p));
+      }
+    }
+    return next;
+  }
+
+  void solve_most_promising(const std::vector<Partial>& next, const std::vector<std::size_t>& order, int length) {
+    int solved = 0;
+    for (const std::size_t k : order) {
+      if (solved >= (length <= kShort ? kSolvedShort : kSolvedLong) || late()) break;
+      if (next[k].score < best_ * (1 - options_.near)) break;
+      if (record(next[k])) ++solved;
+    }
+  }
+
+  // Keeps `width` of them: half by estimated radius, which is what `order` goes by, half by norm.
+  static void narrow(std::vector<Partial>& next, std::vector<std::size_t>& order, std::size_t width) {
+    std::vector<char> keep(next.size(), 0);
+    for (std::size_t k = 0; k < width / 2; ++k) keep[order[k]] = 1;
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return next[a].norm > next[b].norm; });
+    std::size_t kept = width / 2;
+    for (const std::size_t k : order) {
+      if (kept >= width) break;
+      if (keep[k] == 0) ++kept;
+      keep[k] = 1;
+    }
+    std::vector<Partial> narrowed;
+    narrowed.reserve(width);
+    for (std::size_t k = 0; k < next.size(); ++k) {
+      if (keep[k] != 0) narrowed.push_back(std::move(next[k]));
+    }
+    next = std::move(narrowed);
+  }
+
+  const SearchFamily& family_;
+  const ProductSearchOptions& options_;
+  OrbitShape orbit_;
+  std::vector<Matrix> matrices_;
+  std::size_t width_ = 1;
+  std::vector<Partial> level_;
+  std::map<std::vector<int>, double> known_;
+  double best_ = 0;
+};
+
+}  // namespace
+
+std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count, const SymmetryGroup& symmetry) {
+  const std::size_t n = word.size();
+  for (std::size_t period = 1; period < n; ++period) {
+    if (n % period != 0) continue;
+    bool periodic = true;
+    for (std::size_t k = period; k < n && periodic; ++k) periodic = word[k] == word[k - period];
+    if (!periodic) continue;
+    word.resize(period);
+    break;
+  }
+  std::vector<int> best = least_shift(word);
+  for (int g = 1; g < symmetry.order(); ++g) best = std::min(best, least_shift(symmetry.word(g, word, letter_count)));
+  return best;
+}
+
+std::size_t sort_candidates(std::vector<Candidate>& candidates) {
+  double top = 0;
+  for (const Candidate& c : candidates) top = std::max(top, c.radius);
+  const auto maximizes = [top](const Candidate& c) { return c.radius >= top * (1 - kEqual); };
+  std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+    if (maximizes(a) != maximizes(b)) return maximizes(a);
+    if (maximizes(a) && a.word.size() != b.word.size()) return a.word.size() < b.word.size();
+    return a.radius > b.radius;
+  });
+  return static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), maximizes));
+}
+
+double product_radius(const std::vector<Matrix>& matrices, const std::vector<int>& word) {
+  require(!word.empty(), "product_radius: need a non-empty word, got one of length {}", word.size());
+  Matrix product = matrices.at(at(word.front()));
+  double log_scale = 0;
+  for (std::size_t k = 1; k < word.size(); ++k) {
+    product = matrices.at(at(word[k])) * product;
+    const double size = norm(product.entries());
+    if (size == 0) return 0;
+    product /= size;
+    log_scale += std::log(size);
+  }
+  const double radius = spectral_radius(product);
+  return radius == 0 ? 0 : std::exp((std::log(radius) + log_scale) / static_cast<double>(word.size()));
+}
+
+OrbitShape orbit_shape(const std::vector<Matrix>& matrices, const Deadline& deadline) {
+  const std::size_t d = matrices.front().rows();
+  OrbitShape result;
+  Matrix g = Matrix::identity(d);
+  g /= static_cast<double>(d);
+  double growth = 0;
+  bool complete = true;
+  for (int k = 0; k < 60 && complete; ++k) {
+    Matrix next(d, d);
+    for (const Matrix& a : matrices) {
+      complete = complete && !deadline.expired();
+      if (complete) next += a * g * a.transposed();
+    }
+    if (!complete) break;
+    double trace = 0;
+    for (std::size_t i = 0; i < d; ++i) trace += next(i, i);
+    if (trace == 0) return {Matrix::identity(d), 0};
+    const bool settled = std::abs(trace - growth) < 1e-6 * trace;
+    growth = trace;
+    g = std::move(next);
+    g /= trace;
+    if (settled && k > 10) break;
+  }
+  result.shape = g;
+  result.shape += g.transposed();
+  result.shape /= 2;
+  for (std::size_t i = 0; i < d; ++i) result.shape(i, i) += 1e-9 / static_cast<double>(d);
+  if (!complete) {  // rho <= max |A_i|
+    growth = 0;
+    for (const Matrix& a : matrices) growth = std::max(growth, std::pow(norm(a.entries()), 2));
+  }
+  result.radius_bound = std::sqrt(growth);
+  return result;
+}
+
+Whitening whitening(const Matrix& shape, double least) {
+  const SymmetricDecomposition eigen = symmetric_decomposition(shape);
+  const std::size_t n = eigen.values.size();
+  const double floor = least * *std::max_element(eigen.values.begin(), eigen.values.end());
+  Whitening result{Matrix(n, n), Matrix(n, n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double root = std::sqrt(std::max(eigen.values[i], floor));
+    const double inverse = 1 / root;
+    for (std::size_t j = 0; j < n; ++j) {
+      result.to(i, j) = inverse * eigen.vectors(j, i);
+      result.from(j, i) = eigen.vectors(j, i) * root;
+    }
+  }
+  return result;
+}
+
+std::vector<Candidate> search_products(const SearchFamily& family, const ProductSearchOptions& options) {
+  require(!family.matrices.empty(), "search_products: need at least one matrix, got {}", family.matrices.size());
+  return ProductSearch(family, options).run();
+}
+
+}  // namespace subcert::polytope

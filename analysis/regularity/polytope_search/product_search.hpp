@@ -1,0 +1,71 @@
+#pragma once
+/// Products of the matrices of a family whose averaged spectral radius is large: the candidates for spectrum maximizing
+/// products that the search for a polytope starts from.
+
+#include "symmetry.hpp"
+
+#include <subcert/analysis/symbol/budget.hpp>
+
+#include <vector>
+
+namespace subcert::polytope {
+
+/// A finite set of real square matrices of one size, and a group that permutes them.
+struct SearchFamily {
+  std::vector<Matrix> matrices;
+  SymmetryGroup symmetry;
+};
+
+/// A product A_{w_k} ... A_{w_1}, written as the word w_1 ... w_k (the letter applied first comes first). Canonical:
+/// the word is primitive and the least of its cyclic shifts and of those of its images under the symmetry.
+struct Candidate {
+  std::vector<int> word;
+  double radius = 0;  ///< rho(product)^(1/k)
+};
+
+/// How wide and how far the product search looks.
+struct ProductSearchOptions {
+  int max_length = 40;
+  int width = 32;      ///< products kept per length; fewer where the memory does not hold so many
+  double near = 5e-3;  ///< candidates within this relative distance of the best are reported
+  Budget budget;
+};
+
+/// The canonical form of a word, see Candidate. Domain: 0 <= letters < letter_count. Cost: O(length^2) per element of
+/// the symmetry.
+std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count, const SymmetryGroup& symmetry);
+
+/// Best first; among those that equal the best to a relative 1e-11 the shorter words first. Returns how many do.
+std::size_t sort_candidates(std::vector<Candidate>& candidates);
+
+/// rho(A_{w_k} ... A_{w_1})^(1/k), from the eigenvalues of the product in double precision.
+/// Domain: non-empty word over the family.
+double product_radius(const std::vector<Matrix>& matrices, const std::vector<int>& word);
+
+/// A symmetric positive definite G with G = sum_i A_i G A_i^T / s + a little of the identity: the averaged shape of all
+/// orbits, and the square root of s, which is an upper bound of the joint spectral radius (s / count bounds it below).
+/// s = 0 exactly when all long products vanish. Commutes with the symmetry of the family. Past the deadline G is what
+/// it is by then, and the bound a cruder one. Cost: up to 60 sums of 2 count cubic products. Ref: [BN05], the
+/// ellipsoidal norm of the lifted sum.
+struct OrbitShape {
+  Matrix shape;
+  double radius_bound = 0;
+};
+OrbitShape orbit_shape(const std::vector<Matrix>& matrices, const Deadline& deadline = {});
+
+/// Coordinates x' = to x in which a symmetric positive definite shape becomes the identity; eigenvalues below
+/// `least` times the largest are raised to it.
+struct Whitening {
+  Matrix to, from;
+};
+Whitening whitening(const Matrix& shape, double least);
+
+/// Products of large averaged spectral radius, best first, shortest first among equals (relative 1e-11), at most 64 of
+/// them, at least one. A width limited branch and bound: per length it keeps the products of largest norm and those of
+/// largest estimated radius, and drops those whose norm shows that no power of them can beat the best.
+/// Within the budget it never misses a product of length k with count^k <= width. The result is a lower bound of the
+/// joint spectral radius, not more. Domain: at least one matrix. Error: radii as exact as double precision eigenvalues.
+/// Cost: 2 width * max_length matrix products and a few hundred eigenvalue problems. Ref: [Gri96], [Mej20, sec. 3].
+std::vector<Candidate> search_products(const SearchFamily& family, const ProductSearchOptions& options);
+
+}  // namespace subcert::polytope

@@ -10,8 +10,6 @@ namespace {
 
 void add_product(double& sum, double a, double b) { sum += a * b; }
 
-void add_product(Integer& sum, const Integer& a, const Integer& b) { add_product(sum, a, b); }
-
 void add_product(Rational& sum, const Rational& a, const Rational& b) {
   if (b != 0) sum += a * b;
 }

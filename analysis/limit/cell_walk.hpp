@@ -74,8 +74,8 @@ struct WalkedCell {
 
 /// Calls attain(range) for the cells of a level, then split(cell, may_split), which gives the parts that are to be
 /// looked at on the next level, none where it puts the cell aside; it must where !may_split. Returns the number of
-/// cells. Near the deadline, and once the parts hold the memory of the budget, no cell may be split; the cells that are
-/// left then keep the range of a larger one, so that the walk ends at once.
+/// cells. Past the deadline, and once the cells of a level and their parts hold the memory of the budget, no cell may
+/// be split; past the deadline the cells that are left keep the range of a larger one, so that the walk ends at once.
 template <class Attain, class Split>
 std::uint64_t walk_cells(const LimitCells& cells, std::vector<CellForm> first, const Budget& budget,
                          const Attain& attain, const Split& split) {
@@ -94,6 +94,7 @@ std::uint64_t walk_cells(const LimitCells& cells, std::vector<CellForm> first, c
     visited += active.size();
     const bool deepest = active.front().form.level >= cells.deepest_level();
     std::size_t held = 0;
+    for (const WalkedCell& cell : active) held += cell.form.memory();
     std::vector<WalkedCell> next;
     for (const WalkedCell& cell : active) {
       late = late || budget.deadline.expired();

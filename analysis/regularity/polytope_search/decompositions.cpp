@@ -84,11 +84,24 @@ std::vector<std::size_t> PivotedQr<Scalar>::pivots() const {
   return {order.begin(), order.end()};
 }
 
+// Eigen's own solve() reflects blocks of right sides, which takes five seconds to compile for one that is never used.
 template <class Scalar>
 std::vector<Scalar> PivotedQr<Scalar>::solve(const std::vector<Scalar>& right) const {
-  using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-  const Column solution = factors_->qr.solve(Eigen::Map<const Column>(right.data(), index(right.size())));
-  return {solution.begin(), solution.end()};
+  const auto& [qr] = *factors_;
+  typename Factors::Dense c = Eigen::Map<const typename Factors::Dense>(right.data(), index(right.size()), 1);
+  const Eigen::Index rank = qr.nonzeroPivots();
+  Scalar workspace{};
+  for (Eigen::Index k = 0; k < rank; ++k) {
+    const Eigen::Index below = qr.rows() - k - 1;
+    c.bottomRightCorner(below + 1, 1)
+        .applyHouseholderOnTheLeft(qr.matrixQR().col(k).tail(below), qr.hCoeffs()[k], &workspace);
+  }
+  auto head = c.col(0).head(rank);
+  qr.matrixQR().topLeftCorner(rank, rank).template triangularView<Eigen::Upper>().solveInPlace(head);
+  std::vector<Scalar> solution(static_cast<std::size_t>(qr.cols()), Scalar{});
+  const std::vector<std::size_t> order = pivots();
+  for (Eigen::Index k = 0; k < rank; ++k) solution[order[static_cast<std::size_t>(k)]] = head[k];
+  return solution;
 }
 
 template class PivotedQr<double>;

@@ -1,6 +1,8 @@
-#include "certified_polytope.hpp"
+#include "polytope_proof.hpp"
 
-#include <boost/multiprecision/mpfr.hpp>
+#include "orbit.hpp"
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -11,280 +13,76 @@
 namespace subcert {
 namespace {
 
-using Real =
-    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60>, boost::multiprecision::et_off>;
-using RealVector = std::vector<Real>;
+using radius::Real;
+using radius::RealVector;
 
 constexpr int vertex_bits = 112;
 constexpr int weight_bits = 112;
 constexpr int refinements = 4;
 
-struct RealMatrix {
-  std::size_t size;
-  std::vector<Real> entries;
-  const Real& operator()(std::size_t i, std::size_t j) const { return entries[i * size + j]; }
-  Real& operator()(std::size_t i, std::size_t j) { return entries[i * size + j]; }
-};
-
-/// x + i y; y is empty for real vectors.
-struct Vector {
-  RealVector x, y;
-  bool is_complex() const { return !y.empty(); }
-};
-
-RealVector operator*(const RealMatrix& a, const RealVector& x) {
-  RealVector result(x.empty() ? 0 : a.size, 0);
-  for (std::size_t i = 0; i < result.size(); ++i)
-    for (std::size_t j = 0; j < a.size; ++j)
-      if (a(i, j) != 0) result[i] += a(i, j) * x[j];
-  return result;
-}
-
-Vector operator*(const RealMatrix& a, const Vector& v) { return {a * v.x, a * v.y}; }
-
-Real dot(const RealVector& x, const RealVector& y) {
-  Real sum = 0;
-  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) sum += x[i] * y[i];
-  return sum;
-}
-
-Real squared_norm(const Vector& v) { return dot(v.x, v.x) + dot(v.y, v.y); }
-
-/// The real and imaginary parts of conj(a) . b.
-std::pair<Real, Real> inner(const Vector& a, const Vector& b) {
-  return {dot(a.x, b.x) + dot(a.y, b.y), dot(a.x, b.y) - dot(a.y, b.x)};
-}
-
-/// v times re + i im; im = 0 for real vectors.
-Vector scaled(Vector v, const Real& re, const Real& im) {
-  for (std::size_t i = 0; i < v.x.size(); ++i) {
-    const Real x = v.x[i];
-    v.x[i] = v.is_complex() ? Real(re * x - im * v.y[i]) : Real(re * x);
-    if (v.is_complex()) v.y[i] = re * v.y[i] + im * x;
-  }
-  return v;
-}
-
-Vector from_double(const Eigen::VectorXcd& v, bool is_complex) {
-  Vector result;
-  for (Eigen::Index i = 0; i < v.size(); ++i) {
-    result.x.emplace_back(v[i].real());
-    if (is_complex) result.y.emplace_back(v[i].imag());
-  }
-  return result;
-}
-
-/// x with a x = b, by elimination with row pivots; tiny pivots are what inverse iteration wants.
-RealVector solve(RealMatrix a, RealVector b) {
-  const std::size_t n = a.size;
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i)
-      if (abs(a(i, k)) > abs(a(pivot, k))) pivot = i;
-    if (pivot != k) {
-      for (std::size_t j = k; j < n; ++j) std::swap(a(pivot, j), a(k, j));
-      std::swap(b[pivot], b[k]);
-    }
-    if (a(k, k) == 0) a(k, k) = Real("1e-58");
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const Real factor = a(i, k) / a(k, k);
-      if (factor == 0) continue;
-      for (std::size_t j = k; j < n; ++j) a(i, j) -= factor * a(k, j);
-      b[i] -= factor * b[k];
-    }
-  }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a(k, j) * b[j];
-    b[k] /= a(k, k);
-  }
-  return b;
-}
-
-struct EigenPair {
-  Real modulus;
-  Vector vector;
-};
-
-/// (a - shift_re - i shift_im)^-1 v, a complex system as a real one of twice the size.
-Vector solve_shifted(const RealMatrix& a, const Real& shift_re, const Real& shift_im, const Vector& v) {
-  const std::size_t n = a.size, size = v.is_complex() ? 2 * n : n;
-  RealMatrix system{size, std::vector<Real>(size * size, 0)};
-  for (std::size_t block = 0; block < size; block += n)
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) system(block + i, block + j) = a(i, j);
-      system(block + i, block + i) -= shift_re;
-      if (v.is_complex()) system(block + i, n - block + i) = block == 0 ? shift_im : Real(-shift_im);
-    }
-  RealVector right = v.x;
-  right.insert(right.end(), v.y.begin(), v.y.end());
-  const RealVector solution = solve(std::move(system), std::move(right));
-  const auto middle = solution.begin() + static_cast<std::ptrdiff_t>(n);
-  return {RealVector(solution.begin(), middle), RealVector(middle, solution.end())};
-}
-
-/// Inverse iteration from a good start.
-EigenPair refine_eigenpair(const RealMatrix& a, Vector v) {
-  const auto normalised = [](const Vector& w) { return scaled(w, 1 / sqrt(squared_norm(w)), 0); };
-  v = normalised(v);
-  const auto [re, im] = inner(v, a * v);
-  const Real off = 1 + Real("1e-14");
-  for (int k = 0; k < 5; ++k) v = normalised(solve_shifted(a, re * off, im * off, v));
-  const auto [value_re, value_im] = inner(v, a * v);
-  return {sqrt(value_re * value_re + value_im * value_im), v};
-}
-
-/// The orbit of the search once more, at the precision of Real.
-class Orbit {
- public:
-  Orbit(const std::vector<RationalMatrix>& matrices, const SearchResult& result) : result_(result) {
-    for (const RationalMatrix& m : matrices) {
-      RealMatrix real{m.rows(), std::vector<Real>(m.rows() * m.rows())};
-      for (std::size_t i = 0; i < m.rows(); ++i)
-        for (std::size_t j = 0; j < m.rows(); ++j) {
-          const Rational& entry = result.transposed ? m(j, i) : m(i, j);
-          real(i, j) = Real(numerator(entry)) / Real(denominator(entry));
-        }
-      matrices_.push_back(std::move(real));
-    }
-  }
-
-  std::vector<Vector> vertices() {
-    std::vector<Vector> values;
-    for (const Vertex& vertex : result_.vertices) {
-      if (vertex.parent >= 0)
-        values.push_back(
-            scaled(matrices_[static_cast<std::size_t>(vertex.letter)] * values[static_cast<std::size_t>(vertex.parent)],
-                   1 / scale(), 0));
-      else if (vertex.cycle >= 0)
-        values.push_back(root(vertex));
-      else
-        values.push_back(from_double(vertex.value, is_complex()));
-    }
-    return values;
-  }
-
-  /// What images are divided by: the radius of the first product where the search used it.
-  const Real& scale() {
-    if (!scale_) scale_ = result_.scale == result_.radius && first_radius_ ? *first_radius_ : Real(result_.scale);
-    return *scale_;
-  }
-
- private:
-  bool is_complex() const { return result_.kind == PolytopeKind::complex; }
-
-  Vector root(const Vertex& vertex) {
-    const std::vector<int>& word = result_.products[static_cast<std::size_t>(vertex.cycle)].word;
-    const Vector near = from_double(vertex.value, is_complex());
-    for (const Turn& turn : turns_) {
-      if (turn.cycle != vertex.cycle) continue;
-      // Along the cycle from the first root of it that is known.
-      Vector value = turn.vector;
-      for (int place = turn.place; place != vertex.place; place = (place + 1) % static_cast<int>(word.size()))
-        value = scaled(matrices_[static_cast<std::size_t>(word[static_cast<std::size_t>(place)])] * value,
-                       1 / turn.radius, 0);
-      const auto [re, im] = inner(value, near);
-      const Real size = squared_norm(value);
-      // The search turns real eigenvectors as it likes; anything else is another eigenvector of the same product.
-      const Real turned = is_complex() ? Real(re / size) : Real(abs(re / size));
-      if (abs(turned - 1) > Real("1e-6") || abs(im / size) > Real("1e-6")) continue;
-      return re < 0 ? scaled(value, -1, 0) : value;
-    }
-    RealMatrix product = matrices_[static_cast<std::size_t>(word[static_cast<std::size_t>(vertex.place)])];
-    for (std::size_t k = 1; k < word.size(); ++k)
-      product = times(
-          matrices_[static_cast<std::size_t>(word[(static_cast<std::size_t>(vertex.place) + k) % word.size()])],
-          product);
-    const EigenPair pair = refine_eigenpair(product, near);
-    const Real radius = pow(pair.modulus, 1 / Real(word.size()));
-    if (vertex.cycle == 0) first_radius_ = radius;
-    const auto [re, im] = inner(pair.vector, near);
-    const Vector vector = scaled(pair.vector, re, im);
-    turns_.push_back({vertex.cycle, vertex.place, radius, vector});
-    return vector;
-  }
-
-  static RealMatrix times(const RealMatrix& a, const RealMatrix& b) {
-    RealMatrix result{a.size, std::vector<Real>(a.size * a.size, 0)};
-    for (std::size_t i = 0; i < a.size; ++i)
-      for (std::size_t k = 0; k < a.size; ++k)
-        if (a(i, k) != 0)
-          for (std::size_t j = 0; j < a.size; ++j) result(i, j) += a(i, k) * b(k, j);
-    return result;
-  }
-
-  struct Turn {
-    int cycle;
-    int place;
-    Real radius;
-    Vector vector;
-  };
-
-  const SearchResult& result_;
-  std::vector<RealMatrix> matrices_;
-  std::vector<Turn> turns_;
-  std::optional<Real> first_radius_, scale_;
-};
-
 Integer round_scaled(const Real& value, int bits) { return Integer(round(ldexp(value, bits))); }
 
+/// Domain: value != 0.
+long bit_size(const Integer& value) { return static_cast<long>(mpz_sizeinbase(value.backend().data(), 2)); }
+
+/// value * 2^exponent.
 double to_double(const Integer& value, long exponent) {
   long own = 0;
   const double mantissa = mpz_get_d_2exp(&own, value.backend().data());
   return std::ldexp(mantissa, static_cast<int>(std::clamp(own + exponent, -2000L, 2000L)));
 }
 
+/// What the proof and the orbit behind it will hold, roughly.
+std::size_t bytes_of_proof(const radius::PolytopeCandidate& candidate, std::size_t size) {
+  constexpr std::size_t number = 64, term = 3 * number;  // an integer of 240 bits, a weighted vertex
+  const std::size_t parts = candidate.kind == HullKind::complex ? 2 : 1;
+  std::size_t bytes = candidate.vertices.size() * size * parts * 2 * number;
+  for (const auto& image : candidate.images) bytes += image.terms.size() * (term + sizeof image.terms.front());
+  return bytes;
+}
+
 class Certifier {
  public:
-  Certifier(const std::vector<RationalMatrix>& matrices, bool symmetric, const SearchResult& result)
-      : result_(result), size_(matrices.front().rows()) {
-    polytope_.kind = result.kind;
-    polytope_.symmetric = symmetric;
-    polytope_.transposed = result.transposed;
+  Certifier(const MatrixFamily& family, const radius::PolytopeCandidate& candidate)
+      : candidate_(candidate), size_(family.size()) {
+    polytope_.kind = candidate.kind;
+    polytope_.symmetric = candidate.symmetric;
+    polytope_.transposed = candidate.transposed;
     polytope_.vertex_bits = vertex_bits;
     polytope_.weight_bits = weight_bits;
-    for (const RationalMatrix& m : matrices)
+    for (const RationalMatrix& m : family)
       for (std::size_t i = 0; i < size_; ++i)
         for (std::size_t j = 0; j < size_; ++j) denominator_ = lcm(denominator_, Integer(denominator(m(i, j))));
-    for (const RationalMatrix& m : matrices) {
+    for (const RationalMatrix& m : family) {
       std::vector<Integer> entries;
       for (std::size_t i = 0; i < size_; ++i)
         for (std::size_t j = 0; j < size_; ++j) {
-          const Rational& entry = result.transposed ? m(j, i) : m(i, j);
+          const Rational& entry = candidate.transposed ? m(j, i) : m(i, j);
           entries.push_back(numerator(entry) * (denominator_ / denominator(entry)));
         }
       matrices_.push_back(std::move(entries));
     }
-    const auto rounded = [&](const RealVector& values) {
-      std::vector<Integer> integers;
-      for (const Real& c : values) integers.push_back(round_scaled(cone() ? Real(abs(c)) : c, vertex_bits));
-      return integers;
-    };
-    Orbit orbit(matrices, result);
-    for (const Vector& vertex : orbit.vertices()) {
-      polytope_.vertices.push_back(rounded(vertex.x));
-      if (vertex.is_complex()) polytope_.imaginary.push_back(rounded(vertex.y));
-    }
-    scale_ = orbit.scale();
   }
 
-  std::optional<CertifiedPolytope> run() {
+  std::optional<PolytopeProof> run(const radius::Orbit& orbit, const Deadline& deadline) {
+    take(orbit);
     const bool spans = is_complex() ? express_units<std::complex<double>>() : express_units<double>();
     if (!spans) return std::nullopt;
     Integer largest = 0;  // bound times denominator * 2^(vertex_bits + weight_bits)
-    for (const ImageProof& proof : result_.images) {
-      const Target target = image(static_cast<std::size_t>(proof.letter), static_cast<std::size_t>(proof.vertex));
-      std::vector<WeightedVertex> terms = start_from(proof);
+    for (const radius::PolytopeCandidate::Image& proposal : candidate_.images) {
+      if (deadline.expired()) return std::nullopt;
+      const Target target = image(static_cast<std::size_t>(proposal.letter), static_cast<std::size_t>(proposal.vertex));
+      std::vector<WeightedVertex> terms = start_from(proposal);
       if (is_complex())
         refine<std::complex<double>>(target, terms);
       else
         refine<double>(target, terms);
       const Integer moduli = finish(terms), rest = residual_size(target, terms);
-      largest = std::max(largest, Integer((moduli * denominator_ << vertex_bits) + rest * unit_norm_));
+      largest = std::max(largest, Integer((moduli * denominator_ << vertex_bits) + rest * polytope_.unit_norm));
       polytope_.moduli.emplace_back(moduli, Integer(1) << weight_bits);
       polytope_.residuals.emplace_back(rest, denominator_ << (vertex_bits + weight_bits));
       polytope_.images.push_back(std::move(terms));
     }
-    polytope_.unit_norm = unit_norm_;
     polytope_.bound = Rational(largest, denominator_ << (vertex_bits + weight_bits));
     return std::move(polytope_);
   }
@@ -295,8 +93,22 @@ class Certifier {
     std::vector<Integer> re, im;
   };
 
-  bool cone() const { return polytope_.kind == PolytopeKind::nonnegative; }
-  bool is_complex() const { return polytope_.kind == PolytopeKind::complex; }
+  /// The vertices, rounded.
+  void take(const radius::Orbit& orbit) {
+    const auto rounded = [&](const RealVector& values) {
+      std::vector<Integer> integers;
+      for (const Real& c : values) integers.push_back(round_scaled(cone() ? Real(abs(c)) : c, vertex_bits));
+      return integers;
+    };
+    for (const radius::OrbitPoint& vertex : orbit.vertices) {
+      polytope_.vertices.push_back(rounded(vertex.x));
+      if (vertex.is_complex()) polytope_.imaginary.push_back(rounded(vertex.y));
+    }
+    scale_ = orbit.scale;
+  }
+
+  bool cone() const { return polytope_.kind == HullKind::nonnegative; }
+  bool is_complex() const { return polytope_.kind == HullKind::complex; }
 
   std::vector<Integer> apply(std::size_t letter, const std::vector<Integer>& vector) const {
     std::vector<Integer> result(size_, 0);
@@ -374,9 +186,9 @@ class Certifier {
   }
 
   /// The combination that the search found; several phases of one vertex are one term.
-  std::vector<WeightedVertex> start_from(const ImageProof& proof) const {
+  std::vector<WeightedVertex> start_from(const radius::PolytopeCandidate::Image& proposal) const {
     std::vector<WeightedVertex> terms;
-    for (const Term& term : proof.terms) {
+    for (const auto& term : proposal.terms) {
       const auto weight = [&](double part) { return round_scaled(Real(part) * scale_, weight_bits); };
       WeightedVertex next{static_cast<std::size_t>(term.vertex),
                           term.flipped,
@@ -414,13 +226,14 @@ class Certifier {
         basis(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = entry<Scalar>(terms[k], i);
     const Eigen::ColPivHouseholderQR<Matrix> factors(basis);
     // Residuals are denominator_ * 2^(vertex_bits + weight_bits) times their value; weights 2^weight_bits times theirs.
-    const double scale = 1 / to_double(denominator_, 0);
+    const long size = bit_size(denominator_);
+    const double scale = 1 / to_double(denominator_, -size);
     for (int round_of = 0; round_of < refinements; ++round_of) {
       const Target rest = residual(target, terms);
       long exponent = 0;  // of the largest part, so that small residuals keep their digits
       for (const auto* parts : {&rest.re, &rest.im})
         for (const Integer& c : *parts)
-          if (c != 0) exponent = std::max(exponent, static_cast<long>(mpz_sizeinbase(c.backend().data(), 2)));
+          if (c != 0) exponent = std::max(exponent, bit_size(c));
       if (exponent == 0) return;
       Column right(static_cast<Eigen::Index>(size_));
       for (std::size_t i = 0; i < size_; ++i) {
@@ -431,7 +244,8 @@ class Certifier {
       }
       const Column correction = factors.solve(right) * scale;
       if (!correction.allFinite()) return;
-      const int shift = static_cast<int>(exponent - vertex_bits);  // correction * 2^shift in units of 2^-weight_bits
+      const int shift = static_cast<int>(exponent - vertex_bits -
+                                         size);  // correction * 2^shift in units of 2^-weight_bits
       bool changed = false;
       const auto add = [&](Integer& weight, double c) {
         const Integer step = round_scaled(Real(c), shift);
@@ -451,7 +265,7 @@ class Certifier {
     }
   }
 
-  /// Combinations of the unit vectors, and the bound unit_norm_ for their norms that follows. False where the vertices
+  /// Combinations of the unit vectors, and the bound for their norms that follows. False where the vertices
   /// do not span.
   template <class Scalar>
   bool express_units() {
@@ -496,25 +310,44 @@ class Certifier {
     if (largest_residual >= one) return false;
     // E = S / (1 - R), rounded up to an integer.
     const Rational norm = Rational(most, Integer(1) << weight_bits) / (1 - Rational(largest_residual, one));
-    unit_norm_ = numerator(norm) / denominator(norm) + 1;
+    polytope_.unit_norm = numerator(norm) / denominator(norm) + 1;
     return true;
   }
 
-  const SearchResult& result_;
+  const radius::PolytopeCandidate& candidate_;
   std::size_t size_;
   Integer denominator_ = 1;
   std::vector<std::vector<Integer>> matrices_;  // denominator_ times the matrices, transposed where the search was
   Real scale_ = 1;
-  Integer unit_norm_ = 0;
-  CertifiedPolytope polytope_{};
+  PolytopeProof polytope_{};
 };
 
 }  // namespace
 
-std::optional<CertifiedPolytope> certify_polytope(const std::vector<RationalMatrix>& matrices, bool symmetric,
-                                                  const SearchResult& result) {
-  if (result.vertices.empty()) return std::nullopt;
-  return Certifier(matrices, symmetric, result).run();
+PolytopeProof scaled(PolytopeProof proof, long exponent) {
+  // Weights of images are over 2^weight_bits; those of units keep their values.
+  const Rational factor = power(Rational(2), exponent);
+  if (exponent >= 0) {
+    for (auto& image : proof.images)
+      for (WeightedVertex& term : image)
+        for (Integer* part : {&term.weight, &term.imaginary, &term.modulus}) *part <<= exponent;
+  } else {
+    proof.weight_bits -= static_cast<int>(exponent);
+    for (auto& unit : proof.units)
+      for (WeightedVertex& term : unit)
+        for (Integer* part : {&term.weight, &term.imaginary, &term.modulus}) *part <<= -exponent;
+  }
+  for (std::vector<Rational>* numbers : {&proof.moduli, &proof.residuals})
+    for (Rational& number : *numbers) number *= factor;
+  proof.bound *= factor;
+  return proof;
+}
+
+std::optional<PolytopeProof> certify_polytope(const MatrixFamily& family, const radius::PolytopeCandidate& candidate,
+                                              const Budget& budget) {
+  if (candidate.vertices.empty() || bytes_of_proof(candidate, family.size()) > budget.memory) return std::nullopt;
+  const auto orbit = radius::recomputed_orbit(family, candidate, budget.deadline);
+  return orbit ? Certifier(family, candidate).run(*orbit, budget.deadline) : std::nullopt;
 }
 
 }  // namespace subcert

@@ -1,11 +1,22 @@
 #pragma once
-/// Rational proofs of upper bounds for joint spectral radii, made from what the floating point search found.
+/// Rational proofs of upper bounds for joint spectral radii by polytopes, made from what the floating point search
+/// found.
 
-#include "polytope/polytope_search.hpp"
-
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/matrix_family.hpp>
 
 namespace subcert {
+
+namespace radius {
+struct PolytopeCandidate;
+}
+
+/// The hull a polytope norm is taken over.
+enum class HullKind {
+  real,         ///< symmetric hull: { sum l_j v_j : sum |l_j| <= 1 }, l_j real
+  nonnegative,  ///< cone hull: { x >= 0 : x <= sum l_j v_j, l_j >= 0, sum l_j <= 1 }
+  complex       ///< balanced complex hull of the vertices and their conjugates, l_j complex
+};
 
 /// (weight + i imaginary) / 2^weight_bits times the vertex, or its mirror image, or the complex conjugate of either.
 /// Canonical: modulus >= |weight + i imaginary|; imaginary = 0 and conjugated = false unless the polytope is complex.
@@ -23,8 +34,8 @@ struct WeightedVertex {
 /// (proofs-checks/certificates/SPEC.md): residuals are small, and `units` bounds the norm of any residual.
 /// Kind nonnegative: the cone hull; combinations dominate instead of being equal. Kind complex: the balanced hull of
 /// the vertices and their conjugates.
-struct CertifiedPolytope {
-  PolytopeKind kind;
+struct PolytopeProof {
+  HullKind kind;
   bool symmetric;
   bool transposed;
   int vertex_bits;
@@ -40,11 +51,15 @@ struct CertifiedPolytope {
   std::vector<Rational> residuals;  ///< 1-norms
 };
 
+/// The proof for 2^exponent times the matrices.
+PolytopeProof scaled(PolytopeProof proof, long exponent);
+
 /// Recomputes the orbit that the search found in high precision, rounds it, refines every combination against exact
 /// residuals, and bounds the radius with them; nothing of the search is trusted. Nothing is returned where the vertices
-/// do not span. Domain: `result` belongs to these matrices. Error: none, the bound is proved.
-/// Cost: vertices * matrices * size^2 integer products, and a small factorisation for each image.
-std::optional<CertifiedPolytope> certify_polytope(const std::vector<RationalMatrix>& matrices, bool symmetric,
-                                                  const SearchResult& result);
+/// do not span, or where the proof would not fit into the budget. Domain: `candidate` belongs to this family. Error:
+/// none, the bound is proved. Cost: vertices * matrices * size^2 integer products, and a small factorisation for each
+/// image.
+std::optional<PolytopeProof> certify_polytope(const MatrixFamily& family, const radius::PolytopeCandidate& candidate,
+                                              const Budget& budget);
 
 }  // namespace subcert

@@ -1,22 +1,31 @@
 #pragma once
 /// Joint spectral radii, enclosed with proof.
 
+#include "../polytope_proof/polytope_proof.hpp"
 #include "block_triangular.hpp"
-#include "certified_polytope.hpp"
+#include "norm_of_products.hpp"
+#include "product.hpp"
 
-#include <optional>
+#include <variant>
 
 namespace subcert {
 
-/// A product of the family with a proved lower bound of its spectral radius: some eigenvalue of the product lies within
-/// size * |p(c) / p'(c)| of the point c = re + i im, p the characteristic polynomial.
-struct ProductEvidence {
-  std::vector<int> word;  ///< the product M_{word[0]} M_{word[1]} ..., from left to right
-  Rational re, im;
-  Enclosure
-      radius;  ///< of rho(product)^(1/length): the lower end is proved, the upper end is that of the nearby eigenvalue
-  std::optional<Rational> exact;  ///< rho(product)^(1/length), where that is proved to be a rational number
+struct JointSpectralRadius;
+
+/// The radius is the largest of those of the diagonal blocks.
+struct BlockProof {
+  BlockTriangular triangular;
+  std::vector<JointSpectralRadius> blocks;
+  std::size_t leading = 0;  ///< the block from which the product is formed
 };
+
+/// The radius is the spectral radius of one matrix by an argument that has no certificate (single_radius.hpp).
+struct SingleRadiusProof {
+  int letter = 0;
+};
+
+/// How the upper end is proved.
+using RadiusProof = std::variant<NormProof, PolytopeProof, BlockProof, SingleRadiusProof>;
 
 enum class JsrMethod { invariant_polytope, norm_of_products, single_spectral_radius };
 
@@ -28,43 +37,32 @@ struct GrowthPower {
 };
 
 struct JointSpectralRadius {
-  Enclosure radius;
-  Rational certified_upper;  ///< the upper end that `polytope` or the norms prove; that of `radius` may be lower
+  Enclosure radius;  ///< its upper end may be lower than what `proof` gives, where `exact` says so
   ProductEvidence product;
-  JsrMethod method;
-  /// The ends of `radius` are within 1e-12 of each other, relatively: in practice the search closed with `product` as
-  /// spectrum maximizing product.
-  bool closed = false;
   /// Whether `product` attains the radius exactly, proved or unknown.
   Decision exact;
   GrowthPower growth;
-  std::optional<CertifiedPolytope> polytope;  ///< the proof of certified_upper; where absent, the norms are
-  int norm_level = 0;
-  std::size_t vertices = 0;
-  /// Where a common invariant subspace was used: the triangular form, the radii of its diagonal blocks, and the block
-  /// from which `product` is formed. Then the proof of certified_upper is that of the blocks.
-  std::optional<BlockTriangular> triangular;
-  std::vector<JointSpectralRadius> blocks;
-  std::size_t leading_block = 0;
-};
+  RadiusProof proof;
 
-/// A proved upper bound that is known beforehand: the largest 1-norm of a product of `level` matrices, first columns
-/// sufficing where the family consists of transition matrices.
-struct KnownNorm {
-  int level;
-  Rational norm;
+  /// The ends of `radius` are within 1e-12 of each other, relatively: in practice the search closed with `product` as
+  /// spectrum maximizing product.
+  bool is_closed() const;
+  /// The upper bound that `proof` gives. Domain: not by a single spectral radius.
+  Rational proved_upper() const;
+  /// Of the leading block, where there are several.
+  JsrMethod method() const;
+  /// Of all polytopes.
+  std::size_t vertices() const;
+  /// The proof by diagonal blocks, or null.
+  const BlockProof* by_blocks() const { return std::get_if<BlockProof>(&proof); }
 };
 
 /// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: 1 to 64
-/// square matrices of one size from 1 to 256; seconds > 0. Errors: throws std::invalid_argument. Error: none, both ends
-/// are proved in exact arithmetic; where the search for an invariant polytope ends within the time the width is about
-/// 1e-15, otherwise as narrow as the time allowed. Cost: one linear program per vertex and matrix. Ref: [GP13, Alg. 1],
-/// [Mej20].
-JointSpectralRadius joint_spectral_radius(const std::vector<RationalMatrix>& matrices, double seconds,
-                                          const std::optional<KnownNorm>& known = std::nullopt);
-
-/// Encloses the leading eigenvalue of a product. Domain: a word of at least one letter over square matrices of one
-/// size.
-ProductEvidence prove_product(const std::vector<RationalMatrix>& matrices, const std::vector<int>& word);
+/// matrices of size 1 to 256, numbers of any size. `known`: an upper bound that is known beforehand. Errors: throws
+/// Error. Error: none, both ends are proved in exact arithmetic; where the search for an invariant polytope ends within
+/// the budget the width is about 1e-15, otherwise as narrow as the budget allowed. Cost: one linear program per vertex
+/// and matrix. Ref: [GP13, Alg. 1], [Mej20].
+JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budget& budget,
+                                          const std::optional<NormProof>& known = std::nullopt);
 
 }  // namespace subcert

@@ -5,7 +5,7 @@
 #include <subcert/analysis/difference/level_norms.hpp>
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/regularity/certified_polytope.hpp>
+#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/analysis/variance/variance.hpp>
@@ -130,8 +130,9 @@ void BM_polytope_search(benchmark::State& state, const std::string& scheme) {
 
 void BM_polytope_proof(benchmark::State& state, const std::string& scheme) {
   const PolytopeCase input(scheme);
-  const polytope::SearchResult result = search_polytope(input.family);
-  for (auto _ : state) benchmark::DoNotOptimize(certify_polytope(input.matrices, true, result));
+  const MatrixFamily family(input.matrices);
+  const radius::PolytopeCandidate candidate = radius::find_polytope(family, {Deadline::in(60)});
+  for (auto _ : state) benchmark::DoNotOptimize(certify_polytope(family, candidate, {}));
 }
 
 /// All 38 schemes of degree 1 in the paper's tables.

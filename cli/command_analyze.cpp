@@ -70,7 +70,7 @@ Page make_page(Scheme scheme, const AnalyzeOptions& options) {
   }
   page.smoothness = proved_smoothness(mask, limits);
   options.progress("norms of the difference scheme");
-  page.bounds = holder_bounds(mask, options.levels, options.budget);
+  page.bounds = holder_bounds(mask, options.levels, Deadline::in(options.budget));
   page.stable = has_stable_shifts(mask);
   page.sobolev = sobolev_if_small(mask);
   options.progress("limit values");

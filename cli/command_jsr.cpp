@@ -2,7 +2,7 @@
 
 #include "command.hpp"
 
-#include <subcert/analysis/regularity/joint_spectral_radius.hpp>
+#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/reports/runtime/files.hpp>
@@ -16,9 +16,10 @@ struct JsrOptions : CommonOptions {
   std::string file;
   std::string certificate;
   double budget = 60;
+  std::size_t memory = 1024;
 };
 
-constexpr std::size_t most_matrices = 64, largest_size = 256, longest_number = 400;
+constexpr std::size_t most_matrices = 64, largest_size = 256, longest_number = 4000;
 
 Rational read_entry(const nlohmann::json& entry, const std::string& where) {
   const std::string text = entry.is_string()           ? entry.get<std::string>()
@@ -30,7 +31,7 @@ Rational read_entry(const nlohmann::json& entry, const std::string& where) {
   return *value;
 }
 
-std::vector<RationalMatrix> read_matrices(const std::string& file) {
+MatrixFamily read_matrices(const std::string& file) {
   const auto json = nlohmann::json::parse(read_file(file), nullptr, false);
   if (json.is_discarded()) fail(ErrorKind::data, "{}: not a JSON file", file);
   if (!json.is_object() || !json.contains("matrices") || !json["matrices"].is_array() || json["matrices"].empty() ||
@@ -55,40 +56,41 @@ std::vector<RationalMatrix> read_matrices(const std::string& file) {
 }
 
 ExitCode run(const JsrOptions& options) {
-  const std::vector<RationalMatrix> matrices = read_matrices(options.file);
+  const MatrixFamily matrices = read_matrices(options.file);
   options.progress("products and polytopes");
-  const JointSpectralRadius radius = joint_spectral_radius(matrices, options.budget);
+  const Budget budget{Deadline::in(options.budget), options.memory << 20};
+  const JointSpectralRadius radius = joint_spectral_radius(matrices, budget);
   options.end_progress();
   if (!options.certificate.empty()) {
     runtime::write_file(options.certificate, radius_certificate(matrices, radius).text);
     runtime::write_file(options.certificate + ".matrices", matrices_text(matrices));
   }
+  const BlockProof* blocks = radius.by_blocks();
   // For a reducible family, of the block with the largest radius.
-  const std::string method = radius.method == JsrMethod::invariant_polytope ? "invariant polytope"
-                                                                            : "norms of products";
+  const std::string method = radius.method() == JsrMethod::invariant_polytope ? "invariant polytope"
+                                                                              : "norms of products";
   if (options.json) {
-    options.answer(
-        Json{{"radius", enclosure_json(radius.radius)},
-             {"exact", radius.exact.is_yes()},
-             {"exactness", radius.exact.reason},
-             {"closed", radius.closed},
-             {"product", radius.product.word},
-             {"method", method},
-             {"vertices", radius.vertices},
-             {"blocks", radius.triangular ? Json(radius.triangular->sizes) : Json({matrices.front().rows()})}});
+    options.answer(Json{{"radius", enclosure_json(radius.radius)},
+                        {"exact", radius.exact.is_yes()},
+                        {"exactness", radius.exact.reason},
+                        {"closed", radius.is_closed()},
+                        {"product", radius.product.word},
+                        {"method", method},
+                        {"vertices", radius.vertices()},
+                        {"blocks", blocks ? Json(blocks->triangular.sizes) : Json({matrices.size()})}});
   } else {
     std::ostringstream text;
-    text << "matrices     " << matrices.size() << " of size " << matrices.front().rows() << "\n"
-         << (radius.triangular ? "blocks       " + sizes_text(radius.triangular->sizes) + "\n" : "") << "radius       "
+    text << "matrices     " << matrices.count() << " of size " << matrices.size() << "\n"
+         << (blocks ? "blocks       " + sizes_text(blocks->triangular.sizes) + "\n" : "") << "radius       "
          << enclosure_text(radius.radius, 14) << "  (" << method << ")\n"
          << "product     ";
     for (int letter : radius.product.word) text << " " << letter;
     text << "  (radius " << enclosure_text(radius.product.radius, 14)
          << (radius.exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
-    if (radius.vertices > 0) text << "vertices     " << radius.vertices << "\n";
+    if (radius.vertices() > 0) text << "vertices     " << radius.vertices() << "\n";
     options.answer(text.str());
   }
-  return radius.closed ? done : undecided;
+  return radius.is_closed() ? done : undecided;
 }
 
 }  // namespace
@@ -101,6 +103,9 @@ void add_jsr(Command& app) {
       options, [=] { return run(*options); });
   command.option("FILE", options->file, "JSON file").required();
   command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
+  command.option("--memory", options->memory, "MiB that the search may hold; near them it ends with what is proved")
+      .within(16, 1 << 20)
+      .with_default();
   command.option("--certificate", options->certificate,
                  "Write a certificate there, and the matrices beside it as FILE.matrices");
 }

@@ -8,7 +8,7 @@
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/reports/runtime/files.hpp>
 
-#include <chrono>
+#include <algorithm>
 #include <sstream>
 
 namespace subcert::cli {
@@ -19,10 +19,11 @@ struct RegularityOptions : CommonOptions {
   std::string certificate;
   int levels = 16;
   double budget = 60;
+  std::size_t memory = 1024;
 };
 
 std::string method_text(const JointSpectralRadius& radius) {
-  switch (radius.method) {
+  switch (radius.method()) {
     case JsrMethod::invariant_polytope: return "invariant polytope";
     case JsrMethod::single_spectral_radius: return "single spectral radius";
     default: return "norms of the difference scheme";
@@ -76,31 +77,32 @@ struct Answer {
 };
 
 Answer compute(const RegularityOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
+  const Budget budget{Deadline::in(options.budget), options.memory << 20};
   Scheme scheme = make_scheme(options.scheme);
   options.progress("norms, products and polytopes");
   const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
-  HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, options.budget, proof);
+  HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof);
   std::optional<SobolevRegularity> sobolev = sobolev_if_small(scheme.mask);
   options.end_progress();
   // A bound that is not positive proves nothing, not even convergence.
   const bool proves = *regularity.exponent.lower > 0;
   Decision convergence = proves ? Decision{Truth::yes, "the exponent is positive"}
-                                : converges(scheme.mask, {options.levels, Deadline::in(options.budget)});
+                                : converges(scheme.mask,
+                                            {options.levels, Deadline::in(std::max(budget.deadline.remaining(), 0.5))});
   Enclosure holder;
   if (proves)
     holder = regularity.exponent;
   else if (convergence.is_yes())
     holder = {0, regularity.exponent.upper};
-  const bool complete = regularity.radius.closed;
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {
-      std::move(scheme), std::move(regularity), std::move(sobolev), std::move(convergence), holder, complete, seconds};
+  const bool complete = regularity.radius.is_closed();
+  return {std::move(scheme), std::move(regularity), std::move(sobolev), std::move(convergence), holder,
+          complete,          watch.seconds()};
 }
 
 Json to_json(const Answer& answer) {
   const HolderBounds& bounds = answer.regularity.bounds;
-  const JointSpectralRadius& radius = answer.regularity.radius;
+  const JointSpectralRadius &radius = answer.regularity.radius, &rational = answer.regularity.certifiable();
   Json by_level = Json::array();
   for (const HolderBound& bound : bounds.levels) by_level.push_back(bound.exponent.lower_text(12));
   const HolderBound& last = bounds.last();
@@ -114,11 +116,11 @@ Json to_json(const Answer& answer) {
           {"holder", enclosure_json(answer.holder)},
           {"exact", radius.exact.is_yes()},
           {"exactness", radius.exact.reason},
-          {"closed", radius.closed},
+          {"closed", radius.is_closed()},
           {"method", method_text(radius)},
           {"product", word_text(radius.product.word)},
-          {"vertices", radius.vertices},
-          {"blocks", radius.triangular ? Json(radius.triangular->sizes) : Json()},
+          {"vertices", rational.vertices()},
+          {"blocks", rational.by_blocks() ? Json(rational.by_blocks()->triangular.sizes) : Json()},
           {"stable", answer.regularity.stable.is_yes() && answer.holder.upper.has_value()},
           {"stability", answer.regularity.stable.reason},
           {"logarithm",
@@ -144,10 +146,11 @@ std::string page_text(const Answer& answer) {
        << "bound        >= " << last.exponent.lower_text(12) << " after " << last.levels << " levels; ||S_b^"
        << last.levels << "|| = " << to_decimal(last.norm, 12, Rounding::nearest) << "\n"
        << "radius       " << enclosure_text(radius.radius, 15) << "  (joint spectral radius, " << method_text(radius);
-  if (radius.method == JsrMethod::invariant_polytope)
-    text << " with " << radius.vertices << (radius.vertices == 1 ? " vertex" : " vertices");
+  if (radius.method() == JsrMethod::invariant_polytope)
+    text << " with " << radius.vertices() << (radius.vertices() == 1 ? " vertex" : " vertices");
   text << ")\n";
-  if (radius.triangular) text << "blocks       " << sizes_text(radius.triangular->sizes) << "\n";
+  if (const BlockProof* blocks = answer.regularity.certifiable().by_blocks())
+    text << "blocks       " << sizes_text(blocks->triangular.sizes) << "\n";
   if (!radius.product.word.empty())
     text << "product      " << word_text(radius.product.word) << "  (radius "
          << enclosure_text(radius.product.radius, 15)
@@ -157,7 +160,7 @@ std::string page_text(const Answer& answer) {
        << "exponent     " << enclosure_text(answer.holder, 14) << "  (";
   if (!answer.holder.upper)
     text << "a proved lower bound)\n";
-  else if (radius.closed)
+  else if (radius.is_closed())
     text << "enclosed with proof, " << answer.holder.lower_text(17) << " ... " << answer.holder.upper_text(17) << ")\n";
   else
     text << "enclosed with proof)\n";
@@ -170,9 +173,9 @@ std::string page_text(const Answer& answer) {
 
 /// A word where the certificate proves less than the answer says.
 std::string certificate_text(const HolderRegularity& regularity, const CertificateClaim& claim) {
-  const bool sharp = regularity.radius.certified_upper <=
-                     *regularity.radius.radius.lower * (1 + power(Rational(10), -12));
-  if (!regularity.radius.closed || sharp) return "";
+  if (!regularity.radius.is_closed()) return "";
+  const Rational sharp = *regularity.radius.radius.lower * (1 + power(Rational(10), -12));
+  if (regularity.certifiable().proved_upper() <= sharp) return "";
   const auto decimal = [](const std::optional<std::string>& end, Rounding rounding) {
     return to_decimal(*parse_rational(*end), 12, rounding);
   };
@@ -186,7 +189,7 @@ ExitCode run(const RegularityOptions& options) {
   std::optional<CertificateClaim> claim;
   if (!options.certificate.empty()) {
     // Other arguments may prove more than rational numbers do.
-    const Rational& radius = answer.regularity.radius.certified_upper;
+    const Rational radius = answer.regularity.certifiable().proved_upper();
     const int rules = answer.regularity.bounds.sum_rules;
     if (!(radius < power(Rational(answer.scheme.mask.arity()), rules)))
       fail(ErrorKind::usage, "--certificate: rational numbers prove nothing positive about {}",
@@ -216,6 +219,9 @@ void add_regularity(Command& app) {
                                 [=] { return run(*options); });
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
   command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
+  command.option("--memory", options->memory, "MiB that the search may hold; near them it ends with what is proved")
+      .within(16, 1 << 20)
+      .with_default();
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
   add_scheme(command, options->scheme);
 }

@@ -165,7 +165,7 @@ formats::Section exponents(Workshop& workshop) {
       if (formats::compare(largest, Enclosure::at_least(low)) == Verdict::mismatch)
         above += (above.empty() ? "" : ", ") + std::to_string(n);
       widest = std::max(widest, Rational(high - low));
-      closed = closed && regularity.radius.closed;
+      closed = closed && regularity.radius.is_closed();
       exact += regularity.radius.exact.is_yes() ? 1 : 0;
       ++total;
       std::string word;
@@ -174,7 +174,7 @@ formats::Section exponents(Workshop& workshop) {
                             regularity.radius.exact.is_yes()
                                 ? decimal(low, 12)
                                 : to_fixed(low, 4, Rounding::down) + " ... " + to_fixed(high, 4, Rounding::up),
-                            to_decimal(high - low, 2, Rounding::up), word, std::to_string(regularity.radius.vertices),
+                            to_decimal(high - low, 2, Rounding::up), word, std::to_string(regularity.radius.vertices()),
                             regularity.radius.exact.is_yes() ? "yes" : "unknown"});
       bound_curve.points.emplace_back(n, std::stod(bound));
       upper_curve.points.emplace_back(n, high.convert_to<double>());

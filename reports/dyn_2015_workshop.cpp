@@ -60,8 +60,9 @@ void Workshop::need_bounds(const std::vector<std::string>& specifications) {
 }
 
 void Workshop::need_exponents(const std::vector<std::string>& specifications) {
-  need(exponents_, specifications,
-       [](const auto& s) { return holder_regularity(make_scheme(s).mask, holder_levels, exponent_seconds); });
+  need(exponents_, specifications, [](const auto& s) {
+    return holder_regularity(make_scheme(s).mask, holder_levels, {Deadline::in(exponent_seconds)});
+  });
 }
 
 void Workshop::need_variance(const std::vector<std::string>& specifications) {

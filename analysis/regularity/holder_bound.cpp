@@ -1,9 +1,10 @@
 #include "holder_bound.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/difference/level_norms.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace subcert {
 
@@ -13,10 +14,10 @@ const HolderBound& HolderBounds::best() const {
   });
 }
 
-HolderBounds holder_bounds(const Mask& mask, int levels, double seconds) {
-  if (!is_affine(mask)) throw std::invalid_argument("holder_bounds: need coset sums 1");
+HolderBounds holder_bounds(const Mask& mask, int levels, const Deadline& deadline) {
+  require(is_affine(mask), "holder_bounds: need coset sums 1, got {}", mask.symbol().to_mask_text());
   const int rules = sum_rules(mask);
-  const LevelNorms powers = level_norms(divided_difference_scheme(mask, rules), levels, Deadline::in(seconds));
+  const LevelNorms powers = level_norms(divided_difference_scheme(mask, rules), levels, deadline);
   HolderBounds result{rules, {}, powers.visited};
   for (std::size_t l = 0; l < powers.norms.size(); ++l) {
     const int level = static_cast<int>(l) + 1;

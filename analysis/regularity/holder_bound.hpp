@@ -1,8 +1,10 @@
 #pragma once
 /// Lower bounds for the Hoelder exponent from norms of the difference scheme.
 
-#include <subcert/analysis/difference/level_norms.hpp>
+#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/mask.hpp>
+
+#include <cstdint>
 
 namespace subcert {
 
@@ -16,17 +18,18 @@ struct HolderBound {
 };
 
 struct HolderBounds {
-  int sum_rules;
+  int sum_rules = 0;
   /// One for each of the levels 1, 2, ... that were finished within the time.
   std::vector<HolderBound> levels;
-  std::uint64_t visited;
+  std::uint64_t visited = 0;
+  /// Domain of both: at least one level.
   const HolderBound& last() const { return levels.back(); }
   /// The largest of all levels; the bounds need not grow with the level.
   const HolderBound& best() const;
 };
 
-/// Domain: coset sums 1 (so at least one sum rule), levels >= 1. Errors: throws std::invalid_argument. Cost: that of
-/// level_norms. Ref: [DL02, sec. 4.2], [Rio92].
-HolderBounds holder_bounds(const Mask& mask, int levels, double seconds = 1e9);
+/// Domain: coset sums 1 (so at least one sum rule), levels >= 1. The first level is always finished. Errors: throws
+/// Error. Cost: that of level_norms. Ref: [DL02, sec. 4.2], [Rio92].
+HolderBounds holder_bounds(const Mask& mask, int levels, const Deadline& deadline = {});
 
 }  // namespace subcert

@@ -3,11 +3,11 @@
 #include "stability.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/difference/level_norms.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>
-#include <chrono>
 
 namespace subcert {
 namespace {
@@ -36,27 +36,17 @@ IntegerExponent integer_exponent(const HolderRegularity& regularity, int arity) 
 
 /// The largest k such that some transition matrix has a Jordan block of size k + 1 for the eigenvalue 1; -1 without
 /// that eigenvalue.
-int jordan_power(const std::vector<RationalMatrix>& matrices) {
+int jordan_power_of_one(const std::vector<RationalMatrix>& matrices) {
   int most = -1;
-  for (const RationalMatrix& matrix : matrices) {
-    RationalMatrix shifted = matrix;
-    for (std::size_t i = 0; i < shifted.rows(); ++i) shifted(i, i) -= 1;
-    RationalMatrix product = shifted;
-    std::size_t nullity = kernel(product).size();
-    for (int size = 1; nullity > 0; ++size) {
-      most = std::max(most, size - 1);
-      product = product * shifted;
-      const std::size_t next = kernel(product).size();
-      if (next == nullity) break;
-      nullity = next;
-    }
-  }
+  for (const RationalMatrix& matrix : matrices)
+    most = std::max(most, largest_jordan_block(matrix, LaurentPolynomial({-1, 1}, 0)) - 1);
   return most;
 }
 
 /// The growth of the largest coefficient of the powers of the divided difference scheme of order s, s the exponent, an
 /// integer: docs/single-radius.md, section 4.
-GrowthPower growth_at_integer(const Mask& mask, const HolderRegularity& regularity, int exponent) {
+GrowthPower growth_at_integer(const Mask& mask, const HolderRegularity& regularity, int exponent,
+                              const Deadline& deadline) {
   const int rules = regularity.bounds.sum_rules;
   const Mask scheme = divided_difference_scheme(mask, exponent);
   if (regularity.single.applies.is_yes() && (rules - exponent) % 2 == 0) {
@@ -66,29 +56,45 @@ GrowthPower growth_at_integer(const Mask& mask, const HolderRegularity& regulari
   }
   GrowthPower growth;
   if (regularity.radius.growth.at_most) growth.at_most = *regularity.radius.growth.at_most + (exponent < rules ? 1 : 0);
-  const LevelNorms norms = level_norms(scheme, 6);
+  const LevelNorms norms = level_norms(scheme, 6, Deadline::in(std::max(deadline.remaining(), 0.5)));
   if (std::any_of(norms.norms.begin(), norms.norms.end(), [](const Rational& norm) { return norm <= 1; }))
     growth.at_most = 0;
   else if (scheme.symbol().length() <= 64 * (mask.arity() - 1))
-    growth.at_least = std::max(0, jordan_power(transition_matrices(scheme)));
+    growth.at_least = std::max(0, jordan_power_of_one(transition_matrices(scheme)));
   return growth;
 }
 
 /// Makes one transition matrix the product, in the block where its leading eigenvalue is.
-void prove_letter(const std::vector<RationalMatrix>& matrices, int letter, JointSpectralRadius& radius) {
-  if (!radius.triangular) {
-    radius.product = prove_product(matrices, {letter});
+void prove_letter(const MatrixFamily& family, int letter, JointSpectralRadius& radius, const Deadline& deadline) {
+  auto* by_blocks = std::get_if<BlockProof>(&radius.proof);
+  if (!by_blocks) {
+    radius.product = prove_product(family, {letter}, deadline);
     return;
   }
-  for (std::size_t k = 0; k < radius.blocks.size(); ++k) {
-    ProductEvidence evidence = prove_product(radius.triangular->block(k), {letter});
+  for (std::size_t k = 0; k < by_blocks->blocks.size(); ++k) {
+    ProductEvidence evidence = prove_product(by_blocks->triangular.block(k), {letter}, deadline);
     if (k > 0 && *evidence.radius.lower <= *radius.product.radius.lower) continue;
     radius.product = std::move(evidence);
-    radius.leading_block = k;
+    by_blocks->leading = k;
   }
 }
 
-LogarithmicFactor logarithmic_factor(const Mask& mask, const HolderRegularity& regularity) {
+/// By norms, products and polytopes. Domain: `derived` is the divided difference scheme of the largest order.
+JointSpectralRadius radius_by_rational_numbers(const Mask& derived, const SingleRadius& single, const NormProof& norms,
+                                               const Budget& budget, HolderProof proof) {
+  JointSpectralRadius result;
+  result.proof = norms;
+  result.radius.upper = norms.bound();
+  result.exact = {Truth::unknown, "the matrices are too large for polytopes"};
+  if (derived.symbol().length() > most_rows * (derived.arity() - 1)) return result;
+  const MatrixFamily family = transition_matrices(derived);
+  if (!single.applies.is_yes() || proof == HolderProof::certificate)
+    result = joint_spectral_radius(family, budget, norms);
+  if (single.applies.is_yes()) prove_letter(family, single.letter, result, budget.deadline);
+  return result;
+}
+
+LogarithmicFactor logarithmic_factor(const Mask& mask, const HolderRegularity& regularity, const Deadline& deadline) {
   const auto unknown = [](const char* reason) { return LogarithmicFactor{0, std::nullopt, std::nullopt, reason}; };
   const Rational& lower = *regularity.exponent.lower;
   if (!(lower > 0)) return unknown("no positive exponent is proved");
@@ -96,7 +102,8 @@ LogarithmicFactor logarithmic_factor(const Mask& mask, const HolderRegularity& r
   const IntegerExponent exponent = integer_exponent(regularity, mask.arity());
   if (exponent.is_integer == Truth::unknown) return unknown("whether the exponent is an integer is not decided");
   const bool integer = exponent.is_integer == Truth::yes;
-  const GrowthPower growth = integer ? growth_at_integer(mask, regularity, exponent.value) : regularity.radius.growth;
+  const GrowthPower growth = integer ? growth_at_integer(mask, regularity, exponent.value, deadline)
+                                     : regularity.radius.growth;
   LogarithmicFactor result{growth.at_least, growth.at_most, exponent.value - 1,
                            "by the growth of the powers of the difference scheme"};
   if (!integer) result.derivative = static_cast<int>(Integer(numerator(lower) / denominator(lower)));
@@ -109,43 +116,31 @@ LogarithmicFactor logarithmic_factor(const Mask& mask, const HolderRegularity& r
 
 }  // namespace
 
-HolderRegularity holder_regularity(const Mask& mask, int levels, double seconds, HolderProof proof) {
-  const auto start = std::chrono::steady_clock::now();
-  HolderRegularity result{holder_bounds(mask, levels, seconds / 2), {}, {}, {}, {}, {}};
+HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof) {
+  HolderRegularity result;
+  result.bounds = holder_bounds(mask, levels, budget.deadline.after(0.5));
   const HolderBound& best = result.bounds.best();
   const int rules = result.bounds.sum_rules, arity = mask.arity();
   result.stable = has_stable_shifts(mask);
   const Mask derived = divided_difference_scheme(mask, rules);
   result.single = single_spectral_radius(derived);
-
-  JointSpectralRadius& radius = result.radius;
-  radius.method = JsrMethod::norm_of_products;
-  radius.norm_level = best.levels;
-  radius.certified_upper = *root_enclosure(best.norm, best.levels).upper;
-  radius.radius.upper = radius.certified_upper;
-  radius.exact = {Truth::unknown, "the matrices are too large for polytopes"};
-  const bool single = result.single.applies.is_yes();
-  if (derived.symbol().length() <= most_rows * (arity - 1)) {
-    const auto matrices = transition_matrices(derived);
-    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (!single || proof == HolderProof::certificate)
-      radius = joint_spectral_radius(matrices, std::max(seconds - spent, 0.1 * seconds),
-                                     KnownNorm{best.levels, best.norm});
-    if (single) prove_letter(matrices, result.single.letter, radius);
+  result.radius = radius_by_rational_numbers(derived, result.single, {best.levels, best.norm}, budget, proof);
+  if (result.single.applies.is_yes()) {
+    result.rational = std::move(result.radius);
+    const CoefficientGrowth& growth = result.single.growth;
+    result.radius = {growth.radius,
+                     result.rational->product,
+                     {Truth::yes, result.single.applies.reason},
+                     {growth.power, growth.power},
+                     SingleRadiusProof{result.single.letter}};
   }
-  if (single) {
-    radius.method = JsrMethod::single_spectral_radius;
-    radius.radius = result.single.growth.radius;
-    radius.exact = {Truth::yes, result.single.applies.reason};
-    radius.closed = true;
-    radius.growth = {result.single.growth.power, result.single.growth.power};
-  }
+  const Enclosure& radius = result.radius.radius;
   result.exponent = Enclosure::at_least(
-      std::max(*best.exponent.lower, Rational(rules - *log_ratio(*radius.radius.upper, arity).upper)));
+      std::max(*best.exponent.lower, Rational(rules - *log_ratio(*radius.upper, arity).upper)));
   // A radius of 1 says nothing from above; larger ones do (proofs-checks/certificates/SPEC.md).
-  if (result.stable.is_yes() && radius.radius.lower && *radius.radius.lower > 1)
-    result.exponent.upper = rules - *log_ratio(*radius.radius.lower, arity).lower;
-  result.logarithm = logarithmic_factor(mask, result);
+  if (result.stable.is_yes() && radius.lower && *radius.lower > 1)
+    result.exponent.upper = rules - *log_ratio(*radius.lower, arity).lower;
+  result.logarithm = logarithmic_factor(mask, result, budget.deadline);
   return result;
 }
 

@@ -2,7 +2,7 @@
 /// The Hoelder exponent, enclosed with proof.
 
 #include "holder_bound.hpp"
-#include "joint_spectral_radius.hpp"
+#include "radius/joint_spectral_radius.hpp"
 #include "single_radius.hpp"
 
 namespace subcert {
@@ -22,21 +22,26 @@ struct HolderRegularity {
   HolderBounds bounds;         ///< by norms of the difference scheme, level by level
   SingleRadius single;         ///< whether one spectral radius is enough
   JointSpectralRadius radius;  ///< of the transition matrices of the divided difference scheme of order sum_rules
-  Decision stable;             ///< of the integer shifts; the upper end is claimed only where it is yes
+  /// The same radius by rational numbers alone, which a certificate can hold, where `radius` is a single spectral
+  /// radius.
+  std::optional<JointSpectralRadius> rational;
+  Decision stable;  ///< of the integer shifts; the upper end is claimed only where it is yes
   /// Contains the Hoelder exponent of the limits; the lower end holds where it is positive, and then proves
   /// convergence.
   Enclosure exponent;
   LogarithmicFactor logarithm;
+
+  const JointSpectralRadius& certifiable() const { return rational ? *rational : radius; }
 };
 
 /// What is to be proved: the exponent by whichever argument is shortest, or also with rational numbers for a
 /// certificate.
 enum class HolderProof { shortest, certificate };
 
-/// Domain: coset sums 1; levels >= 1, seconds > 0; at most 256 rows in the transition matrices (larger masks keep the
-/// bounds by norms). Errors: throws std::invalid_argument. Error: none, both ends are proved; see
-/// joint_spectral_radius for the width. Ref: [Rio92], [FM13], [JW93], [GP13].
-HolderRegularity holder_regularity(const Mask& mask, int levels, double seconds,
+/// Domain: coset sums 1; levels >= 1; at most 256 rows in the transition matrices (larger masks keep the bounds by
+/// norms). Errors: throws Error. Error: none, both ends are proved; see joint_spectral_radius for the width. Ref:
+/// [Rio92], [FM13], [JW93], [GP13].
+HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget,
                                    HolderProof proof = HolderProof::shortest);
 
 }  // namespace subcert

@@ -1,9 +1,8 @@
 #include "single_radius.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/analysis/transition/transition.hpp>
-
-#include <stdexcept>
 
 namespace subcert {
 namespace {
@@ -15,8 +14,10 @@ constexpr long most_for_sturm = 100;  // degree of the cosine polynomial
 }  // namespace
 
 CoefficientGrowth central_growth(const LaurentPolynomial& symbol, int arity) {
+  require(!symbol.is_zero() && symbol.reversed() == symbol, "central_growth: need b(z) = b(1/z), not zero, got {}",
+          symbol.to_text());
   if (symbol.highest() / (arity - 1) >= most_central)
-    throw std::length_error("central_growth: need at most " + std::to_string(most_central) + " central coefficients");
+    fail(ErrorKind::size, "central_growth: need at most {} central coefficients", most_central);
   const RationalMatrix matrix = central_matrix(symbol, arity);
   RationalMatrix minor(matrix.rows() - 1, matrix.columns() - 1);
   for (std::size_t i = 0; i < minor.rows(); ++i)
@@ -26,8 +27,7 @@ CoefficientGrowth central_growth(const LaurentPolynomial& symbol, int arity) {
   const LaurentPolynomial common = minor.rows() == 0 ? LaurentPolynomial(1)
                                                      : gcd(denominator, characteristic_polynomial(minor));
   const auto pole = largest_real_root(denominator.divided_by(common).quotient, radius_bits);
-  if (!pole || !(*pole->value.lower > 0))
-    throw std::invalid_argument("central_growth: need a symbol that is non-negative on the unit circle");
+  require(pole && *pole->value.lower > 0, "central_growth: need a symbol that is non-negative on the unit circle");
   return {pole->value, pole->multiplicity - 1};
 }
 

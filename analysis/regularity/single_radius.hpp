@@ -12,10 +12,9 @@ struct CoefficientGrowth {
   int power = 0;
 };
 
-/// Domain: b(z) = b(1/z), b >= 0 on the unit circle, b(1) > 0; arity >= 2. Errors: throws std::invalid_argument for a
-/// symbol that is not symmetric, std::length_error for more than 401 central coefficients. Error: radius to 2^-192.
-/// Cost: two characteristic polynomials of the central matrix, one factorisation. Ref: docs/single-radius.md,
-/// theorem 2.
+/// Domain: b(z) = b(1/z), b >= 0 on the unit circle, b(1) > 0; arity >= 2. at most 401 central coefficients.
+/// Errors: throws Error. Error: radius to 2^-192. Cost: two characteristic polynomials of the central matrix, one
+/// factorisation. Ref: docs/single-radius.md, theorem 2.
 CoefficientGrowth central_growth(const LaurentPolynomial& symbol, int arity);
 
 /// The joint spectral radius of the transition matrices T_0, ..., T_{arity-1} of a mask, where its cosine polynomial is

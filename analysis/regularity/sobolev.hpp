@@ -16,8 +16,8 @@ struct SobolevRegularity {
   Enclosure exponent;
 };
 
-/// Domain: at least one sum rule, N/(arity-1) <= 400. Errors: throws std::invalid_argument, std::length_error.
-/// Error: exponent to 1e-15 or better. Cost: one exact characteristic polynomial and its roots.
+/// Domain: at least one sum rule, N/(arity-1) <= 400. Errors: throws Error. Error: exponent to 1e-15 or better. Cost:
+/// one exact characteristic polynomial and its roots.
 SobolevRegularity sobolev_regularity(const Mask& mask);
 
 }  // namespace subcert

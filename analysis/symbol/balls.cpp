@@ -14,4 +14,32 @@ Enclosure Ball::enclosure(slong bits) const {
   return result;
 }
 
+RationalComplex exact_middle(const ComplexBall& a) {
+  return {flint::to_rational(arb_midref(acb_realref(a.get()))), flint::to_rational(arb_midref(acb_imagref(a.get())))};
+}
+
+ComplexBall ball_around(const RationalComplex& value, slong bits) {
+  ComplexBall result(bits);
+  acb_set_arb_arb(result.get(), Ball(value.re, bits).get(), Ball(value.im, bits).get());
+  return result;
+}
+
+ComplexBall value_at(const LaurentPolynomial& p, const ComplexBall& z) {
+  ComplexBall result(z.bits());
+  arb_fmpz_poly_evaluate_acb(result.get(), flint::IntegerPolynomial(p).get(), z.get(), z.bits());
+  acb_div_fmpz(result.get(), result.get(), flint::Whole(p.denominator()).get(), z.bits());
+  return result;
+}
+
+std::vector<ComplexBall> complex_roots(const LaurentPolynomial& p, slong bits) {
+  const slong count = p.length() - 1;
+  const flint::IntegerPolynomial polynomial(p);
+  std::vector<ComplexBall> result;
+  acb_ptr roots = _acb_vec_init(count);
+  arb_fmpz_poly_complex_roots(roots, polynomial.get(), 0, bits);
+  for (slong i = 0; i < count; ++i) result.emplace_back(roots + i, bits);
+  _acb_vec_clear(roots, count);
+  return result;
+}
+
 }  // namespace subcert

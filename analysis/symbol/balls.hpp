@@ -3,9 +3,11 @@
 /// the exact results for all points of its arguments; it rounds to the larger precision of its arguments.
 
 #include "flint.hpp"
+#include "rational_complex.hpp"
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace subcert {
 
@@ -271,5 +273,38 @@ class ComplexBall {
   acb_t value_;
   slong bits_;
 };
+
+/// Whether two balls have a point in common; whether a ball holds 0.
+inline bool overlap(const ComplexBall& a, const ComplexBall& b) { return acb_overlaps(a.get(), b.get()); }
+inline bool contains_zero(const ComplexBall& a) { return acb_contains_zero(a.get()); }
+
+inline ComplexBall conj(const ComplexBall& a) {
+  ComplexBall result(a.bits());
+  acb_conj(result.get(), a.get());
+  return result;
+}
+
+inline Ball imaginary_part(const ComplexBall& a) {
+  Ball result(a.bits());
+  acb_get_imag(result.get(), a.get());
+  return result;
+}
+
+/// The centre of a ball, as a ball and as an exact number. Domain: finite.
+inline ComplexBall middle(const ComplexBall& a) {
+  ComplexBall result(a.bits());
+  acb_get_mid(result.get(), a.get());
+  return result;
+}
+RationalComplex exact_middle(const ComplexBall& a);
+
+/// A ball around an exact number.
+ComplexBall ball_around(const RationalComplex& value, slong bits);
+
+/// The value of a polynomial. Domain: p not zero, lowest exponent 0.
+ComplexBall value_at(const LaurentPolynomial& p, const ComplexBall& z);
+
+/// The zeros, disjoint balls of relative accuracy 2^-bits. Domain: no multiple zeros, lowest exponent 0.
+std::vector<ComplexBall> complex_roots(const LaurentPolynomial& p, slong bits);
 
 }  // namespace subcert

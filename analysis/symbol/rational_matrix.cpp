@@ -1,8 +1,13 @@
 #include "rational_matrix.hpp"
 
 #include "balls.hpp"
+#include "error.hpp"
 
-#include <stdexcept>
+#include <flint/fmpz_lll.h>
+#include <flint/nmod_mat.h>
+#include <flint/nmod_poly.h>
+#include <flint/ulong_extras.h>
+
 #include <string>
 
 namespace subcert {
@@ -46,7 +51,61 @@ std::vector<std::size_t> reduce(FlintMatrix& matrix) {
   return pivots;
 }
 
-std::string shape(const RationalMatrix& m) { return std::to_string(m.rows()) + " x " + std::to_string(m.columns()); }
+std::string shape(const RationalMatrix& m) { return fmt::format("{} x {}", m.rows(), m.columns()); }
+
+/// Bits of the coefficients times squared size up to which a characteristic polynomial needs no interruption.
+constexpr double quick_work = 1e7;
+
+class IntegerMatrix {
+ public:
+  IntegerMatrix(std::size_t rows, std::size_t columns) {
+    fmpz_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
+  }
+  IntegerMatrix(const IntegerMatrix&) = delete;
+  IntegerMatrix& operator=(const IntegerMatrix&) = delete;
+  ~IntegerMatrix() { fmpz_mat_clear(value_); }
+  fmpz_mat_struct* get() { return value_; }
+  fmpz* entry(std::size_t i, std::size_t j) {
+    return fmpz_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
+  }
+
+ private:
+  fmpz_mat_t value_;
+};
+
+/// The characteristic polynomial of an integer matrix modulo one prime.
+class ModularCharacteristic {
+ public:
+  ModularCharacteristic(IntegerMatrix& matrix, ulong prime) {
+    nmod_mat_t reduced;
+    nmod_mat_init(reduced, matrix.get()->r, matrix.get()->c, prime);
+    fmpz_mat_get_nmod_mat(reduced, matrix.get());
+    nmod_poly_init(value_, prime);
+    nmod_mat_charpoly(value_, reduced);
+    nmod_mat_clear(reduced);
+  }
+  ModularCharacteristic(const ModularCharacteristic&) = delete;
+  ModularCharacteristic& operator=(const ModularCharacteristic&) = delete;
+  ~ModularCharacteristic() { nmod_poly_clear(value_); }
+  const nmod_poly_struct* get() const { return value_; }
+
+ private:
+  nmod_poly_t value_;
+};
+
+/// Bits that hold every coefficient of the characteristic polynomial, and its sign: each is a sum of minors, at most
+/// binomial(n, k) <= 2^n of them, each at most a product of norms of rows.
+slong bits_of_characteristic(IntegerMatrix& matrix) {
+  const slong n = matrix.get()->r;
+  slong bits = n + 2;
+  for (slong i = 0; i < n; ++i) {
+    slong largest = 0;
+    for (slong j = 0; j < n; ++j)
+      largest = std::max(largest, static_cast<slong>(fmpz_bits(fmpz_mat_entry(matrix.get(), i, j))));
+    if (largest > 0) bits += largest + static_cast<slong>(FLINT_BIT_COUNT(static_cast<ulong>(n)) + 1) / 2;
+  }
+  return bits;
+}
 
 }  // namespace
 
@@ -57,21 +116,38 @@ RationalMatrix RationalMatrix::identity(std::size_t size) {
 }
 
 RationalMatrix operator*(const RationalMatrix& a, const RationalMatrix& b) {
-  if (a.columns() != b.rows())
-    throw std::invalid_argument("matrix product: need matching sizes, got " + shape(a) + " and " + shape(b));
+  require(a.columns() == b.rows(), "matrix product: need matching sizes, got {} and {}", shape(a), shape(b));
   FlintMatrix left(a), right(b), product(a.rows(), b.columns());
   fmpq_mat_mul(product.get(), left.get(), right.get());
   return product.matrix();
 }
 
+RationalMatrix operator*(const Rational& factor, RationalMatrix matrix) {
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) matrix(i, j) *= factor;
+  return matrix;
+}
+
 std::vector<Rational> operator*(const RationalMatrix& matrix, const std::vector<Rational>& vector) {
-  if (matrix.columns() != vector.size())
-    throw std::invalid_argument("matrix product: need matching sizes, got " + shape(matrix) + " and " +
-                                std::to_string(vector.size()) + " entries");
+  require(matrix.columns() == vector.size(), "matrix product: need matching sizes, got {} and {} entries",
+          shape(matrix), vector.size());
   std::vector<Rational> result(matrix.rows(), 0);
   for (std::size_t i = 0; i < matrix.rows(); ++i)
     for (std::size_t j = 0; j < matrix.columns(); ++j)
       if (vector[j] != 0 && matrix(i, j) != 0) result[i] += matrix(i, j) * vector[j];
+  return result;
+}
+
+ComplexVector operator*(const RationalMatrix& matrix, const ComplexVector& vector) {
+  std::vector<Rational> re, im;
+  for (const RationalComplex& c : vector) {
+    re.push_back(c.re);
+    im.push_back(c.im);
+  }
+  re = matrix * re;
+  im = matrix * im;
+  ComplexVector result;
+  for (std::size_t i = 0; i < re.size(); ++i) result.push_back({re[i], im[i]});
   return result;
 }
 
@@ -82,9 +158,66 @@ RationalMatrix transposed(const RationalMatrix& matrix) {
   return result;
 }
 
+RationalMatrix power(const RationalMatrix& matrix, long exponent) {
+  RationalMatrix result = RationalMatrix::identity(matrix.rows()), square = matrix;
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 == 1) result = result * square;
+    if (exponent > 1) square = square * square;
+  }
+  return result;
+}
+
+Rational one_norm(const RationalMatrix& matrix) {
+  Rational most = 0;
+  for (std::size_t j = 0; j < matrix.columns(); ++j) {
+    Rational sum = 0;
+    for (std::size_t i = 0; i < matrix.rows(); ++i) sum += abs(matrix(i, j));
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+long binary_exponent(const Rational& value) {
+  const auto bits = [](const Integer& x) { return static_cast<long>(fmpz_bits(flint::Whole(x).get())); };
+  return bits(numerator(value)) - bits(denominator(value));
+}
+
+std::optional<long> binary_exponent(const RationalMatrix& matrix) {
+  Rational largest = 0;
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) largest = std::max(largest, Rational(abs(matrix(i, j))));
+  return largest == 0 ? std::nullopt : std::optional(binary_exponent(largest));
+}
+
+RationalMatrix value_at(const LaurentPolynomial& p, const RationalMatrix& matrix) {
+  return *value_at(p, matrix, Deadline());
+}
+
+std::optional<RationalMatrix> value_at(const LaurentPolynomial& p, const RationalMatrix& matrix,
+                                       const Deadline& deadline) {
+  RationalMatrix value(matrix.rows(), matrix.rows());
+  if (p.is_zero()) return value;
+  for (long k = p.highest(); k >= 0; --k) {
+    if (deadline.expired()) return std::nullopt;
+    value = value * matrix;
+    for (std::size_t i = 0; i < value.rows(); ++i) value(i, i) += p.coefficient(k);
+  }
+  return value;
+}
+
+int largest_jordan_block(const RationalMatrix& matrix, const LaurentPolynomial& p) {
+  const RationalMatrix value = value_at(p, matrix);
+  RationalMatrix repeated = value;
+  for (std::size_t size = 0, nullity = 0;; ++size) {
+    const std::size_t next = kernel(repeated).size();
+    if (next == nullity) return static_cast<int>(size);
+    nullity = next;
+    repeated = repeated * value;
+  }
+}
+
 LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix) {
-  if (matrix.rows() != matrix.columns())
-    throw std::invalid_argument("characteristic_polynomial: need a square matrix, got " + shape(matrix));
+  require(matrix.rows() == matrix.columns(), "characteristic_polynomial: need a square matrix, got {}", shape(matrix));
   FlintMatrix source(matrix);
   fmpq_poly_t polynomial;
   fmpq_poly_init(polynomial);
@@ -96,6 +229,36 @@ LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix) {
     coefficients.push_back(flint::to_rational(value.get()));
   }
   fmpq_poly_clear(polynomial);
+  return LaurentPolynomial(coefficients, 0);
+}
+
+std::optional<LaurentPolynomial> characteristic_polynomial(const RationalMatrix& matrix, const Deadline& deadline) {
+  const std::size_t n = matrix.rows();
+  require(n == matrix.columns(), "characteristic_polynomial: need a square matrix, got {}", shape(matrix));
+  Integer common = 1;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) common = lcm(common, Integer(denominator(matrix(i, j))));
+  IntegerMatrix integers(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      flint::set(integers.entry(i, j), Integer(numerator(matrix(i, j)) * (common / denominator(matrix(i, j)))));
+  slong bits = bits_of_characteristic(integers);
+  if (deadline.expired()) return std::nullopt;
+  if (static_cast<double>(bits) * static_cast<double>(n * n) < quick_work) return characteristic_polynomial(matrix);
+  flint::IntegerPolynomial polynomial;
+  flint::Whole modulus(1);
+  for (ulong prime = ulong{1} << 60; bits > 0; bits -= 60) {
+    if (deadline.expired()) return std::nullopt;
+    prime = n_nextprime(prime, 1);
+    const ModularCharacteristic residue(integers, prime);
+    fmpz_poly_CRT_ui(polynomial.get(), polynomial.get(), modulus.get(), residue.get(), 1);
+    fmpz_mul_ui(modulus.get(), modulus.get(), prime);
+  }
+  // det(x - M/d) = d^-n det(d x - M).
+  std::vector<Rational> coefficients(n + 1);
+  Integer scale = 1;
+  for (std::size_t k = n + 1; k-- > 0; scale *= common)
+    coefficients[k] = Rational(flint::to_integer(polynomial.get()->coeffs + k), scale);
   return LaurentPolynomial(coefficients, 0);
 }
 
@@ -124,36 +287,44 @@ std::vector<std::size_t> pivot_columns(const RationalMatrix& matrix) {
 }
 
 RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b) {
-  if (a.rows() != a.columns() || a.rows() != b.rows())
-    throw std::invalid_argument("solve: need a square matrix and as many rows, got " + shape(a) + " and " + shape(b));
+  require(a.rows() == a.columns() && a.rows() == b.rows(),
+          "solve: need a square matrix and as many rows, got {} and {}", shape(a), shape(b));
   FlintMatrix left(a), right(b), solution(b.rows(), b.columns());
-  if (fmpq_mat_solve(solution.get(), left.get(), right.get()) == 0)
-    throw std::domain_error("solve: need a non-singular matrix");
+  require(fmpq_mat_solve(solution.get(), left.get(), right.get()) != 0, "solve: need a non-singular matrix");
   return solution.matrix();
 }
 
+std::vector<std::vector<Integer>> reduced_lattice(const std::vector<std::vector<Integer>>& rows) {
+  std::vector<std::vector<Integer>> result = rows;
+  IntegerMatrix lattice(rows.size(), rows.front().size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < rows[i].size(); ++j) flint::set(lattice.entry(i, j), rows[i][j]);
+  fmpz_lll_t context;
+  fmpz_lll_context_init_default(context);
+  fmpz_lll(lattice.get(), nullptr, context);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < rows[i].size(); ++j) result[i][j] = flint::to_integer(lattice.entry(i, j));
+  return result;
+}
+
+LaurentPolynomial squarefree_part(const LaurentPolynomial& p) {
+  const LaurentPolynomial q = p.shifted(-p.lowest());
+  return *q.exact_quotient(gcd(q, q.derivative()));
+}
+
 RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {
-  if (p.is_zero()) throw std::domain_error("largest_root_modulus: need a non-zero polynomial, got 0");
-  const LaurentPolynomial powers_removed = p.shifted(-p.lowest());
+  require(!p.is_zero(), "largest_root_modulus: need a non-zero polynomial, got 0");
   RootModulus result;
   result.largest = Enclosure::exactly(0);
-  if (powers_removed.length() == 1) return result;
-  result.has_root_plus_or_minus_one = powers_removed(1) == 0 || powers_removed(-1) == 0;
-  const LaurentPolynomial squarefree = *powers_removed.exact_quotient(gcd(powers_removed, powers_removed.derivative()));
-
-  flint::IntegerPolynomial polynomial(squarefree);
-  const slong count = fmpz_poly_degree(polynomial.get());
-  acb_ptr roots = _acb_vec_init(count);
-  arb_fmpz_poly_complex_roots(roots, polynomial.get(), 0,
-                              bits + 8);  // the radius, not the width, is held to these bits
-  Ball modulus;
-  for (slong i = 0; i < count; ++i) {
-    acb_abs(modulus.get(), roots + i, bits + 32);
-    const Enclosure candidate = modulus.enclosure(256);
-    result.largest.lower = std::max(*result.largest.lower, *candidate.lower);
-    result.largest.upper = std::max(*result.largest.upper, *candidate.upper);
+  if (p.length() == 1) return result;
+  const LaurentPolynomial squarefree = squarefree_part(p);
+  result.has_root_plus_or_minus_one = squarefree(1) == 0 || squarefree(-1) == 0;
+  // The radius, not the width, is held to these bits.
+  for (const ComplexBall& root : complex_roots(squarefree, bits + 8)) {
+    const Enclosure modulus = abs(ComplexBall(root.get(), bits + 32)).enclosure(256);
+    result.largest.lower = std::max(*result.largest.lower, *modulus.lower);
+    result.largest.upper = std::max(*result.largest.upper, *modulus.upper);
   }
-  _acb_vec_clear(roots, count);
   return result;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 /// Dense matrices over the rationals and the exact algebra that the analysis asks of them.
 
+#include "budget.hpp"
 #include "laurent_polynomial.hpp"
+#include "rational_complex.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -29,15 +31,39 @@ class RationalMatrix {
   std::vector<Rational> entries_;
 };
 
-/// Domain: a.columns() == b.rows(). Errors: throws std::invalid_argument.
+/// Domain: a.columns() == b.rows(). Errors: throws Error.
 RationalMatrix operator*(const RationalMatrix& a, const RationalMatrix& b);
-/// Domain: matrix.columns() == vector.size(). Errors: throws std::invalid_argument.
+RationalMatrix operator*(const Rational& factor, RationalMatrix matrix);
+/// Domain: matrix.columns() == vector.size(). Errors: throws Error.
 std::vector<Rational> operator*(const RationalMatrix& matrix, const std::vector<Rational>& vector);
+ComplexVector operator*(const RationalMatrix& matrix, const ComplexVector& vector);
 
 RationalMatrix transposed(const RationalMatrix& matrix);
 
-/// det(x - matrix), with lowest exponent 0 or more. Domain: square. Cost: modular, cubic per prime.
+/// Domain: square, exponent >= 0. Cost: a logarithmic number of products.
+RationalMatrix power(const RationalMatrix& matrix, long exponent);
+
+/// The largest sum of absolute values in a column.
+Rational one_norm(const RationalMatrix& matrix);
+
+/// The size as a power of 2: 2^(e-1) < |value| < 2^(e+1). Domain: value != 0.
+long binary_exponent(const Rational& value);
+/// That of the largest entry; nothing for the zero matrix.
+std::optional<long> binary_exponent(const RationalMatrix& matrix);
+
+/// p(matrix); nothing once the deadline passes. Domain: square; lowest exponent 0 or more. Cost: a product per degree.
+RationalMatrix value_at(const LaurentPolynomial& p, const RationalMatrix& matrix);
+std::optional<RationalMatrix> value_at(const LaurentPolynomial& p, const RationalMatrix& matrix,
+                                       const Deadline& deadline);
+
+/// The size of the largest Jordan block whose eigenvalue is a zero of p, and 0 where none is. Domain: square; p
+/// irreducible over the rationals. Cost: as many kernels of products.
+int largest_jordan_block(const RationalMatrix& matrix, const LaurentPolynomial& p);
+
+/// det(x - matrix), with lowest exponent 0 or more; nothing once the deadline passes. Domain: square. Cost: modular,
+/// cubic per prime, as many primes as the entries ask for.
 LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix);
+std::optional<LaurentPolynomial> characteristic_polynomial(const RationalMatrix& matrix, const Deadline& deadline);
 
 /// A basis of { x : matrix x = 0 }, one vector per free column. Cost: one fraction-free elimination.
 std::vector<std::vector<Rational>> kernel(const RationalMatrix& matrix);
@@ -45,9 +71,16 @@ std::vector<std::vector<Rational>> kernel(const RationalMatrix& matrix);
 /// The columns that are not combinations of columns before them. Cost: one elimination.
 std::vector<std::size_t> pivot_columns(const RationalMatrix& matrix);
 
-/// X with a X = b. Domain: a square and non-singular, a.rows() == b.rows(). Errors: throws std::invalid_argument for
-/// other shapes, std::domain_error for a singular a. Cost: p-adic lifting or one elimination.
+/// X with a X = b. Domain: a square and non-singular, a.rows() == b.rows(). Errors: throws Error. Cost: p-adic
+/// lifting or one elimination.
 RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b);
+
+/// Short vectors that span the same lattice. Domain: independent rows of one length >= 1. Cost: one reduction. Ref:
+/// [LLL82].
+std::vector<std::vector<Integer>> reduced_lattice(const std::vector<std::vector<Integer>>& rows);
+
+/// p without its zero at 0 and with simple zeros only. Domain: p not zero.
+LaurentPolynomial squarefree_part(const LaurentPolynomial& p);
 
 /// Encloses the largest modulus of the roots. Domain: p not zero; 0 for a constant or monomial. Error: relative width
 /// below 2^-bits, as the roots of the squarefree part are isolated by balls. Whether 1 or -1 is a root is

@@ -1,5 +1,6 @@
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/regularity/block_triangular.hpp>
+#include <subcert/analysis/regularity/radius/block_triangular.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
@@ -77,7 +78,7 @@ TEST_CASE("hidden blocks are found") {
     std::vector<std::size_t> sizes;
     for (long k = random.integer(1, 4); k > 0; --k) sizes.push_back(static_cast<std::size_t>(random.integer(1, 4)));
     const Family family = random_triangular(random, sizes, static_cast<std::size_t>(random.integer(2, 3)));
-    const BlockTriangular blocks = block_triangularise(family, 20);
+    const BlockTriangular blocks = block_triangularise(family, Deadline::in(20));
     check_triangular(family, blocks);
     // Random blocks may be reducible themselves, so there may be more.
     CHECK(blocks.sizes.size() >= sizes.size());
@@ -97,7 +98,7 @@ TEST_CASE("equal blocks, nilpotent families and what is reducible over the reals
         for (std::size_t c = r + 1; c < 5; ++c) matrix(r, c) = random.integer(-2, 2);
       nilpotent.push_back(forward * matrix * backward);
     }
-    const BlockTriangular zeros = block_triangularise(nilpotent, 20);
+    const BlockTriangular zeros = block_triangularise(nilpotent, Deadline::in(20));
     check_triangular(nilpotent, zeros);
     CHECK(zeros.sizes == std::vector<std::size_t>(5, 1));
     for (std::size_t k = 0; k < 5; ++k)
@@ -107,22 +108,22 @@ TEST_CASE("equal blocks, nilpotent families and what is reducible over the reals
   RationalMatrix companion(4, 4);
   companion(0, 1) = companion(2, 3) = companion(0, 2) = 1;
   companion(1, 0) = companion(3, 2) = 2;
-  const BlockTriangular twice = block_triangularise({companion}, 20);
+  const BlockTriangular twice = block_triangularise({companion}, Deadline::in(20));
   check_triangular({companion}, twice);
   CHECK(twice.sizes == std::vector<std::size_t>{2, 2});
   // sqrt(2) is not rational: irreducible over Q.
   CHECK(twice.irreducible[0].is_yes());
-  CHECK(block_triangularise({RationalMatrix(3, 3)}, 5).sizes == std::vector<std::size_t>(3, 1));
-  CHECK(block_triangularise({RationalMatrix::identity(4)}, 5).sizes == std::vector<std::size_t>(4, 1));
-  CHECK_THROWS_AS(block_triangularise({}, 5), std::invalid_argument);
-  CHECK_THROWS_AS(block_triangularise({RationalMatrix(2, 3)}, 5), std::invalid_argument);
+  CHECK(block_triangularise({RationalMatrix(3, 3)}, Deadline::in(5)).sizes == std::vector<std::size_t>(3, 1));
+  CHECK(block_triangularise({RationalMatrix::identity(4)}, Deadline::in(5)).sizes == std::vector<std::size_t>(4, 1));
+  CHECK_THROWS_AS(block_triangularise({}, Deadline::in(5)), Error);
+  CHECK_THROWS_AS(block_triangularise({RationalMatrix(2, 3)}, Deadline::in(5)), Error);
 }
 
 TEST_CASE("transition matrices: irreducible ones, and masks with further factors") {
   const auto blocks_of = [](const std::string& text) {
     const Mask mask = make_scheme(text).mask;
     const Family family = transition_matrices(divided_difference_scheme(mask, sum_rules(mask)));
-    const BlockTriangular blocks = block_triangularise(family, 20);
+    const BlockTriangular blocks = block_triangularise(family, Deadline::in(20));
     check_triangular(family, blocks);
     return blocks;
   };
@@ -141,7 +142,7 @@ TEST_CASE("transition matrices: irreducible ones, and masks with further factors
       LaurentPolynomial({1, 1}, 0).pow(2) * factor * rest * LaurentPolynomial(Rational(2) / (4 * factor(1) * rest(1))),
       2);
   const Family family = transition_matrices(divided_difference_scheme(mask, 2));
-  const BlockTriangular blocks = block_triangularise(family, 20);
+  const BlockTriangular blocks = block_triangularise(family, Deadline::in(20));
   check_triangular(family, blocks);
   CHECK(sorted(blocks.sizes) == std::vector<std::size_t>{2, 4});
 }

@@ -8,7 +8,8 @@
 
 namespace subcert {
 
-/// What a certificate proves, as the checker is to be asked: decimals with 15 places, rounded outward.
+/// What a certificate proves, as the checker is to be asked: decimals with 15 places, more for tiny numbers,
+/// rounded outward.
 struct CertificateClaim {
   std::optional<std::string> lower;
   std::optional<std::string> upper;
@@ -20,14 +21,14 @@ struct Certificate {
 };
 
 /// Proves bounds of the Hoelder exponent for this mask. Domain: `regularity` is that of the mask. Errors: throws
-/// std::domain_error where the rational evidence (polytope or norms) proves nothing positive from below; what the
+/// Error where the rational evidence (polytope or norms) proves nothing positive from below; what the
 /// single spectral radius proves beyond that has no certificate.
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity);
 
-/// Proves bounds of the joint spectral radius of these matrices.
-Certificate radius_certificate(const std::vector<RationalMatrix>& matrices, const JointSpectralRadius& radius);
+/// Proves bounds of the joint spectral radius of these matrices. Domain: `radius` is that of the family.
+Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRadius& radius);
 
 /// The matrices as the checker reads them.
-std::string matrices_text(const std::vector<RationalMatrix>& matrices);
+std::string matrices_text(const MatrixFamily& family);
 
 }  // namespace subcert

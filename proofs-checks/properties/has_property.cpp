@@ -49,7 +49,7 @@ Decision smoothness(const Mask& mask, const Expectation& expectation, double sec
   if (proof.order >= expectation.number)
     return decided(true, "C^" + std::to_string(proof.order) + ": " + proof.evidence);
   if (!is_affine(mask)) return {Truth::unknown, proof.obstacle};
-  const Enclosure exponent = holder_regularity(mask, levels, seconds).exponent;
+  const Enclosure exponent = holder_regularity(mask, levels, {Deadline::in(seconds)}).exponent;
   const std::string found = "the Hoelder exponent lies in [" + exponent.lower_text(8) + ", " + exponent.upper_text(8) +
                             "]";
   if (exponent.lower && *exponent.lower > expectation.number) return decided(true, found);
@@ -59,7 +59,7 @@ Decision smoothness(const Mask& mask, const Expectation& expectation, double sec
 
 Decision holder(const Mask& mask, const Expectation& expectation, double seconds) {
   if (!is_affine(mask)) return decided(false, "a coset sum is not 1, so the scheme does not converge");
-  return compare(holder_regularity(mask, levels, seconds).exponent, expectation, "the exponent");
+  return compare(holder_regularity(mask, levels, {Deadline::in(seconds)}).exponent, expectation, "the exponent");
 }
 
 Decision variance(const Mask& mask, const Expectation& expectation, double seconds) {

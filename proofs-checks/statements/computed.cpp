@@ -46,7 +46,7 @@ const HolderBound& holder_bound_of(const std::string& scheme) {
 
 const HolderRegularity& holder_regularity_of(const std::string& scheme) {
   return remembered<HolderRegularity>(
-      scheme, [&] { return holder_regularity(mask_of(scheme), holder_levels, regularity_seconds); });
+      scheme, [&] { return holder_regularity(mask_of(scheme), holder_levels, {Deadline::in(regularity_seconds)}); });
 }
 
 const VarianceOrder& variance_order_of(const std::string& first, const std::string& second) {

@@ -1,4 +1,5 @@
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
@@ -20,7 +21,7 @@ namespace {
 Rational q(const char* text) { return *parse_rational(text); }
 
 HolderRegularity regularity_of(const std::string& specification, int levels = 8) {
-  return holder_regularity(make_scheme(specification).mask, levels, 60, HolderProof::certificate);
+  return holder_regularity(make_scheme(specification).mask, levels, {Deadline::in(60)}, HolderProof::certificate);
 }
 
 /// Whether the checker proves this claim from the certificate.
@@ -38,6 +39,22 @@ bool proves(const std::string& subject, const std::string& lower, const std::str
 
 std::string subject_of(const Mask& mask) {
   return "--mask '" + mask.symbol().to_mask_text() + "' --arity " + std::to_string(mask.arity());
+}
+
+/// Whether the checker proves what a certificate says of the radius of a family.
+bool proves(const MatrixFamily& family, const Certificate& certificate) {
+  const fs::path file = fs::temp_directory_path() / ("subcert-proofs-test-" + std::to_string(getpid()) + ".family");
+  std::ofstream(file, std::ios::binary) << matrices_text(family);
+  const bool proved = proves("--matrices " + file.string(), certificate.claim.lower.value_or(""),
+                             *certificate.claim.upper, certificate.text);
+  fs::remove(file);
+  return proved;
+}
+
+RationalMatrix matrix_of(std::size_t size, const std::vector<const char*>& entries) {
+  RationalMatrix m(size, size);
+  for (std::size_t i = 0; i < size * size; ++i) m(i / size, i % size) = q(entries[i]);
+  return m;
 }
 
 }  // namespace
@@ -58,7 +75,7 @@ TEST_CASE("known exponents are enclosed to 1e-12") {
   for (const auto& [specification, low, high] : known) {
     CAPTURE(specification);
     const HolderRegularity regularity = regularity_of(specification);
-    CHECK(regularity.radius.closed);
+    CHECK(regularity.radius.is_closed());
     REQUIRE(regularity.exponent.is_bounded());
     CHECK(*regularity.exponent.upper - *regularity.exponent.lower < power(Rational(10), -12));
     CHECK(*regularity.exponent.lower <= high);
@@ -79,7 +96,7 @@ TEST_CASE("certificates of the program are proved by the checker, false claims a
     CAPTURE(specification);
     const Mask mask = make_scheme(specification).mask;
     const HolderRegularity regularity = regularity_of(specification);
-    CHECK(regularity.radius.closed);
+    CHECK(regularity.radius.is_closed());
     const Certificate certificate = exponent_certificate(mask, regularity);
     REQUIRE(certificate.claim.lower);
     REQUIRE(certificate.claim.upper);
@@ -113,18 +130,19 @@ TEST_CASE("a complex leading pair") {
   rotation(1, 0) = q("4/5");
   contraction(0, 0) = contraction(1, 1) = q("1/2");
   contraction(0, 1) = q("1/3");
-  const JointSpectralRadius radius = joint_spectral_radius({rotation, contraction}, 30);
-  REQUIRE(radius.polytope);
-  CHECK(radius.polytope->kind == PolytopeKind::complex);
-  CHECK(radius.closed);
+  const JointSpectralRadius radius = joint_spectral_radius({rotation, contraction}, {Deadline::in(30)});
+  const auto* polytope = std::get_if<PolytopeProof>(&radius.proof);
+  REQUIRE(polytope);
+  CHECK(polytope->kind == PolytopeKind::complex);
+  CHECK(radius.is_closed());
   CHECK(radius.radius.contains(1));
-  for (const auto& terms : radius.polytope->images)
+  for (const auto& terms : polytope->images)
     for (const WeightedVertex& term : terms)
       CHECK(term.modulus * term.modulus >= term.weight * term.weight + term.imaginary * term.imaginary);
   // The certificate of a scheme with such a pair.
   const Mask mask = make_scheme("dual:n=3").mask;
   const HolderRegularity regularity = regularity_of("dual:n=3");
-  CHECK(regularity.radius.closed);
+  CHECK(regularity.radius.is_closed());
   const Certificate certificate = exponent_certificate(mask, regularity);
   CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
 }
@@ -166,9 +184,9 @@ TEST_CASE("reducible families: radii and certificates by blocks") {
       back(i, j) = -shear(i, j);
       for (RationalMatrix& m : family) m = shear * m * back;
     }
-    const JointSpectralRadius radius = joint_spectral_radius(family, 2);
-    REQUIRE(radius.triangular);
-    CHECK(radius.triangular->sizes == std::vector<std::size_t>{2, 2});
+    const JointSpectralRadius radius = joint_spectral_radius(family, {Deadline::in(2)});
+    REQUIRE(radius.by_blocks());
+    CHECK(radius.by_blocks()->triangular.sizes == std::vector<std::size_t>{2, 2});
     CHECK(radius.radius.contains(4));
     CHECK(*radius.radius.upper < 4 + power(Rational(10), -5));
     if (round == 0) {
@@ -184,7 +202,7 @@ TEST_CASE("reducible families: radii and certificates by blocks") {
   put(twice, 0);
   put(twice, 2);
   for (RationalMatrix& m : twice) m(0, 2) = m(1, 3) = 1;
-  const JointSpectralRadius coupled = joint_spectral_radius(twice, 20);
+  const JointSpectralRadius coupled = joint_spectral_radius(twice, {Deadline::in(20)});
   CHECK((coupled.radius.is_exact() && *coupled.radius.lower == 4));
   CHECK(coupled.exact.is_yes());
   CHECK(coupled.growth.at_least == 1);
@@ -201,8 +219,8 @@ TEST_CASE("reducible families: radii and certificates by blocks") {
       irrational[t](i, n + i) = 1;
       for (std::size_t j = 0; j < n; ++j) irrational[t](i, j) = irrational[t](n + i, n + j) = small[t](i, j);
     }
-  const JointSpectralRadius double_root = joint_spectral_radius(irrational, 20);
-  CHECK(double_root.triangular->sizes == std::vector<std::size_t>{n, n});
+  const JointSpectralRadius double_root = joint_spectral_radius(irrational, {Deadline::in(20)});
+  CHECK(double_root.by_blocks()->triangular.sizes == std::vector<std::size_t>{n, n});
   CHECK(double_root.exact.is_yes());
   CHECK(double_root.growth.at_least == 1);
   CHECK(double_root.growth.at_most == 1);
@@ -211,7 +229,7 @@ TEST_CASE("reducible families: radii and certificates by blocks") {
   // A Jordan block, and a nilpotent family.
   RationalMatrix jordan = RationalMatrix::identity(2);
   jordan(0, 1) = 1;
-  const JointSpectralRadius one = joint_spectral_radius({jordan}, 5);
+  const JointSpectralRadius one = joint_spectral_radius({jordan}, {Deadline::in(5)});
   CHECK((one.radius.is_exact() && *one.radius.lower == 1));
   CHECK(one.exact.is_yes());
   CHECK(one.growth.at_least == 1);
@@ -219,10 +237,10 @@ TEST_CASE("reducible families: radii and certificates by blocks") {
   RationalMatrix up(3, 3), further(3, 3);
   up(0, 1) = up(1, 2) = 5;
   further(0, 2) = further(0, 1) = q("-1/3");
-  const JointSpectralRadius zero = joint_spectral_radius({up, further}, 5);
+  const JointSpectralRadius zero = joint_spectral_radius({up, further}, {Deadline::in(5)});
   CHECK((zero.radius.is_exact() && *zero.radius.upper == 0));
   CHECK(zero.exact.is_yes());
-  CHECK(zero.closed);
+  CHECK(zero.is_closed());
   std::ofstream(file, std::ios::binary) << matrices_text({up, further});
   CHECK(proves("--matrices " + file.string(), "", "0", radius_certificate({up, further}, zero).text));
   fs::remove(file);
@@ -233,9 +251,9 @@ TEST_CASE("reducible masks: certificates by blocks") {
   const LaurentPolynomial factor({1, -1, 1}, 0), rest({3, 5, 6, 4, 2}, 0);
   const LaurentPolynomial binary = LaurentPolynomial({1, 1}, 0).pow(4) * factor * rest;
   const Mask mask(binary * LaurentPolynomial(2 / binary(1)), 2);
-  const HolderRegularity regularity = holder_regularity(mask, 8, 30, HolderProof::certificate);
-  REQUIRE(regularity.radius.triangular);
-  CHECK(regularity.radius.triangular->sizes.size() > 1);
+  const HolderRegularity regularity = holder_regularity(mask, 8, {Deadline::in(30)}, HolderProof::certificate);
+  REQUIRE(regularity.certifiable().by_blocks());
+  CHECK(regularity.certifiable().by_blocks()->triangular.sizes.size() > 1);
   CHECK(regularity.stable.is_no());
   const Certificate certificate = exponent_certificate(mask, regularity);
   CHECK(certificate.text.find("\nblocks ") != std::string::npos);
@@ -247,8 +265,8 @@ TEST_CASE("reducible masks: certificates by blocks") {
                                     LaurentPolynomial({1, 0, 0, 0, 1, 0, 0, 0, 1}, 0) *
                                     LaurentPolynomial({2, 5, 1, 1}, 0);
   const Mask other(ternary * LaurentPolynomial(3 / ternary(1)), 3);
-  const HolderRegularity second = holder_regularity(other, 6, 30, HolderProof::certificate);
-  REQUIRE(second.radius.triangular);
+  const HolderRegularity second = holder_regularity(other, 6, {Deadline::in(30)}, HolderProof::certificate);
+  REQUIRE(second.certifiable().by_blocks());
   const Certificate proof = exponent_certificate(other, second);
   CHECK(proves(subject_of(other), *proof.claim.lower, "", proof.text));
 }
@@ -257,8 +275,8 @@ TEST_CASE("joint spectral radii from the literature") {
   RationalMatrix up(2, 2), down(2, 2);
   up(0, 0) = up(0, 1) = up(1, 1) = 1;
   down(0, 0) = down(1, 0) = down(1, 1) = 1;
-  const JointSpectralRadius golden = joint_spectral_radius({up, down}, 30);
-  CHECK(golden.closed);
+  const JointSpectralRadius golden = joint_spectral_radius({up, down}, {Deadline::in(30)});
+  CHECK(golden.is_closed());
   // The golden ratio: x^2 = x + 1.
   const Rational low = *golden.radius.lower, high = *golden.radius.upper;
   CHECK(low * low <= low + 1);
@@ -276,11 +294,99 @@ TEST_CASE("joint spectral radii from the literature") {
   fs::remove(matrices);
 
   // One matrix, the zero matrix, the identity.
-  CHECK(joint_spectral_radius({RationalMatrix::identity(3)}, 5).radius.contains(1));
-  CHECK(*joint_spectral_radius({RationalMatrix(2, 2)}, 5).radius.upper == 0);
+  CHECK(joint_spectral_radius({RationalMatrix::identity(3)}, {Deadline::in(5)}).radius.contains(1));
+  CHECK(*joint_spectral_radius({RationalMatrix(2, 2)}, {Deadline::in(5)}).radius.upper == 0);
   RationalMatrix half(1, 1);
   half(0, 0) = q("-1/2");
-  CHECK(joint_spectral_radius({half}, 5).radius.contains(q("1/2")));
-  CHECK_THROWS_AS(joint_spectral_radius({}, 5), std::invalid_argument);
-  CHECK_THROWS_AS(joint_spectral_radius({RationalMatrix(2, 3)}, 5), std::invalid_argument);
+  CHECK(joint_spectral_radius({half}, {Deadline::in(5)}).radius.contains(q("1/2")));
+  CHECK_THROWS_AS(joint_spectral_radius({}, {Deadline::in(5)}), Error);
+  CHECK_THROWS_AS(joint_spectral_radius({RationalMatrix(2, 3)}, {Deadline::in(5)}), Error);
+}
+
+TEST_CASE("families of numbers that doubles do not hold") {
+  const MatrixFamily golden{matrix_of(2, {"1", "1", "0", "1"}), matrix_of(2, {"1", "0", "1", "1"})};
+  const MatrixFamily four_point{matrix_of(2, {"-1", "0", "-1", "4"}), matrix_of(2, {"4", "-1", "0", "-1"})};
+  const MatrixFamily turning{matrix_of(2, {"3/5", "-4/5", "4/5", "3/5"}), matrix_of(2, {"1/2", "1/3", "0", "1/2"})};
+  for (const MatrixFamily* family : {&golden, &four_point, &turning})
+    for (const long exponent : {160, -30, -400}) {
+      CAPTURE(exponent);
+      const JointSpectralRadius plain = joint_spectral_radius(*family, {Deadline::in(20)});
+      const Rational factor = power(Rational(10), exponent);
+      const MatrixFamily scaled = factor * *family;
+      const JointSpectralRadius radius = joint_spectral_radius(scaled, {Deadline::in(20)});
+      CHECK(radius.is_closed());
+      CHECK(radius.exact.truth == plain.exact.truth);
+      CHECK(radius.product.word == plain.product.word);
+      CHECK(*radius.radius.lower <= factor * *plain.radius.upper);
+      CHECK(*radius.radius.upper >= factor * *plain.radius.lower);
+      Certificate certificate = radius_certificate(scaled, radius);
+      CHECK(proves(scaled, certificate));
+      CHECK_FALSE(proves(*family, certificate));
+      certificate.claim.upper = to_text(factor * *plain.radius.lower * q("999999/1000000"));
+      CHECK_FALSE(proves(scaled, certificate));
+    }
+}
+
+TEST_CASE("families whose entries differ in size") {
+  // Coordinates of other lengths: the radius is that of the golden ratio all the same.
+  const Rational large = power(Rational(10), 200);
+  RationalMatrix up = RationalMatrix::identity(2), down = up;
+  up(0, 1) = large;
+  down(1, 0) = 1 / large;
+  const JointSpectralRadius skew = joint_spectral_radius({up, down}, {Deadline::in(20)});
+  CHECK(skew.is_closed());
+  CHECK(*skew.radius.lower * *skew.radius.lower <= *skew.radius.lower + 1);
+  CHECK(*skew.radius.upper * *skew.radius.upper >= *skew.radius.upper + 1);
+  CHECK(proves({up, down}, radius_certificate({up, down}, skew)));
+  // Blocks of radius 4 * 10^200 and 10^-200, coupled.
+  std::vector<RationalMatrix> blocks(2, RationalMatrix(4, 4));
+  for (std::size_t t = 0; t < 2; ++t) {
+    blocks[t](t, t) = blocks[t](1 - t, t) = blocks[t](1 - t, 1 - t) = 0;
+    blocks[t](0, 0) = t == 0 ? -large : 4 * large;
+    blocks[t](1, 1) = t == 0 ? 4 * large : -large;
+    blocks[t](1 - t, t) = -large;
+    blocks[t](0, 3) = 7;
+    blocks[t](2, 2) = blocks[t](3, 3) = blocks[t](2 + t, 3 - t) = 1 / large;
+  }
+  const JointSpectralRadius coupled = joint_spectral_radius(blocks, {Deadline::in(20)});
+  CHECK(coupled.by_blocks());
+  CHECK(coupled.is_closed());
+  CHECK(coupled.radius.contains(4 * large));
+  CHECK(proves(blocks, radius_certificate(blocks, coupled)));
+  // One entry that doubles do not see beside the others.
+  RationalMatrix flat(2, 2), tiny = RationalMatrix::identity(2);
+  flat(0, 0) = flat(0, 1) = flat(1, 0) = 1;
+  tiny(0, 1) = tiny(1, 0) = power(Rational(10), -300);
+  const JointSpectralRadius near = joint_spectral_radius({tiny, flat}, {Deadline::in(20)});
+  CHECK(near.is_closed());
+  CHECK(proves({tiny, flat}, radius_certificate({tiny, flat}, near)));
+}
+
+TEST_CASE("near a bound the work ends with what is proved") {
+  subcert::testing::Random random;
+  std::vector<RationalMatrix> large(2, RationalMatrix(48, 48));
+  for (RationalMatrix& m : large)
+    for (std::size_t i = 0; i < 48; ++i)
+      for (std::size_t j = 0; j < 48; ++j) m(i, j) = random.integer(-9, 9);
+  const Stopwatch watch;
+  const JointSpectralRadius bounded = joint_spectral_radius(large, {Deadline::in(0.5)});
+  CHECK(watch.seconds() < 0.5 + 8);  // within 2 s on a quiet machine
+  CHECK(*bounded.radius.lower <= *bounded.radius.upper);
+  CHECK(joint_spectral_radius(large, {Deadline::in(0)}).radius.upper.has_value());
+  // Memory: products of one length only, and no polytope.
+  CHECK(norm_of_products(large, {Deadline(), std::size_t{1} << 16}).level == 1);
+  const MatrixFamily four_point{matrix_of(2, {"-1", "0", "-1", "4"}), matrix_of(2, {"4", "-1", "0", "-1"})};
+  const JointSpectralRadius norms = joint_spectral_radius(four_point, {Deadline::in(5), 64});
+  CHECK(norms.method() == JsrMethod::norm_of_products);
+  CHECK(norms.radius.contains(4));
+  CHECK(proves(four_point, radius_certificate(four_point, norms)));
+}
+
+TEST_CASE("the four-point scheme with a tension beyond doubles") {
+  const std::string tension = "1" + std::string(200, '0');
+  const Mask mask = make_scheme("four-point:w=" + tension).mask;
+  const HolderRegularity regularity = holder_regularity(mask, 6, {Deadline::in(20)});
+  CHECK(regularity.exponent.lower.has_value());
+  CHECK(*regularity.exponent.lower < 0);
+  CHECK(*regularity.radius.radius.lower <= *regularity.radius.radius.upper);
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// The search for an invariant polytope in floating point: what callers ask and get. Nothing of it is proved;
-/// analysis/regularity/certified_polytope.hpp does that.
+/// analysis/regularity/polytope_proof does that.
 
 #include "incremental_simplex.hpp"
 #include "product_search.hpp"

@@ -1,3 +1,4 @@
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
@@ -27,14 +28,22 @@ TEST_CASE("a matrix is a zero of its characteristic polynomial") {
     CHECK(p.coefficient(p.highest()) == 1);
     RationalMatrix value(n, n), power_of_m = RationalMatrix::identity(n);
     for (long k = 0; k <= static_cast<long>(n); ++k) {
+      CHECK(power_of_m == power(m, k));
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) value(i, j) += p.coefficient(k) * power_of_m(i, j);
       power_of_m = power_of_m * m;
     }
     CHECK(value == RationalMatrix(n, n));
+    CHECK(value_at(p, m) == RationalMatrix(n, n));
+    // Numbers of many digits: det(x - f m) = f^n det(x/f - m).
+    const Rational factor = power(Rational(10), random.integer(-60, 60));
+    const LaurentPolynomial scaled = characteristic_polynomial(factor * m);
+    for (long k = 0; k <= static_cast<long>(n); ++k)
+      CHECK(scaled.coefficient(k) == power(factor, static_cast<long>(n) - k) * p.coefficient(k));
   }
-  CHECK_THROWS_AS(characteristic_polynomial(RationalMatrix(2, 3)), std::invalid_argument);
-  CHECK_THROWS_AS(RationalMatrix(2, 3) * RationalMatrix(2, 3), std::invalid_argument);
+  CHECK_FALSE(characteristic_polynomial(RationalMatrix::identity(3), Deadline::in(0)).has_value());
+  CHECK_THROWS_AS(characteristic_polynomial(RationalMatrix(2, 3)), Error);
+  CHECK_THROWS_AS(RationalMatrix(2, 3) * RationalMatrix(2, 3), Error);
 }
 
 TEST_CASE("the kernel is a kernel, and all of it") {
@@ -56,6 +65,19 @@ TEST_CASE("the kernel is a kernel, and all of it") {
   CHECK(kernel(RationalMatrix(2, 2)).size() == 2);
 }
 
+TEST_CASE("Jordan blocks and sizes") {
+  RationalMatrix m = RationalMatrix::identity(5);
+  m(0, 1) = m(1, 2) = 7;
+  m(4, 4) = -3;
+  CHECK(largest_jordan_block(m, LaurentPolynomial({-1, 1}, 0)) == 3);
+  CHECK(largest_jordan_block(m, LaurentPolynomial({3, 1}, 0)) == 1);
+  CHECK(largest_jordan_block(m, LaurentPolynomial({-2, 1}, 0)) == 0);
+  CHECK(one_norm(m) == 8);
+  CHECK(binary_exponent(m) == 2);
+  CHECK(binary_exponent(power(Rational(10), -400)) == -1328);
+  CHECK_FALSE(binary_exponent(RationalMatrix(2, 2)).has_value());
+}
+
 TEST_CASE("the largest modulus of the zeros") {
   // Golden ratio: z^2 - z - 1.
   const Enclosure golden = largest_root_modulus(LaurentPolynomial({-1, -1, 1}, 0)).largest;
@@ -73,5 +95,14 @@ TEST_CASE("the largest modulus of the zeros") {
   CHECK(largest_root_modulus(LaurentPolynomial({9, -6, 1}, 0)).largest.contains(3));
   CHECK(largest_root_modulus(LaurentPolynomial({1, 1}, 0)).has_root_plus_or_minus_one);
   CHECK(largest_root_modulus(LaurentPolynomial::monomial(5, 4)).largest.contains(0));
-  CHECK_THROWS_AS(largest_root_modulus(LaurentPolynomial()), std::domain_error);
+  CHECK_THROWS_AS(largest_root_modulus(LaurentPolynomial()), Error);
+}
+
+TEST_CASE("characteristic polynomials that can be interrupted are the same") {
+  Random random;
+  for (const std::size_t n : {1, 7, 40}) {
+    RationalMatrix m = random_matrix(random, n, n);
+    for (std::size_t i = 0; i < n; ++i) m(i, (3 * i) % n) *= power(Rational(7), 150);
+    CHECK(characteristic_polynomial(m, Deadline()) == characteristic_polynomial(m));
+  }
 }

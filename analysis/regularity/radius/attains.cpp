@@ -1,123 +1,82 @@
-#include "exact_radius.hpp"
+#include "attains.hpp"
 
-#include <subcert/analysis/symbol/balls.hpp>
-#include "polytope_search/polytope_search.hpp"
+#include "../polytope_proof/candidate.hpp"
+#include "cost.hpp"
 
-#if __has_include(<flint/acb_mat.h>)
-#include <flint/acb_mat.h>
-#else
-#include <acb_mat.h>
-#endif
-
-#include <flint/fmpz_poly_factor.h>
+#include <subcert/analysis/symbol/ball_matrix.hpp>
+#include <subcert/analysis/symbol/real_roots.hpp>
 
 #include <algorithm>
 
-namespace subcert {
+namespace subcert::radius {
 namespace {
 
 constexpr slong precision = 320;
+constexpr const char* no_time = "no time was left to compare the images with the vertices";
 
 using RationalVector = std::vector<Rational>;
 
-/// x + i y with rational parts; y may be empty.
-struct RationalComplex {
-  RationalVector x, y;
-};
-
-Rational one_norm(const RationalVector& v) {
+/// |x|_1, real and imaginary parts apart.
+Rational one_norm(const ComplexVector& v) {
   Rational sum = 0;
-  for (const Rational& c : v) sum += abs(c);
+  for (const RationalComplex& c : v) sum += abs(c.re) + abs(c.im);
   return sum;
 }
 
-class AcbMatrix {
- public:
-  AcbMatrix(std::size_t rows, std::size_t columns) {
-    acb_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
-  }
-  AcbMatrix(const AcbMatrix&) = delete;
-  AcbMatrix& operator=(const AcbMatrix&) = delete;
-  ~AcbMatrix() { acb_mat_clear(value_); }
-  acb_mat_struct* get() { return value_; }
-  acb_ptr entry(std::size_t i, std::size_t j) {
-    return acb_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
-  }
-
- private:
-  acb_mat_t value_;
-};
-
-/// An upper bound for |ball - value|.
-Rational distance(acb_ptr ball, const Rational& re, const Rational& im) {
-  Ball difference, bound;
-  Rational sum = 0;
-  for (const bool real : {true, false}) {
-    arb_set_fmpq(difference.get(), flint::Quotient(real ? re : im).get(), precision);
-    arb_sub(difference.get(), real ? acb_realref(ball) : acb_imagref(ball), difference.get(), precision);
-    arb_abs(difference.get(), difference.get());
-    const Enclosure enclosure = difference.enclosure(256);
-    if (!enclosure.upper) return -1;
-    sum += *enclosure.upper;
-  }
-  return sum;
+/// An upper bound for |ball - value|, real and imaginary parts apart; nothing where it is infinite.
+std::optional<Rational> distance(const ComplexBall& ball, const RationalComplex& value) {
+  const ComplexBall difference = ball - ball_around(value, precision);
+  const Enclosure re = abs(difference.real()).enclosure(256), im = abs(imaginary_part(difference)).enclosure(256);
+  if (!re.upper || !im.upper) return std::nullopt;
+  return *re.upper + *im.upper;
 }
 
 /// Whether the ball holds exactly one zero of p, a simple one, and all others but its conjugate are smaller in modulus.
-bool is_simple_and_leading(const LaurentPolynomial& p, const acb_t eigenvalue) {
+bool is_simple_and_leading(const LaurentPolynomial& p, const ComplexBall& eigenvalue) {
   const LaurentPolynomial q = p.shifted(-p.lowest());  // the zeros at 0 do not matter
-  const LaurentPolynomial repeated = gcd(q, q.derivative());
-  flint::IntegerPolynomial simple(*q.exact_quotient(repeated)), multiple(repeated);
-  const slong count = fmpz_poly_degree(simple.get());
-  if (count < 1) return false;
-  acb_ptr roots = _acb_vec_init(count);
-  arb_fmpz_poly_complex_roots(roots, simple.get(), 0, precision);
-  acb_t conjugate, value;
-  acb_init(conjugate);
-  acb_init(value);
-  acb_conj(conjugate, eigenvalue);
-  Ball modulus, other;
-  acb_abs(modulus.get(), eigenvalue, precision);
+  const LaurentPolynomial repeated = gcd(q, q.derivative()), simple = *q.exact_quotient(repeated);
+  if (simple.length() < 2) return false;
+  const ComplexBall conjugate = conj(eigenvalue);
+  const Ball modulus = abs(eigenvalue);
   int held = 0;
   bool leading = true;
-  for (slong i = 0; i < count; ++i) {
-    if (acb_overlaps(roots + i, eigenvalue)) {
+  for (const ComplexBall& root : complex_roots(simple, precision)) {
+    if (overlap(root, eigenvalue))
       ++held;
-      continue;
-    }
-    if (acb_overlaps(roots + i, conjugate)) continue;
-    acb_abs(other.get(), roots + i, precision);
-    leading = leading && arb_lt(other.get(), modulus.get());
+    else if (!overlap(root, conjugate))
+      leading = leading && abs(root).is_less(modulus);
   }
-  arb_fmpz_poly_evaluate_acb(value, multiple.get(), eigenvalue, precision);
-  const bool once = !acb_contains_zero(value);
-  acb_clear(conjugate);
-  acb_clear(value);
-  _acb_vec_clear(roots, count);
-  return leading && once && held == 1;
+  return leading && held == 1 && !contains_zero(value_at(repeated, eigenvalue));
+}
+
+RationalVector negated(RationalVector v) {
+  for (Rational& c : v) c = -c;
+  return v;
 }
 
 class Proof {
  public:
-  Proof(const std::vector<RationalMatrix>& matrices, const polytope::SearchResult& result,
-        const CertifiedPolytope& polytope, const Rational& lower)
-      : result_(result), polytope_(polytope), lower_(lower), count_(matrices.size()) {
-    for (const RationalMatrix& m : matrices) matrices_.push_back(polytope.transposed ? transposed(m) : m);
-    for (std::size_t k = 0; k < result.maximizing; ++k) cycles_.push_back({result.products[k].word, {}, {}, {}});
+  Proof(const MatrixFamily& family, const PolytopeCandidate& candidate, const PolytopeProof& polytope,
+        const Rational& lower, const Deadline& deadline)
+      : candidate_(candidate), polytope_(polytope), lower_(lower), deadline_(deadline), count_(family.count()) {
+    for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
+    for (std::size_t k = 0; k < candidate.maximizing; ++k) cycles_.push_back({candidate.products[k].cycle, {}, {}, {}});
   }
 
   Decision run() {
     const auto unknown = [](const char* reason) { return Decision{Truth::unknown, reason}; };
-    if (result_.status != polytope::SearchStatus::closed) return unknown("the polytope did not close");
+    if (!candidate_.closed) return unknown("the polytope did not close");
     if (polytope_.kind == PolytopeKind::nonnegative) return unknown("polytopes of cones are only enclosed");
     for (Cycle& cycle : cycles_) cycle.mirror_shift = mirror_shift(cycle.word);
     if (!bound_vertex_errors())
-      return unknown("a leading eigenvalue is not simple, or its eigenvector was not isolated");
+      return unknown(deadline_.expired() ? no_time
+                                         : "a leading eigenvalue is not simple, or its eigenvector was not isolated");
     // kappa: norm by the true polytope / norm by the rational one.
     if (error_ >= 1) return unknown("the vertices are not known well enough");
     const Rational kappa = 1 / (1 - error_);
-    for (std::size_t i = 0; i < result_.images.size(); ++i) {
-      const polytope::ImageProof& image = result_.images[i];
+    for (std::size_t i = 0; i < candidate_.images.size(); ++i) {
+      const PolytopeCandidate::Image& image = candidate_.images[i];
+      if (deadline_.expired()) return unknown(no_time);
       if (image.identity && is_same_vertex(image)) continue;
       const Rational& moduli = polytope_.moduli[i];
       const Rational rest = polytope_.residuals[i] * polytope_.unit_norm + (polytope_.bound + moduli) * error_;
@@ -144,9 +103,9 @@ class Proof {
 
   const RationalMatrix& matrix(int letter) const { return matrices_[static_cast<std::size_t>(letter)]; }
 
-  std::size_t place_of(std::size_t vertex) const { return static_cast<std::size_t>(result_.vertices[vertex].place); }
+  std::size_t place_of(std::size_t vertex) const { return static_cast<std::size_t>(candidate_.vertices[vertex].place); }
   const Cycle& cycle_of(std::size_t vertex) const {
-    return cycles_[static_cast<std::size_t>(result_.vertices[vertex].cycle)];
+    return cycles_[static_cast<std::size_t>(candidate_.vertices[vertex].cycle)];
   }
 
   /// The product that starts at this place of the word.
@@ -167,43 +126,41 @@ class Proof {
     return std::nullopt;
   }
 
-  RationalComplex vertex(std::size_t index) const {
-    const auto rational = [&](const std::vector<Integer>& integers) {
-      RationalVector result;
-      for (const Integer& c : integers) result.emplace_back(c, Integer(1) << polytope_.vertex_bits);
-      return result;
-    };
-    return {rational(polytope_.vertices[index]),
-            polytope_.imaginary.empty() ? RationalVector{} : rational(polytope_.imaginary[index])};
+  ComplexVector vertex(std::size_t index) const {
+    const Integer one = Integer(1) << polytope_.vertex_bits;
+    ComplexVector result;
+    for (std::size_t i = 0; i < polytope_.vertices[index].size(); ++i)
+      result.push_back({Rational(polytope_.vertices[index][i], one),
+                        polytope_.imaginary.empty() ? Rational(0) : Rational(polytope_.imaginary[index][i], one)});
+    return result;
   }
 
   /// The norm of M ... M source / radius^steps - (+-) target, by the rational polytope. Domain: steps >= 1.
   Rational step_error(std::size_t source, const std::vector<int>& letters, std::size_t target) const {
-    RationalComplex moved = vertex(source);
-    const RationalComplex goal = vertex(target);
+    ComplexVector moved = vertex(source);
+    const ComplexVector goal = vertex(target);
     Enclosure scale = Enclosure::exactly(1);
     for (int t : letters) {
-      moved.x = matrices_[static_cast<std::size_t>(t)] * moved.x;
-      if (!moved.y.empty()) moved.y = matrices_[static_cast<std::size_t>(t)] * moved.y;
+      moved = matrix(t) * moved;
       scale = {*scale.lower * lower_, *scale.upper * polytope_.bound};
     }
-    Rational best = -1;
+    std::optional<Rational> best;
     for (int sign : {1, -1}) {
-      Rational error = 0;
-      for (const auto& [from, to] : {std::pair(&moved.x, &goal.x), std::pair(&moved.y, &goal.y)})
-        for (std::size_t i = 0; i < from->size(); ++i) error += abs((*from)[i] - sign * *scale.lower * (*to)[i]);
-      error += (*scale.upper - *scale.lower) * (one_norm(goal.x) + one_norm(goal.y));
-      if (best < 0 || error < best) best = error;
+      ComplexVector error;
+      for (std::size_t i = 0; i < goal.size(); ++i) error.push_back(moved[i] - sign * *scale.lower * goal[i]);
+      const Rational size = one_norm(error);
+      if (!best || size < *best) best = size;
     }
-    return best / *scale.lower * polytope_.unit_norm;
+    return (*best + (*scale.upper - *scale.lower) * one_norm(goal)) / *scale.lower * polytope_.unit_norm;
   }
 
   /// error_ bounds, over all vertices, the norm of (rational vertex - true vertex).
   bool bound_vertex_errors() {
     std::vector<Rational> errors;
     const auto growth = [&] { return polytope_.bound / lower_; };  // of the norm of an error in one step
-    for (std::size_t v = 0; v < result_.vertices.size(); ++v) {
-      const polytope::Vertex& origin = result_.vertices[v];
+    for (std::size_t v = 0; v < candidate_.vertices.size(); ++v) {
+      if (deadline_.expired()) return false;
+      const PolytopeCandidate::Vertex& origin = candidate_.vertices[v];
       if (origin.parent >= 0) {
         const auto parent = static_cast<std::size_t>(origin.parent);
         errors.push_back(growth() * errors[parent] + step_error(parent, {origin.letter}, v));
@@ -233,54 +190,22 @@ class Proof {
   /// is simple and of largest modulus.
   std::optional<Rational> eigenvector_error(Cycle& cycle) {
     const RationalMatrix product = product_from(cycle, place_of(*cycle.base));
-    const std::size_t n = product.rows();
-    const RationalComplex v = vertex(*cycle.base);
-    AcbMatrix matrix(n, n), approximate(n, 1), enclosure(n, 1), subspace(1, 1);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j)
-        acb_set_fmpq(matrix.entry(i, j), flint::Quotient(product(i, j)).get(), precision);
-      arb_set_fmpq(acb_realref(approximate.entry(i, 0)), flint::Quotient(v.x[i]).get(), precision);
-      if (!v.y.empty()) arb_set_fmpq(acb_imagref(approximate.entry(i, 0)), flint::Quotient(v.y[i]).get(), precision);
-    }
-    acb_mat_get_mid(approximate.get(), approximate.get());
-    // Rayleigh quotient as the approximate eigenvalue.
-    RationalVector image_x = product * v.x, image_y = v.y.empty() ? RationalVector{} : product * v.y;
-    Rational square = 0, re = 0, im = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      square += v.x[i] * v.x[i];
-      re += v.x[i] * image_x[i];
-      if (v.y.empty()) continue;
-      square += v.y[i] * v.y[i];
-      re += v.y[i] * image_y[i];
-      im += v.x[i] * image_y[i] - v.y[i] * image_x[i];
-    }
-    if (square == 0) return std::nullopt;
-    acb_t eigenvalue, start;
-    acb_init(eigenvalue);
-    acb_init(start);
-    arb_set_fmpq(acb_realref(start), flint::Quotient(re / square).get(), precision);
-    arb_set_fmpq(acb_imagref(start), flint::Quotient(im / square).get(), precision);
-    acb_get_mid(start, start);
-    acb_mat_eig_enclosure_rump(eigenvalue, subspace.get(), enclosure.get(), matrix.get(), start, approximate.get(),
-                               precision);
-    const bool found = acb_is_finite(eigenvalue) &&
-                       is_simple_and_leading(characteristic_polynomial(product), eigenvalue);
-    if (found) {
-      find_eigenspace(cycle, product, eigenvalue);
-      Ball modulus;
-      acb_abs(modulus.get(), eigenvalue, precision);
-      const Enclosure enclosed = modulus.enclosure(256);
-      if (enclosed.lower && *enclosed.lower > 0)
-        lower_ = std::min(lower_, *root_enclosure(*enclosed.lower, static_cast<int>(cycle.word.size())).lower);
-    }
-    acb_clear(eigenvalue);
-    acb_clear(start);
-    if (!found) return std::nullopt;
+    const ComplexVector v = vertex(*cycle.base);
+    if (one_norm(v) == 0) return std::nullopt;
+    const auto pair = enclose_eigenpair(product, v, precision);
+    const auto characteristic = characteristic_polynomial(product, deadline_);
+    if (!pair || !characteristic || !has_time_for_roots(*characteristic, deadline_) ||
+        !is_simple_and_leading(*characteristic, pair->value))
+      return std::nullopt;
+    find_eigenspace(cycle, product, *characteristic, pair->value);
+    const Enclosure modulus = abs(pair->value).enclosure(256);
+    if (modulus.lower && *modulus.lower > 0)
+      lower_ = std::min(lower_, *root_enclosure(*modulus.lower, static_cast<int>(cycle.word.size())).lower);
     Rational sum = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Rational d = distance(enclosure.entry(i, 0), v.x[i], v.y.empty() ? Rational(0) : v.y[i]);
-      if (d < 0) return std::nullopt;
-      sum += d;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const auto d = distance(pair->vector[i], v[i]);
+      if (!d) return std::nullopt;
+      sum += *d;
     }
     return sum * polytope_.unit_norm;
   }
@@ -288,46 +213,26 @@ class Proof {
   /// The rational space that the base eigenvector and its algebraic conjugates span: the kernel of f(product), where f
   /// is the irreducible factor of the characteristic polynomial that vanishes at the eigenvalue. Whatever rational
   /// linear equations hold on that space hold for the eigenvector.
-  void find_eigenspace(Cycle& cycle, const RationalMatrix& product, const acb_t eigenvalue) {
-    flint::IntegerPolynomial characteristic(characteristic_polynomial(product));
-    fmpz_poly_factor_t factors;
-    fmpz_poly_factor_init(factors);
-    fmpz_poly_factor(factors, characteristic.get());
-    acb_t value;
-    acb_init(value);
-    int candidates = 0;
-    std::vector<Rational> factor;
-    for (slong i = 0; i < factors->num; ++i) {
-      arb_fmpz_poly_evaluate_acb(value, factors->p + i, eigenvalue, precision);
-      if (!acb_contains_zero(value)) continue;
-      ++candidates;
-      factor.clear();
-      for (slong k = 0; k < fmpz_poly_length(factors->p + i); ++k)
-        factor.emplace_back(flint::to_integer((factors->p + i)->coeffs + k));
-    }
-    acb_clear(value);
-    fmpz_poly_factor_clear(factors);
-    if (candidates != 1) return;
-    const std::size_t n = product.rows();
-    RationalMatrix sum(n, n);
-    for (auto c = factor.rbegin(); c != factor.rend(); ++c) {
-      sum = sum * product;
-      for (std::size_t i = 0; i < n; ++i) sum(i, i) += *c;
-    }
-    cycle.eigenspace = kernel(sum);
+  static void find_eigenspace(Cycle& cycle, const RationalMatrix& product, const LaurentPolynomial& characteristic,
+                              const ComplexBall& eigenvalue) {
+    std::vector<LaurentPolynomial> vanishing;
+    for (const PolynomialFactor& factor : irreducible_factors(characteristic))
+      if (factor.polynomial.lowest() == 0 && contains_zero(value_at(factor.polynomial, eigenvalue)))
+        vanishing.push_back(factor.polynomial);
+    if (vanishing.size() == 1) cycle.eigenspace = kernel(value_at(vanishing.front(), product));
   }
 
   std::size_t root_of(std::size_t index) const {
-    while (result_.vertices[index].parent >= 0) index = static_cast<std::size_t>(result_.vertices[index].parent);
+    while (candidate_.vertices[index].parent >= 0) index = static_cast<std::size_t>(candidate_.vertices[index].parent);
     return index;
   }
 
   /// The letters that lead from the base root of its cycle to a true vertex.
   std::optional<std::vector<int>> path(std::size_t index) const {
     std::vector<int> letters;
-    for (; result_.vertices[index].parent >= 0; index = static_cast<std::size_t>(result_.vertices[index].parent))
-      letters.push_back(result_.vertices[index].letter);
-    if (result_.vertices[index].cycle < 0) return std::nullopt;
+    for (; candidate_.vertices[index].parent >= 0; index = static_cast<std::size_t>(candidate_.vertices[index].parent))
+      letters.push_back(candidate_.vertices[index].letter);
+    if (candidate_.vertices[index].cycle < 0) return std::nullopt;
     const Cycle& cycle = cycle_of(index);
     const std::size_t length = cycle.word.size();
     for (std::size_t k = place_of(index); k != place_of(*cycle.base); k = (k + length - 1) % length)
@@ -352,7 +257,7 @@ class Proof {
   bool follows_linearly(std::size_t source, int image_letter, std::size_t target, bool flipped) const {
     auto from = path(source);
     const auto to = path(target);
-    if (!from || !to || result_.vertices[root_of(source)].cycle != result_.vertices[root_of(target)].cycle)
+    if (!from || !to || candidate_.vertices[root_of(source)].cycle != candidate_.vertices[root_of(target)].cycle)
       return false;
     const Cycle& cycle = cycle_of(root_of(source));
     from->push_back(image_letter);
@@ -364,10 +269,8 @@ class Proof {
       const RationalVector left = along(*from, around(cycle, steps < other ? more : 0, v));
       RationalVector right = along(*to, around(cycle, steps > other ? more : 0, v));
       if (flipped) std::reverse(right.begin(), right.end());
-      for (std::size_t i = 0; i < left.size(); ++i) {
-        same = same && left[i] == right[i];
-        opposite = opposite && left[i] == -right[i];
-      }
+      same = same && left == right;
+      opposite = opposite && left == negated(right);
     }
     return same || opposite;
   }
@@ -383,11 +286,11 @@ class Proof {
 
   std::optional<History> history(std::size_t index) const {
     std::vector<int> letters;
-    while (result_.vertices[index].parent >= 0) {
-      letters.push_back(result_.vertices[index].letter);
-      index = static_cast<std::size_t>(result_.vertices[index].parent);
+    while (candidate_.vertices[index].parent >= 0) {
+      letters.push_back(candidate_.vertices[index].letter);
+      index = static_cast<std::size_t>(candidate_.vertices[index].parent);
     }
-    if (result_.vertices[index].cycle < 0) return std::nullopt;
+    if (candidate_.vertices[index].cycle < 0) return std::nullopt;
     std::reverse(letters.begin(), letters.end());
     return normalised({&cycle_of(index), place_of(index), letters});
   }
@@ -403,13 +306,13 @@ class Proof {
   }
 
   /// Whether the true image is radius * (a number of modulus 1) * (the true vertex, mirrored or conjugated as said).
-  bool is_same_vertex(const polytope::ImageProof& image) const {
+  bool is_same_vertex(const PolytopeCandidate::Image& image) const {
     const auto source = static_cast<std::size_t>(image.vertex),
                target = static_cast<std::size_t>(image.terms.front().vertex);
-    const polytope::Vertex& aim = result_.vertices[target];
-    const bool plain = image.terms.front().element == 0 && !image.terms.front().conjugated;
+    const PolytopeCandidate::Vertex& aim = candidate_.vertices[target];
+    const bool plain = !image.terms.front().flipped && !image.terms.front().conjugated;
     if (plain && aim.parent == image.vertex && aim.letter == image.letter) return true;
-    if (follows_from_extra_vertex(source, image.letter, target, image.terms.front().element != 0)) return true;
+    if (follows_from_extra_vertex(source, image.letter, target, image.terms.front().flipped)) return true;
     if (image.terms.front().conjugated) return false;
     if (follows_from_cycle(source, image.letter, target, plain)) return true;
     return follows_linearly(source, image.letter, target, !plain);
@@ -418,9 +321,9 @@ class Proof {
   /// The extra vertex that a true vertex stems from, and the letters in between.
   std::optional<std::pair<std::size_t, std::vector<int>>> extra_origin(std::size_t index) const {
     std::vector<int> letters;
-    for (; result_.vertices[index].parent >= 0; index = static_cast<std::size_t>(result_.vertices[index].parent))
-      letters.push_back(result_.vertices[index].letter);
-    if (result_.vertices[index].cycle >= 0) return std::nullopt;
+    for (; candidate_.vertices[index].parent >= 0; index = static_cast<std::size_t>(candidate_.vertices[index].parent))
+      letters.push_back(candidate_.vertices[index].letter);
+    if (candidate_.vertices[index].cycle >= 0) return std::nullopt;
     std::reverse(letters.begin(), letters.end());
     return std::pair(index, letters);
   }
@@ -432,18 +335,16 @@ class Proof {
     const auto to = extra_origin(target);
     if (!from || !to || from->second.size() + 1 != to->second.size()) return false;
     from->second.push_back(image_letter);
-    RationalComplex left = vertex(from->first), right = vertex(to->first);
-    for (const RationalVector* y : {&left.y, &right.y})
-      if (std::any_of(y->begin(), y->end(), [](const Rational& c) { return c != 0; })) return false;
-    left.x = along(from->second, left.x);
-    right.x = along(to->second, right.x);
-    if (flipped) std::reverse(right.x.begin(), right.x.end());
-    bool same = true, opposite = true;
-    for (std::size_t i = 0; i < left.x.size(); ++i) {
-      same = same && left.x[i] == right.x[i];
-      opposite = opposite && left.x[i] == -right.x[i];
-    }
-    return same || opposite;
+    RationalVector left, right;
+    for (const auto& [origin, parts] : {std::pair(from->first, &left), std::pair(to->first, &right)})
+      for (const RationalComplex& c : vertex(origin)) {
+        if (c.im != 0) return false;
+        parts->push_back(c.re);
+      }
+    left = along(from->second, left);
+    right = along(to->second, right);
+    if (flipped) std::reverse(right.begin(), right.end());
+    return left == right || left == negated(right);
   }
 
   bool follows_from_cycle(std::size_t source, int image_letter, std::size_t target, bool plain) const {
@@ -461,9 +362,10 @@ class Proof {
     return moved == normalised(*to);
   }
 
-  const polytope::SearchResult& result_;
-  const CertifiedPolytope& polytope_;
+  const PolytopeCandidate& candidate_;
+  const PolytopeProof& polytope_;
   Rational lower_;  // a lower bound for the radius of the product, by the very eigenvalue whose vector is used
+  Deadline deadline_;
   std::size_t count_;
   std::vector<RationalMatrix> matrices_;
   std::vector<Cycle> cycles_;
@@ -472,9 +374,9 @@ class Proof {
 
 }  // namespace
 
-Decision product_attains_radius(const std::vector<RationalMatrix>& matrices, const polytope::SearchResult& result,
-                                const CertifiedPolytope& polytope, const Rational& lower) {
-  return Proof(matrices, result, polytope, lower).run();
+Decision product_attains_radius(const MatrixFamily& family, const PolytopeCandidate& candidate,
+                                const PolytopeProof& polytope, const Rational& lower, const Deadline& deadline) {
+  return Proof(family, candidate, polytope, lower, deadline).run();
 }
 
-}  // namespace subcert
+}  // namespace subcert::radius

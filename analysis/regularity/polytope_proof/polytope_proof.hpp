@@ -1,14 +1,16 @@
 #pragma once
-/// Rational proofs of upper bounds for joint spectral radii, made from what the floating point search found.
+/// Rational proofs of upper bounds for joint spectral radii by polytopes, made from what the floating point search
+/// found.
 
-#include "polytope_kind.hpp"
+#include "../polytope_kind.hpp"
 
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/matrix_family.hpp>
 
 namespace subcert {
 
-namespace polytope {
-struct SearchResult;
+namespace radius {
+struct PolytopeCandidate;
 }
 
 /// (weight + i imaginary) / 2^weight_bits times the vertex, or its mirror image, or the complex conjugate of either.
@@ -27,7 +29,7 @@ struct WeightedVertex {
 /// (proofs-checks/certificates/SPEC.md): residuals are small, and `units` bounds the norm of any residual.
 /// Kind nonnegative: the cone hull; combinations dominate instead of being equal. Kind complex: the balanced hull of
 /// the vertices and their conjugates.
-struct CertifiedPolytope {
+struct PolytopeProof {
   PolytopeKind kind;
   bool symmetric;
   bool transposed;
@@ -44,11 +46,15 @@ struct CertifiedPolytope {
   std::vector<Rational> residuals;  ///< 1-norms
 };
 
+/// The proof for 2^exponent times the matrices.
+PolytopeProof scaled(PolytopeProof proof, long exponent);
+
 /// Recomputes the orbit that the search found in high precision, rounds it, refines every combination against exact
 /// residuals, and bounds the radius with them; nothing of the search is trusted. Nothing is returned where the vertices
-/// do not span. Domain: `result` belongs to these matrices. Error: none, the bound is proved.
-/// Cost: vertices * matrices * size^2 integer products, and a small factorisation for each image.
-std::optional<CertifiedPolytope> certify_polytope(const std::vector<RationalMatrix>& matrices, bool symmetric,
-                                                  const polytope::SearchResult& result);
+/// do not span, or where the proof would not fit into the budget. Domain: `candidate` belongs to this family. Error:
+/// none, the bound is proved. Cost: vertices * matrices * size^2 integer products, and a small factorisation for each
+/// image.
+std::optional<PolytopeProof> certify_polytope(const MatrixFamily& family, const radius::PolytopeCandidate& candidate,
+                                              const Budget& budget);
 
 }  // namespace subcert

@@ -1,0 +1,351 @@
+#include "polytope_proof.hpp"
+
+#include "../polytope_search/decompositions.hpp"
+#include "orbit.hpp"
+
+#include <subcert/analysis/symbol/boost_numbers.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <type_traits>
+#include <utility>
+
+namespace subcert {
+namespace {
+
+using radius::Real;
+using radius::RealVector;
+
+constexpr int vertex_bits = 112;
+constexpr int weight_bits = 112;
+constexpr int refinements = 4;
+
+Integer round_scaled(const Real& value, int bits) {
+  return from_boost(boost::multiprecision::mpz_int(round(ldexp(value, bits))));
+}
+
+/// Domain: value != 0.
+long bit_size(const Integer& value) { return static_cast<long>(mpz_sizeinbase(value.get(), 2)); }
+
+/// value * 2^exponent.
+double to_double(const Integer& value, long exponent) {
+  long own = 0;
+  const double mantissa = mpz_get_d_2exp(&own, value.get());
+  return std::ldexp(mantissa, static_cast<int>(std::clamp(own + exponent, -2000L, 2000L)));
+}
+
+/// What the proof and the orbit behind it will hold, roughly.
+std::size_t bytes_of_proof(const radius::PolytopeCandidate& candidate, std::size_t size) {
+  constexpr std::size_t number = 64, term = 3 * number;  // an integer of 240 bits, a weighted vertex
+  const std::size_t parts = candidate.kind == PolytopeKind::complex ? 2 : 1;
+  std::size_t bytes = candidate.vertices.size() * size * parts * 2 * number;
+  for (const auto& image : candidate.images) bytes += image.terms.size() * (term + sizeof image.terms.front());
+  return bytes;
+}
+
+class Certifier {
+ public:
+  Certifier(const MatrixFamily& family, const radius::PolytopeCandidate& candidate)
+      : candidate_(candidate), size_(family.size()) {
+    polytope_.kind = candidate.kind;
+    polytope_.symmetric = candidate.symmetric;
+    polytope_.transposed = candidate.transposed;
+    polytope_.vertex_bits = vertex_bits;
+    polytope_.weight_bits = weight_bits;
+    for (const RationalMatrix& m : family)
+      for (std::size_t i = 0; i < size_; ++i)
+        for (std::size_t j = 0; j < size_; ++j) denominator_ = lcm(denominator_, Integer(denominator(m(i, j))));
+    for (const RationalMatrix& m : family) {
+      std::vector<Integer> entries;
+      for (std::size_t i = 0; i < size_; ++i)
+        for (std::size_t j = 0; j < size_; ++j) {
+          const Rational& entry = candidate.transposed ? m(j, i) : m(i, j);
+          entries.push_back(numerator(entry) * (denominator_ / denominator(entry)));
+        }
+      matrices_.push_back(std::move(entries));
+    }
+  }
+
+  std::optional<PolytopeProof> run(const radius::Orbit& orbit, const Deadline& deadline) {
+    take(orbit);
+    const bool spans = is_complex() ? express_units<std::complex<double>>() : express_units<double>();
+    if (!spans) return std::nullopt;
+    Integer largest = 0;  // bound times denominator * 2^(vertex_bits + weight_bits)
+    for (const radius::PolytopeCandidate::Image& proposal : candidate_.images) {
+      if (deadline.expired()) return std::nullopt;
+      const Target target = image(static_cast<std::size_t>(proposal.letter), static_cast<std::size_t>(proposal.vertex));
+      std::vector<WeightedVertex> terms = start_from(proposal);
+      if (is_complex())
+        refine<std::complex<double>>(target, terms);
+      else
+        refine<double>(target, terms);
+      const Integer moduli = finish(terms), rest = residual_size(target, terms);
+      largest = std::max(largest, Integer((moduli * denominator_ << vertex_bits) + rest * polytope_.unit_norm));
+      polytope_.moduli.emplace_back(moduli, Integer(1) << weight_bits);
+      polytope_.residuals.emplace_back(rest, denominator_ << (vertex_bits + weight_bits));
+      polytope_.images.push_back(std::move(terms));
+    }
+    polytope_.bound = Rational(largest, denominator_ << (vertex_bits + weight_bits));
+    return std::move(polytope_);
+  }
+
+ private:
+  /// denominator_ * 2^vertex_bits times a vector; `im` is empty for real ones.
+  struct Target {
+    std::vector<Integer> re, im;
+  };
+
+  /// The vertices, rounded.
+  void take(const radius::Orbit& orbit) {
+    const auto rounded = [&](const RealVector& values) {
+      std::vector<Integer> integers;
+      for (const Real& c : values) integers.push_back(round_scaled(cone() ? Real(abs(c)) : c, vertex_bits));
+      return integers;
+    };
+    for (const radius::OrbitPoint& vertex : orbit.vertices) {
+      polytope_.vertices.push_back(rounded(vertex.x));
+      if (vertex.is_complex()) polytope_.imaginary.push_back(rounded(vertex.y));
+    }
+    scale_ = orbit.scale;
+  }
+
+  bool cone() const { return polytope_.kind == PolytopeKind::nonnegative; }
+  bool is_complex() const { return polytope_.kind == PolytopeKind::complex; }
+
+  std::vector<Integer> apply(std::size_t letter, const std::vector<Integer>& vector) const {
+    std::vector<Integer> result(size_, 0);
+    for (std::size_t i = 0; i < size_; ++i)
+      for (std::size_t j = 0; j < size_; ++j)
+        mpz_addmul(result[i].get(), matrices_[letter][i * size_ + j].get(), vector[j].get());
+    return result;
+  }
+
+  Target image(std::size_t letter, std::size_t vertex) const {
+    Target target{apply(letter, polytope_.vertices[vertex]), {}};
+    if (is_complex()) target.im = apply(letter, polytope_.imaginary[vertex]);
+    return target;
+  }
+
+  std::size_t place(const WeightedVertex& term, std::size_t i) const { return term.flipped ? size_ - 1 - i : i; }
+  const Integer& real_part(const WeightedVertex& term, std::size_t i) const {
+    return polytope_.vertices[term.vertex][place(term, i)];
+  }
+  Integer imaginary_part(const WeightedVertex& term, std::size_t i) const {
+    const Integer& part = polytope_.imaginary[term.vertex][place(term, i)];
+    return term.conjugated ? Integer(-part) : part;
+  }
+
+  template <class Scalar>
+  Scalar entry(const WeightedVertex& term, std::size_t i) const {
+    if constexpr (std::is_same_v<Scalar, double>)
+      return to_double(real_part(term, i), -vertex_bits);
+    else
+      return {to_double(real_part(term, i), -vertex_bits), to_double(imaginary_part(term, i), -vertex_bits)};
+  }
+
+  /// target 2^weight_bits - denominator_ * (sum of weight * vertex), all times 2^vertex_bits.
+  Target residual(const Target& target, const std::vector<WeightedVertex>& terms) const {
+    Target result = target;
+    for (std::size_t i = 0; i < size_; ++i) {
+      Integer re = 0, im = 0;
+      for (const WeightedVertex& term : terms) {
+        mpz_addmul(re.get(), term.weight.get(), real_part(term, i).get());
+        if (!is_complex()) continue;
+        const Integer part = imaginary_part(term, i);
+        re -= term.imaginary * part;
+        im += term.weight * part + term.imaginary * real_part(term, i);
+      }
+      result.re[i] = (target.re[i] << weight_bits) - denominator_ * re;
+      if (is_complex()) result.im[i] = (target.im[i] << weight_bits) - denominator_ * im;
+    }
+    return result;
+  }
+
+  /// The 1-norm of the residual, real and imaginary parts apart; of its positive part for the cone.
+  Integer residual_size(const Target& target, const std::vector<WeightedVertex>& terms) const {
+    const Target rest = residual(target, terms);
+    Integer sum = 0;
+    for (const Integer& c : rest.re)
+      if (c > 0 || !cone()) sum += abs(c);
+    for (const Integer& c : rest.im) sum += abs(c);
+    return sum;
+  }
+
+  /// Sets the moduli, drops what is zero, and returns the sum of the moduli.
+  Integer finish(std::vector<WeightedVertex>& terms) const {
+    Integer sum = 0;
+    for (WeightedVertex& term : terms) {
+      term.modulus = abs(term.weight);
+      if (term.imaginary != 0) {
+        const Integer square = term.weight * term.weight + term.imaginary * term.imaginary;
+        term.modulus = sqrt(square) + 1;
+      }
+      sum += term.modulus;
+    }
+    std::erase_if(terms, [](const WeightedVertex& term) { return term.modulus == 0; });
+    return sum;
+  }
+
+  /// The combination that the search found; several phases of one vertex are one term.
+  std::vector<WeightedVertex> start_from(const radius::PolytopeCandidate::Image& proposal) const {
+    std::vector<WeightedVertex> terms;
+    for (const auto& term : proposal.terms) {
+      const auto weight = [&](double part) { return round_scaled(Real(part) * scale_, weight_bits); };
+      WeightedVertex next{static_cast<std::size_t>(term.vertex),
+                          term.flipped,
+                          term.conjugated && is_complex(),
+                          weight(term.coefficient.real()),
+                          is_complex() ? weight(term.coefficient.imag()) : Integer(0),
+                          0};
+      const auto same = std::find_if(terms.begin(), terms.end(), [&](const WeightedVertex& t) {
+        return t.vertex == next.vertex && t.flipped == next.flipped && t.conjugated == next.conjugated;
+      });
+      if (same == terms.end()) {
+        terms.push_back(std::move(next));
+      } else {
+        same->weight += next.weight;
+        same->imaginary += next.imaginary;
+      }
+    }
+    return terms;
+  }
+
+  /// Corrects the weights until the residual is at the level of the rounding, in double precision steps against exact
+  /// residuals. For the cone the weights only need to dominate and are kept.
+  template <class Scalar>
+  void refine(const Target& target, std::vector<WeightedVertex>& terms) const {
+    if (terms.empty()) return;
+    if (cone()) {
+      for (WeightedVertex& term : terms) term.weight = std::max(Integer(0), term.weight);
+      return;
+    }
+    std::vector<Scalar> basis;
+    for (const WeightedVertex& term : terms)
+      for (std::size_t i = 0; i < size_; ++i) basis.push_back(entry<Scalar>(term, i));
+    const polytope::PivotedQr<Scalar> factors(basis, size_, terms.size());
+    // Residuals are denominator_ * 2^(vertex_bits + weight_bits) times their value; weights 2^weight_bits times theirs.
+    const long size = bit_size(denominator_);
+    const double scale = 1 / to_double(denominator_, -size);
+    for (int round_of = 0; round_of < refinements; ++round_of) {
+      const Target rest = residual(target, terms);
+      long exponent = 0;  // of the largest part, so that small residuals keep their digits
+      for (const auto* parts : {&rest.re, &rest.im})
+        for (const Integer& c : *parts)
+          if (c != 0) exponent = std::max(exponent, bit_size(c));
+      if (exponent == 0) return;
+      std::vector<Scalar> right(size_);
+      for (std::size_t i = 0; i < size_; ++i) {
+        if constexpr (std::is_same_v<Scalar, double>)
+          right[i] = to_double(rest.re[i], -exponent);
+        else
+          right[i] = {to_double(rest.re[i], -exponent), to_double(rest.im[i], -exponent)};
+      }
+      std::vector<Scalar> correction = factors.solve(right);
+      for (Scalar& c : correction) c *= scale;
+      if (!std::all_of(correction.begin(), correction.end(), [](Scalar c) { return std::isfinite(std::abs(c)); }))
+        return;
+      // correction * 2^shift in units of 2^-weight_bits
+      const int shift = static_cast<int>(exponent - vertex_bits - size);
+      bool changed = false;
+      const auto add = [&](Integer& weight, double c) {
+        const Integer step = round_scaled(Real(c), shift);
+        changed = changed || step != 0;
+        weight += step;
+      };
+      for (std::size_t k = 0; k < terms.size(); ++k) {
+        const Scalar c = correction[k];
+        if constexpr (std::is_same_v<Scalar, double>) {
+          add(terms[k].weight, c);
+        } else {
+          add(terms[k].weight, c.real());
+          add(terms[k].imaginary, c.imag());
+        }
+      }
+      if (!changed) return;
+    }
+  }
+
+  /// Combinations of the unit vectors, and the bound for their norms that follows. False where the vertices
+  /// do not span.
+  template <class Scalar>
+  bool express_units() {
+    std::vector<WeightedVertex> all;
+    for (std::size_t v = 0; v < polytope_.vertices.size(); ++v)
+      for (int variant = 0; variant < 4; ++variant)
+        if ((variant % 2 == 0 || polytope_.symmetric) && (variant < 2 || is_complex()))
+          all.push_back({v, variant % 2 == 1, variant >= 2, 0, 0, 0});
+    std::vector<WeightedVertex> basis;
+    if (!cone()) {
+      std::vector<Scalar> columns;
+      for (const WeightedVertex& term : all)
+        for (std::size_t i = 0; i < size_; ++i) columns.push_back(entry<Scalar>(term, i));
+      const polytope::PivotedQr<Scalar> factors(columns, size_, all.size());
+      if (factors.rank() < size_) return false;
+      const std::vector<std::size_t> pivots = factors.pivots();
+      for (std::size_t k = 0; k < size_; ++k) basis.push_back(all[pivots[k]]);
+    }
+    Integer most = 0, largest_residual = 0;
+    for (std::size_t k = 0; k < (polytope_.symmetric ? (size_ + 1) / 2 : size_); ++k) {
+      Target target{std::vector<Integer>(size_, 0), std::vector<Integer>(is_complex() ? size_ : 0, 0)};
+      target.re[k] = denominator_ << vertex_bits;
+      std::vector<WeightedVertex> terms = basis;
+      if (cone()) {
+        const auto best = std::max_element(
+            all.begin(), all.end(),
+            [&](const WeightedVertex& a, const WeightedVertex& b) { return real_part(a, k) < real_part(b, k); });
+        if (real_part(*best, k) <= 0) return false;
+        terms = {*best};
+        terms.front().weight = ((Integer(1) << (vertex_bits + weight_bits)) / real_part(*best, k)) + 1;
+      } else {
+        refine<Scalar>(target, terms);
+      }
+      most = std::max(most, finish(terms));
+      largest_residual = std::max(largest_residual, residual_size(target, terms));
+      polytope_.units.push_back(std::move(terms));
+    }
+    const Integer one = denominator_ << (vertex_bits + weight_bits);
+    if (largest_residual >= one) return false;
+    // E = S / (1 - R), rounded up to an integer.
+    const Rational norm = Rational(most, Integer(1) << weight_bits) / (1 - Rational(largest_residual, one));
+    polytope_.unit_norm = numerator(norm) / denominator(norm) + 1;
+    return true;
+  }
+
+  const radius::PolytopeCandidate& candidate_;
+  std::size_t size_;
+  Integer denominator_ = 1;
+  std::vector<std::vector<Integer>> matrices_;  // denominator_ times the matrices, transposed where the search was
+  Real scale_ = 1;
+  PolytopeProof polytope_{};
+};
+
+}  // namespace
+
+PolytopeProof scaled(PolytopeProof proof, long exponent) {
+  // Weights of images are over 2^weight_bits; those of units keep their values.
+  const Rational factor = power(Rational(2), exponent);
+  if (exponent >= 0) {
+    for (auto& image : proof.images)
+      for (WeightedVertex& term : image)
+        for (Integer* part : {&term.weight, &term.imaginary, &term.modulus}) *part <<= exponent;
+  } else {
+    proof.weight_bits -= static_cast<int>(exponent);
+    for (auto& unit : proof.units)
+      for (WeightedVertex& term : unit)
+        for (Integer* part : {&term.weight, &term.imaginary, &term.modulus}) *part <<= -exponent;
+  }
+  for (std::vector<Rational>* numbers : {&proof.moduli, &proof.residuals})
+    for (Rational& number : *numbers) number *= factor;
+  proof.bound *= factor;
+  return proof;
+}
+
+std::optional<PolytopeProof> certify_polytope(const MatrixFamily& family, const radius::PolytopeCandidate& candidate,
+                                              const Budget& budget) {
+  if (candidate.vertices.empty() || bytes_of_proof(candidate, family.size()) > budget.memory) return std::nullopt;
+  const auto orbit = radius::recomputed_orbit(family, candidate, budget.deadline);
+  return orbit ? Certifier(family, candidate).run(*orbit, budget.deadline) : std::nullopt;
+}
+
+}  // namespace subcert

@@ -1,0 +1,14 @@
+#pragma once
+/// Whether exact algebra that cannot be interrupted ends before a deadline, by measured times. Inner header.
+
+#include <subcert/analysis/symbol/rational_matrix.hpp>
+
+namespace subcert::radius {
+
+/// The zeros of a polynomial, its factors, or a greatest common divisor with its derivative.
+bool has_time_for_roots(const LaurentPolynomial& p, const Deadline& deadline);
+
+/// An elimination: a kernel, the pivot columns or a linear system with as many right hand sides.
+bool has_time_for_elimination(const RationalMatrix& matrix, const Deadline& deadline);
+
+}  // namespace subcert::radius

@@ -1,0 +1,183 @@
+#include "joint_spectral_radius.hpp"
+
+#include "one_block.hpp"
+#include "scaling.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+const Rational rounding = power(Rational(10), -15);
+constexpr std::size_t most_matrices = 64, largest_size = 256;
+constexpr double triangularising_share = 0.2, first_look_share = 0.02, least_share = 0.05;
+constexpr double first_slice = 0.05;  // seconds for a block that seems smaller
+
+/// The radii of all diagonal blocks, as sharp as the largest needs them.
+class BlockSearch {
+ public:
+  BlockSearch(const BlockTriangular& triangular, const Budget& budget)
+      : budget_(budget), seconds_(budget.deadline.remaining()) {
+    for (std::size_t k = 0; k < triangular.sizes.size(); ++k) {
+      families_.push_back(triangular.block(k));
+      const bool number = triangular.sizes[k] == 1;
+      radii_.push_back(number ? radius::radius_of_numbers(families_[k])
+                              : radius::first_look(families_[k], within(first_look_share * seconds_)));
+      norms_.push_back(std::get<NormProof>(radii_[k].proof));
+      best_ = std::max(best_, *radii_[k].radius.lower);
+      if (!number) open_.push_back(k);
+    }
+    // A large lower bound spares work for the others.
+    std::sort(open_.begin(), open_.end(),
+              [this](std::size_t a, std::size_t b) { return *radii_[a].radius.lower > *radii_[b].radius.lower; });
+  }
+
+  void run() {
+    double work = 0;
+    for (const std::size_t k : open_) work += cost(k);
+    for (const std::size_t k : open_) {
+      improve(k, std::max(least_share * seconds_, budget_.deadline.remaining() * cost(k) / work));
+      work -= cost(k);
+    }
+  }
+
+  const std::vector<MatrixFamily>& families() const { return families_; }
+  std::vector<JointSpectralRadius>& radii() { return radii_; }
+
+ private:
+  double cost(std::size_t k) const { return static_cast<double>(families_[k].size() * families_[k].size()); }
+  Budget within(double seconds) const { return {budget_.deadline.at_most(seconds), budget_.memory}; }
+
+  void improve(std::size_t k, double seconds) {
+    const Deadline end = budget_.deadline.at_most(seconds);
+    const bool smaller = *radii_[k].radius.lower < best_ * (1 - rounding);
+    // A block that seems smaller only has to get below the best lower bound: ever longer searches.
+    for (double slice = smaller ? first_slice : seconds; !is_settled(k) && !end.expired(); slice *= 2) {
+      JointSpectralRadius found = radius::radius_of_one_block(families_[k], {end.at_most(slice), budget_.memory},
+                                                              norms_[k]);
+      if (found.exact.is_yes() || found.proved_upper() < radii_[k].proved_upper()) radii_[k] = std::move(found);
+      best_ = std::max(best_, *radii_[k].radius.lower);
+      if (radii_[k].is_closed()) break;
+    }
+  }
+
+  bool is_settled(std::size_t k) const {
+    const Rational upper = radii_[k].proved_upper();
+    return upper < best_ || (*radii_[k].radius.lower < best_ && upper <= best_);
+  }
+
+  Budget budget_;
+  double seconds_;
+  std::vector<MatrixFamily> families_;
+  std::vector<JointSpectralRadius> radii_;
+  std::vector<NormProof> norms_;  // of the first looks
+  std::vector<std::size_t> open_;
+  Rational best_ = 0;
+};
+
+/// The block with the largest product, of equal ones one whose product attains its radius.
+std::size_t leading_block(const std::vector<JointSpectralRadius>& blocks) {
+  std::size_t leading = 0;
+  for (std::size_t k = 1; k < blocks.size(); ++k) {
+    const Rational &own = *blocks[k].radius.lower, &best = *blocks[leading].radius.lower;
+    if (own > best || (own == best && blocks[k].exact.is_yes() && !blocks[leading].exact.is_yes())) leading = k;
+  }
+  return leading;
+}
+
+/// Whether the product of the leading block attains the radius of the family, and how fast its products grow.
+void settle_exactness(JointSpectralRadius& result, const MatrixFamily& family,
+                      const std::vector<MatrixFamily>& families, const Deadline& deadline) {
+  const BlockProof& proof = *result.by_blocks();
+  const JointSpectralRadius& leader = proof.blocks[proof.leading];
+  result.exact = leader.exact;
+  if (!leader.exact.is_yes()) return;
+  int equal = 1;
+  bool growth_known = leader.growth.at_most == 0;
+  for (std::size_t k = 0; k < families.size(); ++k) {
+    const JointSpectralRadius& other = proof.blocks[k];
+    if (k == proof.leading || other.proved_upper() < *leader.radius.lower) continue;
+    const bool both_exact = leader.radius.is_exact() && *other.radius.upper <= *leader.radius.lower;
+    if (!both_exact && !(other.exact.is_yes() && radius::is_dominated(families[proof.leading], leader.product,
+                                                                      families[k], other.product, deadline))) {
+      result.exact = {Truth::unknown, "two blocks have radii that could not be compared exactly"};
+      return;
+    }
+    ++equal;
+    growth_known = growth_known && other.growth.at_most == 0;
+  }
+  if (leader.radius.is_exact()) result.radius = leader.radius;
+  if (growth_known) result.growth.at_most = equal - 1;
+  if (equal > 1 && *leader.radius.lower > 0)
+    result.growth.at_least = radius::jordan_power(family, leader.product.word, deadline);
+}
+
+JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular triangular, const Budget& budget,
+                                     const std::optional<NormProof>& known) {
+  BlockSearch search(triangular, budget);
+  search.run();
+  JointSpectralRadius result;
+  const std::size_t leading = leading_block(search.radii());
+  result.proof = BlockProof{std::move(triangular), std::move(search.radii()), leading};
+  const JointSpectralRadius& leader = result.by_blocks()->blocks[leading];
+  result.product = leader.product;
+  result.radius = {*leader.radius.lower, result.proved_upper()};
+  const Deadline proving = Deadline::in(budget.deadline.remaining() + 0.5);
+  settle_exactness(result, family, search.families(), proving);
+  if (result.is_closed()) return result;
+  const NormProof norms = known ? *known : norm_of_products(family, {proving, budget.memory});
+  if (norms.bound() >= result.proved_upper()) return result;
+  JointSpectralRadius whole;
+  whole.product = prove_product(family, leader.product.word, proving);
+  whole.radius = {*whole.product.radius.lower, norms.bound()};
+  whole.exact = {Truth::unknown, "no polytope closed"};
+  whole.proof = norms;
+  return whole;
+}
+
+}  // namespace
+
+bool JointSpectralRadius::is_closed() const {
+  return radius.is_bounded() && *radius.upper <= *radius.lower * (1 + 1000 * rounding);
+}
+
+Rational JointSpectralRadius::proved_upper() const {
+  if (const auto* norms = std::get_if<NormProof>(&proof)) return norms->bound();
+  if (const auto* polytope = std::get_if<PolytopeProof>(&proof)) return polytope->bound;
+  const BlockProof* blocks = by_blocks();
+  require(blocks != nullptr, "proved_upper: need a proof in rational numbers, got a single spectral radius");
+  Rational most = 0;
+  for (const JointSpectralRadius& block : blocks->blocks) most = std::max(most, block.proved_upper());
+  return most;
+}
+
+JsrMethod JointSpectralRadius::method() const {
+  if (const BlockProof* blocks = by_blocks()) return blocks->blocks[blocks->leading].method();
+  if (std::holds_alternative<PolytopeProof>(proof)) return JsrMethod::invariant_polytope;
+  return std::holds_alternative<NormProof>(proof) ? JsrMethod::norm_of_products : JsrMethod::single_spectral_radius;
+}
+
+std::size_t JointSpectralRadius::vertices() const {
+  if (const auto* polytope = std::get_if<PolytopeProof>(&proof)) return polytope->vertices.size();
+  std::size_t sum = 0;
+  if (const BlockProof* blocks = by_blocks())
+    for (const JointSpectralRadius& block : blocks->blocks) sum += block.vertices();
+  return sum;
+}
+
+JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budget& budget,
+                                          const std::optional<NormProof>& known) {
+  require(family.count() <= most_matrices, "joint_spectral_radius: need 1 to 64 matrices, got {}", family.count());
+  require(family.size() <= largest_size, "joint_spectral_radius: need matrices of size 1 to 256, got {}",
+          family.size());
+  if (family.size() == 1) return radius::radius_of_numbers(family);
+  BlockTriangular triangular = radius::balanced(
+      block_triangularise(family, budget.deadline.after(triangularising_share)));
+  if (triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size()))
+    return radius::radius_of_one_block(family, budget, known);
+  return radius_by_blocks(family, std::move(triangular), budget, known);
+}
+
+}  // namespace subcert

@@ -1,0 +1,68 @@
+#pragma once
+/// Joint spectral radii, enclosed with proof.
+
+#include "../polytope_proof/polytope_proof.hpp"
+#include "block_triangular.hpp"
+#include "norm_of_products.hpp"
+#include "product.hpp"
+
+#include <variant>
+
+namespace subcert {
+
+struct JointSpectralRadius;
+
+/// The radius is the largest of those of the diagonal blocks.
+struct BlockProof {
+  BlockTriangular triangular;
+  std::vector<JointSpectralRadius> blocks;
+  std::size_t leading = 0;  ///< the block from which the product is formed
+};
+
+/// The radius is the spectral radius of one matrix by an argument that has no certificate (single_radius.hpp).
+struct SingleRadiusProof {
+  int letter = 0;
+};
+
+/// How the upper end is proved.
+using RadiusProof = std::variant<NormProof, PolytopeProof, BlockProof, SingleRadiusProof>;
+
+enum class JsrMethod { invariant_polytope, norm_of_products, single_spectral_radius };
+
+/// The largest norm of a product of n matrices lies between positive multiples of n^at_least radius^n and n^at_most
+/// radius^n; an absent end is not known.
+struct GrowthPower {
+  int at_least = 0;
+  std::optional<int> at_most;
+};
+
+struct JointSpectralRadius {
+  Enclosure radius;  ///< its upper end may be lower than what `proof` gives, where `exact` says so
+  ProductEvidence product;
+  /// Whether `product` attains the radius exactly, proved or unknown.
+  Decision exact;
+  GrowthPower growth;
+  RadiusProof proof;
+
+  /// The ends of `radius` are within 1e-12 of each other, relatively: in practice the search closed with `product` as
+  /// spectrum maximizing product.
+  bool is_closed() const;
+  /// The upper bound that `proof` gives. Domain: not by a single spectral radius.
+  Rational proved_upper() const;
+  /// Of the leading block, where there are several.
+  JsrMethod method() const;
+  /// Of all polytopes.
+  std::size_t vertices() const;
+  /// The proof by diagonal blocks, or null.
+  const BlockProof* by_blocks() const { return std::get_if<BlockProof>(&proof); }
+};
+
+/// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: 1 to 64
+/// matrices of size 1 to 256, numbers of any size. `known`: an upper bound that is known beforehand. Errors: throws
+/// Error. Error: none, both ends are proved in exact arithmetic; where the search for an invariant polytope ends within
+/// the budget the width is about 1e-15, otherwise as narrow as the budget allowed. Cost: one linear program per vertex
+/// and matrix. Ref: [GP13, Alg. 1], [Mej20].
+JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budget& budget,
+                                          const std::optional<NormProof>& known = std::nullopt);
+
+}  // namespace subcert

@@ -1,0 +1,194 @@
+#include "modular_meataxe.hpp"
+
+#include <flint/nmod_poly.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace subcert::radius {
+namespace {
+
+constexpr ulong prime = 2'305'843'009'213'693'951;  // 2^61 - 1
+
+std::optional<ulong> modulo_prime(const Rational& value) {
+  const Integer modulus(prime);
+  const Integer den = denominator(value) % modulus;
+  if (den == 0) return std::nullopt;
+  Integer num = numerator(value) % modulus;
+  if (num < 0) num += modulus;
+  const auto d = den.convert_to<unsigned long>(), n = num.convert_to<unsigned long>();
+  nmod_t mod;
+  nmod_init(&mod, prime);
+  return nmod_div(n, d, mod);
+}
+
+ModMatrix multiply(const ModMatrix& a, const ModMatrix& b) {
+  ModMatrix result(a.rows(), b.columns());
+  nmod_mat_mul(result.get(), a.get(), b.get());
+  return result;
+}
+
+ModMatrix evaluate(const AlgebraElement& element, const ModFamily& family) {
+  ModMatrix sum(family.front().rows(), family.front().columns());
+  for (const AlgebraElement::Summand& summand : element.summands) {
+    ModMatrix product = family[summand.word.front()];
+    for (std::size_t k = 1; k < summand.word.size(); ++k) product = multiply(product, family[summand.word[k]]);
+    const ulong scale = summand.factor >= 0 ? static_cast<ulong>(summand.factor)
+                                            : prime - static_cast<ulong>(-summand.factor);
+    nmod_mat_scalar_addmul_ui(sum.get(), sum.get(), product.get(), scale);
+  }
+  return sum;
+}
+
+/// The irreducible factors of the characteristic polynomial, the shortest first.
+class CharacteristicFactors {
+ public:
+  explicit CharacteristicFactors(const ModMatrix& matrix) {
+    nmod_poly_factor_init(factors_);
+    nmod_poly_t characteristic;
+    nmod_poly_init(characteristic, prime);
+    nmod_mat_charpoly(characteristic, matrix.get());
+    nmod_poly_factor(factors_, characteristic);
+    nmod_poly_clear(characteristic);
+    for (slong i = 0; i < factors_->num; ++i) sorted_.push_back(factors_->p + i);
+    std::sort(sorted_.begin(), sorted_.end(), [](const auto* a, const auto* b) { return a->length < b->length; });
+  }
+  CharacteristicFactors(const CharacteristicFactors&) = delete;
+  CharacteristicFactors& operator=(const CharacteristicFactors&) = delete;
+  ~CharacteristicFactors() { nmod_poly_factor_clear(factors_); }
+  const std::vector<const nmod_poly_struct*>& sorted() const { return sorted_; }
+
+ private:
+  nmod_poly_factor_t factors_;
+  std::vector<const nmod_poly_struct*> sorted_;
+};
+
+ModMatrix value_at(const nmod_poly_struct& f, const ModMatrix& theta) {
+  ModMatrix value(theta.rows(), theta.rows());
+  for (slong k = f.length - 1; k >= 0; --k) {
+    value = multiply(value, theta);
+    for (std::size_t i = 0; i < value.rows(); ++i) value(i, i) = nmod_add(value(i, i), f.coeffs[k], theta.modulus());
+  }
+  return value;
+}
+
+/// The nullity, and the first vector of the kernel.
+std::pair<slong, ModVector> kernel_vector(const ModMatrix& matrix) {
+  const std::size_t n = matrix.rows();
+  ModMatrix kernel(n, n);
+  const slong nullity = nmod_mat_nullspace(kernel.get(), matrix.get());
+  ModVector vector(n);
+  for (std::size_t i = 0; i < n; ++i) vector[i] = kernel(i, 0);
+  return {nullity, vector};
+}
+
+ModMatrix transposed(const ModMatrix& matrix) {
+  ModMatrix result(matrix.columns(), matrix.rows());
+  nmod_mat_transpose(result.get(), matrix.get());
+  return result;
+}
+
+}  // namespace
+
+ModMatrix::ModMatrix(std::size_t rows, std::size_t columns) {
+  nmod_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns), prime);
+}
+
+std::optional<ModFamily> modulo_prime(const MatrixFamily& family) {
+  ModFamily result;
+  for (const RationalMatrix& matrix : family) {
+    ModMatrix reduced(matrix.rows(), matrix.columns());
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+      for (std::size_t j = 0; j < matrix.columns(); ++j) {
+        const auto entry = modulo_prime(matrix(i, j));
+        if (!entry) return std::nullopt;
+        reduced(i, j) = *entry;
+      }
+    result.push_back(std::move(reduced));
+  }
+  return result;
+}
+
+ModVector modulo_prime(const std::vector<Integer>& vector) {
+  ModVector result;
+  for (const Integer& x : vector) result.push_back(*modulo_prime(Rational(x)));
+  return result;
+}
+
+ModFamily transposed(const ModFamily& family) {
+  ModFamily result;
+  for (const ModMatrix& matrix : family) result.push_back(transposed(matrix));
+  return result;
+}
+
+std::vector<SpinStep> spin(const ModFamily& family, const ModVector& start) {
+  const std::size_t n = start.size();
+  const nmod_t mod = family.front().modulus();
+  std::vector<ModVector> basis, echelon;
+  std::vector<std::size_t> pivots;
+  std::vector<SpinStep> steps;
+  const auto add = [&](const ModVector& vector, const SpinStep& step) {
+    ModVector rest = vector;
+    for (std::size_t k = 0; k < echelon.size(); ++k)
+      if (const ulong factor = rest[pivots[k]]; factor != 0)
+        for (std::size_t i = 0; i < n; ++i) rest[i] = nmod_sub(rest[i], nmod_mul(factor, echelon[k][i], mod), mod);
+    const auto pivot = std::find_if(rest.begin(), rest.end(), [](ulong x) { return x != 0; });
+    if (pivot == rest.end()) return;
+    pivots.push_back(static_cast<std::size_t>(pivot - rest.begin()));
+    const ulong inverse = nmod_inv(*pivot, mod);
+    for (ulong& x : rest) x = nmod_mul(x, inverse, mod);
+    echelon.push_back(std::move(rest));
+    basis.push_back(vector);
+    steps.push_back(step);
+  };
+  add(start, {0, 0});
+  for (std::size_t k = 0; k < basis.size() && basis.size() < n; ++k)
+    for (std::size_t t = 0; t < family.size() && basis.size() < n; ++t) {
+      ModVector image(n, 0);
+      for (std::size_t i = 0; i < n; ++i) {
+        ulong sum = 0;
+        for (std::size_t j = 0; j < n; ++j)
+          if (basis[k][j] != 0) sum = nmod_add(sum, nmod_mul(family[t](i, j), basis[k][j], mod), mod);
+        image[i] = sum;
+      }
+      add(image, {k, t});
+    }
+  return steps;
+}
+
+AlgebraElement algebra_element(std::size_t count, int attempt, std::mt19937_64& random) {
+  const auto below = [&random](std::size_t bound) { return static_cast<std::size_t>(random() % bound); };
+  if (static_cast<std::size_t>(attempt) < std::min<std::size_t>(count, 2))
+    return {{{1, {static_cast<std::size_t>(attempt)}}}};
+  AlgebraElement result;
+  for (int k = 0; k < 2 + attempt / 2; ++k) {
+    std::vector<std::size_t> word(1 + below(3));
+    for (std::size_t& letter : word) letter = below(count);
+    const long factor = static_cast<long>(below(4)) - 2;
+    result.summands.push_back({factor >= 0 ? factor + 1 : factor, word});
+  }
+  return result;
+}
+
+ModularAnswer decide_modulo_prime(const ModFamily& family, const Deadline& deadline) {
+  const std::size_t n = family.front().rows();
+  const ModFamily dual = transposed(family);
+  std::mt19937_64 random(1);
+  for (int attempt = 0; attempt < meataxe_attempts; ++attempt) {
+    if (deadline.expired()) break;
+    const ModMatrix theta = evaluate(algebra_element(family.size(), attempt, random), family);
+    const CharacteristicFactors factors(theta);
+    for (std::size_t k = 0; k < factors.sorted().size() && k < factors_per_attempt; ++k) {
+      if (deadline.expired()) break;
+      const nmod_poly_struct& f = *factors.sorted()[k];
+      const ModMatrix value = value_at(f, theta);
+      const auto [nullity, vector] = kernel_vector(value);
+      if (spin(family, vector).size() < n || spin(dual, kernel_vector(transposed(value)).second).size() < n)
+        return ModularAnswer::reducible;
+      if (nullity == f.length - 1) return ModularAnswer::irreducible;
+    }
+  }
+  return ModularAnswer::unknown;
+}
+
+}  // namespace subcert::radius

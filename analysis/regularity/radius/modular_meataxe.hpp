@@ -1,0 +1,77 @@
+#pragma once
+/// Invariant subspaces of matrices modulo a prime: spinning and Norton's criterion. Inner header.
+
+#include <subcert/analysis/symbol/matrix_family.hpp>
+
+#include <flint/nmod_mat.h>
+
+#include <random>
+
+namespace subcert::radius {
+
+constexpr int meataxe_attempts = 8;     // elements of the algebra that are tried
+constexpr int factors_per_attempt = 3;  // factors of the characteristic polynomial of each
+
+/// A matrix modulo 2^61 - 1.
+class ModMatrix {
+ public:
+  ModMatrix(std::size_t rows, std::size_t columns);
+  ModMatrix(ModMatrix&& other) noexcept : ModMatrix(0, 0) { nmod_mat_swap(value_, other.value_); }
+  ModMatrix& operator=(ModMatrix&& other) noexcept {
+    nmod_mat_swap(value_, other.value_);
+    return *this;
+  }
+  ModMatrix(const ModMatrix& other) : ModMatrix(other.rows(), other.columns()) { nmod_mat_set(value_, other.value_); }
+  ModMatrix& operator=(const ModMatrix&) = delete;
+  ~ModMatrix() { nmod_mat_clear(value_); }
+
+  nmod_mat_struct* get() { return value_; }
+  const nmod_mat_struct* get() const { return value_; }
+  std::size_t rows() const { return static_cast<std::size_t>(value_->r); }
+  std::size_t columns() const { return static_cast<std::size_t>(value_->c); }
+  ulong& operator()(std::size_t i, std::size_t j) { return nmod_mat_entry(value_, i, j); }
+  ulong operator()(std::size_t i, std::size_t j) const { return nmod_mat_entry(value_, i, j); }
+  nmod_t modulus() const { return value_->mod; }
+
+ private:
+  nmod_mat_t value_;
+};
+
+using ModVector = std::vector<ulong>;
+using ModFamily = std::vector<ModMatrix>;
+
+/// Nothing where the prime divides a denominator.
+std::optional<ModFamily> modulo_prime(const MatrixFamily& family);
+/// Domain: an integer vector.
+ModVector modulo_prime(const std::vector<Integer>& vector);
+ModFamily transposed(const ModFamily& family);
+
+/// How a vector of a spun basis arises from an earlier one; the first is the start.
+struct SpinStep {
+  std::size_t parent;
+  std::size_t letter;
+};
+
+/// The smallest invariant subspace that holds the vector, modulo the prime: a basis of words applied to it.
+std::vector<SpinStep> spin(const ModFamily& family, const ModVector& start);
+
+/// An element of the algebra: a sum of small multiples of words.
+struct AlgebraElement {
+  struct Summand {
+    long factor;
+    std::vector<std::size_t> word;
+  };
+  std::vector<Summand> summands;
+};
+
+/// First the matrices themselves, then ever longer random sums of words. Deterministic.
+AlgebraElement algebra_element(std::size_t count, int attempt, std::mt19937_64& random);
+
+enum class ModularAnswer { irreducible, reducible, unknown };
+
+/// Norton's criterion modulo the prime: for an element theta and an irreducible factor f of its characteristic
+/// polynomial whose kernel has the dimension deg f, the family is irreducible if one vector of the kernel of f(theta)
+/// spins to the whole space, and one of that of the transposes. Unknown once the deadline passes.
+ModularAnswer decide_modulo_prime(const ModFamily& family, const Deadline& deadline);
+
+}  // namespace subcert::radius

@@ -1,0 +1,46 @@
+#include "norm_of_products.hpp"
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+constexpr std::size_t most_products = 512;
+constexpr int longest = 24;
+
+/// What matrices of this kind hold, roughly.
+std::size_t bytes_of(const RationalMatrix& matrix) {
+  constexpr std::size_t parts = 80;  // of a rational number with short numerator and denominator
+  const long bits = std::max(binary_exponent(matrix).value_or(0), 0L);
+  return matrix.rows() * matrix.columns() * (parts + static_cast<std::size_t>(bits) / 4);
+}
+
+}  // namespace
+
+NormProof norm_of_products(const MatrixFamily& family, const Budget& budget) {
+  std::vector<RationalMatrix> products = family.matrices();
+  NormProof best;
+  Rational best_bound = 0;
+  for (int level = 1;; ++level) {
+    NormProof proof{level, 0};
+    for (const RationalMatrix& product : products) proof.norm = std::max(proof.norm, one_norm(product));
+    const Rational bound = proof.bound();
+    if (level == 1 || bound < best_bound) {
+      best = proof;
+      best_bound = bound;
+    }
+    const std::size_t next = products.size() * family.count();
+    if (proof.norm == 0 || next > most_products || level >= longest ||
+        next * bytes_of(products.front()) > budget.memory / 2)
+      return best;
+    std::vector<RationalMatrix> longer;
+    for (const RationalMatrix& product : products)
+      for (const RationalMatrix& m : family) {
+        if (budget.deadline.expired()) return best;
+        longer.push_back(product * m);
+      }
+    products = std::move(longer);
+  }
+}
+
+}  // namespace subcert

@@ -1,0 +1,20 @@
+#pragma once
+/// Upper bounds by the norms of all products of one length.
+
+#include <subcert/analysis/symbol/matrix_family.hpp>
+
+namespace subcert {
+
+/// The largest 1-norm of a product of `level` matrices, of which `norm` is a proved upper bound; first columns suffice
+/// where the family consists of transition matrices.
+struct NormProof {
+  int level = 1;
+  Rational norm = 0;
+  /// norm^(1/level), rounded up.
+  Rational bound() const { return *root_enclosure(norm, level).upper; }
+};
+
+/// The best of the lengths whose products number at most 512 and fit into the budget. Cost: a product of matrices each.
+NormProof norm_of_products(const MatrixFamily& family, const Budget& budget);
+
+}  // namespace subcert

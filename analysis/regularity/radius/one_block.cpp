@@ -1,0 +1,100 @@
+#include "one_block.hpp"
+
+#include "../polytope_proof/candidate.hpp"
+#include "attains.hpp"
+#include "scaling.hpp"
+
+namespace subcert::radius {
+namespace {
+
+const Rational rounding = power(Rational(10), -15);
+constexpr double norm_share = 0.05;   // of the time
+constexpr double search_share = 0.9;  // of the time that is left; the rest is for the proof
+constexpr double grace = 0.5;         // seconds that a proof may take in any case
+
+/// Whether all maximizing products have the radius of the first, exactly.
+bool have_equal_radii(const MatrixFamily& family, const PolytopeCandidate& candidate, const ProductEvidence& first,
+                      const Deadline& deadline) {
+  for (std::size_t k = 1; k < candidate.maximizing; ++k) {
+    const ProductEvidence other = prove_product(family, candidate.products[k].word, deadline);
+    if (!is_dominated(family, first, family, other, deadline) || !is_dominated(family, other, family, first, deadline))
+      return false;
+  }
+  return true;
+}
+
+/// Whether the product attains the radius, for a polytope whose bound is above the lower end of the product.
+Decision attains(const MatrixFamily& family, const PolytopeCandidate& candidate, const PolytopeProof& polytope,
+                 const ProductEvidence& product, const Deadline& deadline) {
+  if (candidate.closed && !have_equal_radii(family, candidate, product, deadline))
+    return {Truth::unknown, "several products seem to attain the radius, but their radii were not proved equal"};
+  return product_attains_radius(family, candidate, polytope, *product.radius.lower, deadline);
+}
+
+}  // namespace
+
+JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget& budget,
+                                        const std::optional<NormProof>& known) {
+  const long exponent = scaling_exponent(family);
+  const Rational unit = power(Rational(2), exponent);
+  const MatrixFamily scaled_family = exponent == 0 ? family : 1 / unit * family;
+  const NormProof norms = known ? *known : norm_of_products(family, {budget.deadline.after(norm_share), budget.memory});
+  const PolytopeCandidate candidate = find_polytope(scaled_family,
+                                                    {budget.deadline.after(search_share), budget.memory});
+  const Budget proving{Deadline::in(budget.deadline.remaining() + grace), budget.memory};
+
+  JointSpectralRadius result;
+  ProductEvidence product = prove_product(scaled_family, candidate.products.front().word, proving.deadline);
+  const auto polytope = certify_polytope(scaled_family, candidate, proving);
+  const Rational lower = *product.radius.lower * unit, norm_bound = norms.bound();
+  // Of two bounds that differ by rounding only, the polytope is the shorter proof.
+  const bool by_polytope = polytope && polytope->bound * unit < norm_bound * (1 + rounding);
+  result.radius = {lower, by_polytope ? polytope->bound * unit : norm_bound};
+  if (result.radius.is_exact())
+    result.exact = {Truth::yes, "both ends of the enclosure are the same number"};
+  else if (!by_polytope || lower <= 0)
+    result.exact = {Truth::unknown, "no polytope closed"};
+  else
+    result.exact = attains(scaled_family, candidate, *polytope, product, proving.deadline);
+  if (by_polytope)
+    result.proof = scaled(*polytope, exponent);
+  else
+    result.proof = norms;
+  result.product = scaled(std::move(product), exponent);
+  if (result.exact.is_yes()) {
+    if (result.product.exact) result.radius = Enclosure::exactly(*result.product.exact);
+    // A norm that no matrix expands by more than the radius.
+    result.growth.at_most = 0;
+  }
+  return result;
+}
+
+JointSpectralRadius radius_of_numbers(const MatrixFamily& family) {
+  std::size_t best = 0;
+  for (std::size_t t = 1; t < family.count(); ++t)
+    if (abs(family[t](0, 0)) > abs(family[best](0, 0))) best = t;
+  const Rational& number = family[best](0, 0);
+  JointSpectralRadius result;
+  result.radius = Enclosure::exactly(abs(number));
+  result.product = {{static_cast<int>(best)}, {number, 0}, result.radius, abs(number)};
+  result.exact = {Truth::yes, "the largest modulus of numbers"};
+  result.growth.at_most = 0;
+  result.proof = NormProof{1, abs(number)};
+  return result;
+}
+
+JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget) {
+  const long exponent = scaling_exponent(family);
+  const MatrixFamily scaled_family = exponent == 0 ? family : power(Rational(2), -exponent) * family;
+  const NormProof norms = norm_of_products(family, budget);
+  JointSpectralRadius result;
+  result.product = scaled(prove_product(scaled_family, find_product(scaled_family, budget.deadline),
+                                        Deadline::in(budget.deadline.remaining() + grace)),
+                          exponent);
+  result.radius = {*result.product.radius.lower, norms.bound()};
+  result.exact = {Truth::unknown, "only norms were computed"};
+  result.proof = norms;
+  return result;
+}
+
+}  // namespace subcert::radius

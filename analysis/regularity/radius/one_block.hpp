@@ -1,0 +1,18 @@
+#pragma once
+/// The joint spectral radius of a family that is not split further. Inner header.
+
+#include "joint_spectral_radius.hpp"
+
+namespace subcert::radius {
+
+/// By a polytope, or by norms where none is proved. Domain: size >= 2.
+JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget& budget,
+                                        const std::optional<NormProof>& known);
+
+/// By a product and norms only: a quick look. Domain: size >= 2.
+JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget);
+
+/// The largest modulus of numbers. Domain: size 1.
+JointSpectralRadius radius_of_numbers(const MatrixFamily& family);
+
+}  // namespace subcert::radius

@@ -1,0 +1,176 @@
+#include "product.hpp"
+
+#include "../polytope_proof/candidate.hpp"
+#include "cost.hpp"
+
+#include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/real_roots.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace subcert {
+namespace {
+
+constexpr slong precision = 320;
+constexpr int newton_steps = 16;
+constexpr int dyadic_bits = 200;
+constexpr int smallest_exponent = 40;  // smaller eigenvalues than 2^-40 get as many bits more
+constexpr std::size_t longest_common_power = 64;
+
+RationalComplex value_at(const LaurentPolynomial& p, const RationalComplex& z) {
+  RationalComplex value;
+  for (long k = p.is_zero() ? -1 : p.highest(); k >= 0; --k) value = value * z + RationalComplex{p.coefficient(k), 0};
+  return value;
+}
+
+/// Towards the zero of p near a start, by Newton's method.
+ComplexBall newton(const LaurentPolynomial& p, ComplexBall z) {
+  const LaurentPolynomial derivative = p.derivative();
+  for (int k = 0; k < newton_steps; ++k) {
+    const ComplexBall next = z - value_at(p, z) / value_at(derivative, z);
+    if (!next.is_finite()) break;
+    z = middle(next);
+  }
+  return z;
+}
+
+/// The largest number of which all entries are integer multiples. Domain: not the zero matrix.
+Rational content(const RationalMatrix& matrix) {
+  Integer numerators = 0, denominators = 1;
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) {
+      numerators = gcd(numerators, Integer(numerator(matrix(i, j))));
+      denominators = lcm(denominators, Integer(denominator(matrix(i, j))));
+    }
+  return Rational(numerators, denominators);
+}
+
+/// A rational zero of the characteristic polynomial p next to a number: an integer multiple of the content, as matrices
+/// of integers have algebraic integers as eigenvalues.
+std::optional<Rational> rational_eigenvalue(const RationalMatrix& matrix, const LaurentPolynomial& p,
+                                            const Rational& near) {
+  const Rational unit = content(matrix), value = unit * Rational(to_integer(near / unit, Rounding::nearest));
+  return value != 0 && p(value) == 0 ? std::optional(value) : std::nullopt;
+}
+
+/// Whether all zeros of p but root and -root are smaller in modulus.
+bool is_largest_root(const LaurentPolynomial& p, const Rational& root, const Deadline& deadline) {
+  LaurentPolynomial rest = p;
+  for (const Rational& r : {root, Rational(-root)})
+    while (rest.length() > 1 && rest(r) == 0) rest = *rest.exact_quotient(LaurentPolynomial({-r, 1}, 0));
+  return radius::has_time_for_roots(rest, deadline) && *largest_root_modulus(rest).largest.upper < abs(root);
+}
+
+/// The centre c of the evidence: rational, near the leading eigenvalue.
+struct Centre {
+  RationalComplex point;
+  std::optional<Rational> rational;  ///< the point, where it is an eigenvalue
+  int bits;                          ///< after the binary point
+};
+
+/// Nothing where there is no eigenvalue but 0. `simple`: the squarefree part of p.
+std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPolynomial& p,
+                                const LaurentPolynomial& simple) {
+  const radius::FloatingEigenvalue start = radius::leading_eigenvalue(product);
+  const double modulus = std::abs(start.value);
+  if (modulus == 0 || simple.length() == 1) return std::nullopt;
+  // A multiple real eigenvalue may come out as a pair that is off by the root of the rounding.
+  const double imaginary = std::abs(start.value.imag());
+  const bool real = imaginary <= (simple.length() < p.length() ? 1e-6 : 1e-12) * modulus;
+  const ComplexBall near = ball_around({Rational(start.value.real()), real ? Rational(0) : Rational(imaginary)},
+                                       precision);
+  const RationalComplex z = exact_middle(newton(simple, near.scaled(start.exponent)));
+  const int exponent = std::ilogb(modulus) + static_cast<int>(start.exponent);
+  const int bits = dyadic_bits + std::max(0, -exponent - smallest_exponent);
+  if (real)
+    if (const auto exact = rational_eigenvalue(product, p, z.re)) return Centre{{*exact, 0}, exact, bits};
+  const Rational unit = power(Rational(2), -bits);
+  const auto rounded = [&](const Rational& x) { return unit * Rational(to_integer(x / unit, Rounding::nearest)); };
+  return Centre{{rounded(z.re), rounded(z.im)}, std::nullopt, bits};
+}
+
+}  // namespace
+
+ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline) {
+  ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
+  const RationalMatrix product = family.product(word);
+  const auto characteristic = characteristic_polynomial(product, deadline);
+  if (!characteristic) return evidence;
+  const LaurentPolynomial &p = *characteristic, simple = squarefree_part(p), derivative = p.derivative();
+  // Multiple eigenvalues are found as simple zeros of the squarefree part.
+  auto centre = centre_of(product, p, simple);
+  if (!centre) return evidence;
+  RationalComplex& c = centre->point;
+  Rational slope = value_at(derivative, c).squared_modulus();
+  if (slope == 0 && simple.length() < p.length()) {
+    c.re += power(Rational(2), -centre->bits);
+    slope = value_at(derivative, c).squared_modulus();
+  }
+  evidence.eigenvalue = c;
+  if (slope == 0) return evidence;
+  const Rational distance = static_cast<long>(family.size()) *
+                            *root_enclosure(value_at(p, c).squared_modulus() / slope, 2).upper;
+  const Enclosure modulus = root_enclosure(c.squared_modulus(), 2);
+  const int length = static_cast<int>(word.size());
+  const Rational low = *modulus.lower - distance;
+  if (low > 0)
+    evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + distance, length).upper};
+  if (centre->rational) {
+    const Enclosure exact = root_enclosure(abs(*centre->rational), length);
+    if (exact.is_exact() && is_largest_root(p, *centre->rational, deadline)) evidence.exact = exact.lower;
+  }
+  return evidence;
+}
+
+namespace radius {
+
+ProductEvidence scaled(ProductEvidence evidence, long exponent) {
+  const Rational unit = power(Rational(2), exponent);
+  evidence.eigenvalue = power(unit, static_cast<long>(evidence.word.size())) * evidence.eigenvalue;
+  evidence.radius.lower = *evidence.radius.lower * unit;
+  if (evidence.radius.upper) evidence.radius.upper = *evidence.radius.upper * unit;
+  if (evidence.exact) evidence.exact = *evidence.exact * unit;
+  return evidence;
+}
+
+bool is_dominated(const MatrixFamily& first, const ProductEvidence& above, const MatrixFamily& second,
+                  const ProductEvidence& below, const Deadline& deadline) {
+  const std::size_t common = 2 * std::lcm(above.word.size(), below.word.size());
+  if (common > longest_common_power) return false;
+  const auto characteristic_of_power = [&](const MatrixFamily& family, const std::vector<int>& word) {
+    const RationalMatrix repeated = power(family.product(word), static_cast<long>(common / word.size()));
+    return characteristic_polynomial(repeated, deadline);
+  };
+  const auto p = characteristic_of_power(first, above.word), q = characteristic_of_power(second, below.word);
+  if (!p || !q) return false;
+  LaurentPolynomial rest = q->shifted(-q->lowest());
+  for (;;) {
+    const LaurentPolynomial shared = gcd(rest, *p);
+    if (shared.length() == 1) break;
+    rest = *rest.exact_quotient(shared);
+  }
+  if (!has_time_for_roots(rest, deadline)) return false;
+  return *largest_root_modulus(rest).largest.upper <= power(*above.radius.lower, static_cast<long>(common));
+}
+
+int jordan_power(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline) {
+  const RationalMatrix product = family.product(word);
+  const auto p = characteristic_polynomial(product, deadline);
+  if (!p || !has_time_for_roots(*p, deadline)) return 0;
+  const auto factors = irreducible_factors(*p);
+  std::vector<Enclosure> moduli;
+  std::size_t leading = 0;
+  for (const PolynomialFactor& factor : factors) {
+    moduli.push_back(largest_root_modulus(factor.polynomial).largest);
+    if (*moduli.back().lower > *moduli[leading].lower) leading = moduli.size() - 1;
+  }
+  for (std::size_t i = 0; i < moduli.size(); ++i)
+    if (i != leading && *moduli[i].upper >= *moduli[leading].lower) return 0;
+  return largest_jordan_block(product, factors[leading].polynomial) - 1;
+}
+
+}  // namespace radius
+}  // namespace subcert

@@ -1,0 +1,38 @@
+#pragma once
+/// Products of a family, their leading eigenvalues with proof, and exact comparisons between them.
+
+#include <subcert/analysis/symbol/matrix_family.hpp>
+
+namespace subcert {
+
+/// A product of a family with a proved lower bound of its spectral radius: some eigenvalue of the product lies within
+/// size * |p(c) / p'(c)| of the point c = `eigenvalue`, p the characteristic polynomial.
+struct ProductEvidence {
+  std::vector<int> word;  ///< the product M_{word[0]} M_{word[1]} ..., from left to right
+  RationalComplex eigenvalue;
+  /// Of rho(product)^(1/length): the lower end is proved, the upper end is that of the nearby eigenvalue.
+  Enclosure radius = Enclosure::at_least(0);
+  std::optional<Rational> exact;  ///< rho(product)^(1/length), where that is proved to be a rational number
+};
+
+/// Encloses the leading eigenvalue of a product. Domain: a word of at least one letter. Error: about 2^-190,
+/// relatively; the lower end is 0 where no eigenvalue is isolated or the deadline passes. Cost: one characteristic
+/// polynomial.
+ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline = {});
+
+namespace radius {
+
+/// The evidence for 2^exponent times the matrices.
+ProductEvidence scaled(ProductEvidence evidence, long exponent);
+
+/// Whether rho(below)^(1/length) <= rho(above)^(1/length'), exactly, for products over two families: all leading
+/// eigenvalues of the one are eigenvalues of the other, or smaller. False where that takes too long. Cost:
+/// characteristic polynomials of powers of equal length.
+bool is_dominated(const MatrixFamily& first, const ProductEvidence& above, const MatrixFamily& second,
+                  const ProductEvidence& below, const Deadline& deadline);
+
+/// The size of the largest Jordan block of the leading eigenvalue of a product, less 1; 0 where that is not decided.
+int jordan_power(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline);
+
+}  // namespace radius
+}  // namespace subcert

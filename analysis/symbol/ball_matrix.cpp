@@ -1,0 +1,64 @@
+#include "ball_matrix.hpp"
+
+#if __has_include(<flint/acb_mat.h>)
+#include <flint/acb_mat.h>
+#else
+#include <acb_mat.h>
+#endif
+
+namespace subcert {
+namespace {
+
+class ComplexBallMatrix {
+ public:
+  ComplexBallMatrix(std::size_t rows, std::size_t columns) {
+    acb_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
+  }
+  ComplexBallMatrix(const ComplexBallMatrix&) = delete;
+  ComplexBallMatrix& operator=(const ComplexBallMatrix&) = delete;
+  ~ComplexBallMatrix() { acb_mat_clear(value_); }
+  acb_mat_struct* get() { return value_; }
+  acb_ptr entry(std::size_t i, std::size_t j) {
+    return acb_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
+  }
+
+ private:
+  acb_mat_t value_;
+};
+
+/// conj(v) . (matrix v) / conj(v) . v. Domain: v not 0.
+RationalComplex rayleigh_quotient(const RationalMatrix& matrix, const ComplexVector& v) {
+  const ComplexVector image = matrix * v;
+  RationalComplex sum;
+  Rational square = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    square += v[i].squared_modulus();
+    sum += v[i].conjugate() * image[i];
+  }
+  return 1 / square * sum;
+}
+
+}  // namespace
+
+std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const ComplexVector& approximation,
+                                                    slong bits) {
+  const std::size_t n = matrix.rows();
+  ComplexBallMatrix balls(n, n), start(n, 1), vector(n, 1), subspace(1, 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) acb_set(balls.entry(i, j), ball_around({matrix(i, j), 0}, bits).get());
+    acb_set(start.entry(i, 0), ball_around(approximation[i], bits).get());
+  }
+  acb_mat_get_mid(start.get(), start.get());
+  const ComplexBall near = middle(ball_around(rayleigh_quotient(matrix, approximation), bits));
+  EigenpairEnclosure result{ComplexBall(bits), {}};
+  acb_mat_eig_enclosure_rump(result.value.get(), subspace.get(), vector.get(), balls.get(), near.get(), start.get(),
+                             bits);
+  if (!result.value.is_finite()) return std::nullopt;
+  for (std::size_t i = 0; i < n; ++i) {
+    result.vector.emplace_back(vector.entry(i, 0), bits);
+    if (!result.vector.back().is_finite()) return std::nullopt;
+  }
+  return result;
+}
+
+}  // namespace subcert

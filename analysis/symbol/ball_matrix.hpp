@@ -1,0 +1,22 @@
+#pragma once
+/// Matrices of complex balls, for sources (never for public headers).
+
+#include "balls.hpp"
+#include "rational_complex.hpp"
+#include "rational_matrix.hpp"
+
+namespace subcert {
+
+/// An eigenvalue of a matrix and an eigenvector of it, both inside.
+struct EigenpairEnclosure {
+  ComplexBall value;
+  std::vector<ComplexBall> vector;
+};
+
+/// Encloses the one eigenpair near an approximation. Domain: a square matrix, a vector of its size that is not 0; its
+/// Rayleigh quotient is taken as the approximate eigenvalue. Nothing where no simple eigenpair is isolated. Cost: a few
+/// products and one inverse of balls of `bits` bits. Ref: [Rum10].
+std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const ComplexVector& approximation,
+                                                    slong bits);
+
+}  // namespace subcert

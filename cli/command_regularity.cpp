@@ -14,6 +14,8 @@
 namespace subcert::cli {
 namespace {
 
+constexpr double sobolev_share = 0.3;  // of the time, at most
+
 struct RegularityOptions : CommonOptions {
   std::string scheme;
   std::string certificate;
@@ -81,9 +83,11 @@ Answer compute(const RegularityOptions& options) {
   const Budget budget{Deadline::in(options.budget), options.memory << 20};
   Scheme scheme = make_scheme(options.scheme);
   options.progress("norms, products and polytopes");
+  std::optional<SobolevRegularity> sobolev;
+  if (is_affine(scheme.mask))  // otherwise holder_regularity says so
+    sobolev = sobolev_if_small(scheme.mask, Deadline::in(sobolev_share * budget.deadline.remaining() + 1));
   const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
   HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof);
-  std::optional<SobolevRegularity> sobolev = sobolev_if_small(scheme.mask);
   options.end_progress();
   // A bound that is not positive proves nothing, not even convergence.
   const bool proves = *regularity.exponent.lower > 0;

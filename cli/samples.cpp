@@ -2,8 +2,8 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/schemes/data/decimal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,8 @@ std::string place(const SampleOptions& options, const data::Table& table, std::s
 }
 
 /// The decimal number that was read as this double, and the place of its last digit.
-data::Decimal decimal_of(double value) {
-  if (const auto decimal = data::parse_decimal(data::shortest_text(value))) return *decimal;
+Decimal decimal_of(double value) {
+  if (const auto decimal = parse_decimal(data::shortest_text(value))) return *decimal;
   return {Rational(value), 0};
 }
 
@@ -46,7 +46,7 @@ void set_grid(const SampleOptions& options, const data::Table& table, std::size_
     const double value = table.values[i * table.columns + column];
     if (std::isnan(value))
       fail(ErrorKind::data, "{}: expected a position; found a missing value", place(options, table, i, column));
-    const data::Decimal decimal = decimal_of(value);
+    const Decimal decimal = decimal_of(value);
     x.push_back(decimal.value);
     if (unit < 0 || decimal.unit < unit) unit = decimal.unit;
     largest = std::max(largest, Rational(abs(decimal.value)));

@@ -12,9 +12,9 @@ Enclosure proved(const SobolevRegularity& sobolev, const Decision& stable) {
 
 }  // namespace
 
-std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask) {
+std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadline& deadline) {
   if (mask.symbol().length() > most_coefficients) return std::nullopt;
-  return sobolev_regularity(mask);
+  return sobolev_regularity(mask, deadline);
 }
 
 Json sobolev_json(const std::optional<SobolevRegularity>& sobolev, const Decision& stable) {

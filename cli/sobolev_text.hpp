@@ -8,7 +8,7 @@
 namespace subcert::cli {
 
 /// Nothing for masks whose matrices take more than about a second. Domain: at least one sum rule.
-std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask);
+std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadline& deadline = {});
 
 /// The exponent and what stability makes of it; null where there is none.
 Json sobolev_json(const std::optional<SobolevRegularity>& sobolev, const Decision& stable);

@@ -1,8 +1,8 @@
 #pragma once
 /// Sobolev (L2) regularity.
 
+#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/mask.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
 
 namespace subcert {
 
@@ -19,5 +19,7 @@ struct SobolevRegularity {
 /// Domain: at least one sum rule, N/(arity-1) <= 400. Errors: throws Error. Error: exponent to 1e-15 or better. Cost:
 /// one exact characteristic polynomial and its roots.
 SobolevRegularity sobolev_regularity(const Mask& mask);
+/// Nothing where it would take longer than that.
+std::optional<SobolevRegularity> sobolev_regularity(const Mask& mask, const Deadline& deadline);
 
 }  // namespace subcert

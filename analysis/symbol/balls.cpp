@@ -27,6 +27,7 @@ ComplexBall ball_around(const RationalComplex& value, slong bits) {
 ComplexBall value_at(const LaurentPolynomial& p, const ComplexBall& z) {
   ComplexBall result(z.bits());
   arb_fmpz_poly_evaluate_acb(result.get(), flint::IntegerPolynomial(p).get(), z.get(), z.bits());
+  for (long k = 0; k < p.lowest(); ++k) result *= z;
   acb_div_fmpz(result.get(), result.get(), flint::Whole(p.denominator()).get(), z.bits());
   return result;
 }

@@ -301,7 +301,7 @@ RationalComplex exact_middle(const ComplexBall& a);
 /// A ball around an exact number.
 ComplexBall ball_around(const RationalComplex& value, slong bits);
 
-/// The value of a polynomial. Domain: p not zero, lowest exponent 0.
+/// The value of a polynomial. Domain: p not zero, lowest exponent 0 or more.
 ComplexBall value_at(const LaurentPolynomial& p, const ComplexBall& z);
 
 /// The zeros, disjoint balls of relative accuracy 2^-bits. Domain: no multiple zeros, lowest exponent 0.

@@ -8,6 +8,7 @@
 #include <flint/nmod_poly.h>
 #include <flint/ulong_extras.h>
 
+#include <algorithm>
 #include <string>
 
 namespace subcert {
@@ -145,7 +146,8 @@ ComplexVector operator*(const RationalMatrix& matrix, const ComplexVector& vecto
     im.push_back(c.im);
   }
   re = matrix * re;
-  im = matrix * im;
+  const bool real = std::all_of(im.begin(), im.end(), [](const Rational& c) { return c == 0; });
+  im = real ? std::vector<Rational>(re.size(), 0) : matrix * im;
   ComplexVector result;
   for (std::size_t i = 0; i < re.size(); ++i) result.push_back({re[i], im[i]});
   return result;

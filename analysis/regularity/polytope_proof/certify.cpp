@@ -323,6 +323,7 @@ class Certifier {
 }  // namespace
 
 PolytopeProof scaled(PolytopeProof proof, long exponent) {
+  if (exponent == 0) return proof;
   // Weights of images are over 2^weight_bits; those of units keep their values.
   const Rational factor = power(Rational(2), exponent);
   if (exponent >= 0) {

@@ -146,9 +146,12 @@ class Proof {
     }
     std::optional<Rational> best;
     for (int sign : {1, -1}) {
-      ComplexVector error;
-      for (std::size_t i = 0; i < goal.size(); ++i) error.push_back(moved[i] - sign * *scale.lower * goal[i]);
-      const Rational size = one_norm(error);
+      const Rational factor = sign * *scale.lower;
+      Rational size = 0;
+      for (std::size_t i = 0; i < goal.size(); ++i) {
+        size += abs(moved[i].re - factor * goal[i].re);
+        if (!polytope_.imaginary.empty()) size += abs(moved[i].im - factor * goal[i].im);
+      }
       if (!best || size < *best) best = size;
     }
     return (*best + (*scale.upper - *scale.lower) * one_norm(goal)) / *scale.lower * polytope_.unit_norm;

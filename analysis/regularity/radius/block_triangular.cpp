@@ -173,6 +173,9 @@ BlockTriangular block_triangularise(const MatrixFamily& family, const Deadline& 
     result.triangular = family.matrices();
     return result;
   }
+  // What was found is worth a moment more.
+  if (!radius::has_time_for_elimination(result.basis, Deadline::in(deadline.remaining() + 0.5)))
+    return {{n}, RationalMatrix::identity(n), family.matrices(), {{Truth::unknown, "no time was left to verify it"}}};
   for (const RationalMatrix& matrix : family) {
     result.triangular.push_back(solve(result.basis, matrix * result.basis));
     std::size_t start = 0, block = 0;

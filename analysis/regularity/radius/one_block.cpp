@@ -45,7 +45,7 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
 
   JointSpectralRadius result;
   ProductEvidence product = prove_product(scaled_family, candidate.products.front().word, proving.deadline);
-  const auto polytope = certify_polytope(scaled_family, candidate, proving);
+  auto polytope = certify_polytope(scaled_family, candidate, proving);
   const Rational lower = *product.radius.lower * unit, norm_bound = norms.bound();
   // Of two bounds that differ by rounding only, the polytope is the shorter proof.
   const bool by_polytope = polytope && polytope->bound * unit < norm_bound * (1 + rounding);
@@ -57,7 +57,7 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
   else
     result.exact = attains(scaled_family, candidate, *polytope, product, proving.deadline);
   if (by_polytope)
-    result.proof = scaled(*polytope, exponent);
+    result.proof = scaled(std::move(*polytope), exponent);
   else
     result.proof = norms;
   result.product = scaled(std::move(product), exponent);

@@ -1,3 +1,4 @@
+#include <subcert/analysis/symbol/balls.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -76,6 +77,21 @@ TEST_CASE("Jordan blocks and sizes") {
   CHECK(binary_exponent(m) == 2);
   CHECK(binary_exponent(power(Rational(10), -400)) == -1328);
   CHECK_FALSE(binary_exponent(RationalMatrix(2, 2)).has_value());
+}
+
+TEST_CASE("balls around values of polynomials, also of multiples of z") {
+  Random random;
+  for (int round = 0; round < rounds(20); ++round) {
+    const LaurentPolynomial p({random.rational(), random.rational(), 1, random.rational()}, random.integer(0, 3));
+    const RationalComplex z{random.rational(), random.rational()};
+    RationalComplex value;
+    for (long k = p.highest(); k >= 0; --k) value = value * z + RationalComplex{p.coefficient(k), 0};
+    const ComplexBall ball = value_at(p, ball_around(z, 1024));
+    CHECK(overlap(ball, ball_around(value, 2048)));
+    CHECK((ball - ball_around(value, 2048)).real().enclosure().contains(0));
+    if (!(value == RationalComplex{}))
+      CHECK_FALSE(overlap(ball, ball_around((1 + power(Rational(10), -20)) * value, 2048)));
+  }
 }
 
 TEST_CASE("the largest modulus of the zeros") {

@@ -130,7 +130,7 @@ TEST_CASE("the polytope search keeps within its memory") {
   for (const double mebibytes : {0.0, 1.0, 6.0}) {
     SearchOptions options;
     options.budget = {Deadline::in(10), static_cast<std::size_t>(mebibytes * 0x1p20)};
-    const double before = peak_mebibytes();
+    [[maybe_unused]] const double before = peak_mebibytes();
     const SearchResult result = search_polytope(family, options);
     check_enclosure(result);
 #ifndef __SANITIZE_ADDRESS__

@@ -50,7 +50,10 @@ PolytopeRun::PolytopeRun(const SearchFamily& family, std::vector<Candidate> prod
       stride_between_looks_(dimension_ < kLargeDimension ? 16 : 1),
       // A quarter of the memory for what only saves time.
       simplex_(kind, coordinates_.action, {options.budget.deadline, options.budget.memory / 4}) {
-  for (const Matrix& a : family.matrices) matrices_.push_back(coordinates_.to * a * coordinates_.from);
+  for (const Matrix& a : family.matrices) {
+    if (options_.budget.deadline.expired()) return;
+    matrices_.push_back(coordinates_.to * a * coordinates_.from);
+  }
   cycles_ = leading_cycles(matrices_, products_, 1e-10, options_.budget.deadline);
   for (Matrix& a : matrices_) a /= scale_;
   if (kind_ == PolytopeKind::nonnegative) {

@@ -84,7 +84,7 @@ class ProductSearch {
 
   // The exact radius of a product, unless it is known already.
   bool record(const Partial& p) {
-    std::vector<int> word = canonical_word(p.word, matrices_.size(), family_.symmetry);
+    std::vector<int> word = canonical_word(p.word, family_.matrices.size(), family_.symmetry);
     if (known_.contains(word)) return false;
     const double radius = std::pow(spectral_radius(p.product), 1.0 / static_cast<double>(p.word.size()));
     best_ = std::max(best_, radius);
@@ -94,17 +94,15 @@ class ProductSearch {
   void begin() {
     // In the coordinates of the averaged orbit the Frobenius norm says more about the radius.
     const auto [to, from] = whitening(orbit_.shape, 1e-14);
-    for (const Matrix& a : family_.matrices) {
-      matrices_.push_back(to * a * from);
-      matrices_.back() /= orbit_.radius_bound;
-    }
-    const std::size_t letters = matrices_.size();
+    const std::size_t letters = family_.matrices.size();
     const std::size_t bytes = sizeof(Partial) + at(options_.max_length) * 2 * sizeof(int) +
-                              matrices_.front().entries().size() * sizeof(double);
+                              to.entries().size() * sizeof(double);
     // A level and all its extensions are held at a time.
     const std::size_t widest = std::max<std::size_t>(options_.budget.memory / ((letters + 1) * bytes), 1);
     width_ = std::min(widest, at(std::max(options_.width, 1)));
     for (std::size_t a = 0; a < letters && (a == 0 || !late()); ++a) {
+      matrices_.push_back(to * family_.matrices[a] * from);
+      matrices_.back() /= orbit_.radius_bound;
       Partial p;
       p.word = {static_cast<int>(a)};
       p.product = matrices_[a];

@@ -1,0 +1,140 @@
+// The search for an invariant polytope: what it finds, and that it keeps within its budget.
+#include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/cmake/catch.hpp>
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <random>
+
+using namespace subcert;
+using namespace subcert::polytope;
+
+namespace {
+
+SearchFamily random_family(std::size_t size, std::size_t count, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  SearchFamily family;
+  for (std::size_t t = 0; t < count; ++t) {
+    Matrix& a = family.matrices.emplace_back(size, size);
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < size; ++j) a(i, j) = static_cast<double>(engine() >> 11) / 0x1p52 - 1;
+  }
+  return family;
+}
+
+Matrix two_by_two(double a, double b, double c, double d) {
+  Matrix m(2, 2);
+  m(0, 0) = a;
+  m(0, 1) = b;
+  m(1, 0) = c;
+  m(1, 1) = d;
+  return m;
+}
+
+/// The most that the process has held so far.
+double peak_mebibytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void check_enclosure(const SearchResult& result) {
+  CHECK(result.status == SearchStatus::budget_spent);
+  REQUIRE(!result.products.empty());
+  CHECK(result.radius > 0);
+  CHECK(result.upper_bound >= result.radius);
+}
+
+}  // namespace
+
+TEST_CASE("the polytope search closes on families of known radius") {
+  // The golden ratio is the root of the radius of A_0 A_1.
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  const SearchFamily cone{{two_by_two(1, 1, 0, 1), two_by_two(1, 0, 1, 1)}, SymmetryGroup::flip()};
+  const SearchResult result = search_polytope(cone);
+  CHECK(result.status == SearchStatus::closed);
+  CHECK(result.kind == PolytopeKind::nonnegative);
+  CHECK(std::abs(result.radius - golden) < 1e-12);
+  CHECK(result.products.front().word == std::vector<int>{0, 1});
+  CHECK(result.images.size() == 2 * result.vertices.size());
+
+  // A rotation and a small matrix: complex leading eigenvalues.
+  const SearchFamily turning{{two_by_two(0.6, -0.8, 0.8, 0.6), two_by_two(0.1, 0.2, -0.1, 0.3)}, {}};
+  const SearchResult turned = search_polytope(turning);
+  CHECK(turned.status == SearchStatus::closed);
+  CHECK(turned.kind == PolytopeKind::complex);
+  CHECK(std::abs(turned.radius - 1) < 1e-12);
+
+  const SearchFamily vanishing{{two_by_two(0, 1, 0, 0)}, {}};
+  CHECK(search_polytope(vanishing).upper_bound == 0);
+}
+
+TEST_CASE("the polytope search names broken preconditions") {
+  const auto fails = [](const SearchFamily& family, const SearchOptions& options, const std::string& text) {
+    try {
+      search_polytope(family, options);
+    } catch (const Error& error) {
+      return error.kind() == ErrorKind::domain && std::string(error.what()).find(text) != std::string::npos;
+    }
+    return false;
+  };
+  CHECK(fails({}, {}, "at least one matrix"));
+  CHECK(fails({{Matrix(2, 2), Matrix(3, 3)}, {}}, {}, "square matrices of one size"));
+  CHECK(fails({{two_by_two(1, NAN, 0, 1)}, {}}, {}, "finite entries"));
+  CHECK(fails({{two_by_two(1, 2, 0, 1), two_by_two(1, 0, 1, 1)}, SymmetryGroup::flip()}, {}, "symmetric family"));
+  SearchOptions options;
+  options.tolerance = 0.5;
+  CHECK(fails({{two_by_two(1, 0, 0, 1)}, {}}, options, "tolerance"));
+}
+
+TEST_CASE("symmetry groups act on letters, words and matrices") {
+  const SymmetryGroup trivial, flip = SymmetryGroup::flip();
+  CHECK(canonical_word({1, 0, 1, 0}, 2, trivial) == std::vector<int>{0, 1});
+  CHECK(canonical_word({2, 2, 1}, 3, trivial) == std::vector<int>{1, 2, 2});
+  CHECK(canonical_word({2, 2, 1}, 3, flip) == std::vector<int>{0, 0, 1});
+  const Matrix a = two_by_two(1, 2, 3, 4);
+  CHECK(flip.conjugated(1, a).entries() == two_by_two(4, 3, 2, 1).entries());
+  for (const std::size_t d : {1U, 2U, 5U, 6U}) {
+    // In adapted coordinates the flip changes signs.
+    const Matrix q = flip.adapted_coordinates(d);
+    Vector x(d);
+    for (std::size_t k = 0; k < d; ++k) x[k] = static_cast<double>(k * k) - 2;
+    Vector turned = q * x, image = x;
+    flip.adapted_action(d).apply(1, turned.data());
+    flip.action(d).apply(1, image.data());
+    const Vector expected = q * image;
+    for (std::size_t k = 0; k < d; ++k) CHECK(std::abs(turned[k] - expected[k]) < 1e-12);
+  }
+}
+
+TEST_CASE("every phase of the polytope search obeys the deadline") {
+  for (const std::size_t size : {6U, 30U, 120U}) {
+    const SearchFamily family = random_family(size, 5, 7);
+    for (const double seconds : {0.0, 0.05, 0.5}) {
+      INFO("size " << size << ", seconds " << seconds);
+      SearchOptions options;
+      options.budget.deadline = Deadline::in(seconds);
+      const Stopwatch watch;
+      const SearchResult result = search_polytope(family, options);
+      CHECK(watch.seconds() < seconds + 2);
+      if (result.status != SearchStatus::closed) check_enclosure(result);
+    }
+  }
+}
+
+TEST_CASE("the polytope search keeps within its memory") {
+  // A family whose polytope does not close: what grows fills a bound of some MiB within a second or two.
+  const SearchFamily family = random_family(24, 6, 11);
+  for (const double mebibytes : {0.0, 1.0, 6.0}) {
+    SearchOptions options;
+    options.budget = {Deadline::in(10), static_cast<std::size_t>(mebibytes * 0x1p20)};
+    [[maybe_unused]] const double before = peak_mebibytes();
+    const SearchResult result = search_polytope(family, options);
+    check_enclosure(result);
+#ifndef __SANITIZE_ADDRESS__
+    CHECK(peak_mebibytes() - before < mebibytes + 8);  // some arrays of the size of the family
+#endif
+  }
+}

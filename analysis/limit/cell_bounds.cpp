@@ -56,20 +56,17 @@ CellBounds::CellBounds(const CellSetup& setup, bool exact)
 
 // ---- How a remainder shrinks from level to level
 
-double CellBounds::position(std::size_t k) const {
-  const auto width = static_cast<double>(setup_.width);
-  return (2 * static_cast<double>(k) + 1 - width) / width;
-}
-
-/// The least squares fit by polynomials of degree count - 1 in position(k). Its rounding errors matter to no bound:
+/// The least squares fit by polynomials of degree count - 1 in position_[k]. Its rounding errors matter to no bound:
 /// every polynomial may be taken.
 void CellBounds::set_fit(std::size_t count) {
   const std::size_t width = setup_.width;
   moments_ = count;
+  for (std::size_t k = 0; k < width; ++k)
+    position_.push_back((2 * static_cast<double>(k) + 1 - static_cast<double>(width)) / static_cast<double>(width));
   std::vector<std::vector<double>> basis, in_powers;  // orthonormal, and its coefficients
   for (std::size_t q = 0; q < count; ++q) {
     std::vector<double> values_of_q(width), powers(count, 0.0);
-    for (std::size_t k = 0; k < width; ++k) values_of_q[k] = std::pow(position(k), static_cast<double>(q));
+    for (std::size_t k = 0; k < width; ++k) values_of_q[k] = std::pow(position_[k], static_cast<double>(q));
     powers[q] = 1;
     for (int pass = 0; pass < 2; ++pass)
       for (std::size_t r = 0; r < q; ++r) {
@@ -99,7 +96,7 @@ double CellBounds::remove_polynomial(double* x) const {
   }
   for (std::size_t k = 0; k < width; ++k) {
     double value = 0;
-    const double place = position(k);
+    const double place = position_[k];
     for (std::size_t i = moments_; i-- > 0;) value = value * place + c[i];
     x[k] -= value;
   }

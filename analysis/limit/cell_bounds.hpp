@@ -57,7 +57,6 @@ class CellBounds {
   std::pair<double, double> square_bounds(const Remainder& rest, int level, bool slopes) const;
 
  private:
-  double position(std::size_t k) const;
   void set_fit(std::size_t count);
   double remove_polynomial(double* x) const;
   void set_contraction();
@@ -76,7 +75,8 @@ class CellBounds {
   Transition<double> transition_;
   std::vector<outward::Recentring> recentring_;  // one for each digit
   std::size_t moments_ = 0;                      // epsilon is orthogonal to the polynomials of lower degree
-  std::vector<double> fit_;                      // moments x width: coefficients of a fitted polynomial in position(k)
+  std::vector<double> position_;                 // of the integers of the window in [-1, 1]
+  std::vector<double> fit_;                      // moments x width: coefficients of a fitted polynomial in position_[k]
   std::vector<double> contraction_;              // contraction_[j] >= sup of ||P epsilon|| / ||epsilon||, P of j steps
 };
 

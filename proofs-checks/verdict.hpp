@@ -37,8 +37,8 @@ enum class Verdict {
 
 /// The words of the contract, in the order of Verdict.
 inline constexpr std::array<const char*, 12> verdict_words{
-    "match",     "mismatch",      "open",           "holds",     "holds-for-all-n", "misprint",
-    "false",     "not-checkable", "undecided",      "confirmed", "not confirmed",   "not-reproducible"};
+    "match", "mismatch",      "open",      "holds",     "holds-for-all-n", "misprint",
+    "false", "not-checkable", "undecided", "confirmed", "not confirmed",   "not-reproducible"};
 
 inline std::string to_text(Verdict verdict) { return verdict_words[static_cast<std::size_t>(verdict)]; }
 

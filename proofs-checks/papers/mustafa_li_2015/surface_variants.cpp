@@ -63,7 +63,6 @@ Outcome lemma_1_positions(const Context& context) {
   Trial trial = summation_range(context.formula(key_prefix + "variant-first"),
                                 context.formula(key_prefix + "variant-last"), false);
   // (10) is (psi_1 + x psi_2 + y psi_3)/kappa (see eq-10), on whatever nodes; here against random weights.
-  const std::vector<Formula> plane{f("1"), f("r"), f("s")};
   for (long n = 1; n <= context.reach(2, 3) && !trial.failed(); ++n) {
     const WeightedWindow data = random_window(-n, n, 2, 4);
     Values values;

@@ -87,11 +87,11 @@ double normal_angle(const PointGrid& grid, const PointGrid& truth) {
   return std::sqrt(sum / static_cast<double>((grid.rows - 1) * (grid.columns - 1))) * 180 / std::numbers::pi;
 }
 
-std::vector<TensorLimit> limits(const SurfaceTrial& trial, int level) {
+std::vector<TensorLimit> limits(const SurfaceTrial& trial, int at_level) {
   std::vector<TensorLimit> result;
   for (const std::string& scheme : trial.schemes)
     result.emplace_back(scheme, trial.samples.columns, trial.samples.rows,
-                        trial.closed ? data::Extension::wrap : data::Extension::interp, level);
+                        trial.closed ? data::Extension::wrap : data::Extension::interp, at_level);
   return result;
 }
 

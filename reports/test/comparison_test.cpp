@@ -3,7 +3,7 @@
 #include <subcert/reports/formats/comparison.hpp>
 
 using namespace subcert;
-using namespace subcert::reports;
+using namespace subcert::formats;
 
 namespace {
 
@@ -12,38 +12,37 @@ Rational q(const char* text) { return *parse_rational(text); }
 }  // namespace
 
 TEST_CASE("a printed value matches only a narrow enclosure within one unit") {
-  CHECK(formats::compare("1.649", Enclosure::exactly(q("1649/1000"))) == Verdict::match);
-  CHECK(formats::compare("1.649", Enclosure::exactly(q("1650/1000"))) == Verdict::match);
-  CHECK(formats::compare("1.649", Enclosure::exactly(q("1648/1000"))) == Verdict::match);
-  CHECK(formats::compare("1.649", Enclosure::exactly(q("16501/10000"))) == Verdict::mismatch);
-  CHECK(formats::compare("1.649", Enclosure::exactly(q("16479/10000"))) == Verdict::mismatch);
+  CHECK(compare("1.649", Enclosure::exactly(q("1649/1000"))) == Verdict::match);
+  CHECK(compare("1.649", Enclosure::exactly(q("1650/1000"))) == Verdict::match);
+  CHECK(compare("1.649", Enclosure::exactly(q("1648/1000"))) == Verdict::match);
+  CHECK(compare("1.649", Enclosure::exactly(q("16501/10000"))) == Verdict::mismatch);
+  CHECK(compare("1.649", Enclosure::exactly(q("16479/10000"))) == Verdict::mismatch);
   // As wide as the unit: an empty match, so it is none.
-  CHECK(formats::compare("1.649", {q("16485/10000"), q("16495/10000")}) == Verdict::open);
-  CHECK(formats::compare("1.649", {q("16485/10000"), q("16494/10000")}) == Verdict::match);
+  CHECK(compare("1.649", {q("16485/10000"), q("16495/10000")}) == Verdict::open);
+  CHECK(compare("1.649", {q("16485/10000"), q("16494/10000")}) == Verdict::match);
   // Reaching over the edge decides nothing; wholly beyond it decides.
-  CHECK(formats::compare("1.649", {q("16497/10000"), q("16501/10000")}) == Verdict::open);
-  CHECK(formats::compare("2", Enclosure::exactly(q("5/2"))) == Verdict::match);
-  CHECK(formats::compare("-0.5", Enclosure::exactly(q("-1/2"))) == Verdict::match);
+  CHECK(compare("1.649", {q("16497/10000"), q("16501/10000")}) == Verdict::open);
+  CHECK(compare("2", Enclosure::exactly(q("5/2"))) == Verdict::match);
+  CHECK(compare("-0.5", Enclosure::exactly(q("-1/2"))) == Verdict::match);
 }
 
 TEST_CASE("one-sided bounds refute or leave open") {
-  CHECK(formats::compare("0.0849", Enclosure::at_least(q("8549/100000"))) == Verdict::mismatch);
-  CHECK(formats::compare("0.0849", Enclosure::at_least(q("850/10000"))) == Verdict::open);
-  CHECK(formats::compare("0.0849", Enclosure{std::nullopt, q("847/10000")}) == Verdict::mismatch);
-  CHECK(formats::compare("0.0849", Enclosure{}) == Verdict::open);
+  CHECK(compare("0.0849", Enclosure::at_least(q("8549/100000"))) == Verdict::mismatch);
+  CHECK(compare("0.0849", Enclosure::at_least(q("850/10000"))) == Verdict::open);
+  CHECK(compare("0.0849", Enclosure{std::nullopt, q("847/10000")}) == Verdict::mismatch);
+  CHECK(compare("0.0849", Enclosure{}) == Verdict::open);
 }
 
 TEST_CASE("what is no decimal is refused") {
   for (const char* text : {"", ".", "1.2.3", "1/2", "1e3", "one", "1,5"})
-    CHECK_THROWS_AS(formats::compare(text, Enclosure::exactly(1)), std::exception);
-  CHECK_FAILS(formats::parse_verdict("Match"), data);
+    CHECK_THROWS_AS(compare(text, Enclosure::exactly(1)), std::exception);
+  CHECK_FAILS(parse_verdict("Match"), data);
   for (Verdict v : {Verdict::match, Verdict::mismatch, Verdict::open, Verdict::not_reproducible})
-    CHECK(formats::parse_verdict(to_text(v)) == v);
+    CHECK(parse_verdict(to_text(v)) == v);
 }
 
 TEST_CASE("the shown number never hides an uncertainty") {
-  formats::Comparison c{"r",           "c",           "", "1.64", Enclosure{q("16400/10000"), q("16409/10000")},
-                        Verdict::open, Verdict::open, ""};
+  Comparison c{"r", "c", "", "1.64", Enclosure{q("16400/10000"), q("16409/10000")}, Verdict::open, Verdict::open, ""};
   CHECK(c.computed_text() == "1.64000 ... 1.64090");
   c.computed = Enclosure::exactly(q("1/3"));
   CHECK(c.computed_text() == "0.33333");

@@ -4,6 +4,8 @@
 #include <subcert/reports/conjectures.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 using namespace subcert;

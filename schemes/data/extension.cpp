@@ -13,22 +13,22 @@
 namespace subcert::data {
 namespace {
 
-constexpr std::array<std::pair<Extension, std::string_view>, 5> names{{{Extension::interp, "interp"},
-                                                                       {Extension::mirror, "mirror"},
-                                                                       {Extension::nearest, "nearest"},
-                                                                       {Extension::constant, "constant"},
-                                                                       {Extension::wrap, "wrap"}}};
+constexpr std::array<std::pair<Extension, std::string_view>, 5> extension_names{{{Extension::interp, "interp"},
+                                                                                 {Extension::mirror, "mirror"},
+                                                                                 {Extension::nearest, "nearest"},
+                                                                                 {Extension::constant, "constant"},
+                                                                                 {Extension::wrap, "wrap"}}};
 
 }  // namespace
 
 std::optional<Extension> parse_extension(std::string_view name) {
-  for (const auto& [extension, text] : names)
+  for (const auto& [extension, text] : extension_names)
     if (text == name) return extension;
   return std::nullopt;
 }
 
 std::string to_text(Extension extension) {
-  for (const auto& [candidate, text] : names)
+  for (const auto& [candidate, text] : extension_names)
     if (candidate == extension) return std::string(text);
   fail(ErrorKind::domain, "to_text: no such extension");
 }

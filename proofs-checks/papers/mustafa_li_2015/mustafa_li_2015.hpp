@@ -11,6 +11,9 @@ inline const std::string key_prefix = "mustafa-li-2015/";
 /// The four rules of a scheme for surfaces, as their ids and witnesses name them.
 inline const std::vector<std::string> rule_names{"00", "10", "01", "11"};
 
+/// The polynomials of degree 1 that they fit.
+inline const std::vector<Formula> plane{f("1"), f("r"), f("s")};
+
 PaperStatements paper();
 
 /// One part of the paper each; `to` grows.

@@ -63,7 +63,6 @@ Outcome lemma_1_positions(const Context& context) {
   Trial trial = summation_range(context.formula(key_prefix + "variant-first"),
                                 context.formula(key_prefix + "variant-last"), false);
   // (10) is (psi_1 + x psi_2 + y psi_3)/kappa (see eq-10), on whatever nodes; here against random weights.
-  const std::vector<Formula> basis{f("1"), f("r"), f("s")};
   for (long n = 1; n <= context.reach(2, 3) && !trial.failed(); ++n) {
     const WeightedWindow data = random_window(-n, n, 2, 4);
     Values values;
@@ -74,7 +73,7 @@ Outcome lemma_1_positions(const Context& context) {
       values.emplace_back("lambda" + std::to_string(k),
                           context.formula(key_prefix + "eq-13-lambda-" + std::to_string(k))(values));
     values.emplace_back("kappa", context.formula(key_prefix + "eq-12")(values));
-    const std::vector<Rational> beta = weighted_coefficients(data, basis);
+    const std::vector<Rational> beta = weighted_coefficients(data, plane);
     for (std::size_t k = 0; k < 4; ++k) {
       Formula term = (f("psi1") + xs.at(k) * f("psi2") + ys.at(k) * f("psi3")) / f("kappa") * f("w") * f("f");
       for (const char* name : {"1", "2", "3"})

@@ -8,8 +8,6 @@
 namespace subcert::statements::mustafa_li_2015 {
 namespace {
 
-const std::vector<Formula> plane{f("1"), f("r"), f("s")};
-
 std::vector<Variable> variables(const std::string& name, int count) {
   std::vector<Variable> result;
   for (int k = 1; k <= count; ++k) result.push_back({name + std::to_string(k), k});

@@ -38,7 +38,7 @@ struct Reader {
 // a wrong number: in the printed side of a misprint and in what a false claim reads, the witness must change.
 TEST_CASE("a wrong number in any transcription changes a verdict") {
   std::map<std::string, std::vector<Reader>> readers;
-  for (const Statement& statement : statements()) {
+  for (const Statement& statement : subcert::statements::statements()) {
     const Context context(transcriptions(), Tier::quick);
     const Result unchanged = result(statement, context);
     CAPTURE(statement.id);

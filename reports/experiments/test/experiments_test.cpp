@@ -80,7 +80,7 @@ TEST_CASE("means with confidence: known values, coverage and the ratio of noise"
 
 TEST_CASE("experiments have different names, and do not depend on the number of jobs") {
   std::set<std::string> ids;
-  for (const Experiment& e : experiments()) CHECK(ids.insert(e.id).second);
+  for (const Experiment& e : subcert::experiments::experiments()) CHECK(ids.insert(e.id).second);
   CHECK_FAILS(experiment("fig999"), domain);
   for (const char* id : {"fig3", "fig17", "fig19", "mse"}) {
     const ExperimentOptions one{5, 4, 1}, two{5, 4, 2};
@@ -92,9 +92,9 @@ TEST_CASE("experiments have different names, and do not depend on the number of 
 // Long, as `subcert reproduce` decides the same, and ./check runs it first.
 TEST_CASE("with the seed and the runs of a report, every finding is the recorded one", "[long]") {
   const reports::ReportOptions defaults;
-  for (const Experiment& e : experiments())
+  for (const Experiment& e : subcert::experiments::experiments())
     for (const Claim& claim :
-         run_experiment(e, {defaults.seed, report_runs(e, defaults.runs), defaults.jobs}).result.claims) {
+         run_experiment(e, {defaults.seed, reports::report_runs(e, defaults.runs), defaults.jobs}).result.claims) {
       CAPTURE(e.id, claim.sentence, claim.numbers);
       CHECK(to_text(claim.finding) == to_text(claim.recorded));
     }
@@ -102,7 +102,7 @@ TEST_CASE("with the seed and the runs of a report, every finding is the recorded
 
 TEST_CASE("every paper has a report of its experiments, and its claims are told in full") {
   for (const std::string& paper : reports::reproducible_papers())
-    for (const std::string& id : experiment_ids(paper)) CHECK(experiment(id).paper == paper);
+    for (const std::string& id : reports::experiment_ids(paper)) CHECK(experiment(id).paper == paper);
   const reports::Report report = reports::make_report("dyn-2015", {{"fig15", "fig17"}, 2, {}, 1, 4});
   REQUIRE(report.experiments.size() == 2);
   CHECK(report.sections.size() == 2);

@@ -77,7 +77,7 @@ TEST_CASE("the distance from the data leaves outliers out") {
 
 TEST_CASE("experiments of the a-ary paper and of the non-linear families find what is recorded") {
   std::size_t found = 0;
-  for (const Experiment& e : experiments())
+  for (const Experiment& e : subcert::experiments::experiments())
     if (e.paper == "mustafa-bari-2016" || e.paper == "mustafa-hameed") {
       ++found;
       const RanExperiment ran = run_experiment(e, {1, 50, 2});
@@ -92,7 +92,7 @@ TEST_CASE("experiments of the a-ary paper and of the non-linear families find wh
 }
 
 TEST_CASE("experiments without random numbers do not depend on the seed") {
-  for (const Experiment& e : experiments()) {
+  for (const Experiment& e : subcert::experiments::experiments()) {
     if (e.paper != "mustafa-bari-2016" && e.id != "nonlinear-fig3" && e.id != "nonlinear-fig7") continue;
     const ExperimentResult one = e.run({1, 2, 1}), two = e.run({2, 3, 1});
     CHECK(!one.random);

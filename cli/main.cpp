@@ -33,12 +33,6 @@ int main(int argc, char** argv) {
     return complain(error.what(), cli::exit_code(error.kind()));
   } catch (const std::bad_alloc&) {
     return complain("out of memory", cli::internal);
-  } catch (const std::logic_error& error) {  // until analysis throws Error, these four are of the arguments
-    const bool argument = dynamic_cast<const std::invalid_argument*>(&error) ||
-                          dynamic_cast<const std::domain_error*>(&error) ||
-                          dynamic_cast<const std::length_error*>(&error) ||
-                          dynamic_cast<const std::out_of_range*>(&error);
-    return complain(error.what(), argument ? cli::usage : cli::internal);
   } catch (const std::exception& error) {
     return complain(error.what(), cli::internal);
   }

@@ -58,8 +58,12 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
   return Decimal{minus ? Rational(-value) : value, unit};
 }
 
+std::optional<Decimal> parse_plain_decimal(std::string_view text) {
+  return text.find_first_of("eE") == std::string_view::npos ? parse_decimal(text) : std::nullopt;
+}
+
 Decimal read_decimal(std::string_view text) {
-  const std::optional<Decimal> result = parse_decimal(text);
+  const std::optional<Decimal> result = parse_plain_decimal(text);
   if (!result) fail(ErrorKind::usage, "need a decimal number, got '{}'", text);
   return *result;
 }

@@ -18,6 +18,8 @@ struct Decimal {
 /// 1000 digits, or an exponent beyond 400 in modulus, gives nullopt.
 std::optional<Decimal> parse_decimal(std::string_view text);
 
+/// The same without an exponent, as papers print numbers.
+std::optional<Decimal> parse_plain_decimal(std::string_view text);
 /// The same. Errors: throws Error for any other text.
 Decimal read_decimal(std::string_view text);
 

@@ -89,7 +89,7 @@ LaurentPolynomial LaurentPolynomial::all_ones(int count) {
 
 LaurentPolynomial LaurentPolynomial::parse(std::string_view text) {
   std::map<long, Rational> sum;
-  for (const text::Monomial& term : text::parse_terms(text, 1)) sum[term.exponents[0]] += term.coefficient;
+  for (const Monomial& term : text::parse_terms(text, 1)) sum[term.exponents[0]] += term.coefficient;
   const long low = sum.begin()->first;
   std::vector<Rational> coefficients(static_cast<std::size_t>(sum.rbegin()->first - low + 1));
   for (const auto& [exponent, coefficient] : sum) coefficients[static_cast<std::size_t>(exponent - low)] = coefficient;
@@ -286,8 +286,8 @@ LaurentPolynomial gcd(const LaurentPolynomial& a, const LaurentPolynomial& b) {
 
 namespace {
 
-std::vector<text::Monomial> terms_of(const LaurentPolynomial& p) {
-  std::vector<text::Monomial> terms;
+std::vector<Monomial> terms_of(const LaurentPolynomial& p) {
+  std::vector<Monomial> terms;
   long exponent = p.is_zero() ? 0 : p.lowest();
   for (const Rational& c : p.coefficients()) {
     if (c != 0) terms.push_back({c, {exponent}});

@@ -2,6 +2,7 @@
 
 #include "error.hpp"
 #include "flint.hpp"
+#include "term_text.hpp"
 
 #include <algorithm>
 #include <string>

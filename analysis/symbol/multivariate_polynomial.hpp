@@ -2,7 +2,7 @@
 /// Sparse Laurent polynomials in two or three variables over the rationals: the symbols of surface and volume schemes.
 
 #include "laurent_polynomial.hpp"
-#include "term_text.hpp"
+#include "monomial.hpp"
 
 #include <memory>
 #include <vector>
@@ -14,7 +14,7 @@ namespace subcert {
 class MultivariatePolynomial {
  public:
   using Exponents = std::vector<long>;
-  using Monomial = text::Monomial;
+  using Monomial = subcert::Monomial;
   struct Division;
 
   /// Zero. Domain: 2 <= variables <= 3.

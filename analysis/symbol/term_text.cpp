@@ -1,10 +1,10 @@
 #include "term_text.hpp"
 
+#include "error.hpp"
 #include "parse_error.hpp"
 
 #include <algorithm>
 #include <cstdlib>
-#include <stdexcept>
 
 namespace subcert::text {
 namespace {
@@ -118,7 +118,7 @@ std::vector<std::string> variable_names(int variables) {
   if (variables == 1) return {"z"};
   if (variables == 2) return {"x", "y"};
   if (variables == 3) return {"x", "y", "z"};
-  throw std::invalid_argument("variable_names: need 1 <= variables <= 3, got " + std::to_string(variables));
+  fail(ErrorKind::domain, "variable_names: need 1 <= variables <= 3, got {}", variables);
 }
 
 std::string print_terms(const std::vector<Monomial>& terms, Style style) {

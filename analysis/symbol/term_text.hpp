@@ -2,17 +2,11 @@
 /// Printing and parsing of sums of monomials, shared by the polynomials in one and in several variables, and of mask
 /// vectors.
 
-#include "numbers.hpp"
+#include "monomial.hpp"
 
 #include <vector>
 
 namespace subcert::text {
-
-/// coefficient * x_1^exponents[0] * x_2^exponents[1] * ...
-struct Monomial {
-  Rational coefficient;
-  std::vector<long> exponents;
-};
 
 enum class Style { plain, latex };
 

@@ -35,10 +35,6 @@ may_use(cli analysis schemes proofs-checks reports)
 
 # Folders include each other in one direction only, tests aside: where some are in a cycle, none of them can be read,
 # changed or moved alone.
-# What may stay for now, as "FOLDER->FOLDER", with its reason:
-#   the proof that a scheme converges asks for the transition matrices, which stand with regularity
-set(known_cycles "analysis/difference->analysis/regularity")
-
 file(GLOB_RECURSE files RELATIVE "${SOURCE}" "${SOURCE}/analysis/*.[hc]pp" "${SOURCE}/schemes/*.[hc]pp"
   "${SOURCE}/proofs-checks/*.[hc]pp" "${SOURCE}/reports/*.[hc]pp" "${SOURCE}/cli/*.[hc]pp" "${SOURCE}/bench/*.[hc]pp")
 set(folders "")
@@ -71,7 +67,7 @@ while(NOT count EQUAL left_before)
   foreach(folder IN LISTS folders)
     list(REMOVE_DUPLICATES "from ${folder}")
     foreach(other IN LISTS "from ${folder}")
-      if(NOT other STREQUAL folder AND other IN_LIST folders AND NOT "${folder}->${other}" IN_LIST known_cycles)
+      if(NOT other STREQUAL folder AND other IN_LIST folders)
         list(APPEND edges "${folder} includes ${other}")
         list(APPEND above "${folder}")
         list(APPEND below "${other}")

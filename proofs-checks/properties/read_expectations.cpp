@@ -41,7 +41,7 @@ Place place_of(const toml::node& node) { return place_of(node.source()); }
 /// An integer, or a rational or decimal number in a string.
 std::optional<Rational> number_in(std::string_view text) {
   if (const auto rational = parse_rational(text)) return rational;
-  if (const auto decimal = parse_decimal(text)) return decimal->value;
+  if (const auto decimal = parse_plain_decimal(text)) return decimal->value;
   return std::nullopt;
 }
 
@@ -127,8 +127,6 @@ ExpectedScheme read_scheme(const toml::table& table) {
   try {
     scheme = make_scheme(specification);
   } catch (const Error& error) {
-    throw FileError(place_of(*mask), error.what());
-  } catch (const std::logic_error& error) {  // until analysis throws Error
     throw FileError(place_of(*mask), error.what());
   }
   ExpectedScheme result{printable(specification), scheme->specification, scheme->mask, {}};

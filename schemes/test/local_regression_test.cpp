@@ -134,7 +134,7 @@ TEST_CASE("closed forms of degree 1") {
       CHECK(d.coefficient(1 - 2 * j) == Rational(1, 2 * n) * (1 + Rational(6 * j - 3, 8 * n * n - 2)));
     }
     for (long j = -n; j <= n; ++j) {  // sec. 4.2
-      if (abs(j) < n) CHECK(p.coefficient(-2 * j) == Rational(1, 2 * n - 1));
+      if (std::abs(j) < n) CHECK(p.coefficient(-2 * j) == Rational(1, 2 * n - 1));
       CHECK(po.coefficient(-2 * j) == Rational(1, 2 * n + 1));
       CHECK(odd.coefficient(-1 - 2 * j) == Rational(1, 2 * n + 1) * (1 - Rational(3 * j, 4 * n * (n + 1))));
       CHECK(odd.coefficient(-2 * j) == Rational(1, 2 * n + 1) * (1 + Rational(3 * j, 4 * n * (n + 1))));

@@ -1,7 +1,7 @@
 #include "candidate.hpp"
 
-#include "../polytope_search/decompositions.hpp"
-#include "../polytope_search/polytope_search.hpp"
+#include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
+#include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "polytope_proof.hpp"
 
-#include "../polytope_search/decompositions.hpp"
+#include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
 #include "orbit.hpp"
 
 #include <subcert/analysis/symbol/boost_numbers.hpp>

@@ -2,7 +2,7 @@
 /// Rational proofs of upper bounds for joint spectral radii by polytopes, made from what the floating point search
 /// found.
 
-#include "../polytope_kind.hpp"
+#include <subcert/analysis/regularity/polytope_search/polytope_kind.hpp>
 
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/matrix_family.hpp>

@@ -4,7 +4,7 @@
 
 #include "dense.hpp"
 
-#include <subcert/analysis/regularity/polytope_kind.hpp>
+#include "polytope_kind.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "attains.hpp"
 
-#include "../polytope_proof/candidate.hpp"
+#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include "cost.hpp"
 
 #include <subcert/analysis/symbol/ball_matrix.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 /// That a named product attains the joint spectral radius. Inner header.
 
-#include "../polytope_proof/polytope_proof.hpp"
+#include <subcert/analysis/regularity/polytope_proof/polytope_proof.hpp>
 
 namespace subcert::radius {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Joint spectral radii, enclosed with proof.
 
-#include "../polytope_proof/polytope_proof.hpp"
+#include <subcert/analysis/regularity/polytope_proof/polytope_proof.hpp>
 #include "block_triangular.hpp"
 #include "norm_of_products.hpp"
 #include "product.hpp"

@@ -1,6 +1,6 @@
 #include "one_block.hpp"
 
-#include "../polytope_proof/candidate.hpp"
+#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include "attains.hpp"
 #include "scaling.hpp"
 

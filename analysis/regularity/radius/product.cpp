@@ -1,6 +1,6 @@
 #include "product.hpp"
 
-#include "../polytope_proof/candidate.hpp"
+#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include "cost.hpp"
 
 #include <subcert/analysis/symbol/balls.hpp>

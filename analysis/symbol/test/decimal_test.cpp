@@ -21,7 +21,8 @@ TEST_CASE("decimal numbers are read exactly") {
   CHECK_THROWS_AS(read_decimal("1.2.3"), Error);
   CHECK(read_decimal("0.250").places() == 3);
   CHECK(read_decimal("12").places() == 0);
-  CHECK(read_decimal("1e3").places() == 0);
+  CHECK(parse_decimal("1e3")->places() == 0);
+  CHECK_THROWS_AS(read_decimal("1e3"), Error);
   for (const Rational& number : {Rational(1, 400), Rational(7), Rational(1, 3), Rational(12000), Rational(-1, 8)}) {
     const std::string text = to_short_text(number);
     const auto decimal = parse_decimal(text);

@@ -61,5 +61,5 @@ TEST_CASE("a verdict is only as good as its weakest check") {
 TEST_CASE("decimals") {
   CHECK(decimal("193.31") == Rational(19331, 100));
   CHECK(decimal("7") == 7);
-  for (const char* wrong : {"", ".", "1/2", "1.2.3", "x"}) CHECK_FAILS(decimal(wrong), domain);
+  for (const char* wrong : {"", ".", "1/2", "1.2.3", "x"}) CHECK_FAILS(decimal(wrong), usage);
 }

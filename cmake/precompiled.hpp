@@ -1,6 +1,9 @@
 #pragma once
 // What almost every source reads, parsed once a build. Every source still includes what it uses.
 
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/mask.hpp>
+
 #include <fmt/core.h>
 #include <gmp.h>
 

@@ -1,3 +1,5 @@
+#include "specimens.hpp"
+
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
@@ -7,12 +9,11 @@
 #include <subcert/schemes/specification.hpp>
 
 using namespace subcert;
+using subcert::testing::mask_of;
 using subcert::testing::Random;
 using subcert::testing::rounds;
 
 namespace {
-
-Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
 
 /// By the definition: multiply the symbol out, sum |coefficients| over cosets.
 Rational norm_by_definition(const Mask& mask, int level) {

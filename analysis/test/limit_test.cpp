@@ -1,3 +1,5 @@
+#include "specimens.hpp"
+
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/limit/limit_at_point.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
@@ -7,10 +9,9 @@
 #include <subcert/schemes/specification.hpp>
 
 using namespace subcert;
+using subcert::testing::mask_of;
 
 namespace {
-
-Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
 
 /// B-spline of this degree with the knots 0, ..., degree+1, by Cox and de Boor.
 Rational bspline(int degree, const Rational& x) {

@@ -11,14 +11,14 @@ using subcert::testing::rounds;
 
 namespace {
 
-Mask mask_of(const char* text, int arity = 2) { return {LaurentPolynomial::parse_mask(text), arity}; }
+Mask read_mask(const char* text, int arity = 2) { return {LaurentPolynomial::parse_mask(text), arity}; }
 
-const std::vector<Mask> binary{mask_of("[1,3,3,1]/4@-2"),
-                               mask_of("[1,2,1]/2@-1"),
-                               mask_of("[-1,0,9,16,9,0,-1]/16@-3"),
-                               mask_of("[1,4,6,4,1]/8@-2"),
-                               mask_of("[7,13,9,11,11,9,13,7]/40@-4"),
-                               mask_of("[1,1]@0")};
+const std::vector<Mask> binary{read_mask("[1,3,3,1]/4@-2"),
+                               read_mask("[1,2,1]/2@-1"),
+                               read_mask("[-1,0,9,16,9,0,-1]/16@-3"),
+                               read_mask("[1,4,6,4,1]/8@-2"),
+                               read_mask("[7,13,9,11,11,9,13,7]/40@-4"),
+                               read_mask("[1,1]@0")};
 
 }  // namespace
 

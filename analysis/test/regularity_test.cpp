@@ -1,3 +1,5 @@
+#include "specimens.hpp"
+
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
 #include <subcert/analysis/regularity/holder_bound.hpp>
@@ -9,10 +11,9 @@
 #include <subcert/schemes/specification.hpp>
 
 using namespace subcert;
+using subcert::testing::mask_of;
 
 namespace {
-
-Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
 
 Rational column_sum(const RationalMatrix& m, std::size_t column) {
   Rational sum = 0;

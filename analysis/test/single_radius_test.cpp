@@ -1,3 +1,5 @@
+#include "specimens.hpp"
+
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
@@ -9,12 +11,11 @@
 #include <subcert/schemes/specification.hpp>
 
 using namespace subcert;
+using subcert::testing::mask_of;
 using subcert::testing::Random;
 using subcert::testing::rounds;
 
 namespace {
-
-Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
 
 HolderRegularity regularity_of(const std::string& specification) {
   return holder_regularity(mask_of(specification), 4, {Deadline::in(20)});

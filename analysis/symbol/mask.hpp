@@ -42,7 +42,7 @@ class BasicMask {
 using Mask = BasicMask<LaurentPolynomial>;
 using MultivariateMask = BasicMask<MultivariatePolynomial>;
 
-/// The tensor product of univariate masks of one arity. Domain: two or three masks. Errors: std::invalid_argument.
+/// The tensor product of univariate masks of one arity. Domain: two or three masks. Errors: throws Error.
 MultivariateMask tensor_product(const std::vector<Mask>& masks);
 
 /// sum over j of a_{residue + arity*j}, for residue = 0, ..., arity-1. A scheme that converges to non-zero limits has

@@ -33,7 +33,7 @@ std::optional<RealRoot> largest_real_root(const LaurentPolynomial& p, int bits =
 bool has_root_on_unit_circle(const LaurentPolynomial& p);
 
 /// Whether p(e^{i t}) >= 0 for all real t. Domain: p is its own reversal, so that the values are real. Errors: throws
-/// std::invalid_argument otherwise. Decided exactly: p changes sign only at zeros of odd multiplicity in x = z + 1/z.
+/// Error otherwise. Decided exactly: p changes sign only at zeros of odd multiplicity in x = z + 1/z.
 bool is_nonnegative_on_unit_circle(const LaurentPolynomial& p);
 
 /// The cyclotomic polynomial of this order. Domain: 1 <= order <= 10^6.

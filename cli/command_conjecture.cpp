@@ -3,6 +3,7 @@
 #include "sweep_arguments.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/verdict.hpp>
@@ -147,12 +148,12 @@ Json row_json(const Row& row, const Limits& limits) {
             {"n", n},
             {"scheme", row.scheme.specification()},
             {"sup", enclosure_json(row.sup)},
-            {"n_sup", enclosure_json(reports::scaled(row.sup, n))}};
+            {"n_sup", enclosure_json(scaled(row.sup, n))}};
   const auto deviation = deviation_of(row, limits);
   json["limit_constant"] = deviation ? constant_json(limits.at(row.scheme.d)) : Json();
   json["limit_deviation"] = deviation ? enclosure_json(*deviation) : Json();
   json["derivative_sup"] = row.slope ? enclosure_json(*row.slope) : Json();
-  json["n2_derivative_sup"] = row.slope ? enclosure_json(reports::scaled(*row.slope, n * n)) : Json();
+  json["n2_derivative_sup"] = row.slope ? enclosure_json(scaled(*row.slope, n * n)) : Json();
   if (!row.slope) json["derivative_reason"] = row.slope_reason;
   json["mean"] = row.mean;
   json["complete"] = row.complete;
@@ -260,12 +261,12 @@ ExitCode conjecture_7(const ConjectureOptions& options, const reports::PrimalSch
   for (const Row& row : rows) {
     const int n = row.scheme.n;
     table.push_back({std::to_string(row.scheme.d), std::to_string(n), enclosure_text(row.sup, digits),
-                     enclosure_text(reports::scaled(row.sup, n), digits)});
+                     enclosure_text(scaled(row.sup, n), digits)});
     const auto deviation = deviation_of(row, limits);
     table.back().push_back(deviation ? enclosure_text(*deviation, 4) : "-");
     if (row.slope) {
       table.back().push_back(enclosure_text(*row.slope, digits));
-      table.back().push_back(enclosure_text(reports::scaled(*row.slope, n * n), digits));
+      table.back().push_back(enclosure_text(scaled(*row.slope, n * n), digits));
     } else {
       table.back().insert(table.back().end(), {"-", row.slope_reason});
     }

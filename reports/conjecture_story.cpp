@@ -4,6 +4,7 @@
 #include "variance_statements.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <stdexcept>

@@ -3,6 +3,7 @@
 #include "sweep/number_list.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <nlohmann/json.hpp>
@@ -177,13 +178,6 @@ std::vector<VariancePair> neighbouring_pairs(const std::vector<PrimalScheme>& sc
     for (std::size_t i = 1; i < sizes.size(); ++i) pairs.push_back({{d, sizes[i - 1]}, {d, sizes[i]}});
   }
   return pairs;
-}
-
-Enclosure scaled(const Enclosure& enclosure, const Rational& factor) {
-  Enclosure result;
-  if (enclosure.lower) result.lower = *enclosure.lower * factor;
-  if (enclosure.upper) result.upper = *enclosure.upper * factor;
-  return result;
 }
 
 std::string shown(const Enclosure& enclosure) {

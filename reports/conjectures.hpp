@@ -88,9 +88,6 @@ struct VariancePair {
 /// degree.
 std::vector<VariancePair> neighbouring_pairs(const std::vector<PrimalScheme>& schemes);
 
-/// The enclosure times a positive factor.
-Enclosure scaled(const Enclosure& enclosure, const Rational& factor);
-
 /// Six digits for people: one number where both ends agree in them, else both ends rounded outward.
 std::string shown(const Enclosure& enclosure);
 

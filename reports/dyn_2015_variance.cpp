@@ -3,6 +3,7 @@
 #include "conjectures.hpp"
 #include "variance_statements.hpp"
 
+#include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/schemes/specification.hpp>
 

@@ -81,6 +81,19 @@ class Ball {
   /// The double nearest to the middle, and one that is not below the radius.
   double middle() const { return arf_get_d(arb_midref(value_), ARF_RND_NEAR); }
   double radius() const { return mag_get_d(arb_radref(value_)); }
+  /// Not below the modulus of any point.
+  double magnitude() const {
+    mag_t bound;  // of one word for any double: nothing to free
+    mag_init(bound);
+    arb_get_mag(bound, value_);
+    return mag_get_d(bound);
+  }
+  /// The whole line.
+  static Ball indeterminate(slong bits) {
+    Ball result(bits);
+    arb_indeterminate(result.value_);
+    return result;
+  }
 
   Ball operator-() const { return map(arb_neg_plain); }
   friend Ball operator+(const Ball& a, const Ball& b) { return combine(arb_add, a, b); }
@@ -104,8 +117,14 @@ class Ball {
   friend Ball max(const Ball& a, const Ball& b) { return combine(arb_max, a, b); }
   friend Ball sin(const Ball& a) { return a.map(arb_sin); }
   friend Ball cos(const Ball& a) { return a.map(arb_cos); }
+  friend Ball sinc(const Ball& a) { return a.map(arb_sinc); }
   friend Ball exp(const Ball& a) { return a.map(arb_exp); }
   friend Ball log(const Ball& a) { return a.map(arb_log); }
+  friend Ball log2(const Ball& a) {
+    Ball result(a.bits_);
+    arb_log_base_ui(result.value_, a.value_, 2, a.bits_);
+    return result;
+  }
   friend Ball sqrt(const Ball& a) { return a.map(arb_sqrt); }
   friend Ball abs(const Ball& a) { return a.map(arb_abs_plain); }
 
@@ -220,6 +239,19 @@ class ComplexBall {
   Ball real() const {
     Ball result(bits_);
     acb_get_real(result.get(), value_);
+    return result;
+  }
+  /// Not below the modulus of any point.
+  double magnitude() const {
+    mag_t bound;
+    mag_init(bound);
+    acb_get_mag(bound, value_);
+    return mag_get_d(bound);
+  }
+  /// The whole plane.
+  static ComplexBall indeterminate(slong bits) {
+    ComplexBall result(bits);
+    acb_indeterminate(result.value_);
     return result;
   }
   bool is_finite() const { return acb_is_finite(value_); }

@@ -6,6 +6,14 @@
 
 namespace subcert {
 
+Enclosure scaled(const Enclosure& enclosure, const Rational& factor) {
+  require(factor > 0, "scaled: need factor > 0, got {}", factor);
+  Enclosure result;
+  if (enclosure.lower) result.lower = *enclosure.lower * factor;
+  if (enclosure.upper) result.upper = *enclosure.upper * factor;
+  return result;
+}
+
 Interval Interval::of(const Enclosure& enclosure) {
   require(enclosure.is_bounded(), "interval: need two ends, got {} ... {}", enclosure.lower_text(6),
           enclosure.upper_text(6));

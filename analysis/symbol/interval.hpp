@@ -5,6 +5,9 @@
 
 namespace subcert {
 
+/// The enclosure times a factor; absent ends stay absent. Domain: factor > 0. Errors: throws Error.
+Enclosure scaled(const Enclosure& enclosure, const Rational& factor);
+
 /// lower <= x <= upper. Canonical: lower <= upper. Every operation gives the smallest interval that holds all results
 /// for points of its arguments: its ends are exact, nothing is rounded.
 struct Interval {

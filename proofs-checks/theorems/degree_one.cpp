@@ -20,12 +20,6 @@ void check_size(const char* function, int n) {
 
 Ball interval(const Rational& low, const Rational& high, slong bits) { return Ball::containing({low, high}, bits); }
 
-Ball sinc(const Ball& x) {
-  Ball result(x.bits());
-  arb_sinc(result.get(), x.get(), x.bits());
-  return result;
-}
-
 /// The largest |sin(x)/x - cos(x)| on [low, high], low > 0, by branch and bound with the mean value form.
 class Supremum {
  public:

@@ -35,11 +35,7 @@ std::vector<Constant> common_constants() {
 }
 
 /// log base 2 of n.
-Ball log2(int n) {
-  Ball result(proof_bits);
-  arb_log_base_ui(result.get(), exactly(n).get(), 2, proof_bits);
-  return result;
-}
+Ball log2(int n) { return log2(exactly(n).with_bits(proof_bits)); }
 
 /// The product of 1/sin(pi 2^(-j-2)) over j < count.
 Ball inverse_sines(int count) {

@@ -56,7 +56,7 @@ class Kernel {
 
   template <class Number>
   Number transform(const Number& s) const {
-    const double size = magnitude(s);
+    const double size = s.magnitude();
     return size <= series_radius() ? by_series(s, size) : by_recurrence(s);
   }
 
@@ -64,8 +64,8 @@ class Kernel {
   template <class Number>
   Number product(const Number& s) const {
     Number result = one(s);
-    double size = magnitude(s);
-    if (!std::isfinite(size)) return indeterminate(s);
+    double size = s.magnitude();
+    if (!std::isfinite(size)) return Number::indeterminate(s.bits());
     Number scaled = s;
     for (;;) {
       // The sum over the factors to come of |1 - khat| is at most 2 T |s|^(d+1) / (2^(d+1) - 1).
@@ -85,34 +85,8 @@ class Kernel {
  private:
   double series_radius() const { return degree_ + 2; }
 
-  static double magnitude(const Ball& s) {
-    mag_t bound;
-    mag_init(bound);
-    arb_get_mag(bound, s.get());
-    const double result = mag_get_d(bound);
-    mag_clear(bound);
-    return result;
-  }
-  static double magnitude(const ComplexBall& s) {
-    mag_t bound;
-    mag_init(bound);
-    acb_get_mag(bound, s.get());
-    const double result = mag_get_d(bound);
-    mag_clear(bound);
-    return result;
-  }
   static Ball one(const Ball& like) { return Ball(1, like.bits()); }
   static ComplexBall one(const ComplexBall& like) { return ComplexBall(Ball(1, like.bits())); }
-  static Ball indeterminate(const Ball& like) {
-    Ball result(like.bits());
-    arb_indeterminate(result.get());
-    return result;
-  }
-  static ComplexBall indeterminate(const ComplexBall& like) {
-    ComplexBall result(like.bits());
-    acb_indeterminate(result.get());
-    return result;
-  }
 
   /// d |P_{d-1}(0)| / (2^i i! (2d+2i+1)!! (d+1+2i)) for i = 0, 1, ...
   void make_series() {

@@ -1,10 +1,7 @@
 #include "kernel_coefficients.hpp"
 
-#include <subcert/analysis/symbol/flint.hpp>
-
-#include <arb_mat.h>
-
-#include <stdexcept>
+#include <subcert/analysis/symbol/ball_solvers.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 
 namespace subcert::theorems {
 namespace {
@@ -38,34 +35,10 @@ Three evaluate(const std::vector<Rational>& polynomial, const Ball& tau) {
   return result;
 }
 
-class Matrix {
- public:
-  Matrix(slong rows, slong columns) { arb_mat_init(value_, rows, columns); }
-  Matrix(const Matrix&) = delete;
-  Matrix& operator=(const Matrix&) = delete;
-  ~Matrix() { arb_mat_clear(value_); }
-  void set(std::size_t i, std::size_t j, const Ball& x) {
-    arb_set(arb_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j)), x.get());
-  }
-  Ball at(std::size_t i, std::size_t j, slong bits) const {
-    Ball result(bits);
-    arb_set(result.get(), arb_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j)));
-    return result;
-  }
-  arb_mat_struct* get() { return value_; }
-
- private:
-  arb_mat_t value_;
-};
-
-std::vector<Ball> solve(Matrix& matrix, const std::vector<Ball>& right, slong bits) {
-  Matrix column(static_cast<slong>(right.size()), 1), solution(static_cast<slong>(right.size()), 1);
-  for (std::size_t i = 0; i < right.size(); ++i) column.set(i, 0, right[i]);
-  if (!arb_mat_solve_precond(solution.get(), matrix.get(), column.get(), bits))
-    fail(ErrorKind::undecided, "kernel_coefficients: the moment system is not proved regular");
-  std::vector<Ball> result;
-  for (std::size_t i = 0; i < right.size(); ++i) result.push_back(solution.at(i, 0, bits));
-  return result;
+std::vector<Ball> solved(const std::vector<std::vector<Ball>>& matrix, const std::vector<Ball>& right, slong bits) {
+  const auto result = solve(matrix, right, bits);
+  if (!result) fail(ErrorKind::undecided, "kernel_coefficients: the moment system is not proved regular");
+  return *result;
 }
 
 /// kappa(0): k_d(t) is half the sum of kappa_q(0) t^2q.
@@ -89,22 +62,22 @@ std::pair<std::vector<Ball>, std::vector<Ball>> slopes(const std::vector<Rationa
                                                        const Rational& high, slong bits) {
   const std::size_t size = limit.size();
   const Ball tau = Ball::containing({low, high}, bits);
-  Matrix moments(static_cast<slong>(size), static_cast<slong>(size));
+  std::vector<std::vector<Ball>> moments(size);
   std::vector<std::vector<Three>> entries(size);
   for (std::size_t p = 0; p < size; ++p)
     for (std::size_t q = 0; q < size; ++q) {
       entries[p].push_back(evaluate(power_sum(static_cast<int>(p + q)), tau));
-      moments.set(p, q, entries[p].back().value);
+      moments[p].push_back(entries[p].back().value);
     }
   std::vector<Ball> right(size, Ball(bits));
   for (std::size_t p = 0; p < size; ++p)
     for (std::size_t q = 0; q < size; ++q) right[p] = right[p] - entries[p][q].slope * Ball(limit[q], bits);
-  const std::vector<Ball> slope = solve(moments, right, bits);
+  const std::vector<Ball> slope = solved(moments, right, bits);
   right.assign(size, Ball(bits));
   for (std::size_t p = 0; p < size; ++p)
     for (std::size_t q = 0; q < size; ++q)
       right[p] = right[p] - entries[p][q].derivative * (Ball(limit[q], bits) + tau * slope[q]);
-  return {slope, solve(moments, right, bits)};
+  return {slope, solved(moments, right, bits)};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "kernel.hpp"
 
+#include <subcert/analysis/symbol/ball_solvers.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <cmath>
@@ -46,7 +47,7 @@ Truncation truncation(const Kernel& kernel, double wanted) {
   for (int step = 2; step <= 16; ++step) {
     const Rational from = Rational(step * (d + 1), 2), decay = kernel.decay(from);
     const Ball bound = supremum(kernel, from, decay);
-    const double log_bound = std::log2(arf_get_d(arb_midref(bound.get()), ARF_RND_NEAR));
+    const double log_bound = std::log2(bound.middle());
     const double log_ratio = std::log2(to_double(decay) / M_PI);
     for (int octaves = 1; octaves <= 60; ++octaves) {
       const double exponent = 2 * octaves - 1;
@@ -92,28 +93,16 @@ Ball sum_of_squares(const Kernel& kernel, double wanted) {
   return (sum + between_zero_and(stop.tail)).scaled(-1);
 }
 
-int square_of_product(acb_ptr result, const acb_t s, void* parameter, slong, slong bits) {
-  const Kernel& kernel = *static_cast<const Kernel*>(parameter);
-  const ComplexBall value = kernel.product(ComplexBall(s, std::min(bits, kernel.bits())));
-  acb_mul(result, value.get(), value.get(), bits);
-  return 0;
-}
-
 Ball quadrature(Kernel& kernel, double wanted) {
   const Truncation stop = truncation(kernel, wanted);
   const slong bits = kernel.bits();
-  acb_calc_integrate_opt_t options;
-  acb_calc_integrate_opt_init(options);
-  options->eval_limit = 100'000'000;
-  options->depth_limit = 10'000;
-  mag_t tolerance;
-  mag_init(tolerance);
-  mag_set_ui_2exp_si(tolerance, 1, static_cast<slong>(-wanted));
+  const auto square_of_product = [&kernel](const ComplexBall& s) {
+    const ComplexBall value = kernel.product(s.bits() > kernel.bits() ? ComplexBall(s.get(), kernel.bits()) : s);
+    return value * value;
+  };
   const ComplexBall end(Ball::pi(bits) * stop.terms);
-  ComplexBall start(bits), integral(bits);
-  acb_calc_integrate(integral.get(), square_of_product, &kernel, start.get(), end.get(), bits, tolerance, options,
-                     bits);
-  mag_clear(tolerance);
+  const ComplexBall integral = subcert::integral(square_of_product, ComplexBall(bits), end, static_cast<slong>(wanted),
+                                                 bits);
   const Ball pi = Ball::pi(bits);
   return (integral.real() + between_zero_and(pi * stop.tail)) / pi.scaled(1);
 }

@@ -5,6 +5,8 @@
 #include "uniform_curve.hpp"
 #include "variance_ends.hpp"
 
+#include <subcert/analysis/symbol/interval.hpp>
+
 #include <algorithm>
 
 namespace subcert::theorems {
@@ -80,11 +82,7 @@ Ball product_of(const std::vector<Ball>& values, int count) {
 }
 
 /// The number of shells with 2 n u > 1 is at most log2(n pi) + 1.
-Ball shells_at_most(int n) {
-  Ball result(proof_bits);
-  arb_log_base_ui(result.get(), (Ball::pi(proof_bits) * n).get(), 2, proof_bits);
-  return result + 1;
-}
+Ball shells_at_most(int n) { return log2(Ball::pi(proof_bits) * n) + 1; }
 
 std::vector<Check> uniform_checks(const Constants& c, int degree, bool slopes) {
   const int n = uniform_start(degree, slopes), factors = kept_factors;
@@ -140,10 +138,6 @@ Ball deviation(const Constants& c, int degree, const Ball& N) {
 }
 
 int least_n(int degree) { return (degree + 1) / 2; }
-
-Enclosure times(const Enclosure& enclosure, const Rational& factor) {
-  return {*enclosure.lower * factor, *enclosure.upper * factor};
-}
 
 }  // namespace
 
@@ -229,7 +223,7 @@ std::vector<Check> uniform_checks_7(const Constants& c, int degree, int threads)
                             ratio * deviation(c, degree, N) * N.pow(3) / exactly(2 * below)));
   for (int n = first; n < start; ++n) {
     Enclosure slope = Enclosure::at_least(0);
-    if (variance_ends(n, degree).slope) slope = times(*variance_ends(n, degree).slope, Rational(n) * n);
+    if (variance_ends(n, degree).slope) slope = scaled(*variance_ends(n, degree).slope, Rational(n) * n);
     checks.push_back(less("9.4", "n^2 max |psi_n'| < s" + at(n), slope, Enclosure::exactly(c["s"])));
   }
   checks.push_back(less("9.5", "n_1^2 Delta/N_1^5 < s",

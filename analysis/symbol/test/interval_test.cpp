@@ -35,5 +35,8 @@ TEST_CASE("intervals contain all results and no end is slack") {
     if (b.contains(0)) CHECK_THROWS_AS(a / b, Error);
   }
   CHECK_THROWS_AS(Interval::of(Enclosure::at_least(1)), Error);
+  CHECK(*scaled(Enclosure::at_least(3), Rational(1, 2)).lower == Rational(3, 2));
+  CHECK_FALSE(scaled(Enclosure::at_least(3), 2).upper);
+  CHECK_THROWS_AS(scaled(Enclosure::exactly(1), 0), Error);
   CHECK(Interval::of(Enclosure::exactly(2)) == Interval::exactly(2));
 }

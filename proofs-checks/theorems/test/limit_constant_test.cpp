@@ -1,4 +1,5 @@
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/random.hpp>
@@ -29,15 +30,7 @@ bool overlap(const Enclosure& a, const Enclosure& b) { return *a.lower <= *b.upp
 bool lies_in(const Enclosure& inner, const Enclosure& outer) {
   return *outer.lower <= *inner.lower && *inner.upper <= *outer.upper;
 }
-Enclosure product(const Enclosure& a, const Enclosure& b) {
-  const Rational ends[] = {*a.lower * *b.lower, *a.lower * *b.upper, *a.upper * *b.lower, *a.upper * *b.upper};
-  Enclosure result = Enclosure::exactly(ends[0]);
-  for (const Rational& x : ends) {
-    if (x < *result.lower) result.lower = x;
-    if (x > *result.upper) result.upper = x;
-  }
-  return result;
-}
+Enclosure product(const Enclosure& a, const Enclosure& b) { return (Interval::of(a) * Interval::of(b)).enclosure(); }
 
 /// The sum of (-1)^q moment(2q) s^2q / (2q)! with a bound of its remainder.
 Enclosure transform_by_moments(int degree, const Rational& s, int terms) {

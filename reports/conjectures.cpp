@@ -183,7 +183,7 @@ std::vector<VariancePair> neighbouring_pairs(const std::vector<PrimalScheme>& sc
 std::string shown(const Enclosure& enclosure) {
   constexpr int digits = 6;
   if (enclosure.is_bounded()) {
-    const std::string low = to_decimal(*enclosure.lower, digits, Rounding::nearest);
+    std::string low = to_decimal(*enclosure.lower, digits, Rounding::nearest);
     if (low == to_decimal(*enclosure.upper, digits, Rounding::nearest)) return low;
   }
   return enclosure.lower_text(digits) + " ... " + enclosure.upper_text(digits);

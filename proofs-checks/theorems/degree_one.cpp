@@ -105,7 +105,7 @@ Enclosure cosine_minus_sinc_supremum() {
     Supremum supremum(precision);
     supremum.search(Rational(11, 4), 3, 40);
     supremum.search(1, 16, 44);
-    const Enclosure result = supremum.enclosure();
+    Enclosure result = supremum.enclosure();
     if (*result.lower <= Rational(17, 16))
       throw std::logic_error("cosine_minus_sinc_supremum: the ends are not excluded");
     return result;

@@ -118,7 +118,7 @@ Enclosure to_digits(const char* function, int digits, const std::function<Ball(s
   const Rational width = power(Rational(10), -digits);
   const double wanted = digits * std::log2(10.0) + 4;
   for (slong extra = 40; extra <= 5120; extra *= 2) {
-    const Enclosure result = value(static_cast<slong>(wanted) + extra, wanted).enclosure();
+    Enclosure result = value(static_cast<slong>(wanted) + extra, wanted).enclosure();
     if (result.is_bounded() && *result.upper - *result.lower <= width) return result;
   }
   fail(ErrorKind::undecided, "{}: the balls did not become narrow enough", function);

@@ -1,5 +1,7 @@
 #include "multivariate_convergence.hpp"
 
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -14,7 +16,7 @@ std::map<std::vector<long>, Rational> sums_over_cosets(const MultivariateMask& m
   std::map<std::vector<long>, Rational> sums;
   const long arity = mask.arity();
   for (auto& term : mask.symbol().terms()) {
-    for (long& n : term.exponents) n = (n % arity + arity) % arity;
+    for (long& n : term.exponents) n = modulo(n, arity);
     sums[term.exponents] += moduli ? Rational(abs(term.coefficient)) : term.coefficient;
   }
   return sums;

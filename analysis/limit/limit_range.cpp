@@ -5,6 +5,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ Integral integral_of_modulus(const WalkedCell& cell, double width) {
 CellForm form_at(const LimitCells& cells, std::int64_t index, int level) {
   std::vector<int> digits;
   for (int l = 0; l < level; ++l) {
-    const std::int64_t digit = ((index % cells.arity()) + cells.arity()) % cells.arity();
+    const std::int64_t digit = modulo(index, cells.arity());
     digits.push_back(static_cast<int>(digit));
     index = (index - digit) / cells.arity();
   }

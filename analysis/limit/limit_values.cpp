@@ -4,6 +4,7 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>
@@ -17,8 +18,7 @@ constexpr long max_values = 10'000'000;
 /// The points of Z / scale in the closed support of phi, times scale.
 IndexRange grid_in_support(const Mask& mask, long scale) {
   const Interval support = limit_support(mask);
-  return {to_integer(support.lower * scale, Rounding::up).convert_to<long>(),
-          to_integer(support.upper * scale, Rounding::down).convert_to<long>()};
+  return {ceil_index(support.lower * scale), floor_index(support.upper * scale)};
 }
 
 /// sum over the integers k of phi(k) z^k.

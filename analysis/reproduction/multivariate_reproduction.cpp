@@ -2,6 +2,8 @@
 
 #include "reproduction.hpp"
 
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
+
 #include <algorithm>
 #include <limits>
 
@@ -33,7 +35,7 @@ std::vector<Rational> moments_over_cosets(const std::vector<MultivariatePolynomi
     std::size_t at = 0;
     for (std::size_t v = exponents.size(); v-- > 0;) {
       const long n = term.exponents[v];
-      at = at * static_cast<std::size_t>(arity) + static_cast<std::size_t>((n % arity + arity) % arity);
+      at = at * static_cast<std::size_t>(arity) + static_cast<std::size_t>(modulo(n, arity));
       if (exponents[v] > 0 && n != 0) product *= power(Rational(n), exponents[v]);
       if (exponents[v] > 0 && n == 0) product = 0;
     }

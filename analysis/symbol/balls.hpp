@@ -83,10 +83,12 @@ class Ball {
   double radius() const { return mag_get_d(arb_radref(value_)); }
   /// Not below the modulus of any point.
   double magnitude() const {
-    mag_t bound;  // of one word for any double: nothing to free
+    mag_t bound;
     mag_init(bound);
     arb_get_mag(bound, value_);
-    return mag_get_d(bound);
+    const double result = mag_get_d(bound);
+    mag_clear(bound);
+    return result;
   }
   /// The whole line.
   static Ball indeterminate(slong bits) {
@@ -246,7 +248,9 @@ class ComplexBall {
     mag_t bound;
     mag_init(bound);
     acb_get_mag(bound, value_);
-    return mag_get_d(bound);
+    const double result = mag_get_d(bound);
+    mag_clear(bound);
+    return result;
   }
   /// The whole plane.
   static ComplexBall indeterminate(slong bits) {

@@ -1,6 +1,7 @@
 #include "mask.hpp"
 
 #include "error.hpp"
+#include "index_arithmetic.hpp"
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ std::vector<Rational> coset_sums(const Mask& mask) {
   std::vector<Rational> sums(static_cast<std::size_t>(mask.arity()), 0);
   long index = mask.symbol().lowest();
   for (const Rational& c : mask.symbol().coefficients()) {
-    const long residue = ((index++ % mask.arity()) + mask.arity()) % mask.arity();
+    const long residue = modulo(index++, mask.arity());
     sums[static_cast<std::size_t>(residue)] += c;
   }
   return sums;

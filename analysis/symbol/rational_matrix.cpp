@@ -234,12 +234,17 @@ LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix) {
   return LaurentPolynomial(coefficients, 0);
 }
 
+Integer common_denominator(const RationalMatrix& matrix) {
+  Integer result = 1;
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) result = lcm(result, denominator(matrix(i, j)));
+  return result;
+}
+
 std::optional<LaurentPolynomial> characteristic_polynomial(const RationalMatrix& matrix, const Deadline& deadline) {
   const std::size_t n = matrix.rows();
   require(n == matrix.columns(), "characteristic_polynomial: need a square matrix, got {}", shape(matrix));
-  Integer common = 1;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) common = lcm(common, Integer(denominator(matrix(i, j))));
+  const Integer common = common_denominator(matrix);
   IntegerMatrix integers(n, n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)

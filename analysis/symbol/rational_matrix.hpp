@@ -71,6 +71,9 @@ std::vector<std::vector<Rational>> kernel(const RationalMatrix& matrix);
 /// The columns that are not combinations of columns before them. Cost: one elimination.
 std::vector<std::size_t> pivot_columns(const RationalMatrix& matrix);
 
+/// The least positive integer that makes every entry an integer by multiplication.
+Integer common_denominator(const RationalMatrix& matrix);
+
 /// X with a X = b. Domain: a square and non-singular, a.rows() == b.rows(). Errors: throws Error. Cost: p-adic
 /// lifting or one elimination.
 RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b);

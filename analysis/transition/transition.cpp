@@ -1,6 +1,7 @@
 #include "transition.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 
 #include <algorithm>
 #include <type_traits>
@@ -107,7 +108,7 @@ RationalMatrix central_matrix(const LaurentPolynomial& symbol, int arity, long r
 }
 
 RefinementWindow::RefinementWindow(const Mask& mask)
-    : first(to_integer(limit_support(mask).lower, Rounding::down).convert_to<long>()),
+    : first(floor_index(limit_support(mask).lower)),
       coefficients(static_cast<std::size_t>(mask.symbol().lowest() - (mask.arity() - 1) * first), 0) {
   for (const Rational& c : mask.symbol().coefficients()) coefficients.push_back(c);
 }

@@ -1,6 +1,7 @@
 #include "variance.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 
 #include <algorithm>
 
@@ -12,8 +13,7 @@ std::vector<Rational> periodised_product(const LimitValues& f, const LimitValues
   std::vector<Rational> sums(static_cast<std::size_t>(scale) + 1, 0);
   for (std::size_t i = 0; i < f.values.size(); ++i) {
     const long index = f.first_index + static_cast<long>(i);
-    const long residue = ((index % scale) + scale) % scale;
-    sums[static_cast<std::size_t>(residue)] += f.values[i] * g.values[i];
+    sums[static_cast<std::size_t>(modulo(index, scale))] += f.values[i] * g.values[i];
   }
   sums.back() = sums.front();
   return sums;

@@ -2,6 +2,8 @@
 
 #include "batch.hpp"
 
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,7 +43,7 @@ std::vector<double> polygon_at(const data::GridData<double>& curve, const std::v
     const double place = (parameter - first) / step;
     long edge = static_cast<long>(std::floor(place));
     if (!axis.closed) edge = std::clamp(edge, 0L, count - 2);
-    const auto left = static_cast<std::size_t>((edge % count + count) % count);
+    const auto left = static_cast<std::size_t>(modulo(edge, count));
     const std::size_t right = (left + 1) % axis.count;
     const double share = place - static_cast<double>(edge);
     for (std::size_t c = 0; c < curve.dimension; ++c)

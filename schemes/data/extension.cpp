@@ -1,9 +1,9 @@
 #include "extension.hpp"
 
-#include "grid_index.hpp"
 #include "rounded_regression.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/schemes/grid_regression.hpp>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ std::vector<AxisStencils> stencils_of(const MultivariateMask& mask) {
                                              {std::numeric_limits<long>::max(), std::numeric_limits<long>::min()});
     for (const auto& term : mask.symbol().terms()) {
       const long n = term.exponents[v];
-      AxisStencils::Class& one = classes[static_cast<std::size_t>((n % arity + arity) % arity)];
+      AxisStencils::Class& one = classes[static_cast<std::size_t>(modulo(n, arity))];
       one = {std::min(one.lowest, n), std::max(one.highest, n)};
     }
     result.emplace_back(std::move(classes), polynomials.parametrization[v] * (arity - 1),

@@ -1,8 +1,7 @@
 #include "l1_scheme.hpp"
 
-#include "grid_index.hpp"
-
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 
 #include <algorithm>
 #include <stdexcept>

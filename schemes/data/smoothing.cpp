@@ -1,10 +1,10 @@
 #include "smoothing.hpp"
 
-#include "grid_index.hpp"
 #include "rounded_regression.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 
 #include <algorithm>
 #include <stdexcept>

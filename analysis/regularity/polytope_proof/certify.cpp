@@ -53,9 +53,7 @@ class Certifier {
     polytope_.transposed = candidate.transposed;
     polytope_.vertex_bits = vertex_bits;
     polytope_.weight_bits = weight_bits;
-    for (const RationalMatrix& m : family)
-      for (std::size_t i = 0; i < size_; ++i)
-        for (std::size_t j = 0; j < size_; ++j) denominator_ = lcm(denominator_, Integer(denominator(m(i, j))));
+    for (const RationalMatrix& m : family) denominator_ = lcm(denominator_, common_denominator(m));
     for (const RationalMatrix& m : family) {
       std::vector<Integer> entries;
       for (std::size_t i = 0; i < size_; ++i)

@@ -39,13 +39,10 @@ ComplexBall newton(const LaurentPolynomial& p, ComplexBall z) {
 
 /// The largest number of which all entries are integer multiples. Domain: not the zero matrix.
 Rational content(const RationalMatrix& matrix) {
-  Integer numerators = 0, denominators = 1;
+  Integer numerators = 0;
   for (std::size_t i = 0; i < matrix.rows(); ++i)
-    for (std::size_t j = 0; j < matrix.columns(); ++j) {
-      numerators = gcd(numerators, Integer(numerator(matrix(i, j))));
-      denominators = lcm(denominators, Integer(denominator(matrix(i, j))));
-    }
-  return Rational(numerators, denominators);
+    for (std::size_t j = 0; j < matrix.columns(); ++j) numerators = gcd(numerators, numerator(matrix(i, j)));
+  return Rational(numerators, common_denominator(matrix));
 }
 
 /// A rational zero of the characteristic polynomial p next to a number: an integer multiple of the content, as matrices

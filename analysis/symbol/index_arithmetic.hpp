@@ -1,10 +1,11 @@
 #pragma once
-// Integers that number the points of grids.
+/// Integers that number coefficients and the points of grids: rounding and remainders that go down.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include "numbers.hpp"
 
-namespace subcert::data {
+namespace subcert {
 
+/// The largest integer that is not above x, and the least that is not below it. Domain: results fit in a long.
 inline long floor_index(const Rational& x) { return to_integer(x, Rounding::down).convert_to<long>(); }
 inline long ceil_index(const Rational& x) { return to_integer(x, Rounding::up).convert_to<long>(); }
 
@@ -12,4 +13,4 @@ inline long ceil_index(const Rational& x) { return to_integer(x, Rounding::up).c
 inline long floor_divide(long a, long b) { return a / b - (a % b < 0 ? 1 : 0); }
 inline long modulo(long a, long b) { return a - b * floor_divide(a, b); }
 
-}  // namespace subcert::data
+}  // namespace subcert

@@ -1,6 +1,7 @@
 #include "multivariate_convergence.hpp"
 
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/term_text.hpp>
 
 #include <algorithm>
 #include <map>
@@ -9,7 +10,6 @@
 namespace subcert {
 namespace {
 
-const char* const variable_names[] = {"x", "y", "z"};
 constexpr double most_terms = 1e6;
 
 std::map<std::vector<long>, Rational> sums_over_cosets(const MultivariateMask& mask, bool moduli) {
@@ -42,10 +42,11 @@ double next_terms(const MultivariatePolynomial& power, const MultivariatePolynom
   return product;
 }
 
-/// Whether a power of the difference scheme in the variable `index` contracts.
-Decision contracts(const MultivariatePolynomial& quotient, int arity, std::size_t index, const ProofLimits& limits) {
+/// Whether a power of the difference scheme in the variable contracts.
+Decision contracts(const MultivariatePolynomial& quotient, int arity, const std::string& variable,
+                   const ProofLimits& limits) {
   MultivariatePolynomial power = quotient;
-  const std::string name = std::string("S_q") + variable_names[index];
+  const std::string name = "S_q" + variable;
   Rational smallest = 0;
   long dilation = arity;  // arity^level
   int level = 1;
@@ -82,20 +83,20 @@ Decision converges(const MultivariateMask& mask, const ProofLimits& limits) {
     return {Truth::no,
             "the coefficients with indices congruent to (" + text + ") sum to " + short_text(sum) + " instead of 1"};
   }
-  for (std::size_t v = 0; v < static_cast<std::size_t>(mask.dimension()); ++v) {
+  const auto names = text::variable_names(mask.dimension());
+  for (std::size_t v = 0; v < names.size(); ++v) {
     const Decision one = converges(reduced(mask, v), limits);
-    if (one.is_no())
-      return {Truth::no, std::string("data that depend on ") + variable_names[v] + " alone: " + one.reason};
+    if (one.is_no()) return {Truth::no, "data that depend on " + names[v] + " alone: " + one.reason};
   }
   std::string evidence;
-  for (std::size_t v = 0; v < static_cast<std::size_t>(mask.dimension()); ++v) {
+  for (std::size_t v = 0; v < names.size(); ++v) {
     const auto factor = MultivariatePolynomial::in_variable(mask.dimension(), static_cast<int>(v),
                                                             LaurentPolynomial::all_ones(mask.arity()));
     const auto quotient = mask.symbol().exact_quotient(factor);
     if (!quotient)
       return {Truth::unknown, std::string("the symbol has no factor ") + factor.to_text() + ", so differences in " +
-                                  variable_names[v] + " have no scheme of their own"};
-    const Decision decision = contracts(*quotient, mask.arity(), v, limits);
+                                  names[v] + " have no scheme of their own"};
+    Decision decision = contracts(*quotient, mask.arity(), names[v], limits);
     if (!decision.is_yes()) return decision;
     evidence += (evidence.empty() ? "" : ", ") + decision.reason;
   }
@@ -105,10 +106,10 @@ Decision converges(const MultivariateMask& mask, const ProofLimits& limits) {
 Decision tensor_product_converges(const std::vector<Mask>& factors, const ProofLimits& limits) {
   Decision unknown{Truth::yes, ""};
   std::string evidence;
+  const auto names = text::variable_names(static_cast<int>(factors.size()));
   for (std::size_t v = 0; v < factors.size(); ++v) {
     const Decision one = converges(factors[v], limits);
-    const std::string reason = (factors.size() == 1 ? "" : std::string("factor ") + variable_names[v] + ": ") +
-                               one.reason;
+    const std::string reason = (factors.size() == 1 ? "" : "factor " + names[v] + ": ") + one.reason;
     if (one.is_no()) return {Truth::no, reason};
     if (!one.is_yes() && unknown.is_yes()) unknown = {Truth::unknown, reason};
     evidence += (v ? "; " : "") + reason;

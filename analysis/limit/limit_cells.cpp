@@ -123,7 +123,7 @@ long LimitCells::last_integer() const { return first_integer() + static_cast<lon
 
 int LimitCells::deepest_level() const {
   int level = 0;
-  for (double size = arity(); size < 0x1p61; size *= arity()) ++level;
+  for (long cells = (1L << 61) - 1; cells >= arity(); cells /= arity()) ++level;
   return level;
 }
 

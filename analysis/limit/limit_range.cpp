@@ -82,7 +82,7 @@ Decision for_all_cells(const LimitCells& cells, const Rational& from, const Rati
     stack.pop_back();
     const Rational left = left_end(cells, form), right = left + width_of(cells, form);
     if (right <= from || left >= to) continue;
-    const Decision decision = judge(form, left >= from && right <= to);
+    Decision decision = judge(form, left >= from && right <= to);
     if (decision.is_no()) return decision;
     if (decision.is_yes()) continue;
     const bool late = limits.deadline.expired();

@@ -4,7 +4,7 @@ namespace subcert::polytope {
 
 namespace {
 
-constexpr double kFlattest = 1e-12;  // directions in which orbits are flatter than that are stretched no further
+constexpr double flattest = 1e-12;  // directions in which orbits are flatter than that are stretched no further
 
 }  // namespace
 
@@ -18,7 +18,7 @@ Coordinates working_coordinates(const SearchFamily& family, PolytopeKind kind, c
   std::size_t begin = 0;
   for (const std::size_t size : result.blocks) {
     if (size == 0) continue;
-    const Whitening block = whitening(shape.diagonal_block(begin, size), kFlattest);
+    const Whitening block = whitening(shape.diagonal_block(begin, size), flattest);
     for (std::size_t j = 0; j < size; ++j) {
       for (std::size_t i = 0; i < size; ++i) {
         result.to(begin + i, begin + j) = block.to(i, j);

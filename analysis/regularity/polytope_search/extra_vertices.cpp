@@ -9,11 +9,11 @@ namespace subcert::polytope {
 
 namespace {
 
-constexpr double kExtraReach = 0.3;  // how far orbits of extra vertices come towards the faces at the roots
-constexpr int kGenerations = 20;     // of such an orbit; it reaches farthest in the first few
-constexpr std::size_t kOrbitWidth = 16;
-constexpr double kSpanningSize = 0.02;  // of vertices added only to span, relative to the largest vertex
-constexpr double kFlat = 1e-16;         // relative eigenvalue, per coordinate, of a direction that no vertex reaches
+constexpr double extra_reach = 0.3;    // how far orbits of extra vertices come towards the faces at the roots
+constexpr int orbit_generations = 20;  // of such an orbit; it reaches farthest in the first few
+constexpr std::size_t orbit_width = 16;
+constexpr double spanning_size = 0.02;     // of vertices added only to span, relative to the largest vertex
+constexpr double flat_eigenvalue = 1e-16;  // relative eigenvalue, per coordinate, of a direction that no vertex reaches
 
 // The largest modulus of complex functionals on real points.
 class LargestValue {
@@ -74,11 +74,11 @@ void PolytopeRun::add_extra_vertices() {
       Vector x(dimension_, 0.0);
       std::copy_n(eigen.vectors.column(k), size, x.begin() + static_cast<std::ptrdiff_t>(begin));
       double reach = largest(x);
-      follow_orbit<Vector>({x}, matrices_, kGenerations, kOrbitWidth, options_.budget.deadline, largest,
+      follow_orbit<Vector>({x}, matrices_, orbit_generations, orbit_width, options_.budget.deadline, largest,
                            [&](const Vector& y) { reach = std::max(reach, largest(y)); });
       if (!(reach > 0)) continue;
       Vector vertex(simplex_.dimension(), 0.0);
-      for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = x[i] * (kExtraReach / reach);
+      for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = x[i] * (extra_reach / reach);
       add({std::move(vertex)});
     }
     begin += size;
@@ -113,18 +113,18 @@ void PolytopeRun::add_spanning_vertices() {
     // The cone hull has inner points once every coordinate is reached.
     for (std::size_t k = 0; k < dimension_; ++k) {
       if (gram(k, k) > 0) continue;
-      vertex[k] = kSpanningSize * size;
+      vertex[k] = spanning_size * size;
       add({vertex});
       vertex[k] = 0;
     }
     return;
   }
   const SymmetricDecomposition eigen = symmetric_decomposition(gram);
-  const double flat = kFlat * *std::max_element(eigen.values.begin(), eigen.values.end()) *
+  const double flat = flat_eigenvalue * *std::max_element(eigen.values.begin(), eigen.values.end()) *
                       static_cast<double>(dimension_);
   for (std::size_t k = 0; k < dimension_; ++k) {
     if (eigen.values[k] > flat) continue;
-    for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = eigen.vectors(i, k) * (kSpanningSize * size);
+    for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = eigen.vectors(i, k) * (spanning_size * size);
     add({vertex});
   }
 }

@@ -9,12 +9,12 @@ namespace subcert::polytope {
 
 namespace {
 
-constexpr int kMaxAge = 100;                 // pivots between factorisations: rounding has grown to some 1e-12 by then
-constexpr std::size_t kCacheSize = 512;      // bases; more are slower to look through than they save
-constexpr std::size_t kLongList = 60;        // vertices per coordinate beyond which short lists pay
-constexpr std::size_t kLongConeList = 500;   // vertices: cones are priced in double precision, one by one
-constexpr double kNoArtificialPart = 1e-13;  // the rounding of a combination of real vertices
-constexpr int kBetweenLooks = 64;            // pivots between looks at the clock
+constexpr int oldest_basis = 100;             // pivots between factorisations: rounding has grown to some 1e-12 by then
+constexpr std::size_t cache_size = 512;       // bases; more are slower to look through than they save
+constexpr std::size_t long_list = 60;         // vertices per coordinate beyond which short lists pay
+constexpr std::size_t long_cone_list = 500;   // vertices: cones are priced in double precision, one by one
+constexpr double no_artificial_part = 1e-13;  // the rounding of a combination of real vertices
+constexpr int between_looks = 64;             // pivots between looks at the clock
 
 // Makes room for one more element at least; grows by a quarter, as the old array is held beside the new one.
 template <class T>
@@ -32,7 +32,7 @@ IncrementalSimplex::IncrementalSimplex(PolytopeKind kind, const GroupAction& act
       stride_((size_ + 3) / 4 * 4),
       deadline_(budget.deadline) {
   require(half_ >= 1, "IncrementalSimplex: need dimension >= 1, got {}", half_);
-  cache_size_ = std::clamp<std::size_t>(budget.memory / bytes_of_basis(), 1, kCacheSize);
+  cache_size_ = std::clamp<std::size_t>(budget.memory / bytes_of_basis(), 1, cache_size);
   for (auto* v : {&lambda_, &y_, &direction_, &column_, &row_, &scratch_}) v->assign(stride_, 0.0);
   single_.assign(stride_, 0.0F);
 }
@@ -43,13 +43,13 @@ int IncrementalSimplex::add(std::span<const double> vertex) {
   vertices_.insert(vertices_.end(), vertex.begin(), vertex.end());
   vertices_.resize((count_ + 1) * stride_, 0.0);
   if (kind_ != PolytopeKind::nonnegative) {
-    const std::size_t place = count_ % kBlock;
+    const std::size_t place = count_ % block_size;
     if (place == 0) {
-      make_room(blocks_, kBlock * size_);
-      blocks_.resize(blocks_.size() + kBlock * size_, 0.0F);
+      make_room(blocks_, block_size * size_);
+      blocks_.resize(blocks_.size() + block_size * size_, 0.0F);
     }
-    float* block = blocks_.data() + count_ / kBlock * kBlock * size_;
-    for (std::size_t k = 0; k < size_; ++k) block[k * kBlock + place] = static_cast<float>(vertex[k]);
+    float* block = blocks_.data() + count_ / block_size * block_size * size_;
+    for (std::size_t k = 0; k < size_; ++k) block[k * block_size + place] = static_cast<float>(vertex[k]);
   }
   for (Basis& basis : cache_) {
     if (basis.largest > 0) basis.largest = std::max(basis.largest, price_one(count_, basis.y.data()).price);
@@ -79,7 +79,7 @@ bool IncrementalSimplex::start(const Question& question, Membership& result) {
     if (start_from(warm->basis, question.x)) return true;
   }
   const double lower = choose_start(question.x);
-  if (lower <= question.reject * (1 + kPriceMargin)) return true;
+  if (lower <= question.reject * (1 + price_margin)) return true;
   result = {Membership::Answer::outside, lower, objective()};
   store(warm, result, 1);
   return false;
@@ -88,15 +88,15 @@ bool IncrementalSimplex::start(const Question& question, Membership& result) {
 void IncrementalSimplex::iterate(const Question& question, Membership& result) {
   short_list_.clear();
   // A short list serves as many pivots as make it as expensive as pricing everything once.
-  short_list_pivots_ = kind_ == PolytopeKind::nonnegative ? count_ / kLongConeList : count_ / (kLongList * size_);
+  short_list_pivots_ = kind_ == PolytopeKind::nonnegative ? count_ / long_cone_list : count_ / (long_list * size_);
   std::size_t served = 0;
   bool cold = false;
   const int limit = 200 + 20 * static_cast<int>(size_);  // several times what programs that end need
   for (int iteration = 0; iteration < limit; ++iteration) {
-    if (iteration % kBetweenLooks == kBetweenLooks - 1 && deadline_.expired()) return;
+    if (iteration % between_looks == between_looks - 1 && deadline_.expired()) return;
     result.upper = objective();
     if (is_inside(question, result)) return;
-    if (work_.age > kMaxAge) {
+    if (work_.age > oldest_basis) {
       const bool sound = refactor(work_);
       set_coefficients(question.x);
       if (!sound) {
@@ -118,7 +118,7 @@ void IncrementalSimplex::iterate(const Question& question, Membership& result) {
       served = 0;
       const double largest = price_all();
       result.lower = std::max(result.lower, result.upper / largest);
-      if (result.lower > question.reject * (1 + kPriceMargin)) {
+      if (result.lower > question.reject * (1 + price_margin)) {
         result.answer = Membership::Answer::outside;
         keep_multipliers(largest);
         store(question.warm, result, largest);
@@ -132,7 +132,7 @@ void IncrementalSimplex::iterate(const Question& question, Membership& result) {
 }
 
 bool IncrementalSimplex::is_inside(const Question& question, Membership& result) {
-  if (result.upper > question.accept || artificial_part() >= kNoArtificialPart) return false;
+  if (result.upper > question.accept || artificial_part() >= no_artificial_part) return false;
   const bool sound = refine(question.x);
   result.upper = objective();
   if (!sound || result.upper > question.accept) return false;
@@ -144,13 +144,13 @@ bool IncrementalSimplex::is_inside(const Question& question, Membership& result)
 void IncrementalSimplex::conclude(const Question& question, bool optimal, Membership& result) {
   const bool sound = refine(question.x);
   result.upper = objective();
-  if (optimal) result.lower = std::max(result.lower, result.upper * (1 - kPriceMargin));
-  if (sound && result.upper <= question.accept && artificial_part() < kNoArtificialPart) {
+  if (optimal) result.lower = std::max(result.lower, result.upper * (1 - price_margin));
+  if (sound && result.upper <= question.accept && artificial_part() < no_artificial_part) {
     result.answer = Membership::Answer::inside;
   } else if (sound && optimal) {
     result.answer = Membership::Answer::outside;
-    keep_multipliers(1 + kPriceMargin);
-    store(question.warm, result, 1 + kPriceMargin);
+    keep_multipliers(1 + price_margin);
+    store(question.warm, result, 1 + price_margin);
   }
 }
 
@@ -189,7 +189,7 @@ std::size_t IncrementalSimplex::bytes_of_next_vertex() const {
   const auto growth = [](const auto& v, std::size_t more) {
     return v.size() + more > v.capacity() ? (v.size() + more + v.size() / 4) * sizeof(v.front()) : 0;
   };
-  return growth(vertices_, stride_) + growth(blocks_, kBlock * size_);
+  return growth(vertices_, stride_) + growth(blocks_, block_size * size_);
 }
 
 }  // namespace subcert::polytope

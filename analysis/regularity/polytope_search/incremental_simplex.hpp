@@ -95,9 +95,9 @@ class IncrementalSimplex {
   std::int64_t cold_starts() const { return cold_starts_; }
 
  private:
-  static constexpr std::size_t kBlock = 16;       // vertices per block of the single precision copy
-  static constexpr double kPriceMargin = 1e-6;    // prices in single precision are off by less
-  static constexpr double kArtificialCost = 1e6;  // of the unit vectors: far above the norm of any point asked about
+  static constexpr std::size_t block_size = 16;   // vertices per block of the single precision copy
+  static constexpr double price_margin = 1e-6;    // prices in single precision are off by less
+  static constexpr double artificial_cost = 1e6;  // of the unit vectors: far above the norm of any point asked about
 
   struct Basis {
     std::vector<double> inverse;  // column major, leading dimension stride_
@@ -171,7 +171,7 @@ class IncrementalSimplex {
   Deadline deadline_;
 
   std::vector<double> vertices_;  // double precision, one column of length stride_ each
-  std::vector<float> blocks_;     // single precision, blocks of kBlock vertices, coordinate major
+  std::vector<float> blocks_;     // single precision, blocks of block_size vertices, coordinate major
   std::vector<float> prices_, peaks_;
   std::vector<std::size_t> short_list_;
   std::size_t short_list_pivots_ = 0;  // that one short list serves

@@ -8,15 +8,15 @@ namespace subcert::polytope {
 
 namespace {
 
-constexpr double kComfortable = 1e-4;        // images this far inside are not looked at again
-constexpr double kSame = 1e-8;               // an image this close to a vertex is that vertex
-constexpr double kBetter = 1e-9;             // a product that beats another by less is the same up to rounding
-constexpr double kLargestNorm = 1e3;         // norms beyond say only that the vertices do not span yet
-constexpr double kRealPhase = 1e-9;          // an eigenvalue whose phase is this close to real is real
-constexpr std::size_t kLongestPath = 60;     // letters of a word that is tried as a product
-constexpr std::size_t kPaths = 6;            // deep vertices whose words are tried
-constexpr std::size_t kLargeDimension = 32;  // from here on the clock costs nothing beside a program
-constexpr std::size_t kAllocation = 16;      // bytes that the heap spends on a block of its own
+constexpr double comfortable_depth = 1e-4;       // images this far inside are not looked at again
+constexpr double same_point = 1e-8;              // an image this close to a vertex is that vertex
+constexpr double least_gain = 1e-9;              // a product that beats another by less is the same up to rounding
+constexpr double largest_norm = 1e3;             // norms beyond say only that the vertices do not span yet
+constexpr double real_phase = 1e-9;              // an eigenvalue whose phase is this close to real is real
+constexpr std::size_t longest_path = 60;         // letters of a word that is tried as a product
+constexpr std::size_t tried_paths = 6;           // deep vertices whose words are tried
+constexpr std::size_t large_dimension = 32;      // from here on the clock costs nothing beside a program
+constexpr std::size_t allocation_overhead = 16;  // bytes that the heap spends on a block of its own
 
 // Makes a vector that is even or odd under the symmetry up to rounding exactly so; leaves others alone.
 void restore_symmetry(ComplexVector& x, const GroupAction& action) {
@@ -47,7 +47,7 @@ PolytopeRun::PolytopeRun(const SearchFamily& family, std::vector<Candidate> prod
       products_(std::move(products)),
       coordinates_(working_coordinates(family, kind, options.budget.deadline)),
       dimension_(family.matrices.front().rows()),
-      stride_between_looks_(dimension_ < kLargeDimension ? 16 : 1),
+      stride_between_looks_(dimension_ < large_dimension ? 16 : 1),
       // A quarter of the memory for what only saves time.
       simplex_(kind, coordinates_.action, {options.budget.deadline, options.budget.memory / 4}) {
   for (const Matrix& a : family.matrices) {
@@ -109,8 +109,8 @@ int PolytopeRun::add(Node node) {
 
 // A vertex, its images as far as their number goes, and what a report makes of them.
 std::size_t PolytopeRun::bytes_of_vertex() const {
-  const std::size_t image = sizeof(Image) + sizeof(ImageProof) + 3 * sizeof(Pending) + kAllocation;
-  return sizeof(Node) + sizeof(Vertex) + 2 * kAllocation + simplex_.dimension() * sizeof(double) +
+  const std::size_t image = sizeof(Image) + sizeof(ImageProof) + 3 * sizeof(Pending) + allocation_overhead;
+  return sizeof(Node) + sizeof(Vertex) + 2 * allocation_overhead + simplex_.dimension() * sizeof(double) +
          dimension_ * sizeof(std::complex<double>) + matrices_.size() * image;
 }
 
@@ -138,7 +138,7 @@ bool PolytopeRun::is_image_of_earlier_root(const RootCycle& cycle, std::size_t t
       const auto parallel = [&](const ComplexVector& x) {
         return std::abs(std::abs(inner(w, x)) - size * other) <= 1e-12 * size * other;
       };
-      if (std::abs(other - size) <= kSame * size && (parallel(image) || parallel(conjugate(image)))) return true;
+      if (std::abs(other - size) <= same_point * size && (parallel(image) || parallel(conjugate(image)))) return true;
     }
   }
   return false;
@@ -151,7 +151,7 @@ void PolytopeRun::add_roots() {
       ComplexVector v = cycle.right[t];
       scale(v, cycle.size);
       // The real part of a complex eigenvector is a vertex like any other.
-      const bool eigenvector = kind_ == PolytopeKind::complex || std::abs(cycle.phase.imag()) < kRealPhase;
+      const bool eigenvector = kind_ == PolytopeKind::complex || std::abs(cycle.phase.imag()) < real_phase;
       if (eigenvector) {
         add({real_form(v), -1, -1, cycle.product, static_cast<int>(t)});
       } else {
@@ -172,19 +172,19 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
   }
   if (kind_ == PolytopeKind::complex && match(x, entry)) return true;
   const double reject = optimum ? std::numeric_limits<double>::max() / 4 : 1.0;
-  const Membership m = simplex_.solve(x, 1 - kComfortable, reject, optimum ? nullptr : &pending.warm);
+  const Membership m = simplex_.solve(x, 1 - comfortable_depth, reject, optimum ? nullptr : &pending.warm);
   const bool decided = m.answer != Membership::Answer::undecided;
-  if (m.answer != Membership::Answer::inside && (!decided || m.upper > 1 + kSame)) {
-    pending.key = std::sqrt(std::max(m.lower, 1.0) * std::min(m.upper, kLargestNorm));
+  if (m.answer != Membership::Answer::inside && (!decided || m.upper > 1 + same_point)) {
+    pending.key = std::sqrt(std::max(m.lower, 1.0) * std::min(m.upper, largest_norm));
     entry.norm = std::min(entry.norm, m.upper);
     return false;
   }
   std::vector<CombinationTerm> terms = simplex_.combination();
-  if (m.upper > 1 - kSame) {
+  if (m.upper > 1 - same_point) {
     const auto largest = std::max_element(terms.begin(), terms.end(), [](const auto& a, const auto& b) {
       return std::abs(a.coefficient) < std::abs(b.coefficient);
     });
-    if (std::abs(std::abs(largest->coefficient) - 1) <= kSame) {
+    if (std::abs(std::abs(largest->coefficient) - 1) <= same_point) {
       entry.known = entry.identity = true;
       entry.norm = 1;
       set_terms(entry, {*largest});
@@ -206,8 +206,8 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
 bool PolytopeRun::match(const Vector& x, Image& entry) {
   const double size = inner(x, x);
   for (std::size_t j = 0; j < vertices_.size(); ++j) {
-    // Those of another length are no candidates: |x| and |c v| differ by 2 kSame at most.
-    if (std::abs(inner(vertices_[j].value, vertices_[j].value) - size) > 10 * kSame * size) continue;
+    // Those of another length are no candidates: |x| and |c v| differ by 2 same_point at most.
+    if (std::abs(inner(vertices_[j].value, vertices_[j].value) - size) > 10 * same_point * size) continue;
     const ComplexVector z = complex_form(x);
     for (int g = 0; g < coordinates_.action.order(); ++g) {
       ComplexVector w = complex_form(vertices_[j].value);
@@ -217,7 +217,7 @@ bool PolytopeRun::match(const Vector& x, Image& entry) {
         const std::complex<double> c = inner(w, z) / squared_norm(w);
         double distance = 0;
         for (std::size_t k = 0; k < dimension_; ++k) distance += std::norm(z[k] - c * w[k]);
-        if (std::abs(std::abs(c) - 1) > kSame || distance > kSame * kSame * size) continue;
+        if (std::abs(std::abs(c) - 1) > same_point || distance > same_point * same_point * size) continue;
         entry.known = entry.identity = true;
         entry.norm = 1;
         set_terms(entry, {CombinationTerm{static_cast<int>(j), g, conjugated, c}});
@@ -285,7 +285,7 @@ void PolytopeRun::make_vertex(const Pending& pending) {
 
 std::vector<int> PolytopeRun::path(int vertex) const {
   std::vector<int> word;
-  for (int v = vertex; word.size() < kLongestPath && vertices_[static_cast<std::size_t>(v)].parent >= 0;
+  for (int v = vertex; word.size() < longest_path && vertices_[static_cast<std::size_t>(v)].parent >= 0;
        v = vertices_[static_cast<std::size_t>(v)].parent)
     word.push_back(vertices_[static_cast<std::size_t>(v)].letter);
   std::reverse(word.begin(), word.end());
@@ -296,7 +296,7 @@ std::optional<Candidate> PolytopeRun::better_product(double radius) const {
   std::optional<Candidate> best;
   std::set<std::vector<int>> tried;
   // The deepest vertices tell along which words the orbit does not shrink.
-  for (std::size_t k = 0; k < kPaths && k < size(); ++k) {
+  for (std::size_t k = 0; k < tried_paths && k < size(); ++k) {
     const std::vector<int> word = path(static_cast<int>(size() - 1 - k * (1 + size() / 40)));
     for (std::size_t length = 2; length <= word.size(); ++length) {
       if (static_cast<int>(length) > options_.max_product_length || options_.budget.deadline.expired()) break;
@@ -304,7 +304,7 @@ std::optional<Candidate> PolytopeRun::better_product(double radius) const {
       tail = canonical_word(tail, matrices_.size(), family_.symmetry);
       if (!tried.insert(tail).second) continue;
       const double r = product_radius(family_.matrices, tail);
-      if (r > radius * (1 + kBetter) && (!best || r > best->radius)) best = Candidate{tail, r};
+      if (r > radius * (1 + least_gain) && (!best || r > best->radius)) best = Candidate{tail, r};
     }
   }
   return best;
@@ -314,7 +314,7 @@ void PolytopeRun::finish(const Deadline& deadline) {
   for (int v = 0; v < static_cast<int>(size()); ++v) {
     for (int a = 0; a < static_cast<int>(matrices_.size()); ++a) {
       Image& entry = image(v, a);
-      if (entry.known && (entry.identity || entry.norm <= 1 - kComfortable)) continue;
+      if (entry.known && (entry.identity || entry.norm <= 1 - comfortable_depth)) continue;
       if (deadline.expired()) return;
       const Image before = entry;
       Pending pending{v, a, 0, {}};

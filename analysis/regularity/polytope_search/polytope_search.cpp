@@ -12,23 +12,23 @@ namespace subcert::polytope {
 
 namespace {
 
-constexpr std::size_t kMaxMaximizing = 12;  // products that roots are made of; more are shifts of a continuum of them
-constexpr double kSymmetric = 1e-12;        // a symmetry may be off by that, relatively
+constexpr std::size_t max_maximizing = 12;  // products that roots are made of; more are shifts of a continuum of them
+constexpr double symmetric_tolerance = 1e-12;  // a symmetry may be off by that, relatively
 
 // Shares of the whole time. A polytope that closes exactly is worth most of it; enclosing gets the rest.
-constexpr double kFirstProducts = 0.25, kLaterProducts = 0.125;
-constexpr double kFirstRace = 0.6, kAllRaces = 0.65, kLastRace = 0.5;
+constexpr double first_products = 0.25, later_products = 0.125;
+constexpr double first_race = 0.6, all_races = 0.65, last_race = 0.5;
 // A polytope that closes mostly does so within a small multiple of the first look at the products; one that does not
 // gets a wider look for a better product, and more time each round.
-constexpr double kFirstPatience = 20, kPatience = 60;
-constexpr double kLeastRace = 0.1;                        // seconds
-constexpr double kLeastSlice = 0.02, kLargestSlice = 60;  // seconds of a run before it is the turn of the other one
-constexpr double kClearlyAhead = 0.6;                     // ratio of the shares of open images
+constexpr double first_patience = 20, later_patience = 60;
+constexpr double least_race = 0.1;                        // seconds
+constexpr double least_slice = 0.02, largest_slice = 60;  // seconds of a run before it is the turn of the other one
+constexpr double clearly_ahead = 0.6;                     // ratio of the shares of open images
 
 // Descending tolerance: by what the radius is exceeded at first, and how it falls.
-constexpr double kFirstExcess = 0.1, kExcessFactor = 0.4;
-constexpr double kThirdExcess = 6e-4;  // encloses the logarithm to base 2 within 1e-3
-constexpr int kExcesses = 24;          // the last is below the rounding of the radius
+constexpr double first_excess = 0.1, excess_factor = 0.4;
+constexpr double third_excess = 6e-4;  // encloses the logarithm to base 2 within 1e-3
+constexpr int excess_count = 24;       // the last is below the rounding of the radius
 
 void check(const SearchFamily& family, const SearchOptions& options) {
   require(!family.matrices.empty(), "search_polytope: need at least one matrix, got {}", family.matrices.size());
@@ -49,7 +49,7 @@ void check(const SearchFamily& family, const SearchOptions& options) {
       difference += family.matrices[static_cast<std::size_t>(image)];
       const double off = difference.largest_modulus();
       require(
-          off <= kSymmetric * std::max(1.0, a.largest_modulus()),
+          off <= symmetric_tolerance * std::max(1.0, a.largest_modulus()),
           "search_polytope: need J A_i J = A_(m-1-i) for a symmetric family, got matrices {} and {} that differ by {}",
           i, image, off);
     }
@@ -76,15 +76,15 @@ class Search {
   }
 
   SearchResult run() {
-    look_for_products(std::min(12, options_.max_product_length), 12, kFirstProducts);
+    look_for_products(std::min(12, options_.max_product_length), 12, first_products);
     const double first_look = elapsed();
     if (candidates_.front().radius == 0) return vanishing();
-    if (race(std::min(kLeastRace + kFirstPatience * first_look, kFirstRace * seconds_), 1)) return closed();
+    if (race(std::min(least_race + first_patience * first_look, first_race * seconds_), 1)) return closed();
     for (const int width : {32, 200}) {
-      look_for_products(options_.max_product_length, width, kLaterProducts);
-      const double rest = kAllRaces * seconds_ - elapsed();
-      if (race(width == 200 ? rest : std::min(kPatience * elapsed(), rest), 2)) return closed();
-      if (elapsed() > kLastRace * seconds_ || full()) break;
+      look_for_products(options_.max_product_length, width, later_products);
+      const double rest = all_races * seconds_ - elapsed();
+      if (race(width == 200 ? rest : std::min(later_patience * elapsed(), rest), 2)) return closed();
+      if (elapsed() > last_race * seconds_ || full()) break;
     }
     return enclosed();
   }
@@ -114,7 +114,7 @@ class Search {
       }
     }
     const std::vector<Candidate> old = maximizing();
-    maximizing_ = std::min(sort_candidates(found), kMaxMaximizing);
+    maximizing_ = std::min(sort_candidates(found), max_maximizing);
     candidates_ = std::move(found);
     if (std::ranges::equal(old, maximizing(), {}, &Candidate::word, &Candidate::word)) return;
     if (!old.empty() && old.front().radius > 0) ++counters_.restarts;
@@ -155,14 +155,14 @@ class Search {
 
   // Whether the run of that side is clearly nearer to its end, judged by the share of its images that are still open.
   bool is_ahead(std::size_t side) const {
-    return runs_[0] && runs_[1] && runs_[side]->open_share() < kClearlyAhead * runs_[1 - side]->open_share();
+    return runs_[0] && runs_[1] && runs_[side]->open_share() < clearly_ahead * runs_[1 - side]->open_share();
   }
 
   // Advances the family, or the family and its transpose in turn, by slices that grow; true when one closes.
   bool race(double seconds, std::size_t sides) {
     const Stopwatch race_watch;
     const auto left = [&] { return seconds - race_watch.seconds(); };
-    const auto first_slice = [&] { return std::clamp(left() / 64, kLeastSlice, kLargestSlice); };
+    const auto first_slice = [&] { return std::clamp(left() / 64, least_slice, largest_slice); };
     double slice = sides == 1 ? seconds : first_slice();
     for (int round = 0; left() > 0 && !full(); ++round) {
       // Every fourth round the one behind gets its turn as well.
@@ -237,9 +237,9 @@ class Search {
     for (auto& run : runs_) retire(run);
     // No image needs to come back to a vertex any more, so that real polytopes do for complex eigenvalues.
     const PolytopeKind simple = kind() == PolytopeKind::nonnegative ? PolytopeKind::nonnegative : PolytopeKind::real;
-    double excess = kFirstExcess;
-    for (int k = 0; k < kExcesses && !deadline().expired(); ++k, excess *= kExcessFactor) {
-      if (k == 3) excess = kThirdExcess;
+    double excess = first_excess;
+    for (int k = 0; k < excess_count && !deadline().expired(); ++k, excess *= excess_factor) {
+      if (k == 3) excess = third_excess;
       const std::size_t held = std::min(bytes_of(best), memory_of_polytopes());
       auto run = start(side, radius * (1 + excess), simple, memory_of_polytopes() - held);
       if (run->advance(deadline()) != PolytopeRun::State::closed) {

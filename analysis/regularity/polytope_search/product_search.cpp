@@ -14,10 +14,10 @@ namespace subcert::polytope {
 
 namespace {
 
-constexpr double kEqual = 1e-11;  // radii this close are equal: eigenvalues carry some 1e-13
-constexpr std::size_t kMaxCandidates = 64;
-constexpr int kShort = 8;  // words up to this length are few: more of them are solved exactly
-constexpr int kSolvedShort = 32, kSolvedLong = 8;
+constexpr double equal_radii = 1e-11;  // radii this close are equal: eigenvalues carry some 1e-13
+constexpr std::size_t max_candidates = 64;
+constexpr int short_word = 8;  // words up to this length are few: more of them are solved exactly
+constexpr int solved_short = 32, solved_long = 8;
 
 std::size_t at(int letter) { return static_cast<std::size_t>(letter); }
 
@@ -75,7 +75,7 @@ class ProductSearch {
       if (radius >= best_ * (1 - options_.near)) result.push_back({word, radius * orbit_.radius_bound});
     }
     sort_candidates(result);
-    if (result.size() > kMaxCandidates) result.resize(kMaxCandidates);
+    if (result.size() > max_candidates) result.resize(max_candidates);
     return result;
   }
 
@@ -154,7 +154,7 @@ class ProductSearch {
   void solve_most_promising(const std::vector<Partial>& next, const std::vector<std::size_t>& order, int length) {
     int solved = 0;
     for (const std::size_t k : order) {
-      if (solved >= (length <= kShort ? kSolvedShort : kSolvedLong) || late()) break;
+      if (solved >= (length <= short_word ? solved_short : solved_long) || late()) break;
       if (next[k].score < best_ * (1 - options_.near)) break;
       if (record(next[k])) ++solved;
     }
@@ -209,7 +209,7 @@ std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count,
 std::size_t sort_candidates(std::vector<Candidate>& candidates) {
   double top = 0;
   for (const Candidate& c : candidates) top = std::max(top, c.radius);
-  const auto maximizes = [top](const Candidate& c) { return c.radius >= top * (1 - kEqual); };
+  const auto maximizes = [top](const Candidate& c) { return c.radius >= top * (1 - equal_radii); };
   std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
     if (maximizes(a) != maximizes(b)) return maximizes(a);
     if (maximizes(a) && a.word.size() != b.word.size()) return a.word.size() < b.word.size();

@@ -9,20 +9,20 @@ namespace subcert::polytope {
 
 namespace {
 
-constexpr double kParallel = 1e-10;     // eigenvectors this close to parallel are one: a Jordan block
-constexpr double kSameValue = 1e-6;     // left and right eigenvalues come out apart by a root of the rounding
-constexpr double kLeastPairing = 1e-9;  // of dual vectors; below, the eigenvalue is defective
-constexpr double kUnreached = 1e-20;    // stands for the zero of a dual vector on an orbit
-constexpr int kGenerations = 14;        // of an orbit that balancing looks at: sizes have settled by then
-constexpr std::size_t kOrbitWidth = 256;
-constexpr double kSmallest = -15;  // logarithm of the smallest balancing factor
+constexpr double parallel_tolerance = 1e-10;  // eigenvectors this close to parallel are one: a Jordan block
+constexpr double same_value = 1e-6;           // left and right eigenvalues come out apart by a root of the rounding
+constexpr double least_pairing = 1e-9;        // of dual vectors; below, the eigenvalue is defective
+constexpr double unreached_pairing = 1e-20;   // stands for the zero of a dual vector on an orbit
+constexpr int orbit_generations = 14;         // of an orbit that balancing looks at: sizes have settled by then
+constexpr std::size_t orbit_width = 256;
+constexpr double smallest_factor = -15;  // logarithm of the smallest balancing factor
 
 // The dual vector that belongs to v, among those of close eigenvalues the one that pairs best; none if defective.
 const ComplexVector* dual_of(const ComplexVector& v, std::complex<double> value, const EigenDecomposition& left) {
   const ComplexVector* match = nullptr;
-  double most = kLeastPairing;
+  double most = least_pairing;
   for (std::size_t l = 0; l < left.vectors.size(); ++l) {
-    if (std::abs(left.values[l] - value) > kSameValue) continue;
+    if (std::abs(left.values[l] - value) > same_value) continue;
     const double pairing = std::abs(inner(conjugate(left.vectors[l]), v));
     if (pairing <= most) continue;
     most = pairing;
@@ -96,7 +96,7 @@ void balance(std::vector<RootCycle>& cycles, const std::vector<Matrix>& matrices
   const std::size_t n = cycles.size();
   if (n < 2) return;
   const std::size_t point = action.dimension() * sizeof(std::complex<double>) + sizeof(ComplexVector);
-  const std::size_t width = std::clamp<std::size_t>(budget.memory / (point * matrices.size()), 1, kOrbitWidth);
+  const std::size_t width = std::clamp<std::size_t>(budget.memory / (point * matrices.size()), 1, orbit_width);
   std::vector<std::vector<ComplexVector>> conjugate_duals;
   for (const RootCycle& cycle : cycles) {
     conjugate_duals.push_back(with_images(cycle.left, action));
@@ -105,11 +105,12 @@ void balance(std::vector<RootCycle>& cycles, const std::vector<Matrix>& matrices
   Matrix q(n, n);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) q(i, j) = -50;
-    follow_orbit(cycles[i].right, matrices, kGenerations, width, budget.deadline, squared_norm,
+    follow_orbit(cycles[i].right, matrices, orbit_generations, width, budget.deadline, squared_norm,
                  [&](const ComplexVector& x) {
                    for (std::size_t j = 0; j < n; ++j) {
                      if (j != i)
-                       q(i, j) = std::max(q(i, j), std::log(largest_value(conjugate_duals[j], kind, x) + kUnreached));
+                       q(i, j) = std::max(q(i, j),
+                                          std::log(largest_value(conjugate_duals[j], kind, x) + unreached_pairing));
                    }
                  });
   }
@@ -125,7 +126,7 @@ void balance(std::vector<RootCycle>& cycles, const std::vector<Matrix>& matrices
     }
   }
   const double largest = *std::max_element(best.begin(), best.end());
-  for (std::size_t i = 0; i < n; ++i) cycles[i].size = std::exp(std::max(best[i] - largest, kSmallest));
+  for (std::size_t i = 0; i < n; ++i) cycles[i].size = std::exp(std::max(best[i] - largest, smallest_factor));
 }
 
 std::vector<RootCycle> leading_cycles(const std::vector<Matrix>& matrices, const std::vector<Candidate>& products,
@@ -148,7 +149,7 @@ std::vector<RootCycle> leading_cycles(const std::vector<Matrix>& matrices, const
       normalise(v);
       // A Jordan block shows as parallel eigenvectors: one root only, and no polytope will close.
       const bool repeated = std::any_of(cycles.begin(), cycles.end(), [&](const RootCycle& c) {
-        return c.product == static_cast<int>(index) && std::abs(inner(c.right.front(), v)) > 1 - kParallel;
+        return c.product == static_cast<int>(index) && std::abs(inner(c.right.front(), v)) > 1 - parallel_tolerance;
       });
       if (repeated) continue;
       RootCycle cycle;

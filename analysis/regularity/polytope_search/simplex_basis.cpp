@@ -10,7 +10,7 @@ namespace subcert::polytope {
 
 namespace {
 
-constexpr double kPivotTolerance = 1e-7;  // relative to the largest entry of the pivot column
+constexpr double pivot_tolerance = 1e-7;  // relative to the largest entry of the pivot column
 
 }  // namespace
 
@@ -107,7 +107,7 @@ bool IncrementalSimplex::ratio_test(Step& result) {
   for (std::size_t k = 0; k < size_; ++k) {
     const double l = lambda_[k], d = sign * direction_[k];
     const double down = symmetric && l < 0 ? -d : d;
-    if (down > kPivotTolerance * largest) breaks_.emplace_back(std::abs(l) / down, k);
+    if (down > pivot_tolerance * largest) breaks_.emplace_back(std::abs(l) / down, k);
   }
   if (breaks_.empty()) return false;
   double slope = entering_.column.cost - std::abs(gain);

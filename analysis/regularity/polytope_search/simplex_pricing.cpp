@@ -9,10 +9,10 @@ namespace subcert::polytope {
 
 namespace {
 
-constexpr double kPriceTolerance = 1e-10;  // prices above the cost by less are rounding
-constexpr double kSlackTolerance = 1e-11;  // the same for slacks, whose prices are single multipliers
-constexpr std::size_t kShortList = 96;     // vertices
-constexpr float kShortListDepth = 0.5F;    // a short list holds the prices in the upper half
+constexpr double price_tolerance = 1e-10;  // prices above the cost by less are rounding
+constexpr double slack_tolerance = 1e-11;  // the same for slacks, whose prices are single multipliers
+constexpr std::size_t short_list = 96;     // vertices
+constexpr float short_list_depth = 0.5F;   // a short list holds the prices in the upper half
 
 }  // namespace
 
@@ -81,21 +81,21 @@ IncrementalSimplex::EnteringColumn IncrementalSimplex::price_complex(std::size_t
 
 // Prices every vertex, returns the largest price and leaves the vertices nearest to it in short_list_.
 double IncrementalSimplex::price_all() {
-  const std::size_t blocks = (count_ + kBlock - 1) / kBlock;
-  prices_.resize(blocks * kBlock);
+  const std::size_t blocks = (count_ + block_size - 1) / block_size;
+  prices_.resize(blocks * block_size);
   peaks_.resize(blocks);
   if (kind_ == PolytopeKind::nonnegative) {
     std::fill(peaks_.begin(), peaks_.end(), 0.0F);
     for (std::size_t j = 0; j < count_; ++j) {
       prices_[j] = static_cast<float>(price_one(j, y_.data()).price);
-      peaks_[j / kBlock] = std::max(peaks_[j / kBlock], prices_[j]);
+      peaks_[j / block_size] = std::max(peaks_[j / block_size], prices_[j]);
     }
   } else {
     for (std::size_t k = 0; k < size_; ++k) single_[k] = static_cast<float>(y_[k]);
     const std::size_t odd = action_.odd(), even = half_ - odd;
     for (std::size_t b = 0; b < blocks; ++b) {
-      const float* block = blocks_.data() + b * kBlock * size_;
-      float* prices = prices_.data() + b * kBlock;
+      const float* block = blocks_.data() + b * block_size * size_;
+      float* prices = prices_.data() + b * block_size;
       peaks_[b] = kind_ == PolytopeKind::real
                       ? kernels::price_block(block, even, odd, single_.data(), prices)
                       : kernels::price_complex_block(block, even, odd, action_.order() > 1, single_.data(), prices);
@@ -109,12 +109,12 @@ double IncrementalSimplex::price_all() {
 
 void IncrementalSimplex::fill_short_list(float largest) {
   short_list_.clear();
-  constexpr float margin = static_cast<float>(kPriceMargin);
+  constexpr float margin = static_cast<float>(price_margin);
   const float threshold = short_list_pivots_ == 0 ? largest * (1 - margin)
-                                                  : 1 - margin + (1 - kShortListDepth) * (largest - 1);
-  for (std::size_t b = 0; b < peaks_.size() && short_list_.size() < kShortList; ++b) {
+                                                  : 1 - margin + (1 - short_list_depth) * (largest - 1);
+  for (std::size_t b = 0; b < peaks_.size() && short_list_.size() < short_list; ++b) {
     if (peaks_[b] < threshold) continue;
-    for (std::size_t j = b * kBlock; j < std::min(count_, (b + 1) * kBlock); ++j) {
+    for (std::size_t j = b * block_size; j < std::min(count_, (b + 1) * block_size); ++j) {
       if (prices_[j] >= threshold) short_list_.push_back(j);
     }
   }
@@ -123,7 +123,7 @@ void IncrementalSimplex::fill_short_list(float largest) {
 // The most profitable slack; false where none lowers the objective.
 bool IncrementalSimplex::choose_slack() {
   if (kind_ != PolytopeKind::nonnegative) return false;
-  entering_ = {kSlackTolerance, {}};
+  entering_ = {slack_tolerance, {}};
   entering_.column.slack = true;
   entering_.column.cost = 0;
   bool found = false;
@@ -138,7 +138,7 @@ bool IncrementalSimplex::choose_slack() {
 
 // The most profitable column of the short list; false where none lowers the objective.
 bool IncrementalSimplex::choose_vertex() {
-  entering_.price = 1 + kPriceTolerance;
+  entering_.price = 1 + price_tolerance;
   bool found = false;
   for (const std::size_t j : short_list_) {
     const EnteringColumn column = price_one(j, y_.data());

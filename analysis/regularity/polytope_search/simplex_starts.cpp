@@ -11,8 +11,8 @@ namespace subcert::polytope {
 
 namespace {
 
-constexpr std::size_t kStarts = 6;   // cached bases that are tried as a start
-constexpr double kFeasible = 1e-13;  // a negative part of a combination this small is rounding
+constexpr std::size_t cached_starts = 6;      // cached bases that are tried as a start
+constexpr double feasible_tolerance = 1e-13;  // a negative part of a combination this small is rounding
 
 }  // namespace
 
@@ -23,7 +23,7 @@ void IncrementalSimplex::start_cold(std::span<const double> x) {
     BasisColumn& column = work_.columns[k];
     column.axis = static_cast<int>(k);
     column.slack = kind_ == PolytopeKind::nonnegative && column.axis != largest;
-    column.cost = column.slack ? 0 : kArtificialCost;
+    column.cost = column.slack ? 0 : artificial_cost;
   }
   refactor(work_);
   set_coefficients(x);
@@ -53,13 +53,13 @@ double IncrementalSimplex::lower_bound(const Basis& basis, std::span<const doubl
 // Starts from the cached bases whose multipliers say most about `x`, from the one of them that values it least.
 // Leaves the best multipliers in y_ and returns the lower bound that they give; |y.v| <= 1.
 double IncrementalSimplex::choose_start(std::span<const double> x) {
-  std::array<std::pair<double, std::size_t>, kStarts> top;
+  std::array<std::pair<double, std::size_t>, cached_starts> top;
   std::size_t found = 0;
   int element = 0;
   for (std::size_t b = 0; b < cache_.size(); ++b) {
     const double value = lower_bound(cache_[b], x, element);
-    if (found == kStarts && value <= top[kStarts - 1].first) continue;
-    if (found < kStarts) ++found;
+    if (found == cached_starts && value <= top[cached_starts - 1].first) continue;
+    if (found < cached_starts) ++found;
     std::size_t k = found - 1;
     for (; k > 0 && top[k - 1].first < value; --k) top[k] = top[k - 1];
     top[k] = {value, b};
@@ -84,7 +84,7 @@ double IncrementalSimplex::choose_start(std::span<const double> x) {
       sum += basis.columns[k].cost * std::abs(scratch_[k]);
       smallest = std::min(smallest, scratch_[k]);
     }
-    if (kind_ == PolytopeKind::nonnegative && smallest < -kFeasible) continue;
+    if (kind_ == PolytopeKind::nonnegative && smallest < -feasible_tolerance) continue;
     if (sum >= least) continue;
     least = sum;
     chosen = top[t].second;
@@ -120,7 +120,7 @@ bool IncrementalSimplex::still_outside(WarmStart& warm, double reject) {
   std::fill(y_.begin() + static_cast<std::ptrdiff_t>(size_), y_.end(), 0.0);
   for (; warm.seen < count_; ++warm.seen) {
     warm.largest = std::max(warm.largest, price_one(warm.seen, y_.data()).price);
-    if (warm.value <= warm.largest * reject * (1 + kPriceMargin)) return false;
+    if (warm.value <= warm.largest * reject * (1 + price_margin)) return false;
   }
   return true;
 }

@@ -1,9 +1,9 @@
 #pragma once
 /// What the items of the report on Dyn, Heard, Hormann & Sharon 2015 share: schemes, certified numbers, comparisons.
 
+#include <subcert/schemes/data/runtime/parallel.hpp>
 #include "formats/published.hpp"
 #include "report.hpp"
-#include "runtime/parallel.hpp"
 #include "shortcut_search.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>

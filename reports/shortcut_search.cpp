@@ -1,6 +1,6 @@
 #include "shortcut_search.hpp"
 
-#include "runtime/parallel.hpp"
+#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <subcert/schemes/specification.hpp>
 

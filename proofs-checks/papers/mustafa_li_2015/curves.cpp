@@ -3,7 +3,7 @@
 #include "mustafa_li_2015.hpp"
 
 #include <subcert/proofs-checks/statements/reweighting.hpp>
-#include <subcert/schemes/data/l1_regression.hpp>
+#include <subcert/schemes/data/l1/l1_regression.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 namespace subcert::statements::mustafa_li_2015 {

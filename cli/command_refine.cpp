@@ -90,7 +90,7 @@ ExitCode run(const RefineCommand& options) {
     if (const ExitCode code = check_convergence(scheme); code != done) return code;
   DataFile file = read_data_file(options.data, fewest.size(), closed);
   if (boundary == data::Boundary::periodic)
-    for (data::Axis& axis : file.data.axes) axis = data::Axis::of(axis.count, true);
+    for (data::Axis& axis : file.data.axes) axis.close();
   check_data(file, options.data, name, fewest);
   require_drawable(options.plot, file.data);
   const data::RefineOptions how{options.levels, boundary, options.threads()};

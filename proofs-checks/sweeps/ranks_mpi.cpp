@@ -15,7 +15,6 @@
 #include <iostream>
 #include <stdexcept>
 #include <thread>
-#include <vector>
 
 namespace subcert::sweeps {
 namespace {

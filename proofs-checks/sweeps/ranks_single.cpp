@@ -7,7 +7,6 @@
 
 #include <cstdlib>
 #include <iostream>
-#include <stdexcept>
 
 namespace subcert::sweeps {
 

@@ -10,7 +10,6 @@
 #include <csignal>
 #include <fstream>
 #include <functional>
-#include <sstream>
 
 using namespace subcert;
 using namespace subcert::sweeps;

@@ -5,8 +5,6 @@
 #include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 namespace subcert::data {
 namespace {
@@ -76,10 +74,7 @@ std::size_t source_of(long j, const Axis& axis) {
 
 AxisPlan plan_axis(Axis axis, int points, Boundary boundary) {
   require_refinement_boundary(boundary);
-  if (boundary == Boundary::periodic && !axis.closed) {
-    axis.closed = true;
-    axis.length += axis.step;
-  }
+  if (boundary == Boundary::periodic) axis.close();
   require(axis.count >= static_cast<std::size_t>(points), "refine: need at least {} points, got {}", points,
           axis.count);
   const auto [begin, end] = output_range(axis, points, boundary);

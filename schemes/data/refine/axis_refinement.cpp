@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace subcert::data {
 AxisStencils axis_stencils(const Mask& mask) {

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
 namespace subcert::data {
 
@@ -24,10 +22,7 @@ OutputRange AxisStencils::outputs(const Axis& axis, Boundary boundary) const {
   require(axis.count >= window_, "refine: need at least {} points, got {}", window_, axis.count);
   OutputRange range{axis, axis, 0, 0, 0, 0};
   Axis& input = range.input;
-  if (boundary == Boundary::periodic && !input.closed) {
-    input.closed = true;
-    input.length += input.step;
-  }
+  if (boundary == Boundary::periodic) input.close();
   if (!input.closed && boundary == Boundary::reflect && denominator(Rational(2 * centre_)) != 1)
     fail(ErrorKind::domain,
          "refine: reflect needs 2 tau to be an integer, got tau = {} (tau = a'(1) / a(1), the centre of a symmetric "

@@ -21,6 +21,11 @@ struct Axis {
   static Axis of(std::size_t count, bool closed = false) {
     return {count, closed, closed ? Rational(count) : Rational(count) - 1};
   }
+  /// The first point follows the last from now on, one step away.
+  void close() {
+    if (!closed) length += step;
+    closed = true;
+  }
   Rational parameter(std::size_t i) const { return first + step * Rational(i); }
 };
 

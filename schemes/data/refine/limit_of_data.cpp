@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 
 namespace subcert::data {
 namespace {
@@ -192,10 +191,7 @@ GridData<Number> limit_of_data(const GridData<Number>& data, const std::vector<M
           data.axes.size());
   GridData<Number> result = data;
   for (std::size_t k = 0; k < masks.size(); ++k) {
-    if (options.boundary == Boundary::periodic && !result.axes[k].closed) {
-      result.axes[k].closed = true;
-      result.axes[k].length += result.axes[k].step;
-    }
+    if (options.boundary == Boundary::periodic) result.axes[k].close();
     const bool ends = options.boundary == Boundary::regression && !result.axes[k].closed;
     const int extra = ends ? extra_levels(masks[k]) : 0;
     require_refinable(result.values.size(), masks[k].arity(), options.levels + extra);

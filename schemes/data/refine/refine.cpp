@@ -5,7 +5,6 @@
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 namespace subcert::data {

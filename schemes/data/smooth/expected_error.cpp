@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 namespace subcert::data {
 namespace {

@@ -7,7 +7,6 @@
 #include <subcert/schemes/local_regression.hpp>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace subcert::data {
 void Combination::add(const Combination& other, const Rational& factor) {

@@ -3,7 +3,6 @@
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace subcert::data {
 namespace {

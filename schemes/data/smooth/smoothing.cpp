@@ -7,7 +7,6 @@
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace subcert::data {
 namespace {

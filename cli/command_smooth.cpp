@@ -1,5 +1,6 @@
 // subcert smooth DATA
 
+#include "plot.hpp"
 #include "smooth_page.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>

@@ -43,12 +43,12 @@ bool is_l1_specification(std::string_view specification) {
   return specification.substr(0, specification.find(':')) == family_name;
 }
 
-DataDependentScheme make_l1_scheme(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  const Piece family{text.substr(0, colon), 0};
+DataDependentScheme make_l1_scheme(std::string_view specification) {
+  const std::size_t colon = specification.find(':');
+  const Piece family{specification.substr(0, colon), 0};
   if (family.text != family_name) fail(family, "the family l1, as in " + l1_usage);
   if (colon == std::string_view::npos) fail(family, l1_usage);
-  Fields fields(family, {text.substr(colon + 1), colon + 1}, l1_usage);
+  Fields fields(family, {specification.substr(colon + 1), colon + 1}, l1_usage);
 
   DataDependentScheme result;
   L1Scheme& scheme = result.rules;

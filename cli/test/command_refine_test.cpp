@@ -96,8 +96,7 @@ TEST_CASE("surfaces and volumes are refined") {
 
 TEST_CASE("data are refined by l1 regression") {
   const Folder folder;
-  const std::string file = folder / "file.csv";
-  const std::string data = file;
+  const std::string data = folder / "data.csv";
   std::ofstream(data) << "x,y\n0,0\n1,2\n2,4\n3,6\n4,999\n5,10\n6,12\n7,14\n8,16\n";
   const auto json = run_json("refine l1:points=8,iterations=60 " + data + " --levels 1");
   CHECK(json.at("scheme") == "l1:points=8,d=1,iterations=60,delta=1e-8");

@@ -49,7 +49,7 @@ void check_fails(const Run& run, int code, const std::string& message) {
 }
 
 Enclosure enclosure_of(const nlohmann::json& json) {
-  const Enclosure enclosure{end_of(json.at("lower")), end_of(json.at("upper"))};
+  Enclosure enclosure{end_of(json.at("lower")), end_of(json.at("upper"))};
   REQUIRE(enclosure.is_canonical());
   return enclosure;
 }

@@ -41,7 +41,7 @@ std::vector<SmoothingCandidate> rank_schemes(const Samples& samples, const std::
   const SmoothingOptions at_data{options.boundary, 0, 0, options.constant};
   std::vector<SmoothingCandidate> candidates;
   for (const int degree : {1, 3, 5})
-    for (int n = (degree + 1) / 2; n <= max_n && static_cast<std::size_t>(4 * n) <= count; ++n) {
+    for (int n = (degree + 1) / 2; n <= max_n && 4 * static_cast<std::size_t>(n) <= count; ++n) {
       const Scheme scheme = make_scheme(fmt::format("primal:n={},d={}", n, degree));
       const LinearSmoother smoother(scheme.mask, count, at_data, scheme.rules, samples.weights);
       try {

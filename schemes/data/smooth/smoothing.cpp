@@ -22,7 +22,7 @@ int adic_level(const Rational& x, int arity) {
 }
 
 PolynomialReproduction checked_reproduction(const Mask& mask) {
-  const PolynomialReproduction reproduction = polynomial_reproduction(mask);
+  PolynomialReproduction reproduction = polynomial_reproduction(mask);
   require(reproduction.reproduction_degree >= 0, "smoothing: need a scheme that reproduces constants");
   return reproduction;
 }

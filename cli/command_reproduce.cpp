@@ -58,7 +58,7 @@ std::string experiment_line(const experiments::RanExperiment& ran) {
 /// The claims that are not confirmed, and those with another finding than the recorded one.
 std::string unconfirmed(const experiments::RanExperiment& ran) {
   std::string result;
-  for (const experiments::Claim& c : ran.result.claims)
+  for (const experiments::DecidedClaim& c : ran.result.claims)
     if (c.finding == Verdict::not_confirmed || c.finding != c.recorded)
       result += "  " + to_text(c.finding) + "  " + ran.experiment->id + ": " + c.sentence + " (" + c.numbers + ")" +
                 (c.finding == c.recorded ? "" : " [recorded: " + to_text(c.recorded) + "]") + "\n";

@@ -1,42 +1,45 @@
 #include "experiment.hpp"
 
-#include "families.hpp"
+#include "papers.hpp"
+#include "printed_errors.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace subcert::experiments {
 
 bool ExperimentResult::all_confirmed() const {
-  return std::none_of(claims.begin(), claims.end(), [](const Claim& c) { return c.finding == Verdict::not_confirmed; });
+  return std::none_of(claims.begin(), claims.end(),
+                      [](const DecidedClaim& c) { return c.finding == Verdict::not_confirmed; });
 }
 
 bool ExperimentResult::as_recorded() const {
-  return std::all_of(claims.begin(), claims.end(), [](const Claim& c) { return c.finding == c.recorded; });
+  return std::all_of(claims.begin(), claims.end(), [](const DecidedClaim& c) { return c.finding == c.recorded; });
 }
 
 std::size_t ExperimentResult::count(Verdict finding) const {
   return static_cast<std::size_t>(
-      std::count_if(claims.begin(), claims.end(), [&](const Claim& c) { return c.finding == finding; }));
+      std::count_if(claims.begin(), claims.end(), [&](const DecidedClaim& c) { return c.finding == finding; }));
 }
 
 const std::vector<Experiment>& experiments() {
-  static const std::vector<Experiment> all = [] {
+  static const std::vector<Experiment> every = [] {
+    const std::pair<const char*, std::vector<Experiment> (*)()> papers[]{{"dyn-2015", dyn_2015::all},
+                                                                         {"mustafa-li-2015", mustafa_li_2015::all},
+                                                                         {"mustafa-hameed", mustafa_hameed::all},
+                                                                         {"mustafa-bari-2016", mustafa_bari_2016::all}};
     std::vector<Experiment> result;
-    for (const auto& family :
-         {expected_errors::all, functions::all, plane_curves::all, torus::all, part_scan::all, l1_experiments,
-          nonlinear_polynomials::all, nonlinear_quiet::all, nonlinear_noise::all, nonlinear_surface::all,
-          aary_limit_functions::all, aary_curves::all, aary_car::all, aary_surfaces::all}) {
-      const auto more = family();
-      result.insert(result.end(), more.begin(), more.end());
-    }
+    for (const auto& [paper, all] : papers)
+      for (Experiment& experiment : all()) {
+        experiment.paper = paper;
+        result.push_back(std::move(experiment));
+      }
     return result;
   }();
-  return all;
+  return every;
 }
 
 const Experiment& experiment(const std::string& id) {
@@ -46,7 +49,21 @@ const Experiment& experiment(const std::string& id) {
 }
 
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options) {
-  return {&experiment, options, experiment.run(options)};
+  Measured measured = experiment.measure(options);
+  ExperimentResult result{.setup = experiment.setup, .random = experiment.random};
+  for (const auto& [sentence, place, relation, recorded] : experiment.claims) {
+    const auto [verdict, numbers] = relation.decide(measured);
+    result.claims.push_back({sentence, place, relation.statistic, verdict, numbers, recorded});
+  }
+  for (const MeansTable& table : experiment.tables) result.tables.push_back(table.filled(measured));
+  result.tables.insert(result.tables.end(), measured.tables.begin(), measured.tables.end());
+  result.figures = std::move(measured.figures);
+  result.surface_figures = std::move(measured.surface_figures);
+  if (!experiment.printed.empty()) {
+    result.claims.push_back(printed_errors_claim(experiment.paper, experiment.printed, measured));
+    result.comparisons.push_back(printed_errors(experiment.paper, experiment.printed, measured));
+  }
+  return {&experiment, options, std::move(result)};
 }
 
 namespace {
@@ -56,7 +73,7 @@ formats::PlainTable claims_table(const RanExperiment& ran) {
                             "What the paper says, and what decides it",
                             {"claim", "place", "statistic", "finding", "numbers"},
                             {}};
-  for (const Claim& c : ran.result.claims) {
+  for (const DecidedClaim& c : ran.result.claims) {
     table.rows.push_back({c.sentence, c.place, c.statistic, to_text(c.finding), c.numbers});
     table.row_classes.push_back(c.finding == Verdict::confirmed       ? "match"
                                 : c.finding == Verdict::not_confirmed ? "mismatch"
@@ -85,7 +102,7 @@ std::string experiment_json(const RanExperiment& ran) {
   Json json{{"experiment", ran.experiment->id}, {"paper", ran.experiment->paper}, {"title", ran.experiment->title},
             {"seed", ran.options.seed},         {"runs", ran.options.runs},       {"setup", ran.result.setup},
             {"claims", Json::array()},          {"tables", Json::array()}};
-  for (const Claim& c : ran.result.claims)
+  for (const DecidedClaim& c : ran.result.claims)
     json["claims"].push_back({{"claim", c.sentence},
                               {"place", c.place},
                               {"statistic", c.statistic},

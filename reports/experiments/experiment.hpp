@@ -46,13 +46,11 @@ struct Experiment {
 };
 
 struct ExperimentResult {
-  std::vector<std::string> setup;
   std::vector<DecidedClaim> claims = {};
   std::vector<formats::PlainTable> tables = {};
   std::vector<formats::Figure> figures = {};
   std::vector<formats::SurfaceFigure> surface_figures = {};
   std::vector<formats::ComparisonTable> comparisons = {};  ///< printed values beside ours, where the paper prints any
-  bool random = true;
 
   bool all_confirmed() const;
   bool as_recorded() const;

@@ -18,6 +18,13 @@ std::string bound_words(const std::string& measure, const std::string& side, dou
 
 }  // namespace
 
+NamePairs all_pairs(const Names& first, const Names& second) {
+  NamePairs result;
+  for (const std::string& a : first)
+    for (const std::string& b : second) result.emplace_back(a, b);
+  return result;
+}
+
 const std::vector<double>& Measured::at(const Quantity& quantity) const {
   const auto found = samples.find(quantity);
   require(found != samples.end(), "'{}' of {} was not measured", quantity.measure, quantity.subject);

@@ -16,6 +16,9 @@ namespace subcert::experiments {
 using Names = std::vector<std::string>;
 using NamePairs = std::vector<std::pair<std::string, std::string>>;
 
+/// Each of the first names with each of the second.
+NamePairs all_pairs(const Names& first, const Names& second);
+
 /// What is measured and of what, as the error of S_3.
 struct Quantity {
   std::string measure;

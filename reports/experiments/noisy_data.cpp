@@ -108,6 +108,12 @@ Names names_of(const std::vector<Method>& methods) {
   return result;
 }
 
+std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods) {
+  std::vector<MeansTable::Row> result;
+  for (const Method& method : methods) result.push_back({{method.name}, method.name});
+  return result;
+}
+
 std::vector<double> NoisyData::true_points(const std::vector<data::Axis>& at) const {
   const auto xs = parameters(at[0]), ys = at.size() > 1 ? parameters(at[1]) : std::vector<double>{0};
   std::vector<double> result;

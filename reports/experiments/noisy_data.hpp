@@ -17,6 +17,8 @@ struct Method {
 };
 
 Names names_of(const std::vector<Method>& methods);
+/// A row for each method, with its name.
+std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods);
 
 /// The same data without and with outliers.
 struct OutlierSample {

@@ -34,8 +34,16 @@ Coordinate transposed(const Coordinate& values, std::size_t width) {
   return result;
 }
 
+/// With independent normal noise in every coordinate: the ratio `decibel` for all coordinates together.
 PointGrid noisy(PointGrid samples, double decibel, std::mt19937_64& engine) {
-  add_noise(samples.points, noise_deviation(samples.points, decibel), engine);
+  double square = 0;
+  for (const Coordinate& values : samples.points)
+    square += mean_square(values) / static_cast<double>(samples.points.size());
+  const double sigma = noise_deviation(square, decibel);
+  for (Coordinate& values : samples.points) {
+    const auto noise = normal_noise(engine, values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += sigma * noise[i];
+  }
   return samples;
 }
 
@@ -87,6 +95,25 @@ void for_each_noise(const LimitTrial& trial, const PointGrid& samples, std::uint
 }
 
 }  // namespace
+
+std::string scheme_name(const std::string& specification) {
+  const std::string prefix = "primal:n=";
+  if (!specification.starts_with(prefix)) return specification;
+  const std::size_t comma = specification.find(",d=");
+  std::string name = "S_" + specification.substr(prefix.size(), comma - prefix.size());
+  if (comma != std::string::npos) name += "^" + specification.substr(comma + 3);
+  return name;
+}
+
+double relative_error(const std::vector<Coordinate>& values, const std::vector<Coordinate>& truth) {
+  double error = 0, norm = 0;
+  for (std::size_t c = 0; c < truth.size(); ++c)
+    for (std::size_t i = 0; i < truth[c].size(); ++i) {
+      error += (values[c][i] - truth[c][i]) * (values[c][i] - truth[c][i]);
+      norm += truth[c][i] * truth[c][i];
+    }
+  return std::sqrt(error / norm);
+}
 
 PointGrid sampled_grid(std::size_t columns, std::size_t rows, std::size_t dimension,
                        const std::function<std::array<double, 3>(double, double)>& point) {

@@ -1,14 +1,20 @@
 #pragma once
 /// Curves and surfaces from noisy points: limits of several schemes at two levels of noise.
 
-#include "measures.hpp"
-
 #include <subcert/reports/experiments/experiment.hpp>
 #include <subcert/reports/experiments/linear_method.hpp>
 
 #include <array>
 
 namespace subcert::experiments::dyn_2015 {
+
+using Coordinate = std::vector<double>;
+
+/// As [DHHS15] names it: primal:n=4,d=3 is S_4^3. Other specifications stay as they are.
+std::string scheme_name(const std::string& specification);
+
+/// The norm of the difference over the norm of the truth, all coordinates together.
+double relative_error(const std::vector<Coordinate>& values, const std::vector<Coordinate>& truth);
 
 /// columns x rows points: coordinate[j * columns + i]. A curve has one row.
 struct PointGrid {

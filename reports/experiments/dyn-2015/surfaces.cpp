@@ -94,8 +94,8 @@ Experiment mechanical_part_scan() {
   const std::string with_low = "With low noise S_3 x S_3 and S_6^3 x S_6^3 outperform the other two schemes";
   const std::string with_high = "With high noise S_5 x S_5 is superior to the other three";
   const std::string upper = "Sec. 5.2, Fig. 21, upper row", lower = "Sec. 5.2, Fig. 21, lower row";
-  const NamePairs two_over_two{{"S_3", "S_5"}, {"S_3", "S_4^3"}, {"S_6^3", "S_5"}, {"S_6^3", "S_4^3"}},
-      one_over_three{{"S_5", "S_3"}, {"S_5", "S_4^3"}, {"S_5", "S_6^3"}};
+  const NamePairs two_over_two = all_pairs({"S_3", "S_6^3"}, {"S_5", "S_4^3"}),
+                  one_over_three = all_pairs({"S_5"}, {"S_3", "S_4^3", "S_6^3"});
   const auto negative = [](const std::string& of) {
     return "the mean paired differences of the errors of the " + of + " are negative with their whole intervals";
   };

@@ -20,9 +20,10 @@ Method least_squares_method(int points, int degree, bool grid) {
   return result;
 }
 
-std::vector<Method> l1_methods(const std::vector<int>& windows, int degree, bool grid) {
+std::vector<Method> l1_methods(const std::vector<int>& windows, const std::vector<int>& degrees, bool grid) {
   std::vector<Method> result;
-  for (const int points : windows) result.push_back(l1_method(points, degree, grid));
+  for (const int degree : degrees)
+    for (const int points : windows) result.push_back(l1_method(points, degree, grid));
   return result;
 }
 

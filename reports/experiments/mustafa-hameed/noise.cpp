@@ -115,7 +115,7 @@ formats::Figure degrees_figure(const NoisyExperiment& experiment, std::uint64_t 
 Measured measured_noise(const NoisyExperiment& experiment, const ExperimentOptions& options) {
   Measured result;
   study(result, experiment.data, all_methods(), {error_measure, error_without_measure, response_measure}, options);
-  for (const int degree : {1, 2, 3}) study_error_parts(result, experiment.data, l1_methods(windows, degree), options);
+  study_error_parts(result, experiment.data, l1_methods(windows, {1, 2, 3}), options);
   result.figures = {degrees_figure(experiment, options.seed)};
   return result;
 }
@@ -123,9 +123,9 @@ Measured measured_noise(const NoisyExperiment& experiment, const ExperimentOptio
 std::vector<Claim> claims_about_degree(const NoisyExperiment& experiment, int degree) {
   const std::string which = degree == 2 ? "quadratic" : "cubic", of = " of " + which + " polynomials",
                     place = "Sec. 1.1, Fig. 8-9", difference = "paired difference of the mean squared errors";
-  const std::vector<Method> methods = l1_methods(windows, degree);
+  const std::vector<Method> methods = l1_methods(windows, {degree});
   const Names names = names_of(methods);
-  const NamePairs over_linear = pairs(methods, l1_methods(windows, 1));
+  const NamePairs over_linear = pairs(methods, l1_methods(windows, {1}));
   return {{.sentence = "Schemes" + of +
                        " do not overfit (read as: the variance of the limit is below that of the noise, "
                        "outliers apart).",
@@ -165,10 +165,8 @@ Experiment noise_experiment(const NoisyExperiment& experiment) {
   MeansTable parts{experiment.id + "-parts",
                    "Parts of the mean squared error with outliers",
                    {"scheme"},
-                   {},
+                   rows_of(l1_methods(windows, {1, 2, 3})),
                    {{"squared bias", "squared bias"}, {"variance", "variance"}, {"from data", "from data"}}};
-  for (const int degree : {1, 2, 3})
-    for (const Method& method : l1_methods(windows, degree)) parts.rows.push_back({{method.name}, method.name});
   std::vector<Claim> claims = claims_about_degree(experiment, 2);
   for (Claim& claim : claims_about_degree(experiment, 3)) claims.push_back(std::move(claim));
   return {.id = experiment.id,

@@ -16,8 +16,8 @@ Experiment noisy_surface();
 Method l1_method(int points, int degree, bool grid = false);
 Method least_squares_method(int points, int degree, bool grid = false);
 
-/// D_p^d for these p.
-std::vector<Method> l1_methods(const std::vector<int>& windows, int degree, bool grid = false);
+/// D_p^d for these d and p, by d.
+std::vector<Method> l1_methods(const std::vector<int>& windows, const std::vector<int>& degrees, bool grid = false);
 
 /// The first and second of both, in pairs. Domain: as many of both.
 NamePairs pairs(const std::vector<Method>& first, const std::vector<Method>& second);

@@ -103,7 +103,7 @@ Measured measured_linear(const ExperimentOptions& options) {
   Measured result;
   find_linear_reproduction(result);
   const NoisyData noisy = noisy_cubic();
-  for (const int degree : {1, 2, 3}) study_error_parts(result, noisy, l1_methods(windows_of_linear, degree), options);
+  study_error_parts(result, noisy, l1_methods(windows_of_linear, {1, 2, 3}), options);
   formats::Figure figure{"nonlinear-fig1", "Schemes of linear polynomials on data of other polynomials", "", 2, {}};
   for (const PolynomialData& polynomial : polynomials)
     figure.panels.push_back(polynomial_panel(polynomial, l1_method(6, 1), polynomial.sampled()));
@@ -144,7 +144,7 @@ Measured measured_reproduction(const ExperimentOptions&) {
   Measured result;
   for (const int degree : {2, 3}) {
     double worst = 0;
-    for (const Method& method : l1_methods({5, 6, 7, 8, 9, 10}, degree)) {
+    for (const Method& method : l1_methods({5, 6, 7, 8, 9, 10}, {degree})) {
       const int found = linear_reproduction(method);
       std::vector<std::string> row{method.name, std::to_string(found)};
       result.add_fact("exact", method.name, found >= degree, std::to_string(found));
@@ -172,16 +172,13 @@ Measured measured_reproduction(const ExperimentOptions&) {
 
 Experiment linear_polynomials() {
   const double variance = *noisy_cubic().sigma * *noisy_cubic().sigma;
-  const Names linear = names_of(l1_methods(windows_of_linear, 1));
+  const Names linear = names_of(l1_methods(windows_of_linear, {1}));
   MeansTable table{"nonlinear-fig1-errors",
                    "Mean squared error of the cubic function with noise (" + short_number(variance) +
                        " is the variance of the noise)",
                    {"scheme"},
-                   {},
+                   rows_of(l1_methods(windows_of_linear, {1, 2, 3})),
                    {{"squared bias", "squared bias"}, {"variance", "variance"}}};
-  for (const int degree : {1, 2, 3})
-    for (const Method& method : l1_methods(windows_of_linear, degree))
-      table.rows.push_back({{method.name}, method.name});
   return {
       .id = "nonlinear-fig1",
       .title = "Figure 1: linear polynomials on data of other polynomials",

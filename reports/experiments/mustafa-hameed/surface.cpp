@@ -66,9 +66,8 @@ Experiment noisy_surface() {
       "nonlinear-surface-errors",
       "Surfaces with outliers",
       {"scheme"},
-      {},
+      rows_of(surface_methods()),
       {{"mean squared error", "error"}, {"without outliers", "error without"}, {"roughness", "roughness"}}};
-  for (const Method& method : surface_methods()) table.rows.push_back({{method.name}, method.name});
   return {
       .id = "nonlinear-surface",
       .title = "Surfaces by linear and quadratic polynomials",

@@ -18,12 +18,6 @@ constexpr int level = 8;
 struct Response {
   std::vector<double> at;
   std::vector<double> values;
-
-  Points points() const {
-    Points result;
-    for (std::size_t i = 0; i < at.size(); ++i) result.emplace_back(at[i], values[i]);
-    return result;
-  }
 };
 
 Response response(int points, const data::L1Options& options, int at_level = level) {
@@ -126,13 +120,14 @@ formats::Figure drawn_functions() {
       "Above: 6 reweighted fits, delta = 1e-8. Below: 0 to 3 reweighted fits; 0 is the least squares scheme.",
       3,
       {}};
-  for (const int points : {6, 7, 8})
-    figure.panels.push_back({name_of(points), "", "", {line("", response(points, {}).points(), "")}});
+  const auto drawn = [](const std::string& label, int points, int fits) {
+    return line(label, points_of(data::l1_impulse_response({{points}, 1, {1e-8, fits}}, level)), "");
+  };
+  for (const int points : {6, 7, 8}) figure.panels.push_back({name_of(points), "", "", {drawn("", points, 6)}});
   for (const int points : {6, 7, 8}) {
-    formats::Panel panel{name_of(points), "", "", {}};
+    figure.panels.push_back({name_of(points), "", "", {}});
     for (const int fits : {0, 1, 2, 3})
-      panel.curves.push_back(line(std::to_string(fits), response(points, {1e-8, fits}).points(), ""));
-    figure.panels.push_back(panel);
+      figure.panels.back().curves.push_back(drawn(std::to_string(fits), points, fits));
   }
   return figure;
 }

@@ -36,31 +36,13 @@ std::vector<Claim> claims_about_responses(const std::string& place, Verdict no_r
        .recorded = l1_complexity}};
 }
 
-/// The experiment with the measures of all methods and a picture of sample 0.
-Experiment with_outlier_study(Experiment experiment, const std::string& name, const NoisyData& data) {
-  const std::string id = experiment.id;
-  experiment.tables = {outlier_table(id + "-measures", name, curve_methods())};
-  experiment.measure = [=](const ExperimentOptions& options) {
-    Measured result;
-    study(result, data, curve_methods(), outlier_measures, options);
-    result.figures = {damped::figure(id, name, "One sample. Above least squares, below l1 regression.", 3,
-                                     curve_methods(), data.first_sample(options.seed))};
-    return result;
-  };
-  return experiment;
+/// A panel for each method.
+Picture sample_picture(const std::string& id, const std::string& title, const std::string& caption, int columns = 3,
+                       const std::vector<Method>& methods = curve_methods()) {
+  return [=](const OutlierSample& sample) { return damped::figure(id, title, caption, columns, methods, sample); };
 }
 
-const Method chaikin{"Chaikin", "bspline:degree=2"}, s6{"S_6", "dual:n=3"};
-
-Measured measured_linear(const ExperimentOptions& options) {
-  const NoisyData data = damped::with_outliers(2, 0);
-  Measured result;
-  study(result, data, {chaikin, s6}, outlier_measures, options);
-  study(result, damped::with_outliers(1, 0), {chaikin, s6}, {moved_measure}, options);
-  result.figures = {damped::figure("l1-fig1", "Outliers under Chaikin's scheme and a least squares scheme",
-                                   "One sample.", 2, {chaikin, s6}, data.first_sample(options.seed))};
-  return result;
-}
+const std::string above_and_below = "One sample. Above least squares, below l1 regression.";
 
 /// A part of the data, in percent, is replaced by numbers uniform in [-8, 8].
 NoisyData with_impulses(int percent) {
@@ -80,14 +62,12 @@ Measured measured_impulses(const ExperimentOptions& options) {
   Measured result;
   formats::Panel over_parts{
       "error over the part of impulses", "impulses (%)", "mean squared error", {}, true, "bottom right"};
-  study(result, with_impulses(quarter), curve_methods(), outlier_measures, options);
   for (const int percent : parts_of_impulses)
-    if (percent != quarter)
-      study(result, with_impulses(percent), curve_methods(), {error_measure}, options, percent_text(percent) + ": ");
+    study(result, with_impulses(percent), curve_methods(), {error_measure}, options, percent_text(percent) + ": ");
   for (const Method& method : curve_methods()) {
     Points errors;
     for (const int percent : parts_of_impulses) {
-      const auto& error = result.at({(percent == quarter ? "" : percent_text(percent) + ": ") + "error", method.name});
+      const auto& error = result.at({percent_text(percent) + ": error", method.name});
       errors.emplace_back(percent, mean_interval(error).mean);
       result.samples[{method.name, percent_text(percent)}] = error;
     }
@@ -95,9 +75,6 @@ Measured measured_impulses(const ExperimentOptions& options) {
     over_parts.curves.back().marked = true;
   }
   result.figures = {
-      damped::figure("l1-exp4", "Impulsive noise",
-                     "One sample, 25 % impulses. Above least squares, below l1 regression.", 3, curve_methods(),
-                     with_impulses(quarter).first_sample(options.seed)),
       {"l1-exp4-parts", "How many impulses the schemes bear", "Means over the samples.", 1, {over_parts}}};
   return result;
 }
@@ -105,25 +82,35 @@ Measured measured_impulses(const ExperimentOptions& options) {
 }  // namespace
 
 Experiment outliers_under_linear_schemes() {
-  return {.id = "l1-fig1",
-          .title = "Figure 1: Chaikin's scheme and least squares against outliers",
-          .setup = {damped::setup(), "Two outliers; the least squares scheme of the figure is not named, here S_6."},
-          .claims = {{.sentence = "Outliers perturb the least squares curve significantly (read as: by more than a "
-                                  "tenth of the range of f_1).",
-                      .place = "Sec. 2.1, Fig. 1(b)",
-                      .relation = above(change, tenth_of_range(), means("response", {"S_6"}))},
-                     {.sentence = "Classical schemes do not deal with outliers (read as: Chaikin's curve moves by more "
-                                  "than a tenth of the range of f_1).",
-                      .place = "Sec. 1; Sec. 2.1, Fig. 1(a)",
-                      .relation = above(change, tenth_of_range(), means("response", {"Chaikin"}))},
-                     {.sentence = "One outlier can damage the whole model (read as: it moves more than nine tenths of "
-                                  "the curve).",
-                      .place = "Sec. 1",
-                      .relation = above("part of the curve that one outlier among 101 data moves", 0.9,
-                                        means("moved", {"Chaikin", "S_6"})),
-                      .recorded = Verdict::not_confirmed}},
-          .tables = {outlier_table("l1-fig1-measures", "Two outliers", {chaikin, s6})},
-          .measure = measured_linear};
+  const std::vector<Method> methods{{"Chaikin", "bspline:degree=2"}, {"S_6", "dual:n=3"}};
+  return with_curve_study(
+      {.id = "l1-fig1",
+       .title = "Figure 1: Chaikin's scheme and least squares against outliers",
+       .setup = {damped::setup(), "Two outliers; the least squares scheme of the figure is not named, here S_6."},
+       .claims =
+           {{.sentence = "Outliers perturb the least squares curve significantly (read as: by more than a tenth "
+                         "of the range of f_1).",
+             .place = "Sec. 2.1, Fig. 1(b)",
+             .relation = above(change, tenth_of_range(), means("response", {"S_6"}))},
+            {.sentence = "Classical schemes do not deal with outliers (read as: Chaikin's curve moves by more than "
+                         "a tenth of the range of f_1).",
+             .place = "Sec. 1; Sec. 2.1, Fig. 1(a)",
+             .relation = above(change, tenth_of_range(), means("response", {"Chaikin"}))},
+            {.sentence = "One outlier can damage the whole model (read as: it moves more than nine tenths of the "
+                         "curve).",
+             .place = "Sec. 1",
+             .relation = above("part of the curve that one outlier among 101 data moves", 0.9,
+                               means("moved", {"Chaikin", "S_6"})),
+             .recorded = Verdict::not_confirmed}},
+       .measure =
+           [=](const ExperimentOptions& options) {
+             Measured result;
+             study(result, damped::with_outliers(1, 0), methods, {moved_measure}, options);
+             return result;
+           }},
+      "Two outliers", damped::with_outliers(2, 0), methods,
+      sample_picture("l1-fig1", "Outliers under Chaikin's scheme and a least squares scheme", "One sample.", 2,
+                     methods));
 }
 
 Experiment two_outliers() {
@@ -135,12 +122,13 @@ Experiment two_outliers() {
   claims.push_back({.sentence = "D_6 has the smallest error.",
                     .place = "Sec. 2.5, Table 1; Experiment 2",
                     .relation = smaller(six_over_others)});
-  return with_outlier_study({.id = "l1-exp1",
-                             .title = "Experiment 1, Figure 3 and Table 1: two outliers",
-                             .setup = {damped::setup(), "Two outliers, no noise."},
-                             .claims = claims,
-                             .printed = "table1"},
-                            "Two outliers", damped::with_outliers(2, 0));
+  return with_curve_study({.id = "l1-exp1",
+                           .title = "Experiment 1, Figure 3 and Table 1: two outliers",
+                           .setup = {damped::setup(), "Two outliers, no noise."},
+                           .claims = claims,
+                           .printed = "table1"},
+                          "Two outliers", damped::with_outliers(2, 0), curve_methods(),
+                          sample_picture("l1-exp1", "Two outliers", above_and_below));
 }
 
 Experiment noise_and_outliers() {
@@ -166,12 +154,13 @@ Experiment noise_and_outliers() {
        .relation = smaller(l1_over_least_squares, "error without", "the errors without outliers, noise alone"),
        .recorded = Verdict::not_confirmed}};
   claims.insert(claims.end(), more.begin(), more.end());
-  return with_outlier_study({.id = "l1-exp2",
-                             .title = "Experiment 2, Figure 5 and Table 2: noise and thirteen outliers",
-                             .setup = {damped::setup(), "Thirteen outliers and normal noise of variance 0.1."},
-                             .claims = claims,
-                             .printed = "table2"},
-                            "Noise and thirteen outliers", damped::with_outliers(13, std::sqrt(0.1)));
+  return with_curve_study({.id = "l1-exp2",
+                           .title = "Experiment 2, Figure 5 and Table 2: noise and thirteen outliers",
+                           .setup = {damped::setup(), "Thirteen outliers and normal noise of variance 0.1."},
+                           .claims = claims,
+                           .printed = "table2"},
+                          "Noise and thirteen outliers", damped::with_outliers(13, std::sqrt(0.1)), curve_methods(),
+                          sample_picture("l1-exp2", "Noise and thirteen outliers", above_and_below));
 }
 
 Experiment impulsive_noise() {
@@ -180,30 +169,33 @@ Experiment impulsive_noise() {
   MeansTable errors{"l1-exp4-errors", "Mean squared errors over the part of impulses", {"impulses (%)"}, {}, {}};
   for (const int percent : parts_of_impulses) errors.rows.push_back({{std::to_string(percent)}, percent_text(percent)});
   for (const Method& method : curve_methods()) errors.columns.push_back({method.name, method.name});
-  return {
-      .id = "l1-exp4",
-      .title = "Experiment 4 and Figure 7: impulsive noise",
-      .setup = {damped::setup(),
-                "The paper names neither the data of this experiment nor the impulses; here f_1, and a quarter of "
-                "the data is replaced by numbers uniform in [-8, 8]."},
-      .claims = {{.sentence = "The l1 schemes restore data with 25 % impulsive noise (read as: with an error below a "
-                              "tenth of the mean square of f_1).",
-                  .place = place + "; Highlights",
-                  .relation = below("error", bound, means("error", l1_schemes)),
-                  .recorded = Verdict::not_confirmed},
-                 {.sentence = "The least squares schemes do not handle impulsive noise (read as: their error is "
-                              "above a tenth of the mean square of f_1).",
-                  .place = "Sec. 1; " + place,
-                  .relation = above("error", bound, means("error", least_squares))},
-                 {.sentence = "The l1 schemes fit data with impulsive noise better than the others.",
-                  .place = "Sec. 1",
-                  .relation = smaller(l1_over_least_squares)},
-                 {.sentence = "D_6 fits better than the other schemes, in the other experiments too.",
-                  .place = "Sec. 2.5, Experiment 2",
-                  .relation = smaller(six_over_others),
-                  .recorded = Verdict::not_confirmed}},
-      .tables = {outlier_table("l1-exp4-measures", "A quarter of impulses", curve_methods()), errors},
-      .measure = measured_impulses};
+  return with_curve_study(
+      {.id = "l1-exp4",
+       .title = "Experiment 4 and Figure 7: impulsive noise",
+       .setup = {damped::setup(),
+                 "The paper names neither the data of this experiment nor the impulses; here f_1, and a quarter of "
+                 "the data is replaced by numbers uniform in [-8, 8]."},
+       .claims = {{.sentence = "The l1 schemes restore data with 25 % impulsive noise (read as: with an error below a "
+                               "tenth of the mean square of f_1).",
+                   .place = place + "; Highlights",
+                   .relation = below("error", bound, means("error", l1_schemes)),
+                   .recorded = Verdict::not_confirmed},
+                  {.sentence = "The least squares schemes do not handle impulsive noise (read as: their error is "
+                               "above a tenth of the mean square of f_1).",
+                   .place = "Sec. 1; " + place,
+                   .relation = above("error", bound, means("error", least_squares))},
+                  {.sentence = "The l1 schemes fit data with impulsive noise better than the others.",
+                   .place = "Sec. 1",
+                   .relation = smaller(l1_over_least_squares)},
+                  {.sentence = "D_6 fits better than the other schemes, in the other experiments too.",
+                   .place = "Sec. 2.5, Experiment 2",
+                   .relation = smaller(six_over_others),
+                   .recorded = Verdict::not_confirmed}},
+       .tables = {errors},
+       .measure = measured_impulses},
+      "A quarter of impulses", with_impulses(quarter), curve_methods(),
+      sample_picture("l1-exp4", "Impulsive noise",
+                     "One sample, 25 % impulses. Above least squares, below l1 regression."));
 }
 
 }  // namespace subcert::experiments::mustafa_li_2015

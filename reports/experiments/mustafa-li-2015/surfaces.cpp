@@ -12,11 +12,15 @@
 namespace subcert::experiments::mustafa_li_2015 {
 namespace {
 
-std::vector<Method> with_classical() {
-  std::vector<Method> methods = surface_methods();
-  methods.push_back(classical_surface);
-  return methods;
+/// In the order of the pictures: the B-spline first.
+std::vector<Method> drawn_methods() {
+  std::vector<Method> result = with_classical_surface();
+  std::rotate(result.begin(), result.end() - 1, result.end());
+  return result;
 }
+
+/// One of each kind.
+std::vector<Method> methods_on_six() { return {surface_methods()[0], surface_methods()[3]}; }
 
 NoisyData bump_data(double sigma) {
   return {.axes = {data::Axis::of(21), data::Axis::of(21)},
@@ -31,23 +35,19 @@ NoisyData bump_data(double sigma) {
           .displace = vertical_outlier(3, 3)};
 }
 
-formats::DrawnSurface drawn_bump(const std::string& title, const data::GridData<double>& surface,
-                                 std::size_t keep = 1) {
-  return drawn_surface(title, placed(surface, -2, Rational(1, 5)), keep);
-}
-
-/// One sample under these methods.
-formats::SurfaceFigure bump_figure(const std::string& id, const std::string& title, const std::vector<Method>& methods,
-                                   const NoisyData& data, std::uint64_t seed) {
+/// Sample 0 under these methods, `keep`-th points of them; parameter u is drawn at origin + scale * u.
+formats::SurfaceFigure sample_figure(const formats::SurfaceFigure& words, const NoisyData& data,
+                                     const std::vector<Method>& methods, std::uint64_t seed, std::size_t keep,
+                                     const Rational& origin = 0, const Rational& scale = 1) {
+  const auto drawn = [&](const std::string& title, const data::GridData<double>& surface, std::size_t every) {
+    return drawn_surface(title, placed(surface, origin, scale), every);
+  };
   const data::GridData<double> sample = data.as_grid(data.first_sample(seed).with);
-  formats::SurfaceFigure result{
-      id,
-      title,
-      "One sample; original, data with an outlier, and surfaces.",
-      {drawn_bump("original", data.as_grid(data.true_points(data.axes))), drawn_bump("data", sample)},
-      3};
+  formats::SurfaceFigure result = words;
+  result.columns = 3;
+  result.surfaces = {drawn("original", data.as_grid(data.true_points(data.axes)), 1), drawn("data", sample, 1)};
   for (const Method& method : methods)
-    result.surfaces.push_back(drawn_bump(method.name, refined(method.specification, sample, data.levels), 2));
+    result.surfaces.push_back(drawn(method.name, refined(method.specification, sample, 2), keep));
   return result;
 }
 
@@ -57,7 +57,7 @@ void find_noise_of_table_3(Measured& measured, double sigma, const ExperimentOpt
   noise.outliers = 0;
   noise.truth = [](double, double) { return std::array{0.0, 0.0, 0.0}; };
   const std::string left = "left of noise: ";
-  study(measured, noise, {surface_methods()[0], surface_methods()[3]}, {error_measure}, options, left);
+  study(measured, noise, methods_on_six(), {error_measure}, options, left);
   for (const formats::PublishedCell& cell : formats::published_paper("mustafa-li-2015").table("table3").cells) {
     if (cell.column != "S_6" && cell.column != "D_6") continue;
     const auto& errors = measured.at({left + "error", cell.column});
@@ -73,16 +73,19 @@ Measured measured_bump(const ExperimentOptions& options) {
   std::vector<SampleMeasure> measures = outlier_measures;
   measures.push_back(roughness_measure);
   Measured result;
-  study(result, data, with_classical(), measures, options);
+  study(result, data, with_classical_surface(), measures, options);
   study(result, quiet, surface_methods(), outlier_measures, options, "quiet ");
   find_noise_of_table_3(result, std::sqrt(0.1), options);
-  const std::vector<Method>& methods = surface_methods();
-  std::vector<Method> shown{classical_surface};
-  shown.insert(shown.end(), methods.begin(), methods.end());
-  result.surface_figures = {bump_figure("l1-surface1", "A function with normal noise of variance 0.1 and an outlier",
-                                        shown, data, options.seed),
-                            bump_figure("l1-surface1-quiet-surfaces", "The same with noise of deviation 0.1",
-                                        {classical_surface, methods[0], methods[3], methods[5]}, quiet, options.seed)};
+  const std::vector<Method> methods = drawn_methods();
+  const std::string caption = "One sample; original, data with an outlier, and surfaces.";
+  const auto figure = [&](const std::string& id, const std::string& title, const NoisyData& what,
+                          const std::vector<Method>& shown) {
+    return sample_figure({id, title, caption, {}}, what, shown, options.seed, 2, -2, Rational(1, 5));
+  };
+  result.surface_figures = {
+      figure("l1-surface1", "A function with normal noise of variance 0.1 and an outlier", data, methods),
+      figure("l1-surface1-quiet-surfaces", "The same with noise of deviation 0.1", quiet,
+             {methods[0], methods[1], methods[4], methods[6]})};
   return result;
 }
 
@@ -116,35 +119,15 @@ NoisyData band_data(std::size_t outliers) {
 
 Measured measured_band(const ExperimentOptions& options) {
   const NoisyData data = band_data(few);
-  const std::vector<Method>& methods = surface_methods();
   Measured result;
-  study(result, data, with_classical(), outlier_measures, options);
-  study(result, band_data(many), {methods[0], methods[3]}, outlier_measures, options, "many: ");
-  const data::GridData<double> sample = data.as_grid(data.first_sample(options.seed).with);
-  formats::SurfaceFigure figure{
-      "l1-surface2",
-      "A part of a Moebius band with normal noise of variance 0.1 and 20 outliers",
-      "One sample. Original, data, biquadratic B-spline; least squares; l1 regression.",
-      {drawn_surface("original", data.as_grid(data.true_points(data.axes))), drawn_surface("data", sample)},
-      3};
-  std::vector<Method> shown{classical_surface};
-  shown.insert(shown.end(), methods.begin(), methods.end());
-  for (const Method& method : shown)
-    figure.surfaces.push_back(drawn_surface(method.name, refined(method.specification, sample, 2), 4));
-  result.surface_figures = {figure};
-  return result;
-}
-
-/// Each of `names` with the B-spline, first or second.
-NamePairs over_classical(const Names& names) {
-  NamePairs result;
-  for (const std::string& name : names) result.emplace_back(name, classical_surface.name);
-  return result;
-}
-
-NamePairs classical_over(const Names& names) {
-  NamePairs result;
-  for (const std::string& name : names) result.emplace_back(classical_surface.name, name);
+  study(result, data, with_classical_surface(), outlier_measures, options);
+  study(result, band_data(many), methods_on_six(), outlier_measures, options, "many: ");
+  result.surface_figures = {
+      sample_figure({"l1-surface2",
+                     "A part of a Moebius band with normal noise of variance 0.1 and 20 outliers",
+                     "One sample. Original, data, biquadratic B-spline; least squares; l1 regression.",
+                     {}},
+                    data, drawn_methods(), options.seed, 4)};
   return result;
 }
 
@@ -154,7 +137,7 @@ Experiment surface_with_outlier() {
   const std::string place = "Sec. 3.1, Experiment 1, Fig. 8";
   // The extremes of F are at (1/sqrt 2, 0) and its mirror image.
   const double tenth_of_range = std::sqrt(2) * std::exp(-0.5) / 10;
-  const Names all = names_of(surface_methods());
+  const Names all = names_of(surface_methods()), classical{classical_surface.name};
   return {
       .id = "l1-surface1",
       .title = "Surfaces, Experiment 1, Figure 8 and Table 3: an outlier",
@@ -180,11 +163,11 @@ Experiment surface_with_outlier() {
            {.sentence = "Both kinds of schemes produce smooth surfaces (read as: smoother than the biquadratic "
                         "B-spline).",
             .place = place,
-            .relation = smaller(over_classical(all), "roughness", "the mean square of the second differences")},
+            .relation = smaller(all_pairs(all, classical), "roughness", "the mean square of the second differences")},
            {.sentence = "Classical schemes are not suitable for such data (read as: the biquadratic B-spline has a "
                         "larger error than every other scheme).",
             .place = place,
-            .relation = larger(classical_over(all))},
+            .relation = larger(all_pairs(classical, all))},
            {.sentence = "Each D_k has a smaller error than S_k.",
             .place = "Sec. 3.1, Table 3",
             .relation = smaller(l1_over_least_squares)},
@@ -197,7 +180,7 @@ Experiment surface_with_outlier() {
                 "noise of Table 3",
                 "the printed errors of S_6 and D_6 are not below the least that these schemes leave of "
                 "such noise alone, F = 0 and no outlier, over our samples")}},
-      .tables = {outlier_table("l1-surface1-measures", "Noise of variance 0.1", with_classical()),
+      .tables = {outlier_table("l1-surface1-measures", "Noise of variance 0.1", with_classical_surface()),
                  outlier_table("l1-surface1-quiet", "Noise of deviation 0.1", surface_methods(), "quiet ")},
       .measure = measured_bump,
       .printed = "table3"};
@@ -222,7 +205,7 @@ Experiment moebius_band() {
            {.sentence = "The l1 schemes fit noisy data with outliers better than other subdivision schemes (read as: "
                         "than the biquadratic B-spline).",
             .place = "Sec. 1; " + place,
-            .relation = smaller(over_classical(l1_schemes))},
+            .relation = smaller(all_pairs(l1_schemes, {classical_surface.name}))},
            {.sentence = "The l1 schemes remove outliers (read as: these raise the error by less than a tenth).",
             .place = "Highlights; " + place,
             .relation = below("paired differences of the error and 1.1 of that without outliers", 0,
@@ -234,9 +217,9 @@ Experiment moebius_band() {
             .place = "Sec. 2.5, Experiment 2",
             .relation = smaller(six_over_others),
             .recorded = Verdict::not_confirmed}},
-      .tables = {outlier_table("l1-surface2-measures", "Noise of variance 0.1 and 20 outliers (1 %)", with_classical()),
-                 outlier_table("l1-surface2-many", "The same with 100 outliers (5 %)",
-                               {surface_methods()[0], surface_methods()[3]}, "many: ")},
+      .tables = {outlier_table("l1-surface2-measures", "Noise of variance 0.1 and 20 outliers (1 %)",
+                               with_classical_surface()),
+                 outlier_table("l1-surface2-many", "The same with 100 outliers (5 %)", methods_on_six(), "many: ")},
       .measure = measured_band};
 }
 

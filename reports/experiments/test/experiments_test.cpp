@@ -75,7 +75,7 @@ TEST_CASE("means with confidence: known values, coverage and the ratio of noise"
   }
   CHECK(covered > 920);
   CHECK(covered < 980);
-  const double sigma = experiments::noise_deviation(4, 6);
+  const double sigma = noise_deviation(4, 6);
   CHECK(10 * std::log10((4 + sigma * sigma) / (sigma * sigma)) == Approx(6));
 }
 

@@ -89,7 +89,7 @@ void for_each_refined(
       batch.sets.push_back(drawn.back().with);
     }
     const Batch fine = refined(method.specification, batch, method.levels.value_or(data.levels));
-    const std::vector<double> truth = data.true_points(fine.axes);
+    const std::vector<double> truth = data.true_points(fine.axes).values;
     for (std::size_t k = 0; k < drawn.size(); ++k)
       visit(method, first + k,
             {data, drawn[k], fine.axes, truth, fine.sets[both ? 2 * k : k], fine.sets[both ? 2 * k + 1 : k]});
@@ -114,19 +114,8 @@ std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods) {
   return result;
 }
 
-std::vector<double> NoisyData::true_points(const std::vector<data::Axis>& at) const {
-  const auto xs = parameters(at[0]), ys = at.size() > 1 ? parameters(at[1]) : std::vector<double>{0};
-  std::vector<double> result;
-  for (const double y : ys)
-    for (const double x : xs) {
-      const auto point = truth(x, y);
-      result.insert(result.end(), point.begin(), point.begin() + static_cast<std::ptrdiff_t>(dimension));
-    }
-  return result;
-}
-
 OutlierSample NoisyData::draw(std::mt19937_64& engine) const {
-  OutlierSample sample{true_points(axes), {}};
+  OutlierSample sample{true_points().values, {}};
   if (sigma) {
     const auto noise = normal_noise(engine, sample.without.size());
     for (std::size_t i = 0; i < noise.size(); ++i) sample.without[i] += *sigma * noise[i];

@@ -4,7 +4,6 @@
 #include "experiment.hpp"
 #include "refined_data.hpp"
 
-#include <array>
 #include <random>
 
 namespace subcert::experiments {
@@ -29,19 +28,20 @@ struct OutlierSample {
 struct NoisyData {
   std::vector<data::Axis> axes;
   std::size_t dimension = 1;
-  int levels;  ///< refinements
-  /// The point from which the data come, at a parameter of each axis; `dimension` numbers are read.
-  std::function<std::array<double, 3>(double, double)> truth;
+  int levels;                        ///< refinements
+  PointAt truth;                     ///< from which the data come
   std::optional<double> sigma = {};  ///< deviation of the normal noise in each coordinate; none is drawn where empty
   std::size_t outliers = 0;
   std::function<void(std::mt19937_64&, double* point)> displace = {};  ///< makes an outlier of a point
 
   OutlierSample draw(std::mt19937_64& engine) const;
-  /// Sample 0 with its outliers.
   OutlierSample first_sample(std::uint64_t seed) const;
-  /// The points from which the data come, at the parameters of these axes; ordered as GridData::values.
-  std::vector<double> true_points(const std::vector<data::Axis>& at) const;
+  /// Sample 0 with its outliers.
+  data::GridData<double> first_data(std::uint64_t seed) const { return as_grid(first_sample(seed).with); }
   data::GridData<double> as_grid(std::vector<double> values) const { return {std::move(values), dimension, axes}; }
+  /// The points from which the data come, at the parameters of these axes or of the data.
+  data::GridData<double> true_points(const std::vector<data::Axis>& at) const { return sampled(at, dimension, truth); }
+  data::GridData<double> true_points() const { return true_points(axes); }
 };
 
 /// Adds a number between `low` and `low` + `width` to a height, of random sign.

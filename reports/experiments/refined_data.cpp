@@ -56,6 +56,24 @@ std::vector<double> parameters(const data::Axis& axis) {
   return result;
 }
 
+data::Axis finer(data::Axis axis, int factor) {
+  const auto steps = static_cast<std::size_t>(factor);
+  axis.count = axis.closed ? axis.count * steps : (axis.count - 1) * steps + 1;
+  axis.step /= factor;
+  return axis;
+}
+
+data::GridData<double> sampled(const std::vector<data::Axis>& axes, std::size_t dimension, const PointAt& point) {
+  const auto xs = parameters(axes[0]), ys = axes.size() > 1 ? parameters(axes[1]) : std::vector<double>{0};
+  data::GridData<double> result{{}, dimension, axes};
+  for (const double y : ys)
+    for (const double x : xs) {
+      const auto p = point(x, y);
+      result.values.insert(result.values.end(), p.begin(), p.begin() + static_cast<std::ptrdiff_t>(dimension));
+    }
+  return result;
+}
+
 std::vector<double> polygon_at(const data::GridData<double>& curve, const std::vector<double>& parameters) {
   const data::Axis& axis = curve.axes[0];
   const double first = data::nearest_double(axis.first), step = data::nearest_double(axis.step);

@@ -3,6 +3,8 @@
 
 #include <subcert/schemes/data/grid_data.hpp>
 
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,13 @@ data::GridData<double> refined(const std::string& specification, const data::Gri
 
 /// The parameters of the points of an axis.
 std::vector<double> parameters(const data::Axis& axis);
+
+/// The axis with `factor` steps for each. Domain: factor >= 1.
+data::Axis finer(data::Axis axis, int factor);
+
+/// A curve or surface by its parameters, the second 0 for curves; the first `dimension` numbers are coordinates.
+using PointAt = std::function<std::array<double, 3>(double, double)>;
+data::GridData<double> sampled(const std::vector<data::Axis>& axes, std::size_t dimension, const PointAt& point);
 
 /// The polygon through the points of a curve at these parameters: coordinate c of parameter k at [k * dimension + c].
 /// Beyond the first and last point of open data the outer edges are continued. Domain: one axis, at least two points.

@@ -45,16 +45,10 @@ std::array<double, 3> ring_point(double column, double row) {
 }
 
 data::GridData<double> points_of_mesh(const Mesh& mesh) {
-  data::GridData<double> data{{}, 3, {data::Axis::of(mesh.columns, true), data::Axis::of(mesh.rows, mesh.closed_rows)}};
-  const double turn = 2 * std::numbers::pi;
-  const auto last = static_cast<double>(mesh.closed_rows ? mesh.rows : mesh.rows - 1);
-  for (std::size_t j = 0; j < mesh.rows; ++j)
-    for (std::size_t i = 0; i < mesh.columns; ++i) {
-      const auto point = mesh.point(turn * static_cast<double>(i) / static_cast<double>(mesh.columns),
-                                    turn * static_cast<double>(j) / last);
-      data.values.insert(data.values.end(), point.begin(), point.end());
-    }
-  return data;
+  const double turn = 2 * std::numbers::pi, columns = static_cast<double>(mesh.columns),
+               rows = static_cast<double>(mesh.closed_rows ? mesh.rows : mesh.rows - 1);
+  return sampled({data::Axis::of(mesh.columns, true), data::Axis::of(mesh.rows, mesh.closed_rows)}, 3,
+                 [&](double i, double j) { return mesh.point(turn * i / columns, turn * j / rows); });
 }
 
 struct SurfaceExperiment {

@@ -26,7 +26,7 @@ NoisyExperiment function_experiment() {
   NoisyData data{.axes = {data::Axis::of(function_points)}, .levels = 3, .truth = [](double x, double) {
                    return std::array{std::sin(x / 5) + std::pow(x / 30 - 1, 2), 0.0, 0.0};
                  }};
-  const auto samples = data.true_points(data.axes);
+  const auto samples = data.true_points().values;
   const double sigma = noise_deviation(mean_square(samples), 20), range = diameter(samples, 1);
   data.sigma = sigma;
   data.outliers = outliers;
@@ -50,7 +50,7 @@ NoisyExperiment curve_experiment() {
         const double t = 2 * std::numbers::pi * x / curve_points, radius = 3 + std::cos(2 * t) + 0.5 * std::sin(3 * t);
         return std::array{radius * std::cos(t), radius * std::sin(t), 0.0};
       }};
-  const auto samples = data.true_points(data.axes);
+  const auto samples = data.true_points().values;
   const double sigma = noise_deviation(mean_square(samples), 25), size = diameter(samples, 2);
   data.sigma = sigma;
   data.outliers = outliers;
@@ -90,11 +90,7 @@ std::vector<Method> all_methods() {
 
 formats::Figure degrees_figure(const NoisyExperiment& experiment, std::uint64_t seed) {
   const NoisyData& data = experiment.data;
-  const data::GridData<double> sample = data.as_grid(data.first_sample(seed).with);
-  data::Axis fine = data.axes[0];
-  fine.count = (fine.closed ? fine.count : fine.count - 1) * 8 + !fine.closed;
-  fine.step = Rational(1, 8);
-  const data::GridData<double> truth{data.true_points({fine}), data.dimension, {fine}};
+  const data::GridData<double> sample = data.first_data(seed), truth = data.true_points({finer(data.axes[0], 8)});
   formats::Figure result{experiment.id,
                          experiment.title,
                          "One sample: degrees 1, 2, 3 by l1 regression above, by least squares below, on 8 data.",

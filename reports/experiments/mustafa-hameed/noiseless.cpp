@@ -11,29 +11,23 @@
 namespace subcert::experiments::mustafa_hameed {
 namespace {
 
+constexpr std::size_t vertices = 60;
+
 /// A flower with five petals.
-data::GridData<double> flower_polygon() {
-  constexpr std::size_t count = 60;
-  data::GridData<double> data{{}, 2, {data::Axis::of(count, true)}};
-  for (std::size_t i = 0; i < count; ++i) {
-    const double t = 2 * std::numbers::pi * static_cast<double>(i) / count, radius = 4 + std::cos(5 * t);
-    data.values.insert(data.values.end(), {radius * std::cos(t), radius * std::sin(t)});
-  }
-  return data;
+std::array<double, 3> flower(double i, double) {
+  const double t = 2 * std::numbers::pi * i / vertices, radius = 4 + std::cos(5 * t);
+  return {radius * std::cos(t), radius * std::sin(t)};
 }
 
 /// A star with ten edges of six parts.
-data::GridData<double> star_polygon() {
-  data::GridData<double> data{{}, 2, {data::Axis::of(60, true)}};
-  const auto corner = [](int k) {
-    const double t = std::numbers::pi * (0.5 + k / 5.0), radius = k % 2 == 0 ? 5 : 2.4;
-    return std::array<double, 2>{radius * std::cos(t), radius * std::sin(t)};
+std::array<double, 3> star(double i, double) {
+  const auto corner = [](double k) {
+    const double t = std::numbers::pi * (0.5 + k / 5), radius = std::fmod(k, 2) == 0 ? 5 : 2.4;
+    return std::array{radius * std::cos(t), radius * std::sin(t)};
   };
-  for (int k = 0; k < 10; ++k)
-    for (int part = 0; part < 6; ++part)
-      for (std::size_t c = 0; c < 2; ++c)
-        data.values.push_back(((6 - part) * corner(k)[c] + part * corner(k + 1)[c]) / 6);
-  return data;
+  const double edge = std::floor(i / 6), part = i - 6 * edge;
+  const auto from = corner(edge), to = corner(edge + 1);
+  return {((6 - part) * from[0] + part * to[0]) / 6, ((6 - part) * from[1] + part * to[1]) / 6};
 }
 
 data::GridData<double> limit_of(const Method& method, const data::GridData<double>& data) {
@@ -111,7 +105,9 @@ Measured measured_polygons(const ExperimentOptions&) {
       {}};
   formats::Figure figure{"nonlinear-fig7", "Data without noise", "", 3, {}};
   Measured result;
-  for (const Polygon& polygon : {Polygon{"flower", flower_polygon()}, Polygon{"star", star_polygon()}}) {
+  const std::vector<data::Axis> axes{data::Axis::of(vertices, true)};
+  for (const Polygon& polygon :
+       {Polygon{"flower", sampled(axes, 2, flower)}, Polygon{"star", sampled(axes, 2, star)}}) {
     compare_with_polygon(result, polygon, table);
     for (const Method& method : {l1_method(6, 1), l1_method(6, 2), l1_method(6, 3)})
       figure.panels.push_back(plain_panel(method.name,

@@ -25,22 +25,14 @@ struct PolynomialData {
     for (const auto& c : coordinates) most = std::max(most, c.size() - 1);
     return static_cast<int>(most);
   }
-  std::vector<double> at(double x) const {
-    std::vector<double> point;
-    for (const auto& c : coordinates) {
-      double value = 0;
-      for (std::size_t k = c.size(); k-- > 0;) value = value * (x - 8) / 7 + c[k];
-      point.push_back(value);
-    }
+  std::array<double, 3> at(double x) const {
+    std::array<double, 3> point{};
+    for (std::size_t i = 0; i < coordinates.size(); ++i)
+      for (std::size_t k = coordinates[i].size(); k-- > 0;) point[i] = point[i] * (x - 8) / 7 + coordinates[i][k];
     return point;
   }
-  data::GridData<double> sampled(const data::Axis& axis = data::Axis::of(count)) const {
-    data::GridData<double> data{{}, coordinates.size(), {axis}};
-    for (const double x : parameters(axis)) {
-      const auto point = at(x);
-      data.values.insert(data.values.end(), point.begin(), point.end());
-    }
-    return data;
+  data::GridData<double> samples(const data::Axis& axis = data::Axis::of(count)) const {
+    return sampled({axis}, coordinates.size(), [this](double x, double) { return at(x); });
   }
 };
 
@@ -50,8 +42,8 @@ const std::vector<PolynomialData> polynomials{
 
 /// The largest distance of the refined samples from the polynomial, over the diameter of the samples.
 double deviation(const PolynomialData& polynomial, const Method& method) {
-  const auto data = polynomial.sampled(), fine = refined(method.specification, data, levels);
-  return largest_distance(fine.values, polynomial.sampled(fine.axes[0]).values, fine.dimension) /
+  const auto data = polynomial.samples(), fine = refined(method.specification, data, levels);
+  return largest_distance(fine.values, polynomial.samples(fine.axes[0]).values, fine.dimension) /
          diameter(data.values, data.dimension);
 }
 
@@ -63,10 +55,9 @@ int linear_reproduction(const Method& method) {
 
 formats::Panel polynomial_panel(const PolynomialData& polynomial, const Method& method,
                                 const data::GridData<double>& data) {
-  const data::Axis fine{16 * (count - 1) + 1, false, Rational(count - 1), 0, Rational(1, 16)};
   return plain_panel(method.name + ", " + polynomial.name,
                      {dots("data", points_of(data), colour::dark),
-                      line("polynomial", points_of(polynomial.sampled(fine)), colour::pale),
+                      line("polynomial", points_of(polynomial.samples(finer(data.axes[0], 16))), colour::pale),
                       line("limit", points_of(refined(method.specification, data, levels)), colour::blue)},
                      data.dimension == 2);
 }
@@ -75,11 +66,8 @@ NoisyData noisy_cubic() {
   const PolynomialData& polynomial = polynomials[1];
   return {.axes = {data::Axis::of(count)},
           .levels = 3,
-          .truth =
-              [polynomial](double x, double) {
-                return std::array{polynomial.at(x)[0], 0.0, 0.0};
-              },
-          .sigma = noise_deviation(mean_square(polynomial.sampled().values), 20)};
+          .truth = [polynomial](double x, double) { return polynomial.at(x); },
+          .sigma = noise_deviation(mean_square(polynomial.samples().values), 20)};
 }
 
 const std::vector<int> windows_of_linear{6, 7, 8};
@@ -106,9 +94,8 @@ Measured measured_linear(const ExperimentOptions& options) {
   study_error_parts(result, noisy, l1_methods(windows_of_linear, {1, 2, 3}), options);
   formats::Figure figure{"nonlinear-fig1", "Schemes of linear polynomials on data of other polynomials", "", 2, {}};
   for (const PolynomialData& polynomial : polynomials)
-    figure.panels.push_back(polynomial_panel(polynomial, l1_method(6, 1), polynomial.sampled()));
-  figure.panels.push_back(
-      polynomial_panel(polynomials[1], l1_method(6, 1), noisy.as_grid(noisy.first_sample(options.seed).with)));
+    figure.panels.push_back(polynomial_panel(polynomial, l1_method(6, 1), polynomial.samples()));
+  figure.panels.push_back(polynomial_panel(polynomials[1], l1_method(6, 1), noisy.first_data(options.seed)));
   figure.panels.back().title = "D_6^1, cubic function with noise";
   result.figures = {figure};
   return result;
@@ -162,7 +149,7 @@ Measured measured_reproduction(const ExperimentOptions&) {
   formats::Figure figure{"nonlinear-fig3", "Polynomial data kept by schemes of degrees 2 and 3", "", 3, {}};
   const std::vector<Method> shown{l1_method(6, 2), l1_method(8, 3), l1_method(8, 3)};
   for (std::size_t k = 0; k < polynomials.size(); ++k)
-    figure.panels.push_back(polynomial_panel(polynomials[k], shown[k], polynomials[k].sampled()));
+    figure.panels.push_back(polynomial_panel(polynomials[k], shown[k], polynomials[k].samples()));
   result.tables = {table};
   result.figures = {figure};
   return result;

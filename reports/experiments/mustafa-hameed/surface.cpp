@@ -18,7 +18,7 @@ NoisyData hills() {
                                          2 * std::exp(-u * u - (v + 1.3) * (v + 1.3)),
                                      0.0, 0.0};
                  }};
-  const auto samples = data.true_points(data.axes);
+  const auto samples = data.true_points().values;
   const double range = diameter(samples, 1);
   data.sigma = noise_deviation(mean_square(samples), 20);
   data.outliers = 12;
@@ -36,7 +36,7 @@ Measured measured_hills(const ExperimentOptions& options) {
   const NoisyData data = hills();
   Measured result;
   study(result, data, surface_methods(), {error_measure, error_without_measure, roughness_measure}, options);
-  const data::GridData<double> sample = data.as_grid(data.first_sample(options.seed).with);
+  const data::GridData<double> sample = data.first_data(options.seed);
   formats::SurfaceFigure figure{"nonlinear-surface",
                                 "Noisy heights with outliers",
                                 "The data, linear polynomials on 6 x 6 data, quadratic ones, and the true surface.",
@@ -48,7 +48,7 @@ Measured measured_hills(const ExperimentOptions& options) {
     figure.surfaces.push_back(drawn_surface(method.name, surface));
     fine = surface.axes;
   }
-  figure.surfaces.push_back(drawn_surface("true", {data.true_points(fine), 1, fine}));
+  figure.surfaces.push_back(drawn_surface("true", data.true_points(fine)));
   result.surface_figures = {figure};
   return result;
 }

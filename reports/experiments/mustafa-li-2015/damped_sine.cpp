@@ -17,11 +17,9 @@ formats::Panel outlier_panel(const NoisyData& data, const OutlierSample& sample,
   Points kept, outliers;
   for (std::size_t i = 0; i < drawn.size(); ++i)
     (sample.with[i * data.dimension] != sample.without[i * data.dimension] ? outliers : kept).push_back(drawn[i]);
-  data::Axis fine = data.axes[0];
-  fine.count = (fine.count - 1) * static_cast<std::size_t>(density) + 1;
-  fine.step = Rational(1, density);
-  const data::GridData<double> truth{data.true_points({fine}), data.dimension, {fine}},
-      fitted = refined(method.specification, data.as_grid(sample.with), method.levels.value_or(data.levels));
+  const data::GridData<double> truth = data.true_points({finer(data.axes[0], density)}),
+                               fitted = refined(method.specification, data.as_grid(sample.with),
+                                                method.levels.value_or(data.levels));
   formats::Panel panel = plain_panel(
       method.name,
       {line("original", points_of(placed(truth, origin, scale)), colour::amber), dots("data", kept, colour::grey)},
@@ -48,16 +46,12 @@ NoisyData with_outliers(std::size_t outliers, double sigma) {
 
 double range() {
   const NoisyData data = with_outliers(0, 0);
-  const data::Axis fine{((count - 1) << levels) + 1, false, Rational(count - 1), 0, Rational(1, 1 << levels)};
-  const auto values = data.true_points({fine});
+  const auto values = data.true_points({finer(data.axes[0], 1 << levels)}).values;
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
   return *largest - *least;
 }
 
-double mean_square_of_samples() {
-  const NoisyData data = with_outliers(0, 0);
-  return mean_square(data.true_points(data.axes));
-}
+double mean_square_of_samples() { return mean_square(with_outliers(0, 0).true_points().values); }
 
 formats::Panel panel(const OutlierSample& sample, const Method& method) {
   return outlier_panel(with_outliers(0, 0), sample, method, 4, -5, Rational(1, 10));

@@ -42,10 +42,10 @@ formats::SurfaceFigure sample_figure(const formats::SurfaceFigure& words, const 
   const auto drawn = [&](const std::string& title, const data::GridData<double>& surface, std::size_t every) {
     return drawn_surface(title, placed(surface, origin, scale), every);
   };
-  const data::GridData<double> sample = data.as_grid(data.first_sample(seed).with);
+  const data::GridData<double> sample = data.first_data(seed);
   formats::SurfaceFigure result = words;
   result.columns = 3;
-  result.surfaces = {drawn("original", data.as_grid(data.true_points(data.axes)), 1), drawn("data", sample, 1)};
+  result.surfaces = {drawn("original", data.true_points(), 1), drawn("data", sample, 1)};
   for (const Method& method : methods)
     result.surfaces.push_back(drawn(method.name, refined(method.specification, sample, 2), keep));
   return result;

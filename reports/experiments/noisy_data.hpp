@@ -34,6 +34,7 @@ struct NoisyData {
   std::size_t outliers = 0;
   std::function<void(std::mt19937_64&, double* point)> displace = {};  ///< makes an outlier of a point
 
+  /// Draws the noise, then the places of the outliers, then each.
   OutlierSample draw(std::mt19937_64& engine) const;
   OutlierSample first_sample(std::uint64_t seed) const;
   /// Sample 0 with its outliers.

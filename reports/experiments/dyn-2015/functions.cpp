@@ -65,8 +65,8 @@ class FunctionTrial {
       for (const auto& [name, method] : methods_) {
         const Reconstruction reconstruction = reconstructed(method, noise);
         for (int decibel = loudest; decibel <= quietest; ++decibel) {
-          result.samples.at({name, std::to_string(decibel)})[run] = relative_error({reconstruction(deviation(decibel))},
-                                                                                   truth);
+          auto& found = result.samples.at({name, std::to_string(decibel)});
+          found[run] = relative_error({reconstruction(deviation(decibel))}, truth);
         }
       }
     });

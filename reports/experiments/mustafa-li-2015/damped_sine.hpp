@@ -33,8 +33,8 @@ std::string setup();
 
 }  // namespace damped
 
-/// The same for any data of one axis, with the truth at `density` points for each datum; parameter u of a function is
-/// drawn at origin + scale * u. Domain: density >= 1, scale > 0.
+/// As damped::panel for any data of one axis, with the truth at `density` points for each datum; parameter u of a
+/// function is drawn at origin + scale * u. Domain: density >= 1, scale > 0.
 formats::Panel outlier_panel(const NoisyData& data, const OutlierSample& sample, const Method& method, int density,
                              const Rational& origin = 0, const Rational& scale = 1);
 

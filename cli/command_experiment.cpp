@@ -41,7 +41,7 @@ std::string page(const experiments::RanExperiment& ran, const formats::Section& 
   std::ostringstream text;
   text << ran.experiment->title << " (" << ran.experiment->paper << ")\n\n";
   for (const std::string& paragraph : section.paragraphs) text << paragraph << "\n\n";
-  for (const experiments::Claim& claim : result.claims)
+  for (const experiments::DecidedClaim& claim : result.claims)
     text << to_text(claim.finding) << ": " << claim.sentence << " [" << claim.place
          << "]\n  decided by: " << claim.statistic << "\n  found: " << claim.numbers << "\n";
   for (const formats::PlainTable& table : result.tables) {

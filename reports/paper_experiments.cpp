@@ -12,7 +12,7 @@ std::vector<std::string> experiment_ids(const std::string& paper) {
 }
 
 std::size_t report_runs(const experiments::Experiment& experiment, std::size_t runs) {
-  return experiment.prints_values ? 4 * runs : runs;
+  return !experiment.printed.empty() ? 4 * runs : runs;
 }
 
 void add_experiments(Report& report, const ReportOptions& options) {

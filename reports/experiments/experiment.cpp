@@ -1,42 +1,45 @@
 #include "experiment.hpp"
 
-#include "families.hpp"
+#include "papers.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/formats/published.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace subcert::experiments {
 
 bool ExperimentResult::all_confirmed() const {
-  return std::none_of(claims.begin(), claims.end(), [](const Claim& c) { return c.finding == Verdict::not_confirmed; });
+  return std::none_of(claims.begin(), claims.end(),
+                      [](const DecidedClaim& c) { return c.finding == Verdict::not_confirmed; });
 }
 
 bool ExperimentResult::as_recorded() const {
-  return std::all_of(claims.begin(), claims.end(), [](const Claim& c) { return c.finding == c.recorded; });
+  return std::all_of(claims.begin(), claims.end(), [](const DecidedClaim& c) { return c.finding == c.recorded; });
 }
 
 std::size_t ExperimentResult::count(Verdict finding) const {
   return static_cast<std::size_t>(
-      std::count_if(claims.begin(), claims.end(), [&](const Claim& c) { return c.finding == finding; }));
+      std::count_if(claims.begin(), claims.end(), [&](const DecidedClaim& c) { return c.finding == finding; }));
 }
 
 const std::vector<Experiment>& experiments() {
-  static const std::vector<Experiment> all = [] {
+  static const std::vector<Experiment> every = [] {
+    const std::pair<const char*, std::vector<Experiment> (*)()> papers[]{{"dyn-2015", dyn_2015::all},
+                                                                         {"mustafa-li-2015", mustafa_li_2015::all},
+                                                                         {"mustafa-hameed", mustafa_hameed::all},
+                                                                         {"mustafa-bari-2016", mustafa_bari_2016::all}};
     std::vector<Experiment> result;
-    for (const auto& family :
-         {expected_errors::all, functions::all, plane_curves::all, torus::all, part_scan::all, l1_experiments,
-          nonlinear_polynomials::all, nonlinear_quiet::all, nonlinear_noise::all, nonlinear_surface::all,
-          aary_limit_functions::all, aary_curves::all, aary_car::all, aary_surfaces::all}) {
-      const auto more = family();
-      result.insert(result.end(), more.begin(), more.end());
-    }
+    for (const auto& [paper, all] : papers)
+      for (Experiment& experiment : all()) {
+        experiment.paper = paper;
+        result.push_back(std::move(experiment));
+      }
     return result;
   }();
-  return all;
+  return every;
 }
 
 const Experiment& experiment(const std::string& id) {
@@ -45,18 +48,44 @@ const Experiment& experiment(const std::string& id) {
   fail(ErrorKind::domain, "unknown experiment '{}'", id);
 }
 
-RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options) {
-  return {&experiment, options, experiment.run(options)};
+namespace {
+
+std::string smallest_to_largest(const std::vector<double>& values) {
+  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  return short_number(*least) + " to " + short_number(*largest);
 }
 
-namespace {
+/// Adds the printed table beside the errors of the schemes that its columns name, none of them reproducible, and the
+/// claim that says so.
+void add_printed_errors(ExperimentResult& result, const Experiment& experiment, const Measured& measured) {
+  const formats::PublishedTable printed = formats::published_paper(experiment.paper).table(experiment.printed);
+  DecidedClaim claim{"The errors of " + printed.title + ".",
+                     printed.place,
+                     "the data were not published; the printed values beside the range over our samples",
+                     Verdict::not_reproducible,
+                     "",
+                     Verdict::not_reproducible};
+  formats::ComparisonTable table{experiment.paper, printed.id, printed.title, printed.place, printed.grid, {}};
+  for (const formats::PublishedCell& cell : printed.cells) {
+    const auto& errors = measured.at({"error", cell.column});
+    const std::string range = smallest_to_largest(errors);
+    claim.numbers += (claim.numbers.empty() ? "" : "; ") + cell.column + ": printed " + cell.printed + ", ours " +
+                     range;
+    table.comparisons.push_back(
+        {cell.row, cell.column, cell.scheme, cell.printed, mean_interval(errors).text(), Verdict::not_reproducible,
+         cell.recorded,
+         "The printed value rests on one unpublished sample; over our samples the error runs from " + range + "."});
+  }
+  result.claims.push_back(claim);
+  result.comparisons.push_back(table);
+}
 
 formats::PlainTable claims_table(const RanExperiment& ran) {
   formats::PlainTable table{ran.experiment->id + "-claims",
                             "What the paper says, and what decides it",
                             {"claim", "place", "statistic", "finding", "numbers"},
                             {}};
-  for (const Claim& c : ran.result.claims) {
+  for (const DecidedClaim& c : ran.result.claims) {
     table.rows.push_back({c.sentence, c.place, c.statistic, to_text(c.finding), c.numbers});
     table.row_classes.push_back(c.finding == Verdict::confirmed       ? "match"
                                 : c.finding == Verdict::not_confirmed ? "mismatch"
@@ -67,14 +96,29 @@ formats::PlainTable claims_table(const RanExperiment& ran) {
 
 }  // namespace
 
+RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options) {
+  Measured measured = experiment.measure(options);
+  ExperimentResult result;
+  for (const auto& [sentence, place, relation, recorded] : experiment.claims) {
+    const auto [verdict, numbers] = relation.decide(measured);
+    result.claims.push_back({sentence, place, relation.statistic, verdict, numbers, recorded});
+  }
+  for (const MeansTable& table : experiment.tables) result.tables.push_back(table.filled(measured));
+  result.tables.insert(result.tables.end(), measured.tables.begin(), measured.tables.end());
+  result.figures = std::move(measured.figures);
+  result.surface_figures = std::move(measured.surface_figures);
+  if (!experiment.printed.empty()) add_printed_errors(result, experiment, measured);
+  return {&experiment, options, std::move(result)};
+}
+
 formats::Section experiment_section(const RanExperiment& ran) {
   const ExperimentResult& result = ran.result;
-  formats::Section section{ran.experiment->id, ran.experiment->title, result.setup, result.comparisons, {},
+  formats::Section section{ran.experiment->id, ran.experiment->title, ran.experiment->setup, result.comparisons, {},
                            result.figures,     result.surface_figures};
   section.paragraphs.push_back(
-      result.random ? "Seed " + std::to_string(ran.options.seed) + ", " + std::to_string(ran.options.runs) +
-                          " samples of the noise; intervals are means with 95 % confidence (Student's t)."
-                    : "Nothing here is random.");
+      ran.experiment->random ? "Seed " + std::to_string(ran.options.seed) + ", " + std::to_string(ran.options.runs) +
+                                   " samples of the noise; intervals are means with 95 % confidence (Student's t)."
+                             : "Nothing here is random.");
   if (!result.claims.empty()) section.tables.push_back(claims_table(ran));
   section.tables.insert(section.tables.end(), result.tables.begin(), result.tables.end());
   return section;
@@ -83,9 +127,9 @@ formats::Section experiment_section(const RanExperiment& ran) {
 std::string experiment_json(const RanExperiment& ran) {
   using Json = nlohmann::ordered_json;
   Json json{{"experiment", ran.experiment->id}, {"paper", ran.experiment->paper}, {"title", ran.experiment->title},
-            {"seed", ran.options.seed},         {"runs", ran.options.runs},       {"setup", ran.result.setup},
+            {"seed", ran.options.seed},         {"runs", ran.options.runs},       {"setup", ran.experiment->setup},
             {"claims", Json::array()},          {"tables", Json::array()}};
-  for (const Claim& c : ran.result.claims)
+  for (const DecidedClaim& c : ran.result.claims)
     json["claims"].push_back({{"claim", c.sentence},
                               {"place", c.place},
                               {"statistic", c.statistic},

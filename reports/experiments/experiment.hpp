@@ -1,21 +1,28 @@
 #pragma once
 /// Experiments with random noise, and what they say about the claims that a paper makes.
 
-#include <subcert/reports/formats/section.hpp>
+#include "measured.hpp"
 
 #include <cstdint>
-#include <functional>
 
 namespace subcert::experiments {
 
-/// A sentence of a paper and the statistic that decides it.
+/// A sentence of a paper, and the relation between measured quantities that decides it.
 struct Claim {
+  std::string sentence;
+  std::string place;
+  Relation relation;
+  /// What this version of the toolkit is known to find with the default seed.
+  Verdict recorded = Verdict::confirmed;
+};
+
+/// A claim with what was found.
+struct DecidedClaim {
   std::string sentence;
   std::string place;
   std::string statistic;
   Verdict finding;
   std::string numbers;
-  /// What this version of the toolkit is known to find with the default seed.
   Verdict recorded = Verdict::confirmed;
 };
 
@@ -25,26 +32,29 @@ struct ExperimentOptions {
   int jobs = 2;
 };
 
-struct ExperimentResult {
+struct Experiment {
+  std::string id;  ///< unique over all papers
+  std::string title;
   std::vector<std::string> setup;  ///< what the paper leaves open and how it was chosen
-  std::vector<Claim> claims = {};
+  std::vector<Claim> claims;
+  std::vector<MeansTable> tables = {};
+  /// Measures `options.runs` samples and draws the first. The same seed and runs give the same for any number of jobs.
+  std::function<Measured(const ExperimentOptions& options)> measure = {};
+  std::string printed = {};  ///< the paper's table of errors that rest on its unpublished data
+  bool random = true;        ///< whether seed and samples matter
+  std::string paper = {};    ///< key
+};
+
+struct ExperimentResult {
+  std::vector<DecidedClaim> claims = {};
   std::vector<formats::PlainTable> tables = {};
   std::vector<formats::Figure> figures = {};
   std::vector<formats::SurfaceFigure> surface_figures = {};
   std::vector<formats::ComparisonTable> comparisons = {};  ///< printed values beside ours, where the paper prints any
-  bool random = true;                                      ///< whether seed and samples matter
 
   bool all_confirmed() const;
   bool as_recorded() const;
   std::size_t count(Verdict finding) const;
-};
-
-struct Experiment {
-  std::string id;     ///< unique over all papers
-  std::string paper;  ///< key
-  std::string title;
-  std::function<ExperimentResult(const ExperimentOptions&)> run;
-  bool prints_values = false;  ///< the paper prints numbers that rest on its unpublished data
 };
 
 /// All experiments, by paper and place.
@@ -52,14 +62,14 @@ const std::vector<Experiment>& experiments();
 /// Errors: throws a domain error for an unknown id.
 const Experiment& experiment(const std::string& id);
 
-/// An experiment with its outcome. The same seed and runs give the same outcome for any number of jobs.
+/// An experiment with its outcome.
 struct RanExperiment {
   const Experiment* experiment;
   ExperimentOptions options;
   ExperimentResult result;
 };
 
-/// Domain: options.runs >= 2.
+/// Measures, decides the claims and fills the tables. Domain: options.runs >= 2.
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options);
 
 /// As a section of a page: the setup, the claims as a table, and the experiment's tables and figures.

@@ -1,41 +1,66 @@
 #include "refined_data.hpp"
 
-#include "batch.hpp"
-
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
+#include <subcert/schemes/data/refine/grid_refinement.hpp>
+#include <subcert/schemes/data/scheme_refinement.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace subcert::experiments {
-namespace {
-
-double as_double(const Rational& value) { return value.convert_to<double>(); }
-
-formats::Curve drawn(const std::string& label, const data::GridData<double>& data, bool joined,
-                     const std::string& colour) {
-  formats::Curve result{label, {}, !joined, joined, colour};
-  const std::size_t points = data.points();
-  for (std::size_t k = 0; k < points + (joined && data.axes[0].closed && data.dimension > 1); ++k) {
-    const double* point = data.values.data() + k % points * data.dimension;
-    if (data.dimension == 1)
-      result.points.emplace_back(as_double(data.axes[0].parameter(k)), point[0]);
-    else
-      result.points.emplace_back(point[0], point[1]);
-  }
+Batch refined(const std::string& specification, const Batch& data, int levels) {
+  const AnyScheme scheme = make_any_scheme(specification);
+  if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme); l1 && l1->rules.options.joint_residuals)
+    fail(ErrorKind::domain, "refined: need separate residuals, got {}", specification);
+  // The sets are coordinates of one set of points, and no scheme here mixes coordinates.
+  const std::size_t sets = data.sets.size(), k = data.dimension;
+  data::GridData<double> joined{{}, sets * k, data.axes};
+  const std::size_t points = joined.points();
+  joined.values.resize(points * sets * k);
+  for (std::size_t s = 0; s < sets; ++s)
+    for (std::size_t p = 0; p < points; ++p) std::copy_n(&data.sets[s][p * k], k, &joined.values[(p * sets + s) * k]);
+  const data::GridData<double> fine = refine(joined, scheme, {levels, data::Boundary::regression, 1});
+  Batch result{fine.axes, k, std::vector<std::vector<double>>(sets, std::vector<double>(fine.points() * k))};
+  for (std::size_t s = 0; s < sets; ++s)
+    for (std::size_t p = 0; p < fine.points(); ++p)
+      std::copy_n(&fine.values[(p * sets + s) * k], k, &result.sets[s][p * k]);
   return result;
 }
-
-}  // namespace
 
 data::GridData<double> refined(const std::string& specification, const data::GridData<double>& data, int levels) {
   Batch fine = refined(specification, Batch{data.axes, data.dimension, {data.values}}, levels);
   return {std::move(fine.sets.front()), fine.dimension, fine.axes};
 }
 
+std::vector<double> parameters(const data::Axis& axis) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < axis.count; ++i) result.push_back(data::nearest_double(axis.parameter(i)));
+  return result;
+}
+
+data::Axis finer(data::Axis axis, int factor) {
+  const auto steps = static_cast<std::size_t>(factor);
+  axis.count = axis.closed ? axis.count * steps : (axis.count - 1) * steps + 1;
+  axis.step /= factor;
+  return axis;
+}
+
+data::GridData<double> sampled(const std::vector<data::Axis>& axes, std::size_t dimension, const PointAt& point) {
+  const auto xs = parameters(axes[0]), ys = axes.size() > 1 ? parameters(axes[1]) : std::vector<double>{0};
+  data::GridData<double> result{{}, dimension, axes};
+  for (const double y : ys)
+    for (const double x : xs) {
+      const auto p = point(x, y);
+      result.values.insert(result.values.end(), p.begin(), p.begin() + static_cast<std::ptrdiff_t>(dimension));
+    }
+  return result;
+}
+
 std::vector<double> polygon_at(const data::GridData<double>& curve, const std::vector<double>& parameters) {
   const data::Axis& axis = curve.axes[0];
-  const double first = as_double(axis.first), step = as_double(axis.step);
+  const double first = data::nearest_double(axis.first), step = data::nearest_double(axis.step);
   const auto count = static_cast<long>(axis.count);
   std::vector<double> result;
   result.reserve(parameters.size() * curve.dimension);
@@ -94,39 +119,19 @@ double diameter(const std::vector<double>& points, std::size_t dimension) {
   return std::sqrt(square);
 }
 
-const std::string pale = "#9aa5b1";
-
-formats::Curve drawn_points(const std::string& label, const data::GridData<double>& data, const std::string& colour) {
-  return drawn(label, data, false, colour);
+double largest_distance(const std::vector<double>& first, const std::vector<double>& second, std::size_t dimension) {
+  const auto all = distances(first, second, dimension);
+  return *std::max_element(all.begin(), all.end());
 }
 
-formats::Curve drawn_line(const std::string& label, const data::GridData<double>& data, const std::string& colour) {
-  return drawn(label, data, true, colour);
-}
-
-formats::DrawnSurface drawn_surface(const std::string& title, const data::GridData<double>& surface) {
-  const data::Axis &x = surface.axes[0], &y = surface.axes[1];
-  formats::DrawnSurface result{title, x.count, y.count, x.closed, y.closed, {}, surface.dimension == 1};
-  for (std::size_t j = 0; j < y.count; ++j)
-    for (std::size_t i = 0; i < x.count; ++i) {
-      const double* value = surface.values.data() + (j * x.count + i) * surface.dimension;
-      if (result.heights)
-        result.points.push_back({as_double(x.parameter(i)), as_double(y.parameter(j)), value[0]});
-      else
-        result.points.push_back({value[0], value[1], value[2]});
-    }
-  return result;
+double relative_distance(const std::vector<double>& values, const std::vector<double>& truth, std::size_t dimension) {
+  return largest_distance(values, truth, dimension) / diameter(truth, dimension);
 }
 
 data::GridData<double> rounded(const data::GridData<Rational>& data) {
   data::GridData<double> result{{}, data.dimension, data.axes};
-  for (const Rational& value : data.values) result.values.push_back(as_double(value));
+  for (const Rational& value : data.values) result.values.push_back(subcert::data::nearest_double(value));
   return result;
-}
-
-void Evidence::require(const std::string& name, bool holds, const std::string& numbers) {
-  holds_ = holds_ && holds;
-  numbers_ += (numbers_.empty() ? "" : "; ") + name + (name.empty() ? "" : ": ") + numbers;
 }
 
 }  // namespace subcert::experiments

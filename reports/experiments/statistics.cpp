@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
-#include <stdexcept>
 
 namespace subcert::experiments {
 

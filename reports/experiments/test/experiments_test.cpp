@@ -1,7 +1,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
+#include <subcert/reports/experiments/dyn-2015/mechanical_part.hpp>
 #include <subcert/reports/experiments/local_polynomial.hpp>
-#include <subcert/reports/experiments/mechanical_part.hpp>
 #include <subcert/reports/paper_experiments.hpp>
 
 #include <cmath>
@@ -9,6 +9,7 @@
 
 using namespace subcert;
 using namespace subcert::experiments;
+using namespace subcert::experiments::dyn_2015;
 
 TEST_CASE("local regression of each degree keeps its polynomials at every bandwidth") {
   const std::vector<double> positions{0, 0.3, 10.5, 19};
@@ -93,7 +94,7 @@ TEST_CASE("experiments have different names, and do not depend on the number of 
 TEST_CASE("with the seed and the runs of a report, every finding is the recorded one", "[long]") {
   const reports::ReportOptions defaults;
   for (const Experiment& e : subcert::experiments::experiments())
-    for (const Claim& claim :
+    for (const DecidedClaim& claim :
          run_experiment(e, {defaults.seed, reports::report_runs(e, defaults.runs), defaults.jobs}).result.claims) {
       CAPTURE(e.id, claim.sentence, claim.numbers);
       CHECK(to_text(claim.finding) == to_text(claim.recorded));
@@ -108,7 +109,7 @@ TEST_CASE("every paper has a report of its experiments, and its claims are told 
   CHECK(report.sections.size() == 2);
   CHECK(report.experiments.front().options.runs == 4);
   for (const RanExperiment& ran : report.experiments)
-    for (const Claim& claim : ran.result.claims) {
+    for (const DecidedClaim& claim : ran.result.claims) {
       CHECK(!claim.place.empty());
       CHECK(!claim.statistic.empty());
       CHECK(!claim.numbers.empty());
@@ -123,14 +124,9 @@ TEST_CASE("a finding that changes is noticed") {
 }
 
 TEST_CASE("tensor product limits keep a plane, open, and turn with the data, closed") {
-  PointGrid plane{12, 14, {}};
-  for (std::size_t j = 0; j < plane.rows; ++j)
-    for (std::size_t i = 0; i < plane.columns; ++i) {
-      const auto x = static_cast<double>(i), y = static_cast<double>(j);
-      plane.points[0].push_back(x);
-      plane.points[1].push_back(y);
-      plane.points[2].push_back(3 * x - 2 * y + x * y);
-    }
+  const PointGrid plane = sampled_grid(12, 14, 3, [](double x, double y) {
+    return std::array{x, y, 3 * x - 2 * y + x * y};
+  });
   const PointGrid limit = TensorLimit("primal:n=3", 12, 14, data::Boundary::regression, 1)(plane);
   REQUIRE(limit.columns == 23);
   REQUIRE(limit.rows == 27);

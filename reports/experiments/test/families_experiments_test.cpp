@@ -1,11 +1,12 @@
 #include <subcert/cmake/catch.hpp>
-#include <subcert/reports/experiments/degree_study.hpp>
+#include <subcert/reports/experiments/mustafa-hameed/parts.hpp>
 
 #include <cmath>
 #include <numeric>
 
 using namespace subcert;
 using namespace subcert::experiments;
+using subcert::experiments::mustafa_hameed::l1_method;
 
 namespace {
 
@@ -14,22 +15,25 @@ double mean(const std::vector<double>& values) {
 }
 
 /// A parabola with noise, without outliers where `height` is 0.
-OutlierCase parabola(double sigma, double height) {
-  const auto value = [](double x) { return (x - 10) * (x - 10) / 20; };
-  return {{data::Axis::of(21)},
-          1,
-          2,
-          [=](std::mt19937_64& engine) {
-            OutlierSample sample;
-            for (const double noise : normal_noise(engine, 21))
-              sample.without.push_back(value(static_cast<double>(sample.without.size())) + sigma * noise);
-            sample.with = sample.without;
-            sample.with[9] += height;
-            return sample;
-          },
-          [=](double x, double) {
-            return std::array<double, 3>{value(x), 0, 0};
-          }};
+NoisyData parabola(double sigma, double height) {
+  return {.axes = {data::Axis::of(21)},
+          .levels = 2,
+          .truth =
+              [](double x, double) {
+                return std::array{(x - 10) * (x - 10) / 20, 0.0, 0.0};
+              },
+          .sigma = sigma,
+          .outliers = height == 0 ? 0u : 1u,
+          .displace = [height](std::mt19937_64&, double* value) { *value += height; }};
+}
+
+/// The mean of a measure of one method.
+double mean_of(const std::string& measure, const NoisyData& data, const Method& method,
+               const ExperimentOptions& options) {
+  Measured measured;
+  study(measured, data, {method}, {error_measure}, options);
+  study_error_parts(measured, data, {method}, options);
+  return mean(measured.at({measure, method.name}));
 }
 
 }  // namespace
@@ -54,25 +58,24 @@ TEST_CASE("distances and diameters") {
 }
 
 TEST_CASE("squared bias and variance add up to the error; without noise there is no variance") {
-  const Method method = robust_method(6, 1);
-  const ExperimentOptions options{3, 400, 2};
-  const OutlierCase noisy = parabola(0.2, 3);
-  const ErrorParts parts = error_parts(noisy, method, options);
-  REQUIRE(parts.squared_bias.size() == 200);
-  const Outcome whole = study(noisy, {method}, options).front();
+  const Method method = l1_method(6, 1);
+  const ExperimentOptions many{3, 400, 2}, few{3, 4, 1};
+  const NoisyData noisy = parabola(0.2, 3), quiet = parabola(0, 0);
   // Of a pair, the mean of both squares is e . e' + |e - e'|^2 / 2.
-  CHECK(mean(parts.squared_bias) + mean(parts.variance) == Approx(mean(whole.error)));
-  const ErrorParts quiet = error_parts(parabola(0, 0), method, {3, 4, 1});
-  CHECK(mean(quiet.variance) == 0);
-  CHECK(mean(quiet.squared_bias) == Approx(mean(study(parabola(0, 0), {method}, {3, 4, 1}).front().error)));
-  CHECK(mean(quiet.squared_bias) > 0.001);
-  CHECK(mean(error_parts(parabola(0, 0), robust_method(6, 2), {3, 4, 1}).squared_bias) < 1e-20);
+  CHECK(mean_of("squared bias", noisy, method, many) + mean_of("variance", noisy, method, many) ==
+        Approx(mean_of("error", noisy, method, many)));
+  CHECK(mean_of("variance", quiet, method, few) == 0);
+  CHECK(mean_of("squared bias", quiet, method, few) == Approx(mean_of("error", quiet, method, few)));
+  CHECK(mean_of("squared bias", quiet, method, few) > 0.001);
+  CHECK(mean_of("squared bias", quiet, l1_method(6, 2), few) < 1e-20);
 }
 
 TEST_CASE("the distance from the data leaves outliers out") {
-  const ErrorParts parts = error_parts(parabola(0, 1000), robust_method(8, 2), {1, 2, 1});
+  Measured measured;
+  study_error_parts(measured, parabola(0, 1000), {l1_method(8, 2)}, {1, 2, 1});
+  REQUIRE(measured.at({"from data", "D_8^2"}).size() == 4);
   // The square of the outlier's own distance would be at least 40,000 in the mean over 21 data.
-  for (const double square : parts.from_data) CHECK(square < 10);
+  for (const double square : measured.at({"from data", "D_8^2"})) CHECK(square < 10);
 }
 
 TEST_CASE("experiments of the a-ary paper and of the non-linear families find what is recorded") {
@@ -81,7 +84,7 @@ TEST_CASE("experiments of the a-ary paper and of the non-linear families find wh
     if (e.paper == "mustafa-bari-2016" || e.paper == "mustafa-hameed") {
       ++found;
       const RanExperiment ran = run_experiment(e, {1, 50, 2});
-      for (const Claim& claim : ran.result.claims) {
+      for (const DecidedClaim& claim : ran.result.claims) {
         INFO(e.id << ": " << claim.sentence << " " << claim.numbers);
         CHECK(claim.finding == claim.recorded);
       }
@@ -94,8 +97,8 @@ TEST_CASE("experiments of the a-ary paper and of the non-linear families find wh
 TEST_CASE("experiments without random numbers do not depend on the seed") {
   for (const Experiment& e : subcert::experiments::experiments()) {
     if (e.paper != "mustafa-bari-2016" && e.id != "nonlinear-fig3" && e.id != "nonlinear-fig7") continue;
-    const ExperimentResult one = e.run({1, 2, 1}), two = e.run({2, 3, 1});
-    CHECK(!one.random);
+    const ExperimentResult one = run_experiment(e, {1, 2, 1}).result, two = run_experiment(e, {2, 3, 1}).result;
+    CHECK(!e.random);
     REQUIRE(one.claims.size() == two.claims.size());
     for (std::size_t i = 0; i < one.claims.size(); ++i) CHECK(one.claims[i].numbers == two.claims[i].numbers);
   }

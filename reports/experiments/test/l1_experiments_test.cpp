@@ -1,6 +1,6 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
-#include <subcert/reports/experiments/damped_sine.hpp>
+#include <subcert/reports/experiments/mustafa-li-2015/damped_sine.hpp>
 #include <subcert/reports/formats/published.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 
@@ -8,6 +8,7 @@
 
 using namespace subcert;
 using namespace subcert::experiments;
+using namespace subcert::experiments::mustafa_li_2015;
 
 namespace {
 
@@ -63,31 +64,52 @@ TEST_CASE("the l1 schemes without reweighting are the least squares schemes") {
 }
 
 TEST_CASE("claims need whole intervals on the right side of the bound") {
-  const NamedMean clear{"clear", {-2, 1}}, open{"open", {-0.5, 1}};
-  CHECK(all_below({"", ""}, "", 0, {clear}).finding == Verdict::confirmed);
-  CHECK(all_below({"", ""}, "", 0, {clear, open}).finding == Verdict::not_confirmed);
-  CHECK(all_above({"", ""}, "", -4, {clear, open}).finding == Verdict::confirmed);
-  CHECK(all_above({"", ""}, "", -3, {clear, open}).finding == Verdict::not_confirmed);
+  Measured measured;
+  // Intervals from -3 to -1 and from -1.5 to 0.5.
+  const double width = 1 / mean_interval({-1, 1}).half_width;
+  measured.samples[{"height", "clear"}] = {-2 - width, -2 + width};
+  measured.samples[{"height", "open"}] = {-0.5 - width, -0.5 + width};
+  const auto found = [&](const Relation& relation) { return relation.decide(measured).verdict; };
+  CHECK(found(below("", 0, means("height", {"clear"}))) == Verdict::confirmed);
+  CHECK(found(below("", 0, means("height", {"clear", "open"}))) == Verdict::not_confirmed);
+  CHECK(found(above("", -4, means("height", {"clear", "open"}))) == Verdict::confirmed);
+  CHECK(found(above("", -2, means("height", {"clear", "open"}))) == Verdict::not_confirmed);
+  CHECK_FAILS(found(below("", 0, means("height", {"unknown"}))), domain);
+}
+
+TEST_CASE("differences are paired, and facts are wanted all") {
+  Measured measured;
+  measured.samples = {{{"error", "a"}, {1, 5}}, {{"error", "b"}, {2, 6}}, {{"noise", "a"}, {0, 4}}};
+  const Finding less = below("", 0, differences("error", {{"a", "b"}})).decide(measured);
+  CHECK(less.verdict == Verdict::confirmed);
+  CHECK(less.numbers == "a - b: -1 ± 0");
+  CHECK(above("", 0, excess("error", "noise", {"a"})).decide(measured).numbers == "a: 1 ± 0");
+  measured.add_fact("topic", "one", true, "1");
+  CHECK(all_facts("topic", "").decide(measured).verdict == Verdict::confirmed);
+  measured.add_fact("topic", "", false, "2");
+  const Finding both = all_facts("topic", "").decide(measured);
+  CHECK(both.verdict == Verdict::not_confirmed);
+  CHECK(both.numbers == "one: 1; 2");
+  CHECK_FAILS(all_facts("nothing", "").decide(measured), domain);
 }
 
 TEST_CASE("a study measures errors and responses") {
-  OutlierCase what = damped::with_outliers(0, 0);
-  const ExperimentOptions options{1, 27, 2};  // more than are refined together
-  for (const Outcome& o : study(what, curve_methods(), options)) {
-    CHECK(o.error == o.error_without);
-    for (const double response : o.response) CHECK(response == 0);
-    for (const double error : o.error) CHECK(error == o.error[0]);
-    CHECK(o.error[0] > 0);
+  NoisyData what = damped::with_outliers(0, 0);
+  Measured measured;
+  study(measured, what, curve_methods(), outlier_measures, {1, 27, 2});  // more than are refined together
+  for (const Method& method : curve_methods()) {
+    const auto& errors = measured.at({"error", method.name});
+    CHECK(errors == measured.at({"error without", method.name}));
+    for (const double response : measured.at({"response", method.name})) CHECK(response == 0);
+    for (const double error : errors) CHECK(error == errors[0]);
+    CHECK(errors[0] > 0);
   }
   // A linear scheme answers an outlier of height 1 by the basic limit function, whose values are at most 0.171 for S_6.
-  what.draw = [](std::mt19937_64&) {
-    OutlierSample sample{damped::samples(), damped::samples()};
-    sample.with[50] += 1;
-    return sample;
-  };
-  const auto outcomes = study(what, {curve_methods()[0]}, {1, 2, 1});
-  CHECK(outcomes[0].response[0] == Approx(0.1705).margin(1e-3));
-  CHECK_FAILS(outcome(outcomes, "S_9"), domain);
+  what.outliers = 1;
+  what.displace = [](std::mt19937_64&, double* height) { *height += 1; };
+  study(measured, what, {curve_methods()[0]}, {response_measure}, {1, 2, 1});
+  CHECK(measured.at({"response", "S_6"})[0] == Approx(0.1705).margin(1e-3));
+  CHECK_FAILS(measured.at({"error", "S_9"}), domain);
 }
 
 TEST_CASE("outliers stand where they should") {
@@ -100,7 +122,7 @@ TEST_CASE("outliers stand where they should") {
     if (height != 0) CHECK((height >= 4 && height <= 8 + 1e-12));
   }
   CHECK(moved == 13);
-  CHECK(damped::samples()[50] == 0);
+  CHECK(damped_sine(damped::position(50)) == 0);
   CHECK(damped_sine(damped::position(60)) == Approx(std::sin(3.0) * std::exp(-1.0 / 3)));
 }
 

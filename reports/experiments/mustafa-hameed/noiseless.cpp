@@ -1,0 +1,167 @@
+// [MH, abstract and sec. 1.1, Figure 7]: data without noise.
+
+#include "parts.hpp"
+
+#include <subcert/reports/experiments/figures.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace subcert::experiments::mustafa_hameed {
+namespace {
+
+constexpr std::size_t vertices = 60;
+
+/// A flower with five petals.
+std::array<double, 3> flower(double i, double) {
+  const double t = 2 * std::numbers::pi * i / vertices, radius = 4 + std::cos(5 * t);
+  return {radius * std::cos(t), radius * std::sin(t)};
+}
+
+/// A star with ten edges of six parts.
+std::array<double, 3> star(double i, double) {
+  const auto corner = [](double k) {
+    const double t = std::numbers::pi * (0.5 + k / 5), radius = std::fmod(k, 2) == 0 ? 5 : 2.4;
+    return std::array{radius * std::cos(t), radius * std::sin(t)};
+  };
+  const double edge = std::floor(i / 6), part = i - 6 * edge;
+  const auto from = corner(edge), to = corner(edge + 1);
+  return {((6 - part) * from[0] + part * to[0]) / 6, ((6 - part) * from[1] + part * to[1]) / 6};
+}
+
+data::GridData<double> limit_of(const Method& method, const data::GridData<double>& data) {
+  return refined(method.specification, data, 6);
+}
+
+/// The extrema of both coordinates along a closed polygon, without those that the coordinate leaves by at most `height`
+/// before it turns again.
+std::size_t extrema(const data::GridData<double>& curve, double height) {
+  const std::size_t points = curve.points();
+  std::size_t result = 0;
+  for (std::size_t c = 0; c < 2; ++c) {
+    int direction = 0;
+    double extreme = curve.values[c];
+    for (std::size_t i = 0; i < 2 * points; ++i) {  // the first round finds the direction at the start
+      const double value = curve.values[2 * (i % points) + c];
+      if (direction != 0 && (value - extreme) * direction >= 0) {
+        extreme = value;
+      } else if (std::abs(value - extreme) > height) {
+        if (i >= points) ++result;
+        direction = value > extreme ? 1 : -1;
+        extreme = value;
+      }
+    }
+  }
+  return result;
+}
+
+constexpr double rounding = 1e-12;  ///< heights of rounding errors
+/// Heights below this part of the diameter are not seen.
+constexpr double visible = 1.0 / 200;
+
+struct Polygon {
+  std::string name;
+  data::GridData<double> data;
+};
+
+/// Distances from the vertices and extrema of the limits, all schemes.
+void compare_with_polygon(Measured& measured, const Polygon& polygon, formats::PlainTable& table) {
+  const double lowest = visible * diameter(polygon.data.values, 2);
+  const std::size_t wanted = extrema(polygon.data, rounding), wanted_high = extrema(polygon.data, lowest);
+  const auto count_fact = [&](const std::string& topic, const std::string& name, std::size_t found, std::size_t all) {
+    measured.add_fact(topic, name, found == all, std::to_string(found) + " of " + std::to_string(all));
+  };
+  for (const int points : {6, 7, 8}) {
+    double of_linear = 0;
+    for (const int degree : {1, 2, 3}) {
+      const Method method = l1_method(points, degree);
+      const data::GridData<double> fine = limit_of(method, polygon.data);
+      const double distance = relative_distance(polygon_at(fine, parameters(polygon.data.axes[0])), polygon.data.values,
+                                                2);
+      const std::size_t all = extrema(fine, rounding), high = extrema(fine, lowest);
+      const std::string name = polygon.name + ", " + method.name, shown = short_number(distance);
+      table.rows.push_back({polygon.name, method.name, shown, std::to_string(all), std::to_string(high),
+                            std::to_string(wanted), std::to_string(wanted_high)});
+      if (degree == 1) {
+        of_linear = distance;
+        continue;
+      }
+      measured.add_fact("through", name, distance < 1e-6, shown);
+      measured.add_fact("near the " + polygon.name, name, distance < 0.01, shown);
+      count_fact("extrema", name, all, wanted);
+      count_fact("visible extrema", name, high, wanted_high);
+      measured.add_fact("better", name, distance < of_linear, short_number(distance / of_linear));
+    }
+  }
+}
+
+Measured measured_polygons(const ExperimentOptions&) {
+  formats::PlainTable table{
+      "nonlinear-fig7-distances",
+      "Data without noise: largest distance of the limit from the vertices over the diameter, and extrema "
+      "of both coordinates",
+      {"polygon", "scheme", "distance", "extrema", "visible ones", "of the polygon", "visible ones"},
+      {}};
+  formats::Figure figure{"nonlinear-fig7", "Data without noise", "", 3, {}};
+  Measured result;
+  const std::vector<data::Axis> axes{data::Axis::of(vertices, true)};
+  for (const Polygon& polygon :
+       {Polygon{"flower", sampled(axes, 2, flower)}, Polygon{"star", sampled(axes, 2, star)}}) {
+    compare_with_polygon(result, polygon, table);
+    for (const Method& method : {l1_method(6, 1), l1_method(6, 2), l1_method(6, 3)})
+      figure.panels.push_back(plain_panel(method.name,
+                                          {dots("data", points_of(polygon.data), colour::dark),
+                                           line("limit", line_of(limit_of(method, polygon.data)), colour::blue)},
+                                          true));
+  }
+  result.tables = {table};
+  result.figures = {figure};
+  return result;
+}
+
+}  // namespace
+
+Experiment data_without_noise() {
+  const std::string measure = "largest distance of the limit from the vertices over the diameter, ";
+  return {
+      .id = "nonlinear-fig7",
+      .title = "Figure 7: data without noise",
+      .setup =
+          {"The data are not published. Two closed polygons with 60 vertices: r = 4 + cos 5t, and a star with ten "
+           "straight edges. Schemes D_6, D_7, D_8 of degrees 1, 2, 3 with 6 iterations and delta = 1e-8, 6 levels. "
+           "The limit at a vertex is that at its parameter."},
+      .claims = {{.sentence =
+                      "The schemes show interpolatory behaviour on data without noise: literally, limits pass through "
+                      "the vertices.",
+                  .place = "Sec. 1.1, Fig. 7",
+                  .relation = all_facts("through", measure + "below 1e-6"),
+                  .recorded = Verdict::not_confirmed},
+                 {.sentence = "Interpolatory behaviour on smooth data, read as: nearer than 1/100 of the diameter.",
+                  .place = "Sec. 1.1, Fig. 7",
+                  .relation = all_facts("near the flower", measure + "below 1/100")},
+                 {.sentence =
+                      "Interpolatory behaviour on a polygon with corners, read as: nearer than 1/100 of the diameter.",
+                  .place = "Sec. 1.1, Fig. 7",
+                  .relation = all_facts("near the star", measure + "below 1/100"),
+                  .recorded = Verdict::not_confirmed},
+                 {.sentence = "Although not interpolatory, the schemes preserve the shape of the initial polygon.",
+                  .place = "Abstract, Fig. 7",
+                  .relation = all_facts("extrema", "the limit has as many extrema of its coordinates as the polygon"),
+                  .recorded = Verdict::not_confirmed},
+                 {.sentence = "The schemes preserve the shape of the initial polygon, but for what cannot be seen.",
+                  .place = "Abstract, Fig. 7",
+                  .relation = all_facts("visible extrema",
+                                        "the same count without extrema that are lower than 1/200 of the diameter")},
+                 {.sentence =
+                      "The schemes of non-linear polynomials perform better than those of linear ones, on data without "
+                      "noise.",
+                  .place = "Abstract, Fig. 7",
+                  .relation = all_facts("better",
+                                        "largest distance from the vertices, smaller than with degree 1 on as many "
+                                        "data; the ratio")}},
+      .measure = measured_polygons,
+      .random = false};
+}
+
+}  // namespace subcert::experiments::mustafa_hameed

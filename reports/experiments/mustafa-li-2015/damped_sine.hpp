@@ -1,0 +1,41 @@
+#pragma once
+/// The function of the experiments on curves in [MLZD15, sec. 2.5], sampled with outliers: f_1(x) = sin(3x) e^(-x/3).
+
+#include "parts.hpp"
+
+namespace subcert::experiments::mustafa_li_2015 {
+
+double damped_sine(double x);
+
+namespace damped {
+
+constexpr std::size_t count = 101;
+constexpr int levels = 5;
+/// Datum u stands here: -5, -4.9, ..., 5.
+inline double position(double u) { return -5 + u / 10; }
+
+/// Normal noise of this deviation, and outliers of random sign and of a modulus between 4 and 8.
+NoisyData with_outliers(std::size_t outliers, double sigma);
+
+/// Largest minus smallest value of f_1 on [-5, 5], on the points of the last level; the mean square of its samples.
+double range();
+double mean_square_of_samples();
+
+/// The data, which of them are outliers, f_1 and the curve of a scheme: blue for l1 schemes, else red.
+formats::Panel panel(const OutlierSample& sample, const Method& method);
+
+/// A panel for each method.
+formats::Figure figure(const std::string& id, const std::string& title, const std::string& caption, int columns,
+                       const std::vector<Method>& methods, const OutlierSample& sample);
+
+/// What all experiments with f_1 choose.
+std::string setup();
+
+}  // namespace damped
+
+/// As damped::panel for any data of one axis, with the truth at `density` points for each datum; parameter u of a
+/// function is drawn at origin + scale * u. Domain: density >= 1, scale > 0.
+formats::Panel outlier_panel(const NoisyData& data, const OutlierSample& sample, const Method& method, int density,
+                             const Rational& origin = 0, const Rational& scale = 1);
+
+}  // namespace subcert::experiments::mustafa_li_2015

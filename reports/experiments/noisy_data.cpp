@@ -1,0 +1,198 @@
+#include "noisy_data.hpp"
+
+#include <subcert/schemes/data/runtime/parallel.hpp>
+
+#include <algorithm>
+
+namespace subcert::experiments {
+namespace {
+
+constexpr std::size_t samples_per_share = 24;  // samples that are refined together, an even number
+
+double mean_squared_error(const std::vector<double>& values, const std::vector<double>& truth, std::size_t dimension) {
+  double sum = 0;
+  for (std::size_t i = 0; i < values.size(); i += dimension) {
+    double square = 0;
+    for (std::size_t c = i; c < i + dimension; ++c) square += (values[c] - truth[c]) * (values[c] - truth[c]);
+    sum += square;
+  }
+  return sum / static_cast<double>(values.size() / dimension);
+}
+
+double error(const RefinedSample& s) { return mean_squared_error(s.with, s.truth, s.data.dimension); }
+
+double error_without(const RefinedSample& s) { return mean_squared_error(s.without, s.truth, s.data.dimension); }
+
+double response(const RefinedSample& s) { return largest_distance(s.with, s.without, s.data.dimension); }
+
+double roughness(const RefinedSample& s) {
+  double sum = 0;
+  std::size_t count = 0;
+  const std::size_t columns = s.axes[0].count, rows = s.axes[1].count, dimension = s.data.dimension,
+                    row = columns * dimension;
+  const auto add = [&](std::size_t at, std::size_t step) {
+    const double difference = s.with[at - step] - 2 * s.with[at] + s.with[at + step];
+    sum += difference * difference;
+    ++count;
+  };
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i)
+      for (std::size_t c = 0; c < dimension; ++c) {
+        const std::size_t at = j * row + i * dimension + c;
+        if (i > 0 && i + 1 < columns) add(at, dimension);
+        if (j > 0 && j + 1 < rows) add(at, row);
+      }
+  return sum / static_cast<double>(count);
+}
+
+double moved(const RefinedSample& s) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < s.with.size(); ++i) count += s.with[i] != s.without[i];
+  return static_cast<double>(count) / static_cast<double>(s.with.size());
+}
+
+double from_data(const RefinedSample& s) {
+  const std::size_t dimension = s.data.dimension;
+  const auto at_data = polygon_at({s.with, dimension, s.axes}, parameters(s.data.axes[0]));
+  const auto outlying = distances(s.drawn.with, s.drawn.without, dimension);
+  const auto left = distances(at_data, s.drawn.with, dimension);
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    if (outlying[i] == 0) {
+      sum += left[i] * left[i];
+      ++count;
+    }
+  return sum / static_cast<double>(count);
+}
+
+/// Whether the data without outliers are refined too.
+enum class Sets { with_outliers, both };
+
+/// Draws `count` samples and refines them by each method: visit(method, r, sample) in increasing order of r within a
+/// share, from several threads.
+void for_each_refined(
+    const NoisyData& data, const std::vector<Method>& methods, std::size_t count, Sets sets,
+    const ExperimentOptions& options,
+    const std::function<void(const Method& method, std::size_t r, const RefinedSample& sample)>& visit) {
+  const std::size_t shares = (count + samples_per_share - 1) / samples_per_share;
+  const bool both = sets == Sets::both && data.outliers > 0;
+  runtime::parallel_for_each(shares * methods.size(), options.jobs, [&](std::size_t task) {
+    const Method& method = methods[task / shares];
+    const std::size_t first = task % shares * samples_per_share, last = std::min(count, first + samples_per_share);
+    std::vector<OutlierSample> drawn;
+    Batch batch{data.axes, data.dimension, {}};
+    for (std::size_t r = first; r < last; ++r) {
+      auto engine = generator(options.seed, r);
+      drawn.push_back(data.draw(engine));
+      if (both) batch.sets.push_back(drawn.back().without);
+      batch.sets.push_back(drawn.back().with);
+    }
+    const Batch fine = refined(method.specification, batch, method.levels.value_or(data.levels));
+    const std::vector<double> truth = data.true_points(fine.axes).values;
+    for (std::size_t k = 0; k < drawn.size(); ++k)
+      visit(method, first + k,
+            {data, drawn[k], fine.axes, truth, fine.sets[both ? 2 * k : k], fine.sets[both ? 2 * k + 1 : k]});
+  });
+}
+
+}  // namespace
+
+const SampleMeasure error_measure{"error", error}, error_without_measure{"error without", error_without, true},
+    response_measure{"response", response, true}, roughness_measure{"roughness", roughness},
+    moved_measure{"moved", moved, true}, from_data_measure{"from data", from_data};
+
+Names names_of(const std::vector<Method>& methods) {
+  Names result;
+  for (const Method& method : methods) result.push_back(method.name);
+  return result;
+}
+
+std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods) {
+  std::vector<MeansTable::Row> result;
+  for (const Method& method : methods) result.push_back({{method.name}, method.name});
+  return result;
+}
+
+OutlierSample NoisyData::draw(std::mt19937_64& engine) const {
+  OutlierSample sample{true_points().values, {}};
+  if (sigma) {
+    const auto noise = normal_noise(engine, sample.without.size());
+    for (std::size_t i = 0; i < noise.size(); ++i) sample.without[i] += *sigma * noise[i];
+  }
+  sample.with = sample.without;
+  for (const std::size_t i : chosen_indices(engine, outliers, sample.with.size() / dimension))
+    displace(engine, &sample.with[i * dimension]);
+  return sample;
+}
+
+OutlierSample NoisyData::first_sample(std::uint64_t seed) const {
+  auto engine = generator(seed, 0);
+  return draw(engine);
+}
+
+std::function<void(std::mt19937_64&, double*)> vertical_outlier(double low, double width) {
+  return [low, width](std::mt19937_64& engine, double* height) {
+    const double distance = low + width * uniform(engine);
+    *height += uniform(engine) < 0.5 ? -distance : distance;
+  };
+}
+
+void study(Measured& measured, const NoisyData& data, const std::vector<Method>& methods,
+           const std::vector<SampleMeasure>& measures, const ExperimentOptions& options, const std::string& prefix) {
+  bool both = false;
+  for (const SampleMeasure& measure : measures) {
+    both = both || measure.compares;
+    for (const Method& method : methods) measured.samples[{prefix + measure.name, method.name}].resize(options.runs);
+  }
+  for_each_refined(data, methods, options.runs, both ? Sets::both : Sets::with_outliers, options,
+                   [&](const Method& method, std::size_t r, const RefinedSample& sample) {
+                     for (const SampleMeasure& measure : measures)
+                       measured.samples.at({prefix + measure.name, method.name})[r] = measure.value(sample);
+                   });
+}
+
+void study_error_parts(Measured& measured, const NoisyData& data, const std::vector<Method>& methods,
+                       const ExperimentOptions& options) {
+  const std::size_t pairs = std::max<std::size_t>(2, options.runs / 2);
+  std::map<std::string, std::vector<std::vector<double>>> errors;  // by method, of each sample at each value
+  for (const Method& method : methods) {
+    for (const char* part : {"squared bias", "variance"}) measured.samples[{part, method.name}].resize(pairs);
+    measured.samples[{from_data_measure.name, method.name}].resize(2 * pairs);
+    errors[method.name].resize(2 * pairs);
+  }
+  for_each_refined(data, methods, 2 * pairs, Sets::with_outliers, options,
+                   [&](const Method& method, std::size_t r, const RefinedSample& sample) {
+                     if (data.axes.size() == 1)
+                       measured.samples.at({from_data_measure.name, method.name})[r] = from_data(sample);
+                     std::vector<double>&previous = errors.at(method.name)[r - r % 2],
+                     &error = errors.at(method.name)[r];
+                     error = sample.with;
+                     for (std::size_t i = 0; i < error.size(); ++i) error[i] -= sample.truth[i];
+                     if (r % 2 == 0) return;
+                     double &squared_bias = measured.samples.at({"squared bias", method.name})[r / 2],
+                            &variance = measured.samples.at({"variance", method.name})[r / 2];
+                     const double points = static_cast<double>(error.size() / data.dimension);
+                     for (std::size_t i = 0; i < error.size(); ++i) {
+                       const double e = previous[i], f = error[i];
+                       squared_bias += e * f / points;
+                       variance += (e - f) * (e - f) / 2 / points;
+                     }
+                     previous = error = {};
+                   });
+}
+
+MeansTable outlier_table(const std::string& id, const std::string& title, const std::vector<Method>& methods,
+                         const std::string& prefix) {
+  MeansTable table{id,
+                   title,
+                   {"scheme", "specification"},
+                   {},
+                   {{"mean squared error", prefix + error_measure.name},
+                    {"without outliers", prefix + error_without_measure.name},
+                    {"response", prefix + response_measure.name}}};
+  for (const Method& method : methods) table.rows.push_back({{method.name, method.specification}, method.name});
+  return table;
+}
+
+}  // namespace subcert::experiments

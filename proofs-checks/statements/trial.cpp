@@ -44,7 +44,9 @@ Outcome Trial::outcome(const Trial& corrected) const {
           corrected.all_ ? "the corrected form holds for all: " + corrected.argument_ : corrected.argument_};
 }
 
-Outcome not_checkable(const std::string& reason) { return {Verdict::not_checkable, "", "", reason}; }
+Outcome in_both_forms(const std::function<Trial(Form)>& trial) {
+  return trial(Form::printed).outcome(trial(Form::corrected));
+}
 
 std::string at(const std::string& name, const Rational& value) { return name + " = " + subcert::to_text(value); }
 

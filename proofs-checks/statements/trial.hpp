@@ -35,8 +35,8 @@ class Trial {
   bool all_ = false;
 };
 
-/// For statements that cannot be checked.
-Outcome not_checkable(const std::string& reason);
+/// The verdict about a form that is tried as printed and as corrected.
+Outcome in_both_forms(const std::function<Trial(Form)>& trial);
 
 /// `n = 2`, as in witnesses.
 std::string at(const std::string& name, const Rational& value);

@@ -94,7 +94,7 @@ std::string enclosure_text(const Enclosure& enclosure, int digits) {
   if (!enclosure.lower && !enclosure.upper) return "unknown";
   if (!enclosure.upper) return ">= " + enclosure.lower_text(digits);
   if (!enclosure.lower) return "<= " + enclosure.upper_text(digits);
-  const std::string low = to_decimal(*enclosure.lower, digits, Rounding::nearest);
+  std::string low = to_decimal(*enclosure.lower, digits, Rounding::nearest);
   if (low == to_decimal(*enclosure.upper, digits, Rounding::nearest)) return low;
   return enclosure.lower_text(digits) + " ... " + enclosure.upper_text(digits);
 }

@@ -2,18 +2,20 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/reports/errata.hpp>
-#include <subcert/reports/report.hpp>
+#include <subcert/reports/overview.hpp>
 #include <subcert/reports/runtime/files.hpp>
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <mutex>
-#include <sstream>
 
 namespace subcert::cli {
 namespace {
@@ -40,70 +42,26 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
   }
 }
 
-std::string counted(const std::string& before, int count, const std::string& after) {
-  return count == 0 ? "" : before + std::to_string(count) + after;
-}
-
-std::string experiment_line(const experiments::RanExperiment& ran) {
-  const std::string& id = ran.experiment->id;
-  const auto count = [&](Verdict finding) { return static_cast<int>(ran.result.count(finding)); };
-  std::string findings = counted(", ", count(Verdict::confirmed), " confirmed") +
-                         counted(", ", count(Verdict::not_confirmed), " not confirmed") +
-                         counted(", ", count(Verdict::not_reproducible), " not reproducible");
-  return "  " + id + std::string(id.size() < 10 ? 10 - id.size() : 1, ' ') +
-         (findings.empty() ? "pictures" : "claims: " + findings.substr(2)) +
-         (ran.result.as_recorded() ? "" : "   NOT AS RECORDED") + "\n";
-}
-
-/// The claims that are not confirmed, and those with another finding than the recorded one.
-std::string unconfirmed(const experiments::RanExperiment& ran) {
-  std::string result;
-  for (const experiments::Claim& c : ran.result.claims)
-    if (c.finding == Verdict::not_confirmed || c.finding != c.recorded)
-      result += "  " + to_text(c.finding) + "  " + ran.experiment->id + ": " + c.sentence + " (" + c.numbers + ")" +
-                (c.finding == c.recorded ? "" : " [recorded: " + to_text(c.recorded) + "]") + "\n";
-  return result;
-}
-
-std::string summary(const std::vector<reports::Report>& reports) {
-  std::ostringstream text;
-  for (const reports::Report& report : reports) {
-    text << report.citation << "\n\n";
-    for (const formats::ComparisonTable* table : report.comparison_tables()) {
-      text << "  " << table->id << std::string(table->id.size() < 10 ? 10 - table->id.size() : 1, ' ')
-           << table->comparisons.size() << " values: " << table->count(Verdict::match) << " match, "
-           << table->count(Verdict::mismatch) << " mismatch, " << table->count(Verdict::open) << " open"
-           << counted(", ", table->count(Verdict::not_reproducible), " not reproducible")
-           << (table->as_recorded() ? "" : "   NOT AS RECORDED") << "\n";
-    }
-    for (const experiments::RanExperiment& ran : report.experiments) text << experiment_line(ran);
-    text << "\n";
-    for (const formats::ComparisonTable* table : report.comparison_tables())
-      for (const formats::Comparison& c : table->comparisons)
-        if (c.verdict == Verdict::mismatch || c.verdict != c.recorded)
-          text << "  " << to_text(c.verdict) << "  " << table->id << ": " << c.cell() << ": printed " << c.printed
-               << ", computed " << c.computed_text() << (c.note.empty() ? "" : " (" + c.note + ")")
-               << (c.verdict == c.recorded ? "" : " [recorded: " + to_text(c.recorded) + "]") << "\n";
-    for (const experiments::RanExperiment& ran : report.experiments) text << unconfirmed(ran);
-  }
-  return text.str();
-}
-
-/// Checks all statements and writes errata.html beside the page; whether all verdicts are the recorded ones.
-bool write_errata(const ReproduceOptions& options) {
+/// Checks all statements and writes errata.html beside the page.
+std::vector<reports::CheckedStatement> write_errata(const ReproduceOptions& options) {
   std::vector<const statements::Statement*> all;
   for (const statements::Statement& statement : statements::statements()) all.push_back(&statement);
-  const auto checked = reports::check_statements(all, statements::Tier::quick, options.threads(),
-                                                 [&](const std::string& id) { options.progress(id); });
+  auto checked = reports::check_statements(all, statements::Tier::quick, options.threads(),
+                                           [&](const std::string& id) { options.progress(id); });
   runtime::write_file(std::filesystem::path(options.out) / "errata.html", reports::errata_page(checked));
-  return std::all_of(checked.begin(), checked.end(),
-                     [](const reports::CheckedStatement& one) { return one.as_recorded(); });
+  return checked;
+}
+
+bool wants_colours() {
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR") && terminal && std::string(terminal) != "dumb";
 }
 
 ExitCode run(ReproduceOptions& options) {
+  const Stopwatch stopwatch;
   const auto papers = options.papers.empty() ? reports::reproducible_papers() : options.papers;
   require_known(options, papers);
-  std::vector<reports::Report> reports;
+  reports::Findings findings;
   std::mutex terminal;
   reports::ReportOptions report_options{options.only, options.threads(),
                                         [&](const std::string& line) {
@@ -111,25 +69,22 @@ ExitCode run(ReproduceOptions& options) {
                                           options.progress(line);
                                         },
                                         options.seed};
-  for (const std::string& paper : papers) reports.push_back(reports::make_report(paper, report_options));
-  bool statements_as_recorded = true;
+  for (const std::string& paper : papers) findings.reports.push_back(reports::make_report(paper, report_options));
   if (!options.out.empty()) {
-    if (options.papers.empty() && options.only.empty()) statements_as_recorded = write_errata(options);
+    if (options.papers.empty() && options.only.empty()) findings.statements = write_errata(options);
     options.progress("writing " + options.out);
-    reports::write_reports(reports, options.out, options.threads());
+    reports::write_reports(findings.reports, options.out, options.threads());
+    runtime::write_file(std::filesystem::path(options.out) / "summary.txt", reports::full_list(findings));
   }
   options.end_progress();
-  const bool as_recorded = std::all_of(reports.begin(), reports.end(),
-                                       [](const reports::Report& r) { return r.as_recorded(); });
   if (options.json) {
-    std::cout << reports::reports_json(reports) << "\n";
+    std::cout << reports::reports_json(findings.reports) << "\n";
   } else {
-    std::cout << summary(reports);
-    if (!statements_as_recorded) std::cout << "\nStatements NOT AS RECORDED: see 'subcert statements check'\n";
-    if (!options.out.empty()) std::cout << "\nThe page: " << options.out << "/index.html\n";
+    if (options.out.empty()) std::cout << reports::full_list(findings) << "\n";
+    std::cout << reports::first_screen(findings, {wants_colours(), options.out, stopwatch.seconds()});
   }
   if (!std::cout.flush()) fail(ErrorKind::missing_file, "cannot write to standard output");
-  return as_recorded && statements_as_recorded ? done : failed;
+  return findings.as_recorded() ? done : failed;
 }
 
 }  // namespace

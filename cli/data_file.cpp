@@ -6,12 +6,13 @@
 #include <subcert/schemes/data/quad_mesh.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace subcert::cli {
 namespace {
 
-constexpr const char* direction_names[] = {"x", "y", "z"};
+constexpr std::array<const char*, 3> direction_names = {"x", "y", "z"};
 constexpr const char* variables_text[] = {"", "one variable", "two variables", "three variables"};
 
 DataFile read_csv(const std::string& path, std::size_t variables) {
@@ -81,7 +82,7 @@ void check_data(const DataFile& file, const std::string& path, const std::string
     const data::Axis& axis = file.data.axes[v];
     const std::string direction = file.kind == DataKind::curve
                                       ? "rows"
-                                      : std::string("points in direction ") + direction_names[v];
+                                      : std::string("points in direction ") + direction_names.at(v);
     if (axis.count < fewest[v])
       fail(ErrorKind::data, "{}: expected at least {} {} for {}; found {}", path, fewest[v], direction, scheme,
            axis.count);

@@ -133,6 +133,10 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
                      {Truth::yes, result.single.applies.reason},
                      {growth.power, growth.power},
                      SingleRadiusProof{result.single.letter}};
+    // The letter attains the radius, whatever the time left for its own matrix gave.
+    ProductEvidence& product = result.radius.product;
+    if (product.word == std::vector<int>{result.single.letter} && !(*product.radius.lower > 0))
+      product.radius = growth.radius;
   }
   const Enclosure& radius = result.radius.radius;
   result.exponent = Enclosure::at_least(

@@ -84,6 +84,13 @@ TEST_CASE("the largest coefficient is the central one where the symbol is non-ne
   }
 }
 
+TEST_CASE("without time the letter still has the radius that it attains") {
+  const HolderRegularity spline = holder_regularity(make_scheme("bspline:degree=40").mask, 2,
+                                                    {Deadline::in(0), 1 << 20});
+  CHECK(spline.radius.exact.is_yes());
+  CHECK(spline.radius.product.radius.contains(2));
+}
+
 TEST_CASE("known exponents by one spectral radius") {
   for (int arity = 2; arity <= 4; ++arity)
     for (int degree = 1; degree <= 5; ++degree) {

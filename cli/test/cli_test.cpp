@@ -497,9 +497,10 @@ TEST_CASE("data are refined by l1 regression") {
   std::ofstream(data) << matrix;
   const auto surface = run_json("refine l1:points=4x4,iterations=60 " + data + " --levels 1");
   REQUIRE(surface.at("points").size() == 14 * 12);
-  for (int o = 0; o < 14 * 12; ++o)
-    CHECK(std::abs(surface["points"][o][0].get<double>() - (0.25 + 0.5 * (o % 14) + 2 * (0.25 + 0.5 * (o / 14)))) <
-          1e-3);
+  for (int o = 0; o < 14 * 12; ++o) {
+    const int i = o % 14, j = o / 14;
+    CHECK(std::abs(surface["points"][o][0].get<double>() - (0.25 + 0.5 * i + 2 * (0.25 + 0.5 * j))) < 1e-3);
+  }
   CHECK(run("mask l1:points=6").code == 64);
   fs::remove(file);
 }

@@ -3,7 +3,8 @@
 #   format  every C++ file is as clang-format 14 leaves it
 #   width   no line of C++, CMake or shell is longer than 120 characters
 #   tidy    no warning of the list in .clang-tidy in the sources that differ from the commit before the last (or from
-#           SUBCERT_STYLE_BASE); at most 8 of them unless SUBCERT_STYLE_ALL is set. Their headers go along.
+#           SUBCERT_STYLE_BASE); at most 8 of them unless SUBCERT_STYLE_ALL is set. Their headers go along. Benchmarks
+#           are in the style of their library.
 # Exit code: 0 clean, 1 not, 77 not checked.
 set -eu
 sources() { git ls-files --cached --others --exclude-standard "$@"; }
@@ -24,7 +25,7 @@ case "$1" in
     base=${SUBCERT_STYLE_BASE:-HEAD~1}
     git rev-parse -q --verify "$base" >/dev/null || skip "no commit $base"
     changed=$({ git diff --name-only --diff-filter=d "$base"; git ls-files --others --exclude-standard; } |
-      grep -E '\.(cpp|hpp)$' | grep -vE '^proofs-checks/checker/|/consumer/|/fuzz/' | sort -u)
+      grep -E '\.(cpp|hpp)$' | grep -vE '^bench/|^proofs-checks/checker/|/consumer/|/fuzz/' | sort -u)
     units=$(for file in $changed; do
       unit=${file%.hpp}
       case "$file" in *.hpp) unit=$unit.cpp ;; esac

@@ -28,7 +28,7 @@ namespace {
 
 /// An integer, or a rational or decimal number in a string.
 std::optional<Rational> number_in(std::string_view text) {
-  if (const auto rational = parse_rational(text)) return rational;
+  if (auto rational = parse_rational(text)) return rational;
   if (const auto decimal = parse_plain_decimal(text)) return decimal->value;
   return std::nullopt;
 }

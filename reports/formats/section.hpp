@@ -28,6 +28,7 @@ struct Section {
   std::vector<PlainTable> tables = {};
   std::vector<Figure> figures = {};
   std::vector<SurfaceFigure> surface_figures = {};
+  std::string finding = {};  ///< one sentence for the first screen, if a reader must know it; made of what was computed
 };
 
 }  // namespace subcert::formats

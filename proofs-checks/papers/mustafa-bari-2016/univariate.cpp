@@ -117,7 +117,7 @@ Outcome four_point_binary(const Context& context) {
 
 /// Bases of the cubics; Gram's polynomials belong to the points -n+1..n.
 std::vector<std::pair<std::string, std::vector<Formula>>> bases() {
-  const auto basis = [](const char* name, std::vector<const char*> texts) {
+  const auto basis = [](const char* name, const std::vector<const char*>& texts) {
     std::pair<std::string, std::vector<Formula>> result{name, {}};
     for (const char* text : texts) result.second.push_back(f(text));
     return result;

@@ -169,7 +169,7 @@ Outcome rules(const Context& context) {
       });
   if (!trial.failed())
     for (std::size_t k = 0; k < 2; ++k) {
-      const Formula x = positions.at(k);
+      const Formula& x = positions.at(k);
       trial.follow(identity(
           context.formula(std::string("eq-2.25-") + (k == 0 ? "even" : "odd")),
           (f("psi1") + x * f("psi2") + x * x * f("psi3") + x * x * x * f("psi4")) / f("kappa") * f("w") * f("f"),

@@ -1,0 +1,191 @@
+#include "overview.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace subcert::reports {
+namespace {
+
+constexpr std::size_t screen_width = 100;
+constexpr std::size_t most_alarms = 10;
+
+/// How many of some kind there are, and how many the papers have right.
+struct Score {
+  int right = 0, wrong = 0, open = 0;
+
+  void add(Verdict verdict) {
+    const Truth truth = truth_of(verdict);
+    ++(truth == Truth::yes ? right : truth == Truth::no ? wrong : open);
+  }
+  int all() const { return right + wrong + open; }
+  std::string text(const std::string& what) const {
+    return all() == 0 ? "" : fmt::format("{} of {} {}", right, all(), what);
+  }
+};
+
+Score values_of(const Report& report) {
+  Score score;
+  for (const formats::ComparisonTable* table : report.comparison_tables())
+    for (const formats::Comparison& comparison : table->comparisons) score.add(comparison.verdict);
+  return score;
+}
+
+Score claims_of(const Report& report) {
+  Score score;
+  for (const experiments::RanExperiment& ran : report.experiments)
+    for (const experiments::Claim& claim : ran.result.claims) score.add(claim.finding);
+  return score;
+}
+
+Score statements_of(const Findings& findings, const std::string& paper) {
+  Score score;
+  for (const CheckedStatement& one : findings.statements)
+    if (one.statement->paper() == paper) score.add(one.outcome.verdict);
+  return score;
+}
+
+std::string coloured(const std::string& text, const char* code, bool colours) {
+  return colours ? fmt::format("\033[{}m{}\033[0m", code, text) : text;
+}
+
+/// The text in lines of the screen's width; the first follows `before`, the others are indented as far.
+std::string wrapped(const std::string& text, const std::string& before) {
+  std::string result = before;
+  std::size_t column = before.size();
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    if (column > before.size() && column + 1 + end - at > screen_width) {
+      result += "\n" + std::string(before.size(), ' ');
+      column = before.size();
+    } else if (column > before.size()) {
+      result += ' ';
+      ++column;
+    }
+    result += text.substr(at, end - at);
+    column += end - at;
+    at = end + 1;
+  }
+  return result + "\n";
+}
+
+/// `Authors: Title` of a citation that goes on with the journal.
+std::string short_citation(const std::string& citation) {
+  const std::size_t title = citation.find(": ");
+  const std::size_t end = citation.find(". ", title == std::string::npos ? 0 : title);
+  return citation.substr(0, end);
+}
+
+/// Two verdicts where they differ, for instance `mismatch [recorded: match]`.
+std::string verdict_text(Verdict found, Verdict recorded) {
+  return to_text(found) + (found == recorded ? "" : " [recorded: " + to_text(recorded) + "]");
+}
+
+/// Everything that is not right, or not as recorded; `only_alarms` leaves out what is as recorded.
+std::vector<std::string> deviations(const Findings& findings, bool only_alarms) {
+  std::vector<std::string> lines;
+  const auto add = [&](Verdict found, Verdict recorded, const std::string& what) {
+    if (found != recorded || (!only_alarms && truth_of(found) == Truth::no))
+      lines.push_back(verdict_text(found, recorded) + "  " + what);
+  };
+  for (const Report& report : findings.reports) {
+    for (const formats::ComparisonTable* table : report.comparison_tables())
+      for (const formats::Comparison& c : table->comparisons)
+        add(c.verdict, c.recorded,
+            fmt::format("{} {}: {}: printed {}, computed {}{}", report.paper, table->id, c.cell(), c.printed,
+                        c.computed_text(), c.note.empty() ? "" : " (" + c.note + ")"));
+    for (const experiments::RanExperiment& ran : report.experiments)
+      for (const experiments::Claim& c : ran.result.claims)
+        add(c.finding, c.recorded, fmt::format("{}: {} ({})", ran.experiment->id, c.sentence, c.numbers));
+  }
+  for (const CheckedStatement& one : findings.statements)
+    add(one.outcome.verdict, one.statement->recorded,
+        fmt::format("{} ({}): {}{}", one.statement->id, one.statement->place, one.statement->paraphrase,
+                    one.outcome.witness.empty() ? "" : " Witness: " + one.outcome.witness));
+  return lines;
+}
+
+std::string paper_lines(const Findings& findings, const Report& report, bool colours) {
+  std::vector<std::string> counts{values_of(report).text("printed values match"),
+                                  statements_of(findings, report.paper).text("statements hold"),
+                                  claims_of(report).text("claims confirmed")};
+  std::erase(counts, "");
+  return coloured(wrapped(short_citation(report.citation), "  "), "1", colours) +
+         fmt::format("    {}\n", fmt::join(counts, ", "));
+}
+
+std::string table_line(const formats::ComparisonTable& table) {
+  const int not_reproducible = table.count(Verdict::not_reproducible);
+  return fmt::format("  {:<9} {} values: {} match, {} mismatch, {} open{}{}\n", table.id, table.comparisons.size(),
+                     table.count(Verdict::match), table.count(Verdict::mismatch), table.count(Verdict::open),
+                     not_reproducible ? fmt::format(", {} not reproducible", not_reproducible) : "",
+                     table.as_recorded() ? "" : "   NOT AS RECORDED");
+}
+
+std::string experiment_line(const experiments::RanExperiment& ran) {
+  std::vector<std::string> counts;
+  for (const auto& [verdict, word] : {std::pair{Verdict::confirmed, "confirmed"},
+                                      {Verdict::not_confirmed, "not confirmed"},
+                                      {Verdict::not_reproducible, "not reproducible"}})
+    if (const auto count = ran.result.count(verdict)) counts.push_back(fmt::format("{} {}", count, word));
+  return fmt::format("  {:<9} {}{}\n", ran.experiment->id,
+                     counts.empty() ? "pictures" : fmt::format("claims: {}", fmt::join(counts, ", ")),
+                     ran.result.as_recorded() ? "" : "   NOT AS RECORDED");
+}
+
+}  // namespace
+
+bool Findings::as_recorded() const {
+  return std::ranges::all_of(reports, &Report::as_recorded) &&
+         std::ranges::all_of(statements, &CheckedStatement::as_recorded);
+}
+
+std::string first_screen(const Findings& findings, const ScreenOptions& options) {
+  std::string text = "What the papers print, recomputed\n\n";
+  for (const Report& report : findings.reports) text += paper_lines(findings, report, options.colours);
+  std::string points;
+  for (const Report& report : findings.reports)
+    for (const formats::Section& section : report.sections)
+      if (!section.finding.empty()) points += wrapped(section.finding, "  - ");
+  Score statements;
+  for (const CheckedStatement& one : findings.statements) statements.add(one.outcome.verdict);
+  if (statements.wrong > 0)
+    points += wrapped(fmt::format("{} of {} statements are misprinted or false, each with a witness and, where there "
+                                  "is one, its correction.",
+                                  statements.wrong, statements.all()),
+                      "  - ");
+  if (!points.empty()) text += "\n" + coloured("What matters", "1", options.colours) + "\n" + points;
+  const auto alarms = deviations(findings, true);
+  text += "\n";
+  for (std::size_t i = 0; i < std::min(alarms.size(), most_alarms); ++i)
+    text += coloured(wrapped(alarms[i], "  ! "), "31", options.colours);
+  if (alarms.size() > most_alarms) text += fmt::format("  ! and {} more\n", alarms.size() - most_alarms);
+  if (!options.folder.empty()) {
+    text += fmt::format("The page        {}/index.html\n", options.folder);
+    if (!findings.statements.empty()) text += fmt::format("Errata          {}/errata.html\n", options.folder);
+    text += fmt::format("The full list   {}/summary.txt\n", options.folder);
+  }
+  const int seconds = static_cast<int>(options.seconds + 0.5);
+  const std::string duration = seconds < 60 ? fmt::format("{} s", seconds)
+                                            : fmt::format("{} min {} s", seconds / 60, seconds % 60);
+  return text +
+         (alarms.empty() ? coloured("All verdicts are as recorded", "32", options.colours)
+                         : coloured("NOT AS RECORDED", "31", options.colours)) +
+         ", in " + duration + ".\n";
+}
+
+std::string full_list(const Findings& findings) {
+  std::string text;
+  for (const Report& report : findings.reports) {
+    text += report.citation + "\n\n";
+    for (const formats::ComparisonTable* table : report.comparison_tables()) text += table_line(*table);
+    for (const experiments::RanExperiment& ran : report.experiments) text += experiment_line(ran);
+    if (const Score score = statements_of(findings, report.paper); score.all() > 0)
+      text += "  " + score.text("statements hold") + "\n";
+    text += "\n";
+  }
+  for (const std::string& line : deviations(findings, false)) text += line + "\n";
+  return text;
+}
+
+}  // namespace subcert::reports

@@ -1,0 +1,78 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/reports/overview.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+using namespace subcert;
+using namespace subcert::reports;
+
+namespace {
+
+formats::Comparison comparison(Verdict verdict, Verdict recorded) {
+  return {"max psi", "n=2", "primal:n=2", "0.5", Enclosure::exactly(Rational(1, 3)), verdict, recorded, ""};
+}
+
+Findings findings_with(std::size_t mismatches, std::size_t surprises) {
+  Findings findings;
+  for (int paper = 0; paper < 4; ++paper) {
+    Report report{"a-2015", "A. Author, B. Author: On " + std::string(90, 'x') + " y. Journal 1 (2015), 1-2.", {}};
+    formats::Section section{"table1", "Table 1", {}};
+    section.finding = "A sentence of " + std::string(120, '-') + " and then more than fits into a line of a terminal.";
+    section.comparisons.push_back({"a-2015", "table1", "A table", "Table 1", true, {}});
+    auto& cells = section.comparisons.back().comparisons;
+    cells.push_back(comparison(Verdict::match, Verdict::match));
+    cells.insert(cells.end(), mismatches, comparison(Verdict::mismatch, Verdict::mismatch));
+    cells.insert(cells.end(), paper == 0 ? surprises : 0, comparison(Verdict::mismatch, Verdict::match));
+    report.sections.push_back(section);
+    findings.reports.push_back(report);
+  }
+  return findings;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("the first screen is short and in plain text") {
+  const Findings findings = findings_with(20, 0);
+  const std::string screen = first_screen(findings, {false, "out", 75.4});
+  const auto lines = lines_of(screen);
+  CHECK(lines.size() <= 45);
+  for (const std::string& line : lines) {
+    CAPTURE(line);
+    const bool one_word = line.find_first_of(' ', line.find_first_not_of(" -")) == std::string::npos;
+    CHECK((line.size() <= 100 || one_word));
+  }
+  CHECK_FALSE(mentions(screen, "\033"));
+  CHECK(mentions(screen, "1 of 21 printed values match"));
+  CHECK(mentions(screen, "out/index.html"));
+  CHECK(mentions(screen, "All verdicts are as recorded, in 1 min 15 s."));
+  CHECK_FALSE(mentions(screen, "printed 0.5"));
+  CHECK(mentions(first_screen(findings, {true, "out", 1}), "\033[1m"));
+  CHECK_FALSE(mentions(first_screen(findings, {false, "", 1}), "The page"));
+}
+
+TEST_CASE("verdicts that are not the recorded ones stand on the first screen") {
+  const Findings findings = findings_with(1, 13);
+  CHECK_FALSE(findings.as_recorded());
+  const std::string screen = first_screen(findings, {false, "out", 1});
+  const auto lines = lines_of(screen);
+  CHECK(std::ranges::count_if(lines, [](const std::string& l) { return mentions(l, "[recorded: match]"); }) == 10);
+  CHECK(mentions(screen, "and 3 more"));
+  CHECK(mentions(screen, "NOT AS RECORDED"));
+  CHECK(mentions(full_list(findings), "NOT AS RECORDED"));
+}
+
+TEST_CASE("the full list names whatever does not match") {
+  const auto lines = lines_of(full_list(findings_with(3, 0)));
+  CHECK(std::ranges::count_if(lines,
+                              [](const std::string& l) { return mentions(l, "printed 0.5, computed 0.3333"); }) == 12);
+}

@@ -14,10 +14,6 @@ constexpr double exponent_seconds = 60;  // for the polytope of one scheme
 
 }  // namespace
 
-std::string scheme_text(const std::string& family, int n, int degree) {
-  return family + ":n=" + std::to_string(n) + ",d=" + std::to_string(degree);
-}
-
 std::string decimal(const Rational& value, int places) { return to_fixed(value, places, Rounding::nearest); }
 
 VarianceFacts variance_facts(const std::string& specification) {

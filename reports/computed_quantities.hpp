@@ -9,6 +9,7 @@
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/numerical_recipe_search.hpp>
+#include <subcert/proofs-checks/statements/computed.hpp>
 
 #include <map>
 #include <optional>
@@ -19,9 +20,6 @@ namespace subcert::reports {
 
 inline constexpr int holder_levels = 16;  ///< as in the paper
 inline constexpr int plot_level = 7;      ///< of the drawn curves
-
-/// "primal:n=3,d=1".
-std::string scheme_text(const std::string& family, int n, int degree = 1);
 
 /// To the nearest, with this many places.
 std::string decimal(const Rational& value, int places);

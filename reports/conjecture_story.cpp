@@ -25,7 +25,7 @@ struct Course {
 
   Course(int of_degree, const ComputedQuantities& quantities) : degree(of_degree) {
     for (int n = (degree + 1) / 2; n <= last_n_of_figure_8; ++n) {
-      const VarianceFacts& facts = quantities.variance(scheme_text("primal", n, degree));
+      const VarianceFacts& facts = quantities.variance(statements::specification("primal", n, degree));
       maxima.push_back({n, facts.maximum});
       slopes.push_back({n, facts.slope});
     }
@@ -59,7 +59,7 @@ struct Suggested {
     runtime::parallel_for_each(recipe.size(), quantities.jobs(), [&](std::size_t i) {
       const int n = static_cast<int>(i) + 1;
       const auto values = statements::dyn_2015::evaluate_numerical_recipe(
-          best, make_scheme(scheme_text("primal", n)).mask, n);
+          best, make_scheme(statements::specification("primal", n)).mask, n);
       recipe[i] = {n, n * n * values.slope};
     });
     for (const formats::PublishedCell& cell : quantities.published("table3").cells)

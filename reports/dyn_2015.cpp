@@ -69,14 +69,14 @@ formats::Figure figure_1() {
         {"S_" + std::to_string(n),
          "x",
          "phi",
-         {{"", curve_points(limit_values(make_scheme(scheme_text("primal", n)).mask, plot_level))}}});
+         {{"", curve_points(limit_values(make_scheme(statements::specification("primal", n)).mask, plot_level))}}});
   return figure;
 }
 
 std::vector<std::string> bound_schemes() {
   std::vector<std::string> result;
   for (const char* family : {"primal", "dual"})
-    for (int n = 2; n <= 10; ++n) result.push_back(scheme_text(family, n));
+    for (int n = 2; n <= 10; ++n) result.push_back(statements::specification(family, n));
   return result;
 }
 
@@ -124,7 +124,7 @@ void explain_levels(formats::Section& section, ComputedQuantities& quantities) {
     formats::Panel panel{std::string(family) + " schemes", "levels", "bound", {}, false, "bottom right"};
     for (int n : {2, 3, 4, 5, 7, 10}) {
       formats::Curve curve{"n = " + std::to_string(n), {}, true};
-      for (const HolderBound& bound : quantities.bounds(scheme_text(family, n)).levels)
+      for (const HolderBound& bound : quantities.bounds(statements::specification(family, n)).levels)
         if (*bound.exponent.lower > 0)
           curve.points.emplace_back(bound.levels, bound.exponent.lower->convert_to<double>());
       panel.curves.push_back(curve);
@@ -160,7 +160,7 @@ formats::Section exponents(ComputedQuantities& quantities) {
     std::string largest, above;  // the largest printed bound, and the n whose exponents are proved to exceed it
     for (const formats::PublishedCell& cell : printed.cells) largest = std::max(largest, cell.printed);
     for (int n = 2; n <= 10; ++n) {
-      const HolderRegularity& regularity = quantities.exponent(scheme_text(family, n));
+      const HolderRegularity& regularity = quantities.exponent(statements::specification(family, n));
       const Rational low = *regularity.exponent.lower, high = *regularity.exponent.upper;
       const std::string bound = printed.cells[static_cast<std::size_t>(n) - 2].printed;
       if (formats::compare(largest, Enclosure::at_least(low)) == Verdict::mismatch)
@@ -171,7 +171,8 @@ formats::Section exponents(ComputedQuantities& quantities) {
       ++total;
       std::string word;
       for (int letter : regularity.radius.product.word) word += std::to_string(letter);
-      table.rows.push_back({scheme_text(family, n), bound, decimal(*regularity.bounds.last().exponent.lower, 4),
+      table.rows.push_back({statements::specification(family, n), bound,
+                            decimal(*regularity.bounds.last().exponent.lower, 4),
                             regularity.radius.exact.is_yes()
                                 ? decimal(low, 12)
                                 : to_fixed(low, 4, Rounding::down) + " ... " + to_fixed(high, 4, Rounding::up),

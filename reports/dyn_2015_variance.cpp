@@ -35,7 +35,8 @@ formats::ComparisonTable compare_table_3(const formats::PublishedTable& table, C
 }
 
 formats::Curve variance_curve(int n, int degree, const std::string& label) {
-  const VarianceGrid grid = variance_grid(make_scheme(scheme_text("primal", n, degree)).mask, plot_level, false);
+  const VarianceGrid grid = variance_grid(make_scheme(statements::specification("primal", n, degree)).mask, plot_level,
+                                          false);
   formats::Curve curve{label, {}};
   for (std::size_t i = 0; i < grid.values.size(); ++i)
     curve.points.emplace_back((Rational(i) * grid.step()).convert_to<double>(), grid.values[i].convert_to<double>());
@@ -59,7 +60,7 @@ formats::Figure figure_8(ComputedQuantities& quantities) {
   for (int degree : {1, 3, 5}) {
     formats::Curve values{"d = " + std::to_string(degree), {}, true}, slopes = values;
     for (int n = (degree + 1) / 2; n <= last_n_of_figure_8; ++n) {
-      const VarianceFacts& facts = quantities.variance(scheme_text("primal", n, degree));
+      const VarianceFacts& facts = quantities.variance(statements::specification("primal", n, degree));
       values.points.emplace_back(n, Rational(n * *facts.maximum.lower).convert_to<double>());
       slopes.points.emplace_back(n, Rational(n * n * *facts.slope.lower).convert_to<double>());
     }
@@ -100,7 +101,8 @@ formats::PlainTable extremes_table(const std::string& id, const std::string& tit
 
 std::string slope_sentence(ComputedQuantities& quantities) {
   const auto scaled_slope = [&](int n) {
-    return to_decimal(n * n * *quantities.variance(scheme_text("primal", n)).slope.upper, 3, Rounding::up);
+    return to_decimal(n * n * *quantities.variance(statements::specification("primal", n)).slope.upper, 3,
+                      Rounding::up);
   };
   return "Figure 8. The paper reads its right panel as nearly constant. Certified, n^2 times the largest slope for "
          "degree 1 falls from " +

@@ -24,8 +24,8 @@ struct Answer {
 };
 
 const VarianceFacts& facts_of(ComputedQuantities& quantities, int n, int degree = 1) {
-  quantities.need_variance({scheme_text("primal", n, degree)});
-  return quantities.variance(scheme_text("primal", n, degree));
+  quantities.need_variance({statements::specification("primal", n, degree)});
+  return quantities.variance(statements::specification("primal", n, degree));
 }
 
 /// psi_n <= 1, with strict inequality for n > 1.
@@ -59,7 +59,8 @@ Answer decreasing_in_n(int first, int last, int degree) {
   std::vector<Truth> truths;
   std::vector<std::string> words;
   for (int n = first; n < last; ++n) {
-    const Answer one = ordered(scheme_text("primal", n + 1, degree), scheme_text("primal", n, degree));
+    const Answer one = ordered(statements::specification("primal", n + 1, degree),
+                               statements::specification("primal", n, degree));
     truths.push_back(one.truth);
     words.push_back("n = " + std::to_string(n) + " to " + std::to_string(n + 1) + ": " + one.text);
   }
@@ -69,8 +70,8 @@ Answer decreasing_in_n(int first, int last, int degree) {
 }
 
 Answer increasing_in_d() {
-  const Answer low = ordered(scheme_text("primal", 5, 1), scheme_text("primal", 5, 3));
-  const Answer high = ordered(scheme_text("primal", 5, 3), scheme_text("primal", 5, 5));
+  const Answer low = ordered(statements::specification("primal", 5, 1), statements::specification("primal", 5, 3));
+  const Answer high = ordered(statements::specification("primal", 5, 3), statements::specification("primal", 5, 5));
   return {all_of({low.truth, high.truth}), "d = 1 and 3: " + low.text + "; d = 3 and 5: " + high.text};
 }
 
@@ -95,7 +96,7 @@ Answer positive_and_symmetric(ComputedQuantities& quantities) {
   std::vector<Truth> truths;
   std::vector<std::string> bounds;
   for (int n = 1; n <= last_n_of_figure_2; ++n) {
-    const LaurentPolynomial symbol = make_scheme(scheme_text("primal", n)).mask.symbol();
+    const LaurentPolynomial symbol = make_scheme(statements::specification("primal", n)).mask.symbol();
     truths.push_back(truth_of(symbol == symbol.reversed(), symbol != symbol.reversed()));
     const Enclosure& minimum = facts_of(quantities, n).minimum;
     truths.push_back(truth_of(*minimum.lower > 0, *minimum.upper <= 0));
@@ -108,7 +109,7 @@ Answer positive_and_symmetric(ComputedQuantities& quantities) {
 /// Whether a scaled maximum is approximately constant: its observed rate is that of the scaling.
 Answer rate_over(ComputedQuantities& quantities, int degree, const std::vector<int>& sizes, bool slope) {
   std::vector<std::string> schemes;
-  for (int n : sizes) schemes.push_back(scheme_text("primal", n, degree));
+  for (int n : sizes) schemes.push_back(statements::specification("primal", n, degree));
   quantities.need_variance(schemes);
   std::vector<CertifiedMaximum> values;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -162,21 +163,21 @@ Answer answer(const formats::PublishedCell& cell, ComputedQuantities& quantities
 
 std::vector<std::string> schemes_of_figure_2() {
   std::vector<std::string> schemes;
-  for (int n = 1; n <= last_n_of_figure_2; ++n) schemes.push_back(scheme_text("primal", n));
+  for (int n = 1; n <= last_n_of_figure_2; ++n) schemes.push_back(statements::specification("primal", n));
   return schemes;
 }
 
 std::vector<std::string> schemes_of_figure_8() {
   std::vector<std::string> schemes;
   for (int degree : {1, 3, 5})
-    for (int n : sizes_of_figure_8(degree)) schemes.push_back(scheme_text("primal", n, degree));
+    for (int n : sizes_of_figure_8(degree)) schemes.push_back(statements::specification("primal", n, degree));
   return schemes;
 }
 
 std::vector<std::string> schemes_of_figure_9() {
   std::vector<std::string> schemes;
-  for (int degree : {1, 3, 5}) schemes.push_back(scheme_text("primal", 5, degree));
-  for (int n : {3, 4, 6, 7}) schemes.push_back(scheme_text("primal", n, 3));
+  for (int degree : {1, 3, 5}) schemes.push_back(statements::specification("primal", 5, degree));
+  for (int n : {3, 4, 6, 7}) schemes.push_back(statements::specification("primal", n, 3));
   return schemes;
 }
 

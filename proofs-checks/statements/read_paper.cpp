@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace subcert::statements {
 namespace {
@@ -95,24 +96,39 @@ Statement read_statement(const toml::table& table, const std::string& paper) {
   return result;
 }
 
+const Keys cell_keys{"row", "column", "scheme", "quantity", "over", "words", "n", "d"};
+
+Keys with(const Keys& keys, const Keys& more) {
+  Keys result = keys;
+  result.insert(result.end(), more.begin(), more.end());
+  return result;
+}
+
 /// What a table says about a cell: of the table itself, of the column and of the row, the later ones first.
 struct CellFields {
   std::map<std::string, std::string> texts;
 
   void take(const toml::table& from) {
-    for (const auto& [key, node] : from) {
-      if (const auto* number = node.as_integer(); number && (key == "n" || key == "d"))
-        texts[std::string(key.str())] = std::to_string(number->get());
-      else if (node.is_string())
-        texts[std::string(key.str())] = text_of(node);
+    for (const std::string& key : cell_keys) {
+      const toml::node* node = from.get(key);
+      if (!node) continue;
+      const auto* number = node->as_integer();
+      if (key != "n" && key != "d")
+        texts[key] = text_of(*node);
+      else if (number && std::in_range<int>(number->get()))
+        texts[key] = std::to_string(number->get());
+      else
+        throw FileError(place_of(*node), "expected an integer");
     }
   }
   /// The text with {key} replaced by what that key says.
   std::string filled(const std::string& key) const {
     std::string text = plain(key);
-    for (const auto& [name, content] : texts)
-      for (std::size_t at = text.find("{" + name + "}"); at != std::string::npos; at = text.find("{" + name + "}"))
-        text.replace(at, name.size() + 2, content);
+    for (const auto& [name, content] : texts) {
+      const std::string field = "{" + name + "}";
+      for (std::size_t at = text.find(field); at != std::string::npos; at = text.find(field, at + content.size()))
+        text.replace(at, field.size(), content);
+    }
     return text;
   }
   std::string plain(const std::string& key) const { return texts.contains(key) ? texts.at(key) : ""; }
@@ -133,10 +149,7 @@ const toml::node* entry_of(const toml::table& row, const std::string& key, std::
 /// The cells as they are typed in, misprints marked. A value that is marked is on record as a mismatch, any other as a
 /// match, unless the table says so otherwise.
 PublishedTable read_table(const toml::table& table) {
-  const Keys fields{"row", "column", "scheme", "quantity", "over", "words", "n", "d", "recorded", "printed"};
-  Keys known{"id", "title", "place", "layout", "columns", "rows"};
-  known.insert(known.end(), fields.begin(), fields.end());
-  only_keys(table, known);
+  only_keys(table, with(cell_keys, {"id", "title", "place", "layout", "recorded", "columns", "rows"}));
   const std::string layout = needed_text(table, "layout");
   if (layout != "grid" && layout != "list")
     throw FileError(place_of(*table.get("layout")), "expected 'grid' or 'list'");
@@ -147,8 +160,8 @@ PublishedTable read_table(const toml::table& table) {
   if (columns.empty()) columns.push_back(&no_fields);
   for (const toml::table* row : tables_of(table, "rows"))
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      only_keys(*row, fields);
-      only_keys(*columns[i], fields);
+      only_keys(*row, with(cell_keys, {"printed", "recorded"}));
+      only_keys(*columns[i], cell_keys);
       CellFields cell;
       for (const toml::table* one : std::vector<const toml::table*>{&table, columns[i], row}) cell.take(*one);
       const toml::node* printed = entry_of(*row, "printed", i, columns.size());

@@ -31,13 +31,13 @@ Trial& Trial::for_all(const std::string& range, const std::string& argument) {
   return *this;
 }
 
-Outcome Trial::outcome() const {
+Trial::operator Outcome() const {
   if (failed()) return {Verdict::false_claim, range_, *failure_, ""};
   return {all_ ? Verdict::holds_for_all : Verdict::holds, range_, "", argument_};
 }
 
 Outcome Trial::outcome(const Trial& corrected) const {
-  if (!failed()) return outcome();
+  if (!failed()) return *this;
   if (corrected.failed())
     return {Verdict::false_claim, range_, *failure_, "the corrected form fails too: " + corrected.failure()};
   return {Verdict::misprint, corrected.range_, *failure_,

@@ -23,8 +23,8 @@ class Trial {
   bool failed() const { return failure_.has_value(); }
   const std::string& failure() const { return *failure_; }
 
-  /// The verdict about a form without correction.
-  Outcome outcome() const;
+  /// The verdict about a form without correction; implicit, so that a check returns its trial.
+  operator Outcome() const;
   /// The verdict about a printed form, given how its correction did.
   Outcome outcome(const Trial& corrected) const;
 

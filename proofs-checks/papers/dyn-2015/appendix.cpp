@@ -73,7 +73,7 @@ Outcome normal_equations(const Context& context) {
         trial.equal(applied(weights_by_normal_equations(nodes, monomials(d), x)),
                     applied(regression_weights(nodes, {}, d, x)), at("m", m) + ", " + at("d", d) + ", " + at("x", x));
       }
-  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, scattered nodes").outcome();
+  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, scattered nodes");
 }
 
 Outcome invertible(const Context& context) {
@@ -84,7 +84,7 @@ Outcome invertible(const Context& context) {
       const RationalMatrix a = design_matrix(scattered(m), monomials(d));
       trial.require(kernel(transposed(a) * a).empty(), at("m", m) + ", " + at("d", d));
     }
-  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, scattered nodes").outcome();
+  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, scattered nodes");
 }
 
 /// beta by the pseudo-inverse that the remark gives for d >= m, in the order of its factors; interpolation is asked
@@ -125,7 +125,7 @@ Outcome remark_9_interpolation(const Context& context) {
       trial.equal(applied(weights_by_normal_equations(nodes, monomials(m - 1), nodes[i])), datum(i),
                   at("m", m) + ", node " + std::to_string(i + 1));
   }
-  return trial.over("m = 1.." + std::to_string(most)).outcome();
+  return trial.over("m = 1.." + std::to_string(most));
 }
 
 /// The solution of smallest norm in two bases differs away from the nodes.
@@ -141,10 +141,8 @@ Outcome remark_9_basis(const Context&) {
   Trial trial;
   for (long x : {0, 1}) trial.equal(value(monomials(2), x), value(chebyshev, x), at("x", x) + ", a node");
   trial.require(value(monomials(2), 2) != value(chebyshev, 2), "the two bases agree at x = 2");
-  return trial
-      .over("nodes 0 and 1, d = 2: monomials give " + subcert::to_text(value(monomials(2), 2)) +
-            " at x = 2 for the data 1, 0, Chebyshev polynomials " + subcert::to_text(value(chebyshev, 2)))
-      .outcome();
+  return trial.over("nodes 0 and 1, d = 2: monomials give " + subcert::to_text(value(monomials(2), 2)) +
+                    " at x = 2 for the data 1, 0, Chebyshev polynomials " + subcert::to_text(value(chebyshev, 2)));
 }
 
 /// L^j is orthogonal to all lower degrees. That leaves a line, and two polynomials of norm 1 on it.
@@ -183,7 +181,7 @@ Outcome expansion(const Context& context) {
         value += applied(family.at_nodes[j]) * family.at_points[j][0] / family.squared_norms[j];
       trial.equal(value, applied(regression_weights(nodes, {}, d, x)), at("m", m) + ", " + at("d", d));
     }
-  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, scattered nodes, x = 2/3").outcome();
+  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, scattered nodes, x = 2/3");
 }
 
 Outcome proposition_10(const Context& context) {
@@ -199,11 +197,9 @@ Outcome proposition_10(const Context& context) {
         trial.equal(applied(regression_weights(moved, {}, d, a * x + b)), applied(regression_weights(nodes, {}, d, x)),
                     at("m", m) + ", " + at("d", d) + ", " + at("a", a));
       }
-  return trial
-      .for_all("all m, d and affine maps",
-               "orthonormal families are carried over by composition, as printed; compared for m = 1.." +
-                   std::to_string(most))
-      .outcome();
+  return trial.for_all(
+      "all m, d and affine maps",
+      "orthonormal families are carried over by composition, as printed; compared for m = 1.." + std::to_string(most));
 }
 
 /// (A.7) summed up to min(d, last(n)), where the family over X_n must have that many members.
@@ -289,11 +285,10 @@ Outcome low_degrees(const Context& context) {
     trial.equal(even({{"n", n}}), orthogonal(even_points(n), {}, 1).squared_norms[1], at("n", n) + ", L_n^1");
     trial.equal(odd({{"n", n}}), orthogonal(odd_points(n), {}, 1).squared_norms[1], at("n", n) + ", hat L_n^1");
   }
-  return trial
-      .for_all("all n >= 1",
-               "the squared norms of 1 and x over both point sets, as sums that are identities in n (for n = 1, X_1 = "
-               "{0} has no L_1^1)")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "the squared norms of 1 and x over both point sets, as sums that are identities in n (for n = 1, X_1 = "
+      "{0} has no L_1^1)");
 }
 
 Outcome remark_12(const Context& context) {
@@ -311,12 +306,11 @@ Outcome remark_12(const Context& context) {
           trial.equal(0, family.at_points[j][0], at("n", n) + ", degree " + std::to_string(j) + ", value at 0");
       }
     }
-  return trial
-      .for_all("all n and degrees",
-               "over a symmetric point set p(-x) is orthogonal in the same way, so the monic polynomials have the "
-               "parity of their degree; compared for " +
-                   range(1, most))
-      .outcome();
+  return trial.for_all(
+      "all n and degrees",
+      "over a symmetric point set p(-x) is orthogonal in the same way, so the monic polynomials have the "
+      "parity of their degree; compared for " +
+          range(1, most));
 }
 
 Trial proposition_13(int most, bool printed) {

@@ -26,12 +26,12 @@ Outcome unique_solution(const Context& context) {
           vandermonde(i, k) = power(Rational(static_cast<long>(i * i + 1), 2), static_cast<long>(k));
       trial.require(kernel(vandermonde).empty(), at("m", m) + ", " + at("d", d) + ": two minimisers");
     }
-  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, nodes (i^2 + 1)/2").outcome();
+  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, nodes (i^2 + 1)/2");
 }
 
 Outcome value_at_centre(const Context& context) {
   const Fit fit_at_centre{context.formula("centre"), "i", {0, 1}, {1, 0}, {1, 0}, f("(n + 1)/2"), 1, 2, {}};
-  return fit(fit_at_centre, context.reach(10, 40)).outcome();
+  return fit(fit_at_centre, context.reach(10, 40));
 }
 
 Outcome equation_2(const Context& context) {
@@ -40,7 +40,7 @@ Outcome equation_2(const Context& context) {
   const int most = context.reach(8, 40);
   Trial trial = fit(even, most);
   trial.follow(fit(odd, most));
-  return trial.outcome();
+  return trial;
 }
 
 std::vector<SymbolPart> symbol_3(const Context& context) {
@@ -55,9 +55,8 @@ Outcome equation_3(const Context& context) {
   // a_{2i+1-2(i+l)} = a_{1-2l} weighs the datum i+l: the exponent 2j-1 belongs to l = 1-j, the exponent 2j to l = -j.
   trial.follow(fit({context.formula("eq-3-odd"), "j", {-1, 1}, {1, 0}, {-1, 1}, f("1/2"), 1, 1, {}}, most));
   trial.follow(fit({context.formula("eq-3-even"), "j", {-1, 1}, {1, -1}, {-1, 0}, f("0"), 1, 1, {}}, most));
-  return trial
-      .for_all("all n >= 1", "each coefficient is a weight of a local fit; compared with the masks for " + up_to(most))
-      .outcome();
+  return trial.for_all("all n >= 1",
+                       "each coefficient is a weight of a local fit; compared with the masks for " + up_to(most));
 }
 
 Outcome odd_symmetry(const Context& context) {
@@ -66,10 +65,9 @@ Outcome odd_symmetry(const Context& context) {
   for (int n = 1; n <= most; ++n)
     trial.require(s_n(n).symbol() == s_n(n).symbol().reversed() && assembled(symbol_3(context), n) == s_n(n).symbol(),
                   at("n", n));
-  return trial
-      .for_all("all n >= 1",
-               "the coefficients of (3) do not depend on j, and the exponents come in pairs; tried for " + up_to(most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "the coefficients of (3) do not depend on j, and the exponents come in pairs; tried for " + up_to(most));
 }
 
 Outcome primal_2n_point(const Context& context) {
@@ -79,7 +77,7 @@ Outcome primal_2n_point(const Context& context) {
     trial.equal(2 * n, s_n(n).symbol().coset(2, 1).length(), at("n", n) + ", data of the odd rule");
     trial.equal(2 * n - 1, s_n(n).symbol().coset(2, 0).length(), at("n", n) + ", data of the even rule");
   }
-  return trial.over(up_to(most)).outcome();
+  return trial.over(up_to(most));
 }
 
 Outcome printed_masks(const Context& context) {
@@ -88,14 +86,14 @@ Outcome printed_masks(const Context& context) {
     const std::string name = "a_" + std::to_string(n);
     trial.follow(mask_list(context.list("" + name), s_n(n), name));
   }
-  return trial.over("n = 1..3").outcome();
+  return trial.over("n = 1..3");
 }
 
 Outcome interpolating_2_point(const Context&) {
   Trial trial;
   trial.require(s_n(1).symbol().coset(2, 0) == LaurentPolynomial(1), "the even rule is not f_{2i} = f_i");
   trial.require(s_n(1) == mask_of("bspline:degree=1"), "the mask is not the one of piecewise linear functions");
-  return trial.over("n = 1").outcome();
+  return trial.over("n = 1");
 }
 
 /// Coset sums 1 for all n, and positive coefficients.
@@ -115,12 +113,11 @@ Outcome theorem_1(const Context& context) {
     trial.require(converges(s_n(n)).is_yes(), at("n", n) + ": convergence is not proved");
     trial.require(has_positive_mask(s_n(n)), at("n", n) + ": the mask is not positive");
   }
-  return trial
-      .for_all("all n >= 1",
-               "both coset sums are 1 and all 4n-1 coefficients are positive for every n, so that the positive mask "
-               "theorem applies; convergence also proved scheme by scheme for " +
-                   up_to(most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "both coset sums are 1 and all 4n-1 coefficients are positive for every n, so that the positive mask "
+      "theorem applies; convergence also proved scheme by scheme for " +
+          up_to(most));
 }
 
 std::vector<SymbolPart> symbol_4(const Context& context) {
@@ -140,11 +137,10 @@ Outcome equation_4(const Context& context) {
   trial.follow(identity(odd + even.replaced("j", f("j - 1")), context.formula("eq-3-odd"), {{"n", 1}, {"j", 0}}));
   trial.follow(identity(odd.replaced("j", f("n")), f("0"), {{"n", 1}}));
   trial.follow(identity(even.replaced("j", f("-n")), f("0"), {{"n", 1}}));
-  return trial
-      .for_all("all n >= 1",
-               "(1+z) q_n = a_n coefficient by coefficient; both forms vanish where their sums end; divided out for " +
-                   up_to(most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "(1+z) q_n = a_n coefficient by coefficient; both forms vanish where their sums end; divided out for " +
+          up_to(most));
 }
 
 Outcome norm_of_q(const Context& context) {
@@ -161,10 +157,9 @@ Outcome norm_of_q(const Context& context) {
   trial.follow(positive(odd, {{"n", "1 + x + y"}, {"j", "-x"}}));
   trial.follow(positive(even, {{"n", "1 + x + y"}, {"j", "x"}}));
   trial.follow(positive(even, {{"n", "1 + x + y"}, {"j", "-x"}}));
-  return trial
-      .for_all("all n >= 1",
-               "all coefficients are positive and both sums are 1/2 for every n; norms computed for " + up_to(most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "all coefficients are positive and both sums are 1/2 for every n; norms computed for " + up_to(most));
 }
 
 Outcome theorem_2(const Context& context) {
@@ -182,12 +177,11 @@ Outcome theorem_2(const Context& context) {
     trial.require(has_positive_mask(difference), at("n", n) + ": 2 q_n is not positive");
     trial.require(proved_smoothness(s_n(n)).order >= 1, at("n", n) + ": C^1 is not proved");
   }
-  return trial
-      .for_all("all n >= 2",
-               "2 q_n has coset sums 1 and 4n-2 positive coefficients for every n, so that the positive mask theorem "
-               "applies to it; proved scheme by scheme for n = 2.." +
-                   std::to_string(most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 2",
+      "2 q_n has coset sums 1 and 4n-2 positive coefficients for every n, so that the positive mask theorem "
+      "applies to it; proved scheme by scheme for n = 2.." +
+          std::to_string(most));
 }
 
 Outcome derivative_of_q(const Context& context) {
@@ -200,7 +194,7 @@ Outcome derivative_of_q(const Context& context) {
     trial.equal(value({{"n", n}}), assembled(symbol_4(context), n).derivative()(-1), at("n", n) + ", q_n'(-1)");
     trial.require(sum_rules(s_n(n)) == 2, at("n", n) + ": not exactly two factors 1+z");
   }
-  return trial.for_all("all n >= 1", "q_n'(-1) = -(4n-1)/6 for every n; a_n has exactly two factors 1+z").outcome();
+  return trial.for_all("all n >= 1", "q_n'(-1) = -(4n-1)/6 for every n; a_n has exactly two factors 1+z");
 }
 
 Outcome not_c2(const Context& context) {
@@ -208,8 +202,7 @@ Outcome not_c2(const Context& context) {
   Trial trial;
   for (int n = 1; n <= most; ++n)
     trial.require(sum_rules(s_n(n)) == 2 && has_stable_shifts(s_n(n)).is_yes(), at("n", n));
-  return trial.over(up_to(most) + ": two sum rules and stable integer shifts, so no C^2 limit but for degenerate data")
-      .outcome();
+  return trial.over(up_to(most) + ": two sum rules and stable integer shifts, so no C^2 limit but for degenerate data");
 }
 
 }  // namespace

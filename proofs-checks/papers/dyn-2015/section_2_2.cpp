@@ -38,16 +38,14 @@ Outcome limits_from_shifts(const Context& context) {
       trial.equal(coarse, fine, at("n", n) + ", " + at("x", Rational(index, 8)));
     }
   }
-  return trial.over(range(1, most) + ", x = 0, 1/8, ..., 1, one set of data: refined once and not").outcome();
+  return trial.over(range(1, most) + ", x = 0, 1/8, ..., 1, one set of data: refined once and not");
 }
 
 Outcome support(const Context& context) {
   const int most = context.reach(20, 100);
   Trial trial = limit_supports(context.formula("support-lower"), context.formula("support-upper"), s_n, 1, most);
-  return trial
-      .for_all("all n >= 1",
-               "by (3) the mask runs from -2n+1 to 2n-1 for every n, and its ends are those of the support")
-      .outcome();
+  return trial.for_all("all n >= 1",
+                       "by (3) the mask runs from -2n+1 to 2n-1 for every n, and its ends are those of the support");
 }
 
 Outcome positive_inside(const Context& context) {
@@ -60,12 +58,11 @@ Outcome positive_inside(const Context& context) {
   }
   trial.follow(positive(context.formula("eq-3-odd"), {{"n", "1 + x"}}));
   trial.follow(positive(context.formula("eq-3-even"), {{"n", "1 + x"}}));
-  return trial
-      .for_all("all n >= 1",
-               "a scheme with a positive mask on consecutive indices has a positive basic limit function inside its "
-               "support; also decided for " +
-                   range(1, most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "a scheme with a positive mask on consecutive indices has a positive basic limit function inside its "
+      "support; also decided for " +
+          range(1, most));
 }
 
 Outcome partition_of_unity(const Context& context) {
@@ -80,7 +77,7 @@ Outcome partition_of_unity(const Context& context) {
       trial.equal(1, sum, at("n", n) + ", " + at("x", Rational(i, 16)));
     }
   }
-  return trial.over(range(1, most) + ", all dyadic x of level 4").outcome();
+  return trial.over(range(1, most) + ", all dyadic x of level 4");
 }
 
 Outcome limits_at_integers(const Context& context) {
@@ -91,7 +88,7 @@ Outcome limits_at_integers(const Context& context) {
     for (long j : {-2 * n + 1, 2 * n - 1}) trial.equal(0, phi.at(j), at("n", n) + ", phi at " + std::to_string(j));
     trial.require(phi.at(-2 * n + 2) != 0 && phi.at(2 * n - 2) != 0, at("n", n) + ": the sum could be shorter");
   }
-  return trial.over(range(1, most)).outcome();
+  return trial.over(range(1, most));
 }
 
 /// The (4n-3) x (4n-3) matrix a_{2k-m}, k and m from -2n+2 to 2n-2.
@@ -137,7 +134,7 @@ Outcome matrix_a(const Context& context) {
       trial.equal(1, sum, at("n", n) + ", sum of column " + std::to_string(j + 1));
     }
   }
-  return trial.over(range(1, most)).outcome();
+  return trial.over(range(1, most));
 }
 
 /// The folded matrix as printed: r and s where one of the two mirrored columns is reached, twice that where both are.
@@ -177,7 +174,7 @@ Outcome matrix_a_tilde(const Context& context) {
                   at("n", n) + ", the eigenvector at row " + std::to_string(i + 1));
     }
   }
-  return trial.over(range(1, most)).outcome();
+  return trial.over(range(1, most));
 }
 
 Outcome increasing_values(const Context& context) {
@@ -193,12 +190,11 @@ Outcome increasing_values(const Context& context) {
                   at("n", n) + ", step at " + std::to_string(k));
     }
   }
-  return trial
-      .for_all("all n >= 1",
-               "phi(k+1) - phi(k) = phi(2k+2n)/(2n-1) + phi(2k+2n+1)/(2n) for -2n+2 <= k < 0, which is positive; steps "
-               "compared for " +
-                   range(1, most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "phi(k+1) - phi(k) = phi(2k+2n)/(2n-1) + phi(2k+2n+1)/(2n) for -2n+2 <= k < 0, which is positive; steps "
+      "compared for " +
+          range(1, most));
 }
 
 Outcome value_at_n(const Context& context) {
@@ -210,10 +206,8 @@ Outcome value_at_n(const Context& context) {
     trial.equal(Rational(ratio({{"n", n}}) * phi.at(0)), phi.at(-n), at("n", n) + ", phi(-n)");
   }
   trial.follow(identity(ratio, f("(1 - 1/(2*n - 1))/2"), {{"n", 1}}));
-  return trial
-      .for_all("all n >= 1",
-               "phi(0) = 2 phi(-n) + phi(0)/(2n-1), because the mask is constant on even and on odd indices")
-      .outcome();
+  return trial.for_all("all n >= 1",
+                       "phi(0) = 2 phi(-n) + phi(0)/(2n-1), because the mask is constant on even and on odd indices");
 }
 
 Outcome equation_9(const Context& context) {
@@ -227,10 +221,8 @@ Outcome equation_9(const Context& context) {
                     at("n", n) + ", " + at("j", j));
   }
   trial.follow(identity(half - ratio, f("1/(4*n - 2)"), {{"n", 1}}));
-  return trial
-      .for_all("all n >= 1",
-               "phi decreases away from 0, and phi(n)/phi(0) = 1/2 - 1/(4n-2); so 1/2 is also the best constant")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1", "phi decreases away from 0, and phi(n)/phi(0) = 1/2 - 1/(4n-2); so 1/2 is also the best constant");
 }
 
 Outcome corollary_4(const Context& context) {
@@ -248,11 +240,9 @@ Outcome corollary_4(const Context& context) {
   trial.follow(identity(chain, f("2*n + 1") * context.formula("prop-3-ratio"), {{"n", 2}}));
   trial.follow(positive(upper - f("1") / chain, {{"n", "2 + x"}}));
   trial.follow(identity(f("1") / chain * f("(2*n + 1)/(2*n - 1)"), upper, {{"n", 2}}));
-  return trial
-      .for_all("all n >= 2", "the counts of the printed proof, as identities in n; exact values compared for " +
-                                 range(2, most) +
-                                 ". For n = 1 both sides fail: phi(0) = 1 = 1/(3n-2), and 1/(n-1) is undefined")
-      .outcome();
+  return trial.for_all(
+      "all n >= 2", "the counts of the printed proof, as identities in n; exact values compared for " + range(2, most) +
+                        ". For n = 1 both sides fail: phi(0) = 1 = 1/(3n-2), and 1/(n-1) is undefined");
 }
 
 Outcome corollary_4_proof(const Context& context) {
@@ -292,11 +282,9 @@ Outcome theorem_5(const Context& context) {
     trial.require(lower({{"n", n}}) <= *sup.lower && *sup.upper <= upper({{"n", n}}),
                   at("n", n) + ": the maximum is outside of the bounds");
   }
-  return trial
-      .for_all(
-          "all n >= 2",
-          "1/(3n-2) < max phi_n <= 1/(2n-1), by Corollary 4 and (11); certified maxima compared for " + range(2, most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 2",
+      "1/(3n-2) < max phi_n <= 1/(2n-1), by Corollary 4 and (11); certified maxima compared for " + range(2, most));
 }
 
 Outcome theorem_5_slope(const Context& context) {
@@ -317,13 +305,11 @@ Outcome theorem_5_slope(const Context& context) {
     trial.require(slope && lower({{"n", n}}) <= *slope->upper && *slope->lower <= upper({{"n", n}}),
                   at("n", n) + ": the slope is outside of the bounds");
   }
-  return trial
-      .for_all(
-          "all n >= 2",
-          "1/((3n-2)(2n-1)) <= max |phi_n'| <= 2/n^2: from below by phi(0) over the half support, from above by (13) "
-          "and (14); certified slopes compared for " +
-              range(2, most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 2",
+      "1/((3n-2)(2n-1)) <= max |phi_n'| <= 2/n^2: from below by phi(0) over the half support, from above by (13) "
+      "and (14); certified slopes compared for " +
+          range(2, most));
 }
 
 /// The sequence S^level delta.
@@ -352,7 +338,7 @@ Outcome equation_11(const Context& context) {
       before = now;
     }
   }
-  return trial.over(range(1, most) + ", levels 1.." + std::to_string(levels)).outcome();
+  return trial.over(range(1, most) + ", levels 1.." + std::to_string(levels));
 }
 
 /// phi'(x) against the limit of 2 q_n for first differences of delta, at dyadic points; x is moved by `shift`.
@@ -380,7 +366,7 @@ Outcome equation_12(const Context& context) {
   const Formula odd = context.formula("eq-12-odd"), even = context.formula("eq-12-even");
   Trial trial = identity(odd, f("2") * context.formula("eq-4-odd"), {{"n", 1}, {"j", 0}});
   trial.follow(identity(even, f("2") * context.formula("eq-4-even"), {{"n", 1}, {"j", 0}}));
-  return trial.for_all("all n >= 1 and j", "an identity of rational functions, given (4)").outcome();
+  return trial.for_all("all n >= 1 and j", "an identity of rational functions, given (4)");
 }
 
 Outcome equation_13(const Context& context) {
@@ -408,9 +394,8 @@ Outcome equation_13(const Context& context) {
   trial.follow(identity(even.replaced("j", f("n - 1")), ends, {{"n", 1}}));
   trial.follow(identity(even.replaced("j", f("-n + 1")), inside, {{"n", 1}}));
   trial.follow(identity(odd.replaced("j", f("n - 1")), inside, {{"n", 1}}));
-  return trial
-      .for_all("all n >= 1", "differences of (12) and its first and last coefficients; compared for " + range(1, most))
-      .outcome();
+  return trial.for_all("all n >= 1",
+                       "differences of (12) and its first and last coefficients; compared for " + range(1, most));
 }
 
 Outcome equation_14(const Context& context) {
@@ -433,9 +418,8 @@ Outcome equation_14(const Context& context) {
                                                         " summands, " + std::to_string(big) + " large");
     }
   }
-  return trial
-      .over(range(2, most) + ": every summand is at most 1/(n^2 (2n-1)), but for one of at most 1/n^2, of at most 2n-1")
-      .outcome();
+  return trial.over(range(2, most) +
+                    ": every summand is at most 1/(n^2 (2n-1)), but for one of at most 1/n^2, of at most 2n-1");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ Outcome bias_and_variance(const Context&) {
                   at("n", n) + ", " + at("x", Rational(i, 4)));
     }
   }
-  return trial.over("n = 1..3, x = 0, 1/4, 1/2, 3/4, errors -2/3 and 2/3").outcome();
+  return trial.over("n = 1..3, x = 0, 1/4, 1/2, 3/4, errors -2/3 and 2/3");
 }
 
 Outcome equation_18(const Context& context) {
@@ -51,18 +51,17 @@ Outcome equation_18(const Context& context) {
     if (n > 1)
       trial.require(*variance_of(specification("primal", n)).maximum.upper < bound, at("n", n) + ": not strict");
   }
-  return trial
-      .for_all("all n >= 1",
-               "the shifts of phi_n are non-negative, at most 1/(2n-1) by (11), and sum to 1, so psi_n <= 1/(2n-1); "
-               "certified maxima compared for " +
-                   range(1, most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "the shifts of phi_n are non-negative, at most 1/(2n-1) by (11), and sum to 1, so psi_n <= 1/(2n-1); "
+      "certified maxima compared for " +
+          range(1, most));
 }
 
 Outcome interpolation_keeps_noise(const Context&) {
   Trial trial;
   for (long x : {0, 1}) trial.equal(1, variance_at(s_n(1), x, 0), at("x", x));
-  return trial.over("n = 1").outcome();
+  return trial.over("n = 1");
 }
 
 Outcome shape_of_psi(const Context& context) {
@@ -76,23 +75,21 @@ Outcome shape_of_psi(const Context& context) {
                   at("n", n) + ", " + at("x", Rational(i) * grid.step()));
     }
   }
-  return trial
-      .for_all("all n >= 1",
-               "a sum of squares of functions that sum to 1, over all integer shifts of a symmetric function; exact "
-               "values compared at dyadic points of level 5 for " +
-                   range(1, most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "a sum of squares of functions that sum to 1, over all integer shifts of a symmetric function; exact "
+      "values compared at dyadic points of level 5 for " +
+          range(1, most));
 }
 
 Outcome psi_like_1_over_n(const Context&) {
   const Decision proof = theorems::prove("conjecture-7", 1).decision;
   Trial trial;
   trial.require(proof.is_yes(), proof.reason);
-  return trial
-      .for_all("all n >= 1",
-               "|(n - 1/4) psi_n(x)/c - 1| < 0.855/n^2 for all x, with c = 0.40443..., every inequality of the proof "
-               "certified (docs/theorems/README.md, conjecture-7)")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "|(n - 1/4) psi_n(x)/c - 1| < 0.855/n^2 for all x, with c = 0.40443..., every inequality of the proof "
+      "certified (docs/theorems/README.md, conjecture-7)");
 }
 
 /// n^2 max |psi'| at two n, and the theorem for all n.
@@ -133,8 +130,7 @@ Outcome number_of_terms(const Context& context) {
         trial.equal(count({{"n", n}}), terms, at("n", n) + ", " + at("x", Rational(i, 4)));
     }
   }
-  return trial.over(range(1, most) + ": exactly 4n-2 terms at x = 1/4, 1/2, 3/4 and one less at the integers")
-      .outcome();
+  return trial.over(range(1, most) + ": exactly 4n-2 terms at x = 1/4, 1/2, 3/4 and one less at the integers");
 }
 
 Outcome approximation_order(const Context& context) {
@@ -145,7 +141,7 @@ Outcome approximation_order(const Context& context) {
                 at("n", n) + ", order");
     trial.equal(0, polynomial_reproduction(s_n(n)).parametrization, at("n", n) + ", shift of the parameters");
   }
-  return trial.over(range(2, most)).outcome();
+  return trial.over(range(2, most));
 }
 
 Outcome figure_2(const Context&) {
@@ -156,11 +152,10 @@ Outcome figure_2(const Context&) {
                   at("n", n));
   const Decision proof = theorems::prove("conjecture-8-n", 1).decision;
   trial.require(proof.is_yes(), proof.reason);
-  return trial
-      .for_all("all n >= 1",
-               "max psi_{n+1} < min psi_n (docs/theorems/README.md, conjecture-8-n), certified maxima and minima for n "
-               "= 1..5")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "max psi_{n+1} < min psi_n (docs/theorems/README.md, conjecture-8-n), certified maxima and minima for n "
+      "= 1..5");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Outcome equation_19(const Context& context) {
   const int most = context.reach(8, 40);
   Trial trial = fit({context.formula("eq-19-even"), "j", {-1, 1}, {1, 0}, {1, 0}, f("1/4"), 1, 1, {}}, most);
   trial.follow(fit({context.formula("eq-19-odd"), "j", {-1, 1}, {1, 0}, {1, 0}, f("3/4"), 1, 1, {}}, most));
-  return trial.outcome();
+  return trial;
 }
 
 /// 1 + z + g (1 - z) = (1 + g) + (1 - g) z.
@@ -39,10 +39,8 @@ Outcome equation_20(const Context& context) {
   // The exponents 2j and 2j+1 belong to the datum at -j.
   trial.follow(fit({parts[0].coefficient, "j", {-1, 0}, {1, -1}, {-1, 0}, f("1/4"), 1, 1, {}}, most));
   trial.follow(fit({parts[1].coefficient, "j", {-1, 0}, {1, -1}, {-1, 0}, f("3/4"), 1, 1, {}}, most));
-  return trial
-      .for_all("all n >= 1",
-               "each coefficient is a weight of a local fit; compared with the masks for " + range(1, most))
-      .outcome();
+  return trial.for_all("all n >= 1",
+                       "each coefficient is a weight of a local fit; compared with the masks for " + range(1, most));
 }
 
 Outcome even_symmetry(const Context& context) {
@@ -52,16 +50,15 @@ Outcome even_symmetry(const Context& context) {
   for (int n = 1; n <= most; ++n)
     trial.require(assembled(parts, n).shifted(1) == assembled(parts, n).reversed(), at("n", n));
   trial.follow(identity(parts[0].coefficient, parts[1].coefficient.replaced("j", f("-j - 1")), {{"n", 1}, {"j", 0}}));
-  return trial
-      .for_all("all n >= 1",
-               "the coefficient of z^(2j) is the one of z^(-2j-1), an identity in n and j; tried for " + range(1, most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "the coefficient of z^(2j) is the one of z^(-2j-1), an identity in n and j; tried for " + range(1, most));
 }
 
 Outcome support_of(const Context& context, const std::string& id, Mask (*mask)(long), const std::string& argument) {
   const int most = context.reach(20, 60);
   Trial trial = limit_supports(context.formula(id + "-lower"), context.formula(id + "-upper"), mask, 1, most);
-  return trial.for_all("all n >= 1", argument + "; compared for " + range(1, most)).outcome();
+  return trial.for_all("all n >= 1", argument + "; compared for " + range(1, most));
 }
 
 const std::string outer_weights =
@@ -80,7 +77,7 @@ Outcome chaikin(const Context&) {
   Trial trial;
   trial.require(dual_mask(1) == mask_of("bspline:degree=2"), "the mask is not the one of quadratic B-splines");
   trial.follow(mask_list({f("1/4"), f("3/4"), f("3/4"), f("1/4")}, dual_mask(1), "n = 1"));
-  return trial.over("n = 1").outcome();
+  return trial.over("n = 1");
 }
 
 Outcome dual_converges(const Context& context) {
@@ -92,10 +89,9 @@ Outcome dual_converges(const Context& context) {
   trial.follow(sum_identity({context.formula("eq-19-even"), "j", {-1, 1}, {1, 0}}, f("1"), {{"n", 1}}));
   trial.follow(sum_identity({context.formula("eq-19-odd"), "j", {-1, 1}, {1, 0}}, f("1"), {{"n", 1}}));
   for (int n = 1; n <= most; ++n) trial.require(converges(dual_mask(n)).is_yes(), at("n", n));
-  return trial
-      .for_all("all n >= 1",
-               "coset sums 1 and positive coefficients for every n; convergence also proved for " + range(1, most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "coset sums 1 and positive coefficients for every n; convergence also proved for " + range(1, most));
 }
 
 /// a(z)/(1+z) by a closed form. a has the coefficients `first`(j) at the exponents 2j + offset and `second`(j) at the
@@ -136,7 +132,7 @@ Outcome dual_c1(const Context& context) {
                                   dual_mask, context.reach(10, 30));
   for (const char* j : {"x", "-1 - x"}) trial.follow(positive(even, {{"n", "1 + y"}, {"j", j}}));
   for (const char* j : {"x - 1", "-1 - x"}) trial.follow(positive(odd, {{"n", "1 + x + y"}, {"j", j}}));
-  return trial.for_all("all n >= 1", quotient_argument).outcome();
+  return trial.for_all("all n >= 1", quotient_argument);
 }
 
 Outcome variants_c1(const Context& context) {
@@ -170,7 +166,7 @@ Outcome variants_c1(const Context& context) {
     trial.follow(positive(primal_first, {{"n", "1 + x + y"}, {"j", j}}));
     trial.follow(positive(primal_second, {{"n", "1 + x + y"}, {"j", j}}));
   }
-  return trial.for_all("all n >= 1", quotient_argument).outcome();
+  return trial.for_all("all n >= 1", quotient_argument);
 }
 
 /// (1+z)^3 divides the symbol: the symbol and its first two derivatives vanish at -1.
@@ -183,10 +179,8 @@ Outcome three_factors(const Context& context) {
   trial.follow(
       sum_identity({f("2*j*(2*j - 1)") * even - f("(2*j + 1)*2*j") * odd, "j", {-1, 0}, {1, -1}}, f("0"), {{"n", 1}}));
   for (int n = 1; n <= most; ++n) trial.require(sum_rules(dual_mask(n)) >= 3, at("n", n));
-  return trial
-      .for_all("all n >= 1",
-               "the symbol and its first two derivatives vanish at -1, as sums over j that are identities in n")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1", "the symbol and its first two derivatives vanish at -1, as sums over j that are identities in n");
 }
 
 Outcome negative_coefficients(const Context& context) {
@@ -197,7 +191,7 @@ Outcome negative_coefficients(const Context& context) {
     trial.require(std::any_of(coefficients.begin(), coefficients.end(), [](const Rational& c) { return c < 0; }),
                   at("n", n));
   }
-  Outcome outcome = trial.over(range(2, most)).outcome();
+  Outcome outcome = trial.over(range(2, most));
   outcome.argument = "for n = 1 the quotient is 1 + z up to a power of z and has none";
   return outcome;
 }
@@ -208,19 +202,19 @@ Outcome twice_differentiable(const std::string& family, int first) {
     const Rational bound = *holder_bound_of(specification(family, n)).exponent.lower;
     trial.require(bound > 2, at("n", n) + ": the bound after 16 levels is " + to_decimal(bound, 5, Rounding::down));
   }
-  return trial.over(range(first, 10) + ": the proved lower bounds of the exponents exceed 2").outcome();
+  return trial.over(range(first, 10) + ": the proved lower bounds of the exponents exceed 2");
 }
 
 Outcome dual_odd_rules(const Context& context) {
   const int most = context.reach(8, 40);
   Trial trial = fit({context.formula("dual-odd-left"), "j", {-1, 0}, {1, 0}, {1, 0}, f("-1/4"), 1, 1, {}}, most);
   trial.follow(fit({context.formula("dual-odd-right"), "j", {-1, 0}, {1, 0}, {1, 0}, f("1/4"), 1, 1, {}}, most));
-  return trial.outcome();
+  return trial;
 }
 
 Outcome primal_odd_rule(const Context& context) {
-  return fit({context.formula("primal-odd-even"), "j", {-1, 0}, {1, 0}, {1, 0}, f("0"), 1, 1, {}}, context.reach(8, 40))
-      .outcome();
+  return fit({context.formula("primal-odd-even"), "j", {-1, 0}, {1, 0}, {1, 0}, f("0"), 1, 1, {}},
+             context.reach(8, 40));
 }
 
 }  // namespace

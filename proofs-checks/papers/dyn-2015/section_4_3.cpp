@@ -35,7 +35,7 @@ Outcome well_defined(const Context& context) {
       trial.require(even == (d < 2 * n - 1), at_n_d(n, d) + ": the fit to 2n-1 data");
       trial.require(odd == (d < 2 * n), at_n_d(n, d) + ": the fit to 2n data");
     }
-  return trial.over(range(1, most) + ", d = 0..2n").outcome();
+  return trial.over(range(1, most) + ", d = 0..2n");
 }
 
 Outcome equation_21(const Context& context) {
@@ -52,7 +52,7 @@ Outcome equation_21(const Context& context) {
                         weights_by_normal_equations(equidistant(-n + 1, 1, 2 * n), monomials(d), Rational(1, 2)),
                     at_n_d(n, d) + ": the odd rule");
     }
-  return trial.over(range(1, most) + ", d = 1..2n-1").outcome();
+  return trial.over(range(1, most) + ", d = 1..2n-1");
 }
 
 Outcome equation_22(const Context& context) {
@@ -65,7 +65,7 @@ Outcome equation_22(const Context& context) {
             rule_of(dual_mask(n, d), k, -n + 1, 2 * n) ==
                 weights_by_normal_equations(equidistant(-n + 1, 1, 2 * n), monomials(d), Rational(2 * k + 1, 4)),
             at_n_d(n, d) + ": rule " + std::to_string(k));
-  return trial.over(range(1, most) + ", d = 1..2n-1").outcome();
+  return trial.over(range(1, most) + ", d = 1..2n-1");
 }
 
 /// The degree d is reproduced and the order is h^(d+1) at least; exact values of the degree where it is more.
@@ -77,8 +77,8 @@ Outcome reproduces(const Context& context, Mask (*mask)(int, int), bool odd_for_
       const int degree = polynomial_reproduction(mask(n, d)).reproduction_degree;
       trial.equal(odd_for_free && d % 2 == 0 ? d + 1 : d, degree, at_n_d(n, d) + ", reproduction degree");
     }
-  return trial.over(range(1, most) + ", d = 1..2n-1" + (odd_for_free ? "; even degrees reproduce one degree more" : ""))
-      .outcome();
+  return trial.over(range(1, most) + ", d = 1..2n-1" +
+                    (odd_for_free ? "; even degrees reproduce one degree more" : ""));
 }
 
 Outcome interpolates(const Context& context, Mask (*mask)(int, int), bool is_dual) {
@@ -97,7 +97,7 @@ Outcome interpolates(const Context& context, Mask (*mask)(int, int), bool is_dua
     trial.require(rule_of(derived, 1, -n + 1, 2 * n) == inserted(is_dual ? Rational(3, 4) : Rational(1, 2)),
                   at("n", n) + ": the odd rule");
   }
-  return trial.over(range(1, most) + ", against interpolation by a Vandermonde matrix").outcome();
+  return trial.over(range(1, most) + ", against interpolation by a Vandermonde matrix");
 }
 
 Outcome even_degrees(const Context& context) {
@@ -106,7 +106,7 @@ Outcome even_degrees(const Context& context) {
   for (int n = 1; n <= most; ++n)
     for (int d = 0; 2 * d + 1 < 2 * n; ++d)
       trial.require(primal_mask(n, 2 * d) == primal_mask(n, 2 * d + 1), at_n_d(n, 2 * d));
-  return trial.over(range(1, most) + ", all even degrees below 2n-1").outcome();
+  return trial.over(range(1, most) + ", all even degrees below 2n-1");
 }
 
 Outcome four_point_rule(const Context&) {
@@ -118,7 +118,7 @@ Outcome four_point_rule(const Context&) {
   trial.require(rule_of(mask_of("four-point:w=1/16"), 1, -1, 4) ==
                     weights_by_normal_equations(nodes, monomials(2), Rational(1, 2)),
                 "not the 4-point rule");
-  return trial.over("n = 2").outcome();
+  return trial.over("n = 2");
 }
 
 /// The exponent decides: above 3 it proves C^3, below 3 with stable shifts it refutes it.
@@ -163,10 +163,8 @@ Outcome scaled_maxima(const Context& context) {
     trial.require(before < Rational(11, 10),
                   at("d", d) + ": " + to_decimal(before, 6, Rounding::nearest) + " times the limit at the end");
   }
-  return trial
-      .over("d = 1, 3, 5, every second n up to " + std::to_string(most) +
-            ": n max psi falls towards C_d and ends within a tenth of it")
-      .outcome();
+  return trial.over("d = 1, 3, 5, every second n up to " + std::to_string(most) +
+                    ": n max psi falls towards C_d and ends within a tenth of it");
 }
 
 Outcome scaled_slopes(const Context& context) {
@@ -202,13 +200,12 @@ Outcome conjecture_7(const Context& context) {
   }
   const Decision degree_one = theorems::prove("conjecture-7", 1).decision;
   trial.require(degree_one.is_yes(), degree_one.reason);
-  return trial
-      .for_all("every d, n large; d = 1, all n >= 1",
-               "n max psi tends to C_d > 0 for every d (docs/limit-constants.md, theorem 7); for d = 1 explicit bounds "
-               "for all "
-               "n; C_d < n max psi < 3 C_d certified for d = 1, 3, 5, n up to " +
-                   std::to_string(most))
-      .outcome();
+  return trial.for_all(
+      "every d, n large; d = 1, all n >= 1",
+      "n max psi tends to C_d > 0 for every d (docs/limit-constants.md, theorem 7); for d = 1 explicit bounds "
+      "for all "
+      "n; C_d < n max psi < 3 C_d certified for d = 1, 3, 5, n up to " +
+          std::to_string(most));
 }
 
 Outcome conjecture_8(const Context& context, bool over_degrees) {
@@ -230,8 +227,7 @@ Outcome conjecture_8(const Context& context, bool over_degrees) {
       } else if (n > 1 && d <= 2 * n - 3) {
         compare(n, d, n - 1, d);
       }
-  Outcome outcome = trial.over(range(1, most) + ", d = 1, 3, 5, neighbours; the others follow by transitivity")
-                        .outcome();
+  Outcome outcome = trial.over(range(1, most) + ", d = 1, 3, 5, neighbours; the others follow by transitivity");
   if (outcome.verdict == Verdict::holds && !undecided.empty())
     return {Verdict::undecided, outcome.range, "", "not decided: " + undecided};
   return outcome;
@@ -241,11 +237,10 @@ Outcome conjecture_8_degree_one(const Context&) {
   const Decision proof = theorems::prove("conjecture-8-n", 1).decision;
   Trial trial;
   trial.require(proof.is_yes(), proof.reason);
-  return trial
-      .for_all("d = 1, all n >= 1",
-               "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/README.md, "
-               "conjecture-8-n)")
-      .outcome();
+  return trial.for_all(
+      "d = 1, all n >= 1",
+      "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/README.md, "
+      "conjecture-8-n)");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ Outcome alpha_samples(const Context& context) {
   Trial trial;
   trial.equal(-end({}), sample({{"i", 0}}), "the first sample");
   trial.equal(end({}), sample({{"i", last({})}}), "the last sample");
-  return trial.over("i = 0 and i = 29").outcome();
+  return trial.over("i = 0 and i = 29");
 }
 
 /// Samples of a closed curve of period 2 pi: as many steps as samples make one period. pi is a name, and 3 < pi < 22/7.
@@ -39,13 +39,13 @@ Outcome torus_samples(const Context& context) {
   const Rational count = context.formula("eq-27-last")({}) + 1;
   Trial trial = one_period(context.formula("eq-27-step"), count);
   trial.equal(context.formula("eq-27-degrees")({}), 360 / count, "the step in degrees");
-  return trial.over("24 samples").outcome();
+  return trial.over("24 samples");
 }
 
 Outcome mechanical_element(const Context& context) {
   Trial trial;
   trial.equal(context.formula("vertices")({}), context.formula("grid")({}), "the number of vertices");
-  return trial.over("one number").outcome();
+  return trial.over("one number");
 }
 
 }  // namespace

@@ -136,13 +136,12 @@ Outcome equation_3_9(const Context& context) {
   Trial trial = compared(form, 2);
   for (long n = 3; n <= context.reach(3, 4); ++n) trial.follow(compared(form, n));
   trial.follow(proved(form, 2));
-  return trial
-      .for_all("all n >= 2",
-               "each beta is a cubic in the node with the moments that characterise the fit, as identities in n; also "
-               "compared with the "
-               "normal equations for n = 2.." +
-                   std::to_string(context.reach(3, 4)))
-      .outcome();
+  return trial.for_all(
+      "all n >= 2",
+      "each beta is a cubic in the node with the moments that characterise the fit, as identities in n; also "
+      "compared with the "
+      "normal equations for n = 2.." +
+          std::to_string(context.reach(3, 4)));
 }
 
 /// The weights of the rule at (x, y).
@@ -179,7 +178,7 @@ Outcome non_tensor(const Context& context, const std::string& id, const Line& fi
       trial.equal(points, used, where + ", number of weights");
       trial.require(pivot_columns(weights).size() > 1, where + ": the weights are a product");
     }
-  return trial.over("n = 2, the points (1/4, 1/4), (3/4, 1/4), (1/4, 3/4), (3/4, 3/4)").outcome();
+  return trial.over("n = 2, the points (1/4, 1/4), (3/4, 1/4), (1/4, 3/4), (3/4, 3/4)");
 }
 
 /// The grids first..n in two or three variables that determine a cubic.
@@ -218,7 +217,7 @@ Outcome smallest_grid(const Context&) {
   for (long n = 1; n <= 3; ++n)
     for (long first : {-n + 1, -n})
       trial.require(determines_cubics(first, n, 2) == (n > 1), at("n", n) + ", grid from " + std::to_string(first));
-  return trial.over("n = 1..3, both grids").outcome();
+  return trial.over("n = 1..3, both grids");
 }
 
 Outcome volumes(const Context& context) {

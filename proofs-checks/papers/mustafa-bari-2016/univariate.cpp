@@ -21,14 +21,12 @@ Outcome equation_2_4(const Context& context) {
   const int arities = context.reach(4, 6);
   const Fit cubic{weights_2_4(context), "r", {-1, 1}, {1, 0}, {1, 0}, context.formula("position-2n"), 3, 2,
                   {{"a", 1}, {"q", 0}}};
-  return fit(cubic, context.reach(4, 8),
-             [&](long) {
-               std::vector<Values> cases;
-               for (int a = 2; a <= arities; ++a)
-                 for (int q = 0; q < a; ++q) cases.push_back({{"a", a}, {"q", q}});
-               return cases;
-             })
-      .outcome();
+  return fit(cubic, context.reach(4, 8), [&](long) {
+    std::vector<Values> cases;
+    for (int a = 2; a <= arities; ++a)
+      for (int q = 0; q < a; ++q) cases.push_back({{"a", a}, {"q", q}});
+    return cases;
+  });
 }
 
 /// The positions q of one parity of a: 0, then both signs, by size.
@@ -85,7 +83,7 @@ Outcome positions_even_arity(const Context& context) {
     trial.require(denominator(steps) == 1 && 2 * first == step, at("a", a) + ": not equally spaced");
     trial.equal(a, 2 * (steps + 1), at("a", a) + ", number of positions");
   }
-  return trial.over("even a = 2.." + std::to_string(most)).outcome();
+  return trial.over("even a = 2.." + std::to_string(most));
 }
 
 Outcome smallest_size(const Context& context) {
@@ -112,7 +110,7 @@ Outcome four_point_binary(const Context& context) {
                   at("q", q) + ", " + at("r", r));
   }
   trial.require(regression_mask(ary(2, 4, 3)) == regression_mask(dual(2, 3)), "not the dual 4-point scheme");
-  return trial.over("n = 2, a = 2").outcome();
+  return trial.over("n = 2, a = 2");
 }
 
 /// Bases of the cubics; Gram's polynomials belong to the points -n+1..n.
@@ -153,16 +151,15 @@ Outcome other_bases(const Context& context) {
                         at("n", n) + ", Gram polynomials " + std::to_string(i) + " and " + std::to_string(j));
       }
     }
-  return trial
-      .for_all("all n >= 2",
-               "each family has one member of every degree 0, ..., 3 and so spans the cubics, on which the fit does "
-               "not depend; compared for n = 2.." +
-                   std::to_string(most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 2",
+      "each family has one member of every degree 0, ..., 3 and so spans the cubics, on which the fit does "
+      "not depend; compared for n = 2.." +
+          std::to_string(most));
 }
 
 Outcome sums_2n(const Context& context) {
-  return sum_identity({weights_2_4(context), "r", {-1, 1}, {1, 0}}, f("1"), {{"n", 2}, {"a", 2}, {"q", 0}}).outcome();
+  return sum_identity({weights_2_4(context), "r", {-1, 1}, {1, 0}}, f("1"), {{"n", 2}, {"a", 2}, {"q", 0}});
 }
 
 Outcome sums_odd(const Context& context) {
@@ -186,7 +183,7 @@ Outcome support(const Context& context, const std::string& id, bool even_points)
       trial.equal(-end(where), derived.lower - shift, to_text(where) + ", left end");
       trial.equal(end(where), derived.upper - shift, to_text(where) + ", right end");
     }
-  Outcome outcome = trial.over(range(sizes, arities)).outcome();
+  Outcome outcome = trial.over(range(sizes, arities));
   outcome.argument =
       "the interval is the one in which the datum f_j stands at j and the scheme is symmetric; with the new values at "
       "i/a^k it is shifted";
@@ -216,7 +213,7 @@ Outcome necessary_condition(const Context& context) {
       for (int points : {2 * n, 2 * n + 1})
         trial.require(is_affine(regression_mask(ary(a, points, 3))),
                       at("a", a) + ", " + std::to_string(points) + " points");
-  return trial.over(range(sizes, arities) + ", 2n and 2n+1 points").outcome();
+  return trial.over(range(sizes, arities) + ", 2n and 2n+1 points");
 }
 
 }  // namespace

@@ -26,13 +26,11 @@ Outcome reproduction(const Context& context) {
               library_value(data, degree, x, y), polynomial({{"r", x}, {"s", y}}),
               at("n", n) + ", degree " + std::to_string(degree) + ", " + std::to_string(variables) + " variables");
         }
-  return trial
-      .for_all(
-          "all n >= 2, all weights, degrees 1 to 3 on curves and 1, 2 on surfaces",
-          "for data of a polynomial of that degree the weighted sum of squares is 0 at this polynomial and, as the "
-          "nodes determine it, nowhere else: every step and every output are exact, with the datum f_j at j and the "
-          "outputs at the positions of the fit. Also tried with random weights")
-      .outcome();
+  return trial.for_all(
+      "all n >= 2, all weights, degrees 1 to 3 on curves and 1, 2 on surfaces",
+      "for data of a polynomial of that degree the weighted sum of squares is 0 at this polynomial and, as the "
+      "nodes determine it, nowhere else: every step and every output are exact, with the datum f_j at j and the "
+      "outputs at the positions of the fit. Also tried with random weights");
 }
 
 /// If a line met the parabola at both outputs, the residual (r - 1/4)(r - 3/4) would be positive at all data.
@@ -46,13 +44,11 @@ Outcome lines_do_not_reproduce(const Context& context) {
   trial.follow(positive(odd, {{"r", "1 + x"}}));
   trial.follow(positive(odd, {{"r", "-1 - x"}}));
   trial.follow(sum_identity({f("r^2"), "r", {-1, 0}, {1, 0}}, f("(2*n + 1)*n*(n + 1)/3"), {{"n", 1}}));
-  return trial
-      .for_all(
-          "all n >= 1, all positive weights, data r^2, 2n points",
-          "a line through the parabola at both outputs 1/4, 3/4 leaves residuals r^2 - r + 3/16 > 0 at all integers, "
-          "but weighted residuals of a fit have the sum 0. For 2n+1 points the residual r^2 - 1/16 is negative at "
-          "r = 0 alone: there the ordinary fit has the constant n(n+1)/3, not 1/16")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1, all positive weights, data r^2, 2n points",
+      "a line through the parabola at both outputs 1/4, 3/4 leaves residuals r^2 - r + 3/16 > 0 at all integers, "
+      "but weighted residuals of a fit have the sum 0. For 2n+1 points the residual r^2 - 1/16 is negative at "
+      "r = 0 alone: there the ordinary fit has the constant n(n+1)/3, not 1/16");
 }
 
 /// The schemes of [3], [9] and [11] among the binary rules of one fit with all weights 1.
@@ -75,7 +71,7 @@ Outcome special_cases(const Context& context) {
     restricted.require(regression_mask(ary(2, 2 * n + 1, 3)) == regression_mask(dual_odd(n, 3)),
                        at("n", n) + ", [MB16], 2n+1 points");
   }
-  Outcome outcome = printed.outcome();
+  Outcome outcome = printed;
   outcome.argument =
       restricted.failed()
           ? "not even the binary schemes of [MB16]: " + restricted.failure()
@@ -97,10 +93,8 @@ Outcome not_interpolatory(const Context& context) {
           trial.require(used > 1, at("n", n) + ", degree " + std::to_string(degree) + ": a rule copies a datum");
         }
       }
-  return trial
-      .over("all weights 1, n = 2.." + std::to_string(context.reach(6, 12)) +
-            ", degrees 1, 2, 3: no rule copies the data")
-      .outcome();
+  return trial.over("all weights 1, n = 2.." + std::to_string(context.reach(6, 12)) +
+                    ", degrees 1, 2, 3: no rule copies the data");
 }
 
 }  // namespace

@@ -72,16 +72,14 @@ Outcome weights(const Context& context) {
   return derived(
       weights_of_modulus(context.formula("eq-2.6"), context.formula("eq-2.6-exponent")({}),
                          f("f - beta0 - beta1*r - beta2*r^2 - beta3*r^3"),
-                         {{"f", 1}, {"beta0", 2}, {"beta1", 3}, {"beta2", 4}, {"beta3", 5}, {"r", 2}, {"delta", 7}})
-          .outcome());
+                         {{"f", 1}, {"beta0", 2}, {"beta1", 3}, {"beta2", 4}, {"beta3", 5}, {"r", 2}, {"delta", 7}}));
 }
 
 Outcome sums(const Context& context) {
   std::vector<Formula> entries = numbered_formulas(context, "eq-2.19-", 7);
   for (const Formula& chi : numbered_formulas(context, "eq-2.20-", terms)) entries.push_back(chi);
-  return derived(entries_of_normal_equations(entries, {"w", "r*w", "r^2*w", "r^3*w", "r^4*w", "r^5*w", "r^6*w", "w*f",
-                                                       "r*w*f", "r^2*w*f", "r^3*w*f"})
-                     .outcome());
+  return derived(entries_of_normal_equations(
+      entries, {"w", "r*w", "r^2*w", "r^3*w", "r^4*w", "r^5*w", "r^6*w", "w*f", "r*w*f", "r^2*w*f", "r^3*w*f"}));
 }
 
 Outcome adjoint(const Context& context) {
@@ -106,11 +104,9 @@ Outcome adjoint(const Context& context) {
     }
   if (!trial.failed()) trial.follow(adjoint_identity(matrix, entries, kappa, numbered("tau", 7)));
   return derived(
-      trial
-          .for_all("all n >= 2 and all positive weights",
-                   "matrix times adjoint is kappa times the identity, entry by entry, as polynomials in tau_1, "
-                   "..., tau_7; the matrix is positive definite, so kappa > 0")
-          .outcome());
+      trial.for_all("all n >= 2 and all positive weights",
+                    "matrix times adjoint is kappa times the identity, entry by entry, as polynomials in tau_1, "
+                    "..., tau_7; the matrix is positive definite, so kappa > 0"));
 }
 
 Outcome coefficients(const Context& context) {
@@ -141,12 +137,10 @@ Outcome coefficients(const Context& context) {
           trial.equal(beta(values) * kappa, expected(values), with_index("beta_", k) + ", " + to_text(values));
         }
   }
-  return derived(trial
-                     .for_all("all n >= 2 and all positive weights",
-                              "bilinear in lambda and chi, and equal on a basis to rows of the adjoint times the "
-                              "right-hand sides over kappa; compared with the normal equations for n = 2.." +
-                                  std::to_string(context.reach(4, 6)) + " with random weights")
-                     .outcome());
+  return derived(trial.for_all("all n >= 2 and all positive weights",
+                               "bilinear in lambda and chi, and equal on a basis to rows of the adjoint times the "
+                               "right-hand sides over kappa; compared with the normal equations for n = 2.." +
+                                   std::to_string(context.reach(4, 6)) + " with random weights"));
 }
 
 /// psi_k is row k of the adjoint times (1, r, r^2, r^3), and the rules are (psi_1 + x psi_2 + x^2 psi_3 + x^3
@@ -188,12 +182,11 @@ Outcome rules(const Context& context) {
         trial.equal(psi(values), expected(values), with_index("psi_", k + 1) + ", " + to_text(values));
       }
   }
-  return derived(trial
-                     .for_all("all n >= 2 and all positive weights",
-                              "psi_1, ..., psi_4 are linear in lambda and cubic in r and agree on a basis: rows of the "
-                              "adjoint times (1, r, r^2, r^3); compared with the library for n = 2.." +
-                                  std::to_string(context.reach(4, 6)) + " with random weights")
-                     .outcome());
+  return derived(
+      trial.for_all("all n >= 2 and all positive weights",
+                    "psi_1, ..., psi_4 are linear in lambda and cubic in r and agree on a basis: rows of the "
+                    "adjoint times (1, r, r^2, r^3); compared with the library for n = 2.." +
+                        std::to_string(context.reach(4, 6)) + " with random weights"));
 }
 
 /// All weights 1: the dual 2n-point scheme of degree 3.
@@ -220,8 +213,7 @@ Outcome ordinary(const Context& context) {
           }
         }
       }
-  return trial.over("n = 2.." + std::to_string(context.reach(5, 10)) + ", degrees 1, 2, 3, 2n and 2n+1 points")
-      .outcome();
+  return trial.over("n = 2.." + std::to_string(context.reach(5, 10)) + ", degrees 1, 2, 3, 2n and 2n+1 points");
 }
 
 }  // namespace

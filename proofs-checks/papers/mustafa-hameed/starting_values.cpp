@@ -15,8 +15,8 @@ Outcome starting_values(const Context& context, const std::vector<std::string>& 
   value = value / context.formula((even ? "divisor-2n" : "divisor-odd"));
   const Fit cubic{value, "r", {-1, even ? 1 : 0}, {1, 0}, {1, 0}, f("x"), 3, 2, {{"x", 0}}};
   Outcome outcome = fit(cubic, context.reach(5, 12), [](long) {
-                      return std::vector<Values>{{{"x", 0}}, {{"x", 1}}, {{"x", Rational(1, 4)}}, {{"x", -2}}};
-                    }).outcome();
+    return std::vector<Values>{{{"x", 0}}, {{"x", 1}}, {{"x", Rational(1, 4)}}, {{"x", -2}}};
+  });
   outcome.argument = "the printed formulas are lost; of the derived ones: " + outcome.argument;
   return outcome;
 }

@@ -49,20 +49,19 @@ Outcome equation_4(const Context& context) {
   const std::vector<Formula> positions = context.list("positions");
   Trial trial = rule_4(context, "eq-4-even", positions.at(0)({}), true);
   trial.follow(rule_4(context, "eq-4-odd", positions.at(1)({}), true));
-  return trial.outcome();
+  return trial;
 }
 
 Outcome equation_5(const Context& context, const std::string& id) {
   Trial trial = entries_of_normal_equations(
       {context.formula(id + "-tau-1"), context.formula(id + "-tau-2"), context.formula(id + "-tau-3")},
       {"w", "r*w", "r^2*w"});
-  return trial.outcome();
+  return trial;
 }
 
 Outcome equation_6(const Context& context) {
   return weights_of_modulus(context.formula("eq-6"), context.formula("eq-6-exponent")({}), f("f - beta1 - r*beta2"),
-                            {{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"delta", 7}})
-      .outcome();
+                            {{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"delta", 7}});
 }
 
 /// The coefficients beta_2 and beta_1 as printed, with sums by eq. (5) of the same place.
@@ -83,7 +82,7 @@ Outcome solution(const Context& context, const std::string& sums, const std::str
                                     one.equal(average - rest(values), beta[0], where + ", beta_1");
                                     return one;
                                   });
-  if (trial.failed()) return trial.outcome();
+  if (trial.failed()) return trial;
   const std::vector<Variable> names{{"r", 1}, {"tau1", 1}, {"tau2", 1}, {"tau3", 1000}};
   trial.follow(is_weighted_datum(beta2, names));
   trial.follow(is_weighted_datum(mean, names));
@@ -92,13 +91,11 @@ Outcome solution(const Context& context, const std::string& sums, const std::str
   // beta_1 is linear in beta_2, so that the rule of beta_2 may stand for it.
   trial.follow(
       weighted_moments(coefficient_of_datum(mean) - rest.replaced("beta2", slope_rule), 1, {f("1"), f("0")}, taus));
-  return trial
-      .for_all(
-          "all n >= 1 and all positive weights",
-          "the rules are w_r times linear functions of r with the moments of the slope and of the value at 0; also "
-          "compared for n = 1.." +
-              std::to_string(most) + " with random weights")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1 and all positive weights",
+      "the rules are w_r times linear functions of r with the moments of the slope and of the value at 0; also "
+      "compared for n = 1.." +
+          std::to_string(most) + " with random weights");
 }
 
 /// beta_1 + x beta_2 of the ordinary line, for all x.
@@ -107,11 +104,9 @@ Outcome starting_values(const Context& context, const std::string& id, bool even
   const Formula beta2 = context.formula(id + "-beta-2");
   if (even) beta1 = beta1 - context.formula(id + "-factor") * beta2;
   const Fit ordinary{beta1 + f("x") * beta2, "r", {-1, even ? 1 : 0}, {1, 0}, {1, 0}, f("x"), 1, 1, {{"x", 0}}};
-  return fit(ordinary, context.reach(6, 20),
-             [](long) {
-               return std::vector<Values>{{{"x", 0}}, {{"x", 1}}, {{"x", Rational(1, 4)}}};
-             })
-      .outcome();
+  return fit(ordinary, context.reach(6, 20), [](long) {
+    return std::vector<Values>{{{"x", 0}}, {{"x", 1}}, {{"x", Rational(1, 4)}}};
+  });
 }
 
 /// The rules of S_2n or S_2n+1 and the mask of the scheme they are.
@@ -138,14 +133,12 @@ Outcome least_squares_rules(const Context& context, const std::string& id, const
                   .replaced("tau3", f(even ? "n*(2*n^2 + 1)/3" : "n*(n + 1)*(2*n + 1)/3"));
     trial.follow(identity(weight, reduced.replaced("r", f(index)), {{"n", 2}, {index, 0}}));
   }
-  return trial
-      .for_all(
-          "all n >= 1",
-          "the printed rules are the linear fits and the rules (4) with all weights 1, as identities in n; the masks "
-          "are those of the " +
-              std::string(even ? "dual 2n-point" : "dual (2n+1)-point") + " scheme of [DHHS15], compared for n = 1.." +
-              std::to_string(most))
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "the printed rules are the linear fits and the rules (4) with all weights 1, as identities in n; the masks "
+      "are those of the " +
+          std::string(even ? "dual 2n-point" : "dual (2n+1)-point") + " scheme of [DHHS15], compared for n = 1.." +
+          std::to_string(most));
 }
 
 Outcome odd_variant(const Context& context) {
@@ -157,8 +150,7 @@ Outcome odd_variant(const Context& context) {
     trial.follow(rule_4(context, id, positions.at(rule)({}), false));
   }
   trial.equal(positions.at(0)({}) + positions.at(1)({}), 0, "positions about the middle datum");
-  return trial.for_all("all n >= 1 and all positive weights", "as for (4), with -1/4 and 1/4 for 1/4 and 3/4")
-      .outcome();
+  return trial.for_all("all n >= 1 and all positive weights", "as for (4), with -1/4 and 1/4 for 1/4 and 3/4");
 }
 
 /// (4) with two data: the weights cancel.
@@ -180,8 +172,8 @@ Outcome chaikin(const Context& context) {
   trial.require(
       mask.symbol() == LaurentPolynomial({Rational(1, 4), Rational(3, 4), Rational(3, 4), Rational(1, 4)}, -2),
       "the mask for n = 1 is not Chaikin's");
-  return trial.for_all("n = 1, all positive weights and all m", "identities in both weights: a line through two points")
-      .outcome();
+  return trial.for_all("n = 1, all positive weights and all m",
+                       "identities in both weights: a line through two points");
 }
 
 Outcome not_symmetric(const Context& context) {
@@ -204,7 +196,7 @@ Outcome not_symmetric(const Context& context) {
     }
     trial.require(!same, at("n", n) + ": the rules with weights 1, but 2 at r = 0, are mirror images");
   }
-  Outcome outcome = trial.over("n = 2.." + std::to_string(context.reach(6, 12))).outcome();
+  Outcome outcome = trial.over("n = 2.." + std::to_string(context.reach(6, 12)));
   outcome.argument =
       "the two rules are no mirror images once the weights are not; but mirrored data have mirrored weights, so that "
       "the "
@@ -233,11 +225,10 @@ Outcome general_basis(const Context& context) {
           trial.equal(0, sum_over(data, f("w") * member * (f("f") - fitted), 1 - n, n, names), weighted_case(n, seed));
         }
       }
-  return trial
-      .for_all("all linear combinations of functions that the nodes determine",
-               "the weighted objective is a quadratic form in the coefficients; the residual of the solved normal "
-               "equations is orthogonal to every function of the basis, here also for bases that are no polynomials")
-      .outcome();
+  return trial.for_all(
+      "all linear combinations of functions that the nodes determine",
+      "the weighted objective is a quadratic form in the coefficients; the residual of the solved normal "
+      "equations is orthogonal to every function of the basis, here also for bases that are no polynomials");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ Outcome l1_problem(const Context& context) {
   const std::vector<Rational> data{0, 1, 1, 0};
   trial.equal(moduli(equation, data, 0, 0), 2, "n = 2, data 0, 1, 1, 0, line 0");
   trial.equal(moduli(equation, data, 1, 0), 2, "n = 2, data 0, 1, 1, 0, line 1");
-  Outcome outcome = trial.for_all("all n >= 1", "").outcome();
+  Outcome outcome = trial.for_all("all n >= 1", "");
   outcome.argument =
       "both displays are one problem; its objective is convex, as a sum of moduli of affine functions, and grows "
       "without "
@@ -43,11 +43,10 @@ Outcome smoothed(const Context& context) {
   const Formula h_squared = bracket.replaced("delta", f("e^2"));
   const std::vector<Variable> names{{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"e", 7}};
   trial.follow(identity((residual + f("e")) * (residual + f("e")) - h_squared, f("2*e") * residual, names));
-  return trial
-      .for_all("all n, data and delta > 0",
-               "t^2 <= t^2 + delta = (|t| + delta^(1/2))^2 - 2 |t| delta^(1/2), so F <= F_delta <= F + 2n delta^(1/2): "
-               "a minimiser of F_delta has F within 2n delta^(1/2) of the smallest value")
-      .outcome();
+  return trial.for_all(
+      "all n, data and delta > 0",
+      "t^2 <= t^2 + delta = (|t| + delta^(1/2))^2 - 2 |t| delta^(1/2), so F <= F_delta <= F + 2n delta^(1/2): "
+      "a minimiser of F_delta has F within 2n delta^(1/2) of the smallest value");
 }
 
 Outcome iteration(const Context& context) {
@@ -57,12 +56,10 @@ Outcome iteration(const Context& context) {
                                    residual, line_names);
   trial.follow(
       identity(objective, f("w") * residual * residual, {{"w", 1}, {"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}}));
-  Outcome outcome =
-      trial
-          .for_all("all n, data and delta > 0",
-                   "a fixed point of the iteration has sum of w t = sum of r w t = 0, which is the vanishing gradient "
-                   "of the convex F_delta")
-          .outcome();
+  Outcome outcome = trial.for_all(
+      "all n, data and delta > 0",
+      "a fixed point of the iteration has sum of w t = sum of r w t = 0, which is the vanishing gradient "
+      "of the convex F_delta");
   return outcome;
 }
 

@@ -32,14 +32,13 @@ Outcome proposition_1(const Context& context) {
   trial.follow(identity(left, f("2*n"), {{"n", 1}}));
   trial.follow(identity(left + right, width, {{"n", 1}}));
   trial.follow(identity(f("2") * end, width, {{"n", 1}}));
-  return trial
-      .for_all("all n >= 1",
-               "a window of zeros has the fit 0 whatever its weights, and the datum 0 is in the windows of f'_{2i}, "
-               "f'_{2i+1} for i = -n..n-1 only; with all weights 1 the ends are reached for n = 1.." +
-                   std::to_string(most) +
-                   ". The interval is the one in which the datum f_j stands at j and the rules are symmetric; with the "
-                   "new points at i/2^k, as in the proof, it is [-2n, 2n-1]")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1",
+      "a window of zeros has the fit 0 whatever its weights, and the datum 0 is in the windows of f'_{2i}, "
+      "f'_{2i+1} for i = -n..n-1 only; with all weights 1 the ends are reached for n = 1.." +
+          std::to_string(most) +
+          ". The interval is the one in which the datum f_j stands at j and the rules are symmetric; with the "
+          "new points at i/2^k, as in the proof, it is [-2n, 2n-1]");
 }
 
 Outcome geometric_sum(const Context& context) {

@@ -74,17 +74,16 @@ Outcome lemma_1_positions(const Context& context) {
       trial.equal(sum_over(data, term, -n, n, values), derived, "rule " + rule_names[k] + ", " + at("n", n));
     }
   }
-  return trial
-      .for_all("all n >= 1 and all positive weights",
-               "(10) in its corrected form holds for any nodes; the positions are symmetric about the middle datum")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1 and all positive weights",
+      "(10) in its corrected form holds for any nodes; the positions are symmetric about the middle datum");
 }
 
 Outcome lemma_1_starting_values(const Context& context) {
   const auto beta = [&](const std::string& k) { return context.formula("lemma-1-beta-" + k); };
   const GridFit ordinary{
       beta("1") + f("x") * beta("2") + f("y") * beta("3"), {-1, 0}, {1, 0}, f("x"), f("y"), 1, 1, {{"x", 0}, {"y", 0}}};
-  return grid_fit(ordinary, context.reach(4, 8)).outcome();
+  return grid_fit(ordinary, context.reach(4, 8));
 }
 
 /// Whether the grid of n determines polynomials of total degree d.
@@ -122,12 +121,10 @@ Outcome hyperplanes(const Context&) {
     }
     trial.require(kernel(design).empty(), at("p", p) + ": the corners of a cube do not determine a hyperplane");
   }
-  return trial
-      .for_all(
-          "all p and n >= 1",
-          "the corners 0 and the p unit vectors determine 1 + p coefficients, so that the weighted normal equations "
-          "are positive definite; checked for p = 1..5")
-      .outcome();
+  return trial.for_all(
+      "all p and n >= 1",
+      "the corners 0 and the p unit vectors determine 1 + p coefficients, so that the weighted normal equations "
+      "are positive definite; checked for p = 1..5");
 }
 
 }  // namespace

@@ -101,8 +101,7 @@ Outcome equation_11(const Context& context) {
   for (std::size_t k = 0; k < 3; ++k)
     trial.follow(identity(context.formula("eq-11-psi-" + std::to_string(k + 1)),
                           rows[k][0] + rows[k][1] * f("r") + rows[k][2] * f("s"), names));
-  return trial.for_all("all n and all weights", "rows of the adjoint of the normal equations times (1, r, s)")
-      .outcome();
+  return trial.for_all("all n and all weights", "rows of the adjoint of the normal equations times (1, r, s)");
 }
 
 Outcome equations_12_13(const Context& context) {
@@ -114,26 +113,23 @@ Outcome equations_12_13(const Context& context) {
               {zero - lambda[1], lambda[3], zero - lambda[4]},
               {lambda[2], zero - lambda[4], lambda[5]}};
   Trial trial = adjoint_identity(matrix, adjoint, context.formula("eq-12"), numbered("tau", 6));
-  return trial
-      .for_all(
-          "all n >= 1 and all positive weights",
-          "matrix times adjoint is kappa times the identity, entry by entry, as polynomials in tau_1, ..., tau_6; the "
-          "matrix is positive definite, so kappa > 0")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1 and all positive weights",
+      "matrix times adjoint is kappa times the identity, entry by entry, as polynomials in tau_1, ..., tau_6; the "
+      "matrix is positive definite, so kappa > 0");
 }
 
 Outcome equation_14(const Context& context) {
   Trial trial = entries_of_normal_equations(numbered_formulas(context, "eq-14-tau-", 6),
                                             {"w", "r*w", "s*w", "r^2*w", "r*s*w", "s^2*w"});
   trial.follow(summation_range(context.formula("surface-first"), context.formula("surface-last"), true));
-  return trial.outcome();
+  return trial;
 }
 
 Outcome equation_15(const Context& context, const std::string& id) {
   return weights_of_modulus(context.formula(id), context.formula(id + "-exponent")({}),
                             f("f - beta1 - r*beta2 - s*beta3"),
-                            {{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"beta3", 4}, {"r", 5}, {"s", 6}, {"delta", 7}})
-      .outcome();
+                            {{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"beta3", 4}, {"r", 5}, {"s", 6}, {"delta", 7}});
 }
 
 Outcome equations_16_18(const Context& context) {
@@ -152,15 +148,14 @@ Outcome equations_16_18(const Context& context) {
     trial.follow(
         identity(beta, (rows[k][0] * f("chi1") + rows[k][1] * f("chi2") + rows[k][2] * f("chi3")) / f("kappa"), names));
   }
-  return trial
-      .for_all("all n >= 1 and all positive weights",
-               "rows of the adjoint (13) times the right-hand sides (19) over kappa; also compared with the normal "
-               "equations for random weights")
-      .outcome();
+  return trial.for_all(
+      "all n >= 1 and all positive weights",
+      "rows of the adjoint (13) times the right-hand sides (19) over kappa; also compared with the normal "
+      "equations for random weights");
 }
 
 Outcome equation_19(const Context& context) {
-  return entries_of_normal_equations(numbered_formulas(context, "eq-19-chi-", 3), {"w*f", "r*w*f", "s*w*f"}).outcome();
+  return entries_of_normal_equations(numbered_formulas(context, "eq-19-chi-", 3), {"w*f", "r*w*f", "s*w*f"});
 }
 
 Outcome equation_20(const Context& context) {
@@ -168,7 +163,7 @@ Outcome equation_20(const Context& context) {
   const auto beta = [&](const std::string& k) { return context.formula("eq-20-beta-" + k).replaced("xi", xi); };
   const GridFit ordinary{
       beta("1") + f("x") * beta("2") + f("y") * beta("3"), {-1, 1}, {1, 0}, f("x"), f("y"), 1, 1, {{"x", 0}, {"y", 0}}};
-  return grid_fit(ordinary, context.reach(4, 10)).outcome();
+  return grid_fit(ordinary, context.reach(4, 10));
 }
 
 /// The smallest value of the objective over the coefficients named, the others 0, for data 1 + 2r + 4s.

@@ -108,5 +108,7 @@ TEST_CASE("what is no paper is refused with its place") {
   const std::string grid = head +
                            "[[table]]\nid = 'a'\ntitle = 'b'\nplace = 'c'\nlayout = 'grid'\ncolumns = [{}, {}]\n";
   says(grid + "rows = [{ printed = ['1'] }]", "line 11, column 21: expected 2 values, one a column");
+  says(grid + "rows = [{ n = 'one' }]", "line 11, column 15: expected an integer");
+  says(grid + "printed = '1'", "line 11, column 1: unknown key 'printed'");
   says(grid + "rows = [{ n = 1 }]", "expected the key 'printed'");
 }

@@ -1,6 +1,6 @@
 // Data-dependent refinement: output points per second of one core.
 
-#include <subcert/schemes/data/l1_scheme.hpp>
+#include <subcert/schemes/data/l1/l1_refinement.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -20,7 +20,7 @@ data::GridData<double> noise(const std::vector<data::Axis>& axes, std::size_t di
 
 /// points, degree, iterations, coordinates.
 void BM_l1_curve(benchmark::State& state) {
-  data::L1Scheme scheme{{static_cast<int>(state.range(0))}, static_cast<int>(state.range(1))};
+  L1Scheme scheme{{static_cast<int>(state.range(0))}, static_cast<int>(state.range(1))};
   scheme.options.iterations = static_cast<int>(state.range(2));
   const data::GridData<double> data = noise({data::Axis::of(100'000)}, static_cast<std::size_t>(state.range(3)));
   std::size_t outputs = 0;
@@ -46,7 +46,7 @@ BENCHMARK(BM_l1_curve)
 /// points along each axis, degree.
 void BM_l1_grid(benchmark::State& state) {
   const int points = static_cast<int>(state.range(0));
-  const data::L1Scheme scheme{{points, points}, static_cast<int>(state.range(1))};
+  const L1Scheme scheme{{points, points}, static_cast<int>(state.range(1))};
   const data::GridData<double> data = noise({data::Axis::of(120), data::Axis::of(120)}, 1);
   std::size_t outputs = 0;
   for (auto _ : state) {

@@ -1,7 +1,7 @@
 // Refinement of data. BM_copy moves the same memory as one level: one read, and one write of `arity` times as much.
 
-#include <subcert/schemes/data/axis_refinement.hpp>
-#include <subcert/schemes/data/grid_refinement.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
+#include <subcert/schemes/data/refine/grid_refinement.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <benchmark/benchmark.h>

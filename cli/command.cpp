@@ -1,7 +1,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/reports/runtime/files.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <unistd.h>
 
@@ -80,14 +80,21 @@ void add_scheme(Command& command, std::string& target, bool any) {
   command.add_to_footer("\n\nSchemes:" + known);
 }
 
-Json enclosure_json(const Enclosure& enclosure) {
-  return {{"lower", enclosure.lower_text()}, {"upper", enclosure.upper_text()}};
-}
-
 std::string sizes_text(const std::vector<std::size_t>& sizes) {
   std::string text;
   for (const std::size_t size : sizes) text += (text.empty() ? "" : " + ") + std::to_string(size);
   return text;
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size(), width), ' ');
+  return text;
+}
+
+ExitCode refuse_unproved(const std::string& scheme, const std::string& lack, const Decision& convergence) {
+  std::cerr << "subcert: " << scheme << ": " << lack << "; convergence: " << to_text(convergence.truth) << " ("
+            << convergence.reason << ")\n";
+  return convergence.is_no() ? failed : undecided;
 }
 
 std::string enclosure_text(const Enclosure& enclosure, int digits) {

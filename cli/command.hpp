@@ -1,21 +1,18 @@
 #pragma once
 /// What the subcommands share.
 
+#include "json.hpp"
 #include "options.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
 #include <subcert/schemes/specification.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <functional>
 #include <memory>
 #include <string>
 
 namespace subcert::cli {
-
-using Json = nlohmann::ordered_json;
 
 /// What the program leaves with; its meanings: docs/errors-and-exit-codes.md.
 enum class ExitCode {
@@ -63,12 +60,17 @@ Command add_command(Command& app, const std::string& name, const std::string& de
 /// The positional argument SCHEME; `any` names the families of two and three variables in the help too.
 void add_scheme(Command& command, std::string& target, bool any = false);
 
-Json enclosure_json(const Enclosure& enclosure);
 /// Exact decimal ends for people: `1.2345`, or `1.2345 ... 1.2346`, `>= 1.2345`.
 std::string enclosure_text(const Enclosure& enclosure, int digits = 12);
 
 /// `2 + 3 + 1`: the sizes of diagonal blocks.
 std::string sizes_text(const std::vector<std::size_t>& sizes);
+
+/// The text with blanks up to this width.
+std::string padded(std::string text, std::size_t width);
+
+/// Says on standard error, as errors do, that the scheme lacks what limits are needed for; the code to leave with.
+ExitCode refuse_unproved(const std::string& scheme, const std::string& lack, const Decision& convergence);
 
 void add_mask(Command& app);
 void add_analyze(Command& app);

@@ -4,7 +4,7 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
-#include <subcert/reports/runtime/parallel.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <algorithm>
 

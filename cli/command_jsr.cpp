@@ -5,7 +5,7 @@
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
-#include <subcert/reports/runtime/files.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <sstream>
 

@@ -22,12 +22,8 @@ ExitCode run(const LimitOptions& options) {
   const Scheme scheme = make_scheme(options.scheme);
   if (options.derivative == 0) {
     const Decision convergence = converges(scheme.mask);
-    if (!convergence.is_yes()) {
-      std::cerr << "subcert: " << scheme.specification
-                << ": no limit function to evaluate; convergence: " << to_text(convergence.truth) << " ("
-                << convergence.reason << ")\n";
-      return convergence.is_no() ? failed : undecided;
-    }
+    if (!convergence.is_yes())
+      return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
   } else {
     const SmoothnessProof smoothness = proved_smoothness(scheme.mask);
     if (smoothness.order < options.derivative) {
@@ -38,14 +34,12 @@ ExitCode run(const LimitOptions& options) {
   }
   const LimitValues values = limit_values(scheme.mask, options.level, options.derivative);
   if (options.json) {
-    Json list = Json::array();
-    for (const Rational& value : values.values) list.push_back(to_text(value));
     options.answer(Json{{"scheme", scheme.specification},
                         {"arity", values.arity},
                         {"level", values.level},
                         {"derivative", values.order},
                         {"first_index", values.first_index},
-                        {"values", list}});
+                        {"values", numbers_json(values.values)}});
     return done;
   }
   std::ostringstream text;

@@ -11,14 +11,11 @@ void print(const Scheme& scheme, const CommonOptions& options) {
     options.answer(symbol.to_mask_text() + "\n");
     return;
   }
-  const Interval support = limit_support(scheme.mask);
-  Json coefficients = Json::array();
-  for (const Rational& c : symbol.coefficients()) coefficients.push_back(to_text(c));
   options.answer(Json{{"scheme", scheme.specification},
                       {"arity", scheme.mask.arity()},
                       {"first_index", symbol.lowest()},
-                      {"coefficients", coefficients},
-                      {"support", {{"lower", to_text(support.lower)}, {"upper", to_text(support.upper)}}}});
+                      {"coefficients", numbers_json(symbol.coefficients())},
+                      {"support", interval_json(limit_support(scheme.mask))}});
 }
 
 void print(const MultivariateScheme& scheme, const CommonOptions& options) {
@@ -39,7 +36,7 @@ void add_mask(Command& app) {
   auto options = std::make_shared<CommonOptions>();
   auto specification = std::make_shared<std::string>();
   Command command = add_command(app, "mask", "The exact mask of a scheme", "subcert mask primal:n=3", options, [=] {
-    std::visit([&](const auto& scheme) { print(scheme, *options); }, make_any_scheme(*specification));
+    std::visit([&](const auto& scheme) { print(scheme, *options); }, make_linear_scheme(*specification));
     return done;
   });
   add_scheme(command, *specification, true);

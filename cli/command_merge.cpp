@@ -3,7 +3,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/reports/sweep/journal.hpp>
+#include <subcert/proofs-checks/sweeps/journal.hpp>
 
 #include <filesystem>
 #include <iostream>

@@ -5,7 +5,7 @@
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/overview.hpp>
-#include <subcert/reports/runtime/files.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/errata.hpp>
-#include <subcert/reports/runtime/files.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <algorithm>
 #include <map>

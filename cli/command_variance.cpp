@@ -6,7 +6,6 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 
-#include <iostream>
 #include <sstream>
 
 namespace subcert::cli {
@@ -24,25 +23,20 @@ ExitCode run(const Options& options) {
   if (!width || *width <= 0)
     fail(ErrorKind::usage, "--width: expected a positive number p or p/q, got '{}'", options.width);
   const Decision convergence = converges(scheme.mask);
-  const auto refuse = [&](const std::string& reason) {
-    std::cerr << "subcert: " << scheme.specification
-              << ": no variance curve; convergence: " << to_text(convergence.truth) << " (" << reason << ")\n";
-    return convergence.is_no() ? failed : undecided;
-  };
-  if (!convergence.is_yes()) return refuse(convergence.reason);
+  if (!convergence.is_yes()) return refuse_unproved(scheme.specification, "no variance curve", convergence);
   VarianceRange range;
   try {
     range = variance_range(scheme.mask, {*width, {Deadline::in(options.budget)}});
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::domain) throw;
-    return refuse(error.what());
+    return refuse_unproved(scheme.specification, "no variance curve", {convergence.truth, error.what()});
   }
   const ExitCode code = range.complete ? done : undecided;
   if (options.json) {
     Json json{{"scheme", scheme.specification},
               {"sup", enclosure_json(range.maximum)},
               {"inf", enclosure_json(range.minimum)},
-              {"derivative_sup", range.slope ? enclosure_json(*range.slope) : Json()},
+              {"derivative_sup", enclosure_json(range.slope)},
               {"mean", to_text(range.mean)},
               {"complete", range.complete},
               {"cells", range.cells}};

@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <iostream>
 #include <sstream>
 #include <system_error>
 

@@ -3,7 +3,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/schemes/data/quad_mesh.hpp>
+#include <subcert/schemes/data/formats/quad_mesh.hpp>
 
 #include <algorithm>
 #include <array>

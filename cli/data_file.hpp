@@ -1,8 +1,8 @@
 #pragma once
 /// Data files of `subcert refine`: curves, grids, meshes and volumes, read and written in the same form.
 
-#include <subcert/schemes/data/table.hpp>
-#include <subcert/schemes/data/volume.hpp>
+#include <subcert/schemes/data/formats/table.hpp>
+#include <subcert/schemes/data/formats/volume.hpp>
 
 #include <array>
 #include <string>

@@ -84,8 +84,7 @@ Json coefficients_json(const MultivariateMask& mask) {
 
 Json limit_support_json(const MultivariateMask& mask) {
   Json list = Json::array();
-  for (const Interval& side : limit_support(mask))
-    list.push_back({{"lower", to_text(side.lower)}, {"upper", to_text(side.upper)}});
+  for (const Interval& side : limit_support(mask)) list.push_back(interval_json(side));
   return list;
 }
 
@@ -93,8 +92,6 @@ ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimit
                               const CommonOptions& options) {
   const MultivariatePage page = make_page(scheme, limits);
   if (options.json) {
-    Json shift = Json::array();
-    for (const Rational& s : page.polynomials.parametrization) shift.push_back(to_text(s));
     Json json{{"scheme", scheme.specification},
               {"title", scheme.title},
               {"variables", scheme.mask.dimension()},
@@ -106,8 +103,8 @@ ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimit
               {"support", limit_support_json(scheme.mask)},
               {"generation_degree", page.polynomials.generation_degree()},
               {"reproduction_degree", page.polynomials.reproduction_degree},
-              {"parametrization", shift},
-              {"convergence", {{"verdict", to_text(page.convergence.truth)}, {"reason", page.convergence.reason}}}};
+              {"parametrization", numbers_json(page.polynomials.parametrization)},
+              {"convergence", decision_json(page.convergence)}};
     if (page.smoothness && page.convergence.is_yes())
       json["smoothness"] = {{"proved", page.smoothness->order}, {"obstacle", page.smoothness->obstacle}};
     options.answer(json);

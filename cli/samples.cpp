@@ -39,7 +39,7 @@ Decimal decimal_of(double value) {
 }
 
 /// Sets origin and spacing, or names the spacing that is farthest from the mean.
-void set_grid(const SampleOptions& options, const data::Table& table, std::size_t column, Samples& samples) {
+void set_grid(const SampleOptions& options, const data::Table& table, std::size_t column, data::Samples& samples) {
   std::vector<Rational> x;
   Rational unit = -1, largest = 0;
   for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -76,7 +76,7 @@ void set_grid(const SampleOptions& options, const data::Table& table, std::size_
 
 /// Prior weights, with 0 for rows that lack a value.
 void set_weights(const SampleOptions& options, const data::Table& table, const std::vector<std::size_t>& values,
-                 std::optional<std::size_t> weights, Samples& samples) {
+                 std::optional<std::size_t> weights, data::Samples& samples) {
   bool needed = weights.has_value();
   std::vector<Rational> result;
   for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -105,7 +105,7 @@ void set_weights(const SampleOptions& options, const data::Table& table, const s
 
 }  // namespace
 
-Samples read_samples(const SampleOptions& options) {
+NamedSamples read_samples(const SampleOptions& options) {
   const data::Table table = data::parse_table(read_file(options.file), options.file, data::Missing::keep);
   std::optional<std::size_t> weights, x;
   if (!options.weights.empty()) weights = find_column(table, "--weights", options.weights);
@@ -125,7 +125,7 @@ Samples read_samples(const SampleOptions& options) {
   for (const std::size_t c : values)
     if (c == weights || c == x) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
 
-  Samples samples;
+  NamedSamples samples;
   samples.separator = table.columns == 1 ? ',' : table.separator;
   samples.x_name = x ? column_name(table, *x) : "x";
   if (x) set_grid(options, table, *x, samples);

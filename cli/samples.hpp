@@ -1,8 +1,8 @@
 #pragma once
 /// Samples of functions on a uniform grid, read from a table.
 
-#include <subcert/analysis/symbol/numbers.hpp>
-#include <subcert/schemes/data/table.hpp>
+#include <subcert/schemes/data/formats/table.hpp>
+#include <subcert/schemes/data/smooth/samples.hpp>
 
 #include <string>
 #include <vector>
@@ -17,22 +17,16 @@ struct SampleOptions {
   std::string missing = "raise";
 };
 
-/// columns[c][i] is the datum of name c at origin + i * spacing; weights[i] is 0 where it is missing.
-struct Samples {
+/// Samples with the names of their columns in the file.
+struct NamedSamples : data::Samples {
   std::string x_name;
   std::vector<std::string> names;
-  Rational origin = 0;
-  Rational spacing = 1;
-  std::vector<std::vector<double>> columns;
-  std::vector<Rational> weights;  ///< empty: all 1
   char separator = ',';
-
-  std::size_t count() const { return columns.front().size(); }
 };
 
 /// Positions must be uniform up to the rounding of their decimal text: each within one unit of the finest decimal place
 /// in the column, and within a twentieth of the spacing, of its place on the grid. Errors: throws a usage error for
 /// unknown columns, a data error that names the line; for a grid that is not uniform the worst spacing.
-Samples read_samples(const SampleOptions& options);
+NamedSamples read_samples(const SampleOptions& options);
 
 }  // namespace subcert::cli

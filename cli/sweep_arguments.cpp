@@ -1,6 +1,6 @@
 #include "sweep_arguments.hpp"
 
-#include <subcert/reports/sweep/ranks.hpp>
+#include <subcert/proofs-checks/sweeps/ranks.hpp>
 
 #include <iostream>
 

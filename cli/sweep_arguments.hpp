@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 
-#include <subcert/reports/sweep/sweep.hpp>
+#include <subcert/proofs-checks/sweeps/sweep.hpp>
 
 #include <string>
 

@@ -1,8 +1,9 @@
 #pragma once
 // Random exact inputs for tests, biased to corners. SUBCERT_TEST_EFFORT scales the number of rounds, SUBCERT_TEST_SEED
-// changes the inputs; both default to 1.
+// changes the inputs; both default to 1. A failure names the round and the seed.
 
 #include <subcert/analysis/symbol/laurent_polynomial.hpp>
+#include <subcert/cmake/catch.hpp>
 
 #include <cstdlib>
 #include <random>
@@ -16,7 +17,38 @@ inline unsigned long from_environment(const char* name) {
   return text ? std::strtoul(text, nullptr, 10) : 1;
 }
 
-inline int rounds(int base) { return base * static_cast<int>(from_environment("SUBCERT_TEST_EFFORT")); }
+/// The number of a round. While it lives, failures name it.
+class Round {
+ public:
+  explicit Round(int number)
+      : number_(number),
+        message_(Catch::MessageBuilder("INFO", CATCH_INTERNAL_LINEINFO, Catch::ResultWas::Info)
+                 << "round " << number << " with SUBCERT_TEST_SEED=" << from_environment("SUBCERT_TEST_SEED")) {}
+  operator int() const { return number_; }  // NOLINT: it is its number
+
+ private:
+  int number_;
+  Catch::ScopedMessage message_;
+};
+
+/// `for (const auto round : rounds(20))`: 0, ..., 19, more with SUBCERT_TEST_EFFORT.
+class Rounds {
+ public:
+  struct Iterator {
+    int number;
+    Round operator*() const { return Round(number); }
+    void operator++() { ++number; }
+    bool operator!=(const Iterator& other) const { return number != other.number; }
+  };
+  explicit Rounds(int count) : count_(count) {}
+  static Iterator begin() { return {0}; }
+  Iterator end() const { return {count_}; }
+
+ private:
+  int count_;
+};
+
+inline Rounds rounds(int base) { return Rounds(base * static_cast<int>(from_environment("SUBCERT_TEST_EFFORT"))); }
 
 class Random {
  public:

@@ -6,7 +6,7 @@ readonly build=build/release
 # What the program and its reports need, as Debian names it.
 readonly packages_to_run="g++ cmake ninja-build libboost-dev libboost-filesystem-dev libboost-iostreams-dev
   libboost-system-dev libeigen3-dev libgmp-dev libmpfr-dev libflint-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-  libtomlplusplus-dev libtbb-dev libgnuplot-iostream-dev gnuplot-nox libopenmpi-dev openmpi-bin fonts-dejavu-core"
+  libtomlplusplus-dev libgnuplot-iostream-dev gnuplot-nox libopenmpi-dev openmpi-bin fonts-dejavu-core"
 # What tests and benchmarks need beside.
 readonly packages_to_check="catch2 libbenchmark-dev python3 git clang-format clang-tidy"
 # Beside FLINT 2 the library Arb is a package of its own; FLINT 3 contains it.

@@ -3,13 +3,13 @@
 
 #include "formats/published.hpp"
 #include "report.hpp"
-#include "runtime/parallel.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/numerical_recipe_search.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <map>
 #include <optional>

@@ -1,16 +1,18 @@
 #include "conjecture_story.hpp"
 
-#include "conjecture_limit.hpp"
 #include "variance_statements.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/interval.hpp>
+#include <subcert/proofs-checks/conjectures/conjecture_limit.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <stdexcept>
 
 namespace subcert::reports {
 namespace {
+
+using namespace conjectures;
 
 const std::vector<int>& degrees() {
   static const std::vector<int> list{1, 3, 5};

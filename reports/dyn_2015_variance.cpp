@@ -1,6 +1,5 @@
 #include "dyn_2015_variance.hpp"
 
-#include "conjectures.hpp"
 #include "variance_statements.hpp"
 
 #include <subcert/analysis/symbol/interval.hpp>

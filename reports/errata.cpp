@@ -1,7 +1,7 @@
 #include "errata.hpp"
 
+#include <subcert/schemes/data/runtime/parallel.hpp>
 #include "formats/html.hpp"
-#include "runtime/parallel.hpp"
 
 #include <chrono>
 #include <mutex>

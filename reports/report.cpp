@@ -1,10 +1,10 @@
 #include "report.hpp"
 
+#include <subcert/schemes/data/runtime/files.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
 #include "dyn_2015.hpp"
 #include "formats/html.hpp"
 #include "paper_experiments.hpp"
-#include "runtime/files.hpp"
-#include "runtime/parallel.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>

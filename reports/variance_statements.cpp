@@ -1,9 +1,8 @@
 #include "variance_statements.hpp"
 
-#include "conjectures.hpp"
-
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
+#include <subcert/proofs-checks/conjectures/decay.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
@@ -111,12 +110,12 @@ Answer rate_over(ComputedQuantities& quantities, int degree, const std::vector<i
   std::vector<std::string> schemes;
   for (int n : sizes) schemes.push_back(statements::specification("primal", n, degree));
   quantities.need_variance(schemes);
-  std::vector<CertifiedMaximum> values;
+  std::vector<conjectures::CertifiedMaximum> values;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const VarianceFacts& facts = quantities.variance(schemes[i]);
     values.push_back({sizes[i], slope ? facts.slope : facts.maximum});
   }
-  const DecayFinding finding = decay_finding(slope ? 2 : 1, values);
+  const conjectures::DecayFinding finding = conjectures::decay_finding(slope ? 2 : 1, values);
   return {finding.rate.truth, finding.sentence(slope ? "max |psi'|" : "max psi")};
 }
 

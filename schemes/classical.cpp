@@ -4,9 +4,6 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 
-#include <stdexcept>
-#include <string>
-
 namespace subcert {
 
 Mask bspline_mask(int degree, int arity) {

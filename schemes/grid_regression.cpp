@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
-#include <string>
 
 namespace subcert {
 namespace {

@@ -3,8 +3,6 @@
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 namespace subcert {
 namespace {

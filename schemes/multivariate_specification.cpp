@@ -1,4 +1,4 @@
-// Specifications of two and three variables: tensor products and fits on grids.
+// Specifications of two and three variables: tensor products and fits on grids; and of any kind.
 
 #include "grid_regression.hpp"
 #include "specification_text.hpp"
@@ -102,7 +102,7 @@ MultivariateScheme make_grid(const Piece& family, const Piece& body) {
 
 }  // namespace
 
-AnyScheme make_any_scheme(std::string_view specification) {
+LinearScheme make_linear_scheme(std::string_view specification) {
   const std::size_t colon = specification.find(':');
   const Piece family{specification.substr(0, colon), 0};
   if (family.text != tensor_help.family && family.text != grid_help.family) {
@@ -122,8 +122,19 @@ AnyScheme make_any_scheme(std::string_view specification) {
   return tensor ? make_tensor(body) : make_grid(family, body);
 }
 
+AnyScheme make_any_scheme(std::string_view specification) {
+  if (is_l1_specification(specification)) return make_l1_scheme(specification);
+  return std::visit([](auto scheme) -> AnyScheme { return scheme; }, make_linear_scheme(specification));
+}
+
 const std::string& specification_of(const AnyScheme& scheme) {
   return std::visit([](const auto& one) -> const std::string& { return one.specification; }, scheme);
+}
+
+std::vector<Mask> axis_masks(const AnyScheme& scheme) {
+  if (const auto* univariate = std::get_if<Scheme>(&scheme)) return {univariate->mask};
+  if (const auto* multivariate = std::get_if<MultivariateScheme>(&scheme)) return multivariate->factors;
+  return {};
 }
 
 const std::vector<FamilyHelp>& multivariate_families() {

@@ -1,6 +1,7 @@
 #pragma once
 /// Scheme specifications `FAMILY:key=value,key=value`, read, checked and printed back.
 
+#include "l1_scheme.hpp"
 #include "local_regression.hpp"
 
 #include <subcert/analysis/symbol/parse_error.hpp>
@@ -37,18 +38,40 @@ struct MultivariateScheme {
   std::vector<Mask> factors = {};  ///< of a tensor product, first variable first; else none
 };
 
-using AnyScheme = std::variant<Scheme, MultivariateScheme>;
+/// A data-dependent scheme of one or two variables. It has no mask and only acts on data.
+struct DataDependentScheme {
+  std::string specification;
+  std::string title;
+  L1Scheme rules;
+};
+
+using LinearScheme = std::variant<Scheme, MultivariateScheme>;
+using AnyScheme = std::variant<Scheme, MultivariateScheme, DataDependentScheme>;
 
 /// Reads a specification and makes the mask. Domain: at most 30,000 characters. Errors: throws SpecificationError
 /// for an unknown family or key, a missing or repeated key, a malformed value, a value outside its range (sizes are
 /// bounded so that every accepted mask is made in seconds and megabytes), or coset sums other than 1.
 Scheme make_scheme(std::string_view specification);
 
-/// Reads a specification of one, two or three variables. Domain and errors: as make_scheme.
+/// Reads a linear specification of one, two or three variables. Domain and errors: as make_scheme.
+LinearScheme make_linear_scheme(std::string_view specification);
+
+/// Whether the text names the family l1.
+bool is_l1_specification(std::string_view specification);
+
+/// Reads `l1:points=P[xQ]` with the optional keys d (1), iterations (6), delta (1e-8, decimal or p/q), tolerance (0,
+/// the same) and residuals (separate or joint). Domain: 2, ..., 64 points on curves, 2, ..., 16 along each axis of a
+/// grid; d < points, at most 3; at most 10^6 iterations; delta from 1e-300 to 1e300. Errors: throws SpecificationError.
+DataDependentScheme make_l1_scheme(std::string_view specification);
+
+/// Reads any specification: make_l1_scheme or make_linear_scheme.
 AnyScheme make_any_scheme(std::string_view specification);
 
 /// The canonical specification.
 const std::string& specification_of(const AnyScheme& scheme);
+
+/// The masks along the axes: of a scheme of one variable, and of a tensor product; none for others.
+std::vector<Mask> axis_masks(const AnyScheme& scheme);
 
 /// One line of help for every family: those of one variable, which make_scheme accepts, and the others.
 struct FamilyHelp {

@@ -74,7 +74,7 @@ std::vector<std::size_t> sorted(std::vector<std::size_t> sizes) {
 
 TEST_CASE("hidden blocks are found") {
   Random random;
-  for (int i = 0; i < rounds(40); ++i) {
+  for (const auto i : rounds(40)) {
     std::vector<std::size_t> sizes;
     for (long k = random.integer(1, 4); k > 0; --k) sizes.push_back(static_cast<std::size_t>(random.integer(1, 4)));
     const Family family = random_triangular(random, sizes, static_cast<std::size_t>(random.integer(2, 3)));
@@ -88,7 +88,7 @@ TEST_CASE("hidden blocks are found") {
 
 TEST_CASE("equal blocks, nilpotent families and what is reducible over the reals only") {
   Random random;
-  for (int i = 0; i < rounds(10); ++i) {
+  for (const auto i : rounds(10)) {
     // Strictly triangular: all blocks are zeros of size 1.
     const auto [forward, backward] = random_unimodular(random, 5);
     Family nilpotent;

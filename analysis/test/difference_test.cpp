@@ -45,7 +45,7 @@ Mask random_mask(Random& random) {
 
 TEST_CASE("level norms are what their definition says") {
   Random random;
-  for (int round = 0; round < rounds(120); ++round) {
+  for (const auto round : rounds(120)) {
     const Mask mask = random_mask(random);
     const int levels = mask.arity() == 2 ? 7 : mask.arity() == 3 ? 4 : 3;
     const LevelNorms result = level_norms(mask, levels);

@@ -28,7 +28,7 @@ TEST_CASE("exact values inside a cell lie in its enclosures: psi") {
   for (const Mask& mask : masks()) {
     CAPTURE(mask.symbol().to_mask_text(), mask.arity());
     const LimitCells cells(mask);
-    for (int round = 0; round < rounds(6); ++round) {
+    for (const auto round : rounds(6)) {
       CellForm form = cells.variance_form(0, 0);
       const int level = static_cast<int>(random.integer(0, 9));
       const double spare = random.chance(50) ? 0 : 1e-9;
@@ -64,7 +64,7 @@ TEST_CASE("exact values inside a cell lie in its enclosures: phi and phi'") {
     const LimitCells cells(mask);
     const int deep = mask.arity() == 2 ? 6 : 4;
     const LimitValues exact = limit_values(mask, deep);
-    for (int round = 0; round < rounds(12); ++round) {
+    for (const auto round : rounds(12)) {
       const long k = static_cast<long>(random.integer(cells.first_integer() - 1, cells.last_integer()));
       CellForm form = cells.limit_form(k);
       const int level = static_cast<int>(random.integer(0, deep - 1));

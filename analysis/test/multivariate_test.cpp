@@ -49,7 +49,7 @@ TEST_CASE("tensor products have the smaller of the degrees, the factors their mu
 TEST_CASE("the degrees mean what they say") {
   // One step on the values of a monomial, against the monomial at the new parameters.
   Random random;
-  for (int round = 0; round < rounds(10); ++round) {
+  for (const auto round : rounds(10)) {
     const Mask& a = binary[static_cast<std::size_t>(random.integer(0, 4))];
     const Mask& b = binary[static_cast<std::size_t>(random.integer(0, 4))];
     // Mixed with another scheme, so that the symbol is no product.

@@ -53,7 +53,7 @@ std::vector<Rational> central_coefficients(const LaurentPolynomial& b, int arity
 
 TEST_CASE("the largest coefficient is the central one where the symbol is non-negative") {
   Random random;
-  for (int i = 0; i < rounds(30); ++i) {
+  for (const auto i : rounds(30)) {
     const int arity = static_cast<int>(random.integer(2, 4));
     std::vector<Rational> coefficients;
     for (long k = random.integer(1, 5); k > 0; --k) coefficients.emplace_back(random.integer(-4, 4));

@@ -50,7 +50,7 @@ Mask random_dyadic_mask(Random& random) {
 
 TEST_CASE("the transition operator is what its definition says, for all numbers") {
   Random random;
-  for (int round = 0; round < rounds(200); ++round) {
+  for (const auto round : rounds(200)) {
     const Mask mask = random_dyadic_mask(random);
     const std::vector<Rational> coefficients = mask.symbol().coefficients();
     const Transition<Rational> exact(coefficients, mask.arity());

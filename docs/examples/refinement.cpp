@@ -1,5 +1,5 @@
-#include <subcert/schemes/data/limit_of_data.hpp>
-#include <subcert/schemes/data/refine.hpp>
+#include <subcert/schemes/data/refine/limit_of_data.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <iostream>

@@ -1,5 +1,5 @@
-#include <subcert/schemes/data/expected_error.hpp>
-#include <subcert/schemes/data/l1_scheme.hpp>
+#include <subcert/schemes/data/l1/l1_refinement.hpp>
+#include <subcert/schemes/data/smooth/expected_error.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 int main() {
   using namespace subcert;
   const Scheme scheme = make_scheme("primal:n=2");
-  const data::LinearSmoother smoother(scheme.mask, 9, {data::Extension::interp});
+  const data::LinearSmoother smoother(scheme.mask, 9, {data::Boundary::regression});
   for (const std::size_t i : {0, 4}) {
     const data::SmoothingRow row = smoother.row(i);
     std::cout << "s(" << i << ") =";
@@ -22,7 +22,7 @@ int main() {
   const data::ExpectedError error = data::expected_error(smoother.row(4), squares, 16, 4);
   std::cout << "bias " << error.bias << ", expected squared error " << error.total() << "\n";
 
-  data::L1Scheme l1{{6}, 1};
+  L1Scheme l1{{6}, 1};
   l1.options.iterations = 100;
   const data::GridData<double> fine = refine(data::curve_data<double>({0, 1, 2, 3, 40, 5, 6, 7, 8}), l1,
                                              {1, data::Boundary::shrink});

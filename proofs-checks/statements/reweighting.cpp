@@ -2,7 +2,7 @@
 
 #include "normal_equations.hpp"
 
-#include <subcert/schemes/data/l1_regression.hpp>
+#include <subcert/schemes/data/l1/l1_regression.hpp>
 
 #include <algorithm>
 #include <random>

@@ -4,7 +4,7 @@
 #include "refined_data.hpp"
 
 #include <subcert/analysis/symbol/real_roots.hpp>
-#include <subcert/schemes/data/limit_of_data.hpp>
+#include <subcert/schemes/data/refine/limit_of_data.hpp>
 #include <subcert/schemes/local_regression.hpp>
 #include <subcert/schemes/specification.hpp>
 

@@ -4,7 +4,7 @@
 #include "families.hpp"
 #include "refined_data.hpp"
 
-#include <subcert/schemes/data/limit_of_data.hpp>
+#include <subcert/schemes/data/refine/limit_of_data.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>

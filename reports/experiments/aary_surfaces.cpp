@@ -5,7 +5,7 @@
 
 #include <subcert/analysis/difference/multivariate_convergence.hpp>
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
-#include <subcert/schemes/data/grid_refinement.hpp>
+#include <subcert/schemes/data/refine/grid_refinement.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>

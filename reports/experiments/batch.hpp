@@ -1,7 +1,7 @@
 #pragma once
 /// Many sets of data on one grid, refined together.
 
-#include <subcert/schemes/data/grid_data.hpp>
+#include <subcert/schemes/data/refine/grid_data.hpp>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "degree_study.hpp"
 
-#include <subcert/reports/runtime/parallel.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <algorithm>
 

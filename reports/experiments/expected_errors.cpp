@@ -3,9 +3,9 @@
 #include "families.hpp"
 #include "statistics.hpp"
 
-#include <subcert/reports/runtime/parallel.hpp>
-#include <subcert/schemes/data/axis_refinement.hpp>
-#include <subcert/schemes/data/expected_error.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
+#include <subcert/schemes/data/smooth/expected_error.hpp>
 #include <subcert/schemes/specification.hpp>
 
 namespace subcert::experiments::expected_errors {
@@ -29,7 +29,7 @@ Rational value(const Case& c, const Rational& position) { return runge((position
 
 void evaluate(Case& c, const ExperimentOptions& options, std::uint64_t salt) {
   const Scheme scheme = make_scheme(c.scheme);
-  const data::LinearSmoother smoother(scheme.mask, count, {data::Extension::interp, 2, 0});
+  const data::LinearSmoother smoother(scheme.mask, count, {data::Boundary::regression, 2, 0});
   std::vector<Rational> samples;
   std::vector<double> rounded;
   for (std::size_t i = 0; i < count; ++i) {

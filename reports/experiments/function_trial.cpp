@@ -1,6 +1,6 @@
 #include "function_trial.hpp"
 
-#include <subcert/reports/runtime/parallel.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <cmath>
 
@@ -59,7 +59,7 @@ FunctionTrial::FunctionTrial(const TestFunction& function, double h, const std::
     if (method == local_linear || method == local_cubic)
       regressions_.back().emplace(method == local_linear ? 1 : 3, count, positions);
     else
-      schemes_.back() = limit_matrix(method, count, data::Extension::interp, level);
+      schemes_.back() = limit_matrix(method, count, data::Boundary::regression, level);
   }
 }
 

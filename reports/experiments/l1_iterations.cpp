@@ -3,7 +3,7 @@
 #include "damped_sine.hpp"
 #include "families.hpp"
 
-#include <subcert/reports/runtime/parallel.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 #include "decided.hpp"
 #include "families.hpp"
 
-#include <subcert/schemes/data/axis_refinement.hpp>
-#include <subcert/schemes/data/l1_scheme.hpp>
+#include <subcert/schemes/data/l1/l1_refinement.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ struct Response {
   std::vector<double> values;
 };
 
-Response response(int points, const data::L1Options& options, int at_level = level) {
+Response response(int points, const L1Options& options, int at_level = level) {
   const data::GridData<double> data = data::l1_impulse_response({{points}, 1, options}, at_level);
   Response result{{}, data.values};
   for (std::size_t i = 0; i < data.values.size(); ++i)
@@ -101,10 +101,10 @@ formats::PlainTable shapes_table() {
   formats::PlainTable table{"l1-fig2-shapes", "Shape over iterations and delta", {"iterations", "delta"}, {}};
   for (const int points : {6, 7, 8})
     for (const char* what : {"height", "value at 0", "peaks"}) table.head.push_back(name_of(points) + " " + what);
-  std::vector<data::L1Options> settings;
+  std::vector<L1Options> settings;
   for (const int iterations : {0, 1, 2, 3, 6, 7, 20}) settings.push_back({1e-8, iterations});
   for (const double delta : {1e-2, 1e-4, 1e-6, 1e-10, 1e-12}) settings.push_back({delta, 6});
-  for (const data::L1Options& setting : settings) {
+  for (const L1Options& setting : settings) {
     std::vector<std::string> row{std::to_string(setting.iterations), short_number(setting.delta)};
     for (const int points : {6, 7, 8}) {
       const Shape s = shape(response(points, setting));

@@ -4,7 +4,7 @@
 #include "outlier_study.hpp"
 
 #include <subcert/reports/formats/published.hpp>
-#include <subcert/reports/runtime/parallel.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "linear_method.hpp"
 
-#include <subcert/schemes/data/smoothing.hpp>
+#include <subcert/schemes/data/smooth/smoothing.hpp>
 #include <subcert/schemes/specification.hpp>
 
 namespace subcert::experiments {
@@ -16,13 +16,13 @@ std::vector<double> DenseMatrix::operator*(const std::vector<double>& data) cons
   return result;
 }
 
-DenseMatrix limit_matrix(const std::string& specification, std::size_t count, data::Extension extension, int level) {
+DenseMatrix limit_matrix(const std::string& specification, std::size_t count, data::Boundary extension, int level) {
   const Scheme scheme = make_scheme(specification);
   const data::LinearSmoother smoother(scheme.mask, count, {extension, level, 0});
   // Wrapped data: the outputs past the last datum are those before datum 1 of the data turned by one place.
   std::size_t scale = 1;
   for (int l = 0; l < level; ++l) scale *= static_cast<std::size_t>(scheme.mask.arity());
-  const std::size_t outputs = extension == data::Extension::wrap ? count * scale : smoother.outputs();
+  const std::size_t outputs = extension == data::Boundary::periodic ? count * scale : smoother.outputs();
   DenseMatrix result(outputs, count);
   const auto rows = smoother.rounded_rows();
   for (std::size_t r = 0; r < outputs; ++r) {

@@ -1,7 +1,7 @@
 #pragma once
 /// Linear reconstructions as matrices.
 
-#include <subcert/schemes/data/extension.hpp>
+#include <subcert/schemes/data/smooth/extension.hpp>
 
 #include <string>
 #include <vector>
@@ -25,6 +25,6 @@ class DenseMatrix {
 
 /// The limit of a linear scheme at the multiples of arity^-level of the spacing; `wrap` data go once around, and so do
 /// the outputs. Domain and errors: as LinearSmoother. The entries are rounded.
-DenseMatrix limit_matrix(const std::string& specification, std::size_t count, data::Extension extension, int level);
+DenseMatrix limit_matrix(const std::string& specification, std::size_t count, data::Boundary extension, int level);
 
 }  // namespace subcert::experiments

@@ -4,7 +4,8 @@
 #include "families.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/schemes/data/l1_specification.hpp>
+#include <subcert/schemes/data/l1/l1_refinement.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -62,8 +63,7 @@ double deviation(const PolynomialData& polynomial, const Method& method) {
 }
 
 int linear_reproduction(const Method& method) {
-  return polynomial_reproduction(
-             regression_mask(data::l1_linear_part(data::make_l1_scheme(method.specification).scheme)))
+  return polynomial_reproduction(regression_mask(data::l1_linear_part(make_l1_scheme(method.specification).rules)))
       .reproduction_degree;
 }
 
@@ -172,7 +172,7 @@ constexpr long trials = 20;
 
 /// Whether fits with different positive weights to t^k, k <= degree, are t^k at the outputs, in rational numbers.
 bool weights_do_not_matter(const Method& method) {
-  const data::L1Scheme scheme = data::make_l1_scheme(method.specification).scheme;
+  const L1Scheme scheme = make_l1_scheme(method.specification).rules;
   const data::RegressionWindow window = data::l1_window(scheme);
   for (long trial = 0; trial < trials; ++trial) {
     std::vector<Rational> weights;

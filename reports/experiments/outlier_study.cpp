@@ -2,7 +2,7 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/formats/published.hpp>
-#include <subcert/reports/runtime/parallel.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "families.hpp"
 #include "measures.hpp"
 
-#include <subcert/reports/runtime/parallel.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <cmath>
 #include <functional>
@@ -130,7 +130,7 @@ void for_each_limit(const NoisyCurve& curve, const std::vector<DenseMatrix>& mat
 }
 
 std::vector<DenseMatrix> limit_matrices(const std::vector<std::string>& schemes, std::size_t count,
-                                        data::Extension extension) {
+                                        data::Boundary extension) {
   std::vector<DenseMatrix> result;
   for (const std::string& scheme : schemes) result.push_back(limit_matrix(scheme, count, extension, level));
   return result;
@@ -140,7 +140,7 @@ ExperimentResult run_alpha(const ExperimentOptions& options) {
   constexpr std::size_t count = 30;
   const std::vector<std::string> schemes{"primal:n=3", "primal:n=5"};
   const TwoLevels decibels{17, 4};
-  const auto matrices = limit_matrices(schemes, count, data::Extension::interp);
+  const auto matrices = limit_matrices(schemes, count, data::Boundary::regression);
   const NoisyCurve curve{alpha(count), alpha(((count - 1) << level) + 1), false};
   const std::size_t true_crossings = crossings(curve.truth);
   Measured error = empty_measure(2, options.runs), turning = error, kept = error;
@@ -186,7 +186,7 @@ ExperimentResult run_star(const ExperimentOptions& options) {
   constexpr std::size_t count = 50;
   const std::vector<std::string> schemes{"primal:n=3", "primal:n=5", "primal:n=4,d=3", "primal:n=6,d=3"};
   const TwoLevels decibels{19, 10};
-  const auto matrices = limit_matrices(schemes, count, data::Extension::wrap);
+  const auto matrices = limit_matrices(schemes, count, data::Boundary::periodic);
   const NoisyCurve curve{star(count), star(count << level), true};
   Measured error = empty_measure(4, options.runs), round = error, turning = error;
   for_each_limit(curve, matrices, decibels, options,

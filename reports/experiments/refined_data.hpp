@@ -3,7 +3,7 @@
 
 #include "decided.hpp"
 
-#include <subcert/schemes/data/grid_data.hpp>
+#include <subcert/schemes/data/refine/grid_data.hpp>
 
 namespace subcert::experiments {
 

@@ -1,6 +1,6 @@
 #include "tensor_limit.hpp"
 
-#include <subcert/reports/runtime/parallel.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +91,7 @@ std::vector<TensorLimit> limits(const SurfaceTrial& trial, int at_level) {
   std::vector<TensorLimit> result;
   for (const std::string& scheme : trial.schemes)
     result.emplace_back(scheme, trial.samples.columns, trial.samples.rows,
-                        trial.closed ? data::Extension::wrap : data::Extension::interp, at_level);
+                        trial.closed ? data::Boundary::periodic : data::Boundary::regression, at_level);
   return result;
 }
 
@@ -104,7 +104,7 @@ formats::DrawnSurface PointGrid::drawn(const std::string& title, bool closed) co
 }
 
 TensorLimit::TensorLimit(const std::string& specification, std::size_t columns, std::size_t rows,
-                         data::Extension extension, int level)
+                         data::Boundary extension, int level)
     : along_columns_(limit_matrix(specification, columns, extension, level)),
       along_rows_(limit_matrix(specification, rows, extension, level)) {}
 

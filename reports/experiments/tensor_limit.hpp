@@ -18,7 +18,7 @@ struct PointGrid {
 /// One scheme in both directions of a grid, its limit at the multiples of 2^-level.
 class TensorLimit {
  public:
-  TensorLimit(const std::string& specification, std::size_t columns, std::size_t rows, data::Extension extension,
+  TensorLimit(const std::string& specification, std::size_t columns, std::size_t rows, data::Boundary extension,
               int level);
   PointGrid operator()(const PointGrid& grid) const;
 

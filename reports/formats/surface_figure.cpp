@@ -3,7 +3,7 @@
 #include "figure.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/reports/runtime/files.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <gnuplot-iostream.h>
 

@@ -1,39 +1,20 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
+#include <subcert/cmake/folder.hpp>
 #include <subcert/reports/formats/published.hpp>
 #include <subcert/reports/report.hpp>
-#include <subcert/reports/runtime/files.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 using namespace subcert;
 using namespace subcert::reports;
+using subcert::testing::content;
+using subcert::testing::Folder;
 namespace fs = std::filesystem;
-
-namespace {
-
-std::string content(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  REQUIRE(stream);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("subcert-report-test-" + std::to_string(getpid()));
-  Folder() { fs::remove_all(path); }
-  ~Folder() { fs::remove_all(path); }
-};
-
-}  // namespace
 
 // The long cases compute what `subcert reproduce` computes, which ./check runs first.
 TEST_CASE("every verdict on Dyn et al. is the recorded one", "[long]") {

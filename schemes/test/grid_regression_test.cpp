@@ -84,7 +84,7 @@ Rational coefficient(const MultivariateScheme& scheme, long i, long j) {
 
 TEST_CASE("products of orthogonal polynomials and normal equations give the same weights") {
   Random random;
-  for (int round = 0; round < rounds(20); ++round) {
+  for (const auto round : rounds(20)) {
     std::vector<std::vector<Rational>> nodes;
     std::vector<Rational> x;
     const bool three = random.chance(30);

@@ -54,7 +54,7 @@ Mask printed_mask(const char* text) { return {LaurentPolynomial::parse_mask(text
 
 TEST_CASE("orthogonal polynomials and normal equations give the same weights") {
   Random random;
-  for (int round = 0; round < rounds(60); ++round) {
+  for (const auto round : rounds(60)) {
     const long count = random.integer(1, 9);
     std::vector<Rational> nodes = integers(random.integer(-5, 0), 0);
     nodes = integers(-count / 2, count - 1 - count / 2);
@@ -76,7 +76,7 @@ TEST_CASE("orthogonal polynomials and normal equations give the same weights") {
 
 TEST_CASE("the fit reproduces polynomials of its degree") {
   Random random;
-  for (int round = 0; round < rounds(40); ++round) {
+  for (const auto round : rounds(40)) {
     const auto nodes = integers(-random.integer(1, 6), random.integer(1, 6));
     const int degree = static_cast<int>(random.integer(0, 6));
     const Rational x = random.rational();

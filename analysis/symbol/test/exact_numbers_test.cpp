@@ -23,7 +23,7 @@ Integer random_integer(Random& random) {
 
 TEST_CASE("integers calculate as those of Boost") {
   Random random;
-  for (int i = 0; i < rounds(300); ++i) {
+  for (const auto i : rounds(300)) {
     const Integer a = random_integer(random), b = random_integer(random);
     const auto x = to_boost(a), y = to_boost(b);
     CAPTURE(a, b);
@@ -62,7 +62,7 @@ TEST_CASE("integers calculate as those of Boost") {
 
 TEST_CASE("rationals calculate as those of Boost and are canonical") {
   Random random;
-  for (int i = 0; i < rounds(300); ++i) {
+  for (const auto i : rounds(300)) {
     const Rational a(random_integer(random), random.integer(1, 60)), b = random.rational();
     const auto x = to_boost(a), y = to_boost(b);
     CAPTURE(a, b);
@@ -95,7 +95,7 @@ TEST_CASE("rationals calculate as those of Boost and are canonical") {
 
 TEST_CASE("the double of a rational is the nearest one") {
   Random random;
-  for (int i = 0; i < rounds(300); ++i) {
+  for (const auto i : rounds(300)) {
     const Rational value = random.nonzero() * power(Rational(random.integer(2, 7)), random.integer(-300, 300));
     const double nearest = value.convert_to<double>();
     CAPTURE(value, nearest);

@@ -11,7 +11,7 @@ using subcert::testing::rounds;
 
 TEST_CASE("intervals contain all results and no end is slack") {
   Random random;
-  for (int i = 0; i < rounds(200); ++i) {
+  for (const auto i : rounds(200)) {
     const Rational p = random.rational(), q = random.rational(), r = random.rational(), s = random.rational();
     const Interval a{std::min(p, q), std::max(p, q)}, b{std::min(r, s), std::max(r, s)};
     CAPTURE(a.lower, a.upper, b.lower, b.upper);

@@ -9,7 +9,7 @@ using subcert::testing::rounds;
 
 TEST_CASE("ring laws, canonical after every operation") {
   Random random;
-  for (int i = 0; i < rounds(200); ++i) {
+  for (const auto i : rounds(200)) {
     const LaurentPolynomial p = random.polynomial(), q = random.polynomial(), r = random.polynomial();
     CAPTURE(p.to_text(), q.to_text(), r.to_text());
     for (const LaurentPolynomial& x : {p + q, p - q, p * q, -p, p.reversed(), p.derivative(), p.dilated(3),
@@ -33,7 +33,7 @@ TEST_CASE("ring laws, canonical after every operation") {
 
 TEST_CASE("operands may be the same object") {
   Random random;
-  for (int i = 0; i < rounds(50); ++i) {
+  for (const auto i : rounds(50)) {
     const LaurentPolynomial p = random.polynomial();
     LaurentPolynomial x = p;
     x += x;
@@ -53,7 +53,7 @@ TEST_CASE("operands may be the same object") {
 
 TEST_CASE("division, multiplicity and gcd") {
   Random random;
-  for (int i = 0; i < rounds(150); ++i) {
+  for (const auto i : rounds(150)) {
     const LaurentPolynomial p = random.polynomial(10), d = random.nonzero_polynomial(5),
                             q = random.nonzero_polynomial(5);
     CAPTURE(p.to_text(), d.to_text(), q.to_text());
@@ -85,7 +85,7 @@ TEST_CASE("division, multiplicity and gcd") {
 
 TEST_CASE("the cosets put the symbol together again") {
   Random random;
-  for (int i = 0; i < rounds(100); ++i) {
+  for (const auto i : rounds(100)) {
     const LaurentPolynomial p = random.polynomial(14);
     for (int arity = 1; arity <= 5; ++arity) {
       LaurentPolynomial sum;
@@ -99,7 +99,7 @@ TEST_CASE("the cosets put the symbol together again") {
 
 TEST_CASE("printing and reading") {
   Random random;
-  for (int i = 0; i < rounds(100); ++i) {
+  for (const auto i : rounds(100)) {
     const LaurentPolynomial p = random.polynomial();
     CAPTURE(p.to_text());
     CHECK(LaurentPolynomial::parse(p.to_text()) == p);

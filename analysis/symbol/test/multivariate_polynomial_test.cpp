@@ -25,7 +25,7 @@ MultivariatePolynomial random_polynomial(Random& random, int variables, long mos
 
 TEST_CASE("ring laws in two and three variables") {
   Random random;
-  for (int i = 0; i < rounds(60); ++i) {
+  for (const auto i : rounds(60)) {
     const int variables = i % 2 ? 2 : 3;
     const auto p = random_polynomial(random, variables), q = random_polynomial(random, variables),
                r = random_polynomial(random, variables);
@@ -54,7 +54,7 @@ TEST_CASE("ring laws in two and three variables") {
 
 TEST_CASE("division and gcd in several variables") {
   Random random;
-  for (int i = 0; i < rounds(60); ++i) {
+  for (const auto i : rounds(60)) {
     const int variables = i % 2 ? 2 : 3;
     const auto p = random_polynomial(random, variables);
     auto d = random_polynomial(random, variables);
@@ -70,7 +70,7 @@ TEST_CASE("division and gcd in several variables") {
 
 TEST_CASE("tensor products, cosets and factors") {
   Random random;
-  for (int i = 0; i < rounds(40); ++i) {
+  for (const auto i : rounds(40)) {
     const LaurentPolynomial p = random.polynomial(), q = random.polynomial();
     const Rational x = random.nonzero(), y = random.nonzero();
     const auto product = MultivariatePolynomial::tensor_product({p, q});

@@ -40,7 +40,7 @@ TEST_CASE("rationals are read strictly") {
 
 TEST_CASE("decimals are rounded outward") {
   Random random;
-  for (int i = 0; i < rounds(300); ++i) {
+  for (const auto i : rounds(300)) {
     const Rational value = random.rational();
     const int digits = static_cast<int>(random.integer(1, 25));
     const Rational low = read_decimal(to_decimal(value, digits, Rounding::down));
@@ -68,7 +68,7 @@ TEST_CASE("decimals are rounded outward") {
 
 TEST_CASE("logarithms are enclosed") {
   Random random;
-  for (int i = 0; i < rounds(50); ++i) {
+  for (const auto i : rounds(50)) {
     const Rational argument = abs(random.nonzero());
     const int base = static_cast<int>(random.integer(2, 9));
     const Enclosure value = log_ratio(argument, base);

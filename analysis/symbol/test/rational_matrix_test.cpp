@@ -21,7 +21,7 @@ RationalMatrix random_matrix(Random& random, std::size_t rows, std::size_t colum
 
 TEST_CASE("a matrix is a zero of its characteristic polynomial") {
   Random random;
-  for (int round = 0; round < rounds(20); ++round) {
+  for (const auto round : rounds(20)) {
     const auto n = static_cast<std::size_t>(random.integer(1, 5));
     const RationalMatrix m = random_matrix(random, n, n);
     const LaurentPolynomial p = characteristic_polynomial(m);
@@ -49,7 +49,7 @@ TEST_CASE("a matrix is a zero of its characteristic polynomial") {
 
 TEST_CASE("the kernel is a kernel, and all of it") {
   Random random;
-  for (int round = 0; round < rounds(30); ++round) {
+  for (const auto round : rounds(30)) {
     const auto n = static_cast<std::size_t>(random.integer(1, 5)),
                inner = static_cast<std::size_t>(random.integer(1, 4));
     const RationalMatrix m = random_matrix(random, n, inner) * random_matrix(random, inner, n);
@@ -81,7 +81,7 @@ TEST_CASE("Jordan blocks and sizes") {
 
 TEST_CASE("balls around values of polynomials, also of multiples of z") {
   Random random;
-  for (int round = 0; round < rounds(20); ++round) {
+  for (const auto round : rounds(20)) {
     const LaurentPolynomial p({random.rational(), random.rational(), 1, random.rational()}, random.integer(0, 3));
     const RationalComplex z{random.rational(), random.rational()};
     RationalComplex value;

@@ -23,7 +23,7 @@ TEST_CASE("real zeros are counted once each") {
 
 TEST_CASE("the largest real zero and its multiplicity") {
   Random random;
-  for (int i = 0; i < rounds(60); ++i) {
+  for (const auto i : rounds(60)) {
     // (z - r)^k (z^2 - s)^l (z^2 + 1): r = +-s^(1/2) is avoided by s = 2, 3, 5.
     const Rational r(random.integer(-9, 9), random.integer(1, 3));
     const long square = random.chance(50) ? 2 : random.chance(50) ? 3 : 5;
@@ -53,7 +53,7 @@ TEST_CASE("the largest real zero and its multiplicity") {
 
 TEST_CASE("zeros on the unit circle are decided, not sampled") {
   Random random;
-  for (int i = 0; i < rounds(60); ++i) {
+  for (const auto i : rounds(60)) {
     // Off the circle: (z - r) and reciprocal pairs with |x| > 1.
     LaurentPolynomial p({-Rational(random.integer(2, 9)), 1}, random.integer(-3, 3));
     p *= pair_at(Rational(random.integer(4, 9), 3));
@@ -68,7 +68,7 @@ TEST_CASE("zeros on the unit circle are decided, not sampled") {
 
 TEST_CASE("non-negativity on the unit circle") {
   Random random;
-  for (int i = 0; i < rounds(60); ++i) {
+  for (const auto i : rounds(60)) {
     const LaurentPolynomial q = random.nonzero_polynomial(5);
     const LaurentPolynomial square = q * q.reversed();
     CHECK(is_nonnegative_on_unit_circle(square));

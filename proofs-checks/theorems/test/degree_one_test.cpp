@@ -51,7 +51,7 @@ TEST_CASE("the shells bound the transform of phi_n and its aliases") {
     REQUIRE(bounds.u0.upper);
     const double u0 = to_double(*bounds.u0.upper);
     for (std::size_t j = 0; j < 7; ++j)
-      for (int round = 0; round < testing::rounds(6); ++round) {
+      for (const auto round : testing::rounds(6)) {
         const double xi = std::ldexp(M_PI, -static_cast<int>(j)) *
                           (0.5 + 0.5e-3 * static_cast<double>(random.integer(1, 1000)));
         CAPTURE(n, j, xi);

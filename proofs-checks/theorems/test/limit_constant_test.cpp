@@ -70,7 +70,7 @@ TEST_CASE("moments of the Legendre kernel") {
 TEST_CASE("the transform of the kernel agrees with its moments") {
   testing::Random random;
   for (int degree : {1, 3, 5, 9, 15})
-    for (int round = 0; round < testing::rounds(12); ++round) {
+    for (const auto round : testing::rounds(12)) {
       const Rational s = Rational(random.integer(-4000, 4000), random.integer(150, 300));
       CAPTURE(degree, s);
       const Enclosure direct = kernel_transform(degree, s, 25), series = transform_by_moments(degree, s, 90);
@@ -84,7 +84,7 @@ TEST_CASE("the transform of the kernel agrees with its moments") {
 TEST_CASE("the limit function refines itself") {
   testing::Random random;
   for (int degree : {1, 3, 7})
-    for (int round = 0; round < testing::rounds(8); ++round) {
+    for (const auto round : testing::rounds(8)) {
       const Rational s = Rational(random.integer(1, 30000), random.integer(100, 900));
       CAPTURE(degree, s);
       CHECK(overlap(limit_transform(degree, 2 * s, 25),

@@ -67,7 +67,7 @@ TEST_CASE("uniform bounds hold for single schemes at random frequencies") {
     for (int n : {first, first + 13, 3 * first}) {
       const std::vector<double> mask = half_of(scheme(degree, n));
       const double N = 2 * n - 0.5;
-      for (int round = 0; round < testing::rounds(20); ++round) {
+      for (const auto round : testing::rounds(20)) {
         const int octave = static_cast<int>(random.integer(0, 8)), part = static_cast<int>(random.integer(0, 15));
         const double v = std::ldexp(1 + (part + 1e-3 * static_cast<double>(random.integer(0, 1000))) / 16, octave);
         const double w = v / N;
@@ -110,7 +110,7 @@ TEST_CASE("exact means lie within the uniform remainder") {
 TEST_CASE("bounds of sums of derivatives of sinc") {
   const slong bits = 160;
   testing::Random random;
-  for (int round = 0; round < testing::rounds(20); ++round) {
+  for (const auto round : testing::rounds(20)) {
     std::vector<Ball> c;
     std::vector<double> plain;
     for (int k = 0; k < 5; ++k) {

@@ -49,13 +49,13 @@ TEST_CASE("more noise asks for a larger bandwidth") {
 }
 
 TEST_CASE("the limit matrix keeps linear data, and wraps") {
-  const DenseMatrix open = limit_matrix("primal:n=3", 12, data::Extension::interp, 1);
+  const DenseMatrix open = limit_matrix("primal:n=3", 12, data::Boundary::regression, 1);
   std::vector<double> line;
   for (int i = 0; i < 12; ++i) line.push_back(i);
   const auto values = open * line;
   REQUIRE(values.size() == 23);
   for (std::size_t i = 0; i < 23; ++i) CHECK(values[i] == Approx(static_cast<double>(i) / 2).margin(1e-12));
-  const DenseMatrix closed = limit_matrix("primal:n=2", 12, data::Extension::wrap, 1);
+  const DenseMatrix closed = limit_matrix("primal:n=2", 12, data::Boundary::periodic, 1);
   REQUIRE(closed.rows() == 24);
   for (std::size_t r = 0; r < 24; ++r)
     for (std::size_t c = 0; c < 12; ++c)
@@ -131,7 +131,7 @@ TEST_CASE("tensor product limits keep a plane, open, and turn with the data, clo
       plane.points[1].push_back(y);
       plane.points[2].push_back(3 * x - 2 * y + x * y);
     }
-  const PointGrid limit = TensorLimit("primal:n=3", 12, 14, data::Extension::interp, 1)(plane);
+  const PointGrid limit = TensorLimit("primal:n=3", 12, 14, data::Boundary::regression, 1)(plane);
   REQUIRE(limit.columns == 23);
   REQUIRE(limit.rows == 27);
   for (std::size_t j = 0; j < limit.rows; ++j)

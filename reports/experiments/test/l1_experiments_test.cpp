@@ -2,7 +2,7 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/reports/experiments/damped_sine.hpp>
 #include <subcert/reports/formats/published.hpp>
-#include <subcert/schemes/data/l1_scheme.hpp>
+#include <subcert/schemes/data/l1/l1_refinement.hpp>
 
 #include <cmath>
 
@@ -39,7 +39,7 @@ TEST_CASE("sets that are refined together are refined as if alone") {
 
 TEST_CASE("a batch has what refine() makes, and refuses what mixes coordinates") {
   const auto values = random_values(5, 30);
-  const data::L1Scheme scheme{{7}, 1, {}};
+  const L1Scheme scheme{{7}, 1, {}};
   CHECK(refined("l1:points=7", {{data::Axis::of(30)}, 1, {values}}, 3).sets[0] ==
         refine(data::curve_data(std::vector<double>(values)), scheme, {3, data::Boundary::regression, 1}).values);
   CHECK_FAILS(refined("l1:points=6,residuals=joint", {{data::Axis::of(30)}, 1, {values}}, 1), domain);

@@ -1,0 +1,37 @@
+#include "exponent_text.hpp"
+
+namespace subcert::cli {
+namespace {
+
+constexpr long most_coefficients = 120;
+
+/// Only with stable shifts does the exponent bound the smoothness from above.
+Enclosure proved(const SobolevRegularity& sobolev, const Decision& stable) {
+  return stable.is_yes() ? sobolev.exponent : Enclosure::at_least(*sobolev.exponent.lower);
+}
+
+}  // namespace
+
+std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadline& deadline) {
+  if (mask.symbol().length() > most_coefficients) return std::nullopt;
+  return sobolev_regularity(mask, deadline);
+}
+
+Json bound_json(const HolderBound& bound) {
+  return {{"levels", bound.levels}, {"norm", to_text(bound.norm)}, {"holder", enclosure_json(bound.exponent)}};
+}
+
+Json sobolev_json(const std::optional<SobolevRegularity>& sobolev, const Decision& stable) {
+  if (!sobolev) return nullptr;
+  return {{"exponent", enclosure_json(proved(*sobolev, stable))},
+          {"spectral_radius", enclosure_json(sobolev->spectral_radius)},
+          {"stable", stable.is_yes()}};
+}
+
+std::string sobolev_text(const SobolevRegularity& sobolev, const Decision& stable) {
+  return enclosure_text(proved(sobolev, stable), 14) +
+         (stable.is_yes() ? "  (L2 smoothness, exact as the shifts are stable)"
+                          : "  (L2 smoothness, a lower bound as the shifts are not proved stable)");
+}
+
+}  // namespace subcert::cli

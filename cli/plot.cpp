@@ -1,0 +1,69 @@
+#include "plot.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/formats/surface_figure.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
+
+namespace subcert::cli {
+namespace {
+
+formats::Curve drawn(const data::GridData<double>& curve, const std::string& label, bool joined) {
+  const std::size_t k = curve.dimension, count = curve.points();
+  formats::Curve result{label, {}, !joined, joined};
+  for (std::size_t i = 0; i < count + (joined && curve.axes[0].closed && k > 1 ? 1 : 0); ++i) {
+    const double* point = curve.values.data() + (i % count) * k;
+    if (k == 1)
+      result.points.emplace_back(data::nearest_double(curve.axes[0].parameter(i)), point[0]);
+    else
+      result.points.emplace_back(point[0], point[1]);
+  }
+  return result;
+}
+
+formats::DrawnSurface drawn_surface(const data::GridData<double>& data, const std::string& title) {
+  formats::DrawnSurface result{title, data.axes[0].count, data.axes[1].count, false, false, {}, data.dimension == 1};
+  for (std::size_t i = 0; i < data.points(); ++i) {
+    if (result.heights)
+      result.points.push_back({data::nearest_double(data.axes[0].parameter(i % result.columns)),
+                               data::nearest_double(data.axes[1].parameter(i / result.columns)), data.values[i]});
+    else
+      result.points.push_back({data.values[3 * i], data.values[3 * i + 1], data.values[3 * i + 2]});
+  }
+  result.closed_x = !result.heights && data.axes[0].closed;
+  result.closed_y = !result.heights && data.axes[1].closed;
+  return result;
+}
+
+}  // namespace
+
+void require_picture_name(const std::string& plot) {
+  if (!plot.empty() && !formats::is_picture_name(plot))
+    fail(ErrorKind::usage, "--plot {}: expected a name that ends in .svg or .png", plot);
+}
+
+void require_drawable(const std::string& plot, const data::GridData<double>& data) {
+  const std::size_t axes = data.axes.size(), k = data.dimension;
+  if (!plot.empty() && ((axes == 1 && k > 2) || (axes == 2 && k != 1 && k != 3) || axes > 2))
+    fail(ErrorKind::usage,
+         "--plot {}: pictures are of curves with one or two coordinates and of surfaces with one or three; the data "
+         "have {}{}{}{}",
+         plot, axes, (axes == 1 ? " direction and " : " directions and "), k,
+         (k == 1 ? " coordinate" : " coordinates"));
+}
+
+void draw_refined(const std::string& plot, const std::string& scheme, const data::Table& table,
+                  const data::GridData<double>& data, const data::GridData<double>& refined) {
+  if (data.axes.size() == 2) {
+    formats::draw_surfaces({drawn_surface(data, "data"), drawn_surface(refined, scheme)}, plot);
+    return;
+  }
+  const bool plane = data.dimension == 2, named = !table.header.empty();
+  formats::Panel panel{scheme,
+                       plane ? (named ? table.header[0] : "x") : "parameter",
+                       plane ? (named ? table.header[1] : "y") : (named ? table.header[0] : "value"),
+                       {drawn(data, "data", false), drawn(refined, "refined", true)}};
+  panel.equal_units = plane;
+  formats::draw_file({"refined", scheme, "", 1, {panel}}, plot);
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,23 @@
+#pragma once
+/// Pictures that commands draw.
+
+#include <subcert/reports/formats/figure.hpp>
+#include <subcert/schemes/data/formats/table.hpp>
+#include <subcert/schemes/data/refine/grid_data.hpp>
+
+#include <string>
+
+namespace subcert::cli {
+
+/// Throws a usage error for a file that is neither .svg nor .png; an empty name draws nothing.
+void require_picture_name(const std::string& plot);
+
+/// Throws a usage error for data that draw_refined() cannot draw.
+void require_drawable(const std::string& plot, const data::GridData<double>& data);
+
+/// Data and what a scheme made of them: curves of one or two coordinates, named by the header of `table`, or surfaces
+/// of one or three. Errors: throws missing_file.
+void draw_refined(const std::string& plot, const std::string& scheme, const data::Table& table,
+                  const data::GridData<double>& data, const data::GridData<double>& refined);
+
+}  // namespace subcert::cli

@@ -1,0 +1,126 @@
+#include "regularity_page.hpp"
+
+#include <sstream>
+
+namespace subcert::cli {
+namespace {
+
+std::string method_text(const JointSpectralRadius& radius) {
+  switch (radius.method()) {
+    case JsrMethod::invariant_polytope: return "invariant polytope";
+    case JsrMethod::single_spectral_radius: return "single spectral radius";
+    default: return "norms of the difference scheme";
+  }
+}
+
+/// Whether the exponent is attained: the modulus of continuity of the derivative that decides.
+std::string attained_text(const HolderRegularity& regularity) {
+  const LogarithmicFactor& factor = regularity.logarithm;
+  if (!factor.derivative) return "unknown: " + factor.reason;
+  const auto modulus = [&](int power) {
+    const Rational difference = *regularity.exponent.lower - *factor.derivative;
+    return "h" + (difference == 1 ? "" : "^" + to_decimal(difference, 6, Rounding::nearest)) +
+           (power == 0   ? ""
+            : power == 1 ? " |log h|"
+                         : " |log h|^" + std::to_string(power));
+  };
+  const std::string subject = *factor.derivative == 0
+                                  ? "the limits"
+                                  : "the derivatives of order " + std::to_string(*factor.derivative);
+  if (!factor.at_most)
+    return factor.at_least == 0
+               ? "unknown: " + factor.reason
+               : "no: " + subject + " have no smaller modulus of continuity than " + modulus(factor.at_least);
+  const std::string has = subject + " have the modulus of continuity " + modulus(*factor.at_most);
+  if (*factor.at_most == 0) return "yes: " + has;
+  if (factor.at_least == 0) return "unknown: " + has + " or a smaller one";
+  return "no: " + has + (factor.at_least == *factor.at_most ? ", and no smaller one" : " or a smaller one");
+}
+
+std::string word_text(const std::vector<int>& word) {
+  std::string text;
+  for (int letter : word) text += (letter > 9 && !text.empty() ? "," : "") + std::to_string(letter);
+  return text;
+}
+
+}  // namespace
+
+Json RegularityPage::json() const {
+  const HolderBounds& bounds = regularity.bounds;
+  const JointSpectralRadius &radius = regularity.radius, &rational = regularity.certifiable();
+  Json by_level = Json::array();
+  for (const HolderBound& bound : bounds.levels) by_level.push_back(bound.exponent.lower_text(12));
+  const LogarithmicFactor& logarithm = regularity.logarithm;
+  return {{"scheme", scheme.specification},
+          {"sum_rules", bounds.sum_rules},
+          {"bound", bound_json(bounds.last())},
+          {"bounds_by_level", by_level},
+          {"converges", to_text(convergence.truth)},
+          {"radius", enclosure_json(radius.radius)},
+          {"holder", enclosure_json(holder)},
+          {"exact", radius.exact.is_yes()},
+          {"exactness", radius.exact.reason},
+          {"closed", radius.is_closed()},
+          {"method", method_text(radius)},
+          {"product", word_text(radius.product.word)},
+          {"vertices", rational.vertices()},
+          {"blocks", rational.by_blocks() ? Json(rational.by_blocks()->triangular.sizes) : Json()},
+          {"stable", regularity.stable.is_yes() && holder.upper.has_value()},
+          {"stability", regularity.stable.reason},
+          {"logarithm",
+           {{"at_least", logarithm.at_least},
+            {"at_most", optional_json(logarithm.at_most)},
+            {"derivative", optional_json(logarithm.derivative)},
+            {"reason", logarithm.reason}}},
+          {"single", decision_json(regularity.single.applies)},
+          {"sobolev", sobolev_json(sobolev, regularity.stable)},
+          {"seconds", seconds}};
+}
+
+std::string RegularityPage::text() const {
+  const HolderBounds& bounds = regularity.bounds;
+  const JointSpectralRadius& radius = regularity.radius;
+  const HolderBound& last = bounds.last();
+  std::ostringstream page;
+  page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
+       << "sum rules    " << bounds.sum_rules << "\n"
+       << "converges    " << subcert::to_text(convergence.truth) << ": " << convergence.reason << "\n"
+       << "bound        >= " << last.exponent.lower_text(12) << " after " << last.levels << " levels; ||S_b^"
+       << last.levels << "|| = " << to_decimal(last.norm, 12, Rounding::nearest) << "\n"
+       << "radius       " << enclosure_text(radius.radius, 15) << "  (joint spectral radius, " << method_text(radius);
+  if (radius.method() == JsrMethod::invariant_polytope)
+    page << " with " << radius.vertices() << (radius.vertices() == 1 ? " vertex" : " vertices");
+  page << ")\n";
+  if (const BlockProof* blocks = regularity.certifiable().by_blocks())
+    page << "blocks       " << sizes_text(blocks->triangular.sizes) << "\n";
+  if (!radius.product.word.empty())
+    page << "product      " << word_text(radius.product.word) << "  (radius "
+         << enclosure_text(radius.product.radius, 15)
+         << (radius.exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
+  page << "stable       " << subcert::to_text(regularity.stable.truth) << ": " << regularity.stable.reason << "\n"
+       << "exponent     " << enclosure_text(holder, 14) << "  (";
+  if (!holder.upper)
+    page << "a proved lower bound)\n";
+  else if (radius.is_closed())
+    page << "enclosed with proof, " << holder.lower_text(17) << " ... " << holder.upper_text(17) << ")\n";
+  else
+    page << "enclosed with proof)\n";
+  if (holder.lower && *regularity.exponent.lower > 0) page << "attained     " << attained_text(regularity) << "\n";
+  if (sobolev) page << "Sobolev      " << sobolev_text(*sobolev, regularity.stable) << "\n";
+  if (!complete) page << "budget       the polytope did not close; the enclosure reached is printed\n";
+  return page.str();
+}
+
+std::string certificate_text(const HolderRegularity& regularity, const CertificateClaim& claim) {
+  if (!regularity.radius.is_closed()) return "";
+  const Rational sharp = *regularity.radius.radius.lower * (1 + power(Rational(10), -12));
+  if (regularity.certifiable().proved_upper() <= sharp) return "";
+  const auto decimal = [](const std::optional<std::string>& end, Rounding rounding) {
+    return to_decimal(*parse_rational(*end), 12, rounding);
+  };
+  return "certificate  proves only " + decimal(claim.lower, Rounding::down) + " <= exponent" +
+         (claim.upper ? " <= " + decimal(claim.upper, Rounding::up) : "") + ": no polytope closed, and " +
+         method_text(regularity.radius) + " has no certificate\n";
+}
+
+}  // namespace subcert::cli

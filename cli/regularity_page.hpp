@@ -1,0 +1,27 @@
+#pragma once
+/// What `subcert regularity` prints.
+
+#include "exponent_text.hpp"
+
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+
+namespace subcert::cli {
+
+struct RegularityPage {
+  Scheme scheme;
+  HolderRegularity regularity;
+  std::optional<SobolevRegularity> sobolev;
+  Decision convergence;
+  Enclosure holder;  ///< as far as convergence is proved
+  bool complete;     ///< the enclosure is as narrow as it gets
+  double seconds;
+
+  Json json() const;
+  std::string text() const;
+};
+
+/// A line where the certificate proves less than the answer says.
+std::string certificate_text(const HolderRegularity& regularity, const CertificateClaim& claim);
+
+}  // namespace subcert::cli

@@ -1,0 +1,45 @@
+#pragma once
+/// What `subcert smooth` prints and draws.
+
+#include "command.hpp"
+#include "samples.hpp"
+
+#include <subcert/reports/formats/figure.hpp>
+#include <subcert/schemes/data/smooth/smooth.hpp>
+
+namespace subcert::cli {
+
+struct SmoothOptions : CommonOptions {
+  SampleOptions samples;
+  std::string scheme;
+  bool automatic = false;
+  std::string boundary = data::smoothing_boundary_names().front();
+  double constant = 0;
+  std::optional<double> requested_bands;
+  double bands() const { return requested_bands.value_or(0.95); }
+  int level = 2;
+  int derivative = 0;
+  std::string plot;
+};
+
+/// What was smoothed, how, and the result as a table: positions, then value, standard deviation, lower and upper end of
+/// the band for each column, as far as there are such.
+struct SmoothPage {
+  /// `how` and `what` must outlive the page.
+  SmoothPage(const SmoothOptions& how, const NamedSamples& what, std::string scheme,
+             std::optional<data::SchemeChoice> chosen, data::SmoothedSamples smoothed);
+
+  const SmoothOptions& options;
+  const NamedSamples& samples;
+  std::string specification;
+  std::optional<data::SchemeChoice> choice;  ///< where none was named
+  data::SmoothedSamples result;
+  bool bands;  ///< whether there are any
+  data::Table table;
+
+  Json json() const;
+  std::string text() const;
+  formats::Figure figure() const;
+};
+
+}  // namespace subcert::cli

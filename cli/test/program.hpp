@@ -1,0 +1,39 @@
+#pragma once
+// The program as its users meet it: output and exit code.
+
+#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/folder.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace subcert::testing {
+
+struct Run {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+/// Runs the program with these arguments, given as a shell would read them.
+Run run(const std::string& arguments);
+
+/// The object on standard output. code -1: done or undecided, as the machine's speed has it.
+nlohmann::json run_json(const std::string& arguments, int code = 0);
+
+/// The run leaves with this code, prints nothing and says this on standard error.
+void check_fails(const Run& run, int code, const std::string& message);
+
+/// An enclosure of the output, read back.
+Enclosure enclosure_of(const nlohmann::json& json);
+
+/// Whether this end of an enclosure of the output, which must hold together, lies within one unit of the last place of
+/// the number.
+bool has_digits(const nlohmann::json& enclosure, const std::string& end, const std::string& number);
+
+}  // namespace subcert::testing

@@ -1,0 +1,115 @@
+#include "program.hpp"
+
+using namespace subcert::testing;
+
+namespace {
+
+/// Compares with an approved file; SUBCERT_APPROVE=1 in the environment writes it instead.
+void check_baseline(const std::string& name, const std::string& arguments) {
+  const Run result = run(arguments);
+  CAPTURE(arguments, result.err);
+  CHECK(result.code == 0);
+  const std::string file = std::string(SUBCERT_BASELINES) + "/" + name;
+  if (std::getenv("SUBCERT_APPROVE")) std::ofstream(file, std::ios::binary) << result.out;
+  CHECK(result.out == content(file));
+}
+
+}  // namespace
+
+TEST_CASE("approved output") {
+  check_baseline("mask-dual-odd.txt", "mask 'dual-odd:n=2'");
+  check_baseline("mask-ary.txt", "mask 'ary:a=3,points=4,d=3'");
+  check_baseline("mask-primal.json", "mask 'primal:n=3' --json");
+  check_baseline("analyze-chaikin.txt", "analyze 'mask:[1,3,3,1]/4'");
+  check_baseline("analyze-dd.txt", "analyze dd:n=2");
+  check_baseline("analyze-divergent.txt", "analyze 'mask:[1,1]'");
+  check_baseline("analyze-grid.txt", "analyze grid:points=3x3,d=2");
+  check_baseline("analyze-tensor.json", "analyze 'tensor:(primal:n=2)x(dual:n=1)' --json");
+  check_baseline("mask-grid.txt", "mask grid:points=4x4");
+  check_baseline("limit-primal.json", "limit 'primal:n=2' --level 3 --json");
+  check_baseline("regularity-dual.txt", "regularity dual:n=2");
+  check_baseline("regularity-dd.txt", "regularity dd:n=2");
+  check_baseline("variance-primal.txt", "variance primal:n=5");
+  check_baseline("theorem-list.txt", "theorem list");
+  check_baseline("theorem-degree-three.txt", "theorem conjecture-8-n --d 3");
+  check_baseline("statements-list.txt", "statements list");
+  check_baseline("statements-check.txt", "statements check mustafa-bari-2016/eq-2.6 dyn-2015/eq-2 dyn-2015/figs-3-7");
+}
+
+TEST_CASE("wrong usage is one line and exit code 64") {
+  for (const char* arguments : {"",
+                                "nonsense",
+                                "mask",
+                                "mask nobody:n=3",
+                                "mask primal:n=100000",
+                                "mask primal:n=3,n=3",
+                                "mask 'mask:[1,1]/0'",
+                                "mask 'mask:[1,3,3,2]/4'",
+                                "mask primal:n=3 --nonsense",
+                                "mask primal:n=3 extra",
+                                "limit primal:n=2 --level -1",
+                                "limit primal:n=2 --level 50",
+                                "limit primal:n=2000",
+                                "regularity dual:n=2 --levels 0",
+                                "regularity dual:n=2 --levels x",
+                                "regularity dual:n=2 --budget 0",
+                                "variance dd:n=2 --width 0",
+                                "variance dd:n=2 --width x",
+                                "reproduce nobody-1900",
+                                "reproduce dyn-2015 --only table9",
+                                "experiment fig999",
+                                "experiment fig3 --runs 1",
+                                "mask primal:n=3 --jobs 0",
+                                "conjecture",
+                                "conjecture 9",
+                                "conjecture 7 --n 0",
+                                "conjecture 7 --n 4..1",
+                                "conjecture 7 --n 1,,2",
+                                "conjecture 7 --d x",
+                                "conjecture 7 --shard 0/8",
+                                "conjecture 7 --shard 9/8",
+                                "theorem conjecture-9",
+                                "theorem conjecture-7 --d x",
+                                "theorem conjecture-7 --d 99",
+                                "conjecture 7 --n 1 --d 3",
+                                "conjecture 8 --n 2 --d 1",
+                                "analyze $'mask:[1,\\n]'"}) {
+    const Run result = run(arguments);
+    CAPTURE(arguments, result.out, result.err);
+    CHECK(result.code == 64);
+    CHECK(result.out.empty());
+    CHECK(result.err.starts_with("subcert: "));
+    CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+  }
+  CHECK(run("mask primal:m=3").err ==
+        "subcert: scheme specification, position 11: 'primal'; expected the key 'n', as in primal:n=3,d=1\n");
+}
+
+TEST_CASE("verdicts have exit codes of their own") {
+  CHECK(run("limit 'mask:[1,1]'").code == 1);
+  CHECK(run("regularity 'mask:[1,1]'").code == 1);
+  CHECK(run("variance 'mask:[1,0,0,1]'").code == 1);
+  CHECK(run("limit dd:n=2 --derivative 2").code == 2);
+  CHECK(run("regularity primal:n=300 --budget 0.01").code == 2);
+}
+
+TEST_CASE("help names an example in every subcommand") {
+  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "jsr", "verify", "limit", "variance",
+                              "refine", "smooth", "experiment"}) {
+    const Run result = run(std::string(command) + " --help");
+    CAPTURE(command);
+    CHECK(result.code == 0);
+    CHECK(result.out.find("Example:\n  subcert " + std::string(command)) != std::string::npos);
+  }
+  CHECK(run("--version").out.starts_with("subcert "));
+}
+
+TEST_CASE("answers go to a file when asked") {
+  const Folder folder;
+  const std::string file = folder / "file.txt";
+  const Run result = run("mask dual:n=1 --out " + file);
+  CHECK(result.code == 0);
+  CHECK(result.out.empty());
+  CHECK(content(file) == "[1,3,3,1]/4@-2\n");
+  CHECK(run("mask dual:n=1 --out /proc/nowhere/file").code == 66);
+}

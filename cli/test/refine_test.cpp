@@ -1,0 +1,127 @@
+#include "program.hpp"
+
+using namespace subcert::testing;
+
+TEST_CASE("data are refined") {
+  const Folder folder;
+  const std::string data = folder / "data.csv", out = folder / "out.csv";
+  const auto with = [&](const std::string& content, const std::string& arguments) {
+    std::ofstream(data, std::ios::binary) << content;
+    return run("refine " + arguments);
+  };
+  const std::string line = "x;y\n0;1\n1;3\n2;5\n3;7\n4;9\n";
+  CHECK(with(line, "primal:n=1 " + data + " --levels 1").out ==
+        "x;y\n0;1\n0.5;2\n1;3\n1.5;4\n2;5\n2.5;6\n3;7\n3.5;8\n4;9\n");
+  CHECK(with(line, "dual:n=1 " + data + " --levels 2 --out " + out + " --plot " + out + ".svg").out.empty());
+  CHECK(content(out).starts_with("x;y\n0.125;1.25"));
+  CHECK(content(out + ".svg").find("<svg") != std::string::npos);
+  CHECK(with("1\n0\n0\n0\n", "dual:n=1 " + data + " --closed --levels 1").out ==
+        "0.75\n0.25\n0\n0\n0\n0\n0.25\n0.75\n");
+  std::ofstream(data, std::ios::binary) << line;
+  const auto json = run_json("refine dual:n=1 " + data + " --levels 3");
+  CHECK(json.at("scheme") == "dual:n=1,d=1");
+  CHECK(json.at("count") == 32);
+  CHECK(json.at("first") == "1/16");
+  CHECK(json.at("step") == "1/8");
+  CHECK(json.at("points").at(31).size() == 2);
+
+  CHECK(with("1\n2\n0\n4\n", "dd:n=2 " + data + " --limit --levels 0").out == "1\n2\n0\n4\n");
+  CHECK(with("0\n1\n0\n0\n", "dual:n=1 --closed " + data + " --limit --levels 0").out == "0.125\n0.75\n0.125\n0\n");
+  CHECK(run("refine 'mask:[1,1,1,1]/2@-2' " + data + " --limit").code == 0);
+  CHECK(run("refine 'mask:[1,0,0,1]' " + data + " --limit").code == 1);
+  CHECK(run("refine grid:points=2x2 " + data + " --limit").code == 64);
+  const auto fails = [&](const std::string& content, const std::string& arguments, int code,
+                         const std::string& message) {
+    CAPTURE(arguments);
+    check_fails(with(content, arguments), code, message);
+  };
+  fails("", "primal:n=2 " + data, 65, data + ": expected rows of numbers; found none");
+  fails("1\n", "primal:n=2 " + data, 65, data + ": expected at least 4 rows for primal:n=2,d=1; found 1");
+  fails("1,2\n3\n", "primal:n=2 " + data, 65,
+        data + ", line 2, column 2: expected 2 columns as in the first row; found 1");
+  fails("1\ninf\n", "primal:n=2 " + data, 65, data + ", line 2, column 1: expected a finite number; found 'inf'");
+  fails("1,5\n2,6\n3,5\n1,5\n", "primal:n=1 --closed " + data, 65,
+        data + ", line 4: expected each point of a closed curve once; found the first row again");
+  fails("1\n2\n", "primal:n=1 --levels 100000000 " + data, 64,
+        "100000000 levels would make about 10^30103000 numbers of 2; need at most 100000000");
+  fails(line, "primal:n=1 --plot x.pdf " + data, 64, "--plot x.pdf: expected a name that ends in .svg or .png");
+  fails(line, "primal:n=1 --closed --boundary shrink " + data, 64,
+        "--boundary shrink: closed data have no boundary; leave out one of the two options");
+  CHECK(run("refine primal:n=1 " + data + " --boundary other").code == 64);
+  CHECK(run("refine primal:n=1 " + folder / "nowhere.csv").code == 66);
+  CHECK(run("refine primal:n=1 " + data + " --out /proc/nowhere/file").code == 66);
+}
+
+TEST_CASE("surfaces and volumes are refined") {
+  const Folder folder;
+  const auto file = [&](const char* name, const std::string& content) { return folder.write(name, content); };
+  const std::string matrix = file("m.csv", "0,1,2\n4,5,6\n8,9,10\n");
+  CHECK(run("refine 'tensor:(primal:n=1)x(primal:n=1)' " + matrix + " --levels 1").out ==
+        "0,0.5,1,1.5,2\n2,2.5,3,3.5,4\n4,4.5,5,5.5,6\n6,6.5,7,7.5,8\n8,8.5,9,9.5,10\n");
+  CHECK(run("refine grid:points=2x2 " + matrix + " --levels 1").out ==
+        "1.25,1.75,2.25,2.75\n3.25,3.75,4.25,4.75\n5.25,5.75,6.25,6.75\n7.25,7.75,8.25,8.75\n");
+  const auto json = run_json("refine grid:points=3x2 " + matrix + " --levels 2 --closed-x");
+  CHECK(json.at("axes").at(0).at("count") == 12);
+  CHECK(json.at("axes").at(0).at("closed") == true);
+  CHECK(json.at("axes").at(1).at("count") == 8);
+  CHECK(json.at("points").size() == 96);
+
+  const std::string mesh = file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 4\nf 1 2 4 3\n");
+  const Run refined = run("refine 'tensor:(primal:n=1)x(primal:n=1)' " + mesh + " --levels 1 --plot " +
+                          folder / "m.png");
+  CHECK(refined.out ==
+        "v 0 0 0\nv 0.5 0 0\nv 1 0 0\nv 0 0.5 0\nv 0.5 0.5 1\nv 1 0.5 2\nv 0 1 0\nv 0.5 1 2\nv 1 1 4\n"
+        "f 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n");
+  CHECK(std::filesystem::file_size(folder / "m.png") > 1000);
+  const std::string volume = file("v.vtk",
+                                  "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
+                                  "POINT_DATA 8\nSCALARS d float\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7\n");
+  const std::string finer = run("refine grid:points=2x2x2 " + volume + " --levels 1").out;
+  CHECK(finer.find("DIMENSIONS 2 2 2\nORIGIN 0.25 0.25 0.25\nSPACING 0.5 0.5 0.5\nPOINT_DATA 8\n") !=
+        std::string::npos);
+
+  const auto code = [&](const std::string& arguments) { return run("refine " + arguments).code; };
+  CHECK(code("primal:n=1 " + mesh) == 64);
+  CHECK(code("grid:points=2x2 " + volume) == 64);
+  CHECK(code("grid:points=2x2x2 " + matrix) == 64);
+  CHECK(code("grid:points=2x2 " + mesh + " --closed-x") == 64);
+  CHECK(code("grid:points=2x2 " + matrix + " --closed-z") == 64);
+  CHECK(code("grid:points=4x4 " + matrix) == 65);
+  CHECK(code("grid:points=2x2 " + file("bad.obj", "v 0 0 0\nf 1 1 1 1\n")) == 65);
+  CHECK(code("grid:points=2x2 " + file("bad.ply", "ply\nformat ascii 1.0\n")) == 65);
+  CHECK(code("grid:points=2x2 " + file("bad.vtk", "nothing")) == 65);
+  CHECK(code("grid:points=2x2 " + folder / "nowhere.ply") == 66);
+  CHECK(code("grid:points=2x2 " + matrix + " --levels 90") == 64);
+}
+
+TEST_CASE("data are refined by l1 regression") {
+  const Folder folder;
+  const std::string file = folder / "file.csv";
+  const std::string data = file;
+  std::ofstream(data) << "x,y\n0,0\n1,2\n2,4\n3,6\n4,999\n5,10\n6,12\n7,14\n8,16\n";
+  const auto json = run_json("refine l1:points=8,iterations=60 " + data + " --levels 1");
+  CHECK(json.at("scheme") == "l1:points=8,d=1,iterations=60,delta=1e-8");
+  REQUIRE(json.at("count") == 16);
+  for (const auto& point : json.at("points"))
+    CHECK(std::abs(point[1].get<double>() - 2 * point[0].get<double>()) < 1e-3);
+  CHECK(run("refine l1:points=8 " + data + " --closed --levels 2").code == 0);
+  CHECK(run("refine l1:points=9,residuals=joint " + data + " --boundary reflect").code == 0);
+  const auto fails = [&](const std::string& arguments, int code, const std::string& message) {
+    CAPTURE(arguments);
+    check_fails(run("refine " + arguments), code, message);
+  };
+  fails("l1:points=10 " + data, 65,
+        data + ": expected at least 10 rows for l1:points=10,d=1,iterations=6,delta=1e-8; found 9");
+  fails("l1:points=6,d=4 " + data, 64, "scheme specification, position 15: '4'; expected d as an integer from 0 to 3");
+  std::string matrix;
+  for (int j = 0; j < 7; ++j)
+    for (int i = 0; i < 8; ++i) matrix += (i == 3 && j == 3 ? "500" : std::to_string(i + 2 * j)) + (i < 7 ? "," : "\n");
+  std::ofstream(data) << matrix;
+  const auto surface = run_json("refine l1:points=4x4,iterations=60 " + data + " --levels 1");
+  REQUIRE(surface.at("points").size() == 14 * 12);
+  for (int o = 0; o < 14 * 12; ++o) {
+    const int i = o % 14, j = o / 14;
+    CHECK(std::abs(surface["points"][o][0].get<double>() - (0.25 + 0.5 * i + 2 * (0.25 + 0.5 * j))) < 1e-3);
+  }
+  CHECK(run("mask l1:points=6").code == 64);
+}

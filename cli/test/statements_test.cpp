@@ -1,0 +1,28 @@
+#include "program.hpp"
+
+using namespace subcert::testing;
+
+TEST_CASE("statements: the fields of the contract") {
+  const auto json = run_json("statements check dyn-2015/corollary-4 mustafa-bari-2016/eq-2.6");
+  REQUIRE(json.at("statements").size() == 2);
+  const auto& proved = json.at("statements").at(0);
+  CHECK(proved.at("id") == "dyn-2015/corollary-4");
+  CHECK(proved.at("verdict") == "holds-for-all-n");
+  CHECK(proved.at("range") == "all n >= 2");
+  const auto& misprint = json.at("statements").at(1);
+  CHECK(misprint.at("verdict") == "misprint");
+  CHECK(misprint.at("witness") == "n = 2, a = 3, q = 0, r = -2: printed 37/35, derived -3/35");
+  CHECK_FALSE(misprint.at("corrected").get<std::string>().empty());
+
+  const Run unknown = run("statements check nobody-1900/eq-1");
+  CHECK(unknown.code == 64);
+  CHECK(unknown.err.find("no statement or paper 'nobody-1900/eq-1'") != std::string::npos);
+  CHECK(run("statements").out == run("statements list").out);
+
+  const Folder folder;
+  const std::string page = folder / "page.html";
+  CHECK(run("statements check dyn-2015/remark-9 --page " + page).code == 0);
+  const std::string text = content(page);
+  CHECK(text.find("<h1>Errata and confirmations</h1>") != std::string::npos);
+  CHECK(text.find("A^\\dagger = A^T (A A^T)^{-1}") != std::string::npos);
+}

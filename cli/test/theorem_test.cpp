@@ -1,0 +1,17 @@
+#include "program.hpp"
+
+using namespace subcert::testing;
+
+TEST_CASE("theorems: proved, and unknown with what is missing") {
+  const auto proved = run_json("theorem conjecture-8-n --d 1");
+  CHECK(proved.at("theorem") == "conjecture-8-n");
+  CHECK(proved.at("d").at(0) == 1);
+  CHECK(proved.at("verdict") == "holds");
+  CHECK(proved.at("constants").size() == 13);
+  for (const auto& check : proved.at("checks")) CHECK(check.at("verdict") == "holds");
+  const auto unknown = run_json("theorem conjecture-7 --d 7", 2);
+  CHECK(unknown.at("verdict") == "unknown");
+  CHECK_FALSE(unknown.at("missing").empty());
+  CHECK(run_json("theorem list").at("theorems").size() == 4);
+  CHECK(run("theorem").out == run("theorem list").out);
+}

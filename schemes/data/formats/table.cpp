@@ -1,0 +1,230 @@
+#include "table.hpp"
+
+#include <subcert/analysis/symbol/parse_error.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace subcert::data {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && (is_blank(text.back()) || text.back() == '\r')) text.remove_suffix(1);
+  return text;
+}
+
+std::string quoted(std::string_view field) { return "'" + printable(field) + "'"; }
+
+enum class Kind { number, missing, infinite, text };
+
+struct Field {
+  Kind kind;
+  double value;
+};
+
+/// Whether `text` is this word in capital or small letters.
+bool is_word(std::string_view text, std::string_view word) {
+  if (text.size() != word.size()) return false;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if ((text[i] | 0x20) != word[i]) return false;
+  return true;
+}
+
+Field read_field(std::string_view text) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (!text.empty() && text.front() == '+' && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = end == text.data() + text.size() && !text.empty();
+  if (whole && error == std::errc::result_out_of_range) {
+    value = std::strtod(std::string(text).c_str(),
+                        nullptr);  // too small becomes a tiny number or 0, too large infinite
+    return {std::isfinite(value) ? Kind::number : Kind::infinite, value};
+  }
+  if (whole && error == std::errc()) {
+    if (std::isnan(value)) return {Kind::missing, nan};
+    return {std::isfinite(value) ? Kind::number : Kind::infinite, value};
+  }
+  if (text.empty() || is_word(text, "na") || is_word(text, "null")) return {Kind::missing, nan};
+  return {Kind::text, nan};
+}
+
+class Reader {
+ public:
+  Reader(std::string_view text, const std::string& file, Missing missing)
+      : text_(text), file_(file), missing_(missing) {}
+
+  Table read() {
+    if (text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);
+    while (next_line()) {
+      if (line_.find('\0') != std::string_view::npos) fail(0, "a text file; found a zero byte");
+      if (trimmed(line_).empty()) {
+        if (empty_line_ == 0 && started_) empty_line_ = number_;
+        continue;
+      }
+      if (line_.front() == '#') continue;
+      if (empty_line_ != 0) {
+        number_ = empty_line_;
+        fail(0, "a row; found an empty line between rows");
+      }
+      if (!started_) find_separator();
+      split();
+      if (!started_ && is_header()) {
+        for (const std::string_view field : fields_) table_.header.emplace_back(field);
+        table_.columns = fields_.size();
+        started_ = true;
+        continue;
+      }
+      add_row();
+    }
+    if (table_.values.empty())
+      subcert::fail(ErrorKind::data, "{}: expected rows of numbers; found {}", file_,
+                    started_ ? "a header alone" : "none");
+    return std::move(table_);
+  }
+
+ private:
+  [[noreturn]] void fail(std::size_t column, const std::string& expected) const {
+    subcert::fail(ErrorKind::data, "{}, line {}{}: expected {}", file_, number_,
+                  (column == 0 ? "" : ", column " + std::to_string(column)), expected);
+  }
+
+  bool next_line() {
+    if (text_.empty()) return false;
+    std::size_t end = text_.find_first_of("\n\r");
+    line_ = text_.substr(0, end);
+    if (end == std::string_view::npos) {
+      text_ = {};
+    } else {
+      if (text_[end] == '\r' && end + 1 < text_.size() && text_[end + 1] == '\n') ++end;
+      text_.remove_prefix(end + 1);
+    }
+    ++number_;
+    return true;
+  }
+
+  void find_separator() {
+    table_.separator = ' ';
+    for (const char candidate : {';', '\t', ','})
+      if (line_.find(candidate) != std::string_view::npos) {
+        table_.separator = candidate;
+        return;
+      }
+  }
+
+  /// The fields of the line, without quotes and without blanks around them.
+  void split() {
+    fields_.clear();
+    unquoted_.clear();
+    unquoted_.reserve(line_.size());  // views into it stay valid
+    const bool blanks = table_.separator == ' ';
+    std::string_view rest = blanks ? trimmed(line_) : line_;
+    for (bool more = true; more;) {
+      while (!rest.empty() && rest.front() != table_.separator && is_blank(rest.front())) rest.remove_prefix(1);
+      std::size_t end = 0;
+      if (!rest.empty() && rest.front() == '"') {
+        const std::size_t begin = unquoted_.size();
+        for (end = 1; end < rest.size(); ++end) {
+          if (rest[end] == '"' && (end + 1 == rest.size() || rest[end + 1] != '"')) break;
+          if (rest[end] == '"') ++end;
+          unquoted_ += rest[end];
+        }
+        if (end >= rest.size()) fail(fields_.size() + 1, "a closing quote on the same line");
+        fields_.push_back(std::string_view(unquoted_).substr(begin));
+        rest.remove_prefix(end + 1);
+        while (!rest.empty() && rest.front() != table_.separator && is_blank(rest.front())) rest.remove_prefix(1);
+        if (!rest.empty() && rest.front() != table_.separator && !blanks)
+          fail(fields_.size(), "a separator after the closing quote");
+        end = 0;
+      } else {
+        end = blanks ? rest.find_first_of(" \t") : rest.find(table_.separator);
+        if (end == std::string_view::npos) end = rest.size();
+        fields_.push_back(trimmed(rest.substr(0, end)));
+      }
+      more = end < rest.size();
+      if (more) rest.remove_prefix(end + 1);
+      if (blanks)
+        while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+    }
+  }
+
+  bool is_header() const {
+    bool text = false;
+    for (const std::string_view field : fields_) {
+      const Kind kind = read_field(field).kind;
+      const bool digits_only = !field.empty() && field.find_first_not_of("0123456789+-.,eE") == std::string_view::npos;
+      if (kind == Kind::number || kind == Kind::infinite || digits_only) return false;
+      text = text || kind == Kind::text;
+    }
+    return text;
+  }
+
+  void add_row() {
+    if (!started_) table_.columns = fields_.size();
+    started_ = true;
+    if (fields_.size() != table_.columns)
+      fail(std::min(fields_.size(), table_.columns) + 1,
+           std::to_string(table_.columns) + (table_.columns == 1 ? " column" : " columns") +
+               " as in the first row; found " + std::to_string(fields_.size()));
+    for (std::size_t c = 0; c < fields_.size(); ++c) {
+      const Field field = read_field(fields_[c]);
+      if (field.kind == Kind::text) fail(c + 1, "a number; found " + quoted(fields_[c]));
+      if (field.kind == Kind::infinite) fail(c + 1, "a finite number; found " + quoted(fields_[c]));
+      if (field.kind == Kind::missing && missing_ == Missing::refuse)
+        fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : quoted(fields_[c])));
+      table_.values.push_back(field.value);
+    }
+    table_.lines.push_back(number_);
+  }
+
+  std::string_view text_;
+  std::string file_;
+  Missing missing_;
+  Table table_;
+  std::string_view line_;
+  std::size_t number_ = 0;
+  std::size_t empty_line_ = 0;
+  bool started_ = false;
+  std::vector<std::string_view> fields_;
+  std::string unquoted_;
+};
+
+std::string quoted_where_needed(const std::string& name, char separator) {
+  if (name.find_first_of(std::string("\"\n\r") + separator) == std::string::npos && !name.empty()) return name;
+  std::string result = "\"";
+  for (char c : name) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + "\"";
+}
+
+}  // namespace
+
+Table parse_table(std::string_view text, const std::string& file, Missing missing) {
+  return Reader(text, file, missing).read();
+}
+
+std::string shortest_text(double value) {
+  char buffer[32];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  return std::string(buffer, error == std::errc() ? end : buffer);
+}
+
+std::string to_text(const Table& table) {
+  std::string text;
+  for (std::size_t c = 0; c < table.header.size(); ++c)
+    text += (c ? std::string(1, table.separator) : "") + quoted_where_needed(table.header[c], table.separator);
+  if (!table.header.empty()) text += '\n';
+  char buffer[32];
+  for (std::size_t i = 0; i < table.values.size(); ++i) {
+    const auto written = std::to_chars(buffer, buffer + sizeof buffer, table.values[i]);
+    text.append(buffer, written.ptr);
+    text += (i + 1) % table.columns == 0 ? '\n' : table.separator;
+  }
+  return text;
+}
+
+}  // namespace subcert::data

@@ -1,0 +1,88 @@
+#pragma once
+/// One refinement step along one axis, written as rows of weights.
+
+#include "axis_stencils.hpp"
+
+#include <subcert/analysis/symbol/mask.hpp>
+
+#include <map>
+
+namespace subcert::data {
+
+/// new value = sum of weights[k] * value[at[k]].
+template <class Number>
+struct WeightRow {
+  std::vector<std::size_t> at;
+  std::vector<Number> weights;
+};
+
+/// The rule of the outputs of one phase where every stencil is complete: output group g reads first + g * stride and
+/// the data that follow, with the stride of the step.
+template <class Number>
+struct Phase {
+  std::size_t first;
+  std::vector<Number> weights;
+};
+
+/// Outputs, in this order: head.size() single rows, `groups` groups with one output of each phase, tail.size() single
+/// rows. Canonical: as many phases as the arity where groups > 0.
+template <class Number>
+struct AxisRefinement {
+  Axis input;
+  Axis output;
+  std::vector<WeightRow<Number>> head;
+  std::vector<Phase<Number>> phases;
+  std::size_t groups = 0;
+  std::vector<WeightRow<Number>> tail;
+  std::size_t stride = 1;
+
+  std::size_t outputs() const { return head.size() + groups * phases.size() + tail.size(); }
+};
+
+/// Writes the step of `mask` as rows, for as many axes and levels as are asked for; fits at the ends are kept for the
+/// next question.
+class AxisRefiner {
+ public:
+  /// Domain: coset sums 1. Errors: throws a domain error.
+  AxisRefiner(const Mask& mask, Boundary boundary);
+
+  std::size_t window() const { return stencils_.window(); }
+
+  /// Domain and errors: as AxisStencils::outputs. Cost: exact arithmetic for the outputs near the ends.
+  AxisRefinement<Rational> step(const Axis& axis);
+
+ private:
+  const std::vector<Rational>& fit(const Rational& position);
+  WeightRow<Rational> row(long output, const Axis& axis);
+
+  Boundary boundary_;
+  AxisStencils stencils_;
+  std::vector<std::vector<Rational>> weights_;  // of each residue class, in the order of the data
+  std::map<Rational, std::vector<Rational>> fits_;
+};
+
+/// The stencils of a mask of one variable. Domain: coset sums 1. Errors: throws a domain error.
+AxisStencils axis_stencils(const Mask& mask);
+
+/// The same rows in another number type; doubles are the nearest ones.
+template <class Number>
+AxisRefinement<Number> converted(const AxisRefinement<Rational>& rows);
+
+/// Numbers to write that are worth a thread of their own.
+constexpr std::size_t numbers_per_thread = 1 << 16;
+
+/// The double nearest to `value` (ties to either side). Domain: |value| within the range of doubles.
+double nearest_double(const Rational& value);
+
+/// Applies the step to `in`, seen as [outer][input.count][inner], and writes `out`, [outer][outputs][inner].
+/// Cost: linear; for doubles two block-wise passes that stay in the nearest cache, on `threads` threads.
+template <class Number>
+void apply(const AxisRefinement<Number>& rows, const Number* in, Number* out, std::size_t outer, std::size_t inner,
+           int threads = 1);
+
+/// The data after the step along axis k, whose input is data.axes[k].
+template <class Number>
+GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Rational>& rows,
+                             int threads = 1);
+
+}  // namespace subcert::data

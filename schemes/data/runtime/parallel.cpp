@@ -1,0 +1,41 @@
+#include "parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace subcert::runtime {
+
+void parallel_for_each(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
+  const std::size_t team_size = std::min(count, static_cast<std::size_t>(std::max(1, jobs)));
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto share = [&] {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) work(i);
+    } catch (...) {
+      const std::lock_guard lock(failing);
+      if (!failure) failure = std::current_exception();
+      next = count;
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;  // joined at the end of the block
+    for (std::size_t helper = 1; helper < team_size; ++helper) helpers.emplace_back(share);
+    share();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+void parallel_ranges(std::size_t count, std::size_t ranges, int jobs,
+                     const std::function<void(std::size_t, std::size_t)>& work) {
+  const std::size_t most = std::min({count, ranges, static_cast<std::size_t>(std::max(1, jobs))});
+  const std::size_t team = std::max<std::size_t>(1, most);
+  parallel_for_each(team, jobs, [&](std::size_t i) { work(count * i / team, count * (i + 1) / team); });
+}
+
+}  // namespace subcert::runtime

@@ -1,0 +1,18 @@
+#pragma once
+/// Independent pieces of work on several threads.
+
+#include <cstddef>
+#include <functional>
+
+namespace subcert::runtime {
+
+/// Calls work(0), ..., work(count - 1) on at most `jobs` threads, begun in this order. Domain: jobs >= 1. Errors: the
+/// first exception of a call is thrown again after the calls under way have ended; no others are begun then.
+void parallel_for_each(std::size_t count, int jobs, const std::function<void(std::size_t)>& work);
+
+/// Calls work(begin, end) on at most `ranges` disjoint ranges that cover 0, ..., count - 1, each on a thread of its own
+/// and on at most `jobs` of them. Domain and errors: as parallel_for_each.
+void parallel_ranges(std::size_t count, std::size_t ranges, int jobs,
+                     const std::function<void(std::size_t, std::size_t)>& work);
+
+}  // namespace subcert::runtime

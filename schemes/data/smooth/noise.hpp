@@ -1,0 +1,32 @@
+#pragma once
+/// How noisy data are, and how wide bands must be for that.
+
+#include "samples.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace subcert::data {
+
+/// Variance of the noise of data with prior weight 1. Computed from sums of squares in `terms` second differences,
+/// which linear trends do not enter; distributed nearly as chi squared with `degrees_of_freedom` where the noise is
+/// normal.
+struct NoiseEstimate {
+  double variance = 0;
+  double degrees_of_freedom = 0;
+  std::size_t terms = 0;
+};
+
+/// Domain: as many prior weights as data, or none; a weight 0 means missing. Without three neighbouring data the
+/// estimate has no terms. Ref: [GSJ86].
+NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<double>& prior_weights = {});
+
+/// That of each column, with the weights of the samples.
+std::vector<NoiseEstimate> estimate_noise(const Samples& samples);
+
+/// The factor between the standard deviation of a value and half the width of its confidence band of this level:
+/// a quantile of Student's distribution with the degrees of freedom of the noise. Domain: 0 < level < 1, an estimate
+/// with terms. Errors: throws a domain error.
+double band_factor(double level, const NoiseEstimate& noise);
+
+}  // namespace subcert::data

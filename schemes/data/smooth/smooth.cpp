@@ -1,0 +1,78 @@
+#include "smooth.hpp"
+
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/data/l1/l1_refinement.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
+#include <subcert/schemes/data/refine/interpolation.hpp>
+
+#include <cmath>
+
+namespace subcert::data {
+namespace {
+
+void require_limits(const Scheme& scheme, int derivative) {
+  if (derivative == 0) {
+    const Decision convergence = converges(scheme.mask);
+    require(convergence.is_yes(), "{}: no proof that the scheme converges ({})", scheme.specification,
+            convergence.reason);
+    return;
+  }
+  const SmoothnessProof smoothness = proved_smoothness(scheme.mask);
+  require(smoothness.order >= derivative,
+          "derivative {}: {} is not proved to have continuous derivatives of that order; {}", derivative,
+          scheme.specification, smoothness.obstacle);
+}
+
+}  // namespace
+
+std::vector<double> SmoothedColumn::half_widths(double level) const {
+  std::vector<double> widths = deviations;
+  if (widths.empty()) return widths;
+  const double factor = band_factor(level, *noise);
+  for (double& width : widths) width *= factor;
+  return widths;
+}
+
+SmoothedSamples smooth(const Samples& samples, const Scheme& scheme, const SmoothingOptions& options) {
+  require_limits(scheme, options.derivative);
+  const LinearSmoother smoother(scheme.mask, samples.count(), options, scheme.rules, samples.weights);
+  const double unit = std::pow(nearest_double(samples.spacing), -options.derivative);
+  SmoothedSamples result;
+  for (std::size_t o = 0; o < smoother.outputs(); ++o) result.positions.push_back(smoother.position(o));
+  const std::vector<NoiseEstimate> noise = estimate_noise(samples);
+  for (std::size_t c = 0; c < samples.columns.size(); ++c) {
+    const auto smoothed = smoother.apply(samples.columns[c]);
+    SmoothedColumn& column = result.columns.emplace_back(SmoothedColumn{smoothed.values, noise[c]});
+    for (double& value : column.values) value *= unit;
+    if (noise[c].terms == 0) continue;
+    for (const double variance : smoothed.variances)
+      column.deviations.push_back(unit * std::sqrt(noise[c].variance * variance));
+  }
+  return result;
+}
+
+SmoothedSamples smooth(const Samples& samples, const DataDependentScheme& scheme, const SmoothingOptions& options,
+                       int threads) {
+  const auto require_linear = [&](bool satisfied, const char* what) {
+    require(satisfied, "{} needs a linear scheme; {} is none", what, scheme.specification);
+  };
+  require(scheme.rules.points.size() == 1, "{}: expected a scheme for curves", scheme.specification);
+  require_linear(options.derivative == 0, "a derivative");
+  require_linear(samples.weights.empty(), "a fit with prior weights or missing data");
+  if (samples.count() < static_cast<std::size_t>(scheme.rules.points[0]))
+    fail(ErrorKind::data, "expected at least {} rows for {}; found {}", scheme.rules.points[0], scheme.specification,
+         samples.count());
+  const auto scale = static_cast<std::size_t>(1) << options.level;
+  require_smoothable(samples.count(), scale);
+  SmoothedSamples result;
+  for (std::size_t o = 0; o <= (samples.count() - 1) * scale; ++o)
+    result.positions.push_back(Rational(o) / Rational(scale));
+  for (const auto& column : samples.columns)
+    result.columns.push_back({interpolate(
+        refine(curve_data(column), scheme.rules, {options.level + finer_levels, options.boundary, threads}),
+        result.positions)});
+  return result;
+}
+
+}  // namespace subcert::data

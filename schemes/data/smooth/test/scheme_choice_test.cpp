@@ -1,0 +1,120 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/error_kind.hpp>
+#include <subcert/schemes/data/smooth/scheme_choice.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <cmath>
+#include <random>
+
+using namespace subcert;
+using namespace subcert::data;
+
+namespace {
+
+std::vector<double> sampled(std::size_t count, double frequency, double sigma, unsigned long seed,
+                            const std::vector<double>& weights = {}) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> gauss;
+  std::vector<double> data;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double noise = gauss(engine) * sigma / std::sqrt(weights.empty() ? 1 : weights[i]);
+    data.push_back(std::sin(frequency * static_cast<double>(i)) + noise);
+  }
+  return data;
+}
+
+}  // namespace
+
+TEST_CASE("the noise estimate ignores lines, and its mean and spread are those of its degrees of freedom") {
+  std::vector<double> line;
+  for (int i = 0; i < 30; ++i) line.push_back(3 - 0.5 * i);
+  CHECK(estimate_noise(line).variance < 1e-28);
+  CHECK(estimate_noise({1, 2}).terms == 0);
+  CHECK(estimate_noise({1, 2, 4}, {1, 0, 1}).terms == 0);
+
+  std::vector<double> weights;
+  for (int i = 0; i < 60; ++i) weights.push_back(i % 3 == 0 ? 4 : 1);
+  for (const auto& w : {std::vector<double>{}, weights}) {
+    double sum = 0, squares = 0;
+    const int runs = 2000;
+    double nu = 0;
+    for (int seed = 0; seed < runs; ++seed) {
+      const NoiseEstimate noise = estimate_noise(sampled(60, 0, 2, static_cast<unsigned long>(seed), w), w);
+      sum += noise.variance;
+      squares += noise.variance * noise.variance;
+      nu = noise.degrees_of_freedom;
+    }
+    const double mean = sum / runs, variance = squares / runs - mean * mean;
+    // The standard errors of mean and variance of 2000 runs are about 0.8 % and 4 %.
+    CHECK(mean == Approx(4).epsilon(0.03));
+    CHECK(variance == Approx(2 * 16 / nu).epsilon(0.15));
+    CHECK(nu > 25);
+    CHECK(nu < 60);
+  }
+}
+
+TEST_CASE("the estimated risk is unbiased for data with known mean") {
+  const Scheme scheme = make_scheme("primal:n=4");
+  const std::size_t count = 40;
+  std::vector<double> weights(count, 1);
+  for (std::size_t i = 0; i < count; i += 4) weights[i] = 0.5;
+  std::vector<Rational> exact(weights.begin(), weights.end());
+  for (const bool weighted : {false, true}) {
+    const LinearSmoother smoother(scheme.mask, count, {}, scheme.rules, weighted ? exact : std::vector<Rational>{});
+    const std::vector<double> w = weighted ? weights : std::vector<double>{};
+    const auto truth = sampled(count, 0.5, 0, 1);
+    const auto clean = smoother.apply(truth);
+    double bias = 0, total_weight = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double each = weighted ? weights[i] : 1;
+      bias += each * std::pow(clean.values[i] - truth[i], 2);
+      total_weight += each;
+    }
+    const double sigma = 0.3;
+    double sum = 0, squares = 0;
+    const int runs = weighted ? 60 : 3000;
+    for (int seed = 0; seed < runs; ++seed) {
+      const RiskEstimate risk = estimate_risk(
+          smoother, {{sampled(count, 0.5, sigma, static_cast<unsigned long>(seed), w)}, {w.begin(), w.end()}},
+          {{sigma * sigma, 100, 1}});
+      sum += risk.bias_squared;
+      squares += risk.bias_squared * risk.bias_squared;
+    }
+    const double mean = sum / runs, error = std::sqrt((squares / runs - mean * mean) / runs);
+    CHECK(std::abs(mean - bias / total_weight) < 4 * error);
+  }
+}
+
+TEST_CASE("more noise asks for more points, none for interpolation") {
+  const auto best = [](double sigma) {
+    const auto data = sampled(120, 0.2, sigma, 7);
+    return rank_schemes({{data}}, {estimate_noise(data)}, {}).front();
+  };
+  CHECK(best(1e-4).n < best(0.3).n);
+  CHECK(best(0.3).risk.variance > 0);
+  const auto ranked = rank_schemes({{sampled(120, 0.2, 0.1, 7)}}, {{0.01, 60, 118}}, {Boundary::reflect});
+  for (std::size_t i = 1; i < ranked.size(); ++i) CHECK(ranked[i - 1].risk.total() <= ranked[i].risk.total());
+  CHECK(ranked.size() == 20 + 19 + 18);
+  CHECK_THROWS_WITH(rank_schemes({{{1, 2, 3}}}, {{}}, {}), Catch::Matchers::Contains("at least 4 data, got 3"));
+}
+
+TEST_CASE("the scheme chosen is the best one that is smooth enough") {
+  const Samples noisy{{sampled(120, 0.2, 0.1, 7)}};
+  const SchemeChoice best = choose_scheme(noisy, {});
+  CHECK(best.chosen == 0);
+  CHECK(best.scheme.specification == best.candidates[0].specification);
+  CHECK(best.candidates.size() == 20 + 19 + 18);
+  CHECK_FALSE(best.widest_tried());
+  const SchemeChoice smooth = choose_scheme(noisy, {Boundary::regression, 0, 2});
+  CHECK(smooth.candidates[smooth.chosen].degree > 1);
+  CHECK_FAILS(choose_scheme(noisy, {Boundary::regression, 0, 9}), domain);
+  CHECK_FAILS(choose_scheme({{{1, 2, 3}}}, {}), data);
+  CHECK_FAILS(choose_scheme({{{1, 2, 3, 4, 5, 6}}, {1, 1, 0, 1, 1, 0}}, {}), data);
+}
+
+TEST_CASE("bands have the width of Student's quantiles") {
+  CHECK(band_factor(0.95, {1, 10, 10}) == Approx(2.228).epsilon(1e-3));
+  CHECK(band_factor(0.95, {1, 1e6, 10}) == Approx(1.96).epsilon(1e-3));
+  CHECK_FAILS(band_factor(1, {1, 10, 10}), domain);
+  CHECK_FAILS(band_factor(0.95, {}), domain);
+}

@@ -1,0 +1,242 @@
+#include <subcert/analysis/variance/variance.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/random.hpp>
+#include <subcert/schemes/data/smooth/smoothing.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <cmath>
+
+using namespace subcert;
+using namespace subcert::data;
+using subcert::testing::Random;
+
+namespace {
+
+Rational apply_exactly(const SmoothingRow& row, const std::vector<Rational>& data) {
+  Rational sum = 0;
+  for (std::size_t k = 0; k < row.weights.size(); ++k) sum += row.weights[k] * data[row.first + k];
+  return sum;
+}
+
+std::vector<Rational> polynomial_data(std::size_t count, int degree) {
+  std::vector<Rational> data;
+  for (std::size_t i = 0; i < count; ++i)
+    data.push_back(power(Rational(i) - 3, degree) + (degree > 0 ? Rational(i, 2) : 0));
+  return data;
+}
+
+Rational polynomial_at(const Rational& x, int degree) {
+  return power(x - 3, degree) + (degree > 0 ? Rational(x / 2) : 0);
+}
+
+}  // namespace
+
+TEST_CASE("regression reproduces the polynomials of the scheme up to the ends, exactly") {
+  for (const auto& [text, degree] : {std::pair{"primal:n=3", 1},
+                                     {"dual:n=2", 1},
+                                     {"primal:n=3,d=3", 3},
+                                     {"dual-odd:n=2,d=2", 2},
+                                     {"dd:n=2", 3},
+                                     {"bspline:degree=3", 1},
+                                     {"ary:a=3,points=5,d=1", 1}}) {
+    const Scheme scheme = make_scheme(text);
+    for (const std::size_t count : {std::size_t{9}, std::size_t{25}}) {
+      const LinearSmoother smoother(scheme.mask, count, {Boundary::regression, 1, 0});
+      for (int q = 0; q <= degree; ++q) {
+        const auto data = polynomial_data(count, q);
+        for (std::size_t o = 0; o < smoother.outputs(); ++o)
+          CHECK(apply_exactly(smoother.row(o), data) == polynomial_at(smoother.position(o), q));
+      }
+    }
+  }
+}
+
+TEST_CASE("every boundary keeps constants, but for constant, and sums up variances") {
+  const Scheme scheme = make_scheme("primal:n=2");
+  for (const Boundary kind :
+       {Boundary::regression, Boundary::reflect, Boundary::nearest, Boundary::constant, Boundary::periodic})
+    for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{20}}) {
+      const LinearSmoother smoother(scheme.mask, count, {kind, 1, 0});
+      for (std::size_t o = 0; o < smoother.outputs(); ++o) {
+        const SmoothingRow row = smoother.row(o);
+        Rational sum = row.outside, squares = 0;
+        for (const Rational& weight : row.weights) {
+          sum += weight;
+          squares += weight * weight;
+        }
+        CHECK(sum == 1);
+        CHECK(row.variance == squares);
+        CHECK((kind == Boundary::constant || row.outside == 0));
+      }
+    }
+}
+
+TEST_CASE("away from the ends the variance is psi, exactly") {
+  for (const char* text : {"primal:n=3", "primal:n=2,d=3", "dual:n=3", "ary:a=3,points=3,d=1"}) {
+    const Scheme scheme = make_scheme(text);
+    const LinearSmoother smoother(scheme.mask, 41, {Boundary::reflect, 2, 0});
+    const VarianceGrid psi = variance_grid(scheme.mask, 2, false);
+    const auto scale = psi.values.size() - 1;
+    const bool shifted = std::string(text).starts_with("dual");  // by half a spacing
+    for (std::size_t t = 0; t < scale; ++t)
+      CHECK(smoother.row(20 * scale + t).variance == psi.values[(t + (shifted ? scale / 2 : 0)) % scale]);
+  }
+}
+
+TEST_CASE("the rows agree with many refinements of the extended data") {
+  const Scheme scheme = make_scheme("dual:n=2");
+  Random random;
+  std::vector<Rational> data;
+  for (int i = 0; i < 12; ++i) data.push_back(random.rational());
+  for (const Boundary kind : {Boundary::regression, Boundary::reflect, Boundary::nearest, Boundary::periodic}) {
+    const ExtendedData extended(extension_rule(scheme.mask, kind), data.size());
+    LaurentPolynomial values;  // sum of f_j z^j
+    for (long j = -14; j < 26; ++j) {
+      const Combination combination = extended.at(j);
+      Rational value = 0;
+      for (const auto& [index, weight] : combination.terms) value += weight * data[index];
+      values += LaurentPolynomial::monomial(value, j);
+    }
+    const int levels = 7;
+    for (int k = 0; k < levels; ++k) values = scheme.mask.symbol() * values.dilated(2);
+    // The datum with index i of level k stands at (i + 1/2) / 2^k - 1/2 in the parameter, data index + parameter shift.
+    const LinearSmoother smoother(scheme.mask, data.size(), {kind, 1, 0});
+    for (std::size_t o = 0; o < smoother.outputs(); ++o) {
+      const Rational parameter = smoother.position(o) - Rational(1, 2);
+      const long index = numerator(Rational(parameter * 128)).convert_to<long>();
+      const double refined = static_cast<double>(values.coefficient(index));
+      CHECK(std::abs(refined - static_cast<double>(apply_exactly(smoother.row(o), data))) < 0.05);
+    }
+  }
+}
+
+TEST_CASE("the mirror, nearest and periodic data are those of the names") {
+  const auto indices = [](Boundary kind) {
+    const ExtendedData data({kind, 1, 0}, 4);
+    std::vector<std::size_t> result;
+    for (long i = -5; i < 9; ++i) result.push_back(data.at(i).terms.begin()->first);
+    return result;
+  };
+  CHECK(indices(Boundary::reflect) == std::vector<std::size_t>{1, 2, 3, 2, 1, 0, 1, 2, 3, 2, 1, 0, 1, 2});
+  CHECK(indices(Boundary::nearest) == std::vector<std::size_t>{0, 0, 0, 0, 0, 0, 1, 2, 3, 3, 3, 3, 3, 3});
+  CHECK(indices(Boundary::periodic) == std::vector<std::size_t>{3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0});
+}
+
+TEST_CASE("derivatives are those of the limit") {
+  const Scheme scheme = make_scheme("primal:n=3,d=3");
+  const LinearSmoother smoother(scheme.mask, 15, {Boundary::regression, 2, 1});
+  const auto data = polynomial_data(15, 3);
+  for (std::size_t o = 0; o < smoother.outputs(); ++o) {
+    const Rational x = smoother.position(o);
+    CHECK(apply_exactly(smoother.row(o), data) == 3 * (x - 3) * (x - 3) + Rational(1, 2));
+  }
+}
+
+TEST_CASE("equal prior weights change nothing; missing data leave polynomials alone") {
+  for (const char* text : {"primal:n=3", "dual:n=2", "primal:n=4,d=3", "ary:a=3,points=5,d=1"}) {
+    const Scheme scheme = make_scheme(text);
+    const std::size_t count = 18;
+    for (const int derivative : {0, 1}) {
+      const SmoothingOptions options{Boundary::regression, 1, derivative};
+      const LinearSmoother plain(scheme.mask, count, options);
+      const LinearSmoother equal(scheme.mask, count, options, scheme.rules, std::vector<Rational>(count, 3));
+      for (std::size_t o = 0; o < plain.outputs(); ++o) {
+        const SmoothingRow a = plain.row(o), b = equal.row(o);
+        CHECK(3 * b.variance == a.variance);
+        for (std::size_t q = 0; q < 2; ++q) {
+          const auto data = polynomial_data(count, static_cast<int>(2 * q));
+          CHECK(apply_exactly(a, data) == apply_exactly(b, data));
+        }
+      }
+    }
+    std::vector<Rational> weights(count, 1);
+    weights[0] = 0;
+    weights[7] = 0;
+    weights[8] = Rational(1, 2);
+    weights[17] = 0;
+    const LinearSmoother gaps(scheme.mask, count, {Boundary::regression, 1, 0}, scheme.rules, weights);
+    for (int q = 0; q <= scheme.rules->degree; ++q) {
+      const auto data = polynomial_data(count, q);
+      for (std::size_t o = 0; o < gaps.outputs(); ++o) {
+        const SmoothingRow row = gaps.row(o);
+        CHECK(apply_exactly(row, data) == polynomial_at(gaps.position(o), q));
+        if (row.first <= 7 && row.first + row.weights.size() > 7) CHECK(row.weights[7 - row.first] == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("double precision agrees with the exact rows") {
+  Random random;
+  std::vector<double> data;
+  std::vector<Rational> exact;
+  for (int i = 0; i < 30; ++i) {
+    data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
+    exact.emplace_back(data.back());
+  }
+  // The widest rows leave no interior, the narrowest have it from the first spacing on.
+  for (const char* text :
+       {"primal:n=1", "dual:n=1", "dual:n=3", "primal:n=4,d=3", "primal:n=12", "ary:a=3,points=3,d=1"})
+    for (const Boundary kind : {Boundary::regression, Boundary::reflect, Boundary::constant}) {
+      const Scheme scheme = make_scheme(text);
+      const LinearSmoother smoother(scheme.mask, data.size(), {kind, 2, 0, 2.5});
+      const auto smoothed = smoother.apply(data);
+      REQUIRE(smoothed.values.size() == smoother.outputs());
+      REQUIRE(smoothed.leverages.size() == data.size());
+      const std::size_t scale = (smoother.outputs() - 1) / (data.size() - 1);
+      for (std::size_t o = 0; o < smoother.outputs(); ++o) {
+        const SmoothingRow row = smoother.row(o);
+        const Rational value = apply_exactly(row, exact) + row.outside * Rational(5, 2);
+        CHECK(std::abs(smoothed.values[o] - static_cast<double>(value)) < 1e-12);
+        CHECK(smoothed.variances[o] == Approx(static_cast<double>(row.variance)).epsilon(1e-13));
+        if (o % scale != 0) continue;
+        const std::size_t own = o / scale - row.first;
+        CHECK(smoothed.leverages[o / scale] == Approx(static_cast<double>(row.weights.at(own))).margin(1e-14));
+      }
+    }
+}
+
+TEST_CASE("fits with prior weights in double precision agree with the exact ones") {
+  Random random;
+  for (const auto& [text, boundary] : {std::pair{"primal:n=3", Boundary::regression},
+                                       {"primal:n=5,d=5", Boundary::regression},
+                                       {"dual:n=4,d=3", Boundary::reflect},
+                                       {"primal:n=1", Boundary::constant}}) {
+    const Scheme scheme = make_scheme(text);
+    std::vector<Rational> weights, exact;
+    std::vector<double> data;
+    for (int i = 0; i < 30; ++i) {
+      weights.push_back(random.chance(10) && i % 3 == 0 && scheme.rules->degree > 1
+                            ? Rational(0)
+                            : Rational(random.integer(1, 300), 100));
+      data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
+      exact.emplace_back(data.back());
+    }
+    const LinearSmoother smoother(scheme.mask, data.size(), {boundary, 1, 0, 2.5}, scheme.rules, weights);
+    const auto smoothed = smoother.apply(data);
+    for (std::size_t o = 0; o < smoother.outputs(); ++o) {
+      const SmoothingRow row = smoother.row(o);
+      const double value = static_cast<double>(Rational(apply_exactly(row, exact) + row.outside * Rational(5, 2)));
+      CHECK(smoothed.values[o] == Approx(value).epsilon(1e-10).margin(1e-10));
+      CHECK(smoothed.variances[o] == Approx(static_cast<double>(row.variance)).epsilon(1e-10));
+    }
+  }
+}
+
+TEST_CASE("smoothers that do not exist say why") {
+  const auto contains = [](const std::string& part) { return Catch::Matchers::Contains(part); };
+  const Scheme scheme = make_scheme("primal:n=3"), spline = make_scheme("bspline:degree=3");
+  CHECK_THROWS_WITH(LinearSmoother(make_scheme("ary:a=3,points=4").mask, 10, {}), contains("no 3-adic number"));
+  CHECK_THROWS_WITH(LinearSmoother(spline.mask, 3, {}, std::nullopt, {1, 1, 1}),
+                    contains("scheme of local regressions"));
+  CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 3, {}, scheme.rules, {1, 1}), contains("got 2 for 3"));
+  CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 0, {}), contains("count >= 1"));
+  CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 2'000'001, {Boundary::regression, 1}),
+                    contains("at most 4000000 outputs"));
+  CHECK_THROWS_WITH(LinearSmoother(scheme.mask, 9, {Boundary::shrink}), contains("got shrink"));
+  CHECK_NOTHROW(require_smoothable(1, 1L << 40));
+  std::vector<Rational> weights(20, 0);
+  weights[0] = weights[19] = 1;
+  const LinearSmoother gap(scheme.mask, 20, {}, scheme.rules, weights);
+  CHECK_THROWS_WITH(gap.row(10), contains("a fit of degree 1 needs 2"));
+}

@@ -1,0 +1,80 @@
+// Specifications of the data-dependent schemes.
+
+#include "specification_text.hpp"
+
+#include <subcert/analysis/symbol/decimal.hpp>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+using namespace specification_text;
+
+constexpr std::string_view family_name = "l1";
+const std::string l1_usage = "l1:points=6,d=1,iterations=6,delta=1e-8";
+
+Rational read_number(const Piece& piece, const std::string& name, bool zero_allowed) {
+  std::optional<Rational> value = parse_rational(piece.text);
+  if (!value)
+    if (const auto decimal = parse_decimal(piece.text)) value = decimal->value;
+  const std::string range = zero_allowed ? "0 or from 1e-300 to 1e300" : "from 1e-300 to 1e300";
+  if (!value || (*value == 0 ? !zero_allowed : *value < power(Rational(10), -300) || *value > power(Rational(10), 300)))
+    fail(piece, name + " " + range + ", as 1e-8 or p/q");
+  return *value;
+}
+
+std::vector<int> read_points(const Piece& piece) {
+  const std::vector<Piece> axes = split(piece, 'x');
+  if (axes.size() > 2) fail(piece, "points of a curve, as 6, or of a grid, as 6x6");
+  std::vector<int> points;
+  for (const Piece& axis : axes)
+    points.push_back(static_cast<int>(read_integer(axis, "points", 2, axes.size() == 1 ? 64 : 16)));
+  return points;
+}
+
+std::string points_text(const std::vector<int>& points) {
+  return std::to_string(points[0]) + (points.size() == 2 ? "x" + std::to_string(points[1]) : "");
+}
+
+}  // namespace
+
+bool is_l1_specification(std::string_view specification) {
+  return specification.substr(0, specification.find(':')) == family_name;
+}
+
+DataDependentScheme make_l1_scheme(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const Piece family{text.substr(0, colon), 0};
+  if (family.text != family_name) fail(family, "the family l1, as in " + l1_usage);
+  if (colon == std::string_view::npos) fail(family, l1_usage);
+  Fields fields(family, {text.substr(colon + 1), colon + 1}, l1_usage);
+
+  DataDependentScheme result;
+  L1Scheme& scheme = result.rules;
+  scheme.points = read_points(fields.required("points"));
+  const int least = *std::min_element(scheme.points.begin(), scheme.points.end());
+  if (const auto piece = fields.optional("d"))
+    scheme.degree = static_cast<int>(read_integer(*piece, "d", 0, std::min(3, least - 1)));
+  if (const auto piece = fields.optional("iterations"))
+    scheme.options.iterations = static_cast<int>(read_integer(*piece, "iterations", 0, 1'000'000));
+  Rational delta(1, 100'000'000), tolerance = 0;
+  if (const auto piece = fields.optional("delta")) delta = read_number(*piece, "delta", false);
+  if (const auto piece = fields.optional("tolerance")) tolerance = read_number(*piece, "tolerance", true);
+  if (const auto piece = fields.optional("residuals")) {
+    if (piece->text != "separate" && piece->text != "joint") fail(*piece, "residuals=separate or residuals=joint");
+    scheme.options.joint_residuals = piece->text == "joint";
+  }
+  fields.finish();
+  scheme.options.delta = static_cast<double>(delta);
+  scheme.options.tolerance = static_cast<double>(tolerance);
+  result.specification = "l1:points=" + points_text(scheme.points) + ",d=" + std::to_string(scheme.degree) +
+                         ",iterations=" + std::to_string(scheme.options.iterations) + ",delta=" + to_short_text(delta) +
+                         (tolerance == 0 ? "" : ",tolerance=" + to_short_text(tolerance)) +
+                         (scheme.options.joint_residuals ? ",residuals=joint" : "");
+  result.title = "local l1 regression, " + points_text(scheme.points) + " points, degree " +
+                 std::to_string(scheme.degree) + ", " + std::to_string(scheme.options.iterations) + " iterations";
+  return result;
+}
+
+}  // namespace subcert

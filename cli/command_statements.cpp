@@ -133,7 +133,7 @@ ExitCode run_checks(const StatementsOptions& options) {
 void add_statements(Command& app) {
   Command group = app.subcommand("statements", "The statements of the papers as executable checks");
   std::string known;
-  for (const auto& paper : statements::papers()) known += (known.empty() ? "" : ", ") + paper.key;
+  for (const auto& paper : statements::paper_keys()) known += (known.empty() ? "" : ", ") + paper;
   const std::string meaning = "Statements or papers (" + known + "; default: all)";
 
   auto list_options = std::make_shared<StatementsOptions>();

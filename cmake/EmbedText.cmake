@@ -1,10 +1,11 @@
 # subcert_embed_text(TARGET OUTPUT VARIABLE FILES...): compiles text files into TARGET as
-#   const std::map<std::string, std::string_view> subcert::VARIABLE, keyed by the file name without ending.
+#   const std::map<std::string, std::string_view> subcert::VARIABLE, keyed by the name of the folder of each.
 function(subcert_embed_text target output variable)
   set(entries "")
   foreach(file IN LISTS ARGN)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
-    get_filename_component(key "${file}" NAME_WLE)
+    cmake_path(GET file PARENT_PATH folder)
+    cmake_path(GET folder FILENAME key)
     file(READ "${file}" text)
     string(APPEND entries "    {\"${key}\", R\"subcert(${text})subcert\"},\n")
   endforeach()

@@ -25,9 +25,9 @@ struct Course {
   std::vector<CertifiedMaximum> maxima, slopes;
   LimitComparison limit;
 
-  Course(int of_degree, const Workshop& workshop) : degree(of_degree) {
+  Course(int of_degree, const ComputedQuantities& quantities) : degree(of_degree) {
     for (int n = (degree + 1) / 2; n <= last_n_of_figure_8; ++n) {
-      const VarianceFacts& facts = workshop.variance(scheme_text("primal", n, degree));
+      const VarianceFacts& facts = quantities.variance(statements::specification("primal", n, degree));
       maxima.push_back({n, facts.maximum});
       slopes.push_back({n, facts.slope});
     }
@@ -50,25 +50,25 @@ formats::Curve scaled_curve(const std::string& label, const std::vector<Certifie
   return curve;
 }
 
-/// n^2 max |psi'| for d = 1 as a shortcut gives it, and as printed.
+/// n^2 max |psi'| for d = 1 as a recipe gives it, and as printed.
 struct Suggested {
-  std::vector<std::pair<int, Rational>> shortcut;
+  std::vector<std::pair<int, Rational>> recipe;
   std::vector<std::pair<int, std::string>> printed;
 
-  explicit Suggested(Workshop& workshop) {
-    const Shortcut& best = variance_shortcuts()[workshop.shortcuts().best()];
-    shortcut.resize(last_n_of_figure_8);
-    runtime::parallel_for_each(shortcut.size(), workshop.jobs(), [&](std::size_t i) {
+  explicit Suggested(ComputedQuantities& quantities) {
+    const auto& best = statements::dyn_2015::numerical_recipes()[quantities.recipes().best()];
+    recipe.resize(last_n_of_figure_8);
+    runtime::parallel_for_each(recipe.size(), quantities.jobs(), [&](std::size_t i) {
       const int n = static_cast<int>(i) + 1;
-      const ShortcutValues values = evaluate_shortcut(best, make_scheme(scheme_text("primal", n)).mask, n);
-      shortcut[i] = {n, n * n * values.slope};
+      const auto values = statements::dyn_2015::evaluate_numerical_recipe(
+          best, make_scheme(statements::specification("primal", n)).mask, n);
+      recipe[i] = {n, n * n * values.slope};
     });
-    for (const formats::PublishedCell& cell : workshop.published("table3").cells)
-      if (cell.row.starts_with("d=1,") && cell.quantity == "n^2*slope")
-        printed.emplace_back(VarianceCell(cell).n, cell.printed);
+    for (const formats::PublishedCell& cell : quantities.published("table3").cells)
+      if (cell.d == 1 && cell.quantity == "n^2 max |psi'|") printed.emplace_back(cell.n.value(), cell.printed);
   }
 
-  Rational shortcut_at(int n) const { return shortcut.at(static_cast<std::size_t>(n) - 1).second; }
+  Rational recipe_at(int n) const { return recipe.at(static_cast<std::size_t>(n) - 1).second; }
 };
 
 formats::Figure plot(const std::vector<Course>& courses, const Suggested& suggested) {
@@ -87,15 +87,15 @@ formats::Figure plot(const std::vector<Course>& courses, const Suggested& sugges
     const std::string label = course.degree == degrees().front() ? "limits C_d" : "";
     values.curves.push_back({label, {{1, limit}, {last_n_of_figure_8, limit}}});
   }
-  formats::Curve printed{"printed in Table 3", {}, true}, shortcut{"shortcut", {}, true};
+  formats::Curve printed{"printed in Table 3", {}, true}, recipe{"recipe", {}, true};
   for (const auto& [n, text] : suggested.printed) printed.points.emplace_back(n, std::stod(text));
-  for (const auto& [n, value] : suggested.shortcut) shortcut.points.emplace_back(n, value.convert_to<double>());
+  for (const auto& [n, value] : suggested.recipe) recipe.points.emplace_back(n, value.convert_to<double>());
   printed.joined = false;
-  degree_one.curves = {scaled_curve("certified", courses.front().slopes, 2), shortcut, printed};
+  degree_one.curves = {scaled_curve("certified", courses.front().slopes, 2), recipe, printed};
   return {"conjecture7",
           "Conjecture 7, both halves",
           "Above: n max psi tends to its limits (horizontal lines), with an error that falls like 1/n. Below: n^2 max "
-          "|psi'| falls to 0 (left); for d = 1 the printed values and the shortcut that gives their digits stay far "
+          "|psi'| falls to 0 (left); for d = 1 the printed values and the recipe that gives their digits stay far "
           "above it (right). Certified values have relative width 1e-6.",
           2,
           {values, deviations, slopes, degree_one}};
@@ -126,15 +126,15 @@ std::string in_words(const std::vector<std::string>& words) {
 }
 
 std::vector<std::string> story(const std::vector<Course>& courses, const Suggested& suggested,
-                               const ShortcutSearch& search) {
+                               const statements::dyn_2015::NumericalRecipeSearch& search) {
   const Course& first = courses.front();
-  std::vector<std::string> sizes, printed, certified, by_shortcut, constants, falls;
+  std::vector<std::string> sizes, printed, certified, by_recipe, constants, falls;
   for (const auto& [n, text] : suggested.printed) {
     if (n == 1) continue;  // the kink of the hat function, not of the rate
     sizes.push_back(std::to_string(n));
     printed.push_back(text);
     certified.push_back(to_decimal(n * n * *first.slope_at(n).upper, 3, Rounding::up));
-    by_shortcut.push_back(to_fixed(suggested.shortcut_at(n), 4, Rounding::nearest));
+    by_recipe.push_back(to_fixed(suggested.recipe_at(n), 4, Rounding::nearest));
   }
   for (const Course& course : courses) {
     const DecayFinding finding = decay_finding(2, course.slopes);
@@ -152,10 +152,10 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
           in_words(sizes) + " it prints n^2 max |psi'| = " + in_words(printed) +
           ". Over all x, n^2 max |psi'| is proved to be at most " + in_words(certified) + " there.",
       "Where the printed values may come from. Of the " + std::to_string(search.cells()) + " printed values, " +
-          std::to_string(search.cells_given()) + " have the digits of one numerical shortcut: " +
-          variance_shortcuts()[search.best()].text() + ". For d = 1 and n = " + in_words(sizes) +
-          " it gives n^2 max |psi'| = " + in_words(by_shortcut) + " and at n = " + last + " still " +
-          to_fixed(suggested.shortcut_at(last_n_of_figure_8), 4, Rounding::nearest) +
+          std::to_string(search.cells_given()) + " have the digits of one numerical recipe: " +
+          statements::dyn_2015::numerical_recipes()[search.best()].text() + ". For d = 1 and n = " + in_words(sizes) +
+          " it gives n^2 max |psi'| = " + in_words(by_recipe) + " and at n = " + last + " still " +
+          to_fixed(suggested.recipe_at(last_n_of_figure_8), 4, Rounding::nearest) +
           ". The terms that such a sum leaves out have slopes of their own, far larger than those of psi, and these "
           "are what it measures. What was really computed for the paper we cannot know.",
       "What is true of the first half. It holds, as a rate and for every degree: n max psi tends to a constant, " +
@@ -168,14 +168,14 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
 
 }  // namespace
 
-formats::Section conjecture_7_section(Workshop& workshop) {
-  workshop.need_variance(schemes_of_figure_8());
-  workshop.say("conjecture7");
+formats::Section conjecture_7_section(ComputedQuantities& quantities) {
+  quantities.need_variance(schemes_of_figure_8());
+  quantities.say("conjecture7");
   std::vector<Course> courses;
-  for (int degree : degrees()) courses.emplace_back(degree, workshop);
-  const Suggested suggested(workshop);
+  for (int degree : degrees()) courses.emplace_back(degree, quantities);
+  const Suggested suggested(quantities);
   formats::Section section{"conjecture-7", "Conjecture 7: what is true",
-                           story(courses, suggested, workshop.shortcuts())};
+                           story(courses, suggested, quantities.recipes())};
   section.tables.push_back(limits(courses));
   section.figures.push_back(plot(courses, suggested));
   return section;

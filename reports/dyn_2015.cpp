@@ -1,8 +1,8 @@
 #include "dyn_2015.hpp"
 
+#include "computed_quantities.hpp"
 #include "conjecture_story.hpp"
 #include "dyn_2015_variance.hpp"
-#include "dyn_2015_workshop.hpp"
 #include "paper_experiments.hpp"
 #include "theorem_section.hpp"
 
@@ -42,11 +42,11 @@ formats::ComparisonTable compare_supports(const formats::PublishedTable& table) 
   return result;
 }
 
-formats::ComparisonTable compare_bounds(const formats::PublishedTable& table, Workshop& workshop) {
-  workshop.need_bounds(schemes_of(table));
+formats::ComparisonTable compare_bounds(const formats::PublishedTable& table, ComputedQuantities& quantities) {
+  quantities.need_bounds(schemes_of(table));
   formats::ComparisonTable result = empty_table(table);
   for (const formats::PublishedCell& cell : table.cells)
-    result.comparisons.push_back(compare_number(cell, workshop.bounds(cell.scheme).last().exponent));
+    result.comparisons.push_back(compare_number(cell, quantities.bounds(cell.scheme).last().exponent));
   return result;
 }
 
@@ -69,20 +69,20 @@ formats::Figure figure_1() {
         {"S_" + std::to_string(n),
          "x",
          "phi",
-         {{"", curve_points(limit_values(make_scheme(scheme_text("primal", n)).mask, plot_level))}}});
+         {{"", curve_points(limit_values(make_scheme(statements::specification("primal", n)).mask, plot_level))}}});
   return figure;
 }
 
 std::vector<std::string> bound_schemes() {
   std::vector<std::string> result;
   for (const char* family : {"primal", "dual"})
-    for (int n = 2; n <= 10; ++n) result.push_back(scheme_text(family, n));
+    for (int n = 2; n <= 10; ++n) result.push_back(statements::specification(family, n));
   return result;
 }
 
 /// How the bounds move with the number of levels.
-void explain_levels(formats::Section& section, Workshop& workshop) {
-  workshop.need_bounds(bound_schemes());
+void explain_levels(formats::Section& section, ComputedQuantities& quantities) {
+  quantities.need_bounds(bound_schemes());
   const std::vector<int> shown{1, 2, 4, 8, 12, 16};
   formats::PlainTable table{"levels", "The bound after L levels", {"scheme"}, {}};
   for (int level : shown) table.head.push_back("L = " + std::to_string(level));
@@ -90,7 +90,7 @@ void explain_levels(formats::Section& section, Workshop& workshop) {
   std::string largest_scheme;
   int decreasing = 0, pairs = 0;
   for (const std::string& name : bound_schemes()) {
-    const HolderBounds& bounds = workshop.bounds(name);
+    const HolderBounds& bounds = quantities.bounds(name);
     const auto at = [&](int level) -> const Rational& {
       return *bounds.levels[static_cast<std::size_t>(level) - 1].exponent.lower;
     };
@@ -124,7 +124,7 @@ void explain_levels(formats::Section& section, Workshop& workshop) {
     formats::Panel panel{std::string(family) + " schemes", "levels", "bound", {}, false, "bottom right"};
     for (int n : {2, 3, 4, 5, 7, 10}) {
       formats::Curve curve{"n = " + std::to_string(n), {}, true};
-      for (const HolderBound& bound : workshop.bounds(scheme_text(family, n)).levels)
+      for (const HolderBound& bound : quantities.bounds(statements::specification(family, n)).levels)
         if (*bound.exponent.lower > 0)
           curve.points.emplace_back(bound.levels, bound.exponent.lower->convert_to<double>());
       panel.curves.push_back(curve);
@@ -135,8 +135,8 @@ void explain_levels(formats::Section& section, Workshop& workshop) {
 }
 
 /// The exponents themselves beside what sixteen levels show.
-formats::Section exponents(Workshop& workshop) {
-  workshop.need_exponents(bound_schemes());
+formats::Section exponents(ComputedQuantities& quantities) {
+  quantities.need_exponents(bound_schemes());
   formats::Section section{"exponents", "What the paper could not see", {}};
   formats::PlainTable table{
       "exponents",
@@ -152,14 +152,15 @@ formats::Section exponents(Workshop& workshop) {
   Rational widest = 0;
   std::string trend;
   for (const char* family : {"primal", "dual"}) {
-    const formats::PublishedTable& printed = workshop.published(family == std::string("primal") ? "table1" : "table2");
+    const formats::PublishedTable& printed = quantities.published(family == std::string("primal") ? "table1"
+                                                                                                  : "table2");
     formats::Curve bound_curve{"printed bound", {}, true}, upper_curve{"exponent, proved upper end", {}, true},
         lower_curve{"exponent, proved lower end", {}, true};
     bool closed = true;
     std::string largest, above;  // the largest printed bound, and the n whose exponents are proved to exceed it
     for (const formats::PublishedCell& cell : printed.cells) largest = std::max(largest, cell.printed);
     for (int n = 2; n <= 10; ++n) {
-      const HolderRegularity& regularity = workshop.exponent(scheme_text(family, n));
+      const HolderRegularity& regularity = quantities.exponent(statements::specification(family, n));
       const Rational low = *regularity.exponent.lower, high = *regularity.exponent.upper;
       const std::string bound = printed.cells[static_cast<std::size_t>(n) - 2].printed;
       if (formats::compare(largest, Enclosure::at_least(low)) == Verdict::mismatch)
@@ -170,7 +171,8 @@ formats::Section exponents(Workshop& workshop) {
       ++total;
       std::string word;
       for (int letter : regularity.radius.product.word) word += std::to_string(letter);
-      table.rows.push_back({scheme_text(family, n), bound, decimal(*regularity.bounds.last().exponent.lower, 4),
+      table.rows.push_back({statements::specification(family, n), bound,
+                            decimal(*regularity.bounds.last().exponent.lower, 4),
                             regularity.radius.exact.is_yes()
                                 ? decimal(low, 12)
                                 : to_fixed(low, 4, Rounding::down) + " ... " + to_fixed(high, 4, Rounding::up),
@@ -227,12 +229,12 @@ const std::vector<std::string>& dyn_2015_items() {
 Report report_dyn_2015(const ReportOptions& options) {
   const std::set<std::string> only(options.only.begin(), options.only.end());
   const auto wanted = [&](const char* item) { return only.empty() || only.contains(item); };
-  Workshop workshop(options);
-  Report report{workshop.paper().key, statements::citation(workshop.paper().key), {}};
+  ComputedQuantities quantities(options);
+  Report report{quantities.paper().key, statements::citation(quantities.paper().key), {}};
 
   formats::Section masks{"masks", "Masks, supports and basic limit functions", {}};
-  if (wanted("masks")) masks.comparisons.push_back(compare_masks(workshop.published("masks")));
-  if (wanted("supports")) masks.comparisons.push_back(compare_supports(workshop.published("supports")));
+  if (wanted("masks")) masks.comparisons.push_back(compare_masks(quantities.published("masks")));
+  if (wanted("supports")) masks.comparisons.push_back(compare_supports(quantities.published("supports")));
   if (wanted("fig1")) masks.figures.push_back(figure_1());
   if (!masks.comparisons.empty())
     masks.paragraphs.push_back(
@@ -246,7 +248,7 @@ Report report_dyn_2015(const ReportOptions& options) {
   formats::Section bounds{"bounds", "Lower bounds of the Hoelder exponent", {}};
   for (const char* id : {"table1", "table2"})
     if (wanted(id)) {
-      bounds.comparisons.push_back(compare_bounds(workshop.published(id), workshop));
+      bounds.comparisons.push_back(compare_bounds(quantities.published(id), quantities));
       bounds.paragraphs.push_back((id == std::string("table1") ? "Table 1: " : "Table 2: ") +
                                   verdict_sentence(bounds.comparisons.back()));
     }
@@ -254,15 +256,15 @@ Report report_dyn_2015(const ReportOptions& options) {
     bounds.paragraphs.push_back(
         "Computed is the sixteen-level bound of Dyn and Levin: the norm behind it is an exact "
         "rational number, and only its logarithm is rounded, outward.");
-  if (wanted("levels")) explain_levels(bounds, workshop);
+  if (wanted("levels")) explain_levels(bounds, quantities);
 
   formats::Section sharp{"exponents", "", {}};
-  if (wanted("exponents")) sharp = exponents(workshop);
+  if (wanted("exponents")) sharp = exponents(quantities);
 
-  formats::Section variance = variance_section(options, workshop), conjecture, theorems;
-  if (wanted("conjecture7")) conjecture = conjecture_7_section(workshop);
+  formats::Section variance = variance_section(options, quantities), conjecture, theorems;
+  if (wanted("conjecture7")) conjecture = conjecture_7_section(quantities);
   if (wanted("theorems")) {
-    workshop.say("theorems");
+    quantities.say("theorems");
     theorems = theorem_section(options);
   }
 

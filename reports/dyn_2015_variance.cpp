@@ -11,13 +11,13 @@
 namespace subcert::reports {
 namespace {
 
-formats::ComparisonTable compare_table_3(const formats::PublishedTable& table, Workshop& workshop) {
-  workshop.need_variance(schemes_of(table));
-  const ShortcutSearch& search = workshop.shortcuts();
+formats::ComparisonTable compare_table_3(const formats::PublishedTable& table, ComputedQuantities& quantities) {
+  quantities.need_variance(schemes_of(table));
+  const statements::dyn_2015::NumericalRecipeSearch& search = quantities.recipes();
   formats::ComparisonTable result = empty_table(table);
   for (const formats::PublishedCell& cell : table.cells) {
-    const VarianceFacts& facts = workshop.variance(cell.scheme);
-    const VarianceCell what(cell);
+    const VarianceFacts& facts = quantities.variance(cell.scheme);
+    const auto what = statements::dyn_2015::scaled_maximum(cell);
     formats::Comparison comparison = compare_number(cell,
                                                     scaled(what.slope ? facts.slope : facts.maximum, what.factor));
     if (comparison.verdict == Verdict::mismatch) {
@@ -34,7 +34,8 @@ formats::ComparisonTable compare_table_3(const formats::PublishedTable& table, W
 }
 
 formats::Curve variance_curve(int n, int degree, const std::string& label) {
-  const VarianceGrid grid = variance_grid(make_scheme(scheme_text("primal", n, degree)).mask, plot_level, false);
+  const VarianceGrid grid = variance_grid(make_scheme(statements::specification("primal", n, degree)).mask, plot_level,
+                                          false);
   formats::Curve curve{label, {}};
   for (std::size_t i = 0; i < grid.values.size(); ++i)
     curve.points.emplace_back((Rational(i) * grid.step()).convert_to<double>(), grid.values[i].convert_to<double>());
@@ -52,13 +53,13 @@ formats::Figure figure_2() {
   return figure;
 }
 
-formats::Figure figure_8(Workshop& workshop) {
-  workshop.need_variance(schemes_of_figure_8());
+formats::Figure figure_8(ComputedQuantities& quantities) {
+  quantities.need_variance(schemes_of_figure_8());
   formats::Panel left{"n max psi", "n", "", {}}, right{"n^2 max |psi'|", "n", "", {}, true};
   for (int degree : {1, 3, 5}) {
     formats::Curve values{"d = " + std::to_string(degree), {}, true}, slopes = values;
     for (int n = (degree + 1) / 2; n <= last_n_of_figure_8; ++n) {
-      const VarianceFacts& facts = workshop.variance(scheme_text("primal", n, degree));
+      const VarianceFacts& facts = quantities.variance(statements::specification("primal", n, degree));
       values.points.emplace_back(n, Rational(n * *facts.maximum.lower).convert_to<double>());
       slopes.points.emplace_back(n, Rational(n * n * *facts.slope.lower).convert_to<double>());
     }
@@ -82,8 +83,8 @@ formats::Figure figure_9() {
 
 /// The certified numbers beside a figure of curves.
 formats::PlainTable extremes_table(const std::string& id, const std::string& title,
-                                   const std::vector<std::string>& schemes, Workshop& workshop) {
-  workshop.need_variance(schemes);
+                                   const std::vector<std::string>& schemes, ComputedQuantities& quantities) {
+  quantities.need_variance(schemes);
   const auto certain = [](const Enclosure& e) {
     constexpr int digits = 6;
     return e.is_exact() ? to_decimal(*e.lower, digits, Rounding::nearest)
@@ -91,15 +92,16 @@ formats::PlainTable extremes_table(const std::string& id, const std::string& tit
   };
   formats::PlainTable table{id, title, {"scheme", "max psi", "min psi", "max |psi'|"}, {}};
   for (const std::string& scheme : schemes) {
-    const VarianceFacts& facts = workshop.variance(scheme);
+    const VarianceFacts& facts = quantities.variance(scheme);
     table.rows.push_back({scheme, certain(facts.maximum), certain(facts.minimum), certain(facts.slope)});
   }
   return table;
 }
 
-std::string slope_sentence(Workshop& workshop) {
+std::string slope_sentence(ComputedQuantities& quantities) {
   const auto scaled_slope = [&](int n) {
-    return to_decimal(n * n * *workshop.variance(scheme_text("primal", n)).slope.upper, 3, Rounding::up);
+    return to_decimal(n * n * *quantities.variance(statements::specification("primal", n)).slope.upper, 3,
+                      Rounding::up);
   };
   return "Figure 8. The paper reads its right panel as nearly constant. Certified, n^2 times the largest slope for "
          "degree 1 falls from " +
@@ -111,14 +113,14 @@ std::string slope_sentence(Workshop& workshop) {
 
 }  // namespace
 
-formats::Section variance_section(const ReportOptions& options, Workshop& workshop) {
+formats::Section variance_section(const ReportOptions& options, ComputedQuantities& quantities) {
   const auto wanted = [&](const char* item) {
     return options.only.empty() || std::find(options.only.begin(), options.only.end(), item) != options.only.end();
   };
   formats::Section section{"variance", "The variance curves", {}};
   if (wanted("table3")) {
-    workshop.say("table3");
-    section.comparisons.push_back(compare_table_3(workshop.published("table3"), workshop));
+    quantities.say("table3");
+    section.comparisons.push_back(compare_table_3(quantities.published("table3"), quantities));
     section.paragraphs.push_back("Table 3: " + verdict_sentence(section.comparisons.back()));
     section.paragraphs.push_back(
         "What the verdicts mean. Maxima of psi and of |psi'| are enclosed over all of [0, 1], to a relative width of "
@@ -126,31 +128,31 @@ formats::Section variance_section(const ReportOptions& options, Workshop& worksh
         "there is also a witness that anyone can evaluate: an exact value of psi at a dyadic point, or a divided "
         "difference of two such values, which bounds the largest slope from below.");
     section.paragraphs.push_back(
-        "Where the digits may come from. " + workshop.shortcuts().summary() +
+        "Where the digits may come from. " + quantities.recipes().summary() +
         " That it gives the digits does not prove that it is what was computed. It leaves out the ends of the support, "
         "which lowers the maxima of psi a little and adds a slope that psi does not have. docs/table-3.md lists what "
         "was tried.");
   }
   for (const char* item : {"fig2", "fig8", "fig9"}) {
     if (!wanted(item)) continue;
-    workshop.say(item);
-    section.comparisons.push_back(compare_statements(workshop.published(item), workshop));
+    quantities.say(item);
+    section.comparisons.push_back(compare_statements(quantities.published(item), quantities));
     section.paragraphs.push_back("Statements about Figure " + std::string(item + 3) + ": " +
                                  std::to_string(section.comparisons.back().count(Verdict::match)) + " of " +
                                  std::to_string(section.comparisons.back().comparisons.size()) + " hold.");
   }
   if (wanted("fig2")) {
     section.tables.push_back(
-        extremes_table("fig2-values", "Figure 2, enclosed over all x", schemes_of_figure_2(), workshop));
+        extremes_table("fig2-values", "Figure 2, enclosed over all x", schemes_of_figure_2(), quantities));
     section.figures.push_back(figure_2());
   }
   if (wanted("fig8")) {
-    section.figures.push_back(figure_8(workshop));
-    section.paragraphs.push_back(slope_sentence(workshop));
+    section.figures.push_back(figure_8(quantities));
+    section.paragraphs.push_back(slope_sentence(quantities));
   }
   if (wanted("fig9")) {
     section.tables.push_back(
-        extremes_table("fig9-values", "Figure 9, enclosed over all x", schemes_of_figure_9(), workshop));
+        extremes_table("fig9-values", "Figure 9, enclosed over all x", schemes_of_figure_9(), quantities));
     section.figures.push_back(figure_9());
   }
   return section;

@@ -78,7 +78,7 @@ std::string summary(const std::vector<CheckedStatement>& checked) {
   return "<div class=scroll><table class=summary>\n<tr><th>paper</th>" + head + "</tr>\n" + body + "</table></div>\n";
 }
 
-std::string paper_section(const statements::PaperStatements& paper, const std::vector<CheckedStatement>& checked) {
+std::string paper_section(const statements::Paper& paper, const std::vector<CheckedStatement>& checked) {
   std::vector<const CheckedStatement*> wrong, right, open;
   for (const CheckedStatement& one : checked) {
     if (one.statement->paper() != paper.key) continue;
@@ -110,7 +110,7 @@ std::vector<CheckedStatement> check_statements(const std::vector<const Statement
       progress(chosen[i]->id);
     }
     const auto start = std::chrono::steady_clock::now();
-    Outcome outcome = check(*chosen[i], statements::Context(statements::transcriptions(), tier));
+    Outcome outcome = check(*chosen[i], tier);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     results[i] = {chosen[i], std::move(outcome), passed.count()};
   });

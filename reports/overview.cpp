@@ -34,7 +34,7 @@ Score values_of(const Report& report) {
 Score claims_of(const Report& report) {
   Score score;
   for (const experiments::RanExperiment& ran : report.experiments)
-    for (const experiments::Claim& claim : ran.result.claims) score.add(claim.finding);
+    for (const experiments::DecidedClaim& claim : ran.result.claims) score.add(claim.finding);
   return score;
 }
 
@@ -95,7 +95,7 @@ std::vector<std::string> deviations(const Findings& findings, bool only_alarms) 
             fmt::format("{} {}: {}: printed {}, computed {}{}", report.paper, table->id, c.cell(), c.printed,
                         c.computed_text(), c.note.empty() ? "" : " (" + c.note + ")"));
     for (const experiments::RanExperiment& ran : report.experiments)
-      for (const experiments::Claim& c : ran.result.claims)
+      for (const experiments::DecidedClaim& c : ran.result.claims)
         add(c.finding, c.recorded, fmt::format("{}: {} ({})", ran.experiment->id, c.sentence, c.numbers));
   }
   for (const CheckedStatement& one : findings.statements)

@@ -275,9 +275,7 @@ bool Report::as_recorded() const {
                      [](const experiments::RanExperiment& e) { return e.result.as_recorded(); });
 }
 
-std::vector<std::string> reproducible_papers() {
-  return {"dyn-2015", "mustafa-li-2015", "mustafa-hameed", "mustafa-bari-2016"};
-}
+std::vector<std::string> reproducible_papers() { return statements::paper_keys(); }
 
 std::vector<std::string> report_items(const std::string& paper) {
   if (paper == "dyn-2015") return dyn_2015_items();

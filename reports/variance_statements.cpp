@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <map>
 
 namespace subcert::reports {
 namespace {
@@ -22,17 +22,17 @@ struct Answer {
   std::string text;
 };
 
-const VarianceFacts& facts_of(Workshop& workshop, int n, int degree = 1) {
-  workshop.need_variance({scheme_text("primal", n, degree)});
-  return workshop.variance(scheme_text("primal", n, degree));
+const VarianceFacts& facts_of(ComputedQuantities& quantities, int n, int degree = 1) {
+  quantities.need_variance({statements::specification("primal", n, degree)});
+  return quantities.variance(statements::specification("primal", n, degree));
 }
 
 /// psi_n <= 1, with strict inequality for n > 1.
-Answer below_one(Workshop& workshop) {
+Answer below_one(ComputedQuantities& quantities) {
   std::vector<Truth> truths;
   std::vector<std::string> bounds;
   for (int n = 1; n <= last_n_of_figure_2; ++n) {
-    const Enclosure& maximum = facts_of(workshop, n).maximum;
+    const Enclosure& maximum = facts_of(quantities, n).maximum;
     truths.push_back(n == 1 ? truth_of(*maximum.upper <= 1, *maximum.lower > 1)
                             : truth_of(*maximum.upper < 1, *maximum.lower >= 1));
     bounds.push_back(maximum.upper_text(digits));
@@ -58,7 +58,8 @@ Answer decreasing_in_n(int first, int last, int degree) {
   std::vector<Truth> truths;
   std::vector<std::string> words;
   for (int n = first; n < last; ++n) {
-    const Answer one = ordered(scheme_text("primal", n + 1, degree), scheme_text("primal", n, degree));
+    const Answer one = ordered(statements::specification("primal", n + 1, degree),
+                               statements::specification("primal", n, degree));
     truths.push_back(one.truth);
     words.push_back("n = " + std::to_string(n) + " to " + std::to_string(n + 1) + ": " + one.text);
   }
@@ -67,13 +68,19 @@ Answer decreasing_in_n(int first, int last, int degree) {
   return {all_of(truths), text};
 }
 
+Answer increasing_in_d() {
+  const Answer low = ordered(statements::specification("primal", 5, 1), statements::specification("primal", 5, 3));
+  const Answer high = ordered(statements::specification("primal", 5, 3), statements::specification("primal", 5, 5));
+  return {all_of({low.truth, high.truth}), "d = 1 and 3: " + low.text + "; d = 3 and 5: " + high.text};
+}
+
 /// The heights of the curves call for different scales: each is below half of the one before.
-Answer different_scales(Workshop& workshop) {
+Answer different_scales(ComputedQuantities& quantities) {
   std::vector<Truth> truths;
   std::vector<std::string> words;
   Enclosure before;
   for (int n = 1; n <= last_n_of_figure_2; ++n) {
-    const VarianceFacts& facts = facts_of(workshop, n);
+    const VarianceFacts& facts = facts_of(quantities, n);
     const Enclosure height{*facts.maximum.lower - *facts.minimum.upper, *facts.maximum.upper - *facts.minimum.lower};
     if (n > 1) truths.push_back(truth_of(2 * *height.upper < *before.lower, 2 * *height.lower >= *before.upper));
     before = height;
@@ -84,13 +91,13 @@ Answer different_scales(Workshop& workshop) {
 }
 
 /// Theorem 6, first sentence: positive, symmetric, of period 1.
-Answer positive_and_symmetric(Workshop& workshop) {
+Answer positive_and_symmetric(ComputedQuantities& quantities) {
   std::vector<Truth> truths;
   std::vector<std::string> bounds;
   for (int n = 1; n <= last_n_of_figure_2; ++n) {
-    const LaurentPolynomial symbol = make_scheme(scheme_text("primal", n)).mask.symbol();
+    const LaurentPolynomial symbol = make_scheme(statements::specification("primal", n)).mask.symbol();
     truths.push_back(truth_of(symbol == symbol.reversed(), symbol != symbol.reversed()));
-    const Enclosure& minimum = facts_of(workshop, n).minimum;
+    const Enclosure& minimum = facts_of(quantities, n).minimum;
     truths.push_back(truth_of(*minimum.lower > 0, *minimum.upper <= 0));
     bounds.push_back(minimum.lower_text(digits));
   }
@@ -99,13 +106,13 @@ Answer positive_and_symmetric(Workshop& workshop) {
 }
 
 /// Whether a scaled maximum is approximately constant: its observed rate is that of the scaling.
-Answer rate_over(Workshop& workshop, int degree, const std::vector<int>& sizes, bool slope) {
+Answer rate_over(ComputedQuantities& quantities, int degree, const std::vector<int>& sizes, bool slope) {
   std::vector<std::string> schemes;
-  for (int n : sizes) schemes.push_back(scheme_text("primal", n, degree));
-  workshop.need_variance(schemes);
+  for (int n : sizes) schemes.push_back(statements::specification("primal", n, degree));
+  quantities.need_variance(schemes);
   std::vector<conjectures::CertifiedMaximum> values;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const VarianceFacts& facts = workshop.variance(schemes[i]);
+    const VarianceFacts& facts = quantities.variance(schemes[i]);
     values.push_back({sizes[i], slope ? facts.slope : facts.maximum});
   }
   const conjectures::DecayFinding finding = conjectures::decay_finding(slope ? 2 : 1, values);
@@ -118,66 +125,65 @@ std::vector<int> sizes_of_figure_8(int degree) {
   return sizes;
 }
 
-std::vector<int> sizes_of_table_3(const formats::PublishedTable& table, int degree) {
+/// The sizes of a sentence about Figure 8 or about Table 3, whose cells of one degree stand together.
+std::vector<int> sizes_of(const formats::PublishedCell& sentence, ComputedQuantities& quantities) {
+  const int degree = sentence.d.value();
+  if (sentence.over == "Figure 8") return sizes_of_figure_8(degree);
   std::vector<int> sizes;
-  for (const formats::PublishedCell& cell : table.cells)
-    if (cell.row.starts_with("d=" + std::to_string(degree) + ",")) {
-      const int n = VarianceCell(cell).n;
-      if (sizes.empty() || sizes.back() != n) sizes.push_back(n);
-    }
+  for (const formats::PublishedCell& cell : quantities.published("table3").cells)
+    if (cell.d == degree && (sizes.empty() || sizes.back() != *cell.n)) sizes.push_back(*cell.n);
   return sizes;
 }
 
-Answer answer(const formats::PublishedCell& cell, Workshop& workshop) {
-  const std::string& what = cell.quantity;
-  if (what == "below one") return below_one(workshop);
-  if (what == "one at integers") return one_at_integers();
-  if (what == "smaller with n") return decreasing_in_n(1, last_n_of_figure_2, 1);
-  if (what == "scales") return different_scales(workshop);
-  if (what == "positive") return positive_and_symmetric(workshop);
-  if (what == "larger with d") {
-    const Answer low = ordered(scheme_text("primal", 5, 1), scheme_text("primal", 5, 3));
-    const Answer high = ordered(scheme_text("primal", 5, 3), scheme_text("primal", 5, 5));
-    return {all_of({low.truth, high.truth}), "d = 1 and 3: " + low.text + "; d = 3 and 5: " + high.text};
-  }
-  if (what == "smaller with n for d = 3") return decreasing_in_n(2, 7, 3);
-  // The maxima of psi or of |psi'|, the degree, and where the sizes are taken from.
-  for (const int degree : {1, 3, 5})
-    for (const bool slope : {false, true}) {
-      const std::string rate = fmt::format("{} {} ", slope ? "slope" : "value", degree);
-      if (what == rate + "figure") return rate_over(workshop, degree, sizes_of_figure_8(degree), slope);
-      if (what == rate + "table")
-        return rate_over(workshop, degree, sizes_of_table_3(workshop.published("table3"), degree), slope);
-    }
-  fail(ErrorKind::domain, "unknown statement '{}'", what);
+using Answerer = Answer (*)(const formats::PublishedCell&, ComputedQuantities&);
+
+/// The answers by the quantity that a sentence is about.
+const std::map<std::string, Answerer> answers{
+    {"below one", [](const auto&, ComputedQuantities& all) { return below_one(all); }},
+    {"one at integers", [](const auto&, ComputedQuantities&) { return one_at_integers(); }},
+    {"smaller with n", [](const auto&, ComputedQuantities&) { return decreasing_in_n(1, last_n_of_figure_2, 1); }},
+    {"scales", [](const auto&, ComputedQuantities& all) { return different_scales(all); }},
+    {"positive", [](const auto&, ComputedQuantities& all) { return positive_and_symmetric(all); }},
+    {"larger with d", [](const auto&, ComputedQuantities&) { return increasing_in_d(); }},
+    {"smaller with n for d = 3", [](const auto&, ComputedQuantities&) { return decreasing_in_n(2, 7, 3); }},
+    {"n max psi",
+     [](const auto& cell, ComputedQuantities& all) { return rate_over(all, *cell.d, sizes_of(cell, all), false); }},
+    {"n^2 max |psi'|",
+     [](const auto& cell, ComputedQuantities& all) { return rate_over(all, *cell.d, sizes_of(cell, all), true); }},
+};
+
+Answer answer(const formats::PublishedCell& cell, ComputedQuantities& quantities) {
+  const auto found = answers.find(cell.quantity);
+  require(found != answers.end(), "unknown statement '{}'", cell.quantity);
+  return found->second(cell, quantities);
 }
 
 }  // namespace
 
 std::vector<std::string> schemes_of_figure_2() {
   std::vector<std::string> schemes;
-  for (int n = 1; n <= last_n_of_figure_2; ++n) schemes.push_back(scheme_text("primal", n));
+  for (int n = 1; n <= last_n_of_figure_2; ++n) schemes.push_back(statements::specification("primal", n));
   return schemes;
 }
 
 std::vector<std::string> schemes_of_figure_8() {
   std::vector<std::string> schemes;
   for (int degree : {1, 3, 5})
-    for (int n : sizes_of_figure_8(degree)) schemes.push_back(scheme_text("primal", n, degree));
+    for (int n : sizes_of_figure_8(degree)) schemes.push_back(statements::specification("primal", n, degree));
   return schemes;
 }
 
 std::vector<std::string> schemes_of_figure_9() {
   std::vector<std::string> schemes;
-  for (int degree : {1, 3, 5}) schemes.push_back(scheme_text("primal", 5, degree));
-  for (int n : {3, 4, 6, 7}) schemes.push_back(scheme_text("primal", n, 3));
+  for (int degree : {1, 3, 5}) schemes.push_back(statements::specification("primal", 5, degree));
+  for (int n : {3, 4, 6, 7}) schemes.push_back(statements::specification("primal", n, 3));
   return schemes;
 }
 
-formats::ComparisonTable compare_statements(const formats::PublishedTable& table, Workshop& workshop) {
+formats::ComparisonTable compare_statements(const formats::PublishedTable& table, ComputedQuantities& quantities) {
   formats::ComparisonTable result = empty_table(table);
   for (const formats::PublishedCell& cell : table.cells) {
-    const Answer given = answer(cell, workshop);
+    const Answer given = answer(cell, quantities);
     result.comparisons.push_back(compare_text(cell, given.text, given.truth));
   }
   return result;

@@ -1,7 +1,7 @@
 #pragma once
 /// What [DHHS15] says about its Figures 2, 8 and 9 and about the scaling of Table 3, each sentence decided.
 
-#include "dyn_2015_workshop.hpp"
+#include "computed_quantities.hpp"
 
 namespace subcert::reports {
 
@@ -14,6 +14,6 @@ std::vector<std::string> schemes_of_figure_9();
 
 /// Domain: the published tables fig2, fig8 and fig9. Errors: throws a domain error for a statement that is not
 /// known.
-formats::ComparisonTable compare_statements(const formats::PublishedTable& table, Workshop& workshop);
+formats::ComparisonTable compare_statements(const formats::PublishedTable& table, ComputedQuantities& quantities);
 
 }  // namespace subcert::reports

@@ -1,55 +1,79 @@
 #include "registry.hpp"
 
-#include "dyn_2015/dyn_2015.hpp"
-#include "mustafa_bari_2016/mustafa_bari_2016.hpp"
-#include "mustafa_hameed/mustafa_hameed.hpp"
-#include "mustafa_li_2015/mustafa_li_2015.hpp"
+#include "dyn-2015/checks.hpp"
+#include "mustafa-bari-2016/checks.hpp"
+#include "mustafa-hameed/checks.hpp"
+#include "mustafa-li-2015/checks.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <fmt/format.h>
 
-#include <stdexcept>
+#include <algorithm>
+#include <map>
+
+namespace subcert {
+extern const std::map<std::string, std::string_view> paper_files;  // paper.toml of each folder, made by the build
+}
 
 namespace subcert::statements {
 namespace {
 
-std::string expanded(std::string text, Form form) {
+struct Registered {
+  std::string key;  ///< the name of the folder
+  Checks (*checks)();
+};
+
+const std::vector<Registered>& registered() {
+  static const std::vector<Registered> all{
+      {"dyn-2015", dyn_2015::checks},
+      {"mustafa-li-2015", mustafa_li_2015::checks},
+      {"mustafa-hameed", mustafa_hameed::checks},
+      {"mustafa-bari-2016", mustafa_bari_2016::checks},
+  };
+  return all;
+}
+
+std::string expanded(std::string text, const Transcriptions& transcriptions, Form form) {
   for (std::size_t open = text.find("<<"); open != std::string::npos; open = text.find("<<", open)) {
     const std::size_t close = text.find(">>", open);
-    const std::string id = text.substr(open + 2, close - open - 2);
-    text.replace(open, close + 2 - open, transcriptions().latex(id, form));
+    text.replace(open, close + 2 - open, transcriptions.latex(text.substr(open + 2, close - open - 2), form));
   }
   return text;
 }
 
 }  // namespace
 
-const std::vector<PaperStatements>& papers() {
-  static const std::vector<PaperStatements> all{dyn_2015::paper(), mustafa_li_2015::paper(), mustafa_hameed::paper(),
-                                                mustafa_bari_2016::paper()};
-  return all;
+const std::vector<std::string>& paper_keys() {
+  static const std::vector<std::string> keys = [] {
+    std::vector<std::string> list;
+    for (const Registered& one : registered()) list.push_back(one.key);
+    return list;
+  }();
+  return keys;
 }
 
-const std::string& citation(const std::string& paper) {
-  for (const PaperStatements& candidate : papers())
-    if (candidate.key == paper) return candidate.citation;
-  fail(ErrorKind::domain, "unknown paper '{}'", paper);
-}
-
-const Transcriptions& transcriptions() {
-  static const Transcriptions all = [] {
-    std::vector<Transcription> list;
-    for (const PaperStatements& paper : papers())
-      list.insert(list.end(), paper.transcriptions.begin(), paper.transcriptions.end());
-    return Transcriptions(list);
+const std::vector<Paper>& papers() {
+  static const std::vector<Paper> all = [] {
+    std::vector<Paper> list;
+    for (const Registered& one : registered()) try {
+        list.push_back(read_paper(one.key, paper_files.at(one.key), one.checks()));
+      } catch (const Error& error) {
+        fail(error.kind(), "papers/{}/paper.toml: {}", one.key, error.what());
+      }
+    return list;
   }();
   return all;
+}
+
+const Paper& paper(const std::string& key) {
+  for (const Paper& candidate : papers())
+    if (candidate.key == key) return candidate;
+  fail(ErrorKind::domain, "unknown paper '{}'", key);
 }
 
 const std::vector<Statement>& statements() {
   static const std::vector<Statement> all = [] {
     std::vector<Statement> list;
-    for (const PaperStatements& paper : papers())
-      list.insert(list.end(), paper.statements.begin(), paper.statements.end());
+    for (const Paper& one : papers()) list.insert(list.end(), one.statements.begin(), one.statements.end());
     return list;
   }();
   return all;
@@ -59,18 +83,23 @@ std::vector<const Statement*> find_statements(const std::string& id_or_paper) {
   std::vector<const Statement*> result;
   for (const Statement& statement : statements())
     if (statement.id == id_or_paper || statement.paper() == id_or_paper) result.push_back(&statement);
-  if (result.empty()) {
-    std::string known;
-    for (const PaperStatements& paper : papers()) known += (known.empty() ? "" : ", ") + paper.key;
+  if (result.empty())
     fail(ErrorKind::usage,
          "no statement or paper '{}'; the papers are {}, the ids are listed by 'subcert statements list'", id_or_paper,
-         known);
-  }
+         fmt::join(paper_keys(), ", "));
   return result;
 }
 
-std::string printed_latex(const Statement& statement) { return expanded(statement.printed, Form::printed); }
+Outcome check(const Statement& statement, Tier tier) {
+  return check(statement, Context(paper(statement.paper()), tier));
+}
 
-std::string corrected_latex(const Statement& statement) { return expanded(statement.corrected, Form::corrected); }
+std::string printed_latex(const Statement& statement) {
+  return expanded(statement.printed, paper(statement.paper()).transcriptions, Form::printed);
+}
+
+std::string corrected_latex(const Statement& statement) {
+  return expanded(statement.corrected, paper(statement.paper()).transcriptions, Form::corrected);
+}
 
 }  // namespace subcert::statements

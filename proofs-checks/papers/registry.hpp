@@ -1,20 +1,23 @@
 #pragma once
-/// All statements of all papers.
+/// The papers, their statements and what they print.
 
 #include <subcert/proofs-checks/statements/paper.hpp>
 
 namespace subcert::statements {
 
-const std::vector<PaperStatements>& papers();
+/// In order; without reading them.
+const std::vector<std::string>& paper_keys();
+const std::vector<Paper>& papers();
 /// Errors: throws a domain error for an unknown key.
-const std::string& citation(const std::string& paper);
-/// The transcriptions of all papers.
-const Transcriptions& transcriptions();
+const Paper& paper(const std::string& key);
+inline const std::string& citation(const std::string& key) { return paper(key).citation; }
+
 /// All statements, paper by paper.
 const std::vector<Statement>& statements();
-
 /// The statements with this id or of this paper. Errors: throws a usage error that names both.
 std::vector<const Statement*> find_statements(const std::string& id_or_paper);
+/// The check of a statement with its paper.
+Outcome check(const Statement& statement, Tier tier);
 
 /// The printed and the corrected LaTeX with the transcriptions put in.
 std::string printed_latex(const Statement& statement);

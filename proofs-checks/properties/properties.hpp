@@ -1,8 +1,8 @@
 #pragma once
 /// Expected properties of schemes, read from a TOML file and checked: docs/properties.md.
 
-#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/proofs-checks/file_error.hpp>
 
 #include <optional>
 #include <string>
@@ -11,18 +11,7 @@
 
 namespace subcert::properties {
 
-/// Counted from 1.
-struct Place {
-  unsigned line;
-  unsigned column;
-};
-
-/// A file that cannot be read as expected properties; what() is one line `line L, column C: MESSAGE`.
-class FileError : public Error {
- public:
-  FileError(const Place& at, const std::string& message);
-  const Place place;
-};
+using subcert::FileError;
 
 /// One property with what is expected. `expected` is what follows the name in messages: `>= 2`, `yes`, `[-2, 2]`.
 /// Canonical: of relation/number, yes, word and ends exactly what the property needs is present.

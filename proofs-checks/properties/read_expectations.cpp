@@ -1,19 +1,12 @@
 #include "properties.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/proofs-checks/toml_file.hpp>
 #include <subcert/schemes/specification.hpp>
-
-#define TOML_HEADER_ONLY 1
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
 
 #include <algorithm>
 
 namespace subcert::properties {
-
-FileError::FileError(const Place& at, const std::string& message)
-    : Error(ErrorKind::data, fmt::format("line {}, column {}: {}", at.line, at.column, message)), place(at) {}
 
 const std::vector<PropertyHelp>& known_properties() {
   static const std::vector<PropertyHelp> all{
@@ -32,11 +25,6 @@ const std::vector<PropertyHelp>& known_properties() {
 }
 
 namespace {
-
-constexpr std::size_t longest_file = 1'000'000;
-
-Place place_of(const toml::source_region& source) { return {source.begin.line, source.begin.column}; }
-Place place_of(const toml::node& node) { return place_of(node.source()); }
 
 /// An integer, or a rational or decimal number in a string.
 std::optional<Rational> number_in(std::string_view text) {
@@ -153,13 +141,7 @@ ExpectedScheme read_scheme(const toml::table& table) {
 }  // namespace
 
 std::vector<ExpectedScheme> read_expectations(std::string_view text) {
-  if (text.size() > longest_file) throw FileError({1, 1}, "at most 1,000,000 characters");
-  toml::table table;
-  try {
-    table = toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    throw FileError(place_of(error.source()), "not TOML: " + printable(error.description()));
-  }
+  const toml::table table = parse_toml(text);
   std::vector<ExpectedScheme> result;
   const toml::node* list = table.get("scheme");
   if (!list) {

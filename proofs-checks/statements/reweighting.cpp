@@ -2,6 +2,8 @@
 
 #include "normal_equations.hpp"
 
+#include <subcert/schemes/data/l1/l1_regression.hpp>
+
 #include <algorithm>
 #include <random>
 
@@ -36,6 +38,39 @@ WeightedWindow random_window(long first, long last, int variables, unsigned seed
   for (Rational& weight : result.weights) weight = Rational(up_to(9), up_to(9));
   for (Rational& datum : result.data) datum = Rational(up_to(19) - 10, up_to(9));
   return result;
+}
+
+Trial on_random_windows(long first_n, long last_n, bool even, unsigned seeds,
+                        const std::function<Trial(long n, const WeightedWindow&, const std::string& where)>& visit) {
+  Trial trial;
+  for (long n = first_n; n <= last_n; ++n)
+    for (unsigned seed = 1; seed <= seeds; ++seed)
+      if (!trial.follow(visit(n, random_window(even ? 1 - n : -n, n, 1, seed), weighted_case(n, seed)))) return trial;
+  return trial;
+}
+
+std::vector<Variable> numbered(const std::string& name, int count) {
+  std::vector<Variable> result;
+  for (int k = 1; k <= count; ++k) result.push_back({name + std::to_string(k), k});
+  return result;
+}
+
+std::vector<Formula> numbered_formulas(const Context& context, const std::string& prefix, int count) {
+  std::vector<Formula> result;
+  for (const Variable& id : numbered(prefix, count)) result.push_back(context.formula(id.name));
+  return result;
+}
+
+void add_sums(Values& to, const std::string& name, const std::vector<Formula>& terms, const WeightedWindow& window,
+              long first, long last) {
+  for (std::size_t k = 0; k < terms.size(); ++k)
+    to.emplace_back(name + std::to_string(k + 1), sum_over(window, terms[k], first, last));
+}
+
+Rational library_value(const WeightedWindow& window, int degree, const Rational& x, const Rational& y) {
+  std::vector<data::LatticePoint> nodes;
+  for (const auto& [r, s] : window.nodes) nodes.push_back({r, s});
+  return data::weighted_fit(data::RegressionWindow(nodes, degree, {{x, y}}), window.weights, window.data).front();
 }
 
 Rational sum_over(const WeightedWindow& window, const Formula& term, long first, long last, const Values& names) {

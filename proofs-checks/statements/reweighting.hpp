@@ -20,6 +20,21 @@ WeightedWindow window(long first, long last, int variables);
 /// The same with pseudo-random rational weights and data, which depend on the seed alone.
 WeightedWindow random_window(long first, long last, int variables, unsigned seed);
 
+/// Tries windows with random weights, 2n data on a line or, where not `even`, 2n+1, for n = first_n, ..., last_n.
+Trial on_random_windows(long first_n, long last_n, bool even, unsigned seeds,
+                        const std::function<Trial(long n, const WeightedWindow&, const std::string& where)>& visit);
+
+/// NAME1, NAME2, ..., `count` of them, the k-th tried from k on.
+std::vector<Variable> numbered(const std::string& name, int count);
+/// The transcriptions PREFIX1, PREFIX2, ...
+std::vector<Formula> numbered_formulas(const Context& context, const std::string& prefix, int count);
+/// Adds the values NAME1, NAME2, ...: the sums of the terms, as sum_over gives them.
+void add_sums(Values& to, const std::string& name, const std::vector<Formula>& terms, const WeightedWindow& window,
+              long first, long last);
+
+/// The value at (x, y) of the weighted fit of this total degree, by the library's own fits.
+Rational library_value(const WeightedWindow& window, int degree, const Rational& x, const Rational& y = 0);
+
 /// The sum of a term in r, s, w, f and the names given, over the nodes with first <= r, s <= last.
 Rational sum_over(const WeightedWindow& window, const Formula& term, long first, long last, const Values& names = {});
 

@@ -1,9 +1,8 @@
 #pragma once
 /// Statements of papers as executable checks.
 
+#include "published_table.hpp"
 #include "transcription.hpp"
-
-#include <subcert/proofs-checks/verdict.hpp>
 
 #include <functional>
 #include <set>
@@ -25,10 +24,15 @@ struct Outcome {
 /// quick: all statements in a minute; wide: larger ranges.
 enum class Tier { quick, wide };
 
-/// What a check may use. It remembers which transcriptions were read.
+struct Paper;
+
+/// What a check may use: its paper. It remembers which transcriptions were read.
 class Context {
  public:
-  Context(const Transcriptions& transcriptions, Tier tier) : transcriptions_(&transcriptions), tier_(tier) {}
+  Context(const Paper& paper, Tier tier);
+  /// With other transcriptions than those of the paper.
+  Context(const Paper& paper, const Transcriptions& transcriptions, Tier tier)
+      : paper_(&paper), transcriptions_(&transcriptions), tier_(tier) {}
 
   /// The end of a range.
   int reach(int quick, int wide) const { return tier_ == Tier::quick ? quick : wide; }
@@ -37,6 +41,8 @@ class Context {
   std::vector<std::string> words(const std::string& id, Form form = Form::printed) const {
     return noted(id).words(id, form);
   }
+  /// The cells of the tables whose printed values are the words of a transcription.
+  std::vector<PublishedCell> cells(const std::string& id) const;
   const std::set<std::string>& read() const { return read_; }
 
  private:
@@ -45,10 +51,13 @@ class Context {
     return *transcriptions_;
   }
 
+  const Paper* paper_;
   const Transcriptions* transcriptions_;
   Tier tier_;
   mutable std::set<std::string> read_;
 };
+
+using Check = std::function<Outcome(const Context&)>;
 
 /// `printed` and `corrected` are LaTeX, where <<id>> stands for the LaTeX of a transcription in that form. The check
 /// depends on nothing but its context, so that statements can be checked in any order and on several threads.
@@ -60,7 +69,7 @@ struct Statement {
   std::string printed;
   std::string corrected;  ///< empty where nothing is to be corrected
   Verdict recorded;       ///< the verdict that this version is known to reach
-  std::function<Outcome(const Context&)> check;
+  Check check;
 
   std::string paper() const { return id.substr(0, id.find('/')); }
 };

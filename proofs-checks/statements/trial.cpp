@@ -31,20 +31,22 @@ Trial& Trial::for_all(const std::string& range, const std::string& argument) {
   return *this;
 }
 
-Outcome Trial::outcome() const {
+Trial::operator Outcome() const {
   if (failed()) return {Verdict::false_claim, range_, *failure_, ""};
   return {all_ ? Verdict::holds_for_all : Verdict::holds, range_, "", argument_};
 }
 
 Outcome Trial::outcome(const Trial& corrected) const {
-  if (!failed()) return outcome();
+  if (!failed()) return *this;
   if (corrected.failed())
     return {Verdict::false_claim, range_, *failure_, "the corrected form fails too: " + corrected.failure()};
   return {Verdict::misprint, corrected.range_, *failure_,
           corrected.all_ ? "the corrected form holds for all: " + corrected.argument_ : corrected.argument_};
 }
 
-Outcome not_checkable(const std::string& reason) { return {Verdict::not_checkable, "", "", reason}; }
+Outcome in_both_forms(const std::function<Trial(Form)>& trial) {
+  return trial(Form::printed).outcome(trial(Form::corrected));
+}
 
 std::string at(const std::string& name, const Rational& value) { return name + " = " + subcert::to_text(value); }
 

@@ -23,8 +23,8 @@ class Trial {
   bool failed() const { return failure_.has_value(); }
   const std::string& failure() const { return *failure_; }
 
-  /// The verdict about a form without correction.
-  Outcome outcome() const;
+  /// The verdict about a form without correction; implicit, so that a check returns its trial.
+  operator Outcome() const;
   /// The verdict about a printed form, given how its correction did.
   Outcome outcome(const Trial& corrected) const;
 
@@ -35,8 +35,8 @@ class Trial {
   bool all_ = false;
 };
 
-/// For statements that cannot be checked.
-Outcome not_checkable(const std::string& reason);
+/// The verdict about a form that is tried as printed and as corrected.
+Outcome in_both_forms(const std::function<Trial(Form)>& trial);
 
 /// `n = 2`, as in witnesses.
 std::string at(const std::string& name, const Rational& value);

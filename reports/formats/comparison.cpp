@@ -6,11 +6,6 @@
 #include <algorithm>
 
 namespace subcert::formats {
-Verdict parse_verdict(const std::string& text) {
-  for (const Verdict verdict : {Verdict::match, Verdict::mismatch, Verdict::open, Verdict::not_reproducible})
-    if (text == to_text(verdict)) return verdict;
-  fail(ErrorKind::data, "verdict: need match, mismatch, open or not-reproducible, got '{}'", text);
-}
 
 Verdict compare(const std::string& printed, const Enclosure& computed) {
   return comparison_verdict(agrees(read_decimal(printed), computed));

@@ -9,9 +9,6 @@
 
 namespace subcert::formats {
 
-/// `match`, `mismatch`, `open` or `not-reproducible`. Errors: throws a data error for any other word.
-Verdict parse_verdict(const std::string& text);
-
 /// Domain: `printed` is a decimal number as printed; the count of its decimals sets the unit. Errors: throws
 /// a domain error where it is not.
 Verdict compare(const std::string& printed, const Enclosure& computed);

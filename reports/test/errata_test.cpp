@@ -1,29 +1,8 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/errata.hpp>
-#include <subcert/reports/formats/published.hpp>
 
 using namespace subcert;
 using namespace subcert::reports;
-
-// Tables 1 to 3 were typed in twice: as data of the report and as transcriptions of the statements.
-TEST_CASE("both transcriptions of the tables agree") {
-  const formats::PublishedPaper paper = formats::published_paper("dyn-2015");
-  const auto words = [](const std::string& id) {
-    return statements::transcriptions().words("dyn-2015/" + id, statements::Form::printed);
-  };
-  const auto cells = [&](const std::string& table, const std::string& quantity) {
-    std::vector<std::string> printed;
-    for (const formats::PublishedCell& cell : paper.table(table).cells)
-      if (cell.quantity == quantity) printed.push_back(cell.printed);
-    return printed;
-  };
-  CHECK(cells("table1", "holder16") == words("table-1"));
-  CHECK(cells("table2", "holder16") == words("table-2"));
-  CHECK(cells("table3", "variance") == words("table-3-sup"));
-  CHECK(cells("table3", "n*variance") == words("table-3-n-sup"));
-  CHECK(cells("table3", "slope") == words("table-3-slope"));
-  CHECK(cells("table3", "n^2*slope") == words("table-3-n2-slope"));
-}
 
 TEST_CASE("the page shows what is wrong before what holds") {
   std::vector<const statements::Statement*> chosen;

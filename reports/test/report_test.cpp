@@ -16,24 +16,6 @@ using subcert::testing::content;
 using subcert::testing::Folder;
 namespace fs = std::filesystem;
 
-TEST_CASE("the published data are complete and well formed") {
-  const formats::PublishedPaper paper = formats::published_paper("dyn-2015");
-  CHECK(paper.table("masks").cells.size() == 12);
-  CHECK(paper.table("table1").cells.size() == 9);
-  CHECK(paper.table("table2").cells.size() == 9);
-  CHECK(paper.table("table3").cells.size() == 44);
-  for (const formats::PublishedTable& table : paper.tables) {
-    std::set<std::string> places;
-    for (const formats::PublishedCell& cell : table.cells) {
-      CAPTURE(table.id, cell.row, cell.column);
-      CHECK(places.insert(cell.row + "|" + cell.column).second);
-      CHECK(!cell.printed.empty());
-    }
-  }
-  CHECK_FAILS(paper.table("table4"), domain);
-  CHECK_FAILS(formats::published_paper("nobody-1900"), domain);
-}
-
 // The long cases compute what `subcert reproduce` computes, which ./check runs first.
 TEST_CASE("every verdict on Dyn et al. is the recorded one", "[long]") {
   const Report report = make_report(

@@ -1,4 +1,5 @@
 #include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/error_kind.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 
 #include <set>
@@ -8,7 +9,7 @@ using namespace subcert::statements;
 
 TEST_CASE("the registry is complete and well formed") {
   std::set<std::string> ids;
-  for (const PaperStatements& paper : papers())
+  for (const Paper& paper : papers())
     for (const Statement& statement : paper.statements) {
       CAPTURE(statement.id);
       CHECK(ids.insert(statement.id).second);
@@ -16,10 +17,28 @@ TEST_CASE("the registry is complete and well formed") {
       CHECK_FALSE(statement.place.empty());
       CHECK_FALSE(statement.paraphrase.empty());
       CHECK_FALSE(statement.printed.empty());
-      CHECK(static_cast<bool>(statement.check));
       CHECK(statement.corrected.empty() ==
             (statement.recorded != Verdict::misprint && statement.recorded != Verdict::false_claim));
       CHECK_NOTHROW(printed_latex(statement));
       CHECK_NOTHROW(corrected_latex(statement));
     }
+}
+
+TEST_CASE("the printed tables are complete and well formed") {
+  const Paper& dyn = paper("dyn-2015");
+  CHECK(dyn.table("masks").cells.size() == 12);
+  CHECK(dyn.table("table1").cells.size() == 9);
+  CHECK(dyn.table("table2").cells.size() == 9);
+  CHECK(dyn.table("table3").cells.size() == 44);
+  for (const Paper& one : papers())
+    for (const PublishedTable& table : one.tables) {
+      std::set<std::string> places;
+      for (const PublishedCell& cell : table.cells) {
+        CAPTURE(one.key, table.id, cell.row, cell.column);
+        CHECK(places.insert(cell.row + "|" + cell.column).second);
+        CHECK(!cell.printed.empty());
+      }
+    }
+  CHECK_FAILS(dyn.table("table4"), domain);
+  CHECK_FAILS(paper("nobody-1900"), domain);
 }

@@ -5,6 +5,7 @@
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/reports/experiments/figures.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
 #include <cmath>

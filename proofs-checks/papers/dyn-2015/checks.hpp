@@ -1,0 +1,39 @@
+#pragma once
+/// Dyn, Heard, Hormann & Sharon 2015 [DHHS15], statement by statement.
+
+#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/proofs-checks/statements/paper.hpp>
+
+namespace subcert::statements::dyn_2015 {
+
+/// All of them.
+Checks checks();
+
+/// The mask of S_n.
+Mask s_n(long n);
+/// `n = 2..10`, or `n = 2`.
+std::string range(int first, int last);
+/// `n = 2, d = 1`, as in witnesses.
+std::string at_n_d(int n, int d);
+
+/// A maximum of psi or, where `slope`, of |psi'|, times a power of n.
+struct ScaledMaximum {
+  bool slope;
+  int factor;
+};
+/// Domain: a cell of Table 3. Errors: throws a domain error for another quantity.
+ScaledMaximum scaled_maximum(const PublishedCell& cell);
+
+/// The words of a transcription in a table, in both forms, against certified enclosures. Domain: Tables 1, 2 and 3.
+Outcome table_words(const Context& context, const std::string& id);
+
+/// Of one part of the paper each.
+Checks section_2();
+Checks section_2_2();
+Checks section_3();
+Checks section_4();
+Checks section_4_3();
+Checks section_5();
+Checks appendix();
+
+}  // namespace subcert::statements::dyn_2015

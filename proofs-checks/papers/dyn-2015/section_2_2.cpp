@@ -1,0 +1,449 @@
+// Section 2.2: the basic limit function.
+
+#include "checks.hpp"
+
+#include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/proofs-checks/statements/computed.hpp>
+#include <subcert/proofs-checks/statements/mask_form.hpp>
+#include <subcert/schemes/local_regression.hpp>
+
+namespace subcert::statements::dyn_2015 {
+namespace {
+
+/// (6), between a level and the next: the limit does not change when the data are refined.
+Outcome limits_from_shifts(const Context& context) {
+  const int most = context.reach(5, 12);
+  constexpr int level = 3;
+  Trial trial;
+  for (int n = 1; n <= most; ++n) {
+    const Mask mask = s_n(n);
+    const LimitValues phi = limit_values(mask, level + 1);
+    const long reach = 6 * n;
+    const auto datum = [](long j) { return Rational(j * j % 7 - 3, j % 2 == 0 ? 1 : 2); };
+    const auto refined = [&](long i) {
+      Rational sum = 0;
+      for (long j = -2 * reach; j <= 2 * reach; ++j) sum += mask.symbol().coefficient(i - 2 * j) * datum(j);
+      return sum;
+    };
+    std::vector<Rational> finer;
+    for (long i = -reach; i <= reach; ++i) finer.push_back(refined(i));
+    for (long index = 0; index <= 8; ++index) {  // x = index / 8
+      Rational coarse = 0, fine = 0;
+      for (long j = -reach; j <= reach; ++j) {
+        coarse += datum(j) * phi.at(2 * (index - 8 * j));
+        fine += finer[static_cast<std::size_t>(j + reach)] * phi.at(2 * 2 * index - 16 * j);
+      }
+      trial.equal(coarse, fine, at("n", n) + ", " + at("x", Rational(index, 8)));
+    }
+  }
+  return trial.over(range(1, most) + ", x = 0, 1/8, ..., 1, one set of data: refined once and not");
+}
+
+Outcome support(const Context& context) {
+  const int most = context.reach(20, 100);
+  Trial trial = limit_supports(context.formula("support-lower"), context.formula("support-upper"), s_n, 1, most);
+  return trial.for_all("all n >= 1",
+                       "by (3) the mask runs from -2n+1 to 2n-1 for every n, and its ends are those of the support");
+}
+
+Outcome positive_inside(const Context& context) {
+  const int most = context.reach(6, 12);
+  Trial trial;
+  for (int n = 1; n <= most; ++n) {
+    const Rational end = 2 * n - 1;
+    const Decision inside = is_positive(s_n(n), -end + Rational(1, 64), end - Rational(1, 64));
+    trial.require(inside.is_yes(), at("n", n) + ": " + inside.reason);
+  }
+  trial.follow(positive(context.formula("eq-3-odd"), {{"n", "1 + x"}}));
+  trial.follow(positive(context.formula("eq-3-even"), {{"n", "1 + x"}}));
+  return trial.for_all(
+      "all n >= 1",
+      "a scheme with a positive mask on consecutive indices has a positive basic limit function inside its "
+      "support; also decided for " +
+          range(1, most));
+}
+
+Outcome partition_of_unity(const Context& context) {
+  const int most = context.reach(10, 30);
+  constexpr int level = 4;
+  Trial trial;
+  for (int n = 1; n <= most; ++n) {
+    const LimitValues phi = limit_values(s_n(n), level);
+    for (long i = 0; i < 16; ++i) {
+      Rational sum = 0;
+      for (long j = -2 * n; j <= 2 * n; ++j) sum += phi.at(i - 16 * j);
+      trial.equal(1, sum, at("n", n) + ", " + at("x", Rational(i, 16)));
+    }
+  }
+  return trial.over(range(1, most) + ", all dyadic x of level 4");
+}
+
+Outcome limits_at_integers(const Context& context) {
+  const int most = context.reach(20, 60);
+  Trial trial;
+  for (int n = 1; n <= most; ++n) {
+    const LimitValues phi = limit_values(s_n(n), 0);
+    for (long j : {-2 * n + 1, 2 * n - 1}) trial.equal(0, phi.at(j), at("n", n) + ", phi at " + std::to_string(j));
+    trial.require(phi.at(-2 * n + 2) != 0 && phi.at(2 * n - 2) != 0, at("n", n) + ": the sum could be shorter");
+  }
+  return trial.over(range(1, most));
+}
+
+/// The (4n-3) x (4n-3) matrix a_{2k-m}, k and m from -2n+2 to 2n-2.
+RationalMatrix refinement_matrix(int n) {
+  const Mask mask = s_n(n);
+  const auto size = static_cast<std::size_t>(4 * n - 3);
+  RationalMatrix matrix(size, size);
+  const long first = -2 * n + 2;
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j)
+      matrix(i, j) = mask.symbol().coefficient(2 * (first + static_cast<long>(i)) - (first + static_cast<long>(j)));
+  return matrix;
+}
+
+/// Row i of the printed matrices up to the first zeros: 2i entries r, s, r, s, ..., as many as the row has room for.
+/// The rows below the middle mirror those above it.
+Outcome matrix_a(const Context& context) {
+  const Formula r = context.formula("r"), s = context.formula("s");
+  const int most = context.reach(8, 20);
+  Trial trial;
+  for (int n = 1; n <= most && !trial.failed(); ++n) {
+    const RationalMatrix derived = refinement_matrix(n);
+    const auto size = derived.rows();
+    const LimitValues phi = limit_values(s_n(n), 0);
+    for (std::size_t i = 0; i < size; ++i) {
+      Rational image = 0;
+      for (std::size_t j = 0; j < size; ++j) {
+        const auto reaches = [size](std::size_t row, std::size_t column) {
+          return column < 2 * (row + 1) || 2 * (row + 1) >= size;
+        };
+        const bool inside = reaches(i, j) && reaches(size - 1 - i, size - 1 - j);
+        const Rational printed = inside ? (j % 2 == 0 ? r : s)({{"n", n}}) : Rational(0);
+        trial.equal(printed, derived(i, j),
+                    at("n", n) + ", row " + std::to_string(i + 1) + ", column " + std::to_string(j + 1));
+        image += derived(i, j) * phi.at(-2 * n + 2 + static_cast<long>(j));
+      }
+      trial.equal(phi.at(-2 * n + 2 + static_cast<long>(i)), image,
+                  at("n", n) + ", the eigenvector at row " + std::to_string(i + 1));
+    }
+    for (std::size_t j = 0; j < size; ++j) {
+      Rational sum = 0;
+      for (std::size_t i = 0; i < size; ++i) sum += derived(i, j);
+      trial.equal(1, sum, at("n", n) + ", sum of column " + std::to_string(j + 1));
+    }
+  }
+  return trial.over(range(1, most));
+}
+
+/// The folded matrix as printed: r and s where one of the two mirrored columns is reached, twice that where both are.
+Outcome matrix_a_tilde(const Context& context) {
+  const Formula r = context.formula("r"), s = context.formula("s");
+  const int most = context.reach(8, 20);
+  Trial trial;
+  for (int n = 1; n <= most && !trial.failed(); ++n) {
+    const RationalMatrix whole = refinement_matrix(n);
+    const auto size = static_cast<std::size_t>(2 * n - 1);
+    const LimitValues phi = limit_values(s_n(n), 0);
+    for (std::size_t i = 0; i < size; ++i) {
+      Rational image = 0;
+      bool grows = i == 0;
+      for (std::size_t j = 0; j < size; ++j) {
+        const auto entry = [&](std::size_t row) {
+          return j + 1 == size ? whole(row, j)
+                               : Rational(whole(row, j) + whole(row, 4 * static_cast<std::size_t>(n) - 4 - j));
+        };
+        const Rational unit = (j % 2 == 0 ? r : s)({{"n", n}});
+        // Printed: the row i+1 holds 2(i+1) entries from the left, and what passes the last column is folded back.
+        const std::size_t row_length = 2 * (i + 1);
+        const std::size_t folded = row_length > size ? row_length - size : 0;
+        const bool twice = j + 1 < size && j + 1 + folded >= size;
+        const Rational printed = j < row_length ? Rational((twice ? 2 : 1) * unit) : Rational(0);
+        trial.equal(printed, entry(i),
+                    at("n", n) + ", row " + std::to_string(i + 1) + ", column " + std::to_string(j + 1));
+        if (i > 0) {
+          trial.require(entry(i) >= entry(i - 1),
+                        at("n", n) + ": row " + std::to_string(i + 1) + " is not above the one before it");
+          grows = grows || entry(i) > entry(i - 1);
+        }
+        image += entry(i) * phi.at(-2 * n + 2 + static_cast<long>(j));
+      }
+      trial.require(grows, at("n", n) + ": row " + std::to_string(i + 1) + " equals the one before it");
+      trial.equal(phi.at(-2 * n + 2 + static_cast<long>(i)), image,
+                  at("n", n) + ", the eigenvector at row " + std::to_string(i + 1));
+    }
+  }
+  return trial.over(range(1, most));
+}
+
+Outcome increasing_values(const Context& context) {
+  const int most = context.reach(20, 60);
+  Trial trial;
+  for (int n = 1; n <= most && !trial.failed(); ++n) {
+    const LimitValues phi = limit_values(s_n(n), 0);
+    trial.require(phi.at(-2 * n + 2) > 0, at("n", n) + ": phi(-2n+2) is not positive");
+    for (long k = -2 * n + 2; k < 0; ++k) {
+      const Rational step = phi.at(k + 1) - phi.at(k);
+      trial.require(step > 0, at("n", n) + ", phi does not grow from " + std::to_string(k));
+      trial.equal(step, phi.at(2 * k + 2 * n) / (2 * n - 1) + phi.at(2 * k + 2 * n + 1) / (2 * n),
+                  at("n", n) + ", step at " + std::to_string(k));
+    }
+  }
+  return trial.for_all(
+      "all n >= 1",
+      "phi(k+1) - phi(k) = phi(2k+2n)/(2n-1) + phi(2k+2n+1)/(2n) for -2n+2 <= k < 0, which is positive; steps "
+      "compared for " +
+          range(1, most));
+}
+
+Outcome value_at_n(const Context& context) {
+  const Formula ratio = context.formula("prop-3-ratio");
+  const int most = context.reach(20, 60);
+  Trial trial;
+  for (int n = 1; n <= most; ++n) {
+    const LimitValues phi = limit_values(s_n(n), 0);
+    trial.equal(Rational(ratio({{"n", n}}) * phi.at(0)), phi.at(-n), at("n", n) + ", phi(-n)");
+  }
+  trial.follow(identity(ratio, f("(1 - 1/(2*n - 1))/2"), {{"n", 1}}));
+  return trial.for_all("all n >= 1",
+                       "phi(0) = 2 phi(-n) + phi(0)/(2n-1), because the mask is constant on even and on odd indices");
+}
+
+Outcome equation_9(const Context& context) {
+  const Formula half = context.formula("eq-9-half"), ratio = context.formula("prop-3-ratio");
+  const int most = context.reach(20, 60);
+  Trial trial;
+  for (int n = 1; n <= most; ++n) {
+    const LimitValues phi = limit_values(s_n(n), 0);
+    for (long j = n; j <= 2 * n; ++j)
+      trial.require(phi.at(j) < half({}) * phi.at(0) && phi.at(-j) < half({}) * phi.at(0),
+                    at("n", n) + ", " + at("j", j));
+  }
+  trial.follow(identity(half - ratio, f("1/(4*n - 2)"), {{"n", 1}}));
+  return trial.for_all(
+      "all n >= 1", "phi decreases away from 0, and phi(n)/phi(0) = 1/2 - 1/(4n-2); so 1/2 is also the best constant");
+}
+
+Outcome corollary_4(const Context& context) {
+  const Formula lower = context.formula("eq-10-lower"), upper = context.formula("eq-10-upper");
+  const Formula chain = context.formula("cor-4-chain");
+  const int most = context.reach(30, 100);
+  Trial trial;
+  for (int n = 2; n <= most; ++n) {
+    const Rational value = limit_values(s_n(n), 0).at(0);
+    trial.require(lower({{"n", n}}) < value && value < upper({{"n", n}}), at("n", n) + ", " + at("phi(0)", value));
+  }
+  // The two counts of the proof: 2n-2 values below half of phi(0) and 2n-1 values up to phi(0); 2n+1 values from phi(n)
+  // up.
+  trial.follow(identity(f("1") / lower, f("(2*n - 2)/2 + (2*n - 1)"), {{"n", 2}}));
+  trial.follow(identity(chain, f("2*n + 1") * context.formula("prop-3-ratio"), {{"n", 2}}));
+  trial.follow(positive(upper - f("1") / chain, {{"n", "2 + x"}}));
+  trial.follow(identity(f("1") / chain * f("(2*n + 1)/(2*n - 1)"), upper, {{"n", 2}}));
+  return trial.for_all(
+      "all n >= 2", "the counts of the printed proof, as identities in n; exact values compared for " + range(2, most) +
+                        ". For n = 1 both sides fail: phi(0) = 1 = 1/(3n-2), and 1/(n-1) is undefined");
+}
+
+Outcome corollary_4_proof(const Context& context) {
+  const Formula chain = context.formula("cor-4-chain");
+  const int most = context.reach(20, 60);
+  Trial printed, corrected;
+  for (int n = 2; n <= most; ++n) {
+    const LimitValues phi = limit_values(s_n(n), 0);
+    Rational inner = 0, all = 0;
+    for (long j = -2 * n + 2; j <= 2 * n - 2; ++j) all += phi.at(j);
+    for (long j = -n; j <= n; ++j) inner += phi.at(j);
+    const std::string where = at("n", n) + ": the sums over |j| <= 2n-2 and |j| <= n are " + subcert::to_text(all) +
+                              " and " + subcert::to_text(inner);
+    printed.require(all > inner, where);
+    corrected.require(all >= inner, where);
+    for (Trial* trial : {&printed, &corrected}) {
+      trial->require(inner > (2 * n + 1) * phi.at(-n), at("n", n) + ": the second inequality");
+      trial->equal(Rational(chain({{"n", n}}) * phi.at(0)), Rational((2 * n + 1) * phi.at(-n)),
+                   at("n", n) + ", the last equality");
+    }
+  }
+  return printed.outcome(corrected.over(range(2, most)));
+}
+
+Outcome theorem_5(const Context& context) {
+  const Formula rate = context.formula("theorem-5-rate");
+  const Formula lower = context.formula("eq-10-lower"), upper = context.formula("eq-11");
+  const int most = context.reach(6, 12);
+  Trial trial;
+  for (const Formula& bound : {lower, upper}) {
+    const Degrees degrees = (bound / rate).degrees("n");
+    trial.require(degrees.numerator == degrees.denominator,
+                  "the ratio of a bound and the rate is not bounded from both sides");
+  }
+  for (int n = 2; n <= most; ++n) {
+    const Enclosure& sup = limit_range_of(specification("primal", n)).sup_norm;
+    trial.require(lower({{"n", n}}) <= *sup.lower && *sup.upper <= upper({{"n", n}}),
+                  at("n", n) + ": the maximum is outside of the bounds");
+  }
+  return trial.for_all(
+      "all n >= 2",
+      "1/(3n-2) < max phi_n <= 1/(2n-1), by Corollary 4 and (11); certified maxima compared for " + range(2, most));
+}
+
+Outcome theorem_5_slope(const Context& context) {
+  const Formula rate = context.formula("theorem-5-slope-rate");
+  const Formula lower = context.formula("eq-10-lower") * f("1/(2*n - 1)"), upper = f("2/n^2");
+  const int most = context.reach(6, 12);
+  Trial trial;
+  for (const Formula& bound : {lower, upper}) {
+    const Degrees degrees = (bound / rate).degrees("n");
+    trial.require(degrees.numerator == degrees.denominator,
+                  "the ratio of a bound and the rate is not bounded from both sides");
+  }
+  // Second power of the difference scheme: weights that sum to 1 times at most 1/(n(2n-1)), and one summand of at most
+  // 1/n times 1/n.
+  trial.follow(positive(upper - f("1/(n*(2*n - 1)) + 1/n^2"), {{"n", "2 + x"}}));
+  for (int n = 2; n <= most; ++n) {
+    const auto& slope = limit_range_of(specification("primal", n)).slope;
+    trial.require(slope && lower({{"n", n}}) <= *slope->upper && *slope->lower <= upper({{"n", n}}),
+                  at("n", n) + ": the slope is outside of the bounds");
+  }
+  return trial.for_all(
+      "all n >= 2",
+      "1/((3n-2)(2n-1)) <= max |phi_n'| <= 2/n^2: from below by phi(0) over the half support, from above by (13) "
+      "and (14); certified slopes compared for " +
+          range(2, most));
+}
+
+/// The sequence S^level delta.
+LaurentPolynomial iterated(const Mask& mask, int level, LaurentPolynomial data) {
+  for (int i = 0; i < level; ++i) data = mask.symbol() * data.dilated(2);
+  return data;
+}
+
+Rational largest(const LaurentPolynomial& data) {
+  Rational most = 0;
+  for (const Rational& value : data.coefficients()) most = std::max(most, Rational(abs(value)));
+  return most;
+}
+
+Outcome equation_11(const Context& context) {
+  const Formula bound = context.formula("eq-11");
+  const int most = context.reach(8, 20), levels = context.reach(4, 6);
+  Trial trial;
+  for (int n = 1; n <= most; ++n) {
+    const LaurentPolynomial delta(1);
+    Rational before = largest(iterated(s_n(n), 1, delta));
+    trial.equal(bound({{"n", n}}), before, at("n", n) + ", the maximum after one step");
+    for (int level = 2; level <= levels; ++level) {
+      const Rational now = largest(iterated(s_n(n), level, delta));
+      trial.require(now <= before, at("n", n) + ", the maximum grows at level " + std::to_string(level));
+      before = now;
+    }
+  }
+  return trial.over(range(1, most) + ", levels 1.." + std::to_string(levels));
+}
+
+/// phi'(x) against the limit of 2 q_n for first differences of delta, at dyadic points; x is moved by `shift`.
+Trial derivative_from_differences(int most, long shift) {
+  constexpr int level = 2;
+  Trial trial;
+  for (int n = 2; n <= most && !trial.failed(); ++n) {
+    const LimitValues slope = limit_values(s_n(n), level, 1);
+    const Mask twice = divided_difference_scheme(s_n(n), 1);
+    const LimitValues phi = limit_values(twice, level);
+    for (long i = 4 * (-2 * n); i <= 4 * 2 * n; ++i)
+      if (!trial.equal(phi.at(i + 4 + 4 * shift) - phi.at(i + 4 * shift), slope.at(i),
+                       at("n", n) + ", " + at("x", Rational(i, 4))))
+        break;
+  }
+  return trial.over(range(2, most) + ", dyadic x of level 2");
+}
+
+Outcome derivative_relation(const Context& context) {
+  const int most = context.reach(5, 10);
+  return derivative_from_differences(most, 0).outcome(derivative_from_differences(most, -1));
+}
+
+Outcome equation_12(const Context& context) {
+  const Formula odd = context.formula("eq-12-odd"), even = context.formula("eq-12-even");
+  Trial trial = identity(odd, f("2") * context.formula("eq-4-odd"), {{"n", 1}, {"j", 0}});
+  trial.follow(identity(even, f("2") * context.formula("eq-4-even"), {{"n", 1}, {"j", 0}}));
+  return trial.for_all("all n >= 1 and j", "an identity of rational functions, given (4)");
+}
+
+Outcome equation_13(const Context& context) {
+  const Formula inside = context.formula("eq-13-inside"), ends = context.formula("eq-13-ends");
+  const Formula odd = context.formula("eq-12-odd"), even = context.formula("eq-12-even");
+  const Formula first = context.formula("eq-13-first"), last = context.formula("eq-13-last");
+  const int most = context.reach(12, 60);
+  Trial trial;
+  for (int n = 1; n <= most && !trial.failed(); ++n) {
+    const Mask twice = divided_difference_scheme(s_n(n), 1);
+    const LaurentPolynomial difference = LaurentPolynomial::monomial(1, -1) - LaurentPolynomial(1);
+    const LaurentPolynomial once = iterated(twice, 1, difference);
+    const Rational low = first({{"n", n}}), high = last({{"n", n}});
+    for (long j = -2 * n - 4; j <= 2 * n + 2; ++j) {
+      const Rational printed = j == low || j == high ? ends({{"n", n}})
+                               : low < j && j < high ? inside({{"n", n}})
+                                                     : Rational(0);
+      trial.equal(printed, abs(once.coefficient(j)), at("n", n) + ", " + at("j", j));
+    }
+  }
+  // c_{j+2} - c_j for neighbours in a class, and the first and last coefficients.
+  trial.follow(identity(odd - odd.replaced("j", f("j + 1")), inside, {{"n", 1}, {"j", 0}}));
+  trial.follow(identity(even.replaced("j", f("j + 1")) - even, inside, {{"n", 1}, {"j", 0}}));
+  trial.follow(identity(odd.replaced("j", f("-n + 1")), ends, {{"n", 1}}));
+  trial.follow(identity(even.replaced("j", f("n - 1")), ends, {{"n", 1}}));
+  trial.follow(identity(even.replaced("j", f("-n + 1")), inside, {{"n", 1}}));
+  trial.follow(identity(odd.replaced("j", f("n - 1")), inside, {{"n", 1}}));
+  return trial.for_all("all n >= 1",
+                       "differences of (12) and its first and last coefficients; compared for " + range(1, most));
+}
+
+Outcome equation_14(const Context& context) {
+  const Formula small = context.formula("eq-13-inside") * f("1/n"), large = f("1/n^2");
+  const int most = context.reach(10, 30);
+  Trial trial;
+  for (int n = 2; n <= most && !trial.failed(); ++n) {
+    const Mask twice = divided_difference_scheme(s_n(n), 1);
+    const LaurentPolynomial difference = LaurentPolynomial::monomial(1, -1) - LaurentPolynomial(1);
+    const LaurentPolynomial once = iterated(twice, 1, difference);
+    for (long j = -8 * n; j <= 8 * n; ++j) {
+      int terms = 0, big = 0;
+      for (long i = once.lowest(); i <= once.highest(); ++i) {
+        const Rational summand = abs(twice.symbol().coefficient(j - 2 * i) * once.coefficient(i));
+        terms += summand != 0 ? 1 : 0;
+        big += summand > small({{"n", n}}) ? 1 : 0;
+        trial.require(summand <= large({{"n", n}}), at("n", n) + ", " + at("j", j) + ", " + at("i", i));
+      }
+      trial.require(big <= 1 && terms <= 2 * n - 1, at("n", n) + ", " + at("j", j) + ": " + std::to_string(terms) +
+                                                        " summands, " + std::to_string(big) + " large");
+    }
+  }
+  return trial.over(range(2, most) +
+                    ": every summand is at most 1/(n^2 (2n-1)), but for one of at most 1/n^2, of at most 2n-1");
+}
+
+}  // namespace
+
+Checks section_2_2() {
+  return {{"eq-5-6", limits_from_shifts},
+          {"support-primal", support},
+          {"phi-positive", positive_inside},
+          {"eq-7", partition_of_unity},
+          {"eq-8", limits_at_integers},
+          {"matrix-a", matrix_a},
+          {"matrix-a-tilde", matrix_a_tilde},
+          {"proposition-3", increasing_values},
+          {"proposition-3-value", value_at_n},
+          {"eq-9", equation_9},
+          {"corollary-4", corollary_4},
+          {"corollary-4-proof", corollary_4_proof},
+          {"theorem-5", theorem_5},
+          {"theorem-5-slope", theorem_5_slope},
+          {"eq-11", equation_11},
+          {"theorem-5-derivative", derivative_relation},
+          {"eq-12", equation_12},
+          {"eq-13", equation_13},
+          {"eq-14", equation_14}};
+}
+
+}  // namespace subcert::statements::dyn_2015

@@ -1,0 +1,272 @@
+// Sections 4.3 and 4.4: higher degrees, Table 3, the conjectures.
+
+#include "checks.hpp"
+
+#include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/proofs-checks/statements/computed.hpp>
+#include <subcert/proofs-checks/statements/mask_form.hpp>
+#include <subcert/proofs-checks/statements/normal_equations.hpp>
+#include <subcert/proofs-checks/theorems/limit_constant.hpp>
+#include <subcert/proofs-checks/theorems/theorem.hpp>
+#include <subcert/schemes/local_regression.hpp>
+
+#include <algorithm>
+
+namespace subcert::statements::dyn_2015 {
+namespace {
+
+Mask primal_mask(int n, int d) { return regression_mask(primal(n, d)); }
+Mask dual_mask(int n, int d) { return regression_mask(dual(n, d)); }
+
+/// Weights of f_{i+first}, f_{i+first+1}, ... in the output with this residue.
+std::vector<Rational> rule_of(const Mask& mask, long residue, long first, int count) {
+  std::vector<Rational> weights;
+  for (long l = first; l < first + count; ++l) weights.push_back(mask.symbol().coefficient(residue - 2 * l));
+  return weights;
+}
+
+Outcome well_defined(const Context& context) {
+  const int most = context.reach(5, 9);
+  Trial trial;
+  for (int n = 1; n <= most; ++n)
+    for (int d = 0; d < 2 * n + 1; ++d) {
+      const bool even = kernel(design_matrix(equidistant(-n + 1, 1, 2 * n - 1), monomials(d))).empty();
+      const bool odd = kernel(design_matrix(equidistant(-n + 1, 1, 2 * n), monomials(d))).empty();
+      trial.require(even == (d < 2 * n - 1), at_n_d(n, d) + ": the fit to 2n-1 data");
+      trial.require(odd == (d < 2 * n), at_n_d(n, d) + ": the fit to 2n data");
+    }
+  return trial.over(range(1, most) + ", d = 0..2n");
+}
+
+Outcome equation_21(const Context& context) {
+  const int most = context.reach(5, 8);
+  Trial trial;
+  for (int n = 1; n <= most; ++n)
+    for (int d = 1; d < 2 * n; ++d) {
+      const Mask mask = primal_mask(n, d);
+      if (d < 2 * n - 1)
+        trial.require(rule_of(mask, 0, -n + 1, 2 * n - 1) ==
+                          weights_by_normal_equations(equidistant(-n + 1, 1, 2 * n - 1), monomials(d), 0),
+                      at_n_d(n, d) + ": the even rule");
+      trial.require(rule_of(mask, 1, -n + 1, 2 * n) ==
+                        weights_by_normal_equations(equidistant(-n + 1, 1, 2 * n), monomials(d), Rational(1, 2)),
+                    at_n_d(n, d) + ": the odd rule");
+    }
+  return trial.over(range(1, most) + ", d = 1..2n-1");
+}
+
+Outcome equation_22(const Context& context) {
+  const int most = context.reach(5, 8);
+  Trial trial;
+  for (int n = 1; n <= most; ++n)
+    for (int d = 1; d < 2 * n; ++d)
+      for (long k : {0, 1})
+        trial.require(
+            rule_of(dual_mask(n, d), k, -n + 1, 2 * n) ==
+                weights_by_normal_equations(equidistant(-n + 1, 1, 2 * n), monomials(d), Rational(2 * k + 1, 4)),
+            at_n_d(n, d) + ": rule " + std::to_string(k));
+  return trial.over(range(1, most) + ", d = 1..2n-1");
+}
+
+/// The degree d is reproduced and the order is h^(d+1) at least; exact values of the degree where it is more.
+Outcome reproduces(const Context& context, Mask (*mask)(int, int), bool odd_for_free) {
+  const int most = context.reach(8, 14);
+  Trial trial;
+  for (int n = 1; n <= most; ++n)
+    for (int d = 1; d < 2 * n; ++d) {
+      const int degree = polynomial_reproduction(mask(n, d)).reproduction_degree;
+      trial.equal(odd_for_free && d % 2 == 0 ? d + 1 : d, degree, at_n_d(n, d) + ", reproduction degree");
+    }
+  return trial.over(range(1, most) + ", d = 1..2n-1" +
+                    (odd_for_free ? "; even degrees reproduce one degree more" : ""));
+}
+
+Outcome interpolates(const Context& context, Mask (*mask)(int, int), bool is_dual) {
+  const int most = context.reach(8, 16);
+  Trial trial;
+  for (int n = 1; n <= most; ++n) {
+    const Mask derived = mask(n, 2 * n - 1);
+    const auto nodes = equidistant(-n + 1, 1, 2 * n);
+    const auto inserted = [&](const Rational& x) {
+      return weights_by_normal_equations(nodes, monomials(2 * n - 1), x);
+    };
+    if (is_dual)
+      trial.require(rule_of(derived, 0, -n + 1, 2 * n) == inserted(Rational(1, 4)), at("n", n) + ": the even rule");
+    else
+      trial.require(derived.symbol().coset(2, 0) == LaurentPolynomial(1), at("n", n) + ": f_{2i} is not f_i");
+    trial.require(rule_of(derived, 1, -n + 1, 2 * n) == inserted(is_dual ? Rational(3, 4) : Rational(1, 2)),
+                  at("n", n) + ": the odd rule");
+  }
+  return trial.over(range(1, most) + ", against interpolation by a Vandermonde matrix");
+}
+
+Outcome even_degrees(const Context& context) {
+  const int most = context.reach(12, 30);
+  Trial trial;
+  for (int n = 1; n <= most; ++n)
+    for (int d = 0; 2 * d + 1 < 2 * n; ++d)
+      trial.require(primal_mask(n, 2 * d) == primal_mask(n, 2 * d + 1), at_n_d(n, 2 * d));
+  return trial.over(range(1, most) + ", all even degrees below 2n-1");
+}
+
+Outcome four_point_rule(const Context&) {
+  Trial trial;
+  const auto nodes = equidistant(-1, 1, 4);
+  trial.require(weights_by_normal_equations(nodes, monomials(2), Rational(1, 2)) ==
+                    weights_by_normal_equations(nodes, monomials(3), Rational(1, 2)),
+                "quadratic and cubic differ");
+  trial.require(rule_of(mask_of("four-point:w=1/16"), 1, -1, 4) ==
+                    weights_by_normal_equations(nodes, monomials(2), Rational(1, 2)),
+                "not the 4-point rule");
+  return trial.over("n = 2");
+}
+
+/// The exponent decides: above 3 it proves C^3, below 3 with stable shifts it refutes it.
+Trial dual_cubic_c3(const std::vector<int>& sizes) {
+  Trial trial;
+  std::string range;
+  for (int n : sizes) {
+    const HolderRegularity& regularity = holder_regularity_of(specification("dual", n, 3));
+    const Enclosure& exponent = regularity.exponent;
+    trial.require(exponent.lower && *exponent.lower > 3,
+                  at("n", n) + ": the Hoelder exponent lies in [" + exponent.lower_text(12) + ", " +
+                      exponent.upper_text(12) + "]; " + std::to_string(regularity.bounds.sum_rules) +
+                      " sum rules, stable shifts, and a transition matrix of the difference scheme of that order with "
+                      "spectral radius " +
+                      regularity.radius.radius.lower_text(12) + "... > 4");
+    range += (range.empty() ? "n = " : ", ") + std::to_string(n);
+  }
+  return trial.over(range);
+}
+
+Outcome dual_cubic(const Context&) {
+  Outcome outcome = dual_cubic_c3({4, 5}).outcome(dual_cubic_c3({5}));
+  if (outcome.verdict == Verdict::misprint) outcome.verdict = Verdict::false_claim;
+  outcome.argument = "for n = 5 the proved exponent exceeds 3";
+  return outcome;
+}
+
+Outcome scaled_maxima(const Context& context) {
+  const int most = context.reach(9, 15);
+  Trial trial;
+  std::string spread;
+  for (int d : {1, 3, 5}) {
+    const auto scaled = [&](int n) { return Rational(n * *variance_of(specification("primal", n, d)).maximum.upper); };
+    const Rational limit = *theorems::limit_constant(d, 10).lower;
+    Rational before = 1000;
+    for (int n = (d + 1) / 2; n <= most; n += 2) {
+      const Rational now = scaled(n) / limit;
+      trial.require(now > 1 && now < before,
+                    at("d", d) + ", " + at("n", n) + ": n max psi / C_d is " + to_decimal(now, 6, Rounding::nearest));
+      before = now;
+    }
+    trial.require(before < Rational(11, 10),
+                  at("d", d) + ": " + to_decimal(before, 6, Rounding::nearest) + " times the limit at the end");
+  }
+  return trial.over("d = 1, 3, 5, every second n up to " + std::to_string(most) +
+                    ": n max psi falls towards C_d and ends within a tenth of it");
+}
+
+Outcome scaled_slopes(const Context& context) {
+  const int most = context.reach(9, 15);
+  Trial trial, corrected;
+  for (int d : {1, 3, 5}) {
+    const int first = (d + 1) / 2;
+    const auto scaled = [&](int n) { return variance_of(specification("primal", n, d)).slope; };
+    const Rational before = Rational(first * first) * *scaled(first)->lower,
+                   after = Rational(most * most) * *scaled(most)->upper;
+    trial.require(2 * after > before, at("d", d) + ": n^2 max |psi'| is at least " +
+                                          to_decimal(before, 5, Rounding::down) + " at n = " + std::to_string(first) +
+                                          " and at most " + to_decimal(after, 5, Rounding::up) +
+                                          " at n = " + std::to_string(most));
+    corrected.require(after < before, at("d", d));
+  }
+  Outcome outcome = trial.outcome(corrected.over("d = 1, 3, 5, n up to " + std::to_string(most)));
+  if (outcome.verdict == Verdict::misprint) outcome.verdict = Verdict::false_claim;
+  outcome.argument = "max |psi'| falls faster than every power of n (docs/limit-constants.md, theorem 7)";
+  return outcome;
+}
+
+Outcome conjecture_7(const Context& context) {
+  const int most = context.reach(8, 15);
+  Trial trial;
+  for (int d : {1, 3, 5}) {
+    const Enclosure limit = theorems::limit_constant(d, 10);
+    for (int n = (d + 1) / 2; n <= most; ++n) {
+      const Enclosure& maximum = variance_of(specification("primal", n, d)).maximum;
+      trial.require(*limit.lower < n * *maximum.lower && n * *maximum.upper < 3 * *limit.upper,
+                    at_n_d(n, d) + ": n max psi is not between C_d and 3 C_d");
+    }
+  }
+  const Decision degree_one = theorems::prove("conjecture-7", 1).decision;
+  trial.require(degree_one.is_yes(), degree_one.reason);
+  return trial.for_all(
+      "every d, n large; d = 1, all n >= 1",
+      "n max psi tends to C_d > 0 for every d (docs/limit-constants.md, theorem 7); for d = 1 explicit bounds "
+      "for all "
+      "n; C_d < n max psi < 3 C_d certified for d = 1, 3, 5, n up to " +
+          std::to_string(most));
+}
+
+Outcome conjecture_8(const Context& context, bool over_degrees) {
+  const int most = context.reach(5, 10);
+  Trial trial;
+  std::string undecided;
+  const auto compare = [&](int n_small, int d_small, int n_large, int d_large) {
+    const VarianceOrder& order = variance_order_of(specification("primal", n_small, d_small),
+                                                   specification("primal", n_large, d_large));
+    if (order.below == Truth::unknown) undecided += at_n_d(n_large, d_large) + "; ";
+    trial.require(order.below != Truth::no || order.difference == 0, at_n_d(n_small, d_small) + " against " +
+                                                                         at_n_d(n_large, d_large) +
+                                                                         " at x = " + subcert::to_text(order.witness));
+  };
+  for (int n = 1; n <= most; ++n)
+    for (int d = 1; d <= 2 * n - 1 && d <= 5; d += 2)
+      if (over_degrees) {
+        if (d + 2 <= 2 * n - 1 && d + 2 <= 5) compare(n, d, n, d + 2);
+      } else if (n > 1 && d <= 2 * n - 3) {
+        compare(n, d, n - 1, d);
+      }
+  Outcome outcome = trial.over(range(1, most) + ", d = 1, 3, 5, neighbours; the others follow by transitivity");
+  if (outcome.verdict == Verdict::holds && !undecided.empty())
+    return {Verdict::undecided, outcome.range, "", "not decided: " + undecided};
+  return outcome;
+}
+
+Outcome conjecture_8_degree_one(const Context&) {
+  const Decision proof = theorems::prove("conjecture-8-n", 1).decision;
+  Trial trial;
+  trial.require(proof.is_yes(), proof.reason);
+  return trial.for_all(
+      "d = 1, all n >= 1",
+      "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/README.md, "
+      "conjecture-8-n)");
+}
+
+}  // namespace
+
+Checks section_4_3() {
+  return {{"well-defined", well_defined},
+          {"eq-21", equation_21},
+          {"reproduction-primal", [](const Context& c) { return reproduces(c, primal_mask, true); }},
+          {"dubuc-deslauriers", [](const Context& c) { return interpolates(c, primal_mask, false); }},
+          {"even-degrees", even_degrees},
+          {"four-point", four_point_rule},
+          {"eq-22", equation_22},
+          {"reproduction-dual", [](const Context& c) { return reproduces(c, dual_mask, false); }},
+          {"dual-interpolates", [](const Context& c) { return interpolates(c, dual_mask, true); }},
+          {"dual-cubic-c3", dual_cubic},
+          {"table-3-sup", [](const Context& c) { return table_words(c, "table-3-sup"); }},
+          {"table-3-n-sup", [](const Context& c) { return table_words(c, "table-3-n-sup"); }},
+          {"table-3-slope", [](const Context& c) { return table_words(c, "table-3-slope"); }},
+          {"table-3-n2-slope", [](const Context& c) { return table_words(c, "table-3-n2-slope"); }},
+          {"fig-8-left", scaled_maxima},
+          {"fig-8-right", scaled_slopes},
+          {"conjecture-7", conjecture_7},
+          {"conjecture-7-slope", scaled_slopes},
+          {"conjecture-8-degree", [](const Context& c) { return conjecture_8(c, true); }},
+          {"conjecture-8-size", [](const Context& c) { return conjecture_8(c, false); }},
+          {"conjecture-8-degree-1", conjecture_8_degree_one}};
+}
+
+}  // namespace subcert::statements::dyn_2015

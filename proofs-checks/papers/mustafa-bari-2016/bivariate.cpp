@@ -1,0 +1,254 @@
+// Section 3: non-tensor product schemes from bivariate cubic fits.
+
+#include "checks.hpp"
+
+#include <subcert/proofs-checks/statements/identities.hpp>
+#include <subcert/proofs-checks/statements/normal_equations.hpp>
+
+#include <array>
+
+namespace subcert::statements::mustafa_bari_2016 {
+namespace {
+
+constexpr int terms = 10;
+/// The powers of x and y that belong to beta_1, ..., beta_10.
+constexpr std::array<std::pair<int, int>, terms> powers{
+    {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}}};
+
+/// f(x, y) = sum of beta_k (x - shift)^i (y - shift)^j f_{r,s} / divisor over the square grid first(n), ..., n.
+struct BivariateForm {
+  std::vector<Formula> beta;  ///< functions of n, r, s
+  Formula divisor;
+  Rational shift;
+  Line first;
+};
+
+Formula swapped(const Formula& formula) {
+  return formula.replaced("r", f("t")).replaced("s", f("r")).replaced("t", f("s"));
+}
+
+/// The six printed coefficients; the others by exchanging r and s, as the paper says.
+BivariateForm form_of(const Context& context, const std::string& id, Form form, const Line& first) {
+  const auto read = [&](const std::string& name) {
+    return context.formula(id + "-" + name, form)
+        .replaced("nu", f("n^2 - 1/4"))
+        .replaced("R", f("r - 1/2"))
+        .replaced("S", f("s - 1/2"));
+  };
+  const Formula b1 = read("beta-1"), b2 = read("beta-2"), b4 = read("beta-4"), b5 = read("beta-5"), b7 = read("beta-7"),
+                b8 = read("beta-8");
+  return {{b1, b2, swapped(b2), b4, b5, swapped(b4), b7, b8, swapped(b8), swapped(b7)},
+          read("divisor"),
+          context.formula(id + "-shift", form)({}),
+          first};
+}
+
+std::string beta_at(std::size_t k, long n, long r, long s) {
+  return at("n", n) + ", " + at("r", r) + ", " + at("s", s) + ", beta_" + std::to_string(k + 1);
+}
+
+/// Every coefficient against the normal equations on the grid for one n.
+Trial compared(const BivariateForm& form, long n) {
+  std::vector<std::pair<long, long>> nodes;
+  for (long r = form.first(n); r <= n; ++r)
+    for (long s = form.first(n); s <= n; ++s) nodes.emplace_back(r, s);
+  RationalMatrix design(nodes.size(), terms);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t k = 0; k < terms; ++k) {
+      const Rational x = Rational(nodes[i].first) - form.shift, y = Rational(nodes[i].second) - form.shift;
+      Rational value = 1;
+      for (int p = 0; p < powers[k].first; ++p) value *= x;
+      for (int p = 0; p < powers[k].second; ++p) value *= y;
+      design(i, k) = value;
+    }
+  const RationalMatrix inverse = pseudo_inverse(design);
+  Trial trial;
+  for (std::size_t k = 0; k < terms; ++k)
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const Values where{{"n", n}, {"r", nodes[i].first}, {"s", nodes[i].second}};
+      if (!trial.equal(form.beta[k](where) / form.divisor(where), inverse(k, i),
+                       beta_at(k, n, nodes[i].first, nodes[i].second) + " over the divisor"))
+        return trial;
+    }
+  return trial;
+}
+
+/// beta_k is a cubic in (r, s), and sum of beta_k (r - shift)^i (s - shift)^j / divisor is 1 for the power of beta_k
+/// and 0 for the others: this characterises the fit. Checked for as many n as the degree in n demands.
+Trial proved(const BivariateForm& form, long smallest_n) {
+  Trial trial;
+  for (std::size_t k = 0; k < terms && !trial.failed(); ++k) {
+    const Degrees in_node = form.beta[k].degrees(std::vector<std::string>{"r", "s"}), in_n = form.beta[k].degrees("n");
+    if (!trial.require(in_node.denominator == 0 && in_n.denominator == 0 && in_node.numerator <= 3,
+                       "beta_" + std::to_string(k + 1) + " is not shown to be a cubic in r and s"))
+      break;
+    // A sum of r^a s^b over the grid has degree a + b + 2 in n; here a + b <= 3 + 3.
+    const long degree = std::max(in_n.numerator + 3 + 3 + 2, form.divisor.degrees("n").numerator);
+    for (long n = smallest_n; n <= smallest_n + degree && !trial.failed(); ++n) {
+      const auto x = MultivariatePolynomial::in_variable(2, 0, LaurentPolynomial::monomial(1, 1));
+      const auto y = MultivariatePolynomial::in_variable(2, 1, LaurentPolynomial::monomial(1, 1));
+      const MultivariatePolynomial centre(2, form.shift);
+      // In powers of r - shift and s - shift.
+      const Fraction beta = form.beta[k].substituted(
+          {{"n", MultivariatePolynomial(2, n)}, {"r", x + centre}, {"s", y + centre}});
+      const Rational scale = beta.denominator.coefficient({0, 0}) * form.divisor({{"n", n}});
+      std::vector<Rational> sums(8, 0);  // of (r - shift)^e
+      for (long r = form.first(n); r <= n; ++r) {
+        Rational value = 1;
+        for (Rational& sum : sums) {
+          sum += value;
+          value *= Rational(r) - form.shift;
+        }
+      }
+      for (std::size_t l = 0; l < terms; ++l) {
+        Rational moment = 0;
+        for (const auto& term : beta.numerator.terms())
+          moment += term.coefficient * sums[static_cast<std::size_t>(term.exponents[0] + powers[l].first)] *
+                    sums[static_cast<std::size_t>(term.exponents[1] + powers[l].second)];
+        trial.equal(moment / scale, k == l ? 1 : 0,
+                    at("n", n) + ", beta_" + std::to_string(k + 1) + ", moment " + std::to_string(l + 1));
+      }
+    }
+  }
+  return trial.for_all(
+      "all n >= " + std::to_string(smallest_n),
+      "each beta is a cubic in the node with the moments that characterise the fit, as identities in n");
+}
+
+Outcome equation_3_8(const Context& context) {
+  const BivariateForm printed = form_of(context, "eq-3.8", Form::printed, {-1, 1});
+  const BivariateForm corrected = form_of(context, "eq-3.8", Form::corrected, {-1, 1});
+  const Trial at_two = compared(printed, 2);
+  if (at_two.failed()) return {Verdict::false_claim, "", at_two.failure(), "not even for n = 2"};
+  Trial of_corrected = compared(corrected, 2);
+  for (long n = 3; n <= context.reach(3, 4); ++n) of_corrected.follow(compared(corrected, n));
+  of_corrected.follow(proved(corrected, 2));
+  of_corrected.for_all("all n >= 2",
+                       "cubics in the node with the moments that characterise the fit, as identities in n");
+  Outcome outcome = compared(printed, 3).outcome(of_corrected);
+  outcome.argument = "the printed beta belong to n = 2, where all of them are right; lambda is right for all n. " +
+                     outcome.argument;
+  return outcome;
+}
+
+Outcome equation_3_9(const Context& context) {
+  const BivariateForm form = form_of(context, "eq-3.9", Form::printed, {-1, 0});
+  Trial trial = compared(form, 2);
+  for (long n = 3; n <= context.reach(3, 4); ++n) trial.follow(compared(form, n));
+  trial.follow(proved(form, 2));
+  return trial.for_all(
+      "all n >= 2",
+      "each beta is a cubic in the node with the moments that characterise the fit, as identities in n; also "
+      "compared with the "
+      "normal equations for n = 2.." +
+          std::to_string(context.reach(3, 4)));
+}
+
+/// The weights of the rule at (x, y).
+RationalMatrix rule(const BivariateForm& form, long n, const Rational& x, const Rational& y) {
+  const auto size = static_cast<std::size_t>(n - form.first(n) + 1);
+  RationalMatrix weights(size, size);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) {
+      const Values where{
+          {"n", n}, {"r", form.first(n) + static_cast<long>(i)}, {"s", form.first(n) + static_cast<long>(j)}};
+      for (std::size_t k = 0; k < terms; ++k)
+        weights(i, j) += form.beta[k](where) / form.divisor(where) * power(Rational(x - form.shift), powers[k].first) *
+                         power(Rational(y - form.shift), powers[k].second);
+    }
+  return weights;
+}
+
+/// Weights that sum to 1, one for each datum, and are no product of weights in x and in y.
+Outcome non_tensor(const Context& context, const std::string& id, const Line& first, long points) {
+  const BivariateForm form = form_of(context, id, Form::printed, first);
+  Trial trial;
+  for (const Rational& x : {Rational(1, 4), Rational(3, 4)})
+    for (const Rational& y : {Rational(1, 4), Rational(3, 4)}) {
+      const RationalMatrix weights = rule(form, 2, x, y);
+      const std::string where = at("x", x) + ", " + at("y", y);
+      Rational sum = 0;
+      long used = 0;
+      for (std::size_t i = 0; i < weights.rows(); ++i)
+        for (std::size_t j = 0; j < weights.columns(); ++j) {
+          sum += weights(i, j);
+          used += weights(i, j) != 0 ? 1 : 0;
+        }
+      trial.equal(1, sum, where + ", sum of the weights");
+      trial.equal(points, used, where + ", number of weights");
+      trial.require(pivot_columns(weights).size() > 1, where + ": the weights are a product");
+    }
+  return trial.over("n = 2, the points (1/4, 1/4), (3/4, 1/4), (1/4, 3/4), (3/4, 3/4)");
+}
+
+/// The grids first..n in two or three variables that determine a cubic.
+bool determines_cubics(long first, long n, int variables) {
+  std::vector<std::vector<long>> nodes{{}}, exponents{{}};
+  for (int v = 0; v < variables; ++v) {
+    std::vector<std::vector<long>> more, higher;
+    for (const auto& node : nodes)
+      for (long x = first; x <= n; ++x) {
+        more.push_back(node);
+        more.back().push_back(x);
+      }
+    for (const auto& exponent : exponents) {
+      long used = 0;
+      for (long e : exponent) used += e;
+      for (long e = 0; used + e <= 3; ++e) {
+        higher.push_back(exponent);
+        higher.back().push_back(e);
+      }
+    }
+    nodes = more;
+    exponents = higher;
+  }
+  RationalMatrix design(nodes.size(), exponents.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t k = 0; k < exponents.size(); ++k) {
+      design(i, k) = 1;
+      for (std::size_t v = 0; v < nodes[i].size(); ++v)
+        for (long e = 0; e < exponents[k][v]; ++e) design(i, k) *= nodes[i][v];
+    }
+  return kernel(design).empty();
+}
+
+Outcome smallest_grid(const Context&) {
+  Trial trial;
+  for (long n = 1; n <= 3; ++n)
+    for (long first : {-n + 1, -n})
+      trial.require(determines_cubics(first, n, 2) == (n > 1), at("n", n) + ", grid from " + std::to_string(first));
+  return trial.over("n = 1..3, both grids");
+}
+
+Outcome volumes(const Context& context) {
+  const Rational bound = context.formula("volumes-bound")({});
+  Trial printed, corrected;
+  for (long n = 1; n <= 2; ++n)
+    for (long first : {-n + 1, -n}) {
+      const bool determined = determines_cubics(first, n, 3);
+      corrected.require(determined == (n > bound), at("n", n) + ", grid from " + std::to_string(first));
+      if (determined)
+        printed.require(first > bound, at("n", n) + ": the grid from " + std::to_string(first) +
+                                           " determines a cubic, but holds t = " + std::to_string(first));
+    }
+  return printed.outcome(corrected.over("n = 1, 2, both grids: trivariate cubics are determined for n > 1 only"));
+}
+
+}  // namespace
+
+Checks bivariate() {
+  return {{"grids", smallest_grid},
+          {"eq-3.8", equation_3_8},
+          {"16-point",
+           [](const Context& c) {
+             return non_tensor(c, "eq-3.8", {-1, 1}, 16);
+           }},
+          {"eq-3.9", equation_3_9},
+          {"25-point",
+           [](const Context& c) {
+             return non_tensor(c, "eq-3.9", {-1, 0}, 25);
+           }},
+          {"volumes", volumes}};
+}
+
+}  // namespace subcert::statements::mustafa_bari_2016

@@ -1,0 +1,238 @@
+// Section 2: a-ary schemes from cubic fits to 2n and to 2n+1 data.
+
+#include "checks.hpp"
+
+#include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/proofs-checks/statements/mask_form.hpp>
+#include <subcert/proofs-checks/statements/normal_equations.hpp>
+#include <subcert/schemes/local_regression.hpp>
+
+namespace subcert::statements::mustafa_bari_2016 {
+namespace {
+
+std::string range(int n, int a) { return "n = 2.." + std::to_string(n) + ", a = 2.." + std::to_string(a); }
+
+/// p_{r,n}/phi_n as a function of n, a, q and r.
+Formula weights_2_4(const Context& context) {
+  return (context.formula("p") / context.formula("phi")).replaced("omega", context.formula("omega"));
+}
+
+Outcome equation_2_4(const Context& context) {
+  const int arities = context.reach(4, 6);
+  const Fit cubic{weights_2_4(context), "r", {-1, 1}, {1, 0}, {1, 0}, context.formula("position-2n"), 3, 2,
+                  {{"a", 1}, {"q", 0}}};
+  return fit(cubic, context.reach(4, 8), [&](long) {
+    std::vector<Values> cases;
+    for (int a = 2; a <= arities; ++a)
+      for (int q = 0; q < a; ++q) cases.push_back({{"a", a}, {"q", q}});
+    return cases;
+  });
+}
+
+/// The positions q of one parity of a: 0, then both signs, by size.
+std::vector<Values> positions(int first_arity, int last_arity) {
+  std::vector<Values> cases;
+  for (int a = first_arity; a <= last_arity; a += 2)
+    for (int q = (a + 1) % 2; q < a; q += 2) {
+      cases.push_back({{"a", a}, {"q", q}});
+      if (q > 0) cases.push_back({{"a", a}, {"q", -q}});
+    }
+  return cases;
+}
+
+/// b_{r,n}/psi_n as a function of n, a, q and r.
+Formula weights_2_5(const Context& context, Form form) {
+  return context.formula("b", form) / context.formula("psi", form);
+}
+
+Outcome equation_2_5(const Context& context, int first_arity) {
+  const int arities = first_arity + context.reach(2, 4);
+  return in_both_forms([&](Form form) {
+    const Fit cubic{
+        weights_2_5(context, form), "r", {-1, 0}, {1, 0}, {1, 0}, context.formula("position-odd", form), 3, 2,
+        {{"a", 1}, {"q", 0}}};
+    return fit(cubic, context.reach(4, 8), [&](long) { return positions(first_arity, arities); });
+  });
+}
+
+/// 0 and +-first, +-(first+step), ..., +-last must be a places at equal distances.
+Outcome positions_odd_arity(const Context& context) {
+  return in_both_forms([&](Form form) {
+    Trial trial;
+    const Rational first = context.formula("odd-first", form)({});
+    const Rational step = context.formula("odd-step", form)({});
+    for (long a = 3; a <= context.reach(15, 51); a += 2) {
+      const Rational last = context.formula("odd-last", form)({{"a", a}});
+      const Rational steps = (last - first) / step;
+      const std::string where = at("a", a) + ": from 0 to " + subcert::to_text(first) + " and on by " +
+                                subcert::to_text(step) + " to " + subcert::to_text(last);
+      trial.require(denominator(steps) == 1, where + ", which is not reached");
+      trial.require(first == step, where + " the distances differ");
+      trial.equal(a, 2 * (steps + 1) + 1, where + ", number of positions");
+    }
+    return trial.over("odd a = 3.." + std::to_string(context.reach(15, 51)));
+  });
+}
+
+Outcome positions_even_arity(const Context& context) {
+  Trial trial;
+  const Rational first = context.formula("even-first")({}), step = context.formula("even-step")({});
+  const int most = context.reach(16, 50);
+  for (long a = 2; a <= most; a += 2) {
+    const Rational steps = (context.formula("even-last")({{"a", a}}) - first) / step;
+    trial.require(denominator(steps) == 1 && 2 * first == step, at("a", a) + ": not equally spaced");
+    trial.equal(a, 2 * (steps + 1), at("a", a) + ", number of positions");
+  }
+  return trial.over("even a = 2.." + std::to_string(most));
+}
+
+Outcome smallest_size(const Context& context) {
+  const Rational printed_bound = context.formula("smallest-n")({});
+  const Rational corrected_bound = context.formula("smallest-n", Form::corrected)({});
+  Trial printed, corrected;
+  for (int n = 1; n <= 6; ++n) {
+    const bool unique = kernel(design_matrix(equidistant(-n + 1, 1, 2 * n), monomials(3))).empty();
+    printed.require(unique == (n > printed_bound), at("n", n) + ": the cubic fit to " + std::to_string(2 * n) +
+                                                       " data is unique, and the paper uses it after (2.6), but " +
+                                                       subcert::to_text(printed_bound) + " is not exceeded");
+    corrected.require(unique == (n > corrected_bound), at("n", n));
+  }
+  return printed.outcome(corrected.over("n = 1..6"));
+}
+
+Outcome four_point_binary(const Context& context) {
+  const Formula weight = weights_2_4(context);
+  Trial trial;
+  for (int q : {0, 1}) {
+    const auto inserted = weights_by_normal_equations(equidistant(-1, 1, 4), monomials(3), Rational(2 * q + 1, 4));
+    for (int r = -1; r <= 2; ++r)
+      trial.equal(weight({{"n", 2}, {"a", 2}, {"q", q}, {"r", r}}), inserted[static_cast<std::size_t>(r + 1)],
+                  at("q", q) + ", " + at("r", r));
+  }
+  trial.require(regression_mask(ary(2, 4, 3)) == regression_mask(dual(2, 3)), "not the dual 4-point scheme");
+  return trial.over("n = 2, a = 2");
+}
+
+/// Bases of the cubics; Gram's polynomials belong to the points -n+1..n.
+std::vector<std::pair<std::string, std::vector<Formula>>> bases() {
+  const auto basis = [](const char* name, const std::vector<const char*>& texts) {
+    std::pair<std::string, std::vector<Formula>> result{name, {}};
+    for (const char* text : texts) result.second.push_back(f(text));
+    return result;
+  };
+  return {basis("Gram", {"1", "x - 1/2", "(x - 1/2)^2 - (4*n^2 - 1)/12", "(x - 1/2)^3 - (12*n^2 - 7)/20*(x - 1/2)"}),
+          basis("Laguerre", {"1", "1 - x", "(x^2 - 4*x + 2)/2", "(-x^3 + 9*x^2 - 18*x + 6)/6"}),
+          basis("Legendre", {"1", "x", "(3*x^2 - 1)/2", "(5*x^3 - 3*x)/2"}),
+          basis("Chebyshev", {"1", "x", "2*x^2 - 1", "4*x^3 - 3*x"}),
+          basis("Hermite", {"1", "2*x", "4*x^2 - 2", "8*x^3 - 12*x"})};
+}
+
+Outcome other_bases(const Context& context) {
+  const int most = context.reach(4, 7);
+  Trial trial;
+  for (const auto& [name, basis] : bases())
+    for (int n = 2; n <= most; ++n) {
+      std::vector<Formula> of_n;
+      for (const Formula& member : basis) of_n.push_back(member.replaced("n", Formula::parse(std::to_string(n))));
+      for (const bool even : {true, false})
+        for (const Rational& x : {Rational(1, 4), Rational(1, 6), Rational(0)}) {
+          const auto nodes = even ? equidistant(-n + 1, 1, 2 * n) : equidistant(-n, 1, 2 * n + 1);
+          trial.require(
+              weights_by_normal_equations(nodes, of_n, x) == weights_by_normal_equations(nodes, monomials(3), x),
+              name + ", " + at("n", n) + ", " + at("x", x));
+        }
+      // Gram's polynomials are orthogonal over their points.
+      if (name == "Gram") {
+        const RationalMatrix a = design_matrix(equidistant(-n + 1, 1, 2 * n), of_n);
+        const RationalMatrix products = transposed(a) * a;
+        for (std::size_t i = 0; i < 4; ++i)
+          for (std::size_t j = 0; j < i; ++j)
+            trial.equal(0, products(i, j),
+                        at("n", n) + ", Gram polynomials " + std::to_string(i) + " and " + std::to_string(j));
+      }
+    }
+  return trial.for_all(
+      "all n >= 2",
+      "each family has one member of every degree 0, ..., 3 and so spans the cubics, on which the fit does "
+      "not depend; compared for n = 2.." +
+          std::to_string(most));
+}
+
+Outcome sums_2n(const Context& context) {
+  return sum_identity({weights_2_4(context), "r", {-1, 1}, {1, 0}}, f("1"), {{"n", 2}, {"a", 2}, {"q", 0}});
+}
+
+Outcome sums_odd(const Context& context) {
+  return in_both_forms([&](Form form) {
+    return sum_identity({weights_2_5(context, form), "r", {-1, 0}, {1, 0}}, f("1"), {{"n", 2}, {"a", 2}, {"q", 1}});
+  });
+}
+
+/// Width and ends of the support of the basic limit function, in the parameters in which the scheme is symmetric.
+Outcome support(const Context& context, const std::string& id, bool even_points) {
+  const Formula width = context.formula(id + "-width"), end = context.formula(id + "-end");
+  const int sizes = context.reach(6, 10), arities = context.reach(5, 8);
+  Trial trial;
+  for (int n = 2; n <= sizes && !trial.failed(); ++n)
+    for (int a = 2; a <= arities; ++a) {
+      const Mask mask = regression_mask(ary(a, even_points ? 2 * n : 2 * n + 1, 3));
+      const Interval derived = limit_support(mask);
+      const Rational shift = polynomial_reproduction(mask).parametrization;
+      const Values where{{"n", n}, {"a", a}};
+      trial.equal(width(where), derived.upper - derived.lower, to_text(where) + ", width");
+      trial.equal(-end(where), derived.lower - shift, to_text(where) + ", left end");
+      trial.equal(end(where), derived.upper - shift, to_text(where) + ", right end");
+    }
+  Outcome outcome = trial.over(range(sizes, arities));
+  outcome.argument =
+      "the interval is the one in which the datum f_j stands at j and the scheme is symmetric; with the new values at "
+      "i/a^k it is shifted";
+  return outcome;
+}
+
+/// Inversely proportional: a times the width would not depend on a.
+Outcome inverse_proportion(const Context& context) {
+  const Formula width = context.formula("theorem-2.3-width");
+  const Rational binary = 2 * width({{"n", 2}, {"a", 2}}), ternary = 3 * width({{"n", 2}, {"a", 3}});
+  Trial printed, corrected;
+  printed.require(binary == ternary, "n = 2: the width " + subcert::to_text(binary / 2) + " for a = 2 and " +
+                                         subcert::to_text(ternary / 3) + " for a = 3, times a " +
+                                         subcert::to_text(binary) + " and " + subcert::to_text(ternary));
+  corrected.follow(identity(width, f("2*n + (2*n - 1)/(a - 1)"), {{"n", 2}, {"a", 2}}));
+  Outcome outcome = printed.outcome(corrected.for_all("all n, a", "an identity"));
+  if (outcome.verdict == Verdict::misprint) outcome.verdict = Verdict::false_claim;
+  outcome.argument = "the width is 2n + (2n-1)/(a-1): it falls with a, but not below 2n";
+  return outcome;
+}
+
+Outcome necessary_condition(const Context& context) {
+  const int sizes = context.reach(6, 10), arities = context.reach(5, 8);
+  Trial trial;
+  for (int n = 2; n <= sizes; ++n)
+    for (int a = 2; a <= arities; ++a)
+      for (int points : {2 * n, 2 * n + 1})
+        trial.require(is_affine(regression_mask(ary(a, points, 3))),
+                      at("a", a) + ", " + std::to_string(points) + " points");
+  return trial.over(range(sizes, arities) + ", 2n and 2n+1 points");
+}
+
+}  // namespace
+
+Checks univariate() {
+  return {{"necessary-condition", necessary_condition},
+          {"eq-2.2", smallest_size},
+          {"eq-2.4", equation_2_4},
+          {"eq-2.5", [](const Context& c) { return equation_2_5(c, 2); }},
+          {"eq-2.5-positions", positions_even_arity},
+          {"eq-2.6", [](const Context& c) { return equation_2_5(c, 3); }},
+          {"eq-2.6-positions", positions_odd_arity},
+          {"four-point", four_point_binary},
+          {"bases", other_bases},
+          {"sums-2n", sums_2n},
+          {"sums-odd", sums_odd},
+          {"theorem-2.3", [](const Context& c) { return support(c, "theorem-2.3", true); }},
+          {"theorem-2.4", [](const Context& c) { return support(c, "theorem-2.4", false); }},
+          {"inverse-proportion", inverse_proportion}};
+}
+
+}  // namespace subcert::statements::mustafa_bari_2016

@@ -1,0 +1,17 @@
+#pragma once
+/// Mustafa & Hameed [MH], statement by statement. The text that was available has lost its formulas and ends in section
+/// 2.3: the forms checked here are derived from the construction that the words describe.
+
+#include <subcert/proofs-checks/statements/paper.hpp>
+
+namespace subcert::statements::mustafa_hameed {
+
+/// All of them.
+Checks checks();
+
+/// Of one part of the paper each.
+Checks claims();
+Checks starting_values();
+Checks iteration();
+
+}  // namespace subcert::statements::mustafa_hameed

@@ -1,0 +1,109 @@
+// Abstract, section 1 and remarks: claims about the families.
+
+#include "checks.hpp"
+
+#include <subcert/proofs-checks/statements/reweighting.hpp>
+#include <subcert/schemes/local_regression.hpp>
+
+namespace subcert::statements::mustafa_hameed {
+namespace {
+
+/// Polynomial data with random weights come back, in one and two variables.
+Outcome reproduction(const Context& context) {
+  Trial trial;
+  for (int variables : {1, 2})
+    for (int degree = 1; degree <= (variables == 1 ? 3 : 2); ++degree)
+      for (long n = 2; n <= context.reach(4, 6); ++n)
+        for (long first : {1 - n, -n}) {
+          WeightedWindow data = random_window(first, n, variables, static_cast<unsigned>(n));
+          const Formula polynomial = f(degree == 1   ? "3 - 2*r + 5*s"
+                                       : degree == 2 ? "1 + r^2 - 3*r*s + 2*s^2"
+                                                     : "r^3 - 2*r^2 + 7");
+          for (std::size_t i = 0; i < data.nodes.size(); ++i)
+            data.data[i] = polynomial({{"r", data.nodes[i].first}, {"s", data.nodes[i].second}});
+          const Rational x(1, 4), y(variables == 1 ? 0 : 3, 4);
+          trial.equal(
+              library_value(data, degree, x, y), polynomial({{"r", x}, {"s", y}}),
+              at("n", n) + ", degree " + std::to_string(degree) + ", " + std::to_string(variables) + " variables");
+        }
+  return trial.for_all(
+      "all n >= 2, all weights, degrees 1 to 3 on curves and 1, 2 on surfaces",
+      "for data of a polynomial of that degree the weighted sum of squares is 0 at this polynomial and, as the "
+      "nodes determine it, nowhere else: every step and every output are exact, with the datum f_j at j and the "
+      "outputs at the positions of the fit. Also tried with random weights");
+}
+
+/// If a line met the parabola at both outputs, the residual (r - 1/4)(r - 3/4) would be positive at all data.
+Outcome lines_do_not_reproduce(const Context& context) {
+  const Formula even = context.formula("residual-even"), odd = context.formula("residual-odd");
+  Trial trial;
+  trial.follow(identity(even, f("(r - 1/4)*(r - 3/4)"), {{"r", 0}}));
+  trial.follow(identity(odd, f("(r + 1/4)*(r - 1/4)"), {{"r", 0}}));
+  trial.follow(positive(even, {{"r", "1 + x"}}));
+  trial.follow(positive(even, {{"r", "-x"}}));
+  trial.follow(positive(odd, {{"r", "1 + x"}}));
+  trial.follow(positive(odd, {{"r", "-1 - x"}}));
+  trial.follow(sum_identity({f("r^2"), "r", {-1, 0}, {1, 0}}, f("(2*n + 1)*n*(n + 1)/3"), {{"n", 1}}));
+  return trial.for_all(
+      "all n >= 1, all positive weights, data r^2, 2n points",
+      "a line through the parabola at both outputs 1/4, 3/4 leaves residuals r^2 - r + 3/16 > 0 at all integers, "
+      "but weighted residuals of a fit have the sum 0. For 2n+1 points the residual r^2 - 1/16 is negative at "
+      "r = 0 alone: there the ordinary fit has the constant n(n+1)/3, not 1/16");
+}
+
+/// The schemes of [3], [9] and [11] among the binary rules of one fit with all weights 1.
+Outcome special_cases(const Context& context) {
+  Trial printed;
+  for (int n = 2; n <= 3; ++n) {
+    const Mask theirs = regression_mask(primal(n, 1));
+    bool found = false;
+    for (int m = 1; m <= 2 * n; ++m)
+      for (int degree = 1; degree <= 3 && degree < 2 * m; ++degree)
+        found = found || theirs == regression_mask(dual(m, degree)) || theirs == regression_mask(dual_odd(m, degree));
+    printed.require(found, "the primal scheme S_" + std::to_string(n) + " of Dyn et al. has " +
+                               std::to_string(theirs.symbol().length()) +
+                               " coefficients, an odd number; two outputs from one window of p data make 2p");
+  }
+  Trial restricted;
+  for (int n = 2; n <= context.reach(5, 10); ++n) {
+    restricted.require(regression_mask(ary(2, 2 * n, 3)) == regression_mask(dual(n, 3)),
+                       at("n", n) + ", [MB16], 2n points");
+    restricted.require(regression_mask(ary(2, 2 * n + 1, 3)) == regression_mask(dual_odd(n, 3)),
+                       at("n", n) + ", [MB16], 2n+1 points");
+  }
+  Outcome outcome = printed;
+  outcome.argument =
+      restricted.failed()
+          ? "not even the binary schemes of [MB16]: " + restricted.failure()
+          : "true of the dual schemes of [DHHS15] (all weights 1), of the binary ones of [MB16] (all weights "
+            "1, degree 3) and of [MLZD15] (degree 1), as the checks of all-weights-1 and of [MLZD15] show";
+  return outcome;
+}
+
+Outcome not_interpolatory(const Context& context) {
+  Trial trial;
+  for (int n = 2; n <= context.reach(6, 12); ++n)
+    for (int degree = 1; degree <= 3; ++degree)
+      for (bool even : {true, false}) {
+        const Mask mask = regression_mask(even ? dual(n, degree) : dual_odd(n, degree));
+        for (long parity : {0, 1}) {
+          long used = 0;
+          for (long k = mask.symbol().lowest(); k <= mask.symbol().highest(); ++k)
+            used += (k - parity) % 2 == 0 && mask.symbol().coefficient(k) != 0 ? 1 : 0;
+          trial.require(used > 1, at("n", n) + ", degree " + std::to_string(degree) + ": a rule copies a datum");
+        }
+      }
+  return trial.over("all weights 1, n = 2.." + std::to_string(context.reach(6, 12)) +
+                    ", degrees 1, 2, 3: no rule copies the data");
+}
+
+}  // namespace
+
+Checks claims() {
+  return {{"not-interpolatory", not_interpolatory},
+          {"reproduction", reproduction},
+          {"linear-schemes", lines_do_not_reproduce},
+          {"special-cases", special_cases}};
+}
+
+}  // namespace subcert::statements::mustafa_hameed

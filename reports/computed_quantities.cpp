@@ -1,0 +1,108 @@
+#include "computed_quantities.hpp"
+
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/variance/variance.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <algorithm>
+
+namespace subcert::reports {
+namespace {
+
+constexpr int variance_level = 9;        // dyadic level of the exact grid with the witnesses of Table 3
+constexpr double exponent_seconds = 60;  // for the polytope of one scheme
+
+}  // namespace
+
+std::string decimal(const Rational& value, int places) { return to_fixed(value, places, Rounding::nearest); }
+
+VarianceFacts variance_facts(const std::string& specification) {
+  const Mask mask = make_scheme(specification).mask;
+  const VarianceGrid grid = variance_grid(mask, variance_level, proved_smoothness(mask).order >= 1);
+  VarianceFacts facts;
+  for (std::size_t i = 0; i < grid.values.size(); ++i)
+    if (i == 0 || grid.values[i] > facts.largest) {
+      facts.largest = grid.values[i];
+      facts.largest_at = Rational(i) * grid.step();
+    }
+  for (int level = 0; level <= variance_level; ++level) {
+    const std::size_t stride = std::size_t{1} << (variance_level - level);
+    for (std::size_t i = stride; i < grid.values.size(); i += stride) {
+      const Rational slope = abs(grid.values[i] - grid.values[i - stride]) * power(Rational(2), level);
+      if (slope > facts.steepest) {
+        facts.steepest = slope;
+        facts.steepest_at = "by the values at " + to_text(Rational(i - stride) * grid.step()) + " and " +
+                            to_text(Rational(i) * grid.step());
+      }
+    }
+  }
+  for (std::size_t i = 0; i < grid.slopes.size(); ++i)
+    if (abs(grid.slopes[i]) > facts.steepest) {
+      facts.steepest = abs(grid.slopes[i]);
+      facts.steepest_at = "by the derivative at x = " + to_text(Rational(i) * grid.step());
+    }
+  const VarianceRange range = variance_range(mask);
+  facts.maximum = {std::max(*range.maximum.lower, facts.largest), range.maximum.upper};
+  facts.minimum = range.minimum;
+  facts.slope = Enclosure::at_least(facts.steepest);
+  if (range.slope) facts.slope = {std::max(*range.slope->lower, facts.steepest), range.slope->upper};
+  return facts;
+}
+
+ComputedQuantities::ComputedQuantities(const ReportOptions& options)
+    : options_(options), paper_(formats::published_paper("dyn-2015")) {}
+
+void ComputedQuantities::need_bounds(const std::vector<std::string>& specifications) {
+  need(bounds_, specifications, [](const auto& s) { return holder_bounds(make_scheme(s).mask, holder_levels); });
+}
+
+void ComputedQuantities::need_exponents(const std::vector<std::string>& specifications) {
+  need(exponents_, specifications, [](const auto& s) {
+    return holder_regularity(make_scheme(s).mask, holder_levels, {Deadline::in(exponent_seconds)});
+  });
+}
+
+void ComputedQuantities::need_variance(const std::vector<std::string>& specifications) {
+  need(variance_, specifications, variance_facts);
+}
+
+const statements::dyn_2015::NumericalRecipeSearch& ComputedQuantities::recipes() {
+  if (recipes_) return *recipes_;
+  say("recipes");
+  const formats::PublishedTable& table = published("table3");
+  statements::dyn_2015::NumericalRecipeSearch::Values values;
+  std::map<std::string, int> sizes;
+  for (const formats::PublishedCell& cell : table.cells) sizes[cell.scheme] = cell.n.value();
+  need(values, schemes_of(table), [&](const std::string& scheme) {
+    return statements::dyn_2015::evaluate_numerical_recipes(make_scheme(scheme).mask, sizes.at(scheme));
+  });
+  return recipes_.emplace(table, std::move(values));
+}
+
+formats::ComparisonTable empty_table(const formats::PublishedTable& table) {
+  return {"dyn-2015", table.id, table.title, table.place, table.grid, {}};
+}
+
+formats::Comparison compare_number(const formats::PublishedCell& cell, const Enclosure& computed,
+                                   const std::string& note) {
+  return {cell.row,      cell.column, cell.scheme, cell.printed, computed, formats::compare(cell.printed, computed),
+          cell.recorded, note};
+}
+
+formats::Comparison compare_text(const formats::PublishedCell& cell, const std::string& computed, Truth equal) {
+  return {cell.row, cell.column, cell.scheme, cell.printed, computed, comparison_verdict(equal), cell.recorded, ""};
+}
+
+std::vector<std::string> schemes_of(const formats::PublishedTable& table) {
+  std::vector<std::string> result;
+  for (const formats::PublishedCell& cell : table.cells) result.push_back(cell.scheme);
+  return result;
+}
+
+std::string verdict_sentence(const formats::ComparisonTable& table) {
+  return std::to_string(table.count(Verdict::match)) + " of " + std::to_string(table.comparisons.size()) +
+         " printed values match, " + std::to_string(table.count(Verdict::mismatch)) + " do not, " +
+         std::to_string(table.count(Verdict::open)) + " are open.";
+}
+
+}  // namespace subcert::reports

@@ -1,0 +1,98 @@
+#pragma once
+/// What the items of the report on Dyn, Heard, Hormann & Sharon 2015 share: schemes, certified numbers, comparisons.
+
+#include "formats/published.hpp"
+#include "report.hpp"
+
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
+#include <subcert/proofs-checks/papers/dyn-2015/numerical_recipe_search.hpp>
+#include <subcert/proofs-checks/statements/computed.hpp>
+#include <subcert/schemes/data/runtime/parallel.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace subcert::reports {
+
+inline constexpr int holder_levels = 16;  ///< as in the paper
+inline constexpr int plot_level = 7;      ///< of the drawn curves
+
+/// To the nearest, with this many places.
+std::string decimal(const Rational& value, int places);
+
+/// A variance curve on an exact grid, whose points are the witnesses, and enclosed between them.
+struct VarianceFacts {
+  Rational largest, largest_at;
+  Enclosure maximum, minimum, slope;
+  Rational steepest;
+  std::string steepest_at;
+};
+
+VarianceFacts variance_facts(const std::string& specification);
+
+/// Certified numbers, each computed once.
+class ComputedQuantities {
+ public:
+  explicit ComputedQuantities(const ReportOptions& options);
+
+  const formats::PublishedPaper& paper() const { return paper_; }
+  const formats::PublishedTable& published(const std::string& id) const { return paper_.table(id); }
+  int jobs() const { return options_.jobs; }
+  void say(const std::string& line) const {
+    if (options_.progress) options_.progress(line);
+  }
+
+  /// Make what is missing, in parallel.
+  void need_bounds(const std::vector<std::string>& specifications);
+  const HolderBounds& bounds(const std::string& specification) const { return *bounds_.at(specification); }
+
+  /// Enclosures of the exponents.
+  void need_exponents(const std::vector<std::string>& specifications);
+  const HolderRegularity& exponent(const std::string& specification) const { return *exponents_.at(specification); }
+
+  void need_variance(const std::vector<std::string>& specifications);
+  const VarianceFacts& variance(const std::string& specification) const { return *variance_.at(specification); }
+
+  /// The recipes behind Table 3.
+  const statements::dyn_2015::NumericalRecipeSearch& recipes();
+
+ private:
+  template <class Map, class Make>
+  void need(Map& map, const std::vector<std::string>& names, const Make& make) {
+    std::vector<typename Map::value_type*> missing;
+    for (const std::string& name : names) {
+      const auto [entry, fresh] = map.try_emplace(name);
+      if (fresh) missing.push_back(&*entry);
+    }
+    runtime::parallel_for_each(missing.size(), options_.jobs, [&](std::size_t i) {
+      say(missing[i]->first);
+      missing[i]->second = make(missing[i]->first);
+    });
+  }
+
+  const ReportOptions& options_;
+  const formats::PublishedPaper& paper_;
+  std::map<std::string, std::optional<HolderBounds>> bounds_;
+  std::map<std::string, std::optional<HolderRegularity>> exponents_;
+  std::map<std::string, std::optional<VarianceFacts>> variance_;
+  std::optional<statements::dyn_2015::NumericalRecipeSearch> recipes_;
+};
+
+formats::ComparisonTable empty_table(const formats::PublishedTable& table);
+
+formats::Comparison compare_number(const formats::PublishedCell& cell, const Enclosure& computed,
+                                   const std::string& note = "");
+
+/// yes is a match, no a mismatch.
+formats::Comparison compare_text(const formats::PublishedCell& cell, const std::string& computed, Truth equal);
+
+std::vector<std::string> schemes_of(const formats::PublishedTable& table);
+
+/// "20 of 44 printed values match, ...".
+std::string verdict_sentence(const formats::ComparisonTable& table);
+
+}  // namespace subcert::reports

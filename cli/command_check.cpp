@@ -3,8 +3,8 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <algorithm>
 
@@ -59,7 +59,7 @@ ExitCode run(const CheckOptions& options) {
       for (const auto& expectation : scheme.expectations)
         questions.push_back({options.files[i], &scheme, &expectation});
   std::vector<Decision> answers(questions.size());
-  runtime::parallel_for_each(questions.size(), options.threads(), [&](std::size_t i) {
+  parallel_for_each(questions.size(), options.threads(), [&](std::size_t i) {
     answers[i] = has_property(questions[i].scheme->mask, *questions[i].expectation, options.budget);
   });
   Json json{{"properties", Json::array()}};

@@ -1,5 +1,6 @@
 # How the targets of the house are made.
 option(SUBCERT_JOIN "Compile sources of one folder together where their target says so" ON)
+set(SUBCERT_TEST_SECONDS 300 CACHE STRING "The longest time of a quick test")
 
 # subcert_floor(NAME [QUICK] SOURCES ... HEADERS ... DEPENDS ... PRIVATE ...)
 # One static library for a floor of the house: alias subcert::NAME, exported. HEADERS are its public ones: they are
@@ -83,7 +84,8 @@ function(subcert_test name)
   subcert_warnings(${name})
   subcert_precompiled(${name} tests)
   subcert_joined(${name} 8)
-  catch_discover_tests(${name} TEST_SPEC "~[long]" TEST_PREFIX "${name}: " PROPERTIES LABELS quick TIMEOUT 300)
+  catch_discover_tests(${name} TEST_SPEC "~[long]" TEST_PREFIX "${name}: "
+    PROPERTIES LABELS quick TIMEOUT ${SUBCERT_TEST_SECONDS})
   if(test_LONG)
     catch_discover_tests(${name} TEST_SPEC "[long]" TEST_PREFIX "${name}: " PROPERTIES LABELS long TIMEOUT 900)
   endif()

@@ -5,11 +5,11 @@
 #include "report.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/numerical_recipe_search.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <map>
 #include <optional>
@@ -68,7 +68,7 @@ class ComputedQuantities {
       const auto [entry, fresh] = map.try_emplace(name);
       if (fresh) missing.push_back(&*entry);
     }
-    runtime::parallel_for_each(missing.size(), options_.jobs, [&](std::size_t i) {
+    parallel_for_each(missing.size(), options_.jobs, [&](std::size_t i) {
       say(missing[i]->first);
       missing[i]->second = make(missing[i]->first);
     });

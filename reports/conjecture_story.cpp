@@ -58,7 +58,7 @@ struct Suggested {
   explicit Suggested(ComputedQuantities& quantities) {
     const auto& best = statements::dyn_2015::numerical_recipes()[quantities.recipes().best()];
     recipe.resize(last_n_of_figure_8);
-    runtime::parallel_for_each(recipe.size(), quantities.jobs(), [&](std::size_t i) {
+    parallel_for_each(recipe.size(), quantities.jobs(), [&](std::size_t i) {
       const int n = static_cast<int>(i) + 1;
       const auto values = statements::dyn_2015::evaluate_numerical_recipe(
           best, make_scheme(statements::specification("primal", n)).mask, n);
@@ -176,6 +176,9 @@ formats::Section conjecture_7_section(ComputedQuantities& quantities) {
   const Suggested suggested(quantities);
   formats::Section section{"conjecture-7", "Conjecture 7: what is true",
                            story(courses, suggested, quantities.recipes())};
+  section.finding =
+      "Conjecture 7 and Theorem 6, second half: true as an upper bound, false as a rate. max |psi'| falls faster than "
+      "every power of n.";
   section.tables.push_back(limits(courses));
   section.figures.push_back(plot(courses, suggested));
   return section;

@@ -190,6 +190,7 @@ formats::Section exponents(ComputedQuantities& quantities) {
              " schemes the exponent is proved to exceed " + largest + ", the largest printed bound, for n = " + above +
              ".";
   }
+  section.finding = "Tables 1 and 2 rise to n = 4 and then fall; the exponents do not. " + trend;
   section.paragraphs.push_back(
       "Tables 1 and 2 print bounds after sixteen levels. They rise to a maximum at n = 4 and then fall, which suggests "
       "that "

@@ -122,6 +122,8 @@ formats::Section variance_section(const ReportOptions& options, ComputedQuantiti
     quantities.say("table3");
     section.comparisons.push_back(compare_table_3(quantities.published("table3"), quantities));
     section.paragraphs.push_back("Table 3: " + verdict_sentence(section.comparisons.back()));
+    section.finding = section.paragraphs.back() + " One truncated sum has the digits of " +
+                      std::to_string(quantities.recipes().cells_given()) + " of them.";
     section.paragraphs.push_back(
         "What the verdicts mean. Maxima of psi and of |psi'| are enclosed over all of [0, 1], to a relative width of "
         "1e-6, and a printed value that the enclosure excludes is a mismatch. Where the printed value is too small "

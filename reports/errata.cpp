@@ -1,6 +1,6 @@
 #include "errata.hpp"
 
-#include <subcert/schemes/data/runtime/parallel.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 #include "formats/html.hpp"
 
 #include <chrono>
@@ -104,7 +104,7 @@ std::vector<CheckedStatement> check_statements(const std::vector<const Statement
                                                int jobs, const std::function<void(const std::string&)>& progress) {
   std::vector<CheckedStatement> results(chosen.size());
   std::mutex one_at_a_time;
-  runtime::parallel_for_each(chosen.size(), jobs, [&](std::size_t i) {
+  parallel_for_each(chosen.size(), jobs, [&](std::size_t i) {
     if (progress) {
       const std::lock_guard lock(one_at_a_time);
       progress(chosen[i]->id);

@@ -1,7 +1,7 @@
 #include "report.hpp"
 
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
 #include "dyn_2015.hpp"
 #include "formats/html.hpp"
 #include "paper_experiments.hpp"
@@ -323,7 +323,7 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
         pictures.push_back([&figure, inside] { formats::draw(figure, inside); });
     }
   }
-  runtime::parallel_for_each(pictures.size(), jobs, [&](std::size_t i) { pictures[i](); });
+  parallel_for_each(pictures.size(), jobs, [&](std::size_t i) { pictures[i](); });
   runtime::write_file(folder / "index.html", page(reports, std::filesystem::exists(folder / "errata.html")));
 }
 

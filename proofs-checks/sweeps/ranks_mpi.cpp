@@ -7,7 +7,7 @@
 #include "ranks.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 
 #include <mpi.h>
 
@@ -138,8 +138,8 @@ void work_for_first_rank(int jobs, const ComputeCase& compute) {
   if (jobs == 1 || !Session::get().threads_may_send)
     work(0, compute);
   else
-    runtime::parallel_for_each(static_cast<std::size_t>(jobs), jobs,
-                               [&](std::size_t thread) { work(static_cast<int>(thread), compute); });
+    parallel_for_each(static_cast<std::size_t>(jobs), jobs,
+                      [&](std::size_t thread) { work(static_cast<int>(thread), compute); });
   MPI_Send("", 0, MPI_CHAR, 0, leave_tag, MPI_COMM_WORLD);
 }
 

@@ -2,8 +2,8 @@
 
 #include "ranks.hpp"
 
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -162,7 +162,7 @@ std::optional<SweepResults> run_sweep(const std::vector<SweepCase>& cases,
   const NextCase next = [&] { return ledger->next(); };
   const FinishCase finish = [&](std::size_t i, const CaseOutcome& outcome) { ledger->finish(i, outcome); };
   const auto own_share = [&] {
-    runtime::parallel_for_each(ledger->waiting(), jobs, [&](std::size_t) {
+    parallel_for_each(ledger->waiting(), jobs, [&](std::size_t) {
       if (const auto i = next()) finish(*i, outcome_of(*i));
     });
   };

@@ -1,10 +1,9 @@
 #include "variance_ends.hpp"
 
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/schemes/specification.hpp>
 
-#include <atomic>
-#include <future>
 #include <map>
 #include <mutex>
 #include <string>
@@ -55,14 +54,7 @@ void prepare_variance_ends(int first, int last, const std::vector<int>& degrees,
   for (int n = last; n >= first; --n)
     for (int degree : degrees)
       if (!is_known({n, degree})) keys.emplace_back(n, degree);
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < keys.size();) variance_ends(keys[i].first, keys[i].second);
-  };
-  std::vector<std::future<void>> others;
-  for (int i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, work));
-  work();
-  for (std::future<void>& other : others) other.get();
+  parallel_for_each(keys.size(), threads, [&](std::size_t i) { variance_ends(keys[i].first, keys[i].second); });
 }
 
 }  // namespace subcert::theorems

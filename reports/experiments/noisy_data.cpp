@@ -1,6 +1,6 @@
 #include "noisy_data.hpp"
 
-#include <subcert/schemes/data/runtime/parallel.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 
 #include <algorithm>
 
@@ -77,7 +77,7 @@ void for_each_refined(
     const std::function<void(const Method& method, std::size_t r, const RefinedSample& sample)>& visit) {
   const std::size_t shares = (count + samples_per_share - 1) / samples_per_share;
   const bool both = sets == Sets::both && data.outliers > 0;
-  runtime::parallel_for_each(shares * methods.size(), options.jobs, [&](std::size_t task) {
+  parallel_for_each(shares * methods.size(), options.jobs, [&](std::size_t task) {
     const Method& method = methods[task / shares];
     const std::size_t first = task % shares * samples_per_share, last = std::min(count, first + samples_per_share);
     std::vector<OutlierSample> drawn;

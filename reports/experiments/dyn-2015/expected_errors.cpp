@@ -2,8 +2,8 @@
 
 #include "parts.hpp"
 
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
 #include <subcert/schemes/data/smooth/expected_error.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -49,7 +49,7 @@ Measured simulations(const ExperimentOptions& options) {
        {"primal:n=2", "primal:n=3", "primal:n=5", "primal:n=5,d=3", "dual:n=3", "bspline:degree=3"})
     for (const int subdivision : {10, 20, 40})
       for (const std::size_t output : {80u, 82u, 1u}) cases.push_back({scheme, subdivision, output});
-  runtime::parallel_for_each(cases.size(), options.jobs, [&](std::size_t i) { evaluate(cases[i], options, i); });
+  parallel_for_each(cases.size(), options.jobs, [&](std::size_t i) { evaluate(cases[i], options, i); });
   formats::PlainTable table{"mse-values",
                             "Expected squared error: exact and simulated",
                             {"scheme", "h", "at", "bias^2", "sigma^2 psi", "exact sum", "simulated", "inside"},

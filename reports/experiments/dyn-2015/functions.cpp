@@ -3,9 +3,9 @@
 #include "limit_trial.hpp"
 #include "parts.hpp"
 
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/reports/experiments/figures.hpp>
 #include <subcert/reports/experiments/local_polynomial.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ class FunctionTrial {
       for (int decibel = loudest; decibel <= quietest; ++decibel)
         result.samples[{name, std::to_string(decibel)}].resize(options.runs);
     const std::vector<Coordinate> truth{truth_};
-    runtime::parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
+    parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
       const auto noise = noise_of(options.seed, run);
       for (const auto& [name, method] : methods_) {
         const Reconstruction reconstruction = reconstructed(method, noise);

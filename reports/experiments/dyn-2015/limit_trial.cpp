@@ -1,7 +1,7 @@
 #include "limit_trial.hpp"
 
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/reports/experiments/figures.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +182,7 @@ Measured LimitTrial::measured(const ExperimentOptions& options) const {
     for (const std::string& scheme : schemes)
       for (const double decibel : decibels)
         result.samples[{name, at_noise(scheme_name(scheme), decibel)}].resize(options.runs);
-  runtime::parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
+  parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
     for_each_noise(*this, samples, options.seed, run, [&](double decibel, const PointGrid& data) {
       for (std::size_t s = 0; s < schemes.size(); ++s) {
         const PointGrid limit = limits[s](data);

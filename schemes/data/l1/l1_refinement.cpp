@@ -2,7 +2,7 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 
 #include <algorithm>
 
@@ -196,10 +196,10 @@ void run_job(const Job& job, const Sizes& sizes, const std::vector<double>& data
              std::vector<double>& out) {
   const std::size_t windows = job.x->windows * job.y->windows;
   constexpr std::size_t lanes = L1Fitter::lanes;
-  runtime::parallel_ranges((windows + lanes - 1) / lanes, windows / windows_per_thread, threads,
-                           [&](std::size_t begin, std::size_t end) {
-                             fit_range(job, sizes, data, begin * lanes, std::min(end * lanes, windows), out);
-                           });
+  parallel_ranges((windows + lanes - 1) / lanes, windows / windows_per_thread, threads,
+                  [&](std::size_t begin, std::size_t end) {
+                    fit_range(job, sizes, data, begin * lanes, std::min(end * lanes, windows), out);
+                  });
 }
 
 /// The data with the places that windows read beyond the ends.

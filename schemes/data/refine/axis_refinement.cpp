@@ -4,7 +4,7 @@
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 #include <algorithm>
@@ -184,13 +184,13 @@ void apply(const AxisRefinement<Number>& rows, const Number* in, Number* out, st
         apply_row(rows.tail[i], source, target + (rows.outputs() - rows.tail.size() + i) * inner, inner);
   };
   if (outer >= 16)
-    runtime::parallel_ranges(outer, numbers / numbers_per_thread, threads, [&](std::size_t begin, std::size_t end) {
+    parallel_ranges(outer, numbers / numbers_per_thread, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t o = begin; o < end; ++o) piece(o, 0, rows.groups);
     });
   else
     for (std::size_t o = 0; o < outer; ++o)
-      runtime::parallel_ranges(rows.groups, numbers / outer / numbers_per_thread, threads,
-                               [&](std::size_t begin, std::size_t end) { piece(o, begin, end); });
+      parallel_ranges(rows.groups, numbers / outer / numbers_per_thread, threads,
+                      [&](std::size_t begin, std::size_t end) { piece(o, begin, end); });
 }
 
 template <class Number>

@@ -6,7 +6,7 @@
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/schemes/grid_regression.hpp>
 
 #include <algorithm>
@@ -108,10 +108,10 @@ class Level {
     for (const Line& line : lines_) result.axes.push_back(line.range.output);
     result.values.resize(result.points() * result.dimension);
     const std::size_t row = result.axes[0].count * result.dimension;
-    runtime::parallel_ranges(result.points() / result.axes[0].count, result.values.size() / numbers_per_thread, threads,
-                             [&](std::size_t begin, std::size_t end) {
-                               for (std::size_t r = begin; r < end; ++r) run_row(r, result.values.data() + r * row);
-                             });
+    parallel_ranges(result.points() / result.axes[0].count, result.values.size() / numbers_per_thread, threads,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t r = begin; r < end; ++r) run_row(r, result.values.data() + r * row);
+                    });
     return result;
   }
 

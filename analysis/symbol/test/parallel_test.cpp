@@ -1,5 +1,5 @@
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/cmake/catch.hpp>
-#include <subcert/schemes/data/runtime/parallel.hpp>
 
 #include <atomic>
 #include <stdexcept>
@@ -13,9 +13,9 @@ TEST_CASE("every piece of work is done once") {
     for (const int jobs : {1, 2, 5, 40}) {
       CAPTURE(count, jobs);
       std::vector<std::atomic<int>> calls(count);
-      runtime::parallel_for_each(count, jobs, [&](std::size_t i) { ++calls[i]; });
+      parallel_for_each(count, jobs, [&](std::size_t i) { ++calls[i]; });
       for (const std::size_t ranges : {0, 1, 3, 100})
-        runtime::parallel_ranges(count, ranges, jobs, [&](std::size_t begin, std::size_t end) {
+        parallel_ranges(count, ranges, jobs, [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i) ++calls[i];
         });
       for (const auto& one : calls) CHECK(one == 5);
@@ -27,7 +27,7 @@ TEST_CASE("the first exception comes out, and no work is begun after it") {
     std::atomic<std::size_t> begun = 0;
     std::string message;
     try {
-      runtime::parallel_for_each(100'000, jobs, [&](std::size_t i) {
+      parallel_for_each(100'000, jobs, [&](std::size_t i) {
         ++begun;
         if (i == 5) throw std::runtime_error("five");
       });

@@ -1,5 +1,7 @@
 #include "parallel.hpp"
 
+#include <flint/flint.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -7,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace subcert::runtime {
+namespace subcert {
 
 void parallel_for_each(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
   const std::size_t team_size = std::min(count, static_cast<std::size_t>(std::max(1, jobs)));
@@ -23,9 +25,13 @@ void parallel_for_each(std::size_t count, int jobs, const std::function<void(std
       next = count;
     }
   };
+  const auto helper_share = [&] {
+    share();
+    flint_cleanup();  // FLINT keeps numbers for each thread and gives them back on request only
+  };
   {
     std::vector<std::jthread> helpers;  // joined at the end of the block
-    for (std::size_t helper = 1; helper < team_size; ++helper) helpers.emplace_back(share);
+    for (std::size_t helper = 1; helper < team_size; ++helper) helpers.emplace_back(helper_share);
     share();
   }
   if (failure) std::rethrow_exception(failure);
@@ -38,4 +44,4 @@ void parallel_ranges(std::size_t count, std::size_t ranges, int jobs,
   parallel_for_each(team, jobs, [&](std::size_t i) { work(count * i / team, count * (i + 1) / team); });
 }
 
-}  // namespace subcert::runtime
+}  // namespace subcert

@@ -1,10 +1,11 @@
 #pragma once
-/// Independent pieces of work on several threads.
+/// Independent pieces of work on several threads. Everything parallel goes through here: what FLINT keeps for a thread
+/// is given back when the thread ends.
 
 #include <cstddef>
 #include <functional>
 
-namespace subcert::runtime {
+namespace subcert {
 
 /// Calls work(0), ..., work(count - 1) on at most `jobs` threads, begun in this order. Domain: jobs >= 1. Errors: the
 /// first exception of a call is thrown again after the calls under way have ended; no others are begun then.
@@ -15,4 +16,4 @@ void parallel_for_each(std::size_t count, int jobs, const std::function<void(std
 void parallel_ranges(std::size_t count, std::size_t ranges, int jobs,
                      const std::function<void(std::size_t, std::size_t)>& work);
 
-}  // namespace subcert::runtime
+}  // namespace subcert

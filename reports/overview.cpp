@@ -19,8 +19,12 @@ struct Score {
     ++(truth == Truth::yes ? right : truth == Truth::no ? wrong : open);
   }
   int all() const { return right + wrong + open; }
-  std::string text(const std::string& what) const {
-    return all() == 0 ? "" : fmt::format("{} of {} {}", right, all(), what);
+  /// `81 of 113 values match`, with those apart of which nothing can be said.
+  std::string text(const std::string& what, const std::string& hold) const {
+    if (all() == 0) return "";
+    if (right + wrong == 0) return fmt::format("{} {} cannot be checked", open, what);
+    return fmt::format("{} of {} {} {}{}", right, right + wrong, what, hold,
+                       open == 0 ? "" : fmt::format(" ({} cannot be checked)", open));
   }
 };
 
@@ -106,9 +110,9 @@ std::vector<std::string> deviations(const Findings& findings, bool only_alarms) 
 }
 
 std::string paper_lines(const Findings& findings, const Report& report, bool colours) {
-  std::vector<std::string> counts{values_of(report).text("printed values match"),
-                                  statements_of(findings, report.paper).text("statements hold"),
-                                  claims_of(report).text("claims confirmed")};
+  std::vector<std::string> counts{values_of(report).text("printed values", "match"),
+                                  statements_of(findings, report.paper).text("statements", "hold"),
+                                  claims_of(report).text("claims", "confirmed")};
   std::erase(counts, "");
   return coloured(wrapped(short_citation(report.citation), "  "), "1", colours) +
          fmt::format("    {}\n", fmt::join(counts, ", "));
@@ -181,7 +185,7 @@ std::string full_list(const Findings& findings) {
     for (const formats::ComparisonTable* table : report.comparison_tables()) text += table_line(*table);
     for (const experiments::RanExperiment& ran : report.experiments) text += experiment_line(ran);
     if (const Score score = statements_of(findings, report.paper); score.all() > 0)
-      text += "  " + score.text("statements hold") + "\n";
+      text += "  " + score.text("statements", "hold") + "\n";
     text += "\n";
   }
   for (const std::string& line : deviations(findings, false)) text += line + "\n";

@@ -196,6 +196,114 @@ class Mutator {
   std::mt19937 random_;
 };
 
+/// Offers mutants to the checker and counts what becomes of them.
+class Campaign {
+ public:
+  Campaign(std::vector<Case> cases, unsigned seed) : cases_(std::move(cases)), seed_(seed), mutator_(seed) {
+    failures_ += cases_.empty() ? 1 : 0;
+  }
+  Campaign(const Campaign&) = delete;
+  ~Campaign() { std::filesystem::remove(file_); }
+
+  /// The cases themselves, then every field and every line of each with each kind of change once.
+  void change_everything_once() {
+    for (const Case& c : cases_) {
+      write(text_of(c.lines));
+      if (!proves(c.claim)) fail("not accepted", c, "");
+      for (std::size_t i = 0; i < c.lines.size(); ++i) {
+        change_fields(c, i);
+        for (std::size_t kind = 0; kind < Mutator::line_kinds; ++kind) {
+          Lines lines = c.lines;
+          mutator_.change_lines(lines, any_case().lines, i, kind);
+          offer(c, lines);
+        }
+      }
+    }
+  }
+
+  /// Several changes at once, until there have been so many mutants.
+  void change_at_random(std::size_t wanted) {
+    while (mutants_ < wanted && !cases_.empty()) {
+      const Case& c = any_case();
+      Lines lines = c.lines;
+      for (std::size_t changes = 1 + mutator_.below(4); changes > 0 && !lines.empty(); --changes) {
+        const std::size_t i = mutator_.below(lines.size());
+        auto tokens = split(lines[i]);
+        if (mutator_.below(2) == 0 && !tokens.empty()) {
+          const std::size_t k = mutator_.below(tokens.size());
+          tokens[k] = mutator_.change_field(tokens[k], mutator_.below(Mutator::field_kinds));
+          lines[i] = join(tokens);
+        } else {
+          mutator_.change_lines(lines, any_case().lines, i, mutator_.below(Mutator::line_kinds));
+        }
+      }
+      offer(c, lines);
+    }
+  }
+
+  bool report() const {
+    std::cout << mutants_ << " mutants (seed " << seed_ << "): " << rejected_ << " rejected, " << still_true_
+              << " still prove the true claim, " << failures_ << " failures, slowest " << slowest_ << " s\n";
+    return failures_ == 0;
+  }
+
+ private:
+  static std::string text_of(const Lines& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    return text;
+  }
+  const Case& any_case() { return cases_[mutator_.below(cases_.size())]; }
+  void write(const std::string& text) const { std::ofstream(file_, std::ios::binary) << text; }
+
+  void fail(const std::string& what, const Case& c, const std::string& text) {
+    std::cerr << what << " (" << c.name << ", seed " << seed_ << ")\n" << text;
+    ++failures_;
+  }
+
+  bool proves(Claim claim) const {
+    claim.push_back(file_);
+    std::ostringstream out, errors;
+    const int code = subcert_check::run(claim, out, errors);
+    if (code > 1 || (code == 0) != out.str().starts_with("VERIFIED "))
+      std::cerr << "code " << code << errors.str() << '\n';
+    return code != 1;
+  }
+
+  void offer(const Case& c, const Lines& lines) {
+    std::string text = text_of(lines);
+    if (mutants_ % 97 == 0 && !text.empty()) text.resize(mutator_.below(text.size()));
+    ++mutants_;
+    const auto start = std::chrono::steady_clock::now();
+    write(text);
+    ++(proves(c.claim) ? still_true_ : rejected_);
+    for (const Claim& claim : c.false_claims)
+      if (proves(claim)) fail("FALSE CLAIM PROVED: " + join(claim), c, text);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    slowest_ = std::max(slowest_, seconds);
+    if (seconds > max_seconds) fail("TOO SLOW: " + std::to_string(seconds) + " s", c, text);
+  }
+
+  void change_fields(const Case& c, std::size_t line) {
+    const auto tokens = split(c.lines[line]);
+    for (std::size_t k = 0; k < tokens.size(); ++k)
+      for (std::size_t kind = 0; kind < Mutator::field_kinds; ++kind) {
+        auto changed = tokens;
+        changed[k] = mutator_.change_field(tokens[k], kind);
+        Lines lines = c.lines;
+        lines[line] = join(changed);
+        offer(c, lines);
+      }
+  }
+
+  std::vector<Case> cases_;
+  unsigned seed_;
+  Mutator mutator_;
+  std::string file_ = std::filesystem::temp_directory_path() / ("subcert-mutant-" + std::to_string(getpid()));
+  std::size_t mutants_ = 0, still_true_ = 0, rejected_ = 0, failures_ = 0;
+  double slowest_ = 0;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -203,89 +311,8 @@ int main(int argc, char** argv) {
     std::cerr << "usage: mutate ACCEPT_DIRECTORY MUTANTS [SEED]\n";
     return 64;
   }
-  const std::vector<Case> cases = read_cases(argv[1]);
-  const std::size_t wanted = std::stoul(argv[2]);
-  const unsigned seed = argc > 3 ? static_cast<unsigned>(std::stoul(argv[3])) : 20261121U;
-  Mutator mutator(seed);
-  std::size_t mutants = 0, still_true = 0, rejected = 0, failures = 0;
-  double slowest = 0;
-
-  const std::string file = std::filesystem::temp_directory_path() / ("subcert-mutant-" + std::to_string(getpid()));
-  const auto write = [&file](const std::string& text) { std::ofstream(file, std::ios::binary) << text; };
-  const auto proves = [&file](Claim claim) {
-    claim.push_back(file);
-    std::ostringstream out, errors;
-    const int code = subcert_check::run(claim, out, errors);
-    if (code > 1 || (code == 0) != out.str().starts_with("VERIFIED "))
-      std::cerr << "code " << code << errors.str() << '\n';
-    return code != 1;
-  };
-  const auto offer = [&](const Case& c, const Lines& lines) {
-    std::string text;
-    for (const std::string& line : lines) text += line + "\n";
-    if (mutants % 97 == 0 && !text.empty()) text.resize(mutator.below(text.size()));
-    ++mutants;
-    const auto start = std::chrono::steady_clock::now();
-    write(text);
-    ++(proves(c.claim) ? still_true : rejected);
-    for (const Claim& claim : c.false_claims)
-      if (proves(claim)) {
-        std::cerr << "FALSE CLAIM PROVED: " << join(claim) << " (" << c.name << ", seed " << seed << ")\n" << text;
-        ++failures;
-      }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    slowest = std::max(slowest, seconds);
-    if (seconds > max_seconds) {
-      std::cerr << "TOO SLOW: " << seconds << " s (" << c.name << ", seed " << seed << ")\n" << text;
-      ++failures;
-    }
-  };
-
-  if (cases.empty()) ++failures;
-  for (const Case& c : cases) {
-    std::string text;
-    for (const std::string& line : c.lines) text += line + "\n";
-    write(text);
-    if (!proves(c.claim)) {
-      std::cerr << "not accepted: " << c.name << '\n';
-      ++failures;
-    }
-    // every field and every line, each kind of change once
-    for (std::size_t i = 0; i < c.lines.size(); ++i) {
-      const auto tokens = split(c.lines[i]);
-      for (std::size_t k = 0; k < tokens.size(); ++k)
-        for (std::size_t kind = 0; kind < Mutator::field_kinds; ++kind) {
-          auto changed = tokens;
-          changed[k] = mutator.change_field(tokens[k], kind);
-          Lines lines = c.lines;
-          lines[i] = join(changed);
-          offer(c, lines);
-        }
-      for (std::size_t kind = 0; kind < Mutator::line_kinds; ++kind) {
-        Lines lines = c.lines;
-        mutator.change_lines(lines, cases[mutator.below(cases.size())].lines, i, kind);
-        offer(c, lines);
-      }
-    }
-  }
-  while (mutants < wanted) {  // several changes at once
-    const Case& c = cases[mutator.below(cases.size())];
-    Lines lines = c.lines;
-    for (std::size_t changes = 1 + mutator.below(4); changes > 0 && !lines.empty(); --changes) {
-      const std::size_t i = mutator.below(lines.size());
-      auto tokens = split(lines[i]);
-      if (mutator.below(2) == 0 && !tokens.empty()) {
-        const std::size_t k = mutator.below(tokens.size());
-        tokens[k] = mutator.change_field(tokens[k], mutator.below(Mutator::field_kinds));
-        lines[i] = join(tokens);
-      } else {
-        mutator.change_lines(lines, cases[mutator.below(cases.size())].lines, i, mutator.below(Mutator::line_kinds));
-      }
-    }
-    offer(c, lines);
-  }
-  std::filesystem::remove(file);
-  std::cout << mutants << " mutants (seed " << seed << "): " << rejected << " rejected, " << still_true
-            << " still prove the true claim, " << failures << " failures, slowest " << slowest << " s\n";
-  return failures == 0 ? 0 : 1;
+  Campaign campaign(read_cases(argv[1]), argc > 3 ? static_cast<unsigned>(std::stoul(argv[3])) : 20261121U);
+  campaign.change_everything_once();
+  campaign.change_at_random(std::stoul(argv[2]));
+  return campaign.report() ? 0 : 1;
 }

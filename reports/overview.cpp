@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace subcert::reports {
 namespace {
@@ -19,12 +20,11 @@ struct Score {
     ++(truth == Truth::yes ? right : truth == Truth::no ? wrong : open);
   }
   int all() const { return right + wrong + open; }
-  /// `81 of 113 values match`, with those apart of which nothing can be said.
+  /// `81 of 113 values match`, among those that can be checked.
   std::string text(const std::string& what, const std::string& hold) const {
     if (all() == 0) return "";
-    if (right + wrong == 0) return fmt::format("{} {} cannot be checked", open, what);
-    return fmt::format("{} of {} {} {}{}", right, right + wrong, what, hold,
-                       open == 0 ? "" : fmt::format(" ({} cannot be checked)", open));
+    return right + wrong == 0 ? fmt::format("{} {} cannot be checked", open, what)
+                              : fmt::format("{} of {} {} {}", right, right + wrong, what, hold);
   }
 };
 
@@ -115,7 +115,7 @@ std::string paper_lines(const Findings& findings, const Report& report, bool col
                                   claims_of(report).text("claims", "confirmed")};
   std::erase(counts, "");
   return coloured(wrapped(short_citation(report.citation), "  "), "1", colours) +
-         fmt::format("    {}\n", fmt::join(counts, ", "));
+         wrapped(fmt::format("{}", fmt::join(counts, ", ")), "    ");
 }
 
 std::string table_line(const formats::ComparisonTable& table) {
@@ -169,7 +169,7 @@ std::string first_screen(const Findings& findings, const ScreenOptions& options)
     if (!findings.statements.empty()) text += fmt::format("Errata          {}/errata.html\n", options.folder);
     text += fmt::format("The full list   {}/summary.txt\n", options.folder);
   }
-  const int seconds = static_cast<int>(options.seconds + 0.5);
+  const long seconds = std::lround(options.seconds);
   const std::string duration = seconds < 60 ? fmt::format("{} s", seconds)
                                             : fmt::format("{} min {} s", seconds / 60, seconds % 60);
   return text +

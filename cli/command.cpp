@@ -1,6 +1,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <unistd.h>
@@ -10,7 +11,6 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
-#include <thread>
 
 namespace subcert::cli {
 
@@ -37,9 +37,7 @@ std::string read_file(const std::string& path) {
   return text.str();
 }
 
-int CommonOptions::threads() const {
-  return jobs > 0 ? jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
+int CommonOptions::threads() const { return jobs > 0 ? jobs : all_cores(); }
 
 void CommonOptions::progress(const std::string& line) const {
   if (!quiet && isatty(STDERR_FILENO)) std::cerr << "\r\033[K" << line << std::flush;

@@ -50,7 +50,7 @@ VarianceFacts variance_facts(const std::string& specification) {
 }
 
 ComputedQuantities::ComputedQuantities(const ReportOptions& options)
-    : options_(options), paper_(formats::published_paper("dyn-2015")) {}
+    : options_(options), paper_(statements::paper("dyn-2015")) {}
 
 void ComputedQuantities::need_bounds(const std::vector<std::string>& specifications) {
   need(bounds_, specifications, [](const auto& s) { return holder_bounds(make_scheme(s).mask, holder_levels); });
@@ -69,33 +69,33 @@ void ComputedQuantities::need_variance(const std::vector<std::string>& specifica
 const statements::dyn_2015::NumericalRecipeSearch& ComputedQuantities::recipes() {
   if (recipes_) return *recipes_;
   say("recipes");
-  const formats::PublishedTable& table = published("table3");
+  const statements::PublishedTable& table = published("table3");
   statements::dyn_2015::NumericalRecipeSearch::Values values;
   std::map<std::string, int> sizes;
-  for (const formats::PublishedCell& cell : table.cells) sizes[cell.scheme] = cell.n.value();
+  for (const statements::PublishedCell& cell : table.cells) sizes[cell.scheme] = cell.n.value();
   need(values, schemes_of(table), [&](const std::string& scheme) {
     return statements::dyn_2015::evaluate_numerical_recipes(make_scheme(scheme).mask, sizes.at(scheme));
   });
   return recipes_.emplace(table, std::move(values));
 }
 
-formats::ComparisonTable empty_table(const formats::PublishedTable& table) {
+formats::ComparisonTable empty_table(const statements::PublishedTable& table) {
   return {"dyn-2015", table.id, table.title, table.place, table.grid, {}};
 }
 
-formats::Comparison compare_number(const formats::PublishedCell& cell, const Enclosure& computed,
+formats::Comparison compare_number(const statements::PublishedCell& cell, const Enclosure& computed,
                                    const std::string& note) {
   return {cell.row,      cell.column, cell.scheme, cell.printed, computed, formats::compare(cell.printed, computed),
           cell.recorded, note};
 }
 
-formats::Comparison compare_text(const formats::PublishedCell& cell, const std::string& computed, Truth equal) {
+formats::Comparison compare_text(const statements::PublishedCell& cell, const std::string& computed, Truth equal) {
   return {cell.row, cell.column, cell.scheme, cell.printed, computed, comparison_verdict(equal), cell.recorded, ""};
 }
 
-std::vector<std::string> schemes_of(const formats::PublishedTable& table) {
+std::vector<std::string> schemes_of(const statements::PublishedTable& table) {
   std::vector<std::string> result;
-  for (const formats::PublishedCell& cell : table.cells) result.push_back(cell.scheme);
+  for (const statements::PublishedCell& cell : table.cells) result.push_back(cell.scheme);
   return result;
 }
 

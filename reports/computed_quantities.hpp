@@ -1,7 +1,7 @@
 #pragma once
 /// What the items of the report on Dyn, Heard, Hormann & Sharon 2015 share: schemes, certified numbers, comparisons.
 
-#include "formats/published.hpp"
+#include <subcert/proofs-checks/papers/registry.hpp>
 #include "report.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
@@ -39,8 +39,8 @@ class ComputedQuantities {
  public:
   explicit ComputedQuantities(const ReportOptions& options);
 
-  const formats::PublishedPaper& paper() const { return paper_; }
-  const formats::PublishedTable& published(const std::string& id) const { return paper_.table(id); }
+  const statements::Paper& paper() const { return paper_; }
+  const statements::PublishedTable& published(const std::string& id) const { return paper_.table(id); }
   int jobs() const { return options_.jobs; }
   void say(const std::string& line) const {
     if (options_.progress) options_.progress(line);
@@ -75,22 +75,22 @@ class ComputedQuantities {
   }
 
   const ReportOptions& options_;
-  const formats::PublishedPaper& paper_;
+  const statements::Paper& paper_;
   std::map<std::string, std::optional<HolderBounds>> bounds_;
   std::map<std::string, std::optional<HolderRegularity>> exponents_;
   std::map<std::string, std::optional<VarianceFacts>> variance_;
   std::optional<statements::dyn_2015::NumericalRecipeSearch> recipes_;
 };
 
-formats::ComparisonTable empty_table(const formats::PublishedTable& table);
+formats::ComparisonTable empty_table(const statements::PublishedTable& table);
 
-formats::Comparison compare_number(const formats::PublishedCell& cell, const Enclosure& computed,
+formats::Comparison compare_number(const statements::PublishedCell& cell, const Enclosure& computed,
                                    const std::string& note = "");
 
 /// yes is a match, no a mismatch.
-formats::Comparison compare_text(const formats::PublishedCell& cell, const std::string& computed, Truth equal);
+formats::Comparison compare_text(const statements::PublishedCell& cell, const std::string& computed, Truth equal);
 
-std::vector<std::string> schemes_of(const formats::PublishedTable& table);
+std::vector<std::string> schemes_of(const statements::PublishedTable& table);
 
 /// "20 of 44 printed values match, ...".
 std::string verdict_sentence(const formats::ComparisonTable& table);

@@ -64,7 +64,7 @@ struct Suggested {
           best, make_scheme(statements::specification("primal", n)).mask, n);
       recipe[i] = {n, n * n * values.slope};
     });
-    for (const formats::PublishedCell& cell : quantities.published("table3").cells)
+    for (const statements::PublishedCell& cell : quantities.published("table3").cells)
       if (cell.d == 1 && cell.quantity == "n^2 max |psi'|") printed.emplace_back(cell.n.value(), cell.printed);
   }
 

@@ -16,9 +16,9 @@
 namespace subcert::reports {
 namespace {
 
-formats::ComparisonTable compare_masks(const formats::PublishedTable& table) {
+formats::ComparisonTable compare_masks(const statements::PublishedTable& table) {
   formats::ComparisonTable result = empty_table(table);
-  for (const formats::PublishedCell& cell : table.cells) {
+  for (const statements::PublishedCell& cell : table.cells) {
     const Mask computed = make_scheme(cell.scheme).mask;
     // The paper prints no indices with the masks: the coefficients are compared in order.
     const LaurentPolynomial printed = LaurentPolynomial::parse_mask(cell.printed).shifted(computed.symbol().lowest());
@@ -32,9 +32,9 @@ formats::ComparisonTable compare_masks(const formats::PublishedTable& table) {
   return result;
 }
 
-formats::ComparisonTable compare_supports(const formats::PublishedTable& table) {
+formats::ComparisonTable compare_supports(const statements::PublishedTable& table) {
   formats::ComparisonTable result = empty_table(table);
-  for (const formats::PublishedCell& cell : table.cells) {
+  for (const statements::PublishedCell& cell : table.cells) {
     const Interval support = limit_support(make_scheme(cell.scheme).mask);
     const std::string computed = "[" + to_text(support.lower) + ", " + to_text(support.upper) + "]";
     result.comparisons.push_back(compare_text(cell, computed, computed == cell.printed ? Truth::yes : Truth::no));
@@ -42,10 +42,10 @@ formats::ComparisonTable compare_supports(const formats::PublishedTable& table) 
   return result;
 }
 
-formats::ComparisonTable compare_bounds(const formats::PublishedTable& table, ComputedQuantities& quantities) {
+formats::ComparisonTable compare_bounds(const statements::PublishedTable& table, ComputedQuantities& quantities) {
   quantities.need_bounds(schemes_of(table));
   formats::ComparisonTable result = empty_table(table);
-  for (const formats::PublishedCell& cell : table.cells)
+  for (const statements::PublishedCell& cell : table.cells)
     result.comparisons.push_back(compare_number(cell, quantities.bounds(cell.scheme).last().exponent));
   return result;
 }
@@ -152,13 +152,13 @@ formats::Section exponents(ComputedQuantities& quantities) {
   Rational widest = 0;
   std::string trend;
   for (const char* family : {"primal", "dual"}) {
-    const formats::PublishedTable& printed = quantities.published(family == std::string("primal") ? "table1"
-                                                                                                  : "table2");
+    const statements::PublishedTable& printed = quantities.published(family == std::string("primal") ? "table1"
+                                                                                                     : "table2");
     formats::Curve bound_curve{"printed bound", {}, true}, upper_curve{"exponent, proved upper end", {}, true},
         lower_curve{"exponent, proved lower end", {}, true};
     bool closed = true;
     std::string largest, above;  // the largest printed bound, and the n whose exponents are proved to exceed it
-    for (const formats::PublishedCell& cell : printed.cells) largest = std::max(largest, cell.printed);
+    for (const statements::PublishedCell& cell : printed.cells) largest = std::max(largest, cell.printed);
     for (int n = 2; n <= 10; ++n) {
       const HolderRegularity& regularity = quantities.exponent(statements::specification(family, n));
       const Rational low = *regularity.exponent.lower, high = *regularity.exponent.upper;

@@ -11,11 +11,11 @@
 namespace subcert::reports {
 namespace {
 
-formats::ComparisonTable compare_table_3(const formats::PublishedTable& table, ComputedQuantities& quantities) {
+formats::ComparisonTable compare_table_3(const statements::PublishedTable& table, ComputedQuantities& quantities) {
   quantities.need_variance(schemes_of(table));
   const statements::dyn_2015::NumericalRecipeSearch& search = quantities.recipes();
   formats::ComparisonTable result = empty_table(table);
-  for (const formats::PublishedCell& cell : table.cells) {
+  for (const statements::PublishedCell& cell : table.cells) {
     const VarianceFacts& facts = quantities.variance(cell.scheme);
     const auto what = statements::dyn_2015::scaled_maximum(cell);
     formats::Comparison comparison = compare_number(cell,

@@ -126,16 +126,16 @@ std::vector<int> sizes_of_figure_8(int degree) {
 }
 
 /// The sizes of a sentence about Figure 8 or about Table 3, whose cells of one degree stand together.
-std::vector<int> sizes_of(const formats::PublishedCell& sentence, ComputedQuantities& quantities) {
+std::vector<int> sizes_of(const statements::PublishedCell& sentence, ComputedQuantities& quantities) {
   const int degree = sentence.d.value();
   if (sentence.over == "Figure 8") return sizes_of_figure_8(degree);
   std::vector<int> sizes;
-  for (const formats::PublishedCell& cell : quantities.published("table3").cells)
+  for (const statements::PublishedCell& cell : quantities.published("table3").cells)
     if (cell.d == degree && (sizes.empty() || sizes.back() != *cell.n)) sizes.push_back(*cell.n);
   return sizes;
 }
 
-using Answerer = Answer (*)(const formats::PublishedCell&, ComputedQuantities&);
+using Answerer = Answer (*)(const statements::PublishedCell&, ComputedQuantities&);
 
 /// The answers by the quantity that a sentence is about.
 const std::map<std::string, Answerer> answers{
@@ -152,7 +152,7 @@ const std::map<std::string, Answerer> answers{
      [](const auto& cell, ComputedQuantities& all) { return rate_over(all, *cell.d, sizes_of(cell, all), true); }},
 };
 
-Answer answer(const formats::PublishedCell& cell, ComputedQuantities& quantities) {
+Answer answer(const statements::PublishedCell& cell, ComputedQuantities& quantities) {
   const auto found = answers.find(cell.quantity);
   require(found != answers.end(), "unknown statement '{}'", cell.quantity);
   return found->second(cell, quantities);
@@ -180,9 +180,9 @@ std::vector<std::string> schemes_of_figure_9() {
   return schemes;
 }
 
-formats::ComparisonTable compare_statements(const formats::PublishedTable& table, ComputedQuantities& quantities) {
+formats::ComparisonTable compare_statements(const statements::PublishedTable& table, ComputedQuantities& quantities) {
   formats::ComparisonTable result = empty_table(table);
-  for (const formats::PublishedCell& cell : table.cells) {
+  for (const statements::PublishedCell& cell : table.cells) {
     const Answer given = answer(cell, quantities);
     result.comparisons.push_back(compare_text(cell, given.text, given.truth));
   }

@@ -14,6 +14,6 @@ std::vector<std::string> schemes_of_figure_9();
 
 /// Domain: the published tables fig2, fig8 and fig9. Errors: throws a domain error for a statement that is not
 /// known.
-formats::ComparisonTable compare_statements(const formats::PublishedTable& table, ComputedQuantities& quantities);
+formats::ComparisonTable compare_statements(const statements::PublishedTable& table, ComputedQuantities& quantities);
 
 }  // namespace subcert::reports

@@ -6,10 +6,19 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <thread>
+#include <utility>
 #include <vector>
 
 namespace subcert {
+
+int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+std::jthread on_own_thread(std::function<void()> work) {
+  return std::jthread([work = std::move(work)] {
+    work();
+    flint_cleanup();  // FLINT keeps numbers for each thread and gives them back on request only
+  });
+}
 
 void parallel_for_each(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
   const std::size_t team_size = std::min(count, static_cast<std::size_t>(std::max(1, jobs)));
@@ -25,13 +34,9 @@ void parallel_for_each(std::size_t count, int jobs, const std::function<void(std
       next = count;
     }
   };
-  const auto helper_share = [&] {
-    share();
-    flint_cleanup();  // FLINT keeps numbers for each thread and gives them back on request only
-  };
   {
     std::vector<std::jthread> helpers;  // joined at the end of the block
-    for (std::size_t helper = 1; helper < team_size; ++helper) helpers.emplace_back(helper_share);
+    for (std::size_t helper = 1; helper < team_size; ++helper) helpers.push_back(on_own_thread(share));
     share();
   }
   if (failure) std::rethrow_exception(failure);

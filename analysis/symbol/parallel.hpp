@@ -4,8 +4,15 @@
 
 #include <cstddef>
 #include <functional>
+#include <thread>
 
 namespace subcert {
+
+/// As many as the machine runs at a time, at least 1.
+int all_cores();
+
+/// Runs the work on a thread of its own. Domain: work that does not throw.
+std::jthread on_own_thread(std::function<void()> work);
 
 /// Calls work(0), ..., work(count - 1) on at most `jobs` threads, begun in this order. Domain: jobs >= 1. Errors: the
 /// first exception of a call is thrown again after the calls under way have ended; no others are begun then.

@@ -11,7 +11,6 @@
 #include <map>
 #include <mutex>
 #include <numeric>
-#include <thread>
 
 namespace subcert::sweeps {
 namespace {
@@ -139,9 +138,7 @@ std::optional<SweepResults> run_sweep(const std::vector<SweepCase>& cases,
     }
   };
   const int ranks = rank_count();
-  const int jobs = options.jobs > 0 ? options.jobs
-                   : ranks > 1      ? 1
-                                    : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int jobs = options.jobs > 0 ? options.jobs : ranks > 1 ? 1 : all_cores();
   if (own_rank() > 0) {
     try {
       if (sweep_begins(false, plan)) work_for_first_rank(jobs, outcome_of);
@@ -169,9 +166,8 @@ std::optional<SweepResults> run_sweep(const std::vector<SweepCase>& cases,
   if (ranks == 1) {
     own_share();
   } else {
-    std::thread own(own_share);
+    const std::jthread own = on_own_thread(own_share);  // joined at the end of the block
     serve_ranks(next, finish);
-    own.join();
   }
   return ledger->results();
 }

@@ -3,7 +3,7 @@
 #include "papers.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/reports/formats/published.hpp>
+#include <subcert/proofs-checks/papers/registry.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -58,7 +58,7 @@ std::string smallest_to_largest(const std::vector<double>& values) {
 /// Adds the printed table beside the errors of the schemes that its columns name, none of them reproducible, and the
 /// claim that says so.
 void add_printed_errors(ExperimentResult& result, const Experiment& experiment, const Measured& measured) {
-  const formats::PublishedTable printed = formats::published_paper(experiment.paper).table(experiment.printed);
+  const statements::PublishedTable printed = statements::paper(experiment.paper).table(experiment.printed);
   DecidedClaim claim{"The errors of " + printed.title + ".",
                      printed.place,
                      "the data were not published; the printed values beside the range over our samples",
@@ -66,7 +66,7 @@ void add_printed_errors(ExperimentResult& result, const Experiment& experiment, 
                      "",
                      Verdict::not_reproducible};
   formats::ComparisonTable table{experiment.paper, printed.id, printed.title, printed.place, printed.grid, {}};
-  for (const formats::PublishedCell& cell : printed.cells) {
+  for (const statements::PublishedCell& cell : printed.cells) {
     const auto& errors = measured.at({"error", cell.column});
     const std::string range = smallest_to_largest(errors);
     claim.numbers += (claim.numbers.empty() ? "" : "; ") + cell.column + ": printed " + cell.printed + ", ours " +

@@ -1,7 +1,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/folder.hpp>
-#include <subcert/reports/formats/published.hpp>
+#include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/reports/report.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 

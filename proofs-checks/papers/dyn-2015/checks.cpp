@@ -3,6 +3,7 @@
 #include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
 #include <subcert/proofs-checks/statements/mask_form.hpp>
+#include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/local_regression.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -27,6 +28,13 @@ ScaledMaximum scaled_maximum(const PublishedCell& cell) {
   if (cell.quantity == "max |psi'|") return {true, 1};
   if (cell.quantity == "n^2 max |psi'|") return {true, n * n};
   fail(ErrorKind::domain, "need a maximum of psi or of |psi'|, got '{}'", cell.quantity);
+}
+
+Trial proved_for_degree_one(const std::string& theorem) {
+  const Decision proof = theorems::prove(theorem, 1).decision;
+  Trial trial;
+  trial.require(proof.is_yes(), proof.reason);
+  return trial;
 }
 
 Outcome table_words(const Context& context, const std::string& id) {

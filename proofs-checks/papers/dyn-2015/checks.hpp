@@ -3,6 +3,7 @@
 
 #include <subcert/analysis/symbol/mask.hpp>
 #include <subcert/proofs-checks/statements/paper.hpp>
+#include <subcert/proofs-checks/statements/trial.hpp>
 
 namespace subcert::statements::dyn_2015 {
 
@@ -25,6 +26,9 @@ struct ScaledMaximum {
 ScaledMaximum scaled_maximum(const PublishedCell& cell);
 
 /// The words of a transcription in a table, in both forms, against certified enclosures. Domain: Tables 1, 2 and 3.
+/// Whether every inequality of the theorem for degree 1 is certified.
+Trial proved_for_degree_one(const std::string& theorem);
+
 Outcome table_words(const Context& context, const std::string& id);
 
 /// Of one part of the paper each.

@@ -7,7 +7,6 @@
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
 #include <subcert/proofs-checks/statements/mask_form.hpp>
-#include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 namespace subcert::statements::dyn_2015 {
@@ -83,13 +82,10 @@ Outcome shape_of_psi(const Context& context) {
 }
 
 Outcome psi_like_1_over_n(const Context&) {
-  const Decision proof = theorems::prove("conjecture-7", 1).decision;
-  Trial trial;
-  trial.require(proof.is_yes(), proof.reason);
-  return trial.for_all(
-      "all n >= 1",
-      "|(n - 1/4) psi_n(x)/c - 1| < 0.855/n^2 for all x, with c = 0.40443..., every inequality of the proof "
-      "certified (docs/theorems/README.md, conjecture-7)");
+  return proved_for_degree_one("conjecture-7")
+      .for_all("all n >= 1",
+               "|(n - 1/4) psi_n(x)/c - 1| < 0.855/n^2 for all x, with c = 0.40443..., every inequality of the proof "
+               "certified (docs/theorems/README.md, conjecture-7)");
 }
 
 /// n^2 max |psi'| at two n, and the theorem for all n.
@@ -99,13 +95,11 @@ Outcome psi_slope_like_1_over_n2(const Context& context) {
   const auto scaled = [&](int n) { return variance_of(specification("primal", n)).slope; };
   const auto first = scaled(2), last = scaled(most);
   const Rational before = *first->lower / rate({{"n", 2}}), after = *last->upper / rate({{"n", most}});
-  const Decision bound = theorems::prove("conjecture-7", 1).decision;
-  Trial printed, corrected;
+  Trial printed, corrected = proved_for_degree_one("conjecture-7");
   printed.require(10 * after > before,
                   "n^2 max |psi_n'| is at least " + to_decimal(before, 4, Rounding::down) + " at n = 2 and at most " +
                       to_decimal(after, 4, Rounding::up) + " at n = " + std::to_string(most) +
                       "; n^4 max |psi_n'| stays bounded, so the ratio of the two sides tends to 0");
-  corrected.require(bound.is_yes(), bound.reason);
   corrected.for_all("all n >= 1", "n^2 max |psi_n'| < 0.0575 for n >= 2 (docs/theorems/README.md, conjecture-7)");
   Outcome outcome = printed.outcome(corrected);
   if (outcome.verdict == Verdict::misprint)
@@ -150,8 +144,7 @@ Outcome figure_2(const Context&) {
     trial.require(*variance_of(specification("primal", n + 1)).maximum.upper <
                       *variance_of(specification("primal", n)).minimum.lower,
                   at("n", n));
-  const Decision proof = theorems::prove("conjecture-8-n", 1).decision;
-  trial.require(proof.is_yes(), proof.reason);
+  trial.follow(proved_for_degree_one("conjecture-8-n"));
   return trial.for_all(
       "all n >= 1",
       "max psi_{n+1} < min psi_n (docs/theorems/README.md, conjecture-8-n), certified maxima and minima for n "

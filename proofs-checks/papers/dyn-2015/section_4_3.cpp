@@ -7,7 +7,6 @@
 #include <subcert/proofs-checks/statements/mask_form.hpp>
 #include <subcert/proofs-checks/statements/normal_equations.hpp>
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
-#include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 #include <algorithm>
@@ -198,8 +197,7 @@ Outcome conjecture_7(const Context& context) {
                     at_n_d(n, d) + ": n max psi is not between C_d and 3 C_d");
     }
   }
-  const Decision degree_one = theorems::prove("conjecture-7", 1).decision;
-  trial.require(degree_one.is_yes(), degree_one.reason);
+  trial.follow(proved_for_degree_one("conjecture-7"));
   return trial.for_all(
       "every d, n large; d = 1, all n >= 1",
       "n max psi tends to C_d > 0 for every d (docs/limit-constants.md, theorem 7); for d = 1 explicit bounds "
@@ -234,13 +232,10 @@ Outcome conjecture_8(const Context& context, bool over_degrees) {
 }
 
 Outcome conjecture_8_degree_one(const Context&) {
-  const Decision proof = theorems::prove("conjecture-8-n", 1).decision;
-  Trial trial;
-  trial.require(proof.is_yes(), proof.reason);
-  return trial.for_all(
-      "d = 1, all n >= 1",
-      "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/README.md, "
-      "conjecture-8-n)");
+  return proved_for_degree_one("conjecture-8-n")
+      .for_all("d = 1, all n >= 1",
+               "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/README.md, "
+               "conjecture-8-n)");
 }
 
 }  // namespace

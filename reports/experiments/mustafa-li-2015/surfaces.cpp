@@ -2,8 +2,8 @@
 
 #include "parts.hpp"
 
+#include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/reports/experiments/figures.hpp>
-#include <subcert/reports/formats/published.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,7 @@ void find_noise_of_table_3(Measured& measured, double sigma, const ExperimentOpt
   noise.truth = [](double, double) { return std::array{0.0, 0.0, 0.0}; };
   const std::string left = "left of noise: ";
   study(measured, noise, methods_on_six(), {error_measure}, options, left);
-  for (const formats::PublishedCell& cell : formats::published_paper("mustafa-li-2015").table("table3").cells) {
+  for (const statements::PublishedCell& cell : statements::paper("mustafa-li-2015").table("table3").cells) {
     if (cell.column != "S_6" && cell.column != "D_6") continue;
     const auto& errors = measured.at({left + "error", cell.column});
     const double least = *std::min_element(errors.begin(), errors.end());

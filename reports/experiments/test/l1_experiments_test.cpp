@@ -1,7 +1,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
+#include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/reports/experiments/mustafa-li-2015/damped_sine.hpp>
-#include <subcert/reports/formats/published.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 
 #include <cmath>
@@ -127,9 +127,9 @@ TEST_CASE("outliers stand where they should") {
 }
 
 TEST_CASE("the printed tables of errors name each scheme once") {
-  const formats::PublishedPaper paper = formats::published_paper("mustafa-li-2015");
+  const statements::Paper paper = statements::paper("mustafa-li-2015");
   for (const char* id : {"table1", "table2", "table3"}) {
-    const formats::PublishedTable& table = paper.table(id);
+    const statements::PublishedTable& table = paper.table(id);
     const auto& methods = std::string(id) == "table3" ? surface_methods() : curve_methods();
     REQUIRE(table.cells.size() == methods.size());
     for (std::size_t i = 0; i < methods.size(); ++i) {

@@ -3,6 +3,8 @@
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/term_text.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -12,14 +14,20 @@ namespace {
 
 constexpr double most_terms = 1e6;
 
-std::map<std::vector<long>, Rational> sums_over_cosets(const MultivariateMask& mask, bool moduli) {
-  std::map<std::vector<long>, Rational> sums;
-  const long arity = mask.arity();
-  for (auto& term : mask.symbol().terms()) {
-    for (long& n : term.exponents) n = modulo(n, arity);
-    sums[term.exponents] += moduli ? Rational(abs(term.coefficient)) : term.coefficient;
+/// The sums of the coefficients, or of their moduli, over the classes of the exponents modulo `modulus`.
+std::map<LatticePoint, Rational> sums_over_classes(const MultivariatePolynomial& symbol, long modulus) {
+  std::map<LatticePoint, Rational> sums;
+  for (auto& term : symbol.terms()) {
+    for (long& n : term.exponents) n = modulo(n, modulus);
+    sums[term.exponents] += abs(term.coefficient);
   }
   return sums;
+}
+
+Rational largest(const std::map<LatticePoint, Rational>& sums) {
+  Rational result = 0;
+  for (const auto& [residue, sum] : sums) result = std::max(result, sum);
+  return result;
 }
 
 /// The scheme for data that depend on the variable `index` alone: the others set to 1, divided by arity for each.
@@ -51,7 +59,7 @@ Decision contracts(const MultivariatePolynomial& quotient, int arity, const std:
   long dilation = arity;  // arity^level
   int level = 1;
   for (;; ++level, dilation *= arity) {
-    const Rational norm = operator_norm(MultivariateMask(power, static_cast<int>(dilation)));
+    const Rational norm = largest(sums_over_classes(power, dilation));
     if (norm < 1)
       return {Truth::yes, "||" + name + (level == 1 ? "" : "^" + std::to_string(level)) + "|| = " + short_text(norm)};
     smallest = level == 1 ? norm : std::min(smallest, norm);
@@ -65,24 +73,28 @@ Decision contracts(const MultivariatePolynomial& quotient, int arity, const std:
 
 }  // namespace
 
+std::vector<Rational> coset_sums(const MultivariateMask& mask) {
+  std::vector<Rational> sums(mask.dilation().digits().size(), 0);
+  for (const auto& term : mask.symbol().terms()) sums[mask.dilation().divide(term.exponents).digit] += term.coefficient;
+  return sums;
+}
+
 Rational operator_norm(const MultivariateMask& mask) {
-  Rational largest = 0;
-  for (const auto& [residue, sum] : sums_over_cosets(mask, true)) largest = std::max(largest, sum);
-  return largest;
+  std::vector<Rational> sums(mask.dilation().digits().size(), 0);
+  for (const auto& term : mask.symbol().terms())
+    sums[mask.dilation().divide(term.exponents).digit] += abs(term.coefficient);
+  return *std::max_element(sums.begin(), sums.end());
 }
 
 Decision converges(const MultivariateMask& mask, const ProofLimits& limits) {
-  const auto sums = sums_over_cosets(mask, false);
-  std::size_t classes = 1;
-  for (int v = 0; v < mask.dimension(); ++v) classes *= static_cast<std::size_t>(mask.arity());
-  if (sums.size() < classes) return {Truth::no, "a coset has no coefficients, so its sum is 0 instead of 1"};
-  for (const auto& [residue, sum] : sums) {
-    if (sum == 1) continue;
-    std::string text;
-    for (const long r : residue) text += (text.empty() ? "" : ", ") + std::to_string(r);
-    return {Truth::no,
-            "the coefficients with indices congruent to (" + text + ") sum to " + short_text(sum) + " instead of 1"};
-  }
+  const auto sums = coset_sums(mask);
+  for (std::size_t d = 0; d < sums.size(); ++d)
+    if (sums[d] != 1)
+      return {Truth::no, fmt::format("the coefficients with indices congruent to ({}) sum to {} instead of 1",
+                                     fmt::join(mask.dilation().digits()[d], ", "), short_text(sums[d]))};
+  if (!mask.dilation().factor() || *mask.dilation().factor() < 2)
+    return {Truth::unknown,
+            "the dilation is no multiple of the identity, so differences along the axes have no schemes"};
   const auto names = text::variable_names(mask.dimension());
   for (std::size_t v = 0; v < names.size(); ++v) {
     const Decision one = converges(reduced(mask, v), limits);

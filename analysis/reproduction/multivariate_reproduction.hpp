@@ -11,7 +11,8 @@ namespace subcert {
 struct MultivariateReproduction {
   /// The order of the sum rules: moments of total degree below it are the same over all cosets.
   int sum_rules;
-  /// The multiplicity of 1 + z_i + ... + z_i^(arity-1) in the symbol, for each variable.
+  /// The multiplicity of 1 + z_i + ... + z_i^(arity-1) in the symbol, for each variable; none where the dilation is no
+  /// multiple of the identity.
   std::vector<int> factors;
   /// Polynomials of this total degree are reproduced, with the datum f_j attached to j + parametrization; -1 for none.
   int reproduction_degree;
@@ -26,8 +27,9 @@ MultivariateReproduction polynomial_reproduction(const MultivariateMask& mask);
 /// The same for a tensor product, from its factors. Domain: two or three masks of one arity.
 MultivariateReproduction tensor_product_reproduction(const std::vector<Mask>& factors);
 
-/// Where the closed box ends that contains the support of the basic limit function: lowest and highest exponent over
-/// arity - 1, for each variable.
+/// A closed box that contains the support of the basic limit function: the sum of the boxes of M^-n supp(a), n = 1, 2,
+/// .... Lowest and highest exponent over arity - 1 where M is the arity times the identity. Error: none where a power
+/// of M up to the 24th is a positive multiple of the identity, otherwise an outer box, wider by at most a part in 1000.
 std::vector<Interval> limit_support(const MultivariateMask& mask);
 
 }  // namespace subcert

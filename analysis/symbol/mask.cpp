@@ -7,9 +7,26 @@
 
 namespace subcert {
 
-void check_mask(int arity, bool is_zero) {
+Mask::Mask(LaurentPolynomial symbol, int arity) : symbol_(std::move(symbol)), arity_(arity) {
   require(arity >= 2, "mask: need arity >= 2, got {}", arity);
-  require(!is_zero, "mask: need at least one non-zero coefficient");
+  require(!symbol_.is_zero(), "mask: need at least one non-zero coefficient");
+}
+
+MultivariateMask::MultivariateMask(MultivariatePolynomial symbol, Dilation dilation)
+    : symbol_(std::move(symbol)), dilation_(std::move(dilation)) {
+  require(!symbol_.is_zero(), "mask: need at least one non-zero coefficient");
+  require(static_cast<int>(dilation_.variables()) == symbol_.variables(),
+          "mask: need a dilation of {} rows, as many as variables, got {}", symbol_.variables(), dilation_.variables());
+}
+
+MultivariateMask::MultivariateMask(const MultivariatePolynomial& symbol, int arity)
+    : MultivariateMask(symbol, Dilation::multiple(symbol.variables(), arity)) {}
+
+int MultivariateMask::arity() const {
+  const std::optional<int> factor = dilation_.factor();
+  require(factor.has_value() && *factor > 0, "mask: need a dilation that is a multiple of the identity, got {}",
+          dilation_.to_text());
+  return *factor;
 }
 
 MultivariateMask tensor_product(const std::vector<Mask>& masks) {

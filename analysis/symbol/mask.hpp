@@ -1,46 +1,52 @@
 #pragma once
 /// Masks: a symbol together with its arity.
 
+#include "dilation.hpp"
 #include "interval.hpp"
 #include "laurent_polynomial.hpp"
 #include "multivariate_polynomial.hpp"
 
-#include <type_traits>
-
 namespace subcert {
 
-/// The precondition of masks. Errors: throws Error for arity < 2 or a zero symbol.
-void check_mask(int arity, bool is_zero);
-
 /// The mask of a linear, stationary subdivision scheme: f'_i = sum over j of a_{i - arity*j} f_j, with the coefficients
-/// a_i of `symbol()`; in several variables i and j are multi-indices.
-/// Canonical: arity >= 2 and symbol != 0.
-template <class Symbol>
-class BasicMask {
+/// a_i of `symbol()`. Canonical: arity >= 2 and symbol != 0.
+class Mask {
  public:
   /// Errors: throws Error for arity < 2 or a zero symbol.
-  BasicMask(Symbol symbol, int arity) : symbol_(std::move(symbol)), arity_(arity) {
-    check_mask(arity, symbol_.is_zero());
-  }
+  Mask(LaurentPolynomial symbol, int arity);
 
-  const Symbol& symbol() const { return symbol_; }
+  const LaurentPolynomial& symbol() const { return symbol_; }
   int arity() const { return arity_; }
-  /// The number of variables: 1 for curves, 2 for surfaces, 3 for volumes.
-  int dimension() const {
-    if constexpr (std::is_same_v<Symbol, LaurentPolynomial>)
-      return 1;
-    else
-      return symbol_.variables();
-  }
-  bool operator==(const BasicMask& other) const { return arity_ == other.arity_ && symbol_ == other.symbol_; }
+  bool operator==(const Mask& other) const { return arity_ == other.arity_ && symbol_ == other.symbol_; }
 
  private:
-  Symbol symbol_;
+  LaurentPolynomial symbol_;
   int arity_;
 };
 
-using Mask = BasicMask<LaurentPolynomial>;
-using MultivariateMask = BasicMask<MultivariatePolynomial>;
+/// The same in two or three variables, where i and j are multi-indices and a dilation matrix M stands for the arity:
+/// f'_i = sum over j of a_{i - Mj} f_j.
+class MultivariateMask {
+ public:
+  /// Errors: throws Error for a zero symbol, or a dilation of another number of variables.
+  MultivariateMask(MultivariatePolynomial symbol, Dilation dilation);
+  /// With the dilation arity times the identity.
+  MultivariateMask(const MultivariatePolynomial& symbol, int arity);
+
+  const MultivariatePolynomial& symbol() const { return symbol_; }
+  const Dilation& dilation() const { return dilation_; }
+  /// Where the dilation is a multiple of the identity. Errors: throws Error otherwise.
+  int arity() const;
+  /// 2 for surfaces, 3 for volumes.
+  int dimension() const { return symbol_.variables(); }
+  bool operator==(const MultivariateMask& other) const {
+    return dilation_ == other.dilation_ && symbol_ == other.symbol_;
+  }
+
+ private:
+  MultivariatePolynomial symbol_;
+  Dilation dilation_;
+};
 
 /// The tensor product of univariate masks of one arity. Domain: two or three masks. Errors: throws Error.
 MultivariateMask tensor_product(const std::vector<Mask>& masks);

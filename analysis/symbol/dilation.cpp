@@ -1,0 +1,168 @@
+#include "dilation.hpp"
+
+#include "error.hpp"
+#include "index_arithmetic.hpp"
+#include "rational_matrix.hpp"
+#include "real_roots.hpp"
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+constexpr long largest_entry = 64, most_classes = 1 << 18;
+
+RationalMatrix to_matrix(const std::vector<LatticePoint>& rows) {
+  RationalMatrix result(rows.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < rows.size(); ++j) result(i, j) = rows[i][j];
+  return result;
+}
+
+std::string matrix_text(const std::vector<LatticePoint>& rows) {
+  std::string text;
+  for (const LatticePoint& row : rows) {
+    text += text.empty() ? "[" : ";";
+    for (std::size_t j = 0; j < row.size(); ++j) text += (j ? "," : "") + std::to_string(row[j]);
+  }
+  return text + "]";
+}
+
+/// Whether all zeros of a polynomial over the rationals with simple zeros have one modulus. Domain: degree <= 3. An
+/// irreducible polynomial of degree 2 has two conjugate zeros, or real ones x and -x; one of degree 3 with a real zero
+/// r and |z| = |r| for the others has r^3 = -p(0), so r is a zero of x^3 + p(0), and p is that polynomial.
+bool has_zeros_of_one_modulus(const LaurentPolynomial& p) {
+  std::vector<Rational> sixth_powers;  // of the moduli
+  for (const PolynomialFactor& factor : irreducible_factors(p)) {
+    const LaurentPolynomial& f = factor.polynomial;
+    const long degree = f.highest();
+    const Rational last = abs(f.coefficient(0) / f.coefficient(degree)), middle = f.coefficient(1);
+    if (degree == 2 && middle != 0 && middle * middle >= 4 * f.coefficient(0) * f.coefficient(2)) return false;
+    if (degree == 3 && (middle != 0 || f.coefficient(2) != 0)) return false;
+    sixth_powers.push_back(power(last, 6 / degree));
+  }
+  return std::all_of(sixth_powers.begin(), sixth_powers.end(),
+                     [&](const Rational& value) { return value == sixth_powers.front(); });
+}
+
+}  // namespace
+
+LatticePoint operator+(LatticePoint a, const LatticePoint& b) {
+  for (std::size_t v = 0; v < a.size(); ++v) a[v] += b[v];
+  return a;
+}
+
+LatticePoint operator-(LatticePoint a, const LatticePoint& b) {
+  for (std::size_t v = 0; v < a.size(); ++v) a[v] -= b[v];
+  return a;
+}
+
+Dilation::Dilation(std::vector<LatticePoint> rows, std::vector<LatticePoint> digits) : rows_(std::move(rows)) {
+  const std::size_t size = rows_.size();
+  require(size >= 1 && size <= 3, "dilation: need a matrix of 1 to 3 rows, got {}", size);
+  for (const LatticePoint& row : rows_) {
+    require(row.size() == size, "dilation: need a square matrix, got a row of {} entries among {} rows", row.size(),
+            size);
+    for (const long entry : row)
+      require(std::abs(entry) <= largest_entry, "dilation: need entries from -{0} to {0}, got {1}", largest_entry,
+              entry);
+  }
+  const RationalMatrix matrix = to_matrix(rows_);
+  const LaurentPolynomial characteristic = characteristic_polynomial(matrix);
+  const std::string text = matrix_text(rows_);
+  determinant_ = numerator(characteristic.coefficient(0)).convert_to<long>() * (size % 2 == 0 ? 1 : -1);
+  require(determinant_ != 0 && *largest_root_modulus(characteristic.reversed()).largest.upper < 1,
+          "dilation: need eigenvalues larger than 1 in modulus, all of them, got {}", text);
+  require(std::abs(determinant_) <= most_classes, "dilation: need |det M| <= {}, got {} for {}", most_classes,
+          std::abs(determinant_), text);
+  const LaurentPolynomial simple = squarefree_part(characteristic);
+  isotropic_ = value_at(simple, matrix) == RationalMatrix(size, size) && has_zeros_of_one_modulus(simple);
+
+  const RationalMatrix inverse = solve(matrix, RationalMatrix::identity(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    adjugate_.emplace_back();
+    for (std::size_t j = 0; j < size; ++j)
+      adjugate_.back().push_back(numerator(Rational(inverse(i, j) * determinant_)).convert_to<long>());
+  }
+
+  if (digits.empty()) {
+    // The points of M [0, 1)^s lie in the box of the partial sums of the entries of each row.
+    LatticePoint low(size, 0), high(size, 0);
+    for (std::size_t i = 0; i < size; ++i)
+      for (const long entry : rows_[i]) (entry < 0 ? low : high)[i] += entry;
+    for (LatticePoint at = low; at.back() <= high.back();) {
+      const LatticePoint scaled = adjugate_times(at);
+      if (std::all_of(scaled.begin(), scaled.end(), [this](long c) {
+            return determinant_ > 0 ? c >= 0 && c < determinant_ : c <= 0 && c > determinant_;
+          }))
+        digits.push_back(at);
+      for (std::size_t v = 0; v < size && ++at[v] > high[v] && v + 1 < size; ++v) at[v] = low[v];
+    }
+  }
+  require(digits.size() == static_cast<std::size_t>(std::abs(determinant_)),
+          "dilation: need {} digits, one of each class modulo {}, got {}", std::abs(determinant_), text, digits.size());
+  for (const LatticePoint& digit : digits) {
+    require(digit.size() == size, "dilation: need digits of {} numbers, got one of {}", size, digit.size());
+    const auto [at, inserted] = digit_of_class_.emplace(class_of(digit), digits_.size());
+    require(inserted, "dilation: need digits of different classes modulo {}, got numbers {} and {} of one class", text,
+            at->second + 1, digits_.size() + 1);
+    digits_.push_back(digit);
+  }
+}
+
+Dilation Dilation::multiple(int variables, int factor) {
+  require(factor >= 2, "mask: need arity >= 2, got {}", factor);
+  std::vector<LatticePoint> rows;
+  for (int i = 0; i < variables; ++i) {
+    rows.emplace_back(static_cast<std::size_t>(variables), 0);
+    rows.back()[static_cast<std::size_t>(i)] = factor;
+  }
+  return Dilation(std::move(rows));
+}
+
+std::optional<int> Dilation::factor() const {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (std::size_t j = 0; j < rows_.size(); ++j)
+      if (rows_[i][j] != (i == j ? rows_[0][0] : 0)) return std::nullopt;
+  return static_cast<int>(rows_[0][0]);
+}
+
+LatticePoint Dilation::operator*(const LatticePoint& point) const {
+  LatticePoint result(rows_.size(), 0);
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (std::size_t j = 0; j < rows_.size(); ++j) result[i] += rows_[i][j] * point[j];
+  return result;
+}
+
+LatticePoint Dilation::adjugate_times(const LatticePoint& point) const {
+  LatticePoint result(rows_.size(), 0);
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (std::size_t j = 0; j < rows_.size(); ++j) result[i] += adjugate_[i][j] * point[j];
+  return result;
+}
+
+LatticePoint Dilation::class_of(const LatticePoint& point) const {
+  LatticePoint result = adjugate_times(point);
+  for (long& c : result) c = modulo(c, std::abs(determinant_));
+  return result;
+}
+
+Dilation::Division Dilation::divide(const LatticePoint& point) const {
+  const std::size_t digit = digit_of_class_.at(class_of(point));
+  LatticePoint quotient = adjugate_times(point - digits_[digit]);
+  for (long& c : quotient) c /= determinant_;
+  return {std::move(quotient), digit};
+}
+
+std::vector<Rational> Dilation::inverse_times(const std::vector<Rational>& point) const {
+  std::vector<Rational> result(rows_.size(), 0);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (std::size_t j = 0; j < rows_.size(); ++j) result[i] += adjugate_[i][j] * point[j];
+    result[i] /= determinant_;
+  }
+  return result;
+}
+
+std::string Dilation::to_text() const { return matrix_text(rows_); }
+
+}  // namespace subcert

@@ -12,18 +12,6 @@ namespace {
 
 using Exponents = MultivariatePolynomial::Exponents;
 
-/// All exponents of this total degree.
-std::vector<Exponents> exponents_of(std::size_t variables, long degree) {
-  if (variables == 1) return {{degree}};
-  std::vector<Exponents> result;
-  for (long first = 0; first <= degree; ++first)
-    for (Exponents rest : exponents_of(variables - 1, degree - first)) {
-      rest.insert(rest.begin(), first);
-      result.push_back(std::move(rest));
-    }
-  return result;
-}
-
 /// The sums of a_n n^exponents over the classes of n, digit by digit.
 std::vector<Rational> moments_over_cosets(const MultivariateMask& mask, const Exponents& exponents) {
   std::vector<Rational> sums(mask.dilation().digits().size(), 0);
@@ -69,7 +57,7 @@ MultivariateReproduction polynomial_reproduction(const MultivariateMask& mask) {
   result.parametrization = parametrization(mask.dilation(), centre);
   bool reproduces = true;
   for (int degree = 0;; ++degree) {
-    for (const Exponents& exponents : exponents_of(variables, degree)) {
+    for (const Exponents& exponents : exponents_of_degree(variables, degree)) {
       const std::vector<Rational> moments = moments_over_cosets(mask, exponents);
       if (std::any_of(moments.begin(), moments.end(), [&](const Rational& m) { return m != moments.front(); }))
         return result;

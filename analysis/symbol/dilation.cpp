@@ -57,6 +57,17 @@ LatticePoint operator-(LatticePoint a, const LatticePoint& b) {
   return a;
 }
 
+std::vector<LatticePoint> exponents_of_degree(std::size_t variables, long degree) {
+  if (variables == 1) return {{degree}};
+  std::vector<LatticePoint> result;
+  for (long first = 0; first <= degree; ++first)
+    for (LatticePoint rest : exponents_of_degree(variables - 1, degree - first)) {
+      rest.insert(rest.begin(), first);
+      result.push_back(std::move(rest));
+    }
+  return result;
+}
+
 Dilation::Dilation(std::vector<LatticePoint> rows, std::vector<LatticePoint> digits) : rows_(std::move(rows)) {
   const std::size_t size = rows_.size();
   require(size >= 1 && size <= 3, "dilation: need a matrix of 1 to 3 rows, got {}", size);

@@ -17,6 +17,9 @@ using LatticePoint = std::vector<long>;
 LatticePoint operator+(LatticePoint a, const LatticePoint& b);
 LatticePoint operator-(LatticePoint a, const LatticePoint& b);
 
+/// All points with non-negative coordinates of this sum: the exponents of the monomials of this total degree.
+std::vector<LatticePoint> exponents_of_degree(std::size_t variables, long degree);
+
 /// An integer matrix M whose eigenvalues are all larger than 1 in modulus, with a set of digits: one point of each of
 /// the |det M| classes of Z^s modulo M Z^s. In one variable M is the arity.
 class Dilation {

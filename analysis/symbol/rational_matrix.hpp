@@ -65,7 +65,8 @@ int largest_jordan_block(const RationalMatrix& matrix, const LaurentPolynomial& 
 LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix);
 std::optional<LaurentPolynomial> characteristic_polynomial(const RationalMatrix& matrix, const Deadline& deadline);
 
-/// A basis of { x : matrix x = 0 }, one vector per free column. Cost: one fraction-free elimination.
+/// A basis of { x : matrix x = 0 }, one vector per free column: it is 1 there, 0 behind, and all others are 0 there.
+/// Cost: one fraction-free elimination.
 std::vector<std::vector<Rational>> kernel(const RationalMatrix& matrix);
 
 /// The columns that are not combinations of columns before them. Cost: one elimination.

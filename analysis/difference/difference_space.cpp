@@ -1,0 +1,70 @@
+#include "difference_space.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+
+namespace subcert {
+namespace {
+
+/// binomial(x, k) for any integer x.
+Rational binomial(long x, long k) {
+  Rational result = 1;
+  for (long i = 0; i < k; ++i) result *= Rational(x - i, i + 1);
+  return result;
+}
+
+/// One row for each monomial of degree below `order`, as products of binomials: integers, and small ones.
+RationalMatrix moments(const std::vector<LatticePoint>& points, int order) {
+  const std::size_t variables = points.front().size();
+  std::vector<LatticePoint> monomials;
+  for (long degree = 0; degree < order; ++degree)
+    for (LatticePoint& exponents : exponents_of_degree(variables, degree)) monomials.push_back(std::move(exponents));
+  RationalMatrix result(monomials.size(), points.size());
+  for (std::size_t i = 0; i < monomials.size(); ++i)
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      Rational product = 1;
+      for (std::size_t v = 0; v < variables; ++v) product *= binomial(points[k][v], monomials[i][v]);
+      result(i, k) = product;
+    }
+  return result;
+}
+
+std::vector<LatticePoint> simplex(std::size_t variables, int order) {
+  std::vector<LatticePoint> result;
+  for (long degree = 0; degree <= order; ++degree)
+    for (LatticePoint& point : exponents_of_degree(variables, degree)) result.push_back(std::move(point));
+  return result;
+}
+
+}  // namespace
+
+DifferenceSpace difference_space(const MultivariateMask& mask, int order, std::size_t most_points) {
+  require(order >= 1, "difference space: need sum rules of order 1 or more, got {}", order);
+  const Dilation& dilation = mask.dilation();
+  LatticeWindow window(mask.symbol(), dilation, simplex(dilation.variables(), order), most_points);
+  const std::vector<std::vector<Rational>> vectors = kernel(moments(window.points(), order));
+  require(!vectors.empty(), "difference space: no sequence on the {} points of the window annihilates polynomials",
+          window.size());
+  std::vector<LatticeSequence> basis;
+  std::vector<std::size_t> pivots;
+  for (const std::vector<Rational>& vector : vectors) {
+    basis.emplace_back();
+    pivots.push_back(0);  // the last entry of a vector of a kernel is 1, and 0 in the others
+    for (std::size_t k = 0; k < vector.size(); ++k)
+      if (vector[k] != 0) {
+        basis.back().emplace(window.points()[k], vector[k]);
+        pivots.back() = k;
+      }
+  }
+  std::map<LatticePoint, std::size_t> row_of;
+  for (std::size_t c = 0; c < pivots.size(); ++c) row_of.emplace(window.points()[pivots[c]], c);
+  std::vector<RationalMatrix> matrices(dilation.digits().size(), RationalMatrix(basis.size(), basis.size()));
+  for (std::size_t c = 0; c < basis.size(); ++c) {
+    const std::vector<LatticeSequence> moved = transitions(mask.symbol(), dilation, basis[c]);
+    for (std::size_t d = 0; d < moved.size(); ++d)
+      for (const auto& [point, value] : moved[d])
+        if (const auto row = row_of.find(point); row != row_of.end()) matrices[d](row->second, c) = value;
+  }
+  return {order, std::move(window), std::move(basis), std::move(pivots), MatrixFamily(std::move(matrices))};
+}
+
+}  // namespace subcert

@@ -1,0 +1,167 @@
+#include "gram_function.hpp"
+
+#include "radius/cost.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/lattice_symmetry.hpp>
+#include <subcert/analysis/symbol/torus.hpp>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+constexpr std::size_t most_points = 1 << 16, most_orbits = 1200;
+
+/// The operator (T g)_k = sum over l of c_{Mk - l} g_l, c the autocorrelation of the mask over |det M|, on sequences
+/// that are constant on the orbits of a group of symmetries of c.
+class TransferOperator {
+ public:
+  /// On a window that holds the support of every word of some length on sequences supported on `start`.
+  TransferOperator(const MultivariateMask& mask, const std::vector<LatticePoint>& start)
+      : symbol_(mask.symbol() * mask.symbol().reversed() *
+                MultivariatePolynomial(mask.dimension(), Rational(1, mask.dilation().classes()))),
+        dilation_(mask.dilation().rows()),
+        group_(symmetries_along(lattice_symmetries(symbol_), dilation_)),
+        window_(symbol_, dilation_, closed(start), most_points,
+                dilation_.divide(LatticePoint(dilation_.variables(), 0)).digit) {
+    for (std::size_t place = 0; place < window_.size(); ++place) {
+      const LatticePoint first = representative(window_.points()[place]);
+      const auto [at, inserted] = orbit_of_.emplace(first, orbits_.size());
+      if (inserted) orbits_.emplace_back();
+      orbits_[at->second].push_back(window_.points()[place]);
+    }
+    if (orbits_.size() > most_orbits)
+      fail(ErrorKind::size, "transfer operator: need at most {} orbits of lattice points, got {}", most_orbits,
+           orbits_.size());
+  }
+
+  std::size_t size() const { return orbits_.size(); }
+  const std::vector<LatticePoint>& orbit(std::size_t index) const { return orbits_[index]; }
+
+  /// On the values of the orbits.
+  RationalMatrix matrix() const {
+    std::map<LatticePoint, Rational> coefficients;
+    for (const auto& term : symbol_.terms()) coefficients.emplace(term.exponents, term.coefficient);
+    RationalMatrix result(size(), size());
+    for (std::size_t row = 0; row < size(); ++row) {
+      const LatticePoint image = dilation_ * orbits_[row].front();
+      for (const auto& [exponents, coefficient] : coefficients)
+        if (const auto column = orbit_of_.find(representative(image - exponents)); column != orbit_of_.end())
+          result(row, column->second) += coefficient;
+    }
+    return result;
+  }
+
+ private:
+  LatticePoint representative(const LatticePoint& point) const {
+    LatticePoint result = point;
+    for (const LatticeMap& map : group_) result = std::max(result, map(point));
+    return result;
+  }
+  std::vector<LatticePoint> closed(const std::vector<LatticePoint>& start) const {
+    std::vector<LatticePoint> result;
+    for (const LatticePoint& point : start)
+      for (const LatticeMap& map : group_) result.push_back(map(point));
+    return result;
+  }
+
+  MultivariatePolynomial symbol_;
+  Dilation dilation_;
+  std::vector<LatticeMap> group_;
+  LatticeWindow window_;
+  std::map<LatticePoint, std::size_t> orbit_of_;  // by representative
+  std::vector<std::vector<LatticePoint>> orbits_;
+};
+
+/// Rows: sums over the orbits of the monomials of even degree below `order`; the others vanish by symmetry.
+RationalMatrix even_moments(const TransferOperator& transfer, std::size_t variables, int order) {
+  std::vector<LatticePoint> monomials;
+  for (int degree = 0; degree < order; degree += 2)
+    for (LatticePoint& exponents : exponents_of_degree(variables, degree)) monomials.push_back(std::move(exponents));
+  RationalMatrix result(monomials.size(), transfer.size());
+  for (std::size_t i = 0; i < monomials.size(); ++i)
+    for (std::size_t k = 0; k < transfer.size(); ++k)
+      for (const LatticePoint& point : transfer.orbit(k)) {
+        Rational product = 1;
+        for (std::size_t v = 0; v < variables; ++v)
+          if (monomials[i][v] > 0) product *= point[v] == 0 ? Rational(0) : power(Rational(point[v]), monomials[i][v]);
+        result(i, k) += product;
+      }
+  return result;
+}
+
+}  // namespace
+
+std::optional<LatticeSequence> gram_function(const MultivariateMask& mask, const Deadline& deadline) {
+  const std::size_t variables = mask.dilation().variables();
+  const TransferOperator transfer(mask, {LatticePoint(variables, 0)});
+  RationalMatrix system = transfer.matrix();
+  if (!radius::has_time_for_elimination(system, deadline)) return std::nullopt;
+  for (std::size_t i = 0; i < system.rows(); ++i) system(i, i) -= 1;
+  const auto solutions = kernel(system);
+  if (solutions.size() != 1) return std::nullopt;
+  Rational sum = 0;
+  for (std::size_t k = 0; k < transfer.size(); ++k)
+    sum += solutions.front()[k] * static_cast<long>(transfer.orbit(k).size());
+  if (sum == 0) return std::nullopt;
+  LatticeSequence gram;
+  for (std::size_t k = 0; k < transfer.size(); ++k)
+    for (const LatticePoint& point : transfer.orbit(k))
+      if (solutions.front()[k] != 0) gram.emplace(point, solutions.front()[k] / sum);
+  return gram;
+}
+
+Decision has_stable_shifts(const LatticeSequence& gram, const Deadline& deadline) {
+  std::vector<MultivariatePolynomial::Monomial> terms;
+  for (const auto& [point, value] : gram) terms.push_back({value, point});
+  const MultivariatePolynomial bracket(static_cast<int>(gram.begin()->first.size()), terms);
+  if (const auto zero = zero_on_torus(bracket))
+    return {Truth::no, "the sum of <phi, phi(. - k)> e^(ikx) vanishes at x = " + *zero};
+  Decision positive = is_positive_on_torus(bracket, deadline);
+  if (positive.is_yes()) positive.reason = "the sum of <phi, phi(. - k)> e^(ikx) is positive: " + positive.reason;
+  return positive;
+}
+
+std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& mask, int sum_rules,
+                                                      const Deadline& deadline) {
+  const Dilation& dilation = mask.dilation();
+  require(sum_rules >= 1, "sobolev_regularity: need at least one sum rule, got {}", sum_rules);
+  require(dilation.is_isotropic(), "sobolev_regularity: need an isotropic dilation, got {}", dilation.to_text());
+  const std::size_t variables = dilation.variables();
+  // The support of (sum over v of 2 - z_v - 1/z_v)^sum_rules.
+  std::vector<LatticePoint> start;
+  for (long degree = 0; degree <= sum_rules; ++degree)
+    for (const LatticePoint& point : exponents_of_degree(variables, degree))
+      for (unsigned signs = 0; signs < 1U << variables; ++signs) {
+        start.push_back(point);
+        for (std::size_t v = 0; v < variables; ++v)
+          if (signs >> v & 1) start.back()[v] = -point[v];
+      }
+  const TransferOperator transfer(mask, start);
+  const RationalMatrix whole = transfer.matrix();
+  const auto basis = kernel(even_moments(transfer, variables, 2 * sum_rules));
+  if (basis.empty() || !radius::has_time_for_elimination(whole, deadline)) return std::nullopt;
+  std::vector<std::size_t> pivots;  // the last entries: 1, and 0 in all other vectors
+  for (const auto& vector : basis) {
+    std::size_t last = vector.size() - 1;
+    while (vector[last] == 0) --last;
+    pivots.push_back(last);
+  }
+  RationalMatrix matrix(basis.size(), basis.size());
+  for (std::size_t c = 0; c < basis.size(); ++c) {
+    const std::vector<Rational> image = whole * basis[c];
+    for (std::size_t r = 0; r < basis.size(); ++r) matrix(r, c) = image[pivots[r]];
+  }
+  const auto characteristic = characteristic_polynomial(matrix, deadline);
+  if (!characteristic || !radius::has_time_for_roots(*characteristic, deadline)) return std::nullopt;
+  const Enclosure radius = largest_root_modulus(*characteristic).largest;
+  const int classes = static_cast<int>(dilation.classes());
+  const Rational factor(-static_cast<long>(variables), 2);
+  return MultivariateSobolev{
+      radius,
+      {factor * *log_ratio(*radius.upper, classes).upper, factor * *log_ratio(*radius.lower, classes).lower},
+      basis.size()};
+}
+
+}  // namespace subcert

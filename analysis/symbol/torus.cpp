@@ -1,0 +1,220 @@
+#include "torus.hpp"
+
+#include "dilation.hpp"
+#include "index_arithmetic.hpp"
+#include "real_roots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace subcert {
+namespace {
+
+constexpr long largest_order = 12;
+constexpr double near_zero = 1e-9;
+constexpr std::size_t most_cells = 200'000;
+
+/// p at the point with coordinates e^(2 pi i j_v / order), as an element of Q[z] / Phi_order.
+bool vanishes(const std::vector<MultivariatePolynomial::Monomial>& terms, const LatticePoint& j, long order) {
+  std::vector<Rational> coefficients(static_cast<std::size_t>(order), 0);
+  for (const auto& term : terms) {
+    long exponent = 0;
+    for (std::size_t v = 0; v < j.size(); ++v) exponent += term.exponents[v] * j[v];
+    coefficients[static_cast<std::size_t>(modulo(exponent, order))] += term.coefficient;
+  }
+  const LaurentPolynomial value(coefficients, 0);
+  return value.is_zero() || value.exact_quotient(cyclotomic(order)).has_value();
+}
+
+/// A tensor array of integers, the first axis running slowest.
+struct Array {
+  std::vector<std::size_t> sizes;
+  std::vector<Integer> entries;
+
+  std::size_t stride(std::size_t axis) const {
+    return std::accumulate(sizes.begin() + static_cast<std::ptrdiff_t>(axis) + 1, sizes.end(), std::size_t{1},
+                           std::multiplies<>());
+  }
+};
+
+/// Polynomials with Gaussian integers in the form sum of c_j u^j (1 - u)^(n - j).
+struct Gaussian {
+  Integer re = 0, im = 0;
+};
+using Form = std::vector<Gaussian>;
+
+Form times_linear(const Form& form, long at_zero_im, long at_one_im) {
+  // the factor (1 + i at_zero_im)(1 - u) + (1 + i at_one_im) u
+  Form result(form.size() + 1);
+  const auto add = [](Gaussian& sum, const Gaussian& x, long im) {
+    sum.re += x.re - x.im * im;
+    sum.im += x.im + x.re * im;
+  };
+  for (std::size_t j = 0; j < form.size(); ++j) {
+    add(result[j], form[j], at_zero_im);
+    add(result[j + 1], form[j], at_one_im);
+  }
+  return result;
+}
+
+/// (1 + t^2)^n z^k for z = sign (1 + it) / (1 - it), t = 2 u - 1: sign^k (1 + it)^(n + k) (1 - it)^(n - k).
+Form power_form(long n, long k, int sign) {
+  Form form{{1, 0}};
+  for (long r = 0; r < n + k; ++r) form = times_linear(form, -1, 1);
+  for (long r = 0; r < n - k; ++r) form = times_linear(form, 1, -1);
+  if (sign < 0 && k % 2 != 0)
+    for (Gaussian& c : form) c = {-c.re, -c.im};
+  return form;
+}
+
+class Cells {
+ public:
+  explicit Cells(const MultivariatePolynomial& p) : degrees_(static_cast<std::size_t>(p.variables())) {
+    Integer denominator_of_all = 1;
+    terms_ = p.terms();
+    for (const auto& term : terms_) {
+      denominator_of_all = lcm(denominator_of_all, denominator(term.coefficient));
+      for (std::size_t v = 0; v < degrees_.size(); ++v)
+        degrees_[v] = std::max(degrees_[v], std::abs(term.exponents[v]));
+    }
+    for (auto& term : terms_) term.coefficient *= denominator_of_all;
+  }
+
+  Decision run(const Deadline& deadline) {
+    std::vector<std::pair<Array, std::size_t>> open;  // with the axis to be halved next
+    for (unsigned chart = 0; chart < 1U << degrees_.size(); ++chart) open.emplace_back(bernstein(chart), 0);
+    std::size_t cells = 0;
+    for (; !open.empty(); ++cells) {
+      if (cells >= most_cells || deadline.expired())
+        return {Truth::unknown, fmt::format("not decided on {} cells", cells)};
+      const auto [array, axis] = std::move(open.back());
+      open.pop_back();
+      if (std::all_of(array.entries.begin(), array.entries.end(), [](const Integer& c) { return c > 0; })) continue;
+      if (has_corner_that_is_not_positive(array)) return {Truth::no, "a value on a corner of a cell is not positive"};
+      auto [left, right] = halved(array, axis);
+      const std::size_t next = (axis + 1) % degrees_.size();
+      open.emplace_back(std::move(left), next);
+      open.emplace_back(std::move(right), next);
+    }
+    return {Truth::yes, fmt::format("by exact bounds on {} cells", cells)};
+  }
+
+ private:
+  /// The Bernstein coefficients, up to a positive factor, of p times a positive function on |x_v - pi_v| <= pi / 2 with
+  /// pi_v = pi where the bit of the chart is set, otherwise 0.
+  Array bernstein(unsigned chart) const {
+    // Sums over the exponents of one variable after another; what is left are keys of the remaining exponents.
+    std::map<LatticePoint, std::vector<Gaussian>> parts;
+    for (const auto& term : terms_) parts[term.exponents] = {{numerator(term.coefficient), 0}};
+    Array result;
+    for (std::size_t v = degrees_.size(); v-- > 0;) {
+      std::map<LatticePoint, std::vector<Gaussian>> sums;
+      std::map<long, Form> forms;
+      const auto size = static_cast<std::size_t>(2 * degrees_[v] + 1);
+      for (const auto& [key, values] : parts) {
+        const long k = key.back();
+        if (!forms.contains(k)) forms[k] = power_form(degrees_[v], k, chart >> v & 1 ? -1 : 1);
+        const Form& form = forms[k];
+        auto& sum = sums[LatticePoint(key.begin(), key.end() - 1)];
+        sum.resize(size * values.size());
+        for (std::size_t j = 0; j < size; ++j)
+          for (std::size_t i = 0; i < values.size(); ++i) {
+            sum[j * values.size() + i].re += form[j].re * values[i].re - form[j].im * values[i].im;
+            sum[j * values.size() + i].im += form[j].re * values[i].im + form[j].im * values[i].re;
+          }
+      }
+      parts = std::move(sums);
+      result.sizes.insert(result.sizes.begin(), size);
+    }
+    for (const Gaussian& c : parts.begin()->second) result.entries.push_back(c.re);
+    for (std::size_t v = 0; v < degrees_.size(); ++v) divide_by_binomials(result, v);
+    return result;
+  }
+
+  /// Entry j along the axis over binomial(n, j), all times the least common multiple of these.
+  static void divide_by_binomials(Array& array, std::size_t axis) {
+    const std::size_t size = array.sizes[axis], stride = array.stride(axis);
+    std::vector<Integer> binomials{1};
+    Integer common = 1;
+    for (std::size_t j = 1; j < size; ++j) {
+      binomials.push_back(binomials.back() * static_cast<long>(size - j) / static_cast<long>(j));
+      common = lcm(common, binomials.back());
+    }
+    for (std::size_t i = 0; i < array.entries.size(); ++i) array.entries[i] *= common / binomials[i / stride % size];
+  }
+
+  static bool has_corner_that_is_not_positive(const Array& array) {
+    for (unsigned corner = 0; corner < 1U << array.sizes.size(); ++corner) {
+      std::size_t at = 0;
+      for (std::size_t v = 0; v < array.sizes.size(); ++v)
+        at = at * array.sizes[v] + (corner >> v & 1 ? array.sizes[v] - 1 : 0);
+      if (array.entries[at] <= 0) return true;
+    }
+    return false;
+  }
+
+  /// De Casteljau's scheme in the middle of the axis, without its divisions.
+  static std::pair<Array, Array> halved(const Array& array, std::size_t axis) {
+    const std::size_t size = array.sizes[axis], stride = array.stride(axis);
+    Array left = array, right = array;
+    std::vector<Integer> line(size);
+    for (std::size_t start = 0; start < array.entries.size(); ++start) {
+      if (start / stride % size != 0) continue;
+      for (std::size_t j = 0; j < size; ++j) line[j] = array.entries[start + j * stride];
+      for (std::size_t round = 0; round < size; ++round) {
+        const long up = static_cast<long>(size - 1 - round);
+        left.entries[start + round * stride] = line[0] << up;
+        right.entries[start + (size - 1 - round) * stride] = line[size - 1 - round] << up;
+        for (std::size_t j = 0; j + 1 + round < size; ++j) line[j] += line[j + 1];
+      }
+    }
+    return {std::move(left), std::move(right)};
+  }
+
+  std::vector<MultivariatePolynomial::Monomial> terms_;  // with integer coefficients
+  std::vector<long> degrees_;
+};
+
+}  // namespace
+
+std::optional<std::string> zero_on_torus(const MultivariatePolynomial& p) {
+  const auto terms = p.terms();
+  const auto variables = static_cast<std::size_t>(p.variables());
+  double size = 0;
+  std::vector<double> values;
+  for (const auto& term : terms) {
+    values.push_back(term.coefficient.convert_to<double>());
+    size += std::abs(values.back());
+  }
+  for (long order = 1; order <= largest_order; ++order)
+    for (LatticePoint j(variables, 0); j.back() < order;) {
+      long common = order;
+      for (const long c : j) common = std::gcd(common, c);
+      if (common == 1) {
+        double value = 0;
+        for (std::size_t t = 0; t < terms.size(); ++t) {
+          long exponent = 0;
+          for (std::size_t v = 0; v < variables; ++v) exponent += terms[t].exponents[v] * j[v];
+          value += values[t] * std::cos(2 * std::numbers::pi * static_cast<double>(modulo(exponent, order)) /
+                                        static_cast<double>(order));
+        }
+        if (std::abs(value) < near_zero * size && vanishes(terms, j, order)) {
+          std::vector<std::string> coordinates;
+          for (const long c : j) coordinates.push_back(to_text(Rational(c, order)));
+          return fmt::format("2 pi ({})", fmt::join(coordinates, ", "));
+        }
+      }
+      for (std::size_t v = 0; v < variables && ++j[v] >= order && v + 1 < variables; ++v) j[v] = 0;
+    }
+  return std::nullopt;
+}
+
+Decision is_positive_on_torus(const MultivariatePolynomial& p, const Deadline& deadline) {
+  return Cells(p).run(deadline);
+}
+
+}  // namespace subcert

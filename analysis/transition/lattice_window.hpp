@@ -1,0 +1,43 @@
+#pragma once
+/// Finite sets of lattice points on which the transition operators of a mask of several variables act,
+/// (T_d v)_j = sum over k of a_{Mj + d - k} v_k for the digits d.
+
+#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/matrix_family.hpp>
+
+#include <map>
+#include <vector>
+
+namespace subcert {
+
+/// A sequence of finite support. Canonical: no value is 0.
+using LatticeSequence = std::map<LatticePoint, Rational>;
+
+/// The indices that matter for a symbol and a dilation: every T_d v is supported there where v is.
+class LatticeWindow {
+ public:
+  /// The points that words of `steps()` letters or more reach from `start`: those that shorter words alone reach are
+  /// left out. With `digit` for words of that digit alone. Domain: start not empty. Errors: throws Error where that
+  /// takes more than `most_points` points. Cost: points * coefficients.
+  LatticeWindow(const MultivariatePolynomial& symbol, const Dilation& dilation, const std::vector<LatticePoint>& start,
+                std::size_t most_points, std::optional<std::size_t> digit = std::nullopt);
+
+  const std::vector<LatticePoint>& points() const { return points_; }
+  std::size_t size() const { return points_.size(); }
+  int steps() const { return steps_; }
+  /// The place of a point among points(), or size().
+  std::size_t place(const LatticePoint& point) const;
+
+ private:
+  std::vector<LatticePoint> points_;  // in the order of std::map
+  int steps_ = 0;
+};
+
+/// T_d v for every digit d. Cost: the length of v times the number of coefficients.
+std::vector<LatticeSequence> transitions(const MultivariatePolynomial& symbol, const Dilation& dilation,
+                                         const LatticeSequence& v);
+
+/// The differences nabla^mu delta of total order |mu| = order.
+std::vector<LatticeSequence> differences_of_delta(std::size_t variables, int order);
+
+}  // namespace subcert

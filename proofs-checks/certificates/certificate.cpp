@@ -20,7 +20,7 @@ std::string outward(const Rational& value, Rounding rounding) {
 std::string terms_text(const std::vector<WeightedVertex>& terms, PolytopeKind kind) {
   std::string text;
   for (const WeightedVertex& term : terms) {
-    text += fmt::format(" {}{}{}:{}", term.vertex, term.flipped ? "f" : "", term.conjugated ? "c" : "",
+    text += fmt::format(" {}{}{}:{}", term.vertex, term.element != 0 ? "f" : "", term.conjugated ? "c" : "",
                         term.weight.str());
     if (kind == PolytopeKind::complex) text += ":" + term.imaginary.str();
   }
@@ -37,7 +37,7 @@ std::string properties_text(const PolytopeProof& polytope) {
   std::string text;
   if (polytope.kind == PolytopeKind::complex) text += " complex";
   if (polytope.kind == PolytopeKind::nonnegative) text += " nonnegative";
-  if (polytope.symmetric) text += " symmetric";
+  if (polytope.is_flip_symmetric()) text += " symmetric";
   if (polytope.transposed) text += " transposed";
   return text;
 }

@@ -16,6 +16,8 @@ using LatticePoint = std::vector<long>;
 
 LatticePoint operator+(LatticePoint a, const LatticePoint& b);
 LatticePoint operator-(LatticePoint a, const LatticePoint& b);
+/// Points, or the rows of a matrix, as `[1,2;-2,-1]`.
+std::string to_text(const std::vector<LatticePoint>& points);
 
 /// An integer matrix M whose eigenvalues are all larger than 1 in modulus, with a set of digits: one point of each of
 /// the |det M| classes of Z^s modulo M Z^s. In one variable M is the arity.

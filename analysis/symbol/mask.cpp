@@ -50,6 +50,12 @@ std::vector<Rational> coset_sums(const Mask& mask) {
   return sums;
 }
 
+std::vector<Rational> coset_sums(const MultivariateMask& mask) {
+  std::vector<Rational> sums(mask.dilation().digits().size(), 0);
+  for (const auto& term : mask.symbol().terms()) sums[mask.dilation().divide(term.exponents).digit] += term.coefficient;
+  return sums;
+}
+
 bool is_affine(const Mask& mask) {
   const auto sums = coset_sums(mask);
   return std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; });

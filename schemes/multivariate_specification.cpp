@@ -47,8 +47,6 @@ MultivariateScheme make_tensor(const Piece&, const Piece& body, const std::strin
   for (const Piece& factor : read_factors(body)) {
     try {
       const Scheme scheme = make_scheme(factor.text);
-      if (!result.factors.empty() && scheme.mask.arity() != result.factors[0].arity())
-        fail(factor, "a scheme of arity " + std::to_string(result.factors[0].arity()) + " like the first");
       result.specification += (result.factors.empty() ? "(" : "x(") + scheme.specification + ")";
       coefficients *= scheme.mask.symbol().length();
       result.factors.push_back(scheme.mask);

@@ -48,15 +48,6 @@ LatticePoint operator-(LatticePoint a, const LatticePoint& b) {
   return a;
 }
 
-std::string to_text(const std::vector<LatticePoint>& rows) {
-  std::string text;
-  for (const LatticePoint& row : rows) {
-    text += text.empty() ? "[" : ";";
-    for (std::size_t j = 0; j < row.size(); ++j) text += (j ? "," : "") + std::to_string(row[j]);
-  }
-  return text + "]";
-}
-
 Dilation::Dilation(std::vector<LatticePoint> rows, std::vector<LatticePoint> digits) : rows_(std::move(rows)) {
   const std::size_t size = rows_.size();
   require(size >= 1 && size <= 3, "dilation: need a matrix of 1 to 3 rows, got {}", size);
@@ -161,6 +152,15 @@ std::vector<Rational> Dilation::inverse_times(const std::vector<Rational>& point
     result[i] /= determinant_;
   }
   return result;
+}
+
+std::string to_text(const std::vector<LatticePoint>& rows) {
+  std::string text;
+  for (const LatticePoint& row : rows) {
+    text += text.empty() ? "[" : ";";
+    for (std::size_t j = 0; j < row.size(); ++j) text += (j ? "," : "") + std::to_string(row[j]);
+  }
+  return text + "]";
 }
 
 std::string Dilation::to_text() const { return subcert::to_text(rows_); }

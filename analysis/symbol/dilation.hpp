@@ -16,8 +16,6 @@ using LatticePoint = std::vector<long>;
 
 LatticePoint operator+(LatticePoint a, const LatticePoint& b);
 LatticePoint operator-(LatticePoint a, const LatticePoint& b);
-/// Points, or the rows of a matrix, as `[1,2;-2,-1]`.
-std::string to_text(const std::vector<LatticePoint>& points);
 
 /// An integer matrix M whose eigenvalues are all larger than 1 in modulus, with a set of digits: one point of each of
 /// the |det M| classes of Z^s modulo M Z^s. In one variable M is the arity.
@@ -51,7 +49,6 @@ class Dilation {
   /// M^-1 times a rational point.
   std::vector<Rational> inverse_times(const std::vector<Rational>& point) const;
 
-  /// `[1,2;-2,-1]`.
   std::string to_text() const;
   bool operator==(const Dilation& other) const { return rows_ == other.rows_ && digits_ == other.digits_; }
 
@@ -66,5 +63,8 @@ class Dilation {
   std::map<LatticePoint, std::size_t> digit_of_class_;
   bool isotropic_ = false;
 };
+
+/// Points, or the rows of a matrix, as `[1,2;-2,-1]`.
+std::string to_text(const std::vector<LatticePoint>& points);
 
 }  // namespace subcert

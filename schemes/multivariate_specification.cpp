@@ -1,6 +1,7 @@
 // Specifications of two and three variables: tensor products, fits on grids, masks, box splines and classical surface
 // schemes; and of any kind.
 
+#include "ball_regression.hpp"
 #include "classical.hpp"
 #include "grid_regression.hpp"
 #include "specification_text.hpp"
@@ -202,6 +203,45 @@ MultivariateScheme make_box(const Piece& family, const Piece& body, const std::s
           fmt::format("box spline of {} directions", directions.size()), mask};
 }
 
+MultivariateScheme make_triangular(Fields& fields) {
+  BallRegression scheme;
+  const Piece radius = fields.required("L");
+  scheme.radius = read_rational(radius);
+  if (denominator(scheme.radius) > 1000) fail(radius, "L with a denominator up to 1000");
+  if (const auto piece = fields.optional("d")) scheme.degree = static_cast<int>(read_integer(*piece, "d", 0, 8));
+  std::string text = fmt::format("triangular:L={},d={}", scheme.radius, scheme.degree);
+  if (const auto piece = fields.optional("grid")) {
+    if (piece->text != "equilateral" && piece->text != "rectangular")
+      fail(*piece, "grid=equilateral or grid=rectangular");
+    if (piece->text == "rectangular") {
+      scheme.lattice = Lattice::rectangular;
+      text += ",grid=rectangular";
+    }
+  }
+  const auto power = fields.optional("power"), weights = fields.optional("weights");
+  if (power && weights) fail(*weights, "power or weights, not both");
+  if (power) scheme.power = static_cast<int>(read_integer(*power, "power", 0, 8));
+  if (scheme.power > 0) text += fmt::format(",power={}", scheme.power);
+  if (weights) {
+    for (const Piece& entry : read_list(*weights, ';')) {
+      scheme.weights.push_back(read_rational(entry));
+      if (scheme.weights.back() <= 0 || entry.text.size() > 40) fail(entry, "a weight > 0 of at most 40 characters");
+      text += (scheme.weights.size() == 1 ? ",weights=[" : ";") + to_text(scheme.weights.back());
+    }
+    text += "]";
+    const std::vector<Rational> distances = checked(radius, [&] { return ball_distances(scheme); });
+    if (distances.size() != scheme.weights.size())
+      fail(*weights,
+           fmt::format("{} weights, one for each squared distance {}", distances.size(), fmt::join(distances, ", ")));
+  }
+  fields.finish();
+  return {
+      text,
+      fmt::format("least squares on the {} triangular grid within L = {}, degree {}",
+                  scheme.lattice == Lattice::rectangular ? "rectangular" : "equilateral", scheme.radius, scheme.degree),
+      checked(radius, [&] { return ball_regression_mask(scheme); })};
+}
+
 MultivariateScheme make_butterfly(Fields& fields) {
   const Rational w = read_rational(fields.required("w"));
   fields.finish();
@@ -234,6 +274,10 @@ const std::vector<Family<MultivariateScheme>>& multivariate_table() {
       {{"grid", "grid:points=4x4,d=3",
         "least squares of total degree d on a grid of data, as 4x4, 5x5 or 4x4x4; optional a=2"},
        from_fields(make_grid)},
+      {{"triangular", "triangular:L=8/5,d=1",
+        "least squares within the distance L on a triangular grid; optional grid=rectangular, power=2 or "
+        "weights=[...]"},
+       from_fields(make_triangular)},
       {{"mask2", "mask2:[[1,1,0],[1,2,1],[0,1,1]]/2@-1,-1",
         "any mask, rows in x; optional arity=2 or dilation=[1,2;-2,-1], and digits=[0,0;1,0;...]"},
        make_mask_of<2>},

@@ -230,9 +230,10 @@ MultivariateScheme make_triangular(Fields& fields) {
     }
     text += "]";
     const std::vector<Rational> distances = checked(radius, [&] { return ball_distances(scheme); });
+    const auto few = distances.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(distances.size(), 8));
     if (distances.size() != scheme.weights.size())
-      fail(*weights,
-           fmt::format("{} weights, one for each squared distance {}", distances.size(), fmt::join(distances, ", ")));
+      fail(*weights, fmt::format("{} weights, one for each squared distance {}{}", distances.size(),
+                                 fmt::join(distances.begin(), few, ", "), few == distances.end() ? "" : ", ..."));
   }
   fields.finish();
   return {

@@ -32,7 +32,7 @@ Ball ball_around(const LatticePoint& new_point, const BallRegression& scheme) {
 }
 
 std::vector<Ball> balls_of(const BallRegression& scheme) {
-  require(scheme.radius > Rational(1, 2) && scheme.radius <= 16, "ball regression: need 1/2 < L <= 16, got {}",
+  require(scheme.radius > Rational(1, 2) && scheme.radius <= 10, "ball regression: need 1/2 < L <= 10, got {}",
           scheme.radius);
   std::vector<Ball> balls;
   for (const LatticePoint& new_point : {LatticePoint{0, 0}, {1, 0}, {0, 1}, {1, 1}})
@@ -87,7 +87,7 @@ std::vector<Rational> ball_distances(const BallRegression& scheme) {
 }
 
 MultivariateMask ball_regression_mask(const BallRegression& scheme) {
-  require(scheme.degree >= 0 && scheme.degree <= 8, "ball regression: need 0 <= d <= 8, got {}", scheme.degree);
+  require(scheme.degree >= 0 && scheme.degree <= 6, "ball regression: need 0 <= d <= 6, got {}", scheme.degree);
   require(scheme.power >= 0 && scheme.power <= 8, "ball regression: need 0 <= power <= 8, got {}", scheme.power);
   const std::vector<Rational> distances = ball_distances(scheme);
   require(scheme.weights.empty() || scheme.weights.size() == distances.size(),

@@ -24,7 +24,7 @@ struct BallRegression {
 /// The squares of the distances less than the radius between new points and data, in ascending order.
 std::vector<Rational> ball_distances(const BallRegression& scheme);
 
-/// The exact mask. Domain: 1/2 < radius <= 16, 0 <= degree <= 8, 0 <= power <= 8; no weights or as many as distances,
+/// The exact mask. Domain: 1/2 < radius <= 10, 0 <= degree <= 6, 0 <= power <= 8; no weights or as many as distances,
 /// all positive; data that determine the polynomials. Errors: throws Error. Cost: data * degree^2, and linear systems
 /// of the size of the number of monomials.
 MultivariateMask ball_regression_mask(const BallRegression& scheme);

@@ -179,6 +179,11 @@ MultivariatePolynomial symbol_of(const text::MaskText& mask) {
 template <int variables>
 MultivariateScheme make_mask_of(const Piece& family, const Piece& body, const std::string& usage) {
   auto [parts, fields] = read_mask(family, body, usage, variables, max_mask);
+  Integer common = 1;
+  for (const Rational& c : parts.coefficients) common = lcm(common, denominator(c));
+  if (common.str().size() * parts.coefficients.size() > 5 * static_cast<std::size_t>(max_long_work))
+    fail(body, fmt::format("coefficients with (number of them) * (digits of the common denominator) <= {}",
+                           5 * max_long_work));
   const Dilation dilation = read_dilation(fields, variables);
   fields.finish();
   const MultivariateMask mask = checked(body, [&] { return MultivariateMask(symbol_of(parts), dilation); });
@@ -208,7 +213,7 @@ MultivariateScheme make_triangular(Fields& fields) {
   const Piece radius = fields.required("L");
   scheme.radius = read_rational(radius);
   if (denominator(scheme.radius) > 1000) fail(radius, "L with a denominator up to 1000");
-  if (const auto piece = fields.optional("d")) scheme.degree = static_cast<int>(read_integer(*piece, "d", 0, 8));
+  if (const auto piece = fields.optional("d")) scheme.degree = static_cast<int>(read_integer(*piece, "d", 0, 6));
   std::string text = fmt::format("triangular:L={},d={}", scheme.radius, scheme.degree);
   if (const auto piece = fields.optional("grid")) {
     if (piece->text != "equilateral" && piece->text != "rectangular")

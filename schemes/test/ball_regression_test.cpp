@@ -82,7 +82,7 @@ TEST_CASE("least squares on triangular grids reproduce the degree, and the weigh
 
 TEST_CASE("specifications of least squares on triangular grids") {
   for (const char* fields :
-       {"L=8/5,d=1", "L=2,d=2,grid=rectangular,power=2", "L=8/5,d=0,weights=[1;1/2;1/3;1/4;1/5;1/6]", "L=16,d=8"})
+       {"L=8/5,d=1", "L=2,d=2,grid=rectangular,power=2", "L=8/5,d=0,weights=[1;1/2;1/3;1/4;1/5;1/6]", "L=10,d=6"})
     CHECK(triangular(fields).specification == std::string("triangular:") + fields);
   CHECK(triangular("power=0,L=16/10,grid=equilateral").specification == "triangular:L=8/5,d=1");
   const auto refusal = [](const std::string& fields) {
@@ -93,11 +93,11 @@ TEST_CASE("specifications of least squares on triangular grids") {
     }
   };
   CHECK(refusal("d=1") == "15 'triangular' the key 'L', as in triangular:L=8/5,d=1");
-  CHECK(refusal("L=1/2") == "14 '1/2' 1/2 < L <= 16, got 1/2");
-  CHECK(refusal("L=17") == "14 '17' 1/2 < L <= 16, got 17");
+  CHECK(refusal("L=1/2") == "14 '1/2' 1/2 < L <= 10, got 1/2");
+  CHECK(refusal("L=17") == "14 '17' 1/2 < L <= 10, got 17");
   CHECK(refusal("L=1/1001") == "14 '1/1001' L with a denominator up to 1000");
   CHECK(refusal("L=1") == "14 '1' data that determine polynomials of degree 1, got 1 around a new point");
-  CHECK(refusal("L=8/5,d=9") == "20 '9' d as an integer from 0 to 8");
+  CHECK(refusal("L=8/5,d=7") == "20 '7' d as an integer from 0 to 6");
   CHECK(refusal("L=8/5,d=3") == "14 '8/5' data that determine polynomials of degree 3, got 7 around a new point");
   CHECK(refusal("L=8/5,grid=hexagonal") == "23 'hexagonal' grid=equilateral or grid=rectangular");
   CHECK(refusal("L=8/5,power=9") == "24 '9' power as an integer from 0 to 8");

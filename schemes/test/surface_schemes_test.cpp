@@ -149,6 +149,9 @@ TEST_CASE("bad surface specifications say what, where and what would be right") 
   for (int i = 1; i < 10'000; ++i) many += ",0";
   CHECK(refusal(many + "]]").find("at most 8192 coefficients") != std::string::npos);
   CHECK(refusal("mask2").substr(0, 9) == "1 'mask2'");
+  std::string primes = "mask2:[[1";
+  for (int n = 10'001; n < 17'000; n += 2) primes += ",1/" + std::to_string(n);
+  CHECK(refusal(primes + "]]").find("digits of the common denominator") != std::string::npos);
 
   CHECK(refusal("box:[1,0;2,0]") == "5 '[1,0;2,0]' directions that span all 2 dimensions");
   CHECK(refusal("box:[1;0]") == "5 '[1;0]' directions of two or three variables, as [1,0;0,1;1,1]");

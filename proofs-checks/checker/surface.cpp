@@ -9,7 +9,7 @@ namespace {
 constexpr std::int64_t max_entry = 64, max_coordinate = 1'000'000'000;
 constexpr std::size_t max_classes = 64, max_space = 256, max_order = 64, max_rounds = 64;
 
-/// A vector of a basis or of an echelon form: no other one has a value at the pivot.
+/// A vector of a basis; the vectors after it, and in the basis of the space all others, are 0 at its pivot.
 struct Row {
   Point pivot;
   Sequence values;
@@ -70,7 +70,7 @@ bool expands_isotropically(const Dilation& dilation) {
                      square_is(trace * trace, minors * minors)));
 }
 
-/// Sums over one sequence of products: what the checker does on the lattice.
+/// A mask and a dilation with what the certificate says of them. Coordinates on the space are read off at the pivots.
 class Surface {
  public:
   Surface(const Mask& mask, const Dilation& dilation, std::size_t sum_rules, Reader& reader, Arithmetic& arithmetic)
@@ -197,7 +197,7 @@ class Surface {
     const std::size_t m = sum_rules_;
     Vector sums(m * (m + 1) * (m + 2) / 6);
     for (const auto& [point, value] : x) {
-      arithmetic_.spend(100 * sums.size());
+      arithmetic_.spend(50 * sums.size());
       std::size_t at = 0;
       mpz_class a = value;
       for (std::size_t i = 0; i < m; ++i, a *= point[0]) {
@@ -258,6 +258,7 @@ class Surface {
   /// Makes x zero at the pivots by subtracting multiples of the rows; x may be multiplied by a number.
   void reduce(Sequence& x, const std::vector<Row>& rows) {
     for (const Row& row : rows) {
+      arithmetic_.spend(50);
       const auto at = x.find(row.pivot);
       if (at == x.end()) continue;
       const mpz_class factor = -at->second, scale = row.values.at(row.pivot);
@@ -283,6 +284,7 @@ class Surface {
         set(row.values, point, value);
       }
       factor_ = space_[0].values.at(space_[0].pivot);
+      require(factor_ > 0, "the first coefficient of a vector must be positive");
       require(row.values.at(row.pivot) == factor_, "the first coefficients of two vectors differ");
       for (const mpz_class& moment : moments(row.values))
         require(moment == 0, "a vector does not annihilate the polynomials of degree below the order of the sum rules");

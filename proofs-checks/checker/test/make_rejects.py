@@ -225,6 +225,7 @@ surface("surface-no-vectors", "hat-by-hand", "number outside 1..256", lambda lin
 surface("surface-pivot-shared", "tension-surface", "occurs in another", replace("^vector 1:1 4:-4 5:3", "vector 0:1 1:-2 2:1"))
 surface("surface-pivot-unequal", "tension-surface", "first coefficients of two vectors differ",
         replace("^vector 1:1 4:-4 5:3", "vector 1:2 4:-8 5:6"))
+surface("surface-pivot-negative", "hat-by-hand", "must be positive", replace("^vector .*", "vector -1:-1 0:2 1:-1"))
 surface("surface-point-twice", "hat-by-hand", "occurs twice", replace("^vector -1:1 0:-2", "vector -1:1 0:-1 0:-1"))
 surface("surface-coefficient-zero", "hat-by-hand", "a coefficient is 0", replace("^vector -1:1", "vector 7:0 -1:1"))
 surface("surface-empty-vector", "hat-by-hand", "wrong number of fields", replace("^vector .*", "vector"))

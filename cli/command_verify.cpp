@@ -83,10 +83,12 @@ std::vector<std::string> claim_of(const std::string& file, const std::string& te
   std::vector<std::string> arguments;
   if (kind == "exponent")
     arguments = {"--mask", first, "--arity", second};
+  else if (kind == "surface")
+    arguments = {"--surface", first, "--dilation", second};
   else if (kind == "radius")
     arguments = {"--matrices", file + ".matrices"};
   else
-    fail(ErrorKind::data, "{}, line 2: expected exponent or radius", file);
+    fail(ErrorKind::data, "{}, line 2: expected exponent, surface or radius", file);
   if (lower != "-") arguments.insert(arguments.end(), {"--lower", lower});
   if (upper != "-") arguments.insert(arguments.end(), {"--upper", upper});
   arguments.push_back(file);

@@ -28,3 +28,18 @@ TEST_CASE("certificates are written and verified") {
   CHECK(run("regularity 'mask:[1,1]' --certificate " + file).code == 64);
   CHECK_FALSE(std::filesystem::exists(file));
 }
+
+TEST_CASE("the certificate of a surface is verified by its claim line") {
+  const Folder folder;
+  const std::string file = folder / "hat.cert";
+  const std::string text =
+      "subcert-certificate 3\nsurface [1,2,1]/2@-1 [2]\nbounds 1 1\nsum-rules 2\ndigits 0 1\nspace 1\n"
+      "vector -1:1 0:-2 1:1\ngram 0:4 1:1\nproduct 0 1/2 0 0\nblock 0 norm 1\nend\n";
+  std::ofstream(file, std::ios::binary) << text;
+  const Run verified = run("verify " + file);
+  CHECK(verified.code == 0);
+  CHECK(verified.out.find(": VERIFIED 1 <= Hoelder exponent <= 1 of [1,2,1]/2@-1 with dilation [2]") !=
+        std::string::npos);
+  std::ofstream(file, std::ios::binary) << text.substr(0, text.find("gram")) + text.substr(text.find("product"));
+  CHECK(run("verify " + file).code == 1);
+}

@@ -1,6 +1,7 @@
 #include "certificate.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
 
@@ -110,6 +111,41 @@ std::string bounds_text(const CertificateClaim& claim) {
   return "bounds " + claim.lower.value_or("-") + " " + claim.upper.value_or("-") + "\n";
 }
 
+std::string point_text(const LatticePoint& point) { return fmt::format("{}", fmt::join(point, ",")); }
+
+Integer common_denominator(const std::vector<LatticeSequence>& sequences) {
+  Integer common = 1;
+  for (const LatticeSequence& sequence : sequences)
+    for (const auto& [point, value] : sequence) common = lcm(common, denominator(value));
+  return common;
+}
+
+/// The vectors of the space, the pivots first, times their common denominator.
+std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
+  std::string text = "digits";
+  for (const LatticePoint& digit : dilation.digits()) text += " " + point_text(digit);
+  text += fmt::format("\nspace {}\n", space.basis.size());
+  const Rational factor = common_denominator(space.basis);
+  for (std::size_t c = 0; c < space.basis.size(); ++c) {
+    const LatticePoint& pivot = space.window.points()[space.pivots[c]];
+    text += "vector " + point_text(pivot) + ":" + to_text(factor);
+    for (const auto& [point, value] : space.basis[c])
+      if (point != pivot) text += " " + point_text(point) + ":" + to_text(Rational(factor * value));
+    text += "\n";
+  }
+  return text;
+}
+
+/// One of each pair k, -k, times the common denominator.
+std::string gram_text(const LatticeSequence& gram) {
+  const Rational factor = common_denominator({gram});
+  std::string text = "gram";
+  for (const auto& [point, value] : gram)
+    if (LatticePoint(point.size(), 0) - point <= point)
+      text += " " + point_text(point) + ":" + to_text(Rational(factor * value));
+  return text + "\n";
+}
+
 }  // namespace
 
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity) {
@@ -125,7 +161,7 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
   if (regularity.stable.is_yes() && radius.product.radius.lower && *radius.product.radius.lower > 1 &&
       common_factor_of_cosets(mask).length() == 1)
     certificate.claim.upper = outward(rules - *log_ratio(*radius.product.radius.lower, arity).lower, Rounding::up);
-  certificate.text = fmt::format("subcert-certificate 2\nexponent {} {}\n{}sum-rules {}\n",
+  certificate.text = fmt::format("subcert-certificate 3\nexponent {} {}\n{}sum-rules {}\n",
                                  mask.symbol().to_mask_text(), arity, bounds_text(certificate.claim), rules);
   if (certificate.claim.upper) certificate.text += "stability\n";
   certificate.text += blocks_text(radius);
@@ -134,11 +170,35 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
   return certificate;
 }
 
+Certificate surface_certificate(const MultivariateMask& mask, const MultivariateRegularity& regularity) {
+  require(regularity.radius && regularity.space, "surface_certificate: need a joint spectral radius, got none");
+  const JointSpectralRadius& radius = *regularity.radius;
+  const Dilation& dilation = mask.dilation();
+  const Rational variables = static_cast<long>(dilation.variables());
+  const int classes = static_cast<int>(dilation.classes());
+  const Rational lower = -variables * *log_ratio(radius.proved_upper(), classes).upper;
+  require(lower > 0, "surface_certificate: need a positive lower bound of the exponent, got {}",
+          to_decimal(lower, 6, Rounding::nearest));
+  Certificate certificate;
+  certificate.claim.lower = outward(lower, Rounding::down);
+  if (regularity.stable.is_yes() && regularity.exponent.upper)
+    certificate.claim.upper = outward(-variables * *log_ratio(*radius.product.radius.lower, classes).lower,
+                                      Rounding::up);
+  certificate.text = fmt::format("subcert-certificate 3\nsurface {} {}\n{}sum-rules {}\n", to_mask_text(mask),
+                                 dilation.to_text(), bounds_text(certificate.claim), regularity.space->order) +
+                     space_text(*regularity.space, dilation);
+  if (certificate.claim.upper) certificate.text += gram_text(*regularity.gram);
+  certificate.text += blocks_text(radius);
+  if (certificate.claim.upper) certificate.text += product_text(radius);
+  certificate.text += SectionWriter(dilation.digits().size()).text(radius.proof) + "end\n";
+  return certificate;
+}
+
 Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRadius& radius) {
   Certificate certificate;
   if (*radius.product.radius.lower > 0) certificate.claim.lower = outward(*radius.product.radius.lower, Rounding::down);
   certificate.claim.upper = outward(radius.proved_upper(), Rounding::up);
-  certificate.text = fmt::format("subcert-certificate 2\nradius {} {}\n{}", family.count(), family.size(),
+  certificate.text = fmt::format("subcert-certificate 3\nradius {} {}\n{}", family.count(), family.size(),
                                  bounds_text(certificate.claim));
   certificate.text += blocks_text(radius);
   if (certificate.claim.lower) certificate.text += product_text(radius);

@@ -2,6 +2,7 @@
 /// Certificates: the proofs of the search, written so that subcert-check can follow them. Format: SPEC.md beside this.
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 
 #include <optional>
 #include <string>
@@ -24,6 +25,10 @@ struct Certificate {
 /// Error where the rational evidence (polytope or norms) proves nothing positive from below; what the
 /// single spectral radius proves beyond that has no certificate.
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity);
+
+/// The same in several variables; without an upper end where the shifts are not proved stable. Domain: `regularity` is
+/// that of the mask. Errors: throws Error where nothing positive is proved from below.
+Certificate surface_certificate(const MultivariateMask& mask, const MultivariateRegularity& regularity);
 
 /// Proves bounds of the joint spectral radius of these matrices. Domain: `radius` is that of the family.
 Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRadius& radius);

@@ -41,6 +41,31 @@ std::string subject_of(const Mask& mask) {
   return "--mask '" + mask.symbol().to_mask_text() + "' --arity " + std::to_string(mask.arity());
 }
 
+std::string subject_of(const MultivariateMask& mask) {
+  return "--surface '" + to_mask_text(mask) + "' --dilation '" + mask.dilation().to_text() + "'";
+}
+
+MultivariatePolynomial one_plus(const LatticePoint& direction) {
+  return MultivariatePolynomial(static_cast<int>(direction.size()),
+                                {{1, LatticePoint(direction.size(), 0)}, {1, direction}});
+}
+
+MultivariateMask box_spline(const std::vector<LatticePoint>& directions) {
+  const int variables = static_cast<int>(directions.front().size());
+  MultivariatePolynomial symbol(variables, power(Rational(2), variables - static_cast<long>(directions.size())));
+  for (const LatticePoint& direction : directions) symbol = symbol * one_plus(direction);
+  return {symbol, 2};
+}
+
+/// The centre, and the coefficients of the first and of the second ring about it.
+MultivariateMask rings(const Rational& centre, const std::vector<LatticePoint>& first, const Rational& at_first,
+                       const std::vector<LatticePoint>& second, const Rational& at_second, Dilation dilation) {
+  std::vector<MultivariatePolynomial::Monomial> terms{{centre, LatticePoint(2, 0)}};
+  for (const LatticePoint& point : first) terms.push_back({at_first, point});
+  for (const LatticePoint& point : second) terms.push_back({at_second, point});
+  return {MultivariatePolynomial(2, terms), std::move(dilation)};
+}
+
 /// Whether the checker proves what a certificate says of the radius of a family.
 bool proves(const MatrixFamily& family, const Certificate& certificate) {
   const fs::path file = fs::temp_directory_path() / ("subcert-proofs-test-" + std::to_string(getpid()) + ".family");
@@ -109,6 +134,54 @@ TEST_CASE("certificates of the program are proved by the checker, false claims a
     // Not for another mask.
     CHECK_FALSE(proves("--mask '[1,4,7,4,1]/8' --arity 2", *certificate.claim.lower, "", certificate.text));
   }
+}
+
+TEST_CASE("certificates of surfaces and volumes are proved by the checker, false claims are not") {
+  const std::vector<LatticePoint> triangle{{1, 0}, {0, 1}, {1, 1}};
+  std::vector<LatticePoint> twice = triangle;
+  twice.insert(twice.end(), triangle.begin(), triangle.end());
+  const MultivariateMask quincunx = rings(1, {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}, q("1/4"), {}, 0,
+                                          Dilation({{1, -1}, {1, 1}}));
+  MultivariateMask butterfly = rings(1, {{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}}, q("1/2"),
+                                     {{1, 2}, {2, 1}, {1, -1}, {-1, 1}, {-1, -2}, {-2, -1}}, q("1/8"),
+                                     Dilation::multiple(2, 2));
+  std::vector<MultivariatePolynomial::Monomial> outer = butterfly.symbol().terms();
+  for (const LatticePoint& point : std::vector<LatticePoint>{
+           {3, 1}, {3, 2}, {2, 3}, {1, 3}, {-1, 2}, {-2, 1}, {-3, -1}, {-3, -2}, {-2, -3}, {-1, -3}, {1, -2}, {2, -1}})
+    outer.push_back({q("-1/16"), point});
+  butterfly = {MultivariatePolynomial(2, outer), 2};
+  const struct {
+    const char* name;
+    MultivariateMask mask;
+    Rational exponent;  // to 1e-13
+  } known[] = {{"three directions", box_spline(triangle), 1},
+               {"Loop", box_spline(twice), 3},
+               {"butterfly", butterfly, 2},
+               {"quincunx", quincunx, q("611516172738767/1000000000000000")},
+               {"four directions in space", box_spline({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}), 1}};
+  const Rational tiny = power(Rational(10), -12);
+  for (const auto& [name, mask, exponent] : known) {
+    CAPTURE(name);
+    const Certificate certificate = surface_certificate(mask, multivariate_regularity(mask, {Deadline::in(60)}));
+    REQUIRE(certificate.claim.lower);
+    REQUIRE(certificate.claim.upper);
+    const std::string lower = *certificate.claim.lower, upper = *certificate.claim.upper;
+    CHECK(q(lower.c_str()) > exponent - tiny);
+    CHECK(q(upper.c_str()) < exponent + tiny);
+    CHECK(proves(subject_of(mask), lower, upper, certificate.text));
+    CHECK_FALSE(proves(subject_of(mask), to_text(exponent + tiny), "", certificate.text));
+    CHECK_FALSE(proves(subject_of(mask), lower, to_text(exponent - tiny), certificate.text));
+    CHECK_FALSE(proves(subject_of(box_spline({{1, 0}, {0, 1}})), lower, "", certificate.text));
+  }
+  const MultivariateMask zwart_powell = box_spline({{1, 0}, {0, 1}, {1, 1}, {1, -1}});
+  const Certificate unstable = surface_certificate(zwart_powell,
+                                                   multivariate_regularity(zwart_powell, {Deadline::in(20)}));
+  CHECK_FALSE(unstable.claim.upper);
+  CHECK(q(unstable.claim.lower->c_str()) > 2 - tiny);
+  CHECK(proves(subject_of(zwart_powell), *unstable.claim.lower, "", unstable.text));
+  CHECK_FALSE(proves(subject_of(zwart_powell), *unstable.claim.lower, "3", unstable.text));
+  const MultivariateMask haar = box_spline({{1, 0}, {0, 1}});
+  CHECK_THROWS_AS(surface_certificate(haar, multivariate_regularity(haar, {Deadline::in(5)})), Error);
 }
 
 TEST_CASE("the product that attains the radius is proved") {

@@ -8,7 +8,7 @@ with open('big.mat','w') as f:
         for i in range(d): f.write("row "+" ".join(f"{random.randint(-2**30,2**30)}/{31*2**28}" for _ in range(d))+"\n")
 word=[random.randint(0,1) for _ in range(20)]
 with open('big.cert','w') as f:
-    f.write(f"subcert-certificate 2\nradius 2 {d}\nbounds - 1000000000\n")
+    f.write(f"subcert-certificate 3\nradius 2 {d}\nbounds - 1000000000\n")
     f.write(f"product 0 100 0 {' '.join(map(str,word))}\n")
     f.write(f"block 0 polytope {k} {B} {B}\n")
     for i in range(k):

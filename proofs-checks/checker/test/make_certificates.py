@@ -12,6 +12,8 @@ import sys
 from fractions import Fraction as Q
 from pathlib import Path
 
+import make_surfaces
+
 BITS = 64
 ONE = 1 << BITS
 
@@ -153,7 +155,7 @@ def exponent(mask_text, mask, arity, m, word, symmetric, stability=True, section
     lower, upper = near - Q(1, 10**13), near + Q(1, 10**13)
     if abs(s - round(s)) < 1e-14:
         lower = upper = Q(round(s))
-    head = ["subcert-certificate 2", f"exponent {mask_text} {arity}", f"bounds {lower} {upper}", f"sum-rules {m}"]
+    head = ["subcert-certificate 3", f"exponent {mask_text} {arity}", f"bounds {lower} {upper}", f"sum-rules {m}"]
     head += ["stability"] if stability else []
     head += [f"product 0 {value} 0 " + " ".join(map(str, word))]
     return ["--mask", mask_text, "--arity", str(arity), "--lower", str(lower), "--upper", str(upper)], \
@@ -164,7 +166,7 @@ def radius(name, family, word, symmetric, width=Q(1, 10**13)):
     lines, value, rho = polytope(family, word, symmetric)
     near = Q(round(rho * 10**15), 10**15)
     lower, upper = near - width, near + width
-    head = ["subcert-certificate 2", f"radius {len(family)} {len(family[0])}", f"bounds {lower} {upper}",
+    head = ["subcert-certificate 3", f"radius {len(family)} {len(family[0])}", f"bounds {lower} {upper}",
             f"product 0 {value} 0 " + " ".join(map(str, word))]
     return ["--matrices", name, "--lower", str(lower), "--upper", str(upper)], head + lines + ["end"]
 
@@ -233,7 +235,7 @@ def main(out):
     write_matrices("blocks.mat", [multiply(multiply(basis, m), inverse) for m in blocks])
     split = ["blocks 2 1"] + [f"{head} " + " ".join(map(str, row)) for head, matrix in
                               (("basis", basis), ("inverse", inverse)) for row in matrix]
-    write("blocks", (["--matrices", "blocks.mat"] + arguments[2:], ["subcert-certificate 2", "radius 2 3", lines[2]] + split +
+    write("blocks", (["--matrices", "blocks.mat"] + arguments[2:], ["subcert-certificate 3", "radius 2 3", lines[2]] + split +
                      lines[3:-1] + ["block 1 norm 3", "end"]))
 
     # a rotation by an angle with cosine 3/5 and half of it: radius exactly 1, complex leading eigenvalue
@@ -242,11 +244,26 @@ def main(out):
     tenth, unit = 1 << 62, 1 << 64
     re, im = 3 * unit // 5, 4 * unit // 5
     width = Q(1, 10**15)
-    rotation = ["subcert-certificate 2", "radius 2 2", f"bounds {1 - width} {1 + width}", "product 0 3/5 4/5 0",
+    rotation = ["subcert-certificate 3", "radius 2 2", f"bounds {1 - width} {1 + width}", "product 0 3/5 4/5 0",
                 "block 0 polytope 1 0 64 complex", "vertex 1 0 0 -1", f"unit 0 0:{unit // 2}:0 0c:{unit // 2}:0",
                 f"unit 1 0:0:{unit // 2} 0c:0:{-unit // 2}", f"image 0 0 0:{re}:{im}",
                 f"image 0 1 0:{re // 2}:{im // 2}", "end"]
     write("rotation", (["--matrices", "rotation.mat", "--lower", str(1 - width), "--upper", str(1 + width)], rotation))
+
+    hat = ["subcert-certificate 3", "surface [1,2,1]/2@-1 [2]", "bounds 1 1", "sum-rules 2", "digits 0 1", "space 1",
+           "vector -1:1 0:-2 1:1", "gram 0:4 1:1", "product 0 1/2 0 0", "block 0 norm 1", "end"]  # SPEC.md, section 5.6
+    write("hat-by-hand", (["--surface", "[1,2,1]/2@-1", "--dilation", "[2]", "--lower", "1", "--upper", "1"], hat))
+    triangle = [(1, 0), (0, 1), (1, 1)]
+    write("three-direction", make_surfaces.box_spline(triangle, 2))  # exponent 1
+    write("loop", make_surfaces.box_spline(triangle * 2, 4))  # exponent 3
+    write("zwart-powell", make_surfaces.box_spline(triangle + [(1, -1)], 2, False))  # shifts not stable; exponent 2
+    write("turning-2", make_surfaces.turning_hat(2))
+    write("turning-3", make_surfaces.turning_hat(3))
+    quarter = [[[x / 4 for x in row] for row in m] for m in transition(tension, 2, 2)]
+    section, value, rho = polytope(quarter, [0], True)
+    near, width = Q(round(-math.log2(rho) * 10**15), 10**15), Q(1, 10**13)
+    write("tension-surface", make_surfaces.one_variable({(i,): c for i, c in enumerate(tension) if c}, 2, len(quarter[0]), section,
+                                                        f"product 0 {value} 0 0", near - width, near + width))
     (out / "claims.txt").write_text("\n".join(cases) + "\n")
 
 

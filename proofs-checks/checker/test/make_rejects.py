@@ -8,6 +8,8 @@ import re
 import sys
 from pathlib import Path
 
+import make_surfaces
+
 accept, out = map(Path, sys.argv[1:3])
 out.mkdir(parents=True, exist_ok=True)
 claims = dict(line.split(" ", 1) for line in (accept / "claims.txt").read_text().splitlines())
@@ -39,15 +41,15 @@ def drop(pattern):
 
 def mask_case(name, mask, m, lower, upper, reason, arity=2, more=()):
     """A certificate from nothing for another mask, with a norm as its upper bound."""
-    lines = ["subcert-certificate 2", f"exponent {mask} {arity}", "bounds - -", f"sum-rules {m}", *more, "block 0 norm 6", "end"]
+    lines = ["subcert-certificate 3", f"exponent {mask} {arity}", "bounds - -", f"sum-rules {m}", *more, "block 0 norm 6", "end"]
     (out / f"{name}.cert").write_text("\n".join(lines) + "\n")
     upper = f" --upper {upper}" if upper else ""
     index.append(f"{name} --mask {mask} --arity {arity} --lower {lower}{upper} | {reason}")
 
 
 # the file as such
-reject("empty-file", "golden", "expected 'subcert-certificate 2', line 1", lambda lines: "")
-reject("version", "golden", "expected 'subcert-certificate 2', line 1", replace("certificate 2", "certificate 1"))
+reject("empty-file", "golden", "expected 'subcert-certificate 3', line 1", lambda lines: "")
+reject("version", "golden", "expected 'subcert-certificate 3', line 1", replace("certificate 3", "certificate 2"))
 reject("truncated", "golden", "expected 'image 3 0'", lambda lines: lines[:-3])
 reject("no-end", "golden", "expected 'end'", lambda lines: lines[:-1])
 reject("no-line-feed", "golden", "last line without line feed", lambda lines: "\n".join(lines))
@@ -96,7 +98,7 @@ mask_case("ternary-cyclic-zeros", "[1,0,2,0,3,0,2,0,1]/3", 2, "1/1000", "2", "Ph
 # Haar with M = 1: the radius is 2 and the exponent bound 0
 mask_case("haar", "[1,1]", 1, "1/1000", None, "does not prove the claim")
 # a cubic spline with too few factors: the radius is 1, nothing can be said from above
-reject("saturated", "bspline-3", "radius", lambda lines: [
+reject("saturated", "bspline-3", "no exponent below", lambda lines: [
     *lines[:3], "sum-rules 1", "stability", "product 0 1 0 0", "block 0 norm 1", "end"],
     arguments="--mask [1/8,1/2,3/4,1/2,1/8]@-3 --arity 2 --lower 9/10 --upper 11/10")
 # one coefficient: the data are only moved about
@@ -104,7 +106,7 @@ mask_case("one-coefficient", "[2]", 1, "1/1000", None, "no sum rules of this ord
 # arity 4, hat(x/3)/3: not stable by the cyclic zeros of order 3, times i
 mask_case("quaternary-cyclic-zeros", "[1,0,0,2,0,0,3,0,0,4,0,0,3,0,0,2,0,0,1]/4", 2, "1/1000", "2", "Phi_12 may divide", arity=4,
           more=["stability"])
-reject("beyond-sum-rules", "four-point", "an exponent is negative", arguments=option(claims["four-point"], "lower", "5"))
+reject("beyond-sum-rules", "four-point", "does not prove the claim", arguments=option(claims["four-point"], "lower", "5"))
 reject("crossed-bounds", "bspline-3", "does not prove the claim",
        arguments=option(option(claims["bspline-3"], "lower", "31/10"), "upper", "29/10"))
 # product
@@ -171,5 +173,78 @@ reject("blocks-norm", "four-point", "does not prove the claim", lambda lines: [
     "block 0 norm 1", "end"], arguments=option(option(claims["four-point"], "upper", None), "lower", "39/10"))
 reject("blocks-missing-section", "blocks", "expected 'block 1'", drop("block 1"))
 reject("blocks-order", "blocks", "expected 'block 1'", replace("^block 1", "block 0"))
+
+# several variables: the dilation and its digits
+def surface(name, base, reason, edit=lambda lines: lines, **options):
+    """An edit of an accepted certificate, with other options for the claim."""
+    arguments = claims[base]
+    for key, value in options.items():
+        arguments = option(arguments, key, value)
+    reject(name, base, reason, edit, arguments)
+
+
+def other_dilation(text):
+    return lambda lines: [re.sub(r"^(surface \S+) .*", lambda m: f"{m[1]} {text}", line) for line in lines]
+
+
+for name, base, text in [("anisotropic", "three-direction", "[2,0;0,4]"), ("shear", "three-direction", "[2,1;0,2]"),
+                         ("anisotropic-real", "three-direction", "[3,1;1,1]"), ("not-expanding", "hat-by-hand", "[-1]"),
+                         ("singular", "three-direction", "[2,2;2,2]"), ("anisotropic-3", "turning-3", "[2,0,0;0,0,2;0,1,0]"),
+                         ("anisotropic-complex-3", "turning-3", "[0,0,2;1,0,1;0,1,0]"),
+                         ("shear-3", "turning-3", "[2,0,0;0,2,1;0,0,2]"), ("reflected-shear-3", "turning-3", "[2,0,0;0,-2,1;0,0,-2]")]:
+    surface(f"surface-{name}", base, "not isotropic and expanding", other_dilation(text), dilation=text)
+surface("surface-large-determinant", "three-direction", "too large a determinant", other_dilation("[9,0;0,9]"), dilation="[9,0;0,9]")
+surface("surface-digits-class", "three-direction", "two digits of one class", replace("^digits 0,0 0,1", "digits 0,0 2,-4"))
+surface("surface-digits-few", "three-direction", "wrong number of fields", replace(" 1,1$", ""))
+surface("surface-digits-order", "turning-2", "no exponent below", replace("^digits 0,0 1,0", "digits 1,0 0,0"))
+surface("surface-digits-far", "hat-by-hand", "a coordinate is too large", replace("^digits 0 1", "digits 0 9999999999"))
+surface("surface-digits-dimension", "three-direction", "another number of coordinates", replace("^digits 0,0", "digits 0"))
+# the sum rules
+surface("surface-sum-rules", "three-direction", "no sum rules of this order", replace("^sum-rules 2", "sum-rules 3"))
+surface("surface-many-sum-rules", "three-direction", "more sum rules than the checker allows", replace("^sum-rules 2", "sum-rules 65"))
+surface("surface-class-sums", "hat-by-hand", "does not sum to 1", replace("/2@-1", "/3@-1"), surface="[1,2,1]/3@-1")
+surface("surface-haar", "hat-by-hand", "no sum rules of this order", replace("\\[1,2,1\\]/2@-1", "[1,1]@0"), surface="[1,1]@0")
+surface("surface-first-differences", "hat-by-hand", "proves no exponent below", lambda lines: [
+    *lines[:3], "sum-rules 1", "digits 0 1", "space 2", "vector -1:1 1:-1", "vector 0:1 1:-1", "gram 0:4 1:1",
+    "product 0 1/2 0 1", "block 0 polytope 2 0 1", "vertex 1 -1", "vertex 0 1", "unit 0 0:2 1:2", "unit 1 1:2",
+    "image 0 0 0:1", "image 0 1 0:1", "image 1 0 1:1", "image 1 1 0:1", "end"])
+# the space
+flat, step = {(0,): 1, (1,): -2, (2,): 1}, {(0,): -1, (2,): 1}  # the smallest window of the biquadratic B-spline is too small
+small = make_surfaces.space([{(*p, *q): a * b for p, a in x.items() for q, b in y.items()}
+                             for x, y in ((flat, flat), (flat, step), (step, flat))])[0]
+quadratic = "[[1,3,3,1],[3,9,9,3],[3,9,9,3],[1,3,3,1]]/16@0,0"
+surface("surface-small-space", "three-direction", "not led into the space", lambda lines: [
+    lines[0], f"surface {quadratic} [2,0;0,2]", "bounds 3 -", "sum-rules 3", lines[4], *small, "block 0 norm 8", "end"],
+    surface=quadratic, lower="299/100", upper=None)
+surface("surface-no-polynomials", "hat-by-hand", "does not annihilate", replace("^space 1\n.*", "space 1\nvector 0:1"))
+surface("surface-larger-space", "hat-by-hand", "does not annihilate",
+        replace("^space 1\n(.*)", r"space 2\n\1\nvector 5:1 6:-1"))
+surface("surface-not-invariant", "hat-by-hand", "leads out of the space", replace("^(vector) .*", r"\1 0:1 1:-2 2:1"))
+surface("surface-no-vectors", "hat-by-hand", "number outside 1..256", lambda lines: [
+    *lines[:5], "space 0", *lines[7:]])
+surface("surface-pivot-shared", "tension-surface", "occurs in another", replace("^vector 1:1 4:-4 5:3", "vector 0:1 1:-2 2:1"))
+surface("surface-pivot-unequal", "tension-surface", "first coefficients of two vectors differ",
+        replace("^vector 1:1 4:-4 5:3", "vector 1:2 4:-8 5:6"))
+surface("surface-pivot-negative", "hat-by-hand", "must be positive", replace("^vector .*", "vector -1:-1 0:2 1:-1"))
+surface("surface-point-twice", "hat-by-hand", "occurs twice", replace("^vector -1:1 0:-2", "vector -1:1 0:-1 0:-1"))
+surface("surface-coefficient-zero", "hat-by-hand", "a coefficient is 0", replace("^vector -1:1", "vector 7:0 -1:1"))
+surface("surface-empty-vector", "hat-by-hand", "wrong number of fields", replace("^vector .*", "vector"))
+surface("surface-other-mask", "three-direction", "expected 'surface", surface="[[1,2,1],[2,4,2],[1,2,1]]/4@-1,-1")
+# the ends
+surface("surface-too-high", "loop", "does not prove the claim", lower="30000000000000000000001/10000000000000000000000")
+surface("surface-too-low", "loop", "does not prove the claim", upper="29999999999999999999999/10000000000000000000000")
+surface("surface-above-sum-rules", "three-direction", "does not prove the claim", lower="5/2")
+surface("surface-norm", "turning-2", "does not prove the claim", lambda lines: [
+    *[line for line in lines if re.match("(sub|sur|bou|sum|dig|spa|vec)", line)], "block 0 norm 1", "end"], lower="1/2", upper=None)
+# stability
+surface("surface-no-gram", "hat-by-hand", "expected 'gram'", drop("gram"))
+surface("surface-gram-sign", "hat-by-hand", "no positive sum", replace("^gram .*", "gram 0:-4 1:-1"))
+surface("surface-gram-other", "hat-by-hand", "not a fixed point", replace("^gram .*", "gram 0:5 1:1"))
+surface("surface-gram-twice", "hat-by-hand", "occurs twice", replace("^gram .*", "gram 0:4 1:1 -1:1"))
+surface("surface-gram-far", "hat-by-hand", "not a fixed point", replace("^gram .*", "gram 0:4 1:1 1000000:1"))
+element = make_surfaces.convolve(*[make_surfaces.binomial(d, 1) for d in ((1, 0), (0, 1), (1, 1), (1, -1))])
+unstable = make_surfaces.gram({p: a / 4 for p, a in element.items()}, make_surfaces.Division([[2, 0], [0, 2]]))
+surface("surface-unstable", "zwart-powell", "is not positive", lambda lines: [
+    line.replace("block 0", f"gram {make_surfaces.terms(unstable)}\nproduct 0 1/4 0 0\nblock 0") for line in lines], upper="2")
 
 (out / "claims.txt").write_text("\n".join(index) + "\n")

@@ -29,6 +29,14 @@ if mode == "usage":
             (64, "--mask [1,1] --lower 1 golden.cert"), (64, "--mask [1,1] --arity 2 --upper 1 golden.cert"),
             (64, "--mask [1,1] --arity 1 --lower 1 golden.cert"), (64, "--mask [1,1]/0 --arity 2 --lower 1 golden.cert"),
             (64, "--mask [0] --arity 2 --lower 1 golden.cert"), (64, "--mask 1,1 --arity 2 --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --lower 1 golden.cert"), (64, "--mask [1,1] --dilation [2] --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --dilation [2] --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1]] --dilation [2,0;0,2] --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1] --dilation [2,0;0,2] --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]]@0 --dilation [2,0;0,2] --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0] --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,65] --lower 1 golden.cert"),
+            (64, "--surface [1] --mask [1] --dilation [2] --arity 2 --lower 1 golden.cert"),
             (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
             (66, f"{golden} none.cert"), (66, f"{golden} ."), (0, "--help"), (0, f"{golden} golden.cert")]:
         result = run(arguments.split())
@@ -43,9 +51,11 @@ else:
         count += 1
         if mode == "accept":
             values = dict(zip(arguments[::2], arguments[1::2]))
-            what = "Hoelder exponent" if "--mask" in values else "joint spectral radius"
-            subject = f"{values['--mask']} with arity {values['--arity']}" if "--mask" in values else values["--matrices"]
-            text = f"VERIFIED {Fraction(values['--lower'])} <= {what} <= {Fraction(values['--upper'])} of {subject}"
+            what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
+            subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
+                                    for name, value in values.items() if name not in ("--lower", "--upper"))
+            upper = f" <= {Fraction(values['--upper'])}" if "--upper" in values else ""
+            text = f"VERIFIED {Fraction(values['--lower'])} <= {what}{upper} of {subject}"
             expect(name, result == (0, text, ""), result)
         else:
             rejected = result[0] == 1 and result[1].startswith("REJECTED ") and ", line " in result[1] and not result[2]

@@ -1,0 +1,129 @@
+#include "scheme.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace subcert_check {
+namespace {
+
+constexpr std::size_t max_coefficients = 10'000;      // of a mask
+constexpr std::size_t max_denominator_bits = 10'000;  // of the common denominator of a mask or a family
+constexpr std::size_t max_family_bits = 1UL << 32;    // of that denominator times the number of entries
+
+/// The sum of a[start + i * step] * 2^(k * i).
+mpz_class value_at_power(const Vector& a, std::size_t start, std::size_t step, std::size_t k) {
+  mpz_class value = 0;
+  for (std::size_t i = a.size(); i-- > 0;)
+    if (i % step == start) value = (value << k) + a[i];
+  return value;
+}
+
+/// Phi_n(2^k): for a prime q, Phi_{mq}(z) is Phi_m(z^q) if q divides m, otherwise Phi_m(z^q) / Phi_m(z).
+mpz_class cyclotomic_at_power(std::size_t n, std::size_t k) {
+  if (n == 1) return (mpz_class(1) << k) - 1;
+  std::size_t q = 2;
+  while (n % q != 0) ++q;
+  const std::size_t m = n / q;
+  const mpz_class value = cyclotomic_at_power(m, k * q);
+  return m % q == 0 ? value : mpz_class(value / cyclotomic_at_power(m, k));
+}
+
+}  // namespace
+
+void Family::transpose() {
+  for (std::size_t t = 0; t < count(); ++t)
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        std::swap(entries[(t * size + i) * size + j], entries[(t * size + j) * size + i]);
+}
+
+Family clear_denominators(std::size_t size, const Rationals& values) {
+  mpz_class denominator = 1;
+  for (const mpq_class& x : values) {
+    denominator = lcm(denominator, x.get_den());
+    require(bits(denominator) <= max_denominator_bits, "common denominator too large");
+  }
+  require(values.size() * bits(denominator) <= max_family_bits, "matrices too large");
+  Vector cleared;
+  for (const mpq_class& x : values) cleared.emplace_back(x.get_num() * (denominator / x.get_den()));
+  return {size, cleared, denominator};
+}
+
+Family read_family(Reader& reader, const std::string& head, std::size_t count, std::size_t size) {
+  Rationals rows;
+  for (std::size_t i = 0; i < count * size; ++i)
+    for (const std::string_view field : reader.take(head, size, size)) rows.push_back(parse_rational(field));
+  Family family = clear_denominators(size, rows);
+  family.transpose();
+  return family;
+}
+
+Mask parse_mask(std::string_view text) {
+  constexpr const char* expected = "a mask is [c0,c1,...]/D@first, of two variables [[c00,c10,...],...]/D@first,first";
+  const std::size_t variables = std::min(text.find_first_not_of('['), text.size()), end = text.rfind(']') + 1;
+  require(variables >= 1 && variables <= 3 && end >= 2 * variables, expected);
+  const Fields tail = split(text.substr(end), "@");
+  require(text.substr(end - variables, variables) == std::string(variables, ']') && tail.size() <= 2 &&
+              (tail[0].empty() || tail[0].starts_with('/')),
+          expected);
+  Mask mask{std::vector<std::size_t>(variables), Vector(variables), {}, 1};
+  Fields lists{text.substr(variables, end - 2 * variables)};
+  for (std::size_t v = variables; v-- > 0;) {
+    Fields items;
+    for (const std::string_view list : lists) {
+      const Fields parts = split(list, std::string(v, ']') + "," + std::string(v, '['));
+      require(items.empty() || parts.size() == mask.sizes[v], "a list of a mask is longer than another");
+      mask.sizes[v] = parts.size();
+      items.insert(items.end(), parts.begin(), parts.end());
+    }
+    lists = items;
+  }
+  require(lists.size() <= max_coefficients, "a mask with too many coefficients");
+  const mpq_class scale = parse_rational("1" + std::string(tail[0]));
+  Rationals values;
+  for (const std::string_view c : lists) values.push_back(parse_rational(c) * scale);
+  const Family cleared = clear_denominators(1, values);
+  mask.coefficients = cleared.entries;
+  mask.denominator = cleared.denominator;
+  if (tail.size() == 2) {
+    const Fields first = split(tail[1], ",");
+    require(first.size() == variables, expected);
+    std::transform(first.begin(), first.end(), mask.first.begin(), parse_integer);
+  }
+  return mask;
+}
+
+Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules) {
+  Vector b = mask.coefficients;
+  for (std::size_t round = 0; round < sum_rules; ++round) {
+    for (std::size_t i = b.size(); i-- > 1;) b[i] -= b[i - 1];            // times 1 - z
+    for (std::size_t i = arity; i < b.size(); ++i) b[i] += b[i - arity];  // divided by 1 - z^arity
+    for (unsigned i = 1; i < arity; ++i, b.pop_back())
+      require(b.size() > 1 && b.back() == 0, "the mask has no sum rules of this order");
+  }
+  const mpz_class scale = power(arity, sum_rules).get_num();
+  for (mpz_class& x : b) x *= scale;
+  const std::size_t size = std::max<std::size_t>(1, (b.size() + arity - 3) / (arity - 1));
+  require(size <= 256, "transition matrices larger than 256");
+  Vector entries;
+  for (std::size_t t = 0; t < arity; ++t)
+    for (std::size_t k = 0; k < size; ++k)
+      for (std::size_t i = t; i < t + arity * size; i += arity)
+        entries.push_back(i >= k && i - k < b.size() ? b[i - k] : mpz_class(0));
+  return {size, entries, mask.denominator};
+}
+
+void check_stability(const Mask& mask, unsigned arity) {
+  const Vector& a = mask.coefficients;
+  std::size_t k = 0;
+  for (const mpz_class& x : a) k = std::max(k, bits(x) + 64);
+  mpz_class common = 0;
+  for (unsigned r = 0; r < arity; ++r) common = gcd(common, value_at_power(a, r, arity, k));
+  require(bits(common) < k, "stability: the polyphase parts may have a common zero");
+  const mpz_class symbol = value_at_power(a, 0, 1, 64);
+  for (std::size_t n = 2 * arity; n < 6 * a.size(); n += arity)
+    if (std::gcd(n / arity, std::size_t{arity}) == 1)
+      require(symbol % cyclotomic_at_power(n, 64) != 0, "stability: Phi_" + std::to_string(n) + " may divide a");
+}
+
+}  // namespace subcert_check

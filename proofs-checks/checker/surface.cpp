@@ -1,0 +1,384 @@
+#include "surface.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace subcert_check {
+namespace {
+
+constexpr std::int64_t max_entry = 64, max_coordinate = 1'000'000'000;
+constexpr std::size_t max_classes = 64, max_space = 256, max_order = 64, max_rounds = 64;
+
+/// A vector of a basis; the vectors after it, and in the basis of the space all others, are 0 at its pivot.
+struct Row {
+  Point pivot;
+  Sequence values;
+};
+
+Point combine(const Point& a, std::int64_t factor, const Point& b) {
+  Point result;
+  for (std::size_t v = 0; v < 3; ++v) {
+    result[v] = a[v] + factor * b[v];
+    require(std::abs(result[v]) <= max_coordinate, "a lattice point is too far away");
+  }
+  return result;
+}
+
+Point parse_point(std::string_view text, std::size_t variables, std::int64_t limit = max_coordinate) {
+  const Fields fields = split(text, ",");
+  require(fields.size() == variables, "a point with another number of coordinates");
+  Point point{};
+  for (std::size_t v = 0; v < variables; ++v) {
+    const mpz_class coordinate = parse_integer(fields[v]);
+    require(abs(coordinate) <= limit, "a coordinate is too large");
+    point[v] = coordinate.get_si();
+  }
+  return point;
+}
+
+std::int64_t determinant(const std::array<Point, 3>& m) {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    sum += m[0][i] * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3]);
+  return sum;
+}
+
+/// Section 5.1: M is similar to a multiple of an orthogonal matrix, and |det M| > 1.
+bool expands_isotropically(const Dilation& dilation) {
+  const auto& m = dilation.rows;
+  const std::size_t s = dilation.variables;
+  std::int64_t trace = 0, minors = 0;  // the characteristic polynomial is x^s - trace x^(s-1) + minors x^(s-2) - ...
+  for (std::size_t i = 0; i < s; ++i) {
+    trace += m[i][i];
+    for (std::size_t j = 0; j < i; ++j) minors += m[i][i] * m[j][j] - m[i][j] * m[j][i];
+  }
+  // Whether a M^2 = b times the unit matrix.
+  const auto square_is = [&](std::int64_t a, std::int64_t b) {
+    for (std::size_t i = 0; i < s; ++i)
+      for (std::size_t j = 0; j < s; ++j) {
+        std::int64_t entry = 0;
+        for (std::size_t k = 0; k < s; ++k) entry += m[i][k] * m[k][j];
+        if (a * entry != (i == j ? b : 0)) return false;
+      }
+    return true;
+  };
+  const std::int64_t det = determinant(m);
+  if (std::abs(det) < 2) return false;
+  if (s == 2) return trace * trace < 4 * det || square_is(1, std::abs(det));
+  return s == 1 || (minors * minors * minors == det * trace * trace * trace &&
+                    (trace == 0 || std::abs(trace * trace - minors) < 2 * std::abs(minors) ||
+                     square_is(trace * trace, minors * minors)));
+}
+
+/// A mask and a dilation with what the certificate says of them. Coordinates on the space are read off at the pivots.
+class Surface {
+ public:
+  Surface(const Mask& mask, const Dilation& dilation, std::size_t sum_rules, Reader& reader, Arithmetic& arithmetic)
+      : dilation_(dilation),
+        sum_rules_(sum_rules),
+        denominator_(mask.denominator),
+        reader_(reader),
+        arithmetic_(arithmetic),
+        determinant_(determinant(dilation.rows)) {
+    const auto& m = dilation.rows;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        adjugate_[i][j] = m[(j + 1) % 3][(i + 1) % 3] * m[(j + 2) % 3][(i + 2) % 3] -
+                          m[(j + 1) % 3][(i + 2) % 3] * m[(j + 2) % 3][(i + 1) % 3];
+    Point point{};
+    for (const mpz_class& coefficient : mask.coefficients) {
+      if (coefficient != 0) entry(mask_, combine(point, 1, first_of(mask))) = coefficient;
+      for (std::size_t v = 0; v < mask.sizes.size(); ++v) {
+        if (++point[v] < static_cast<std::int64_t>(mask.sizes[v])) break;
+        point[v] = 0;
+      }
+    }
+  }
+
+  /// Sections 5.2 and 5.3.
+  Family family() {
+    read_digits();
+    check_sum_rules();
+    read_space();
+    Family result = restricted();
+    check_differences();
+    return result;
+  }
+
+  /// Section 5.5: g is a fixed point of the transfer operator, and its Fourier series is positive.
+  void check_stability() {
+    Sequence g, moved, products;
+    mpz_class sum = 0;
+    for (const auto& [point, value] : read_terms("gram")) {
+      set(g, point, value);
+      if (point != Point{}) set(g, combine({}, -1, point), value);
+    }
+    for (const auto& [point, value] : g) sum += value;
+    require(sum > 0, "the numbers of the gram line have no positive sum");
+    for (const auto& [i, a] : mask_)
+      for (const auto& [k, b] : mask_) add_product(products, combine(i, -1, k), a, b);
+    for (const auto& [i, c] : products)
+      for (const auto& [k, value] : g) {
+        const Point point = combine(i, 1, k);
+        arithmetic_.spend(40);
+        if (class_of(point) == Point{}) add_product(moved, divide(point), c, value);
+      }
+    drop_zeros(moved);
+    const mpz_class scale = denominator_ * denominator_ * std::abs(determinant_);
+    for (auto& [point, value] : g) value *= scale;
+    require(moved == g, "the gram line is not a fixed point of the transfer operator");
+    check_positive(g, dilation_.variables, arithmetic_);
+  }
+
+ private:
+  static Point first_of(const Mask& mask) {
+    Point point{};
+    for (std::size_t v = 0; v < mask.first.size(); ++v) {
+      require(abs(mask.first[v]) <= max_coordinate, "a coordinate is too large");
+      point[v] = mask.first[v].get_si();
+    }
+    return point;
+  }
+
+  /// The value there, 0 if it is new. What it may take of memory counts as work.
+  mpz_class& entry(Sequence& x, const Point& point, std::size_t limbs = 1) {
+    const auto [at, fresh] = x.try_emplace(point);
+    arithmetic_.spend((fresh ? 1200 : 100) + 80 * limbs);
+    return at->second;
+  }
+  void add_product(Sequence& sum, const Point& point, const mpz_class& x, const mpz_class& y) {
+    const std::size_t limbs = mpz_size(x.get_mpz_t()) + mpz_size(y.get_mpz_t());
+    arithmetic_.add_product(entry(sum, point, limbs), x, y);
+  }
+  void set(Sequence& x, const Point& point, const mpz_class& value) {
+    require(!x.contains(point), "a point occurs twice");
+    entry(x, point, mpz_size(value.get_mpz_t())) = value;
+  }
+  static void drop_zeros(Sequence& x) {
+    std::erase_if(x, [](const auto& value) { return value.second == 0; });
+  }
+
+  // ---- the lattice and its classes
+
+  Point adjugate_times(const Point& point) const {
+    Point result{};
+    for (std::size_t i = 0; i < 3; ++i)
+      result = combine(result, point[i], {adjugate_[0][i], adjugate_[1][i], adjugate_[2][i]});
+    return result;
+  }
+  /// Equal for points whose difference is in M Z^s, and 0 there.
+  Point class_of(const Point& point) const {
+    Point result = adjugate_times(point);
+    const std::int64_t classes = std::abs(determinant_);
+    for (std::int64_t& c : result) c = (c % classes + classes) % classes;
+    return result;
+  }
+  /// M^-1 times a point of M Z^s.
+  Point divide(const Point& point) const {
+    Point result = adjugate_times(point);
+    for (std::int64_t& c : result) c /= determinant_;
+    return result;
+  }
+
+  void read_digits() {
+    const std::size_t classes = static_cast<std::size_t>(std::abs(determinant_));
+    require(classes <= max_classes, "a dilation with too large a determinant");
+    for (const std::string_view field : reader_.take("digits", classes, classes)) {
+      digits_.push_back(parse_point(field, dilation_.variables));
+      require(digit_of_class_.try_emplace(class_of(digits_.back()), digits_.size() - 1).second,
+              "two digits of one class");
+    }
+  }
+
+  // ---- polynomials and differences
+
+  /// The sums of x_k k^nu for all |nu| < the order of the sum rules, one after another, beginning with nu = 0.
+  Vector moments(const Sequence& x) {
+    const std::size_t m = sum_rules_;
+    Vector sums(m * (m + 1) * (m + 2) / 6);
+    for (const auto& [point, value] : x) {
+      arithmetic_.spend(50 * sums.size());
+      std::size_t at = 0;
+      mpz_class a = value;
+      for (std::size_t i = 0; i < m; ++i, a *= point[0]) {
+        mpz_class b = a;
+        for (std::size_t j = 0; i + j < m; ++j, b *= point[1]) {
+          mpz_class c = b;
+          for (std::size_t k = 0; i + j + k < m; ++k, c *= point[2]) sums[at++] += c;
+        }
+      }
+    }
+    return sums;
+  }
+
+  void check_sum_rules() {
+    std::vector<Sequence> classes(digits_.size());
+    for (const auto& [point, value] : mask_) entry(classes[digit_of_class_.at(class_of(point))], point) = value;
+    const Vector first = moments(classes[0]);
+    require(first[0] == denominator_, "a class of coefficients does not sum to 1");
+    for (const Sequence& one : classes) require(moments(one) == first, "the mask has no sum rules of this order");
+  }
+
+  /// All nabla^mu delta of the order of the sum rules.
+  std::set<Sequence> differences() {
+    std::set<Sequence> result{{{Point{}, 1}}};
+    for (std::size_t round = 0; round < sum_rules_; ++round) {
+      std::set<Sequence> next;
+      for (const Sequence& x : result)
+        for (std::size_t v = 0; v < dilation_.variables; ++v) {
+          Sequence difference = x;
+          for (const auto& [point, value] : x) {
+            Point moved = point;
+            ++moved[v];
+            entry(difference, moved, 10) -= value;
+          }
+          drop_zeros(difference);
+          next.insert(difference);
+        }
+      result = std::move(next);
+    }
+    return result;
+  }
+
+  // ---- the space
+
+  /// T_d x for all digits, times the denominator of the mask.
+  std::vector<Sequence> transitions(const Sequence& x) {
+    std::vector<Sequence> images(digits_.size());
+    for (const auto& [i, a] : mask_)
+      for (const auto& [k, b] : x) {
+        const Point point = combine(i, 1, k);
+        const std::size_t d = digit_of_class_.at(class_of(point));
+        add_product(images[d], divide(combine(point, -1, digits_[d])), a, b);
+      }
+    for (Sequence& image : images) drop_zeros(image);
+    return images;
+  }
+
+  /// Makes x zero at the pivots by subtracting multiples of the rows; x may be multiplied by a number.
+  void reduce(Sequence& x, const std::vector<Row>& rows) {
+    for (const Row& row : rows) {
+      arithmetic_.spend(50);
+      const auto at = x.find(row.pivot);
+      if (at == x.end()) continue;
+      const mpz_class factor = -at->second, scale = row.values.at(row.pivot);
+      const std::size_t limbs = mpz_size(scale.get_mpz_t());
+      for (auto& [point, value] : x) {
+        arithmetic_.spend(20 + limbs * (80 + mpz_size(value.get_mpz_t())));
+        value *= scale;
+      }
+      for (const auto& [point, value] : row.values) add_product(x, point, value, factor);
+      drop_zeros(x);
+      mpz_class content = 0;
+      for (const auto& [point, value] : x) content = gcd(content, value);
+      for (auto& [point, value] : x) value /= content;
+    }
+  }
+
+  void read_space() {
+    const std::size_t size = parse_size(reader_.take("space", 1, 1)[0], 1, max_space);
+    for (std::size_t i = 0; i < size; ++i) {
+      Row& row = space_.emplace_back();
+      for (const auto& [point, value] : read_terms("vector")) {
+        if (row.values.empty()) row.pivot = point;
+        set(row.values, point, value);
+      }
+      factor_ = space_[0].values.at(space_[0].pivot);
+      require(factor_ > 0, "the first coefficient of a vector must be positive");
+      require(row.values.at(row.pivot) == factor_, "the first coefficients of two vectors differ");
+      for (const mpz_class& moment : moments(row.values))
+        require(moment == 0, "a vector does not annihilate the polynomials of degree below the order of the sum rules");
+    }
+    for (const Row& row : space_)
+      for (const Row& other : space_)
+        require(&row == &other || !other.values.contains(row.pivot), "the first point of a vector occurs in another");
+  }
+
+  /// POINT:INTEGER ...
+  std::vector<std::pair<Point, mpz_class>> read_terms(const std::string& head) {
+    std::vector<std::pair<Point, mpz_class>> terms;
+    for (const std::string_view field : reader_.take(head, 1, max_line)) {
+      const Fields parts = split(field, ":");
+      require(parts.size() == 2, "a term is POINT:INTEGER");
+      terms.emplace_back(parse_point(parts[0], dilation_.variables), parse_integer(parts[1]));
+      arithmetic_.spend(1000 + 80 * mpz_size(terms.back().second.get_mpz_t()));
+      require(terms.back().second != 0, "a coefficient is 0");
+    }
+    return terms;
+  }
+
+  /// All T_d of the vectors, in the coordinates of the space, times the denominator of the mask and the first
+  /// coefficient of the vectors.
+  Family restricted() {
+    Family result{space_.size(), Vector(digits_.size() * space_.size() * space_.size()), denominator_ * factor_};
+    for (std::size_t k = 0; k < space_.size(); ++k) {
+      std::vector<Sequence> images = transitions(space_[k].values);
+      for (std::size_t d = 0; d < images.size(); ++d) {
+        for (std::size_t j = 0; j < space_.size(); ++j)
+          if (const auto at = images[d].find(space_[j].pivot); at != images[d].end())
+            result.entries[(d * space_.size() + k) * space_.size() + j] = at->second;
+        reduce(images[d], space_);
+        require(images[d].empty(), "a transition operator leads out of the space");
+      }
+    }
+    return result;
+  }
+
+  /// All words of some length lead all nabla^mu delta into the space: modulo the space, their span shrinks to 0.
+  void check_differences() {
+    std::vector<Row> rest;
+    for (const Sequence& difference : differences()) add_independent(rest, difference);
+    for (std::size_t round = 0; !rest.empty(); ++round) {
+      require(round < max_rounds, "differences of delta are not led into the space");
+      std::vector<Row> next;
+      for (const Row& row : rest)
+        for (const Sequence& image : transitions(row.values)) add_independent(next, image);
+      rest = std::move(next);
+    }
+  }
+  void add_independent(std::vector<Row>& rows, Sequence x) {
+    reduce(x, space_);
+    reduce(x, rows);
+    if (!x.empty()) rows.push_back({x.begin()->first, std::move(x)});
+  }
+
+  const Dilation& dilation_;
+  std::size_t sum_rules_;
+  mpz_class denominator_;
+  Reader& reader_;
+  Arithmetic& arithmetic_;
+  std::int64_t determinant_;
+  std::array<Point, 3> adjugate_;
+  Sequence mask_;
+  std::vector<Point> digits_;
+  std::map<Point, std::size_t> digit_of_class_;
+  std::vector<Row> space_;
+  mpz_class factor_;  // the first coefficient of all vectors
+};
+
+}  // namespace
+
+unsigned classes(const Dilation& dilation) {
+  require(expands_isotropically(dilation), "the dilation is not isotropic and expanding");
+  return static_cast<unsigned>(std::abs(determinant(dilation.rows)));
+}
+
+Dilation parse_dilation(std::string_view text) {
+  const std::size_t size = text.size() < 2 ? 0 : split(text, ";").size();
+  require(size >= 1 && size <= 3 && text.front() == '[' && text.back() == ']', "a dilation is [1,2;-2,-1]");
+  Dilation dilation{size};
+  const Fields rows = split(text.substr(1, text.size() - 2), ";");
+  for (std::size_t i = 0; i < size; ++i) dilation.rows[i] = parse_point(rows[i], size, max_entry);
+  return dilation;
+}
+
+Family read_surface(const Mask& mask, const Dilation& dilation, std::size_t sum_rules, bool stability, Reader& reader,
+                    Arithmetic& arithmetic) {
+  require(sum_rules <= max_order, "more sum rules than the checker allows in several variables");
+  Surface surface(mask, dilation, sum_rules, reader, arithmetic);
+  Family family = surface.family();
+  if (stability || reader.at("gram")) surface.check_stability();
+  return family;
+}
+
+}  // namespace subcert_check

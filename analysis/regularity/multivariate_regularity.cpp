@@ -16,16 +16,6 @@ constexpr double norm_share = 0.05, sobolev_share = 0.2, stability_share = 0.5; 
 constexpr int levels = 16;  // of norms, where they decide convergence
 constexpr std::size_t largest_space = 256;
 
-/// -log of the radius, to the base by which the dilation expands.
-Enclosure exponent_of(const Enclosure& radius, const Dilation& dilation) {
-  const Rational variables = static_cast<long>(dilation.variables());
-  const int classes = static_cast<int>(dilation.classes());
-  Enclosure result;
-  if (radius.upper && *radius.upper > 0) result.lower = -variables * *log_ratio(*radius.upper, classes).upper;
-  if (radius.lower && *radius.lower > 0) result.upper = -variables * *log_ratio(*radius.lower, classes).lower;
-  return result;
-}
-
 void prove_stability(const MultivariateMask& mask, const Deadline& deadline, MultivariateRegularity& result) {
   try {
     result.gram = gram_function(mask, deadline);
@@ -39,6 +29,15 @@ void prove_stability(const MultivariateMask& mask, const Deadline& deadline, Mul
 }
 
 }  // namespace
+
+Enclosure exponent_of_radius(const Enclosure& radius, const Dilation& dilation) {
+  const auto variables = static_cast<long>(dilation.variables());
+  const int classes = static_cast<int>(dilation.classes());
+  Enclosure result;
+  if (radius.upper && *radius.upper > 0) result.lower = -*log_ratio(power(*radius.upper, variables), classes).upper;
+  if (radius.lower && *radius.lower > 0) result.upper = -*log_ratio(power(*radius.lower, variables), classes).lower;
+  return result;
+}
 
 MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget) {
   const Dilation& dilation = mask.dilation();
@@ -65,10 +64,11 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
     return result;
   }
   const NormProof norms = norm_of_products(result.space->family, {budget.deadline.after(norm_share), budget.memory});
-  result.bound = HolderBound{norms.level, norms.norm, exponent_of(root_enclosure(norms.norm, norms.level), dilation)};
+  result.bound = HolderBound{norms.level, norms.norm,
+                             exponent_of_radius(root_enclosure(norms.norm, norms.level), dilation)};
   result.radius = joint_spectral_radius(result.space->family, budget, norms);
   result.exact = result.radius->exact;
-  const Enclosure exponent = exponent_of(result.radius->radius, dilation);
+  const Enclosure exponent = exponent_of_radius(result.radius->radius, dilation);
   if (!exponent.lower || *exponent.lower <= 0) {
     result.converges = converges(mask, {levels, Deadline::in(std::max(budget.deadline.remaining(), 0.5))});
     return result;

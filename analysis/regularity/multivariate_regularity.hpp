@@ -9,6 +9,10 @@
 
 namespace subcert {
 
+/// -log radius to the base |det M|^(1/s), by which an isotropic dilation expands; ends at or below 0 give no end.
+/// Error: none where the power s of the radius is one of |det M|, otherwise as log_ratio.
+Enclosure exponent_of_radius(const Enclosure& radius, const Dilation& dilation);
+
 struct MultivariateRegularity {
   int sum_rules = 0;
   std::optional<DifferenceSpace> space;       ///< nothing without sum rules, or where it grows past its limit

@@ -35,7 +35,8 @@ class SparseMap {
   std::vector<std::vector<std::pair<std::size_t, long>>> rows_;  // column and entry
 };
 
-/// An invertible map J of the coordinates that permutes the matrices: J A_t J^-1 = A_letters[t] for all t.
+/// An invertible map J of the coordinates that permutes the matrices: J A_t J^-1 = A_letters[t] for all t. Of equal
+/// matrices any may be named.
 struct FamilySymmetry {
   SparseMap map;
   std::vector<std::size_t> letters;

@@ -78,6 +78,11 @@ void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
   repeated(polytope->images);
   repeated(polytope->moduli);
   repeated(polytope->residuals);
+  for (FamilySymmetry& element : polytope->group) {
+    std::vector<std::size_t> letters;
+    for (const std::size_t place : different.places) letters.push_back(different.originals[element.letters[place]]);
+    element.letters = std::move(letters);
+  }
 }
 
 JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget& budget,

@@ -34,3 +34,30 @@ TEST_CASE("regularity: the fields of the contract") {
     CHECK(unstable.at("stable") == false);
   }
 }
+
+TEST_CASE("regularity: surfaces") {
+  const auto quincunx = run_json("regularity quincunx:");
+  CHECK(quincunx.at("dilation") == nlohmann::json::parse("[[1,-1],[1,1]]"));
+  CHECK(quincunx.at("digits").size() == 2);
+  CHECK(quincunx.at("sum_rules") == 2);
+  CHECK(quincunx.at("dimension") == 23);
+  CHECK(quincunx.at("blocks").is_array());
+  CHECK(quincunx.at("bound").at("holder").is_object());
+  CHECK(quincunx.at("exact") == true);
+  CHECK(quincunx.at("stable") == true);
+  CHECK(quincunx.at("method") == "invariant polytope");
+  CHECK(has_digits(quincunx.at("holder"), "lower", "0.6115161727387"));
+  CHECK(has_digits(quincunx.at("sobolev").at("exponent"), "upper", "1.5776445337926"));
+
+  const auto unstable = run_json("regularity zwart-powell:");
+  CHECK(unstable.at("stable") == false);
+  CHECK(unstable.at("holder").at("upper") == "inf");
+  CHECK(has_digits(unstable.at("holder"), "lower", "2"));
+
+  const auto factors = run_json("regularity 'tensor:(primal:n=3)x(bspline:degree=3,a=3)'");
+  CHECK(factors.at("exact") == true);
+  CHECK(has_digits(factors.at("holder"), "lower", "1.936308790456"));
+
+  check_fails(run("regularity 'mask2:[[1,2,1],[2,4,2],[1,2,1]]/4,dilation=[1,1;0,2]'"), 64, "larger than 1 in modulus");
+  check_fails(run("regularity 'mask2:[[1,1],[1,1],[1,1]]@0,0,dilation=[2,0;0,3]'"), 64, "isotropic");
+}

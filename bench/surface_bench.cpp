@@ -1,0 +1,61 @@
+// Exponents of surfaces: the largest block of the transition operators with and without its symmetry group. Ratios are
+// read within one run.
+
+#include <subcert/analysis/difference/difference_space.hpp>
+#include <subcert/analysis/regularity/gram_function.hpp>
+#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
+#include <subcert/analysis/regularity/radius/similarity.hpp>
+#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace subcert;
+
+MultivariateMask mask_of(const std::string& scheme) {
+  return std::get<MultivariateScheme>(make_linear_scheme(scheme)).mask;
+}
+
+MatrixFamily largest_block(const std::string& scheme, bool symmetric) {
+  const MultivariateMask mask = mask_of(scheme);
+  const DifferenceSpace space = difference_space(mask, polynomial_reproduction(mask).sum_rules);
+  BlockTriangular triangular = block_triangularise(space.family, {});
+  if (symmetric) triangular = radius::with_symmetries(std::move(triangular), {});
+  const auto largest = std::max_element(triangular.sizes.begin(), triangular.sizes.end());
+  return triangular.block(static_cast<std::size_t>(largest - triangular.sizes.begin()));
+}
+
+void BM_surface_polytope(benchmark::State& state, const std::string& scheme, bool symmetric) {
+  const MatrixFamily family = largest_block(scheme, symmetric);
+  radius::PolytopeCandidate candidate;
+  for (auto _ : state) candidate = radius::find_polytope(family, {Deadline::in(120)});
+  state.counters["dimension"] = static_cast<double>(family.size());
+  state.counters["group"] = static_cast<double>(family.group().size());
+  state.counters["vertices"] = static_cast<double>(candidate.vertices.size());
+  state.counters["closed"] = candidate.closed ? 1 : 0;
+}
+
+void BM_surface_stability(benchmark::State& state, const std::string& scheme) {
+  const MultivariateMask mask = mask_of(scheme);
+  for (auto _ : state) benchmark::DoNotOptimize(has_stable_shifts(*gram_function(mask)));
+}
+
+const bool surface_benchmarks = [] {
+  for (const std::string scheme :
+       {"quincunx:", "butterfly:w=1/16", "grid:points=3x3,d=2", "grid:points=4x4,d=2", "grid:points=4x4,d=3"}) {
+    for (const bool symmetric : {true, false})
+      benchmark::RegisterBenchmark(("BM_surface_polytope/" + scheme + (symmetric ? "/group" : "/none")).c_str(),
+                                   BM_surface_polytope, scheme, symmetric)
+          ->Unit(benchmark::kMillisecond)
+          ->Iterations(1);
+    benchmark::RegisterBenchmark(("BM_surface_stability/" + scheme).c_str(), BM_surface_stability, scheme)
+        ->Unit(benchmark::kMillisecond);
+  }
+  return true;
+}();
+
+}  // namespace

@@ -1,6 +1,7 @@
 #include "multivariate_page.hpp"
 
 #include <subcert/analysis/difference/multivariate_convergence.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 
 #include <sstream>
@@ -28,7 +29,8 @@ struct MultivariatePage {
   MultivariateReproduction polynomials;
   std::vector<Interval> support;
   Decision convergence;
-  std::optional<SmoothnessProof> smoothness;  ///< of tensor products: that of the roughest factor
+  std::optional<SmoothnessProof> smoothness;         ///< of tensor products: that of the roughest factor
+  std::optional<MultivariateRegularity> regularity;  ///< of other schemes with an isotropic dilation
 };
 
 MultivariatePage make_page(const MultivariateScheme& scheme, const ProofLimits& limits) {
@@ -36,7 +38,13 @@ MultivariatePage make_page(const MultivariateScheme& scheme, const ProofLimits& 
       scheme.factors.empty() ? polynomial_reproduction(scheme.mask) : tensor_product_reproduction(scheme.factors),
       limit_support(scheme.mask),
       {},
+      {},
       {}};
+  if (scheme.factors.empty() && scheme.mask.dilation().is_isotropic()) {
+    page.regularity = multivariate_regularity(scheme.mask, {limits.deadline});
+    page.convergence = page.regularity->converges;
+    return page;
+  }
   if (scheme.factors.empty()) {
     page.convergence = converges(scheme.mask, limits);
     return page;
@@ -59,16 +67,23 @@ std::string page_text(const MultivariateScheme& scheme, const MultivariatePage& 
   text << "support       basic limit function in ";
   for (std::size_t v = 0; v < page.support.size(); ++v)
     text << (v ? " x [" : "[") << to_text(page.support[v].lower) << ", " << to_text(page.support[v].upper) << "]";
-  text << "\nsum rules     " << page.polynomials.sum_rules << "; factors";
+  text << "\nsum rules     " << page.polynomials.sum_rules;
+  const int arity = scheme.mask.dilation().factor().value_or(0);
   for (std::size_t v = 0; v < page.polynomials.factors.size(); ++v) {
-    text << (v ? ", (" : " (") << "1 + " << (scheme.mask.arity() == 2 ? "" : "... + ") << names[v];
-    if (scheme.mask.arity() > 2) text << "^" << scheme.mask.arity() - 1;
+    text << (v ? ", (" : "; factors (") << "1 + " << (arity == 2 ? "" : "... + ") << names[v];
+    if (arity > 2) text << "^" << arity - 1;
     text << ")^" << page.polynomials.factors[v];
   }
   text << "\npolynomials   generates total degree " << page.polynomials.generation_degree()
        << ", reproduces total degree " << page.polynomials.reproduction_degree << " with f_j at j + "
        << bracketed(page.polynomials.parametrization) << "\n"
        << "convergence   " << to_text(page.convergence.truth) << ": " << page.convergence.reason << "\n";
+  if (page.regularity && page.convergence.is_yes())
+    text << "stable        " << to_text(page.regularity->stable.truth) << ": " << page.regularity->stable.reason << "\n"
+         << "exponent      " << enclosure_text(page.regularity->exponent, 12) << "  (Hoelder, as far as "
+         << "subcert regularity gets in the time)\n";
+  if (page.regularity && page.regularity->sobolev)
+    text << "Sobolev       " << enclosure_text(*page.regularity->sobolev, 12) << "\n";
   if (page.smoothness && page.convergence.is_yes())
     text << "smoothness    C^" << page.smoothness->order << " proved, by the factors; C^" << page.smoothness->order + 1
          << " not proved: " << page.smoothness->obstacle << "\n";
@@ -95,7 +110,7 @@ ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimit
     Json json{{"scheme", scheme.specification},
               {"title", scheme.title},
               {"variables", scheme.mask.dimension()},
-              {"arity", scheme.mask.arity()},
+              {"dilation", scheme.mask.dilation().rows()},
               {"first_index", scheme.mask.symbol().lowest()},
               {"coefficients", coefficients_json(scheme.mask)},
               {"sum_rules", page.polynomials.sum_rules},
@@ -105,6 +120,12 @@ ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimit
               {"reproduction_degree", page.polynomials.reproduction_degree},
               {"parametrization", numbers_json(page.polynomials.parametrization)},
               {"convergence", decision_json(page.convergence)}};
+    if (const auto factor = scheme.mask.dilation().factor()) json["arity"] = *factor;
+    if (page.regularity) {
+      json["stable"] = decision_json(page.regularity->stable);
+      json["holder"] = enclosure_json(page.regularity->exponent);
+      json["sobolev"] = enclosure_json(page.regularity->sobolev);
+    }
     if (page.smoothness && page.convergence.is_yes())
       json["smoothness"] = {{"proved", page.smoothness->order}, {"obstacle", page.smoothness->obstacle}};
     options.answer(json);

@@ -41,7 +41,8 @@ Enclosure exponent_of_radius(const Enclosure& radius, const Dilation& dilation) 
 
 MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget) {
   const Dilation& dilation = mask.dilation();
-  require(dilation.is_isotropic(), "multivariate_regularity: need an isotropic dilation, got {}", dilation.to_text());
+  require(dilation.is_isotropic(), "regularity: need an isotropic dilation or a tensor product, got the dilation {}",
+          dilation.to_text());
   MultivariateRegularity result;
   result.stable = {Truth::unknown, "the scheme is not proved to converge"};
   const auto sums = coset_sums(mask);

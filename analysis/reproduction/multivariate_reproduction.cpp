@@ -110,10 +110,12 @@ std::vector<Interval> limit_support(const MultivariateMask& mask) {
                             : Interval::exactly(point[v]);
     }
     for (std::size_t v = 0; v < variables; ++v) sums[v] = sums[v] + *boxes[v];
-    const bool returned = power(0, 0) > 0 && power == power(0, 0) * RationalMatrix::identity(variables);
+    bool returned = true;
+    for (std::size_t i = 0; i < variables; ++i)
+      for (std::size_t j = 0; j < variables; ++j) returned = returned && (i == j ? power(i, i) > 0 : power(i, j) == 0);
     if (!returned && n < longest_period) continue;
     if (returned) {
-      for (Interval& sum : sums) sum = sum * (1 / (1 - power(0, 0)));
+      for (std::size_t v = 0; v < variables; ++v) sums[v] = sums[v] * (1 / (1 - power(v, v)));
       return sums;
     }
     // x in sums + power x: by coordinates, with the norm of the power.

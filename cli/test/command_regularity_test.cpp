@@ -58,6 +58,9 @@ TEST_CASE("regularity: surfaces") {
   CHECK(factors.at("exact") == true);
   CHECK(has_digits(factors.at("holder"), "lower", "1.936308790456"));
 
-  check_fails(run("regularity 'mask2:[[1,2,1],[2,4,2],[1,2,1]]/4,dilation=[1,1;0,2]'"), 64, "larger than 1 in modulus");
-  check_fails(run("regularity 'mask2:[[1,1],[1,1],[1,1]]@0,0,dilation=[2,0;0,3]'"), 64, "isotropic");
+  check_fails(run("regularity 'mask2:[[1,2,1],[2,4,2],[1,2,1]]/4,dilation=[1,1;0,2]'"), 64,
+              "scheme specification, position 44: '[1,1;0,2]'; expected eigenvalues larger than 1 in modulus, all of "
+              "them, got [1,1;0,2]");
+  check_fails(run("regularity 'mask2:[[1,1],[1,1],[1,1]]@0,0,dilation=[2,0;0,3]'"), 64,
+              "regularity: need an isotropic dilation or a tensor product, got the dilation [2,0;0,3]");
 }

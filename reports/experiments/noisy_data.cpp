@@ -102,12 +102,6 @@ const SampleMeasure error_measure{"error", error}, error_without_measure{"error 
     response_measure{"response", response, true}, roughness_measure{"roughness", roughness},
     moved_measure{"moved", moved, true}, from_data_measure{"from data", from_data};
 
-Names names_of(const std::vector<Method>& methods) {
-  Names result;
-  for (const Method& method : methods) result.push_back(method.name);
-  return result;
-}
-
 std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods) {
   std::vector<MeansTable::Row> result;
   for (const Method& method : methods) result.push_back({{method.name}, method.name});

@@ -69,7 +69,9 @@ std::vector<std::string> table_row(const DrawnArity& arity, const Centred& centr
   return row;
 }
 
-Measured measured_functions(const ExperimentOptions&) {
+}  // namespace
+
+Measured limit_functions(const Run&) {
   formats::PlainTable table{"aary-fig1-functions",
                             "The functions: exact mask, support and values at 0, 1, 2; certified extremes",
                             {"arity", "mask", "support", "maximum", "minimum", "proved", "at 0", "at 1", "at 2"},
@@ -96,32 +98,6 @@ Measured measured_functions(const ExperimentOptions&) {
   result.tables = {table};
   result.figures = {figure};
   return result;
-}
-
-}  // namespace
-
-Experiment limit_functions() {
-  return {
-      .id = "aary-fig1",
-      .title = "Figure 1: basic limit functions of arities 2, 3 and 4",
-      .setup = {"The schemes are ary:a=2|3|4,points=4,d=3. As in Theorem 2.3 the functions are centred: the datum 1 "
-                "stands at x = 0. The curves join exact values at the multiples of 2^-7, 3^-4 and 4^-4."},
-      .claims =
-          {{.sentence = "The functions vanish outside [-(2an-1)/(2(a-1)), (2an-1)/(2(a-1))], n = 2.",
-            .place = "Theorem 2.3, Fig. 1",
-            .relation = all_facts("ends", "both ends of the support, exact")},
-           {.sentence = "The conditions for the schemes to converge are satisfied.",
-            .place = "Sec. 2.2",
-            .relation = all_facts("convergence", "convergence is proved")},
-           {.sentence = "Arity and support width are inversely proportional.",
-            .place = "Sec. 2.2, end",
-            .relation = all_facts("proportion", "arity times width is the same for a = 2, 3, 4"),
-            .recorded = Verdict::not_confirmed},
-           {.sentence = "The larger the arity, the smaller the support (the weaker reading of the same sentence).",
-            .place = "Sec. 2.2, end",
-            .relation = all_facts("falling", "the width falls with the arity")}},
-      .measure = measured_functions,
-      .random = false};
 }
 
 }  // namespace subcert::experiments::mustafa_bari_2016

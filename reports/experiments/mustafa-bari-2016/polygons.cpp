@@ -57,7 +57,9 @@ bool shares_a_point(const data::GridData<double>& first, const data::GridData<do
   return false;
 }
 
-Measured measured_polygons(const ExperimentOptions&) {
+}  // namespace
+
+Measured refined_polygons(const Run&) {
   formats::PlainTable table{"aary-fig2-distances",
                             "Distance from the limit at the same parameter, over the diameter of the limit curve",
                             {"polygon", "arity", "points at level 1", "initial polygon", "level 1", "level 3"},
@@ -95,35 +97,6 @@ Measured measured_polygons(const ExperimentOptions&) {
   }
   result.tables = {table};
   return result;
-}
-
-}  // namespace
-
-Experiment refined_polygons() {
-  return {
-      .id = "aary-fig2",
-      .title = "Figure 2: polygons refined with arities 2, 3 and 4",
-      .setup =
-          {"The polygons are not published. A closed one with 13 vertices, the outline of a guitar, and an open one "
-           "with 13, a breaking wave, both with integer coordinates, are refined by ary:a=2|3|4,points=4,d=3 in "
-           "rational numbers; open ends take the scheme's own fit. Limits are exact at 64 or 81 parameters for each "
-           "edge. The text names the panels (a)-(c) first level and (d)-(f) limits; the caption says (a), (c), (e) "
-           "and (b), (d), (f)."},
-      .claims =
-          {{.sentence = "The arity is the number of points for each edge of the polygon.",
-            .place = "Sec. 1, Fig. 2(a,c,e)",
-            .relation = all_facts("inserted",
-                                  "points of the first level for the closed polygon: arity times its vertices")},
-           {.sentence = "The schemes are approximating.",
-            .place = "Sec. 2, Fig. 2(a,c,e)",
-            .relation = all_facts("approximating", "no vertex of the closed polygon is a point of the first level")},
-           {.sentence = "After the third iteration one sees the limit curve (read as: the polygon is nearer than 1/200 "
-                        "of the diameter).",
-            .place = "Fig. 2, caption",
-            .relation = all_facts("third level",
-                                  "distance from the limit at the same parameter, over the diameter, below 1/200")}},
-      .measure = measured_polygons,
-      .random = false};
 }
 
 }  // namespace subcert::experiments::mustafa_bari_2016

@@ -96,7 +96,9 @@ void compare_with_polygon(Measured& measured, const Polygon& polygon, formats::P
   }
 }
 
-Measured measured_polygons(const ExperimentOptions&) {
+}  // namespace
+
+Measured data_without_noise(const Run&) {
   formats::PlainTable table{
       "nonlinear-fig7-distances",
       "Data without noise: largest distance of the limit from the vertices over the diameter, and extrema "
@@ -118,50 +120,6 @@ Measured measured_polygons(const ExperimentOptions&) {
   result.tables = {table};
   result.figures = {figure};
   return result;
-}
-
-}  // namespace
-
-Experiment data_without_noise() {
-  const std::string measure = "largest distance of the limit from the vertices over the diameter, ";
-  return {
-      .id = "nonlinear-fig7",
-      .title = "Figure 7: data without noise",
-      .setup =
-          {"The data are not published. Two closed polygons with 60 vertices: r = 4 + cos 5t, and a star with ten "
-           "straight edges. Schemes D_6, D_7, D_8 of degrees 1, 2, 3 with 6 iterations and delta = 1e-8, 6 levels. "
-           "The limit at a vertex is that at its parameter."},
-      .claims = {{.sentence =
-                      "The schemes show interpolatory behaviour on data without noise: literally, limits pass through "
-                      "the vertices.",
-                  .place = "Sec. 1.1, Fig. 7",
-                  .relation = all_facts("through", measure + "below 1e-6"),
-                  .recorded = Verdict::not_confirmed},
-                 {.sentence = "Interpolatory behaviour on smooth data, read as: nearer than 1/100 of the diameter.",
-                  .place = "Sec. 1.1, Fig. 7",
-                  .relation = all_facts("near the flower", measure + "below 1/100")},
-                 {.sentence =
-                      "Interpolatory behaviour on a polygon with corners, read as: nearer than 1/100 of the diameter.",
-                  .place = "Sec. 1.1, Fig. 7",
-                  .relation = all_facts("near the star", measure + "below 1/100"),
-                  .recorded = Verdict::not_confirmed},
-                 {.sentence = "Although not interpolatory, the schemes preserve the shape of the initial polygon.",
-                  .place = "Abstract, Fig. 7",
-                  .relation = all_facts("extrema", "the limit has as many extrema of its coordinates as the polygon"),
-                  .recorded = Verdict::not_confirmed},
-                 {.sentence = "The schemes preserve the shape of the initial polygon, but for what cannot be seen.",
-                  .place = "Abstract, Fig. 7",
-                  .relation = all_facts("visible extrema",
-                                        "the same count without extrema that are lower than 1/200 of the diameter")},
-                 {.sentence =
-                      "The schemes of non-linear polynomials perform better than those of linear ones, on data without "
-                      "noise.",
-                  .place = "Abstract, Fig. 7",
-                  .relation = all_facts("better",
-                                        "largest distance from the vertices, smaller than with degree 1 on as many "
-                                        "data; the ratio")}},
-      .measure = measured_polygons,
-      .random = false};
 }
 
 }  // namespace subcert::experiments::mustafa_hameed

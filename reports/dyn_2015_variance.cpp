@@ -150,11 +150,10 @@ formats::Section variance_section(const ReportOptions& options, ComputedQuantiti
         "1e-6, and a printed value that the enclosure excludes is a mismatch. Where the printed value is too small "
         "there is also a witness that anyone can evaluate: an exact value of psi at a dyadic point, or a divided "
         "difference of two such values, which bounds the largest slope from below.");
-    section.paragraphs.push_back(
-        "Where the digits may come from. " + quantities.recipes().summary() +
-        " That it gives the digits does not prove that it is what was computed. It leaves out the ends of the support, "
-        "which lowers the maxima of psi a little and adds a slope that psi does not have. docs/table-3.md lists what "
-        "was tried.");
+    section.paragraphs.push_back("Where the digits may come from. " + quantities.recipes().summary() +
+                                 " That it gives the digits does not prove that it is what was computed. It leaves out "
+                                 "the ends of the support, which lowers the maxima of psi a little and adds a slope "
+                                 "that psi does not have. docs/table-3.md lists what was tried.");
   }
   const std::map<std::string, std::vector<std::string>> figures{
       {"fig2", schemes_of_figure_2()}, {"fig8", schemes_of_figure_8()}, {"fig9", schemes_of_figure_9()}};

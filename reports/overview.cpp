@@ -160,10 +160,11 @@ std::string first_screen(const Findings& findings, const ScreenOptions& options)
   Score statements;
   for (const CheckedStatement& one : findings.statements) statements.add(one.outcome.verdict);
   if (statements.wrong > 0)
-    points += wrapped(fmt::format("{} of {} statements are misprinted or false, each with a witness and, where there "
-                                  "is one, its correction.",
-                                  statements.wrong, statements.all()),
-                      "  - ");
+    points += wrapped(
+        fmt::format(
+            "{} of {} statements are misprinted or false, each with a witness and, where there is one, its correction.",
+            statements.wrong, statements.all()),
+        "  - ");
   if (!points.empty()) text += "\n" + coloured("What matters", "1", options.colours) + "\n" + points;
   const auto alarms = deviations(findings, true);
   text += "\n";

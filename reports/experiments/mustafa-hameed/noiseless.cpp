@@ -101,8 +101,8 @@ void compare_with_polygon(Measured& measured, const Polygon& polygon, formats::P
 Measured data_without_noise(const Run&) {
   formats::PlainTable table{
       "nonlinear-fig7-distances",
-      "Data without noise: largest distance of the limit from the vertices over the diameter, and extrema "
-      "of both coordinates",
+      "Data without noise: largest distance of the limit from the vertices over the diameter, and extrema of both "
+      "coordinates",
       {"polygon", "scheme", "distance", "extrema", "visible ones", "of the polygon", "visible ones"},
       {}};
   formats::Figure figure{"nonlinear-fig7", "Data without noise", "", 3, {}};

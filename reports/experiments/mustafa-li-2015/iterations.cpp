@@ -36,8 +36,8 @@ const std::vector<Series> all_series{
 formats::Figure drawn(const OutlierSample& sample) {
   formats::Figure figure{"l1-fig4",
                          "D_6 at work",
-                         "One sample of Experiment 2. Above: the first refinement with 1, 2, 4 and 10 reweighted "
-                         "fits. Below: 1, 2, 4 and 6 refinements with 6 fits.",
+                         "One sample of Experiment 2. Above: the first refinement with 1, 2, 4 and 10 reweighted fits. "
+                         "Below: 1, 2, 4 and 6 refinements with 6 fits.",
                          4,
                          {}};
   for (const Setting& s : more_fits)

@@ -13,7 +13,7 @@ Quantity error_at(const std::string& method, int decibel);
 enum class At { each_level, some_level };
 
 /// From `from` to `to` decibel, `better` has a smaller mean error than `worse`: the mean of the paired differences is
-/// negative with its whole interval.
+/// negative with its whole interval. Domain: loudest <= from <= to <= quietest.
 Relation smaller_error(const std::string& better, const std::string& worse, int from, int to, At where);
 
 /// The ratio of the mean errors is at most `tolerance` away from 1 at each level.

@@ -53,14 +53,13 @@ struct Fields {
 
 /// The statistic, in which {bound} says on which side of it each mean lies.
 std::string statistic_of(const Fields& claim) {
-  const auto shown = [&](const std::string& side) {
-    const toml::node* node = claim.table.get(side);
-    const std::string number = !node               ? ""
-                               : node->is_string() ? "{" + claim.text(side) + "}"
-                                                   : short_number(claim.number(side, 0));
-    return side + " " + number + " with the whole interval, each";
-  };
-  return filled(claim.text("statistic"), {{"bound", shown(claim.has("above") ? "above" : "below")}});
+  std::map<std::string, std::string> bound;
+  for (const std::string side : {"above", "below"})
+    if (const toml::node* node = claim.table.get(side))
+      bound["bound"] = fmt::format(
+          "{} {} with the whole interval, each", side,
+          node->is_string() ? "{" + claim.text(side) + "}" : short_number(claim.number(side, 0)));
+  return filled(claim.text("statistic"), bound);
 }
 
 /// A mean that the claim names: "S_3", or the paired differences "D_3 - S_3"; or a table {of, name, above, below} with
@@ -74,13 +73,17 @@ Mean read_mean(const Fields& claim, const toml::node& node) {
   const std::size_t minus = text.find(" - ");
   const std::string first = text.substr(0, minus);
   Mean mean{text, {measure, first + place}};
-  mean.factor = claim.number("factor", 1);
   if (minus != std::string::npos) {
-    const std::string second = text.substr(minus + 3);
-    mean.minus = {measure, second + place};
-    if (mean.factor != 1) mean.name = first + " - " + short_number(mean.factor) + " " + second;
+    if (claim.has("minus")) throw FileError(place_of(node), "either a difference or the key 'minus'");
+    mean.minus = {measure, text.substr(minus + 3) + place};
   } else if (claim.has("minus")) {
     mean.minus = {claim.text("minus"), mean.of.subject};
+  }
+  if (claim.has("factor")) {
+    if (!mean.minus) throw FileError(place_of(node), "'factor' goes with what is subtracted");
+    mean.factor = claim.number("factor", 1);
+    if (minus != std::string::npos)
+      mean.name = first + " - " + short_number(mean.factor) + " " + text.substr(minus + 3);
   }
   if (own && fields.has("name")) mean.name = fields.text("name");
   mean.lower = fields.bound("above", -INFINITY);
@@ -91,6 +94,9 @@ Mean read_mean(const Fields& claim, const toml::node& node) {
 Relation relation_of_means(const Fields& claim) {
   std::vector<Mean> means;
   for (const toml::node& node : list_of(claim.table, "of")) means.push_back(read_mean(claim, node));
+  const Bound none_above = INFINITY, none_below = -INFINITY;
+  if (std::ranges::all_of(means, [&](const Mean& m) { return m.lower == none_below && m.upper == none_above; }))
+    throw FileError(place_of(claim.table), "expected 'above' or 'below' for one of the means");
   return whole_intervals(statistic_of(claim), means);
 }
 
@@ -98,16 +104,27 @@ Relation relation_of_facts(const Fields& claim) { return all_facts(claim.text("s
 
 Relation relation_of_smaller_error(const Fields& claim) {
   const auto [better, worse] = claim.two("smaller-error");
+  const int from = static_cast<int>(claim.number("from", loudest)), to = static_cast<int>(claim.number("to", quietest));
+  if (from < loudest || to < from || to > quietest)
+    throw FileError(place_of(claim.table), fmt::format("need {} <= from <= to <= {}", loudest, quietest));
   if (claim.has("where") && claim.text("where") != "some level")
     throw FileError(place_of(*claim.table.get("where")), "expected 'some level'");
-  return smaller_error(better, worse, static_cast<int>(claim.number("from", loudest)),
-                       static_cast<int>(claim.number("to", quietest)),
-                       claim.has("where") ? At::some_level : At::each_level);
+  return smaller_error(better, worse, from, to, claim.has("where") ? At::some_level : At::each_level);
 }
 
 Relation relation_of_equal_error(const Fields& claim) {
   const auto [first, second] = claim.two("equal-error");
+  if (!claim.has("within")) throw FileError(place_of(claim.table), "expected the key 'within'");
   return nearly_equal_error(first, second, claim.number("within", 0));
+}
+
+/// confirmed or not_confirmed.
+Verdict recorded_of(const Fields& claim) {
+  const toml::node* node = claim.table.get("recorded");
+  const Verdict verdict = node ? verdict_of(*node, claim.plain(*node)) : Verdict::confirmed;
+  if (verdict != Verdict::confirmed && verdict != Verdict::not_confirmed)
+    throw FileError(place_of(*node), "expected 'confirmed' or 'not confirmed'");
+  return verdict;
 }
 
 /// What decides a claim: the key that says so, the keys that go with it.
@@ -129,12 +146,10 @@ Claim read_claim(const Fields& claim) {
   Keys known{"sentence", "place", "recorded", kind->key};
   known.insert(known.end(), kind->keys.begin(), kind->keys.end());
   only_keys(claim.table, known);
-  const toml::node* recorded = claim.table.get("recorded");
   const std::string sentence = claim.text("sentence"), place = claim.text("place");
   if ((sentence + place).find('{') != std::string::npos)
     throw FileError(place_of(claim.table), "a {name} in 'sentence' or 'place' without a value");
-  return {sentence, place, kind->relation(claim),
-          recorded ? verdict_of(*recorded, claim.plain(*recorded)) : Verdict::confirmed};
+  return {sentence, place, kind->relation(claim), recorded_of(claim)};
 }
 
 /// The claim, or for {use, with} the shared claims of this name with these values in their texts.

@@ -130,6 +130,15 @@ TEST_CASE("what is wrong in a file of experiments is named with its place") {
         "line 11, column 1: unknown key 'measure'; expected one of sentence, place, recorded, facts, statistic");
   CHECK(refusal(file + "of = 'a'\nmeasure = 'error'\nstatistic = 's'\n") ==
         "line 10, column 6: expected the list 'of'");
+  // What would hold of nothing, or twice.
+  const std::string means = file + "of = ['a', 'b']\nmeasure = 'error'\nstatistic = 's'\n";
+  CHECK(refusal(means).find("expected 'above' or 'below'") != std::string::npos);
+  CHECK(refusal(means + "below = 0\nfactor = 2\n").find("'factor' goes with") != std::string::npos);
+  CHECK(refusal(file + "of = ['a - b']\nminus = 'noise'\nmeasure = 'error'\nstatistic = 's'\nbelow = 0\n")
+            .find("either a difference") != std::string::npos);
+  CHECK(refusal(file + "smaller-error = ['a', 'b']\nfrom = 9\nto = 5\n").find("from <= to") != std::string::npos);
+  CHECK(refusal(file + "equal-error = ['a', 'b']\n").find("'within'") != std::string::npos);
+  CHECK(refusal(means + "below = 0\nrecorded = 'holds'\n").find("'not confirmed'") != std::string::npos);
   CHECK(refusal(file + "smaller-error = ['a']\n") == "line 10, column 17: expected two texts");
   CHECK(refusal("[text]\n" + head).find("names no text of [text]") != std::string::npos);
   CHECK(refusal("title = 'A toy'\n").starts_with("line 1, column 1: unknown key 'title'"));

@@ -6,10 +6,10 @@
 #include <subcert/reports/formats/section.hpp>
 
 #include <cmath>
-#include <compare>
 #include <functional>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <variant>
 
 namespace subcert::experiments {
@@ -20,7 +20,9 @@ using Names = std::vector<std::string>;
 struct Quantity {
   std::string measure;
   std::string subject;
-  auto operator<=>(const Quantity&) const = default;
+  bool operator<(const Quantity& other) const {
+    return std::tie(measure, subject) < std::tie(other.measure, other.subject);
+  }
 };
 
 /// Something found without samples, and the numbers that show it. The name says of what; it may be empty.

@@ -16,7 +16,7 @@ double mean_squared_error(const std::vector<double>& values, const std::vector<d
     for (std::size_t c = i; c < i + dimension; ++c) square += (values[c] - truth[c]) * (values[c] - truth[c]);
     sum += square;
   }
-  return sum / static_cast<double>(values.size() / dimension);
+  return sum / (static_cast<double>(values.size()) / static_cast<double>(dimension));  // a whole number of points
 }
 
 double error(const RefinedSample& s) { return mean_squared_error(s.with, s.truth, s.data.dimension); }

@@ -190,7 +190,8 @@ Measure compared(const TestFunction& function, const std::string& scheme, const 
 }  // namespace
 
 Measures functions() {
-  const Method llr = baselines[0], s53{"S_5^3", "primal:n=5,d=3"}, s93{"S_9^3", "primal:n=9,d=3"};
+  const Method& llr = baselines[0];
+  const Method s53{"S_5^3", "primal:n=5,d=3"}, s93{"S_9^3", "primal:n=9,d=3"};
   return {{"fig3", compared(f1, "primal:n=3", llr, 6.5)},     {"fig4", compared(f1, "primal:n=5", llr, 7)},
           {"fig5", compared(f1, "primal:n=7", llr, 7.9)},     {"fig6", compared(f2, "primal:n=3", llr, 6.2)},
           {"fig7", compared(f2, "primal:n=5", llr, 8)},       {"fig10", compared(f3, "primal:n=5", s53, 8.2)},

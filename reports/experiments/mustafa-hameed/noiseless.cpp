@@ -37,21 +37,21 @@ data::GridData<double> limit_of(const Method& method, const data::GridData<doubl
 /// The extrema of both coordinates along a closed polygon, without those that the coordinate leaves by at most `height`
 /// before it turns again.
 std::size_t extrema(const data::GridData<double>& curve, double height) {
-  const std::size_t points = curve.points();
   std::size_t result = 0;
   for (std::size_t c = 0; c < 2; ++c) {
     int direction = 0;
     double extreme = curve.values[c];
-    for (std::size_t i = 0; i < 2 * points; ++i) {  // the first round finds the direction at the start
-      const double value = curve.values[2 * (i % points) + c];
-      if (direction != 0 && (value - extreme) * direction >= 0) {
-        extreme = value;
-      } else if (std::abs(value - extreme) > height) {
-        if (i >= points) ++result;
-        direction = value > extreme ? 1 : -1;
-        extreme = value;
+    for (const bool counts : {false, true})  // the first round finds the direction at the start
+      for (std::size_t i = c; i < curve.values.size(); i += 2) {
+        const double value = curve.values[i];
+        if (direction != 0 && (value - extreme) * direction >= 0) {
+          extreme = value;
+        } else if (std::abs(value - extreme) > height) {
+          result += counts;
+          direction = value > extreme ? 1 : -1;
+          extreme = value;
+        }
       }
-    }
   }
   return result;
 }

@@ -1,6 +1,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/proofs-checks/file_error.hpp>
+#include <subcert/reports/experiments/experiment.hpp>
 #include <subcert/reports/experiments/noise_levels.hpp>
 
 using namespace subcert;

@@ -63,6 +63,15 @@ Json RegularityPage::json() const {
           {"seconds", seconds}};
 }
 
+std::string RegularityPage::exponent_text() const {
+  if (!holder.lower && !holder.upper)
+    return convergence.is_no() ? "none, as the scheme does not converge" : "unknown, as convergence is not proved";
+  const std::string text = enclosure_text(holder, 14);
+  if (!holder.upper) return text + "  (a proved lower bound)";
+  return text + "  (enclosed with proof" +
+         (regularity.radius.is_closed() ? ", " + holder.lower_text(17) + " ... " + holder.upper_text(17) : "") + ")";
+}
+
 std::string RegularityPage::text() const {
   const HolderBounds& bounds = regularity.bounds;
   const JointSpectralRadius& radius = regularity.radius;
@@ -84,13 +93,7 @@ std::string RegularityPage::text() const {
          << enclosure_text(radius.product.radius, 15)
          << (radius.exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
   page << "stable       " << subcert::to_text(regularity.stable.truth) << ": " << regularity.stable.reason << "\n"
-       << "exponent     " << enclosure_text(holder, 14) << "  (";
-  if (!holder.upper)
-    page << "a proved lower bound)\n";
-  else if (radius.is_closed())
-    page << "enclosed with proof, " << holder.lower_text(17) << " ... " << holder.upper_text(17) << ")\n";
-  else
-    page << "enclosed with proof)\n";
+       << "exponent     " << exponent_text() << "\n";
   if (holder.lower && *regularity.exponent.lower > 0) page << "attained     " << attained_text(regularity) << "\n";
   if (sobolev) page << "Sobolev      " << sobolev_text(*sobolev, regularity.stable) << "\n";
   if (!complete) page << "budget       the polytope did not close; the enclosure reached is printed\n";

@@ -19,6 +19,9 @@ struct RegularityPage {
 
   Json json() const;
   std::string text() const;
+
+ private:
+  std::string exponent_text() const;
 };
 
 /// A line where the certificate proves less than the answer says.

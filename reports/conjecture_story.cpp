@@ -1,10 +1,11 @@
 #include "conjecture_story.hpp"
 
-#include "variance_statements.hpp"
+#include "computed_quantities.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/proofs-checks/conjectures/conjecture_limit.hpp>
+#include <subcert/proofs-checks/papers/dyn-2015/figure_sentences.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <stdexcept>
@@ -13,6 +14,7 @@ namespace subcert::reports {
 namespace {
 
 using namespace conjectures;
+using namespace statements::dyn_2015;
 
 const std::vector<int>& degrees() {
   static const std::vector<int> list{1, 3, 5};
@@ -56,12 +58,11 @@ struct Suggested {
   std::vector<std::pair<int, std::string>> printed;
 
   explicit Suggested(ComputedQuantities& quantities) {
-    const auto& best = statements::dyn_2015::numerical_recipes()[quantities.recipes().best()];
+    const auto& best = numerical_recipes()[quantities.recipes().best()];
     recipe.resize(last_n_of_figure_8);
     parallel_for_each(recipe.size(), quantities.jobs(), [&](std::size_t i) {
       const int n = static_cast<int>(i) + 1;
-      const auto values = statements::dyn_2015::evaluate_numerical_recipe(
-          best, make_scheme(statements::specification("primal", n)).mask, n);
+      const auto values = evaluate_numerical_recipe(best, make_scheme(statements::specification("primal", n)).mask, n);
       recipe[i] = {n, n * n * values.slope};
     });
     for (const statements::PublishedCell& cell : quantities.published("table3").cells)
@@ -126,7 +127,7 @@ std::string in_words(const std::vector<std::string>& words) {
 }
 
 std::vector<std::string> story(const std::vector<Course>& courses, const Suggested& suggested,
-                               const statements::dyn_2015::NumericalRecipeSearch& search) {
+                               const NumericalRecipeSearch& search) {
   const Course& first = courses.front();
   std::vector<std::string> sizes, printed, certified, by_recipe, constants, falls;
   for (const auto& [n, text] : suggested.printed) {
@@ -152,10 +153,10 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
           in_words(sizes) + " it prints n^2 max |psi'| = " + in_words(printed) +
           ". Over all x, n^2 max |psi'| is proved to be at most " + in_words(certified) + " there.",
       "Where the printed values may come from. Of the " + std::to_string(search.cells()) + " printed values, " +
-          std::to_string(search.cells_given()) + " have the digits of one numerical recipe: " +
-          statements::dyn_2015::numerical_recipes()[search.best()].text() + ". For d = 1 and n = " + in_words(sizes) +
-          " it gives n^2 max |psi'| = " + in_words(by_recipe) + " and at n = " + last + " still " +
-          to_fixed(suggested.recipe_at(last_n_of_figure_8), 4, Rounding::nearest) +
+          std::to_string(search.cells_given()) +
+          " have the digits of one numerical recipe: " + numerical_recipes()[search.best()].text() +
+          ". For d = 1 and n = " + in_words(sizes) + " it gives n^2 max |psi'| = " + in_words(by_recipe) +
+          " and at n = " + last + " still " + to_fixed(suggested.recipe_at(last_n_of_figure_8), 4, Rounding::nearest) +
           ". The terms that such a sum leaves out have slopes of their own, far larger than those of psi, and these "
           "are what it measures. What was really computed for the paper we cannot know.",
       "What is true of the first half. It holds, as a rate and for every degree: n max psi tends to a constant, " +

@@ -109,8 +109,8 @@ void explain_levels(formats::Section& section, ComputedQuantities& quantities) {
       "What the bounds mean. Each is proved, and none is the exponent itself: a bound belongs to its number of levels. "
       "Between 8 and 16 levels the bounds of these schemes still rise by up to " +
       decimal(largest_step, 4) + " (" + largest_scheme +
-      "), so the third decimal of the printed tables says how far the "
-      "computation went, not how smooth the limits are. Nor do the bounds simply grow: of " +
+      "), so the third decimal of the printed tables says how far the computation went, not how smooth the limits are. "
+      "Nor do the bounds simply grow: of " +
       std::to_string(pairs) + " steps from one level to the next, " + std::to_string(decreasing) +
       " go down. A comparison of two schemes by these tables is safe only where their difference is larger than what "
       "further levels could add.");
@@ -193,19 +193,15 @@ formats::Section exponents(ComputedQuantities& quantities) {
   section.finding = "Tables 1 and 2 rise to n = 4 and then fall; the exponents do not. " + trend;
   section.paragraphs.push_back(
       "Tables 1 and 2 print bounds after sixteen levels. They rise to a maximum at n = 4 and then fall, which suggests "
-      "that "
-      "larger supports make the limits less smooth. The exponents themselves do not follow that trend. " +
+      "that larger supports make the limits less smooth. The exponents themselves do not follow that trend. " +
       trend + " The fall in the tables is an effect of stopping at sixteen levels: larger schemes need more of them.");
   section.paragraphs.push_back(
       "The exponents come from the joint spectral radius of the transition matrices: a product of them proves the "
-      "upper "
-      "end (the integer shifts are stable, which is decided exactly), an invariant polytope the lower end, both in "
-      "rational "
-      "arithmetic. For " +
+      "upper end (the integer shifts are stable, which is decided exactly), an invariant polytope the lower end, both "
+      "in rational arithmetic. For " +
       (exact == total ? "all " : std::to_string(exact) + " of ") + std::to_string(total) +
       " schemes the named product is proved to attain the radius, so that the exponent is known exactly; no enclosure "
-      "is "
-      "wider than " +
+      "is wider than " +
       to_decimal(widest, 2, Rounding::up) +
       ". 'subcert regularity SCHEME --certificate FILE' writes each proof, 'subcert verify FILE' checks it with an "
       "independent program.");
@@ -239,8 +235,8 @@ Report report_dyn_2015(const ReportOptions& options) {
   if (wanted("fig1")) masks.figures.push_back(figure_1());
   if (!masks.comparisons.empty())
     masks.paragraphs.push_back(
-        "The masks are derived from the local fits in exact rational arithmetic and compared "
-        "coefficient by coefficient; the supports follow from the masks.");
+        "The masks are derived from the local fits in exact rational arithmetic and compared coefficient by "
+        "coefficient; the supports follow from the masks.");
   if (wanted("masks"))
     masks.paragraphs.push_back("Masks: " + verdict_sentence(masks.comparisons.front()) +
                                " A list that does not sum to 1 over the even and over the odd indices cannot be the "
@@ -255,8 +251,8 @@ Report report_dyn_2015(const ReportOptions& options) {
     }
   if (!bounds.comparisons.empty())
     bounds.paragraphs.push_back(
-        "Computed is the sixteen-level bound of Dyn and Levin: the norm behind it is an exact "
-        "rational number, and only its logarithm is rounded, outward.");
+        "Computed is the sixteen-level bound of Dyn and Levin: the norm behind it is an exact rational number, and "
+        "only its logarithm is rounded, outward.");
   if (wanted("levels")) explain_levels(bounds, quantities);
 
   formats::Section sharp{"exponents", "", {}};

@@ -1,23 +1,44 @@
 #include "dyn_2015_variance.hpp"
 
-#include "variance_statements.hpp"
+#include "computed_quantities.hpp"
 
 #include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/analysis/variance/variance.hpp>
+#include <subcert/proofs-checks/papers/dyn-2015/figure_sentences.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
 
 namespace subcert::reports {
+
+using namespace statements::dyn_2015;
+
 namespace {
+
+/// The schemes are those of the sentences, so that they are computed in parallel.
+formats::ComparisonTable compare_sentences(const statements::PublishedTable& table,
+                                           const std::vector<std::string>& schemes, ComputedQuantities& quantities) {
+  quantities.need_variance(schemes);
+  formats::ComparisonTable result = empty_table(table);
+  for (const statements::PublishedCell& cell : table.cells) {
+    const DecidedSentence found = decide_sentence(cell, quantities.paper(),
+                                                  [&](const std::string& scheme) -> VarianceExtremes {
+                                                    quantities.need_variance({scheme});
+                                                    const VarianceFacts& facts = quantities.variance(scheme);
+                                                    return {facts.maximum, facts.minimum, facts.slope};
+                                                  });
+    result.comparisons.push_back(compare_text(cell, found.text, found.truth));
+  }
+  return result;
+}
 
 formats::ComparisonTable compare_table_3(const statements::PublishedTable& table, ComputedQuantities& quantities) {
   quantities.need_variance(schemes_of(table));
-  const statements::dyn_2015::NumericalRecipeSearch& search = quantities.recipes();
+  const NumericalRecipeSearch& search = quantities.recipes();
   formats::ComparisonTable result = empty_table(table);
   for (const statements::PublishedCell& cell : table.cells) {
     const VarianceFacts& facts = quantities.variance(cell.scheme);
-    const auto what = statements::dyn_2015::scaled_maximum(cell);
+    const auto what = scaled_maximum(cell);
     formats::Comparison comparison = compare_number(cell,
                                                     scaled(what.slope ? facts.slope : facts.maximum, what.factor));
     if (comparison.verdict == Verdict::mismatch) {
@@ -114,7 +135,7 @@ std::string slope_sentence(ComputedQuantities& quantities) {
 }  // namespace
 
 formats::Section variance_section(const ReportOptions& options, ComputedQuantities& quantities) {
-  const auto wanted = [&](const char* item) {
+  const auto wanted = [&](const std::string& item) {
     return options.only.empty() || std::find(options.only.begin(), options.only.end(), item) != options.only.end();
   };
   formats::Section section{"variance", "The variance curves", {}};
@@ -129,17 +150,18 @@ formats::Section variance_section(const ReportOptions& options, ComputedQuantiti
         "1e-6, and a printed value that the enclosure excludes is a mismatch. Where the printed value is too small "
         "there is also a witness that anyone can evaluate: an exact value of psi at a dyadic point, or a divided "
         "difference of two such values, which bounds the largest slope from below.");
-    section.paragraphs.push_back(
-        "Where the digits may come from. " + quantities.recipes().summary() +
-        " That it gives the digits does not prove that it is what was computed. It leaves out the ends of the support, "
-        "which lowers the maxima of psi a little and adds a slope that psi does not have. docs/table-3.md lists what "
-        "was tried.");
+    section.paragraphs.push_back("Where the digits may come from. " + quantities.recipes().summary() +
+                                 " That it gives the digits does not prove that it is what was computed. It leaves out "
+                                 "the ends of the support, which lowers the maxima of psi a little and adds a slope "
+                                 "that psi does not have. docs/table-3.md lists what was tried.");
   }
-  for (const char* item : {"fig2", "fig8", "fig9"}) {
+  const std::map<std::string, std::vector<std::string>> figures{
+      {"fig2", schemes_of_figure_2()}, {"fig8", schemes_of_figure_8()}, {"fig9", schemes_of_figure_9()}};
+  for (const auto& [item, schemes] : figures) {
     if (!wanted(item)) continue;
     quantities.say(item);
-    section.comparisons.push_back(compare_statements(quantities.published(item), quantities));
-    section.paragraphs.push_back("Statements about Figure " + std::string(item + 3) + ": " +
+    section.comparisons.push_back(compare_sentences(quantities.published(item), schemes, quantities));
+    section.paragraphs.push_back("Statements about Figure " + item.substr(3) + ": " +
                                  std::to_string(section.comparisons.back().count(Verdict::match)) + " of " +
                                  std::to_string(section.comparisons.back().comparisons.size()) + " hold.");
   }

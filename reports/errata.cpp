@@ -3,6 +3,7 @@
 #include <subcert/analysis/symbol/parallel.hpp>
 #include "formats/html.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
 
@@ -55,27 +56,23 @@ std::string table_of(const std::vector<const CheckedStatement*>& checked) {
   std::string rows;
   for (const CheckedStatement* one : checked) rows += confirmation_row(*one);
   return "<div class=scroll><table class=statements>\n<tr><th>place</th><th class=left>claim</th><th "
-         "class=left>verdict</th><th "
-         "class=left>for which parameters, and why</th></tr>\n" +
+         "class=left>verdict</th><th class=left>for which parameters, and why</th></tr>\n" +
          rows + "</table></div>\n";
 }
 
 std::string summary(const std::vector<CheckedStatement>& checked) {
-  std::string head, body;
-  for (const Verdict verdict : verdicts) head += "<th>" + to_text(verdict) + "</th>";
-  for (const auto& paper : statements::papers()) {
-    std::string row;
-    int all = 0;
-    for (const Verdict verdict : verdicts) {
-      int count = 0;
-      for (const CheckedStatement& one : checked)
-        count += one.statement->paper() == paper.key && one.outcome.verdict == verdict ? 1 : 0;
-      all += count;
-      row += "<td>" + std::to_string(count) + "</td>";
-    }
-    if (all > 0) body += "<tr><th><a href=\"#" + paper.key + "\">" + paper.key + "</a></th>" + row + "</tr>\n";
+  std::vector<std::string> head{"paper"};
+  for (const Verdict verdict : verdicts) head.push_back(to_text(verdict));
+  std::vector<formats::SummaryRow> rows;
+  for (const std::string& paper : statements::paper_keys()) {
+    formats::SummaryRow row{paper, paper, {}};
+    for (const Verdict verdict : verdicts)
+      row.counts.push_back(static_cast<std::size_t>(std::ranges::count_if(checked, [&](const CheckedStatement& one) {
+        return one.statement->paper() == paper && one.outcome.verdict == verdict;
+      })));
+    if (std::ranges::any_of(row.counts, [](std::size_t count) { return count > 0; })) rows.push_back(row);
   }
-  return "<div class=scroll><table class=summary>\n<tr><th>paper</th>" + head + "</tr>\n" + body + "</table></div>\n";
+  return formats::summary_html(head, rows);
 }
 
 std::string paper_section(const statements::Paper& paper, const std::vector<CheckedStatement>& checked) {
@@ -120,14 +117,11 @@ std::vector<CheckedStatement> check_statements(const std::vector<const Statement
 std::string errata_page(const std::vector<CheckedStatement>& checked) {
   std::string body =
       "<h1>Errata and confirmations</h1>\n<p>The statements of the papers as executable checks. The printed forms are "
-      "typed in as they "
-      "stand and compared with what follows from the definitions, in exact arithmetic or with outward rounding. "
-      "<b>holds-for-all-n</b>: "
-      "proved for all admissible parameters; <b>holds</b>: on the range named; <b>misprint</b>: the printed form fails "
-      "at the witness and the "
-      "corrected form passes the same check; <b>false</b>: it fails, and no change of a symbol saves it. Formulas are "
-      "given in LaTeX; the "
-      "closed forms among them are printed from what was checked.</p>\n" +
+      "typed in as they stand and compared with what follows from the definitions, in exact arithmetic or with outward "
+      "rounding. <b>holds-for-all-n</b>: proved for all admissible parameters; <b>holds</b>: on the range named; "
+      "<b>misprint</b>: the printed form fails at the witness and the corrected form passes the same check; "
+      "<b>false</b>: it fails, and no change of a symbol saves it. Formulas are given in LaTeX; the closed forms among "
+      "them are printed from what was checked.</p>\n" +
       summary(checked);
   for (const auto& paper : statements::papers()) body += paper_section(paper, checked);
   return formats::html_page("subcert: errata and confirmations", body);

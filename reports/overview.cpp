@@ -13,18 +13,24 @@ constexpr std::size_t most_alarms = 10;
 
 /// How many of some kind there are, and how many the papers have right.
 struct Score {
-  int right = 0, wrong = 0, open = 0;
+  int right = 0, wrong = 0, open = 0, uncheckable = 0;
 
   void add(Verdict verdict) {
     const Truth truth = truth_of(verdict);
-    ++(truth == Truth::yes ? right : truth == Truth::no ? wrong : open);
+    const bool no_check = verdict == Verdict::not_checkable || verdict == Verdict::not_reproducible;
+    ++(truth == Truth::yes ? right : truth == Truth::no ? wrong : no_check ? uncheckable : open);
   }
-  int all() const { return right + wrong + open; }
-  /// `81 of 113 values match`, among those that can be checked.
+  int checked() const { return right + wrong + open; }
+  int all() const { return checked() + uncheckable; }
+  /// `81 of 114 values match (1 open, 18 cannot be checked)`: of those that can be checked, and what is left.
   std::string text(const std::string& what, const std::string& hold) const {
     if (all() == 0) return "";
-    return right + wrong == 0 ? fmt::format("{} {} cannot be checked", open, what)
-                              : fmt::format("{} of {} {} {}", right, right + wrong, what, hold);
+    if (checked() == 0) return fmt::format("{} {} cannot be checked", uncheckable, what);
+    std::vector<std::string> left;
+    if (open > 0) left.push_back(fmt::format("{} open", open));
+    if (uncheckable > 0) left.push_back(fmt::format("{} cannot be checked", uncheckable));
+    return fmt::format("{} of {} {} {}{}", right, checked(), what, hold,
+                       left.empty() ? "" : fmt::format(" ({})", fmt::join(left, ", ")));
   }
 };
 
@@ -154,10 +160,11 @@ std::string first_screen(const Findings& findings, const ScreenOptions& options)
   Score statements;
   for (const CheckedStatement& one : findings.statements) statements.add(one.outcome.verdict);
   if (statements.wrong > 0)
-    points += wrapped(fmt::format("{} of {} statements are misprinted or false, each with a witness and, where there "
-                                  "is one, its correction.",
-                                  statements.wrong, statements.all()),
-                      "  - ");
+    points += wrapped(
+        fmt::format(
+            "{} of {} statements are misprinted or false, each with a witness and, where there is one, its correction.",
+            statements.wrong, statements.all()),
+        "  - ");
   if (!points.empty()) text += "\n" + coloured("What matters", "1", options.colours) + "\n" + points;
   const auto alarms = deviations(findings, true);
   text += "\n";

@@ -24,7 +24,7 @@ struct ScreenOptions {
   double seconds = 0;    ///< that the run took
 };
 
-/// Two lines a paper, the findings that matter, where the pages are and how long it took: at most 45 lines of at most
+/// A few lines a paper, the findings that matter, where the pages are and how long it took: at most 45 lines of at most
 /// 100 characters, but for verdicts that are not the recorded ones, of which up to ten are named.
 std::string first_screen(const Findings& findings, const ScreenOptions& options);
 

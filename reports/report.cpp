@@ -1,23 +1,24 @@
 #include "report.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
-#include <subcert/schemes/data/runtime/files.hpp>
 #include "dyn_2015.hpp"
 #include "formats/html.hpp"
 #include "paper_experiments.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace subcert::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using formats::html;
 
 constexpr std::size_t longest_open_table = 12;  // rows; longer ones are folded on the page, claims never
 
@@ -98,43 +99,48 @@ std::vector<std::string> distinct(const std::vector<Value>& values, Get get) {
 }
 
 std::string cell_html(const formats::Comparison& c) {
-  return "<td class=\"" + to_text(c.verdict) + "\" title=\"" + formats::html(c.scheme) + "\"><span class=printed>" +
-         formats::html(c.printed) + "</span><span class=computed>" + formats::html(c.computed_text()) +
-         "</span><span class=verdict>" + to_text(c.verdict) + "</span></td>";
+  return fmt::format(
+      "<td class=\"{0}\" title=\"{1}\"><span class=printed>{2}</span><span class=computed>{3}</span>"
+      "<span class=verdict>{0}</span></td>",
+      to_text(c.verdict), html(c.scheme), html(c.printed), html(c.computed_text()));
+}
+
+std::string grid_html(const formats::ComparisonTable& table) {
+  const auto columns = distinct(table.comparisons, [](const formats::Comparison& c) { return c.column; });
+  std::string result = "<tr><th></th>";
+  for (const std::string& column : columns) result += "<th>" + html(column) + "</th>";
+  result += "</tr>\n";
+  for (const std::string& row : distinct(table.comparisons, [](const formats::Comparison& c) { return c.row; })) {
+    result += "<tr><th>" + html(row) + "</th>";
+    for (const std::string& column : columns) {
+      const auto found = std::ranges::find_if(
+          table.comparisons, [&](const formats::Comparison& c) { return c.row == row && c.column == column; });
+      result += found == table.comparisons.end() ? "<td></td>" : cell_html(*found);
+    }
+    result += "</tr>\n";
+  }
+  return result;
+}
+
+std::string list_html(const formats::ComparisonTable& table) {
+  std::string result = "<tr><th></th><th class=left>printed</th><th class=left>computed</th><th>verdict</th></tr>\n";
+  for (const formats::Comparison& c : table.comparisons)
+    result += fmt::format(
+        "<tr><th>{}</th><td class=wide>{}</td><td class=wide>{}</td><td class=\"{}\"><span class=verdict>{}</span>"
+        "</td></tr>\n",
+        html(c.column), html(c.printed), html(c.computed_text()), to_text(c.verdict), to_text(c.verdict));
+  return result;
 }
 
 std::string table_html(const formats::ComparisonTable& table) {
-  std::string result = "<h3 id=\"" + table.paper + "-table-" + table.id + "\">" + formats::html(table.title) +
-                       "</h3>\n<p class=place>" + formats::html(table.place) + "</p>\n<div class=scroll><table>\n";
-  if (table.grid) {
-    const auto columns = distinct(table.comparisons, [](const formats::Comparison& c) { return c.column; });
-    const auto rows = distinct(table.comparisons, [](const formats::Comparison& c) { return c.row; });
-    result += "<tr><th></th>";
-    for (const std::string& column : columns) result += "<th>" + formats::html(column) + "</th>";
-    result += "</tr>\n";
-    for (const std::string& row : rows) {
-      result += "<tr><th>" + formats::html(row) + "</th>";
-      for (const std::string& column : columns) {
-        const auto found = std::find_if(
-            table.comparisons.begin(), table.comparisons.end(),
-            [&](const formats::Comparison& c) { return c.row == row && c.column == column; });
-        result += found == table.comparisons.end() ? std::string("<td></td>") : cell_html(*found);
-      }
-      result += "</tr>\n";
-    }
-  } else {
-    result += "<tr><th></th><th class=left>printed</th><th class=left>computed</th><th>verdict</th></tr>\n";
-    for (const formats::Comparison& c : table.comparisons)
-      result += "<tr><th>" + formats::html(c.column) + "</th><td class=wide>" + formats::html(c.printed) +
-                "</td><td class=wide>" + formats::html(c.computed_text()) + "</td><td class=\"" + to_text(c.verdict) +
-                "\"><span class=verdict>" + to_text(c.verdict) + "</span></td></tr>\n";
-  }
-  result += "</table></div>\n";
+  std::string result = fmt::format(
+      "<h3 id=\"{}-table-{}\">{}</h3>\n<p class=place>{}</p>\n<div class=scroll><table>\n{}</table></div>\n",
+      table.paper, table.id, html(table.title), html(table.place), table.grid ? grid_html(table) : list_html(table));
   std::string notes;
   for (const formats::Comparison& c : table.comparisons)
     if (!c.note.empty())
-      notes += "<li><b>" + formats::html(c.cell()) + "</b> (printed " + formats::html(c.printed) + ", computed " +
-               formats::html(c.computed_text()) + "): " + formats::html(c.note) + "</li>\n";
+      notes += fmt::format("<li><b>{}</b> (printed {}, computed {}): {}</li>\n", html(c.cell()), html(c.printed),
+                           html(c.computed_text()), html(c.note));
   if (!notes.empty()) result += "<details><summary>Notes on single cells</summary><ul>\n" + notes + "</ul></details>\n";
   return result;
 }
@@ -155,19 +161,17 @@ std::vector<std::string> column_classes(const formats::PlainTable& table) {
 std::string table_html(const std::string& paper, const formats::PlainTable& table) {
   const auto classes = column_classes(table);
   const bool folded = table.rows.size() > longest_open_table && table.row_classes.empty();
-  const std::string id = " id=\"" + paper + "-table-" + table.id + "\"";
-  std::string result = folded ? "<details" + id + "><summary>" + formats::html(table.title) + "</summary>\n"
-                              : "<h3" + id + ">" + formats::html(table.title) + "</h3>\n";
+  const std::string id = fmt::format(" id=\"{}-table-{}\"", paper, table.id), title = html(table.title);
+  std::string result = folded ? "<details" + id + "><summary>" + title + "</summary>\n"
+                              : "<h3" + id + ">" + title + "</h3>\n";
   result += "<div class=scroll><table>\n<tr>";
   for (std::size_t i = 0; i < table.head.size(); ++i)
-    result += "<th" + classes[i] + ">" + formats::html(table.head[i]) + "</th>";
+    result += fmt::format("<th{}>{}</th>", classes[i], html(table.head[i]));
   result += "</tr>\n";
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    result += table.row_classes.empty() ? std::string("<tr>") : "<tr class=\"" + table.row_classes[r] + "\">";
-    for (std::size_t i = 0; i < table.rows[r].size(); ++i) {
-      const std::string cell = i == 0 ? "th" : "td";
-      result += "<" + cell + classes[i] + ">" + formats::html(table.rows[r][i]) + "</" + cell + ">";
-    }
+    result += table.row_classes.empty() ? "<tr>" : "<tr class=\"" + table.row_classes[r] + "\">";
+    for (std::size_t i = 0; i < table.rows[r].size(); ++i)
+      result += fmt::format("<{0}{1}>{2}</{0}>", i == 0 ? "th" : "td", classes[i], html(table.rows[r][i]));
     result += "</tr>\n";
   }
   return result + "</table></div>\n" + (folded ? "</details>\n" : "");
@@ -175,40 +179,62 @@ std::string table_html(const std::string& paper, const formats::PlainTable& tabl
 
 template <class Picture>
 std::string figure_html(const std::string& paper, const Picture& figure, const std::string& ending) {
-  return "<figure id=\"" + paper + "-figure-" + figure.id + "\"><img src=\"" + paper + "/" + figure.id + ending +
-         "\" alt=\"" + formats::html(figure.title) + "\"><figcaption><b>" + formats::html(figure.title) + ".</b> " +
-         formats::html(figure.caption) + "</figcaption></figure>\n";
+  return fmt::format(
+      "<figure id=\"{0}-figure-{1}\"><img src=\"{0}/{1}{2}\" alt=\"{3}\"><figcaption><b>{3}.</b> {4}</figcaption>"
+      "</figure>\n",
+      paper, figure.id, ending, html(figure.title), html(figure.caption));
 }
 
-/// What the experiments of a paper found, one line each.
-std::string experiments_html(const Report& report) {
-  if (report.experiments.empty()) return "";
-  std::string result =
-      "<div class=scroll><table class=summary>\n<tr><th>experiment</th><th>claims</th><th>confirmed</th>"
-      "<th>not confirmed</th><th>not reproducible</th></tr>\n";
-  for (const experiments::RanExperiment& ran : report.experiments)
-    result += "<tr><th><a href=\"#" + report.paper + "-" + ran.experiment->id + "\">" +
-              formats::html(ran.experiment->title) + "</a></th><td>" + std::to_string(ran.result.claims.size()) +
-              "</td><td>" + std::to_string(ran.result.count(Verdict::confirmed)) + "</td><td>" +
-              std::to_string(ran.result.count(Verdict::not_confirmed)) + "</td><td>" +
-              std::to_string(ran.result.count(Verdict::not_reproducible)) + "</td></tr>\n";
-  return result + "</table></div>\n";
+/// What the tables of a paper and its experiments found, a line each.
+std::string summaries_html(const Report& report) {
+  std::vector<formats::SummaryRow> tables, experiments;
+  for (const formats::ComparisonTable* table : report.comparison_tables()) {
+    const auto count = [&](Verdict verdict) { return static_cast<std::size_t>(table->count(verdict)); };
+    tables.push_back(
+        {report.paper + "-table-" + table->id,
+         table->title,
+         {table->comparisons.size(), count(Verdict::match), count(Verdict::mismatch), count(Verdict::open)}});
+  }
+  for (const auto& [experiment, options, result] : report.experiments)
+    experiments.push_back({report.paper + "-" + experiment->id,
+                           experiment->title,
+                           {result.claims.size(), result.count(Verdict::confirmed),
+                            result.count(Verdict::not_confirmed), result.count(Verdict::not_reproducible)}});
+  return formats::summary_html({"table", "values", "match", "mismatch", "open"}, tables) +
+         formats::summary_html({"experiment", "claims", "confirmed", "not confirmed", "not reproducible"}, experiments);
 }
 
 bool is_experiment(const Report& report, const formats::Section& section) {
-  return std::any_of(report.experiments.begin(), report.experiments.end(),
-                     [&](const experiments::RanExperiment& ran) { return ran.experiment->id == section.id; });
+  return std::ranges::any_of(report.experiments,
+                             [&](const experiments::RanExperiment& ran) { return ran.experiment->id == section.id; });
+}
+
+std::string report_html(const Report& report) {
+  std::string result = fmt::format("<h1 class=paper id=\"{}\">{}</h1>\n<nav>", report.paper, html(report.citation));
+  for (const formats::Section& section : report.sections)
+    if (!is_experiment(report, section))
+      result += fmt::format("<a href=\"#{}-{}\">{}</a>", report.paper, section.id, html(section.heading));
+  result += "</nav>\n" + summaries_html(report);
+  for (const formats::Section& section : report.sections) {
+    result += fmt::format("<h2 id=\"{}-{}\">{}</h2>\n", report.paper, section.id, html(section.heading));
+    for (const std::string& paragraph : section.paragraphs) result += "<p>" + html(paragraph) + "</p>\n";
+    for (const formats::ComparisonTable& table : section.comparisons) result += table_html(table);
+    for (const formats::PlainTable& table : section.tables) result += table_html(report.paper, table);
+    for (const formats::Figure& figure : section.figures) result += figure_html(report.paper, figure, ".svg");
+    // Surfaces have many thousands of facets.
+    for (const formats::SurfaceFigure& figure : section.surface_figures)
+      result += figure_html(report.paper, figure, ".png");
+  }
+  return result;
 }
 
 std::string page(const std::vector<Report>& reports, bool with_errata) {
   std::string body =
       "<h1>Printed values, recomputed</h1>\n<p>Every number set beside a printed value was computed in exact rational "
       "arithmetic, or enclosed with outward rounding. In each cell the printed value stands first, ours below it, then "
-      "the verdict: "
-      "<b>match</b> where our enclosure is narrower than one unit of the last printed place and within one such unit "
-      "of "
-      "the printed value, <b>mismatch</b> where our result excludes that, <b>open</b> where it does not decide "
-      "yet.</p>\n";
+      "the verdict: <b>match</b> where our enclosure is narrower than one unit of the last printed place and within "
+      "one such unit of the printed value, <b>mismatch</b> where our result excludes that, <b>open</b> where it does "
+      "not decide yet.</p>\n";
   if (std::any_of(reports.begin(), reports.end(), [](const Report& r) { return !r.experiments.empty(); }))
     body +=
         "<p>Experiments are another matter: they repeat what a paper shows once, over many samples of random noise, in "
@@ -221,40 +247,10 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
   if (reports.size() > 1) {
     body += "<ul>\n";
     for (const Report& report : reports)
-      body += "<li><a href=\"#" + report.paper + "\">" + formats::html(report.citation) + "</a></li>\n";
+      body += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", report.paper, html(report.citation));
     body += "</ul>\n";
   }
-  for (const Report& report : reports) {
-    body += "<h1 class=paper id=\"" + report.paper + "\">" + formats::html(report.citation) + "</h1>\n<nav>";
-    for (const formats::Section& section : report.sections)
-      if (!is_experiment(report, section))
-        body += "<a href=\"#" + report.paper + "-" + section.id + "\">" + formats::html(section.heading) + "</a>";
-    body += "</nav>\n";
-    const auto tables = report.comparison_tables();
-    if (!tables.empty()) {
-      body +=
-          "<div class=scroll><table class=summary>\n<tr><th>table</th><th>values</th><th>match</th><th>mismatch</th>"
-          "<th>open</th></tr>\n";
-      for (const formats::ComparisonTable* table : tables)
-        body += "<tr><th><a href=\"#" + report.paper + "-table-" + table->id + "\">" + formats::html(table->title) +
-                "</a></th><td>" + std::to_string(table->comparisons.size()) + "</td><td>" +
-                std::to_string(table->count(Verdict::match)) + "</td><td>" +
-                std::to_string(table->count(Verdict::mismatch)) + "</td><td>" +
-                std::to_string(table->count(Verdict::open)) + "</td></tr>\n";
-      body += "</table></div>\n";
-    }
-    body += experiments_html(report);
-    for (const formats::Section& section : report.sections) {
-      body += "<h2 id=\"" + report.paper + "-" + section.id + "\">" + formats::html(section.heading) + "</h2>\n";
-      for (const std::string& paragraph : section.paragraphs) body += "<p>" + formats::html(paragraph) + "</p>\n";
-      for (const formats::ComparisonTable& table : section.comparisons) body += table_html(table);
-      for (const formats::PlainTable& table : section.tables) body += table_html(report.paper, table);
-      for (const formats::Figure& figure : section.figures) body += figure_html(report.paper, figure, ".svg");
-      // Surfaces have many thousands of facets.
-      for (const formats::SurfaceFigure& figure : section.surface_figures)
-        body += figure_html(report.paper, figure, ".png");
-    }
-  }
+  for (const Report& report : reports) body += report_html(report);
   return formats::html_page("subcert: printed values, recomputed", body);
 }
 

@@ -56,14 +56,13 @@ formats::Figure mean_and_ripple() {
   for (int n = 3; n <= 24; n += n < 12 ? 1 : 3)
     bound.points.emplace_back(n, plain(2 * *theorems::degree_one_bounds(n).ripple.upper));
   ripples.curves.push_back(bound);
-  return {
-      "theorems-plot",
-      "Mean and ripple of the variance curves over n",
-      "Exact means, and differences of exact values on the grid of step 1/" + std::to_string(1 << grid_level) +
-          ", on logarithmic scales; above them twice the proved bound of |psi_n - mean|. The mean falls like 1/n, the "
-          "ripple faster than every power of n.",
-      2,
-      {means, ripples}};
+  return {"theorems-plot",
+          "Mean and ripple of the variance curves over n",
+          "Exact means, and differences of exact values on the grid of step 1/" + std::to_string(1 << grid_level) +
+              ", on logarithmic scales; above them twice the proved bound of |psi_n - mean|. The mean falls like 1/n, "
+              "the ripple faster than every power of n.",
+          2,
+          {means, ripples}};
 }
 
 }  // namespace
@@ -72,11 +71,10 @@ formats::Section theorem_section(const ReportOptions& options) {
   formats::Section section{"theorems", "Conjectures 7 and 8 for every n", {}};
   section.paragraphs.push_back(
       "Conjecture 7: for each degree, max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2. Conjecture 8: psi_n decreases "
-      "pointwise in n "
-      "and increases pointwise in the degree d. A table supports them up to some n; the theorems below settle them for "
-      "every n, for the degrees 1, 3 and 5. Their proofs, docs/theorems/variance-curves.tex, rest on numbered "
-      "inequalities, and "
-      "each was run for this page ('subcert theorem ID --d D' prints them with their margins).");
+      "pointwise in n and increases pointwise in the degree d. A table supports them up to some n; the theorems below "
+      "settle them for every n, for the degrees 1, 3 and 5. Their proofs, docs/theorems/variance-curves.tex, rest on "
+      "numbered inequalities, and each was run for this page ('subcert theorem ID --d D' prints them with their "
+      "margins).");
   formats::PlainTable table{
       "theorems", "Theorems, and the inequalities behind them", {"theorem", "degrees", "inequalities", "verdict"}, {}};
   for (const TheoremCase& one : theorem_cases())

@@ -1,75 +1,15 @@
 #include "paper.hpp"
 
-#include <subcert/proofs-checks/toml_file.hpp>
+#include <subcert/proofs-checks/toml_fields.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace subcert::statements {
 namespace {
-
-using Keys = std::vector<std::string>;
-
-void only_keys(const toml::table& table, const Keys& known) {
-  for (const auto& [key, node] : table)
-    if (std::find(known.begin(), known.end(), key.str()) == known.end())
-      throw FileError(place_of(key.source()), fmt::format("unknown key '{}'; expected one of {}", printable(key.str()),
-                                                          fmt::join(known, ", ")));
-}
-
-/// A text, in which a line break with the blanks around it is one blank.
-std::string text_of(const toml::node& node) {
-  if (!node.is_string()) throw FileError(place_of(node), "expected a text in quotes");
-  std::string result;
-  bool broken = true;
-  for (const char c : node.as_string()->get()) {
-    if (c == '\n') broken = true;
-    if (broken && (c == '\n' || c == ' ')) continue;
-    if (broken) {
-      while (!result.empty() && result.back() == ' ') result.pop_back();
-      if (!result.empty()) result += ' ';
-    }
-    broken = false;
-    result += c;
-  }
-  return result;
-}
-
-std::string optional_text(const toml::table& table, const std::string& key) {
-  const toml::node* node = table.get(key);
-  return node ? text_of(*node) : "";
-}
-
-std::string needed_text(const toml::table& table, const std::string& key) {
-  if (!table.get(key)) throw FileError(place_of(table), "expected the key '" + key + "'");
-  return text_of(*table.get(key));
-}
-
-/// The tables of an array; none where there is no such key.
-std::vector<const toml::table*> tables_of(const toml::table& table, const std::string& key) {
-  std::vector<const toml::table*> result;
-  const toml::node* node = table.get(key);
-  if (!node) return result;
-  if (!node->is_array()) throw FileError(place_of(*node), "'" + key + "' takes a list of tables");
-  for (const toml::node& entry : *node->as_array()) {
-    if (!entry.is_table()) throw FileError(place_of(entry), "'" + key + "' takes a list of tables");
-    result.push_back(entry.as_table());
-  }
-  return result;
-}
-
-Verdict verdict_of(const toml::node& node) {
-  const std::string word = text_of(node);
-  const auto found = std::find(verdict_words.begin(), verdict_words.end(), word);
-  if (found == verdict_words.end())
-    throw FileError(place_of(node), fmt::format("'{}' is no verdict; expected one of {}", printable(word),
-                                                fmt::join(verdict_words, ", ")));
-  return static_cast<Verdict>(found - verdict_words.begin());
-}
 
 /// The statement without its check, but for one that cannot be checked.
 Statement read_statement(const toml::table& table, const std::string& paper) {
@@ -122,15 +62,7 @@ struct CellFields {
     }
   }
   /// The text with {key} replaced by what that key says.
-  std::string filled(const std::string& key) const {
-    std::string text = plain(key);
-    for (const auto& [name, content] : texts) {
-      const std::string field = "{" + name + "}";
-      for (std::size_t at = text.find(field); at != std::string::npos; at = text.find(field, at + content.size()))
-        text.replace(at, field.size(), content);
-    }
-    return text;
-  }
+  std::string filled(const std::string& key) const { return subcert::filled(plain(key), texts); }
   std::string plain(const std::string& key) const { return texts.contains(key) ? texts.at(key) : ""; }
   std::optional<int> number(const std::string& key) const {
     return texts.contains(key) ? std::optional(std::stoi(texts.at(key))) : std::nullopt;
@@ -199,10 +131,6 @@ void print(PublishedCell& cell, const Transcriptions& transcriptions) {
   text = form_text(text, Form::printed);
 }
 
-std::string names(const std::vector<std::string>& ids) {
-  return ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, ", "));
-}
-
 }  // namespace
 
 Paper read_paper(const std::string& key, std::string_view text, const Checks& checks) {
@@ -212,10 +140,7 @@ Paper read_paper(const std::string& key, std::string_view text, const Checks& ch
   for (const toml::table* table : tables_of(file, "table")) tables.push_back(read_table(*table));
 
   std::vector<Transcription> transcriptions;
-  if (const toml::node* list = file.get("transcription")) {
-    if (!list->is_table()) throw FileError(place_of(*list), "expected the table [transcription]");
-    for (const auto& [id, node] : *list->as_table()) transcriptions.push_back({std::string(id.str()), text_of(node)});
-  }
+  for (const auto& [id, typed] : texts_in(file, "transcription")) transcriptions.push_back({id, typed});
   std::map<std::string, std::string> words;
   for (const PublishedTable& table : tables)
     for (const PublishedCell& cell : table.cells)
@@ -226,27 +151,17 @@ Paper read_paper(const std::string& key, std::string_view text, const Checks& ch
   for (PublishedTable& table : paper.tables)
     for (PublishedCell& cell : table.cells) print(cell, paper.transcriptions);
 
-  std::map<std::string, Check> open;
-  for (const auto& [id, check] : checks)
-    if (!open.emplace(id, check).second) fail(ErrorKind::domain, "{}: two checks of '{}'", key, id);
-  std::set<std::string> ids;
-  std::vector<std::string> without_check;
+  ById<Check> open(key, "check", "statement", checks);
   for (const toml::table* table : tables_of(file, "statement")) {
-    paper.statements.push_back(read_statement(*table, key));
-    Statement& statement = paper.statements.back();
+    Statement statement = read_statement(*table, key);
     const std::string id = statement.id.substr(key.size() + 1);
-    if (!ids.insert(id).second) throw FileError(place_of(*table), "the statement '" + id + "' is there twice");
-    if (statement.check) continue;
-    if (auto check = open.extract(id))
-      statement.check = check.mapped();
+    if (statement.check)
+      open.note(*table, id);
     else
-      without_check.push_back(id);
+      statement.check = open.taken(*table, id);
+    paper.statements.push_back(std::move(statement));
   }
-  std::vector<std::string> without_statement;
-  for (const auto& [id, check] : open) without_statement.push_back(id);
-  if (!without_check.empty() || !without_statement.empty())
-    throw FileError({1, 1}, "statements without check: " + names(without_check) +
-                                "; checks without statement: " + names(without_statement));
+  open.require_all_taken();
   return paper;
 }
 

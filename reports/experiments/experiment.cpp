@@ -9,6 +9,10 @@
 
 #include <algorithm>
 
+namespace subcert {
+extern const std::map<std::string, std::string_view> experiment_files;  // experiments.toml of each folder, by the build
+}
+
 namespace subcert::experiments {
 
 bool ExperimentResult::all_confirmed() const {
@@ -27,15 +31,16 @@ std::size_t ExperimentResult::count(Verdict finding) const {
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> every = [] {
-    const std::pair<const char*, std::vector<Experiment> (*)()> papers[]{{"dyn-2015", dyn_2015::all},
-                                                                         {"mustafa-li-2015", mustafa_li_2015::all},
-                                                                         {"mustafa-hameed", mustafa_hameed::all},
-                                                                         {"mustafa-bari-2016", mustafa_bari_2016::all}};
+    const std::pair<const char*, Measures (*)()> papers[]{{"dyn-2015", dyn_2015::measures},
+                                                          {"mustafa-li-2015", mustafa_li_2015::measures},
+                                                          {"mustafa-hameed", mustafa_hameed::measures},
+                                                          {"mustafa-bari-2016", mustafa_bari_2016::measures}};
     std::vector<Experiment> result;
-    for (const auto& [paper, all] : papers)
-      for (Experiment& experiment : all()) {
-        experiment.paper = paper;
-        result.push_back(std::move(experiment));
+    for (const auto& [paper, measures] : papers) try {
+        const std::vector<Experiment> read = read_experiments(paper, experiment_files.at(paper), measures());
+        result.insert(result.end(), read.begin(), read.end());
+      } catch (const Error& error) {
+        fail(error.kind(), "experiments/{}/experiments.toml: {}", paper, error.what());
       }
     return result;
   }();
@@ -61,8 +66,8 @@ void add_printed_errors(ExperimentResult& result, const Experiment& experiment, 
   const statements::PublishedTable printed = statements::paper(experiment.paper).table(experiment.printed);
   DecidedClaim claim{"The errors of " + printed.title + ".",
                      printed.place,
-                     "the data were not published; the printed values beside the range over our samples",
                      Verdict::not_reproducible,
+                     "the data were not published; the printed values beside the range over our samples",
                      "",
                      Verdict::not_reproducible};
   formats::ComparisonTable table{experiment.paper, printed.id, printed.title, printed.place, printed.grid, {}};
@@ -97,23 +102,25 @@ formats::PlainTable claims_table(const RanExperiment& ran) {
 }  // namespace
 
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options) {
-  Measured measured = experiment.measure(options);
+  Measured measured = experiment.measure({options, experiment});
   ExperimentResult result;
-  for (const auto& [sentence, place, relation, recorded] : experiment.claims) {
-    const auto [verdict, numbers] = relation.decide(measured);
-    result.claims.push_back({sentence, place, relation.statistic, verdict, numbers, recorded});
-  }
-  for (const MeansTable& table : experiment.tables) result.tables.push_back(table.filled(measured));
-  result.tables.insert(result.tables.end(), measured.tables.begin(), measured.tables.end());
+  for (const std::string& text : experiment.setup) result.setup.push_back(measured.filled(text));
+  for (const auto& [sentence, place, relation, recorded] : experiment.claims) try {
+      const auto [verdict, statistic, numbers] = relation(measured);
+      result.claims.push_back({sentence, place, verdict, statistic, numbers, recorded});
+    } catch (const Error& error) {
+      fail(error.kind(), "{}: claim '{}': {}", experiment.id, sentence, error.what());
+    }
+  if (!experiment.printed.empty()) add_printed_errors(result, experiment, measured);
+  result.tables = std::move(measured.tables);
   result.figures = std::move(measured.figures);
   result.surface_figures = std::move(measured.surface_figures);
-  if (!experiment.printed.empty()) add_printed_errors(result, experiment, measured);
   return {&experiment, options, std::move(result)};
 }
 
 formats::Section experiment_section(const RanExperiment& ran) {
   const ExperimentResult& result = ran.result;
-  formats::Section section{ran.experiment->id, ran.experiment->title, ran.experiment->setup, result.comparisons, {},
+  formats::Section section{ran.experiment->id, ran.experiment->title, result.setup, result.comparisons, {},
                            result.figures,     result.surface_figures};
   section.paragraphs.push_back(
       ran.experiment->random ? "Seed " + std::to_string(ran.options.seed) + ", " + std::to_string(ran.options.runs) +
@@ -127,7 +134,7 @@ formats::Section experiment_section(const RanExperiment& ran) {
 std::string experiment_json(const RanExperiment& ran) {
   using Json = nlohmann::ordered_json;
   Json json{{"experiment", ran.experiment->id}, {"paper", ran.experiment->paper}, {"title", ran.experiment->title},
-            {"seed", ran.options.seed},         {"runs", ran.options.runs},       {"setup", ran.experiment->setup},
+            {"seed", ran.options.seed},         {"runs", ran.options.runs},       {"setup", ran.result.setup},
             {"claims", Json::array()},          {"tables", Json::array()}};
   for (const DecidedClaim& c : ran.result.claims)
     json["claims"].push_back({{"claim", c.sentence},

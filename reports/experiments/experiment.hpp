@@ -4,6 +4,7 @@
 #include "measured.hpp"
 
 #include <cstdint>
+#include <string_view>
 
 namespace subcert::experiments {
 
@@ -20,8 +21,8 @@ struct Claim {
 struct DecidedClaim {
   std::string sentence;
   std::string place;
-  std::string statistic;
   Verdict finding;
+  std::string statistic;
   std::string numbers;
   Verdict recorded = Verdict::confirmed;
 };
@@ -32,20 +33,30 @@ struct ExperimentOptions {
   int jobs = 2;
 };
 
+struct Run;
+/// Measures `run.runs` samples and draws the first. The same seed and runs give the same for any number of jobs.
+using Measure = std::function<Measured(const Run& run)>;
+/// By the id of the experiment.
+using Measures = std::vector<std::pair<std::string, Measure>>;
+
+/// What experiments.toml says of it, and its function.
 struct Experiment {
   std::string id;  ///< unique over all papers
+  std::string paper;
   std::string title;
-  std::vector<std::string> setup;  ///< what the paper leaves open and how it was chosen
+  std::vector<std::string> setup;  ///< what the paper leaves open and how it was chosen; {name} is a measured number
   std::vector<Claim> claims;
-  std::vector<MeansTable> tables = {};
-  /// Measures `options.runs` samples and draws the first. The same seed and runs give the same for any number of jobs.
-  std::function<Measured(const ExperimentOptions& options)> measure = {};
-  std::string printed = {};  ///< the paper's table of errors that rest on its unpublished data
-  bool random = true;        ///< whether seed and samples matter
-  std::string paper = {};    ///< key
+  std::string printed;  ///< the paper's table of errors that rest on its unpublished data
+  bool random;          ///< whether seed and samples matter
+  Measure measure;
+};
+
+struct Run : ExperimentOptions {
+  const Experiment& experiment;
 };
 
 struct ExperimentResult {
+  std::vector<std::string> setup = {};
   std::vector<DecidedClaim> claims = {};
   std::vector<formats::PlainTable> tables = {};
   std::vector<formats::Figure> figures = {};
@@ -56,6 +67,11 @@ struct ExperimentResult {
   bool as_recorded() const;
   std::size_t count(Verdict finding) const;
 };
+
+/// Reads an experiments.toml as docs/experiments.md describes it. Errors: throws FileError for what is no TOML, an
+/// unknown or missing key, a value of the wrong kind, an id that is there twice, and for experiments without measure
+/// and measures without experiment, by their ids.
+std::vector<Experiment> read_experiments(const std::string& paper, std::string_view text, const Measures& measures);
 
 /// All experiments, by paper and place.
 const std::vector<Experiment>& experiments();
@@ -69,7 +85,8 @@ struct RanExperiment {
   ExperimentResult result;
 };
 
-/// Measures, decides the claims and fills the tables. Domain: options.runs >= 2.
+/// Measures and decides the claims. Domain: options.runs >= 2. Errors: throws a domain error that names the claim and
+/// what it names but was not measured.
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options);
 
 /// As a section of a page: the setup, the claims as a table, and the experiment's tables and figures.

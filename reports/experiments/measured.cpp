@@ -12,27 +12,34 @@ std::string appended(const std::string& text, const std::string& separator, cons
   return text + (text.empty() ? "" : separator) + name + (name.empty() ? "" : ": ") + numbers;
 }
 
-std::string bound_words(const std::string& measure, const std::string& side, double bound) {
-  return measure + ": " + side + " " + short_number(bound) + " with the whole interval, each";
-}
-
 }  // namespace
-
-NamePairs all_pairs(const Names& first, const Names& second) {
-  NamePairs result;
-  for (const std::string& a : first)
-    for (const std::string& b : second) result.emplace_back(a, b);
-  return result;
-}
 
 const std::vector<double>& Measured::at(const Quantity& quantity) const {
   const auto found = samples.find(quantity);
-  require(found != samples.end(), "'{}' of {} was not measured", quantity.measure, quantity.subject);
+  require(found != samples.end(), "'{}' of '{}' was not measured", quantity.measure, quantity.subject);
   return found->second;
 }
 
-void Measured::add_fact(const std::string& topic, const std::string& name, bool holds, const std::string& numbers) {
-  facts[topic].push_back({name, holds, numbers});
+double Measured::number(const Bound& bound) const {
+  if (const double* value = std::get_if<double>(&bound)) return *value;
+  const auto found = numbers.find(std::get<std::string>(bound));
+  require(found != numbers.end(), "the number '{}' was not measured", std::get<std::string>(bound));
+  return found->second;
+}
+
+std::string Measured::filled(const std::string& text) const {
+  std::string result;
+  std::size_t from = 0;
+  for (std::size_t open; (open = text.find('{', from)) != std::string::npos;) {
+    const std::size_t close = std::min(text.find('}', open), text.size() - 1);
+    result += text.substr(from, open - from) + short_number(number(text.substr(open + 1, close - open - 1)));
+    from = close + 1;
+  }
+  return result + text.substr(from);
+}
+
+void Measured::add_fact(const std::string& topic, const std::string& name, bool holds, const std::string& shown) {
+  facts[topic].push_back({name, holds, shown});
 }
 
 MeanInterval Mean::in(const Measured& measured) const {
@@ -42,76 +49,36 @@ MeanInterval Mean::in(const Measured& measured) const {
   return mean_difference(measured.at(of), subtracted);
 }
 
-Means means(const std::string& measure, const Names& subjects) {
-  Means result;
-  for (const std::string& subject : subjects) result.push_back({subject, {measure, subject}});
-  return result;
+Finding finding(bool holds, const std::string& statistic, const std::string& numbers) {
+  return {holds ? Verdict::confirmed : Verdict::not_confirmed, statistic, numbers};
 }
 
-Means differences(const std::string& measure, const NamePairs& pairs, double factor) {
-  Means result;
-  for (const auto& [first, second] : pairs)
-    result.push_back({first + " - " + (factor == 1 ? "" : short_number(factor) + " ") + second,
-                      {measure, first},
-                      Quantity{measure, second},
-                      factor});
-  return result;
+Relation whole_intervals(const std::string& statistic, const std::vector<Mean>& means) {
+  return [=](const Measured& measured) {
+    bool holds = true;
+    std::string numbers;
+    for (const Mean& mean : means) {
+      const MeanInterval found = mean.in(measured);
+      holds = holds && found.mean - found.half_width > measured.number(mean.lower) &&
+              found.mean + found.half_width < measured.number(mean.upper);
+      numbers = appended(numbers, ", ", mean.name, found.text());
+    }
+    return finding(holds, measured.filled(statistic), numbers);
+  };
 }
 
-Means excess(const std::string& measure, const std::string& subtracted, const Names& subjects, double factor) {
-  Means result = means(measure, subjects);
-  for (Mean& mean : result) {
-    mean.minus = {subtracted, mean.of.subject};
-    mean.factor = factor;
-  }
-  return result;
-}
-
-Means all_above(double bound, Means means) {
-  for (Mean& mean : means) mean.lower = bound;
-  return means;
-}
-
-Means all_below(double bound, Means means) {
-  for (Mean& mean : means) mean.upper = bound;
-  return means;
-}
-
-Finding finding(bool holds, const std::string& numbers) {
-  return {holds ? Verdict::confirmed : Verdict::not_confirmed, numbers};
-}
-
-Relation whole_intervals(const std::string& statistic, const Means& means) {
-  return {statistic, [means](const Measured& measured) {
-            bool holds = true;
-            std::string numbers;
-            for (const Mean& mean : means) {
-              const MeanInterval found = mean.in(measured);
-              holds = holds && found.mean - found.half_width > mean.lower && found.mean + found.half_width < mean.upper;
-              numbers = appended(numbers, ", ", mean.name, found.text());
-            }
-            return finding(holds, numbers);
-          }};
-}
-
-Relation below(const std::string& measure, double bound, const Means& means) {
-  return whole_intervals(bound_words(measure, "below", bound), all_below(bound, means));
-}
-
-Relation above(const std::string& measure, double bound, const Means& means) {
-  return whole_intervals(bound_words(measure, "above", bound), all_above(bound, means));
-}
-
-Relation all_facts(const std::string& topic, const std::string& statistic) {
-  return {statistic, [topic](const Measured& measured) {
-            const auto found = measured.facts.find(topic);
-            require(found != measured.facts.end(), "no fact about '{}' was found", topic);
-            std::string numbers;
-            for (const Fact& fact : found->second) numbers = appended(numbers, "; ", fact.name, fact.numbers);
-            return finding(
-                std::all_of(found->second.begin(), found->second.end(), [](const Fact& f) { return f.holds; }),
-                numbers);
-          }};
+Relation all_facts(const std::string& statistic, const std::string& topic) {
+  return [=](const Measured& measured) {
+    const auto found = measured.facts.find(topic);
+    require(found != measured.facts.end(), "no fact about '{}' was found", topic);
+    bool holds = true;
+    std::string numbers;
+    for (const Fact& fact : found->second) {
+      holds = holds && fact.holds;
+      numbers = appended(numbers, "; ", fact.name, fact.numbers);
+    }
+    return finding(holds, measured.filled(statistic), numbers);
+  };
 }
 
 formats::PlainTable MeansTable::filled(const Measured& measured) const {

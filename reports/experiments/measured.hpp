@@ -6,24 +6,23 @@
 #include <subcert/reports/formats/section.hpp>
 
 #include <cmath>
-#include <compare>
 #include <functional>
 #include <map>
 #include <optional>
+#include <tuple>
+#include <variant>
 
 namespace subcert::experiments {
 
 using Names = std::vector<std::string>;
-using NamePairs = std::vector<std::pair<std::string, std::string>>;
-
-/// Each of the first names with each of the second.
-NamePairs all_pairs(const Names& first, const Names& second);
 
 /// What is measured and of what, as the error of S_3.
 struct Quantity {
   std::string measure;
   std::string subject;
-  auto operator<=>(const Quantity&) const = default;
+  bool operator<(const Quantity& other) const {
+    return std::tie(measure, subject) < std::tie(other.measure, other.subject);
+  }
 };
 
 /// Something found without samples, and the numbers that show it. The name says of what; it may be empty.
@@ -33,17 +32,24 @@ struct Fact {
   std::string numbers;
 };
 
+/// A number, or the name of one in Measured::numbers.
+using Bound = std::variant<double, std::string>;
+
 /// The outcome of an experiment before its claims are decided.
 struct Measured {
   std::map<Quantity, std::vector<double>> samples = {};  ///< one number for each sample of the noise
   std::map<std::string, std::vector<Fact>> facts = {};   ///< by topic
-  std::vector<formats::PlainTable> tables = {};          ///< those that are not means of quantities
+  std::map<std::string, double> numbers = {};            ///< found without samples; texts and bounds name them
+  std::vector<formats::PlainTable> tables = {};
   std::vector<formats::Figure> figures = {};
   std::vector<formats::SurfaceFigure> surface_figures = {};
 
   /// Errors: throws a domain error where this was not measured.
   const std::vector<double>& at(const Quantity& quantity) const;
-  void add_fact(const std::string& topic, const std::string& name, bool holds, const std::string& numbers);
+  double number(const Bound& bound) const;
+  /// The text with the number of this name, four significant digits, for {name}. Errors: as number().
+  std::string filled(const std::string& text) const;
+  void add_fact(const std::string& topic, const std::string& name, bool holds, const std::string& shown);
 };
 
 /// The mean of a quantity, or of its paired differences to a multiple of another one, and where a claim wants it.
@@ -52,43 +58,28 @@ struct Mean {
   Quantity of;
   std::optional<Quantity> minus = {};
   double factor = 1;
-  double lower = -INFINITY;  ///< the whole interval lies above this
-  double upper = INFINITY;   ///< and below this
+  Bound lower = -INFINITY;  ///< the whole interval lies above this
+  Bound upper = INFINITY;   ///< and below this
 
   MeanInterval in(const Measured& measured) const;
 };
-using Means = std::vector<Mean>;
-
-Means means(const std::string& measure, const Names& subjects);
-/// The first of each pair minus `factor` times the second.
-Means differences(const std::string& measure, const NamePairs& pairs, double factor = 1);
-/// Of the same subject: `measure` minus `factor` times `subtracted`.
-Means excess(const std::string& measure, const std::string& subtracted, const Names& subjects, double factor = 1);
-/// The same means, wanted on one side of a bound.
-Means all_above(double bound, Means means);
-Means all_below(double bound, Means means);
 
 struct Finding {
   Verdict verdict;
+  std::string statistic;  ///< what decides, in words
   std::string numbers;
 };
 
-/// What a claim says about measured quantities: in words, and as a decision.
-struct Relation {
-  std::string statistic;
-  std::function<Finding(const Measured&)> decide;
-};
-
 /// confirmed where `holds`, else not_confirmed.
-Finding finding(bool holds, const std::string& numbers);
+Finding finding(bool holds, const std::string& statistic, const std::string& numbers);
+
+/// What a claim says about measured quantities. Errors: throws a domain error that names what was not measured.
+using Relation = std::function<Finding(const Measured&)>;
 
 /// Every mean lies with its whole interval where it is wanted.
-Relation whole_intervals(const std::string& statistic, const Means& means);
-/// Every mean lies below (above) the bound with its whole interval. `measure` says what the means are of.
-Relation below(const std::string& measure, double bound, const Means& means);
-Relation above(const std::string& measure, double bound, const Means& means);
-/// All facts of this topic hold. Errors: of the decision, a domain error where there are none.
-Relation all_facts(const std::string& topic, const std::string& statistic);
+Relation whole_intervals(const std::string& statistic, const std::vector<Mean>& means);
+/// All facts of this topic hold; no facts are an error.
+Relation all_facts(const std::string& statistic, const std::string& topic);
 
 /// A table of means: a row for each subject, a column for each measure.
 struct MeansTable {

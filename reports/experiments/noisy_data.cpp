@@ -16,7 +16,7 @@ double mean_squared_error(const std::vector<double>& values, const std::vector<d
     for (std::size_t c = i; c < i + dimension; ++c) square += (values[c] - truth[c]) * (values[c] - truth[c]);
     sum += square;
   }
-  return sum / static_cast<double>(values.size() / dimension);
+  return sum / (static_cast<double>(values.size()) / static_cast<double>(dimension));  // a whole number of points
 }
 
 double error(const RefinedSample& s) { return mean_squared_error(s.with, s.truth, s.data.dimension); }
@@ -101,12 +101,6 @@ void for_each_refined(
 const SampleMeasure error_measure{"error", error}, error_without_measure{"error without", error_without, true},
     response_measure{"response", response, true}, roughness_measure{"roughness", roughness},
     moved_measure{"moved", moved, true}, from_data_measure{"from data", from_data};
-
-Names names_of(const std::vector<Method>& methods) {
-  Names result;
-  for (const Method& method : methods) result.push_back(method.name);
-  return result;
-}
 
 std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods) {
   std::vector<MeansTable::Row> result;

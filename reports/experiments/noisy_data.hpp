@@ -15,7 +15,6 @@ struct Method {
   std::optional<int> levels = {};  ///< where not those of the data
 };
 
-Names names_of(const std::vector<Method>& methods);
 /// A row for each method, with its name.
 std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods);
 

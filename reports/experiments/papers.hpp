@@ -1,21 +1,21 @@
 #pragma once
-/// The experiments of each paper, in its order.
+/// What the experiments of each paper measure.
 
 #include "experiment.hpp"
 
 namespace subcert::experiments {
 
 namespace dyn_2015 {
-std::vector<Experiment> all();
+Measures measures();
 }
 namespace mustafa_li_2015 {
-std::vector<Experiment> all();
+Measures measures();
 }
 namespace mustafa_hameed {
-std::vector<Experiment> all();
+Measures measures();
 }
 namespace mustafa_bari_2016 {
-std::vector<Experiment> all();
+Measures measures();
 }
 
 }  // namespace subcert::experiments

@@ -1,5 +1,7 @@
 #include "html.hpp"
 
+#include <fmt/ranges.h>
+
 namespace subcert::formats {
 namespace {
 
@@ -82,6 +84,16 @@ std::string html_page(const std::string& title, const std::string& body) {
   return "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
          "content=\"width=device-width, initial-scale=1\">\n<title>" +
          title + "</title>\n<style>" + page_style() + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
+}
+
+std::string summary_html(const std::vector<std::string>& head, const std::vector<SummaryRow>& rows) {
+  if (rows.empty()) return "";
+  std::string result = fmt::format("<div class=scroll><table class=summary>\n<tr><th>{}</th></tr>\n",
+                                   fmt::join(head, "</th><th>"));
+  for (const auto& [anchor, title, counts] : rows)
+    result += fmt::format("<tr><th><a href=\"#{}\">{}</a></th><td>{}</td></tr>\n", anchor, html(title),
+                          fmt::join(counts, "</td><td>"));
+  return result + "</table></div>\n";
 }
 
 }  // namespace subcert::formats

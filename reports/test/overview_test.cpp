@@ -60,6 +60,17 @@ TEST_CASE("the first screen is short and in plain text") {
   CHECK_FALSE(mentions(first_screen(findings, {false, "", 1}), "The page"));
 }
 
+TEST_CASE("the first screen shows what is open and what cannot be checked") {
+  Findings findings = findings_with(2, 0);
+  auto& cells = findings.reports.front().sections.front().comparisons.front().comparisons;
+  cells.push_back(comparison(Verdict::open, Verdict::open));
+  CHECK(mentions(first_screen(findings, {}), "1 of 4 printed values match (1 open)"));
+  cells.insert(cells.end(), 2, comparison(Verdict::not_reproducible, Verdict::not_reproducible));
+  CHECK(mentions(first_screen(findings, {}), "1 of 4 printed values match (1 open, 2 cannot be checked)"));
+  cells.erase(cells.begin(), cells.end() - 2);
+  CHECK(mentions(first_screen(findings, {}), "2 printed values cannot be checked"));
+}
+
 TEST_CASE("verdicts that are not the recorded ones stand on the first screen") {
   const Findings findings = findings_with(1, 13);
   CHECK_FALSE(findings.as_recorded());

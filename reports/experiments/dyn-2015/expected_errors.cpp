@@ -26,7 +26,7 @@ Rational runge(const Rational& x) { return 1 / (1 + 25 * x * x); }
 /// f at the data (index - 20) h, and at the multiples of 1/4 between.
 Rational value(const Case& c, const Rational& position) { return runge((position - 20) / c.subdivision); }
 
-void evaluate(Case& c, const ExperimentOptions& options, std::uint64_t salt) {
+void evaluate(Case& c, const Run& run, std::uint64_t salt) {
   const Scheme scheme = make_scheme(c.scheme);
   const data::LinearSmoother smoother(scheme.mask, data_points, {data::Boundary::regression, 2, 0});
   std::vector<Rational> samples;
@@ -38,18 +38,19 @@ void evaluate(Case& c, const ExperimentOptions& options, std::uint64_t salt) {
   const data::SmoothingRow row = smoother.row(c.output);
   const Rational truth = value(c, smoother.position(c.output));
   c.exact = data::expected_error(row, samples, truth, sigma_squared);
-  auto engine = generator(options.seed, salt);
-  c.simulated = data::simulated_error(row, rounded, data::nearest_double(truth), 0.2, 100 * options.runs, engine(),
-                                      0.999);
+  auto engine = generator(run.seed, salt);
+  c.simulated = data::simulated_error(row, rounded, data::nearest_double(truth), 0.2, 100 * run.runs, engine(), 0.999);
 }
 
-Measured simulations(const ExperimentOptions& options) {
+}  // namespace
+
+Measured expected_errors(const Run& run) {
   std::vector<Case> cases;
   for (const char* scheme :
        {"primal:n=2", "primal:n=3", "primal:n=5", "primal:n=5,d=3", "dual:n=3", "bspline:degree=3"})
     for (const int subdivision : {10, 20, 40})
       for (const std::size_t output : {80u, 82u, 1u}) cases.push_back({scheme, subdivision, output});
-  parallel_for_each(cases.size(), options.jobs, [&](std::size_t i) { evaluate(cases[i], options, i); });
+  parallel_for_each(cases.size(), run.jobs, [&](std::size_t i) { evaluate(cases[i], run, i); });
   formats::PlainTable table{"mse-values",
                             "Expected squared error: exact and simulated",
                             {"scheme", "h", "at", "bias^2", "sigma^2 psi", "exact sum", "simulated", "inside"},
@@ -70,24 +71,6 @@ Measured simulations(const ExperimentOptions& options) {
                   std::to_string(inside) + " of " + std::to_string(cases.size()));
   result.tables = {table};
   return result;
-}
-
-}  // namespace
-
-Experiment expected_errors() {
-  return {.id = "mse",
-          .title = "Expected squared error, exact and simulated",
-          .setup =
-              {"f(x) = 1/(1 + 25 x^2), 41 data at (i - 20) h, sigma = 1/5; at the data 20 (the peak), 20 1/2, and 1/4, "
-               "where the data are continued (interp). Bias and variance are exact rational numbers, rounded here; the "
-               "simulation takes 100 samples for each one of the other experiments; its intervals have 99.9 % "
-               "confidence."},
-          .claims = {{.sentence = "The expected squared error is bias^2 + sigma^2 psi.",
-                      .place = "Eq. (16)",
-                      .relation = all_facts("inside",
-                                            "the exact value lies in the 99.9 % interval of the simulation in at "
-                                            "least 95 % of the cases")}},
-          .measure = simulations};
 }
 
 }  // namespace subcert::experiments::dyn_2015

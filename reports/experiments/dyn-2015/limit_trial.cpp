@@ -6,90 +6,65 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace subcert::experiments::dyn_2015 {
 namespace {
 
-/// matrix times each column of `values`, a matrix with `width` columns; zeros are skipped.
-Coordinate product(const DenseMatrix& matrix, const Coordinate& values, std::size_t width) {
-  Coordinate result(matrix.rows() * width);
-  for (std::size_t r = 0; r < matrix.rows(); ++r) {
-    double* const out = result.data() + r * width;
-    for (std::size_t k = 0; k < matrix.columns(); ++k) {
-      const double weight = matrix.at(r, k);
-      if (weight == 0) continue;
-      const double* const in = values.data() + k * width;
-      for (std::size_t c = 0; c < width; ++c) out[c] += weight * in[c];
-    }
-  }
-  return result;
-}
-
-Coordinate transposed(const Coordinate& values, std::size_t width) {
-  Coordinate result(values.size());
-  const std::size_t height = values.size() / width;
-  for (std::size_t r = 0; r < height; ++r)
-    for (std::size_t c = 0; c < width; ++c) result[c * height + r] = values[r * width + c];
-  return result;
-}
+using Values = std::vector<double>;
 
 /// With independent normal noise in every coordinate: the ratio `decibel` for all coordinates together.
-PointGrid noisy(PointGrid samples, double decibel, std::mt19937_64& engine) {
-  double square = 0;
-  for (const Coordinate& values : samples.points)
-    square += mean_square(values) / static_cast<double>(samples.points.size());
-  const double sigma = noise_deviation(square, decibel);
-  for (Coordinate& values : samples.points) {
-    const auto noise = normal_noise(engine, values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] += sigma * noise[i];
+data::GridData<double> noisy(data::GridData<double> samples, double decibel, std::mt19937_64& engine) {
+  const double sigma = noise_deviation(mean_square(samples.values), decibel);
+  for (std::size_t c = 0; c < samples.dimension; ++c) {
+    const Values noise = normal_noise(engine, samples.points());
+    for (std::size_t i = 0; i < noise.size(); ++i) samples.values[i * samples.dimension + c] += sigma * noise[i];
   }
   return samples;
 }
 
-double mean_of(const Coordinate& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+/// Moved so that the mean of every coordinate is 0.
+Values centred(const data::GridData<double>& points) {
+  Values result = points.values;
+  for (std::size_t c = 0; c < points.dimension; ++c) {
+    double sum = 0;
+    for (std::size_t i = c; i < result.size(); i += points.dimension) sum += result[i];
+    for (std::size_t i = c; i < result.size(); i += points.dimension)
+      result[i] -= sum / static_cast<double>(points.points());
+  }
+  return result;
 }
 
 using Vector = std::array<double, 3>;
 
 /// The normal of the facet with the lowest corner (i, j): the product of its diagonals.
-Vector facet_normal(const PointGrid& grid, std::size_t i, std::size_t j) {
-  const std::size_t corner = j * grid.columns + i;
+Vector facet_normal(const data::GridData<double>& grid, std::size_t i, std::size_t j) {
+  const std::size_t columns = grid.axes[0].count;
+  const double* const corner = &grid.values[3 * (j * columns + i)];
   Vector u{}, v{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const Coordinate& p = grid.points[c];
-    u[c] = p[corner + grid.columns + 1] - p[corner];
-    v[c] = p[corner + grid.columns] - p[corner + 1];
+    u[c] = corner[3 * (columns + 1) + c] - corner[c];
+    v[c] = corner[3 * columns + c] - corner[3 + c];
   }
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+std::string noise_words(double decibel) { return short_number(decibel) + " dB"; }
+
 std::string at_noise(const std::string& scheme, double decibel) {
-  return scheme + " at " + short_number(decibel) + " dB";
+  return scheme_name(scheme) + " at " + noise_words(decibel);
 }
 
-data::GridData<double> as_data(const PointGrid& grid, bool closed) {
-  data::GridData<double> result{{}, grid.points.size(), {data::Axis::of(grid.columns, closed)}};
-  if (grid.rows > 1) result.axes.push_back(data::Axis::of(grid.rows, closed));
-  for (std::size_t k = 0; k < grid.columns * grid.rows; ++k)
-    for (const Coordinate& coordinate : grid.points) result.values.push_back(coordinate[k]);
-  return result;
-}
-
-std::vector<TensorLimit> limits_of(const LimitTrial& trial, const PointGrid& samples, int level) {
+std::vector<TensorLimit> limits_of(const LimitTrial& trial, int level) {
   std::vector<TensorLimit> result;
-  for (const std::string& scheme : trial.schemes)
-    result.emplace_back(scheme, samples.columns, samples.rows,
-                        trial.closed ? data::Boundary::periodic : data::Boundary::regression, level);
+  for (const std::string& scheme : trial.schemes) result.emplace_back(scheme, trial.axes, level);
   return result;
 }
 
 /// Calls visit(decibel, data) for one sample of the noise.
-void for_each_noise(const LimitTrial& trial, const PointGrid& samples, std::uint64_t seed, std::size_t run,
-                    const std::function<void(double, const PointGrid&)>& visit) {
+void for_each_noise(const LimitTrial& trial, const data::GridData<double>& samples, std::uint64_t seed, std::size_t run,
+                    const std::function<void(double, const data::GridData<double>&)>& visit) {
   auto engine = generator(seed, run);
   for (const double decibel : trial.decibels) visit(decibel, noisy(samples, decibel, engine));
 }
@@ -105,152 +80,146 @@ std::string scheme_name(const std::string& specification) {
   return name;
 }
 
-double relative_error(const std::vector<Coordinate>& values, const std::vector<Coordinate>& truth) {
+double relative_error(const Values& values, const Values& truth) {
   double error = 0, norm = 0;
-  for (std::size_t c = 0; c < truth.size(); ++c)
-    for (std::size_t i = 0; i < truth[c].size(); ++i) {
-      error += (values[c][i] - truth[c][i]) * (values[c][i] - truth[c][i]);
-      norm += truth[c][i] * truth[c][i];
-    }
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    error += (values[i] - truth[i]) * (values[i] - truth[i]);
+    norm += truth[i] * truth[i];
+  }
   return std::sqrt(error / norm);
 }
 
-PointGrid sampled_grid(std::size_t columns, std::size_t rows, std::size_t dimension,
-                       const std::function<std::array<double, 3>(double, double)>& point) {
-  PointGrid result{columns, rows, std::vector<Coordinate>(dimension)};
-  for (std::size_t j = 0; j < rows; ++j)
-    for (std::size_t i = 0; i < columns; ++i) {
-      const auto p = point(static_cast<double>(i), static_cast<double>(j));
-      for (std::size_t c = 0; c < dimension; ++c) result.points[c].push_back(p[c]);
-    }
-  return result;
+double point_error(const data::GridData<double>& limit, const data::GridData<double>& truth) {
+  return relative_error(limit.values, truth.values);
 }
 
-double point_error(const PointGrid& limit, const PointGrid& truth) {
-  return relative_error(limit.points, truth.points);
-}
-
-double shape_error(const PointGrid& limit, const PointGrid& truth) {
-  // Both are moved to the origin, and the limit is scaled by the factor that brings it nearest.
-  std::vector<Coordinate> found = limit.points, wanted = truth.points;
+double shape_error(const data::GridData<double>& limit, const data::GridData<double>& truth) {
+  Values found = centred(limit);
+  const Values wanted = centred(truth);
   double product = 0, square = 0;
-  for (std::size_t c = 0; c < found.size(); ++c) {
-    const double centre = mean_of(found[c]), true_centre = mean_of(wanted[c]);
-    for (std::size_t i = 0; i < found[c].size(); ++i) {
-      found[c][i] -= centre;
-      wanted[c][i] -= true_centre;
-      product += found[c][i] * wanted[c][i];
-      square += found[c][i] * found[c][i];
-    }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    product += found[i] * wanted[i];
+    square += found[i] * found[i];
   }
-  for (Coordinate& coordinate : found)
-    for (double& value : coordinate) value *= product / square;
+  for (double& value : found) value *= product / square;
   return relative_error(found, wanted);
 }
 
-double normal_error(const PointGrid& limit, const PointGrid& truth) {
+double normal_error(const data::GridData<double>& limit, const data::GridData<double>& truth) {
+  const std::size_t columns = limit.axes[0].count - 1, rows = limit.axes[1].count - 1;
   double sum = 0;
-  for (std::size_t j = 0; j + 1 < limit.rows; ++j)
-    for (std::size_t i = 0; i + 1 < limit.columns; ++i) {
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
       const Vector a = facet_normal(limit, i, j), b = facet_normal(truth, i, j);
       const double angle = std::acos(std::clamp(dot(a, b) / std::sqrt(dot(a, a) * dot(b, b)), -1.0, 1.0));
       sum += angle * angle;
     }
-  return std::sqrt(sum / static_cast<double>((limit.rows - 1) * (limit.columns - 1))) * 180 / std::numbers::pi;
+  return std::sqrt(sum / static_cast<double>(rows * columns)) * 180 / std::numbers::pi;
 }
 
-TensorLimit::TensorLimit(const std::string& specification, std::size_t columns, std::size_t rows,
-                         data::Boundary extension, int level)
-    : along_columns_(limit_matrix(specification, columns, extension, level)),
-      along_rows_(rows > 1 ? std::optional(limit_matrix(specification, rows, extension, level)) : std::nullopt) {}
-
-PointGrid TensorLimit::operator()(const PointGrid& grid) const {
-  PointGrid result{along_columns_.rows(), along_rows_ ? along_rows_->rows() : 1, {}};
-  for (const Coordinate& values : grid.points) {
-    const Coordinate half = along_rows_ ? transposed(product(*along_rows_, values, grid.columns), grid.columns)
-                                        : values;
-    result.points.push_back(transposed(product(along_columns_, half, result.rows), result.rows));
+TensorLimit::TensorLimit(const std::string& specification, const std::vector<data::Axis>& axes, int level) {
+  for (const data::Axis& axis : axes) {
+    along_.push_back(limit_matrix(specification, axis.count,
+                                  axis.closed ? data::Boundary::periodic : data::Boundary::regression, level));
+    axes_.push_back(finer(axis, 1 << level));
   }
+}
+
+data::GridData<double> TensorLimit::operator()(const data::GridData<double>& data) const {
+  // The last axis first, as its points are the farthest apart: the others are refined once for each of its outputs.
+  data::GridData<double> result = data;
+  for (std::size_t k = along_.size(); k-- > 0;) {
+    const DenseMatrix& matrix = along_[k];
+    std::size_t width = data.dimension, blocks = 1;  // values at a point of this axis; runs along it
+    for (std::size_t i = 0; i < k; ++i) width *= data.axes[i].count;
+    for (std::size_t i = k + 1; i < axes_.size(); ++i) blocks *= axes_[i].count;
+    Values values(blocks * matrix.rows() * width);
+    for (std::size_t b = 0; b < blocks; ++b)
+      for (std::size_t r = 0; r < matrix.rows(); ++r) {
+        double* const out = &values[(b * matrix.rows() + r) * width];
+        for (std::size_t i = 0; i < matrix.columns(); ++i) {
+          const double weight = matrix.at(r, i);
+          if (weight == 0) continue;
+          const double* const in = &result.values[(b * matrix.columns() + i) * width];
+          for (std::size_t c = 0; c < width; ++c) out[c] += weight * in[c];
+        }
+      }
+    result.values = std::move(values);
+  }
+  result.axes = axes_;
   return result;
 }
 
-Measured LimitTrial::measured(const ExperimentOptions& options) const {
-  const PointGrid samples = shape(1), truth = shape(std::size_t{1} << level);
-  const auto limits = limits_of(*this, samples, level);
+data::GridData<double> LimitTrial::truth() const {
+  std::vector<data::Axis> fine;
+  for (const data::Axis& axis : axes) fine.push_back(finer(axis, 1 << level));
+  return sampled(fine, dimension, shape);
+}
+
+Measured LimitTrial::measured(const Run& run) const {
+  const data::GridData<double> exact = samples(), wanted = truth();
+  const auto limits = limits_of(*this, level);
   Measured result;
-  for (const auto& [name, measure] : measures)
-    for (const std::string& scheme : schemes)
-      for (const double decibel : decibels)
-        result.samples[{name, at_noise(scheme_name(scheme), decibel)}].resize(options.runs);
-  parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
-    for_each_noise(*this, samples, options.seed, run, [&](double decibel, const PointGrid& data) {
+  MeansTable table{run.experiment.id + "-measures", title, {"scheme", "SNR (dB)"}, {}, {}};
+  for (const auto& [name, measure] : measures) table.columns.push_back({name, name});
+  for (const std::string& scheme : schemes)
+    for (const double decibel : decibels) {
+      const std::string subject = at_noise(scheme, decibel);
+      table.rows.push_back({{scheme_name(scheme), short_number(decibel)}, subject});
+      for (const auto& [name, measure] : measures) result.samples[{name, subject}].resize(run.runs);
+    }
+  parallel_for_each(run.runs, run.jobs, [&](std::size_t sample) {
+    for_each_noise(*this, exact, run.seed, sample, [&](double decibel, const data::GridData<double>& data) {
       for (std::size_t s = 0; s < schemes.size(); ++s) {
-        const PointGrid limit = limits[s](data);
+        const data::GridData<double> limit = limits[s](data);
         for (const auto& [name, measure] : measures)
-          result.samples.at({name, at_noise(scheme_name(schemes[s]), decibel)})[run] = measure(limit, truth);
+          result.samples.at({name, at_noise(schemes[s], decibel)})[sample] = measure(limit, wanted);
       }
     });
   });
+  result.tables = {table.filled(result)};
   return result;
 }
 
-MeansTable LimitTrial::table() const {
-  MeansTable result{id + "-measures", title, {"scheme", "SNR (dB)"}, {}, {}};
-  for (const std::string& scheme : schemes)
-    for (const double decibel : decibels) {
-      const std::string name = scheme_name(scheme);
-      result.rows.push_back({{name, short_number(decibel)}, at_noise(name, decibel)});
-    }
-  for (const auto& [name, measure] : measures) result.columns.push_back({name, name});
-  return result;
-}
-
-formats::Figure LimitTrial::curves_figure(std::uint64_t seed) const {
-  formats::Figure figure{
-      id, title, "One sample of the noise; rows: low and high noise.", static_cast<int>(schemes.size()), {}};
-  const PointGrid samples = shape(1), truth = shape(std::size_t{1} << level);
-  const auto limits = limits_of(*this, samples, level);
-  for_each_noise(*this, samples, seed, 0, [&](double decibel, const PointGrid& data) {
+formats::Figure LimitTrial::curves_figure(const Run& run) const {
+  formats::Figure figure{run.experiment.id,
+                         title,
+                         "One sample of the noise; rows: low and high noise.",
+                         static_cast<int>(schemes.size()),
+                         {}};
+  const data::GridData<double> wanted = truth();
+  const auto limits = limits_of(*this, level);
+  for_each_noise(*this, samples(), run.seed, 0, [&](double decibel, const data::GridData<double>& data) {
     for (std::size_t s = 0; s < schemes.size(); ++s)
-      figure.panels.push_back(plain_panel(scheme_name(schemes[s]) + ", " + short_number(decibel) + " dB",
-                                          {dots("data", points_of(as_data(data, closed)), colour::grey),
-                                           line("curve", line_of(as_data(truth, closed)), colour::amber),
-                                           line("limit", line_of(as_data(limits[s](data), closed)), colour::blue)},
-                                          true));
+      figure.panels.push_back(
+          plain_panel(scheme_name(schemes[s]) + ", " + noise_words(decibel),
+                      {dots("data", points_of(data), colour::grey), line("curve", line_of(wanted), colour::amber),
+                       line("limit", line_of(limits[s](data)), colour::blue)},
+                      true));
   });
   return figure;
 }
 
-formats::SurfaceFigure LimitTrial::surfaces_figure(std::uint64_t seed) const {
+formats::SurfaceFigure LimitTrial::surfaces_figure(const Run& run) const {
   formats::SurfaceFigure figure{
-      id, title + ": limits", "One sample of the noise; rows: low and high noise.", {}, schemes.size()};
-  const PointGrid samples = shape(1);
-  const auto limits = limits_of(*this, samples, closed ? level : 0);
-  for_each_noise(*this, samples, seed, 0, [&](double decibel, const PointGrid& data) {
+      run.experiment.id, title + ": limits", "One sample of the noise; rows: low and high noise.", {}, schemes.size()};
+  const auto limits = limits_of(*this, axes[0].closed ? level : 0);
+  for_each_noise(*this, samples(), run.seed, 0, [&](double decibel, const data::GridData<double>& data) {
     for (std::size_t s = 0; s < schemes.size(); ++s) {
       const std::string name = scheme_name(schemes[s]);
-      figure.surfaces.push_back(
-          drawn_surface(name + " x " + name + ", " + short_number(decibel) + " dB", as_data(limits[s](data), closed)));
+      figure.surfaces.push_back(drawn_surface(name + " x " + name + ", " + noise_words(decibel), limits[s](data)));
     }
   });
   return figure;
 }
 
-formats::SurfaceFigure LimitTrial::samples_figure(const std::string& figure_id, std::uint64_t seed) const {
+formats::SurfaceFigure LimitTrial::samples_figure(const std::string& figure_id, const Run& run) const {
   formats::SurfaceFigure figure{figure_id, title + " and its noisy samples", "One sample of the noise.", {}, 3};
-  figure.surfaces.push_back(drawn_surface(title, as_data(shape(std::size_t{1} << level), closed)));
-  for_each_noise(*this, shape(1), seed, 0, [&](double decibel, const PointGrid& data) {
-    figure.surfaces.push_back(drawn_surface("samples, " + short_number(decibel) + " dB", as_data(data, closed)));
+  figure.surfaces.push_back(drawn_surface(title, truth()));
+  for_each_noise(*this, samples(), run.seed, 0, [&](double decibel, const data::GridData<double>& data) {
+    figure.surfaces.push_back(drawn_surface("samples, " + noise_words(decibel), data));
   });
   return figure;
-}
-
-Means with_noise(double decibel, Means means) {
-  for (Mean& mean : means) {
-    mean.of.subject = at_noise(mean.of.subject, decibel);
-    if (mean.minus) mean.minus->subject = at_noise(mean.minus->subject, decibel);
-  }
-  return means;
 }
 
 }  // namespace subcert::experiments::dyn_2015

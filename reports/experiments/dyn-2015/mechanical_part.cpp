@@ -25,12 +25,8 @@ double part_height(double x, double y) {
   return height + half_circle(x + 18, 4) * (1 - rise(std::abs(y + 12), 20, 22));
 }
 
-PointGrid mechanical_part(std::size_t refinement) {
-  const auto unit = static_cast<double>(refinement);
-  return sampled_grid(48 * refinement + 1, 80 * refinement + 1, 3, [unit](double i, double j) {
-    const double x = i / unit - 24, y = j / unit - 40;
-    return std::array{x, y, part_height(x, y)};
-  });
-}
+std::vector<data::Axis> part_axes() { return {data::Axis::of(49), data::Axis::of(81)}; }
+
+std::array<double, 3> part_point(double i, double j) { return {i - 24, j - 40, part_height(i - 24, j - 40)}; }
 
 }  // namespace subcert::experiments::dyn_2015

@@ -1,15 +1,15 @@
 #pragma once
-/// The experiments of [DHHS15], by their sections.
+/// What the experiments of [DHHS15] measure.
 
-#include <subcert/reports/experiments/experiment.hpp>
+#include <subcert/reports/experiments/papers.hpp>
 
 namespace subcert::experiments::dyn_2015 {
 
-Experiment expected_errors();
-std::vector<Experiment> function_experiments();
-Experiment alpha_curve();
-Experiment star();
-Experiment torus();
-Experiment mechanical_part_scan();
+Measured expected_errors(const Run& run);
+Measures functions();
+Measured alpha_curve(const Run& run);
+Measured star(const Run& run);
+Measured torus(const Run& run);
+Measured mechanical_part(const Run& run);
 
 }  // namespace subcert::experiments::dyn_2015

@@ -100,7 +100,9 @@ formats::Panel profile_panel(const Fit& fit) {
 
 Rational sum_of_squares(const Fit& fit) { return lagged_sum(residuals(fit), 0); }
 
-Measured measured_car(const ExperimentOptions&) {
+}  // namespace
+
+Measured car_profile(const Run&) {
   Measured result;
   const Rational squares = sum_of_squares(cubic);
   const double correlation = to_double(lagged_sum(residuals(cubic), 1) / squares);
@@ -131,43 +133,6 @@ Measured measured_car(const ExperimentOptions&) {
   result.tables = {table};
   result.figures = {figure};
   return result;
-}
-
-}  // namespace
-
-Experiment car_profile() {
-  const std::string place = "Sec. 2.5, Fig. 3";
-  return {
-      .id = "aary-fig3",
-      .title = "Figure 3: the profile of a car",
-      .setup =
-          {"The profile is not published. Ours is the upper outline of a car of 4.80 m by 1.46 m, 25 heights in cm "
-           "at every 20 cm: bumper, bonnet, windscreen, roof, rear window, boot. All curves are computed in "
-           "rational numbers, the limits with the scheme's own fit at the ends. The paper does not name the degree "
-           "of its B-spline: degrees 3 and 2 are tried."},
-      .claims =
-          {{.sentence =
-                "The cubic polynomial by ordinary least squares is not fit for modelling the profile of the car.",
-            .place = place,
-            .relation = all_facts("correlated",
-                                  "its residuals are no noise: their correlation at lag 1 exceeds the 95 % "
-                                  "bound 1.96/sqrt(25) for white noise")},
-           {.sentence = "The cubic polynomial just shows the overall trend of the data (read as: it explains more than "
-                        "half of their variance).",
-            .place = place,
-            .relation = all_facts("trend", "1 - squares of residuals / squares about the mean")},
-           {.sentence = "The 4-point binary scheme is more consistent with the data than the B-spline.",
-            .place = place,
-            .relation = all_facts("nearer", "smaller sum of squares of the distances at the data, exact")},
-           {.sentence =
-                "The 4-point binary scheme is more consistent with the vertices of every closed polygon than the "
-                "B-spline (the sentence without this car).",
-            .place = place,
-            .relation = all_facts("always",
-                                  "|1 - l| of the 4-point scheme is at most that of the B-spline on the whole "
-                                  "unit circle, l the symbol of the limit at the data; exact")}},
-      .measure = measured_car,
-      .random = false};
 }
 
 }  // namespace subcert::experiments::mustafa_bari_2016

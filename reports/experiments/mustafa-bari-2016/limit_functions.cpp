@@ -8,20 +8,9 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/reports/experiments/figures.hpp>
-#include <subcert/schemes/specification.hpp>
 
 namespace subcert::experiments::mustafa_bari_2016 {
 namespace {
-
-constexpr int points = 4;
-
-struct DrawnArity {
-  int arity;
-  std::string name;
-  int level;  // of the picture
-};
-
-const std::vector<DrawnArity> drawn_arities{{2, "binary", 7}, {3, "ternary", 4}, {4, "quaternary", 4}};
 
 /// A scheme about its centre: the datum at 0 stands at 0.
 struct Centred {
@@ -29,8 +18,8 @@ struct Centred {
   Rational shift;
   Interval support;
 
-  explicit Centred(int arity)
-      : scheme(make_scheme("ary:a=" + std::to_string(arity) + ",points=" + std::to_string(points) + ",d=3")),
+  explicit Centred(const FourPointScheme& one)
+      : scheme(one.scheme()),
         shift(polynomial_reproduction(scheme.mask).parametrization),
         support(limit_support(scheme.mask)) {
     support = {support.lower - shift, support.upper - shift};
@@ -50,26 +39,28 @@ Rational centred_value(const Centred& centred, long k) {
                                                                : values.values[static_cast<std::size_t>(i)];
 }
 
-formats::Panel drawn_function(const DrawnArity& arity, const Centred& centred) {
-  const LimitValues values = limit_values(centred.scheme.mask, arity.level);
+formats::Panel drawn_function(const FourPointScheme& one, const Centred& centred) {
+  const LimitValues values = limit_values(centred.scheme.mask, one.drawn_level);
   Points drawn;
   for (std::size_t i = 0; i < values.values.size(); ++i)
     drawn.emplace_back(Rational(values.point(i) - centred.shift).convert_to<double>(),
                        values.values[i].convert_to<double>());
-  return {std::to_string(points) + "-point " + arity.name, "x", "", {line("", drawn, "")}};
+  return {"4-point " + one.name, "x", "", {line("", drawn, "")}};
 }
 
-std::vector<std::string> table_row(const DrawnArity& arity, const Centred& centred) {
+std::vector<std::string> table_row(const FourPointScheme& one, const Centred& centred) {
   const LimitRange range = limit_range(centred.scheme.mask);
   const SmoothnessProof smooth = proved_smoothness(centred.scheme.mask);
-  std::vector<std::string> row{std::to_string(arity.arity), centred.scheme.mask.symbol().to_mask_text(),
+  std::vector<std::string> row{std::to_string(one.arity),   centred.scheme.mask.symbol().to_mask_text(),
                                text(centred.support),       range.maximum.lower_text(6),
                                range.minimum.lower_text(6), "C^" + std::to_string(smooth.order)};
   for (long k = 0; k <= 2; ++k) row.push_back(to_text(centred_value(centred, k)));
   return row;
 }
 
-Measured measured_functions(const ExperimentOptions&) {
+}  // namespace
+
+Measured limit_functions(const Run&) {
   formats::PlainTable table{"aary-fig1-functions",
                             "The functions: exact mask, support and values at 0, 1, 2; certified extremes",
                             {"arity", "mask", "support", "maximum", "minimum", "proved", "at 0", "at 1", "at 2"},
@@ -77,51 +68,25 @@ Measured measured_functions(const ExperimentOptions&) {
   formats::Figure figure{"aary-fig1", "Basic limit functions of the 4-point schemes", "", 3, {}};
   Measured result;
   Rational last_width = 0, product = 0;
-  for (const DrawnArity& arity : drawn_arities) {
-    const Centred centred(arity.arity);
-    const Rational end(2 * arity.arity * (points / 2) - 1, 2 * (arity.arity - 1));
-    result.add_fact("ends", arity.name, centred.support.lower == -end && centred.support.upper == end,
+  for (const FourPointScheme& one : four_point_schemes) {
+    const Centred centred(one);
+    const Rational end(2 * one.arity * 2 - 1, 2 * (one.arity - 1));  // as in Theorem 2.3, n = 2
+    result.add_fact("ends", one.name, centred.support.lower == -end && centred.support.upper == end,
                     text(centred.support));
     const Decision decision = converges(centred.scheme.mask);
-    result.add_fact("convergence", arity.name, decision.is_yes(), decision.reason);
-    const Rational width = centred.width(), scaled = arity.arity * width;
-    const std::string which = " for a = " + std::to_string(arity.arity);
+    result.add_fact("convergence", one.name, decision.is_yes(), decision.reason);
+    const Rational width = centred.width(), scaled = one.arity * width;
+    const std::string which = " for a = " + std::to_string(one.arity);
     result.add_fact("proportion", "", product == 0 || scaled == product, to_text(scaled) + which);
     result.add_fact("falling", "", last_width == 0 || width < last_width, to_text(width) + which);
     product = scaled;
     last_width = width;
-    table.rows.push_back(table_row(arity, centred));
-    figure.panels.push_back(drawn_function(arity, centred));
+    table.rows.push_back(table_row(one, centred));
+    figure.panels.push_back(drawn_function(one, centred));
   }
   result.tables = {table};
   result.figures = {figure};
   return result;
-}
-
-}  // namespace
-
-Experiment limit_functions() {
-  return {
-      .id = "aary-fig1",
-      .title = "Figure 1: basic limit functions of arities 2, 3 and 4",
-      .setup = {"The schemes are ary:a=2|3|4,points=4,d=3. As in Theorem 2.3 the functions are centred: the datum 1 "
-                "stands at x = 0. The curves join exact values at the multiples of 2^-7, 3^-4 and 4^-4."},
-      .claims =
-          {{.sentence = "The functions vanish outside [-(2an-1)/(2(a-1)), (2an-1)/(2(a-1))], n = 2.",
-            .place = "Theorem 2.3, Fig. 1",
-            .relation = all_facts("ends", "both ends of the support, exact")},
-           {.sentence = "The conditions for the schemes to converge are satisfied.",
-            .place = "Sec. 2.2",
-            .relation = all_facts("convergence", "convergence is proved")},
-           {.sentence = "Arity and support width are inversely proportional.",
-            .place = "Sec. 2.2, end",
-            .relation = all_facts("proportion", "arity times width is the same for a = 2, 3, 4"),
-            .recorded = Verdict::not_confirmed},
-           {.sentence = "The larger the arity, the smaller the support (the weaker reading of the same sentence).",
-            .place = "Sec. 2.2, end",
-            .relation = all_facts("falling", "the width falls with the arity")}},
-      .measure = measured_functions,
-      .random = false};
 }
 
 }  // namespace subcert::experiments::mustafa_bari_2016

@@ -5,18 +5,10 @@
 #include <subcert/reports/experiments/figures.hpp>
 #include <subcert/reports/experiments/refined_data.hpp>
 #include <subcert/schemes/data/refine/limit_of_data.hpp>
-#include <subcert/schemes/specification.hpp>
 
 namespace subcert::experiments::mustafa_bari_2016 {
 namespace {
 
-struct Arity {
-  int arity;
-  std::string name;
-  int level;  // of the values that stand for the limit, 64 or 81 for each edge
-};
-
-const std::vector<Arity> arities{{2, "binary", 6}, {3, "ternary", 4}, {4, "quaternary", 3}};
 constexpr int seen_level = 3;
 
 struct Polygon {
@@ -39,10 +31,10 @@ struct Refined {
   data::GridData<double> limit;
 };
 
-Refined refinements_of(const Polygon& polygon, const Arity& arity) {
-  const Mask mask = make_scheme("ary:a=" + std::to_string(arity.arity) + ",points=4,d=3").mask;
+Refined refinements_of(const Polygon& polygon, const FourPointScheme& one) {
+  const Mask mask = one.scheme().mask;
   return {rounded(refine(polygon.data, mask, {1})), rounded(refine(polygon.data, mask, {seen_level})),
-          rounded(data::limit_of_data(polygon.data, {mask}, {arity.level}))};
+          rounded(data::limit_of_data(polygon.data, {mask}, {one.limit_level}))};
 }
 
 /// The largest distance of a polygon from the limit at the same parameter, over the diameter of the limit.
@@ -57,7 +49,9 @@ bool shares_a_point(const data::GridData<double>& first, const data::GridData<do
   return false;
 }
 
-Measured measured_polygons(const ExperimentOptions&) {
+}  // namespace
+
+Measured refined_polygons(const Run&) {
   formats::PlainTable table{"aary-fig2-distances",
                             "Distance from the limit at the same parameter, over the diameter of the limit curve",
                             {"polygon", "arity", "points at level 1", "initial polygon", "level 1", "level 3"},
@@ -71,59 +65,30 @@ Measured measured_polygons(const ExperimentOptions&) {
                            {}};
     const data::GridData<double> data = rounded(polygon.data);
     const formats::Curve drawn = line("polygon", line_of(data), colour::pale);
-    for (const Arity& arity : arities) {
-      const auto [first, third, limit] = refinements_of(polygon, arity);
+    for (const FourPointScheme& one : four_point_schemes) {
+      const auto [first, third, limit] = refinements_of(polygon, one);
       const double level3 = distance_to_limit(third, limit);
       const std::string count = std::to_string(first.points());
-      table.rows.push_back({polygon.name, std::to_string(arity.arity), count,
+      table.rows.push_back({polygon.name, std::to_string(one.arity), count,
                             short_number(distance_to_limit(data, limit)), short_number(distance_to_limit(first, limit)),
                             short_number(level3)});
       if (polygon.data.axes[0].closed) {
-        result.add_fact("inserted", arity.name, first.points() == static_cast<std::size_t>(arity.arity) * data.points(),
+        result.add_fact("inserted", one.name, first.points() == static_cast<std::size_t>(one.arity) * data.points(),
                         count + " points from " + std::to_string(data.points()));
         const bool kept = shares_a_point(data, first);
-        result.add_fact("approximating", arity.name, !kept, kept ? "vertices are kept" : "no vertex is kept");
+        result.add_fact("approximating", one.name, !kept, kept ? "vertices are kept" : "no vertex is kept");
       }
-      result.add_fact("third level", polygon.name + " " + arity.name, level3 < 1.0 / 200, short_number(level3));
+      result.add_fact("third level", polygon.name + " " + one.name, level3 < 1.0 / 200, short_number(level3));
       figure.panels.push_back(
-          plain_panel(arity.name + ", level 1", {drawn, line("level 1", line_of(first), colour::red)}, true));
+          plain_panel(one.name + ", level 1", {drawn, line("level 1", line_of(first), colour::red)}, true));
       figure.panels.back().curves.back().marked = true;
       figure.panels.push_back(
-          plain_panel(arity.name + ", limit", {drawn, line("limit", line_of(limit), colour::blue)}, true));
+          plain_panel(one.name + ", limit", {drawn, line("limit", line_of(limit), colour::blue)}, true));
     }
     result.figures.push_back(figure);
   }
   result.tables = {table};
   return result;
-}
-
-}  // namespace
-
-Experiment refined_polygons() {
-  return {
-      .id = "aary-fig2",
-      .title = "Figure 2: polygons refined with arities 2, 3 and 4",
-      .setup =
-          {"The polygons are not published. A closed one with 13 vertices, the outline of a guitar, and an open one "
-           "with 13, a breaking wave, both with integer coordinates, are refined by ary:a=2|3|4,points=4,d=3 in "
-           "rational numbers; open ends take the scheme's own fit. Limits are exact at 64 or 81 parameters for each "
-           "edge. The text names the panels (a)-(c) first level and (d)-(f) limits; the caption says (a), (c), (e) "
-           "and (b), (d), (f)."},
-      .claims =
-          {{.sentence = "The arity is the number of points for each edge of the polygon.",
-            .place = "Sec. 1, Fig. 2(a,c,e)",
-            .relation = all_facts("inserted",
-                                  "points of the first level for the closed polygon: arity times its vertices")},
-           {.sentence = "The schemes are approximating.",
-            .place = "Sec. 2, Fig. 2(a,c,e)",
-            .relation = all_facts("approximating", "no vertex of the closed polygon is a point of the first level")},
-           {.sentence = "After the third iteration one sees the limit curve (read as: the polygon is nearer than 1/200 "
-                        "of the diameter).",
-            .place = "Fig. 2, caption",
-            .relation = all_facts("third level",
-                                  "distance from the limit at the same parameter, over the diameter, below 1/200")}},
-      .measure = measured_polygons,
-      .random = false};
 }
 
 }  // namespace subcert::experiments::mustafa_bari_2016

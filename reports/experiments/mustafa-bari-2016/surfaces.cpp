@@ -21,7 +21,6 @@ constexpr int drawn_levels = 3, limit_level = 5;
 
 /// A surface in space over columns and rows, both given as parts of 2 pi; `column` always goes around.
 struct Mesh {
-  std::string words;
   std::size_t columns;
   std::size_t rows;
   bool closed_rows;
@@ -51,9 +50,7 @@ data::GridData<double> points_of_mesh(const Mesh& mesh) {
                  [&](double i, double j) { return mesh.point(turn * i / columns, turn * j / rows); });
 }
 
-struct SurfaceExperiment {
-  std::string id;
-  std::string figure;
+struct MeshExperiment {
   std::string title;
   int points;  // along each axis
   Mesh mesh;
@@ -89,35 +86,26 @@ double distance_between(const data::GridData<double>& mesh, const data::GridData
   return relative_distance(mesh_at(mesh, limit.axes), limit.values, 3);
 }
 
-std::string specification(const SurfaceExperiment& experiment) {
-  const std::string side = std::to_string(experiment.points);
-  return "grid:points=" + side + "x" + side + ",d=3";
-}
-
-/// The number of data that each rule combines.
-long rule_points(const SurfaceExperiment& experiment) {
-  return static_cast<long>(experiment.points) * experiment.points;
-}
-
-void find_exact_facts(Measured& measured, const SurfaceExperiment& experiment, const MultivariateMask& mask) {
+void find_exact_facts(Measured& measured, int side, const MultivariateMask& mask) {
   const bool product = is_product(mask.symbol());
   measured.add_fact("product", "", !product, product ? "a product" : "no product");
   std::string counts;
   for (const long count : data_of_rules(mask)) counts += (counts.empty() ? "" : ", ") + std::to_string(count);
-  measured.add_fact("size", "", counts == std::to_string(rule_points(experiment)), counts);
+  measured.add_fact("size", "", counts == std::to_string(side * side), counts);
   const int reproduced = polynomial_reproduction(mask).reproduction_degree;
   measured.add_fact("degree", "", reproduced >= 3, "total degree " + std::to_string(reproduced));
   const Decision decision = converges(mask);
   measured.add_fact("convergence", "", decision.is_yes(), to_text(decision.truth) + ", " + decision.reason);
 }
 
-Measured measured_surface(const SurfaceExperiment& experiment) {
-  const auto scheme = std::get<MultivariateScheme>(make_any_scheme(specification(experiment)));
+Measured measured_surface(const MeshExperiment& experiment, const Run& run) {
+  const std::string side = std::to_string(experiment.points), id = run.experiment.id;
+  const auto scheme = std::get<MultivariateScheme>(make_any_scheme("grid:points=" + side + "x" + side + ",d=3"));
   Measured result;
-  find_exact_facts(result, experiment, scheme.mask);
+  find_exact_facts(result, experiment.points, scheme.mask);
   const data::GridData<double> mesh = points_of_mesh(experiment.mesh), limit = refine(mesh, scheme.mask, {limit_level});
-  formats::SurfaceFigure figure{experiment.id, experiment.title, "", {drawn_surface("initial mesh", mesh)}, 3};
-  formats::PlainTable table{experiment.id + "-levels",
+  formats::SurfaceFigure figure{id, experiment.title, "", {drawn_surface("initial mesh", mesh)}, 3};
+  formats::PlainTable table{id + "-levels",
                             "Distance from level 5 at the same parameters, over the diameter",
                             {"level", "points", "largest distance"},
                             {}};
@@ -140,53 +128,14 @@ Measured measured_surface(const SurfaceExperiment& experiment) {
   return result;
 }
 
-Experiment surface_experiment(const SurfaceExperiment& experiment) {
-  const std::string name = std::to_string(rule_points(experiment)) + "-point", place = "Sec. 3, " + experiment.figure;
-  return {
-      .id = experiment.id,
-      .title = "Figure " + experiment.figure.substr(5) + ": " + experiment.title,
-      .setup = {"The mesh is not published. Ours is " + experiment.mesh.words + ". Scheme: " +
-                specification(experiment) + "; open ends take the scheme's own fit. Level 5 stands for the limit."},
-      .claims = {{.sentence = "The " + name + " scheme is no tensor product.",
-                  .place = place,
-                  .relation = all_facts("product", "the coefficients are no products of two sequences, exact")},
-                 {.sentence = "It is a " + name + " scheme.",
-                  .place = place,
-                  .relation = all_facts("size", "the data with non-zero weight in each of the four rules")},
-                 {.sentence = "It fits bivariate cubic polynomials to the data (read as: cubic data are kept).",
-                  .place = place,
-                  .relation = all_facts("degree", "reproduction of total degree 3, exact")},
-                 {.sentence = "It produces the limit surface of panel (e).",
-                  .place = experiment.figure + "(e)",
-                  .relation = all_facts("convergence", "convergence is proved")},
-                 {.sentence = "The meshes of the first three levels lead to the limit surface (read as: the distance "
-                              "falls, and is below 1/200 of the diameter at level 3).",
-                  .place = experiment.figure + "(b)-(e)",
-                  .relation = all_facts("approach",
-                                        "largest distance from level 5 at the same parameters, over the diameter")}},
-      .measure = [experiment](const ExperimentOptions&) { return measured_surface(experiment); },
-      .random = false};
-}
-
 }  // namespace
 
-Experiment vase() {
-  return surface_experiment(
-      {"aary-fig4",
-       "Fig. 4",
-       "A vase by the 16-point scheme",
-       4,
-       {"a vase with 8 x 9 vertices, closed around its axis and turned as it rises", 8, 9, false, 1.1, vase_point}});
+Measured vase(const Run& run) {
+  return measured_surface({"A vase by the 16-point scheme", 4, {8, 9, false, 1.1, vase_point}}, run);
 }
 
-Experiment ring() {
-  return surface_experiment(
-      {"aary-fig5",
-       "Fig. 5",
-       "A ring with three lobes by the 25-point scheme",
-       5,
-       {"a tube of 18 x 6 vertices around a closed curve with three lobes, closed in both directions", 18, 6, true, 2,
-        ring_point}});
+Measured ring(const Run& run) {
+  return measured_surface({"A ring with three lobes by the 25-point scheme", 5, {18, 6, true, 2, ring_point}}, run);
 }
 
 }  // namespace subcert::experiments::mustafa_bari_2016

@@ -37,21 +37,21 @@ data::GridData<double> limit_of(const Method& method, const data::GridData<doubl
 /// The extrema of both coordinates along a closed polygon, without those that the coordinate leaves by at most `height`
 /// before it turns again.
 std::size_t extrema(const data::GridData<double>& curve, double height) {
-  const std::size_t points = curve.points();
   std::size_t result = 0;
   for (std::size_t c = 0; c < 2; ++c) {
     int direction = 0;
     double extreme = curve.values[c];
-    for (std::size_t i = 0; i < 2 * points; ++i) {  // the first round finds the direction at the start
-      const double value = curve.values[2 * (i % points) + c];
-      if (direction != 0 && (value - extreme) * direction >= 0) {
-        extreme = value;
-      } else if (std::abs(value - extreme) > height) {
-        if (i >= points) ++result;
-        direction = value > extreme ? 1 : -1;
-        extreme = value;
+    for (const bool counts : {false, true})  // the first round finds the direction at the start
+      for (std::size_t i = c; i < curve.values.size(); i += 2) {
+        const double value = curve.values[i];
+        if (direction != 0 && (value - extreme) * direction >= 0) {
+          extreme = value;
+        } else if (std::abs(value - extreme) > height) {
+          result += counts;
+          direction = value > extreme ? 1 : -1;
+          extreme = value;
+        }
       }
-    }
   }
   return result;
 }
@@ -96,11 +96,13 @@ void compare_with_polygon(Measured& measured, const Polygon& polygon, formats::P
   }
 }
 
-Measured measured_polygons(const ExperimentOptions&) {
+}  // namespace
+
+Measured data_without_noise(const Run&) {
   formats::PlainTable table{
       "nonlinear-fig7-distances",
-      "Data without noise: largest distance of the limit from the vertices over the diameter, and extrema "
-      "of both coordinates",
+      "Data without noise: largest distance of the limit from the vertices over the diameter, and extrema of both "
+      "coordinates",
       {"polygon", "scheme", "distance", "extrema", "visible ones", "of the polygon", "visible ones"},
       {}};
   formats::Figure figure{"nonlinear-fig7", "Data without noise", "", 3, {}};
@@ -118,50 +120,6 @@ Measured measured_polygons(const ExperimentOptions&) {
   result.tables = {table};
   result.figures = {figure};
   return result;
-}
-
-}  // namespace
-
-Experiment data_without_noise() {
-  const std::string measure = "largest distance of the limit from the vertices over the diameter, ";
-  return {
-      .id = "nonlinear-fig7",
-      .title = "Figure 7: data without noise",
-      .setup =
-          {"The data are not published. Two closed polygons with 60 vertices: r = 4 + cos 5t, and a star with ten "
-           "straight edges. Schemes D_6, D_7, D_8 of degrees 1, 2, 3 with 6 iterations and delta = 1e-8, 6 levels. "
-           "The limit at a vertex is that at its parameter."},
-      .claims = {{.sentence =
-                      "The schemes show interpolatory behaviour on data without noise: literally, limits pass through "
-                      "the vertices.",
-                  .place = "Sec. 1.1, Fig. 7",
-                  .relation = all_facts("through", measure + "below 1e-6"),
-                  .recorded = Verdict::not_confirmed},
-                 {.sentence = "Interpolatory behaviour on smooth data, read as: nearer than 1/100 of the diameter.",
-                  .place = "Sec. 1.1, Fig. 7",
-                  .relation = all_facts("near the flower", measure + "below 1/100")},
-                 {.sentence =
-                      "Interpolatory behaviour on a polygon with corners, read as: nearer than 1/100 of the diameter.",
-                  .place = "Sec. 1.1, Fig. 7",
-                  .relation = all_facts("near the star", measure + "below 1/100"),
-                  .recorded = Verdict::not_confirmed},
-                 {.sentence = "Although not interpolatory, the schemes preserve the shape of the initial polygon.",
-                  .place = "Abstract, Fig. 7",
-                  .relation = all_facts("extrema", "the limit has as many extrema of its coordinates as the polygon"),
-                  .recorded = Verdict::not_confirmed},
-                 {.sentence = "The schemes preserve the shape of the initial polygon, but for what cannot be seen.",
-                  .place = "Abstract, Fig. 7",
-                  .relation = all_facts("visible extrema",
-                                        "the same count without extrema that are lower than 1/200 of the diameter")},
-                 {.sentence =
-                      "The schemes of non-linear polynomials perform better than those of linear ones, on data without "
-                      "noise.",
-                  .place = "Abstract, Fig. 7",
-                  .relation = all_facts("better",
-                                        "largest distance from the vertices, smaller than with degree 1 on as many "
-                                        "data; the ratio")}},
-      .measure = measured_polygons,
-      .random = false};
 }
 
 }  // namespace subcert::experiments::mustafa_hameed

@@ -88,20 +88,6 @@ void find_linear_reproduction(Measured& measured) {
   }
 }
 
-Measured measured_linear(const ExperimentOptions& options) {
-  Measured result;
-  find_linear_reproduction(result);
-  const NoisyData noisy = noisy_cubic();
-  study_error_parts(result, noisy, l1_methods(windows_of_linear, {1, 2, 3}), options);
-  formats::Figure figure{"nonlinear-fig1", "Schemes of linear polynomials on data of other polynomials", "", 2, {}};
-  for (const PolynomialData& polynomial : polynomials)
-    figure.panels.push_back(polynomial_panel(polynomial, l1_method(6, 1), polynomial.samples()));
-  figure.panels.push_back(polynomial_panel(polynomials[1], l1_method(6, 1), noisy.first_data(options.seed)));
-  figure.panels.back().title = "D_6^1, cubic function with noise";
-  result.figures = {figure};
-  return result;
-}
-
 constexpr long trials = 20;
 
 /// Whether fits with different positive weights to t^k, k <= degree, are t^k at the outputs, in rational numbers.
@@ -123,7 +109,33 @@ bool weights_do_not_matter(const Method& method) {
   return true;
 }
 
-Measured measured_reproduction(const ExperimentOptions&) {
+}  // namespace
+
+Measured linear_polynomials(const Run& run) {
+  Measured result;
+  find_linear_reproduction(result);
+  const NoisyData noisy = noisy_cubic();
+  const std::vector<Method> methods = l1_methods(windows_of_linear, {1, 2, 3});
+  study_error_parts(result, noisy, methods, run);
+  const double variance = *noisy.sigma * *noisy.sigma;
+  result.numbers = {{"noise", variance}};
+  result.tables = {MeansTable{"nonlinear-fig1-errors",
+                              "Mean squared error of the cubic function with noise (" + short_number(variance) +
+                                  " is the variance of the noise)",
+                              {"scheme"},
+                              rows_of(methods),
+                              {{"squared bias", "squared bias"}, {"variance", "variance"}}}
+                       .filled(result)};
+  formats::Figure figure{"nonlinear-fig1", "Schemes of linear polynomials on data of other polynomials", "", 2, {}};
+  for (const PolynomialData& polynomial : polynomials)
+    figure.panels.push_back(polynomial_panel(polynomial, l1_method(6, 1), polynomial.samples()));
+  figure.panels.push_back(polynomial_panel(polynomials[1], l1_method(6, 1), noisy.first_data(run.seed)));
+  figure.panels.back().title = "D_6^1, cubic function with noise";
+  result.figures = {figure};
+  return result;
+}
+
+Measured polynomial_reproduction(const Run&) {
   formats::PlainTable table{
       "nonlinear-fig3-degrees",
       "Reproduction degree of the linear part, exact, and largest deviation of the l1 schemes over the diameter",
@@ -154,79 +166,6 @@ Measured measured_reproduction(const ExperimentOptions&) {
   result.tables = {table};
   result.figures = {figure};
   return result;
-}
-
-}  // namespace
-
-Experiment linear_polynomials() {
-  const double variance = *noisy_cubic().sigma * *noisy_cubic().sigma;
-  const Names linear = names_of(l1_methods(windows_of_linear, {1}));
-  MeansTable table{"nonlinear-fig1-errors",
-                   "Mean squared error of the cubic function with noise (" + short_number(variance) +
-                       " is the variance of the noise)",
-                   {"scheme"},
-                   rows_of(l1_methods(windows_of_linear, {1, 2, 3})),
-                   {{"squared bias", "squared bias"}, {"variance", "variance"}}};
-  return {
-      .id = "nonlinear-fig1",
-      .title = "Figure 1: linear polynomials on data of other polynomials",
-      .setup = {"The polynomials are not named. Here: 2t^2 - 1, 4t^3 - 3t and the curve of both, 17 data at t = (x - "
-                "8)/7, x = 0, ..., 16; the noise of (d) has 20 dB. Schemes D_6, D_7, D_8 with 6 iterations and delta = "
-                "1e-8, ends by the fit of the nearest window, 5 levels (3 for the error statistics).",
-                "Underfitting is read as: the squared bias is larger than the variance, so that the error is the "
-                "model's, not the noise's. Overfitting: the variance is larger than that of the noise."},
-      .claims =
-          {{.sentence = "The schemes of linear polynomials by least squares do not reproduce other polynomials.",
-            .place = "Sec. 1.1, Fig. 1(a)-(c)",
-            .relation = all_facts("exact", "reproduction degree of the mask, exact: 1")},
-           {.sentence = "The schemes of linear polynomials by l1 regression do not reproduce other polynomials.",
-            .place = "Sec. 1.1, Fig. 1(a)-(c)",
-            .relation = all_facts("misses",
-                                  "largest distance from the polynomial over the diameter of its samples, far "
-                                  "above rounding: 1e-6")},
-           {.sentence = "The schemes of linear polynomials underfit data from non-linear polynomials without noise "
-                        "(read as: by more than 1/20 of the range).",
-            .place = "Sec. 1.1, Fig. 1(b)",
-            .relation = all_facts("trend", "largest distance from the cubic function over its range")},
-           {.sentence = "The schemes of linear polynomials underfit data from non-linear polynomials with noise.",
-            .place = "Sec. 1.1, Fig. 1(d)",
-            .relation = above("squared bias minus variance", 0, excess("squared bias", "variance", linear))},
-           {.sentence = "The schemes of linear polynomials do not overfit.",
-            .place = "Sec. 1.1",
-            .relation = below("variance", variance, means("variance", linear))}},
-      .tables = {table},
-      .measure = measured_linear};
-}
-
-Experiment polynomial_reproduction() {
-  const std::string place = "Sec. 1.1, Fig. 3-5";
-  return {
-      .id = "nonlinear-fig3",
-      .title = "Figures 3 to 5: reproduction of polynomials",
-      .setup =
-          {"The polynomials of nonlinear-fig1 and the schemes of degrees 2 and 3 on 5 to 10 data.",
-           "A weighted least squares fit with positive weights to data of a polynomial of the fitted degree has "
-           "residual 0 for this polynomial and for no other, whatever the weights. So each reweighted step returns "
-           "the polynomial, and the schemes reproduce it on every level. This is checked in rational numbers for "
-           "twenty choices of weights whose ratios go up to 10^6."},
-      .claims =
-          {{.sentence = "The least squares schemes of quadratic and cubic polynomials reproduce the polynomial data.",
-            .place = place,
-            .relation = all_facts("exact", "reproduction degree of the mask, exact: at least the degree of the fit")},
-           {.sentence = "The reweighted steps of the l1 schemes of quadratic and cubic polynomials reproduce the "
-                        "polynomial data.",
-            .place = place,
-            .relation = all_facts("weighted",
-                                  "fits with twenty choices of positive weights to monomials of at most the "
-                                  "degree of the fit, exact")},
-           {.sentence = "Five levels of the l1 schemes of quadratic and cubic polynomials, in double precision, "
-                        "reproduce the polynomial data.",
-            .place = place,
-            .relation = all_facts("measured",
-                                  "largest distance from the polynomial over the diameter, below 1e-12, "
-                                  "polynomials of at most the degree of the fit")}},
-      .measure = measured_reproduction,
-      .random = false};
 }
 
 }  // namespace subcert::experiments::mustafa_hameed

@@ -44,14 +44,19 @@ NoisyData with_outliers(std::size_t outliers, double sigma) {
           .displace = vertical_outlier(4, 4)};
 }
 
-double range() {
+std::map<std::string, double> numbers() {
+  constexpr int steps = 10000;
+  double from_zero = 0;  // the sum of squares on [0, 2 pi]
+  for (int i = 0; i < steps; ++i) from_zero += std::pow(damped_sine((i + 0.5) * 2 * std::numbers::pi / steps), 2);
   const NoisyData data = with_outliers(0, 0);
-  const auto values = data.true_points({finer(data.axes[0], 1 << levels)}).values;
-  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-  return *largest - *least;
+  const auto fine = data.true_points({finer(data.axes[0], 1 << levels)}).values;
+  const auto [least, largest] = std::minmax_element(fine.begin(), fine.end());
+  const double square = mean_square(data.true_points().values);
+  return {{"mean square", square},
+          {"tenth of mean square", square / 10},
+          {"mean square from 0", from_zero / steps},
+          {"tenth of range", 0.1 * (*largest - *least)}};
 }
-
-double mean_square_of_samples() { return mean_square(with_outliers(0, 0).true_points().values); }
 
 formats::Panel panel(const OutlierSample& sample, const Method& method) {
   return outlier_panel(with_outliers(0, 0), sample, method, 4, -5, Rational(1, 10));
@@ -62,20 +67,6 @@ formats::Figure figure(const std::string& id, const std::string& title, const st
   formats::Figure result{id, title, caption, columns, {}};
   for (const Method& method : methods) result.panels.push_back(panel(sample, method));
   return result;
-}
-
-std::string setup() {
-  constexpr int steps = 10000;
-  double from_zero = 0;  // the sum of squares on [0, 2 pi]
-  for (int i = 0; i < steps; ++i) from_zero += std::pow(damped_sine((i + 0.5) * 2 * std::numbers::pi / steps), 2);
-  return "f_1(x) = sin(3x) e^(-x/3). The paper names neither interval nor spacing; here x = -5, -4.9, ..., 5, where "
-         "the mean square of f_1 is " +
-         short_number(mean_square_of_samples()) + ". (On [0, 2 pi] it would be " + short_number(from_zero / steps) +
-         ", the error of the zero function, and five of the six errors in Table 1 are larger.) An outlier adds a "
-         "number of random sign and of a modulus uniform in [4, 8] to a random datum, which makes the errors of the "
-         "least squares schemes about as large as printed. Curves after 5 refinements, 6 reweighted fits with delta = "
-         "1e-8, rules at the ends by regression. Error: mean squared distance from f_1 at the points of the curve; "
-         "response: the largest distance by which the outliers move a point of the curve.";
 }
 
 }  // namespace damped

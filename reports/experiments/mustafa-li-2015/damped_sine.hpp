@@ -17,9 +17,9 @@ inline double position(double u) { return -5 + u / 10; }
 /// Normal noise of this deviation, and outliers of random sign and of a modulus between 4 and 8.
 NoisyData with_outliers(std::size_t outliers, double sigma);
 
-/// Largest minus smallest value of f_1 on [-5, 5], on the points of the last level; the mean square of its samples.
-double range();
-double mean_square_of_samples();
+/// What the texts and bounds of its experiments name: "mean square" of the samples and "mean square from 0" of f_1 on
+/// [0, 2 pi]; "tenth of mean square" and "tenth of range" of f_1 on [-5, 5], on the points of the last level.
+std::map<std::string, double> numbers();
 
 /// The data, which of them are outliers, f_1 and the curve of a scheme: blue for l1 schemes, else red.
 formats::Panel panel(const OutlierSample& sample, const Method& method);
@@ -27,9 +27,6 @@ formats::Panel panel(const OutlierSample& sample, const Method& method);
 /// A panel for each method.
 formats::Figure figure(const std::string& id, const std::string& title, const std::string& caption, int columns,
                        const std::vector<Method>& methods, const OutlierSample& sample);
-
-/// What all experiments with f_1 choose.
-std::string setup();
 
 }  // namespace damped
 

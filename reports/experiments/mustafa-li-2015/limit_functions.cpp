@@ -132,7 +132,9 @@ formats::Figure drawn_functions() {
   return figure;
 }
 
-Measured measured_functions(const ExperimentOptions&) {
+}  // namespace
+
+Measured limit_functions(const Run&) {
   Measured result;
   for (const int points : {6, 7, 8}) {
     const std::string name = name_of(points);
@@ -162,41 +164,6 @@ Measured measured_functions(const ExperimentOptions&) {
   result.tables = {shapes_table()};
   result.figures = {drawn_functions()};
   return result;
-}
-
-}  // namespace
-
-Experiment basic_limit_functions() {
-  return {
-      .id = "l1-fig2",
-      .title = "Figure 2: basic limit functions of D_6, D_7 and D_8",
-      .setup = {"Values at level 8 from the data 1 at 0 and 0 elsewhere; nothing is random. The paper recommends m = 5 "
-                "or 6, which are 6 or 7 reweighted fits, and a small delta, here 1e-8; the table shows others. The "
-                "schemes are not linear: limits from other data are no combinations of these functions, and their "
-                "height is that of what the iterations leave, as exact l1 fits vanish (docs/l1.md)."},
-      .claims =
-          {{.sentence = "The effect away from the sample (0, 1) is zero; the schemes are locally supported.",
-            .place = "Sec. 2.4, Fig. 2",
-            .relation = all_facts("local",
-                                  "values that are not zero outside of the interval of length 4n - 1 (D_7: 4n + "
-                                  "1) about 0: none")},
-           {.sentence = "The support of the basic limit function of D_2n has width 4n - 1.",
-            .place = "Prop. 1",
-            .relation = all_facts("width",
-                                  "distance of the outermost values that are not zero at level 8: (4n - 1)(1 - "
-                                  "2^-8)")},
-           {.sentence = "The basic limit functions of D_6, D_7, D_8 have two top peaks with one steep valley (read as: "
-                        "two maxima of at least half the height that stand out by a tenth of it, and between them a "
-                        "minimum below half the height).",
-            .place = "Sec. 2.4, Fig. 2",
-            .relation = all_facts("peaks", "6 and 7 reweighted fits, delta = 1e-8"),
-            .recorded = Verdict::not_confirmed},
-           {.sentence = "They are smooth enough (read as: continuously differentiable).",
-            .place = "Sec. 2.4, Fig. 2",
-            .relation = all_facts("smooth",
-                                  "log2 of the ratio of the largest changes of slope at the levels 6 and 7, "
-                                  "..., 9 and 10: all positive; an observation, no proof")}},
-      .measure = measured_functions};
 }
 
 }  // namespace subcert::experiments::mustafa_li_2015

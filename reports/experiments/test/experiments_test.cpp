@@ -1,5 +1,6 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
+#include <subcert/reports/experiments/dyn-2015/limit_trial.hpp>
 #include <subcert/reports/experiments/dyn-2015/mechanical_part.hpp>
 #include <subcert/reports/experiments/local_polynomial.hpp>
 #include <subcert/reports/paper_experiments.hpp>
@@ -79,6 +80,24 @@ TEST_CASE("means with confidence: known values, coverage and the ratio of noise"
   CHECK(10 * std::log10((4 + sigma * sigma) / (sigma * sigma)) == Approx(6));
 }
 
+TEST_CASE("every quantity that a claim names is measured, and every fact is claimed") {
+  const ExperimentOptions two_samples{1, 2, 2};
+  for (const Experiment& e : subcert::experiments::experiments()) {
+    INFO(e.id);
+    const Measured measured = e.measure({two_samples, e});
+    Measured given = measured;
+    Experiment repeated = e;
+    repeated.measure = [&](const Run&) { return given; };
+    CHECK(run_experiment(repeated, two_samples).result.claims.size() == e.claims.size() + !e.printed.empty());
+    for (const auto& [topic, found] : measured.facts) {
+      INFO(topic);
+      given = measured;
+      given.facts.erase(topic);
+      CHECK_FAILS(run_experiment(repeated, two_samples), domain);
+    }
+  }
+}
+
 TEST_CASE("experiments have different names, and do not depend on the number of jobs") {
   std::set<std::string> ids;
   for (const Experiment& e : subcert::experiments::experiments()) CHECK(ids.insert(e.id).second);
@@ -124,26 +143,21 @@ TEST_CASE("a finding that changes is noticed") {
 }
 
 TEST_CASE("tensor product limits keep a plane, open, and turn with the data, closed") {
-  const PointGrid plane = sampled_grid(12, 14, 3, [](double x, double y) {
-    return std::array{x, y, 3 * x - 2 * y + x * y};
-  });
-  const PointGrid limit = TensorLimit("primal:n=3", 12, 14, data::Boundary::regression, 1)(plane);
-  REQUIRE(limit.columns == 23);
-  REQUIRE(limit.rows == 27);
-  for (std::size_t j = 0; j < limit.rows; ++j)
-    for (std::size_t i = 0; i < limit.columns; ++i) {
-      const double x = static_cast<double>(i) / 2, y = static_cast<double>(j) / 2;
-      const std::size_t at = j * limit.columns + i;
-      CHECK(limit.points[0][at] == Approx(x).margin(1e-12));
-      CHECK(limit.points[1][at] == Approx(y).margin(1e-12));
-      CHECK(limit.points[2][at] == Approx(3 * x - 2 * y + x * y).margin(1e-11));
-    }
+  const std::vector<data::Axis> axes{data::Axis::of(12), data::Axis::of(14)};
+  const auto plane = [](double x, double y) { return std::array{x, y, 3 * x - 2 * y + x * y}; };
+  const data::GridData<double> limit = TensorLimit("primal:n=3", axes, 1)(sampled(axes, 3, plane)),
+                               wanted = sampled({finer(axes[0], 2), finer(axes[1], 2)}, 3, plane);
+  REQUIRE(limit.axes[0].count == 23);
+  REQUIRE(limit.axes[1].count == 27);
+  REQUIRE(limit.values.size() == wanted.values.size());
+  for (std::size_t i = 0; i < limit.values.size(); ++i)
+    CHECK(limit.values[i] == Approx(wanted.values[i]).margin(1e-11));
 }
 
 TEST_CASE("the mechanical part has the size of the scan and the heights of its parts") {
-  const PointGrid part = mechanical_part(1);
-  CHECK(part.columns * part.rows == 3969);
-  CHECK(part.points[2].size() == 3969);
+  const data::GridData<double> part = sampled(part_axes(), 3, part_point);
+  CHECK(part.points() == 3969);
+  CHECK(part.values.size() == 3 * 3969);
   CHECK(part_height(-10, 0) == 0);
   CHECK(part_height(10, 20) == 6);
   CHECK(part_height(0, 28) == 2);

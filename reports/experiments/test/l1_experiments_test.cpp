@@ -63,40 +63,11 @@ TEST_CASE("the l1 schemes without reweighting are the least squares schemes") {
   }
 }
 
-TEST_CASE("claims need whole intervals on the right side of the bound") {
-  Measured measured;
-  // Intervals from -3 to -1 and from -1.5 to 0.5.
-  const double width = 1 / mean_interval({-1, 1}).half_width;
-  measured.samples[{"height", "clear"}] = {-2 - width, -2 + width};
-  measured.samples[{"height", "open"}] = {-0.5 - width, -0.5 + width};
-  const auto found = [&](const Relation& relation) { return relation.decide(measured).verdict; };
-  CHECK(found(below("", 0, means("height", {"clear"}))) == Verdict::confirmed);
-  CHECK(found(below("", 0, means("height", {"clear", "open"}))) == Verdict::not_confirmed);
-  CHECK(found(above("", -4, means("height", {"clear", "open"}))) == Verdict::confirmed);
-  CHECK(found(above("", -2, means("height", {"clear", "open"}))) == Verdict::not_confirmed);
-  CHECK_FAILS(found(below("", 0, means("height", {"unknown"}))), domain);
-}
-
-TEST_CASE("differences are paired, and facts are wanted all") {
-  Measured measured;
-  measured.samples = {{{"error", "a"}, {1, 5}}, {{"error", "b"}, {2, 6}}, {{"noise", "a"}, {0, 4}}};
-  const Finding less = below("", 0, differences("error", {{"a", "b"}})).decide(measured);
-  CHECK(less.verdict == Verdict::confirmed);
-  CHECK(less.numbers == "a - b: -1 ± 0");
-  CHECK(above("", 0, excess("error", "noise", {"a"})).decide(measured).numbers == "a: 1 ± 0");
-  measured.add_fact("topic", "one", true, "1");
-  CHECK(all_facts("topic", "").decide(measured).verdict == Verdict::confirmed);
-  measured.add_fact("topic", "", false, "2");
-  const Finding both = all_facts("topic", "").decide(measured);
-  CHECK(both.verdict == Verdict::not_confirmed);
-  CHECK(both.numbers == "one: 1; 2");
-  CHECK_FAILS(all_facts("nothing", "").decide(measured), domain);
-}
-
 TEST_CASE("a study measures errors and responses") {
   NoisyData what = damped::with_outliers(0, 0);
   Measured measured;
-  study(measured, what, curve_methods(), outlier_measures, {1, 27, 2});  // more than are refined together
+  study(measured, what, curve_methods(), {error_measure, error_without_measure, response_measure},
+        {1, 27, 2});  // more than are refined together
   for (const Method& method : curve_methods()) {
     const auto& errors = measured.at({"error", method.name});
     CHECK(errors == measured.at({"error without", method.name}));

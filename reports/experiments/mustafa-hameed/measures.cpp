@@ -1,7 +1,5 @@
 #include "parts.hpp"
 
-#include <subcert/reports/experiments/papers.hpp>
-
 namespace subcert::experiments::mustafa_hameed {
 namespace {
 
@@ -27,15 +25,10 @@ std::vector<Method> l1_methods(const std::vector<int>& windows, const std::vecto
   return result;
 }
 
-NamePairs pairs(const std::vector<Method>& first, const std::vector<Method>& second) {
-  NamePairs result;
-  for (std::size_t i = 0; i < first.size(); ++i) result.emplace_back(first[i].name, second[i].name);
-  return result;
-}
-
-std::vector<Experiment> all() {
-  return {linear_polynomials(), polynomial_reproduction(), data_without_noise(), noisy_function(), noisy_curve(),
-          noisy_surface()};
+Measures measures() {
+  return {{"nonlinear-fig1", linear_polynomials}, {"nonlinear-fig3", polynomial_reproduction},
+          {"nonlinear-fig7", data_without_noise}, {"nonlinear-fig8", noisy_function},
+          {"nonlinear-fig9", noisy_curve},        {"nonlinear-surface", noisy_surface}};
 }
 
 }  // namespace subcert::experiments::mustafa_hameed

@@ -1,0 +1,38 @@
+#include "parts.hpp"
+
+namespace subcert::experiments::mustafa_li_2015 {
+
+const std::vector<Method>& curve_methods() {
+  static const std::vector<Method> methods{{"S_6", "dual:n=3"},    {"S_7", "dual-odd:n=3"}, {"S_8", "dual:n=4"},
+                                           {"D_6", "l1:points=6"}, {"D_7", "l1:points=7"},  {"D_8", "l1:points=8"}};
+  return methods;
+}
+
+const std::vector<Method>& surface_methods() {
+  static const std::vector<Method> methods{{"S_6", "grid:points=6x6,d=1"}, {"S_7", "grid:points=7x7,d=1"},
+                                           {"S_8", "grid:points=8x8,d=1"}, {"D_6", "l1:points=6x6"},
+                                           {"D_7", "l1:points=7x7"},       {"D_8", "l1:points=8x8"}};
+  return methods;
+}
+
+void add_outlier_study(Measured& result, const Run& run, const std::string& table, const std::string& title,
+                       const NoisyData& data, const std::vector<Method>& methods, const std::string& prefix,
+                       std::vector<SampleMeasure> measures) {
+  measures.insert(measures.begin(), {error_measure, error_without_measure, response_measure});
+  study(result, data, methods, measures, run, prefix);
+  result.tables.push_back(outlier_table(run.experiment.id + table, title, methods, prefix).filled(result));
+}
+
+Measures measures() {
+  return {{"l1-fig1", outliers_under_linear_schemes},
+          {"l1-fig2", limit_functions},
+          {"l1-exp1", two_outliers},
+          {"l1-exp2", noise_and_outliers},
+          {"l1-fig4", iterations},
+          {"l1-exp3", spiral},
+          {"l1-exp4", impulsive_noise},
+          {"l1-surface1", bump},
+          {"l1-surface2", moebius_band}};
+}
+
+}  // namespace subcert::experiments::mustafa_li_2015

@@ -1,0 +1,221 @@
+#include "experiment.hpp"
+#include "noise_levels.hpp"
+
+#include <subcert/proofs-checks/toml_fields.hpp>
+
+#include <algorithm>
+
+namespace subcert::experiments {
+namespace {
+
+using Texts = std::map<std::string, std::string>;
+
+const toml::array& list_of(const toml::table& table, const std::string& key) {
+  const toml::node* node = table.get(key);
+  if (!node || !node->is_array()) throw FileError(place_of(node ? *node : table), "expected the list '" + key + "'");
+  return *node->as_array();
+}
+
+/// The table of a claim, with values put in for {name} in its texts.
+struct Fields {
+  const toml::table& table;
+  const Texts& values;
+  std::set<std::string>& used;  ///< the names of the values that were put in
+
+  bool has(const std::string& key) const { return table.contains(key); }
+  std::string plain(const toml::node& node) const {
+    const std::string text = text_of(node);
+    for (const auto& [name, value] : values)
+      if (text.find("{" + name + "}") != std::string::npos) used.insert(name);
+    return filled(text, values);
+  }
+  std::string text(const std::string& key) const {
+    needed_text(table, key);
+    return plain(*table.get(key));
+  }
+  double number(const std::string& key, double otherwise) const {
+    const toml::node* node = table.get(key);
+    if (!node) return otherwise;
+    if (!node->is_number()) throw FileError(place_of(*node), "expected a number");
+    return *node->value<double>();
+  }
+  /// A number, or the name of one.
+  Bound bound(const std::string& key, double otherwise) const {
+    return has(key) && table.get(key)->is_string() ? Bound(text(key)) : Bound(number(key, otherwise));
+  }
+  /// Domain: a list of two texts.
+  std::pair<std::string, std::string> two(const std::string& key) const {
+    const toml::array& both = list_of(table, key);
+    if (both.size() != 2) throw FileError(place_of(both), "expected two texts");
+    return {plain(*both.get(0)), plain(*both.get(1))};
+  }
+};
+
+/// The statistic, in which {bound} says on which side of it each mean lies.
+std::string statistic_of(const Fields& claim) {
+  std::map<std::string, std::string> bound;
+  for (const std::string side : {"above", "below"})
+    if (const toml::node* node = claim.table.get(side))
+      bound["bound"] = fmt::format(
+          "{} {} with the whole interval, each", side,
+          node->is_string() ? "{" + claim.text(side) + "}" : short_number(claim.number(side, 0)));
+  return filled(claim.text("statistic"), bound);
+}
+
+/// A mean that the claim names: "S_3", or the paired differences "D_3 - S_3"; or a table {of, name, above, below} with
+/// a name and bounds of its own.
+Mean read_mean(const Fields& claim, const toml::node& node) {
+  const bool own = node.is_table();
+  const Fields fields{own ? *node.as_table() : claim.table, claim.values, claim.used};
+  if (own) only_keys(fields.table, {"of", "name", "above", "below"});
+  const std::string measure = claim.text("measure"), text = own ? fields.text("of") : claim.plain(node),
+                    place = claim.has("at") ? " at " + claim.text("at") : "";
+  const std::size_t minus = text.find(" - ");
+  const std::string first = text.substr(0, minus);
+  Mean mean{text, {measure, first + place}};
+  if (minus != std::string::npos) {
+    if (claim.has("minus")) throw FileError(place_of(node), "either a difference or the key 'minus'");
+    mean.minus = {measure, text.substr(minus + 3) + place};
+  } else if (claim.has("minus")) {
+    mean.minus = {claim.text("minus"), mean.of.subject};
+  }
+  if (claim.has("factor")) {
+    if (!mean.minus) throw FileError(place_of(node), "'factor' goes with what is subtracted");
+    mean.factor = claim.number("factor", 1);
+    if (minus != std::string::npos)
+      mean.name = first + " - " + short_number(mean.factor) + " " + text.substr(minus + 3);
+  }
+  if (own && fields.has("name")) mean.name = fields.text("name");
+  mean.lower = fields.bound("above", -INFINITY);
+  mean.upper = fields.bound("below", INFINITY);
+  return mean;
+}
+
+Relation relation_of_means(const Fields& claim) {
+  std::vector<Mean> means;
+  for (const toml::node& node : list_of(claim.table, "of")) means.push_back(read_mean(claim, node));
+  const Bound none_above = INFINITY, none_below = -INFINITY;
+  if (std::ranges::all_of(means, [&](const Mean& m) { return m.lower == none_below && m.upper == none_above; }))
+    throw FileError(place_of(claim.table), "expected 'above' or 'below' for one of the means");
+  return whole_intervals(statistic_of(claim), means);
+}
+
+Relation relation_of_facts(const Fields& claim) { return all_facts(claim.text("statistic"), claim.text("facts")); }
+
+Relation relation_of_smaller_error(const Fields& claim) {
+  const auto [better, worse] = claim.two("smaller-error");
+  const int from = static_cast<int>(claim.number("from", loudest)), to = static_cast<int>(claim.number("to", quietest));
+  if (from < loudest || to < from || to > quietest)
+    throw FileError(place_of(claim.table), fmt::format("need {} <= from <= to <= {}", loudest, quietest));
+  if (claim.has("where") && claim.text("where") != "some level")
+    throw FileError(place_of(*claim.table.get("where")), "expected 'some level'");
+  return smaller_error(better, worse, from, to, claim.has("where") ? At::some_level : At::each_level);
+}
+
+Relation relation_of_equal_error(const Fields& claim) {
+  const auto [first, second] = claim.two("equal-error");
+  if (!claim.has("within")) throw FileError(place_of(claim.table), "expected the key 'within'");
+  return nearly_equal_error(first, second, claim.number("within", 0));
+}
+
+/// confirmed or not_confirmed.
+Verdict recorded_of(const Fields& claim) {
+  const toml::node* node = claim.table.get("recorded");
+  const Verdict verdict = node ? verdict_of(*node, claim.plain(*node)) : Verdict::confirmed;
+  if (verdict != Verdict::confirmed && verdict != Verdict::not_confirmed)
+    throw FileError(place_of(*node), "expected 'confirmed' or 'not confirmed'");
+  return verdict;
+}
+
+/// What decides a claim: the key that says so, the keys that go with it.
+struct Kind {
+  std::string key;
+  Keys keys;
+  Relation (*relation)(const Fields&);
+};
+
+Claim read_claim(const Fields& claim) {
+  static const std::vector<Kind> kinds{
+      {"of", {"measure", "minus", "factor", "at", "above", "below", "statistic"}, relation_of_means},
+      {"facts", {"statistic"}, relation_of_facts},
+      {"smaller-error", {"from", "to", "where"}, relation_of_smaller_error},
+      {"equal-error", {"within"}, relation_of_equal_error}};
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return claim.has(k.key); });
+  if (kind == kinds.end())
+    throw FileError(place_of(claim.table), "expected one of the keys 'of', 'facts', 'smaller-error', 'equal-error'");
+  Keys known{"sentence", "place", "recorded", kind->key};
+  known.insert(known.end(), kind->keys.begin(), kind->keys.end());
+  only_keys(claim.table, known);
+  const std::string sentence = claim.text("sentence"), place = claim.text("place");
+  if ((sentence + place).find('{') != std::string::npos)
+    throw FileError(place_of(claim.table), "a {name} in 'sentence' or 'place' without a value");
+  return {sentence, place, kind->relation(claim), recorded_of(claim)};
+}
+
+/// The claim, or for {use, with} the shared claims of this name with these values in their texts.
+std::vector<Claim> read_claims(const toml::table& table, const std::map<std::string, const toml::table*>& shared) {
+  std::set<std::string> used;
+  if (!table.contains("use")) return {read_claim({table, {}, used})};
+  only_keys(table, {"use", "with"});
+  const auto found = shared.find(needed_text(table, "use"));
+  if (found == shared.end()) throw FileError(place_of(*table.get("use")), "no [[shared]] claims of this name");
+  const Texts values = texts_in(table, "with");
+  std::vector<Claim> result;
+  for (const toml::table* claim : tables_of(*found->second, "claim"))
+    result.push_back(read_claim({*claim, values, used}));
+  for (const auto& [name, value] : values)
+    if (!used.contains(name)) throw FileError(place_of(table), "the shared claims have no {" + name + "}");
+  return result;
+}
+
+/// With the texts of [text] put in for <<id>>.
+std::vector<std::string> read_setup(const toml::table& table, const Texts& texts) {
+  std::vector<std::string> result;
+  for (const toml::node& node : list_of(table, "setup")) {
+    std::string paragraph = text_of(node);
+    for (std::size_t open; (open = paragraph.find("<<")) != std::string::npos;) {
+      const std::size_t close = std::min(paragraph.find(">>", open), paragraph.size());
+      const auto text = texts.find(paragraph.substr(open + 2, close - open - 2));
+      if (text == texts.end()) throw FileError(place_of(node), "a '<<' names no text of [text]");
+      paragraph.replace(open, close + 2 - open, text->second);
+    }
+    result.push_back(paragraph);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Experiment> read_experiments(const std::string& paper, std::string_view text, const Measures& measures) {
+  const toml::table file = parse_toml(text);
+  only_keys(file, {"text", "shared", "experiment"});
+  const Texts texts = texts_in(file, "text");
+  std::map<std::string, const toml::table*> shared;
+  for (const toml::table* table : tables_of(file, "shared")) {
+    only_keys(*table, {"name", "claim"});
+    shared[needed_text(*table, "name")] = table;
+  }
+  ById<Measure> open(paper, "measure", "experiment", measures);
+  std::vector<Experiment> result;
+  for (const toml::table* table : tables_of(file, "experiment")) {
+    only_keys(*table, {"id", "title", "setup", "random", "printed", "claim"});
+    const toml::node* random = table->get("random");
+    if (random && !random->is_boolean()) throw FileError(place_of(*random), "expected true or false");
+    const std::string id = needed_text(*table, "id");
+    Experiment experiment{id,
+                          paper,
+                          needed_text(*table, "title"),
+                          read_setup(*table, texts),
+                          {},
+                          optional_text(*table, "printed"),
+                          !random || random->as_boolean()->get(),
+                          open.taken(*table, id)};
+    for (const toml::table* claim : tables_of(*table, "claim"))
+      for (Claim& one : read_claims(*claim, shared)) experiment.claims.push_back(std::move(one));
+    result.push_back(std::move(experiment));
+  }
+  open.require_all_taken();
+  return result;
+}
+
+}  // namespace subcert::experiments

@@ -3,7 +3,10 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
+#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
@@ -62,6 +65,15 @@ Decision holder(const Mask& mask, const Expectation& expectation, double seconds
   return compare(holder_regularity(mask, levels, {Deadline::in(seconds)}).exponent, expectation, "the exponent");
 }
 
+Decision sobolev(const Mask& mask, const Expectation& expectation, double seconds) {
+  const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
+  if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
+  const auto found = sobolev_regularity(mask, Deadline::in(seconds));
+  if (!found) return {Truth::unknown, "the spectral radius was not computed in time"};
+  const bool stable = has_stable_shifts(mask).is_yes();
+  return compare(stable ? found->exponent : Enclosure::at_least(*found->exponent.lower), expectation, "the exponent");
+}
+
 Decision variance(const Mask& mask, const Expectation& expectation, double seconds) {
   const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
@@ -82,9 +94,54 @@ Decision whole_number(long value, const Expectation& expectation) {
   return decided(compare(Rational(value), expectation.relation, expectation.number), "it is " + std::to_string(value));
 }
 
-}  // namespace
+/// Whether the old values are kept: of the indices in M Z^s only 0 has a coefficient, which is 1.
+bool is_interpolatory(const MultivariateMask& mask) {
+  const LatticePoint zero(mask.dilation().variables(), 0);
+  const std::size_t digit = mask.dilation().divide(zero).digit;
+  for (const auto& term : mask.symbol().terms())
+    if (mask.dilation().divide(term.exponents).digit == digit && term.exponents != zero) return false;
+  return mask.symbol().coefficient(zero) == 1;
+}
 
-Decision has_property(const Mask& mask, const Expectation& expectation, double seconds) {
+Decision smoothness(const MultivariateRegularity& regularity, const Expectation& expectation) {
+  const Enclosure& exponent = regularity.exponent;
+  const std::string found = "the Hoelder exponent lies in [" + exponent.lower_text(8) + ", " + exponent.upper_text(8) +
+                            "]";
+  if (regularity.converges.is_no()) return decided(false, "not convergent: " + regularity.converges.reason);
+  if (regularity.converges.is_yes() && expectation.number == 0) return decided(true, "the scheme converges");
+  if (exponent.lower && *exponent.lower > expectation.number) return decided(true, found);
+  if (exponent.upper && *exponent.upper < expectation.number) return decided(false, found);
+  return {Truth::unknown, found};
+}
+
+Decision property_of(const MultivariateScheme& scheme, const Expectation& expectation, double seconds) {
+  const std::string& property = expectation.property;
+  if (property == "interpolatory")
+    return matches({is_interpolatory(scheme.mask) ? Truth::yes : Truth::no, ""}, expectation.yes);
+  const MultivariateReproduction polynomials = scheme.factors.empty() ? polynomial_reproduction(scheme.mask)
+                                                                      : tensor_product_reproduction(scheme.factors);
+  if (property == "sum_rules") return whole_number(polynomials.sum_rules, expectation);
+  if (property == "generates") return whole_number(polynomials.generation_degree(), expectation);
+  if (property == "reproduces") return whole_number(polynomials.reproduction_degree, expectation);
+  const Budget budget{Deadline::in(seconds)};
+  const MultivariateRegularity regularity = scheme.factors.empty() ? multivariate_regularity(scheme.mask, budget)
+                                                                   : tensor_product_regularity(scheme.factors, budget);
+  if (property == "convergent") return matches(regularity.converges, expectation.yes);
+  if (property == "stable") return matches(regularity.stable, expectation.yes);
+  if (property == "smoothness") return smoothness(regularity, expectation);
+  if (property == "holder") {
+    if (regularity.converges.is_no()) return decided(false, "not convergent: " + regularity.converges.reason);
+    return compare(regularity.exponent, expectation, "the exponent");
+  }
+  if (property == "sobolev") {
+    if (!regularity.sobolev) return {Truth::unknown, "the spectral radius was not computed in time"};
+    return compare(*regularity.sobolev, expectation, "the exponent");
+  }
+  fail(ErrorKind::domain, "has_property: need a property of surfaces, got '{}'", property);
+}
+
+Decision property_of(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  const Mask& mask = scheme.mask;
   const std::string& property = expectation.property;
   if (property == "convergent") return matches(converges(mask, {levels, Deadline::in(seconds)}), expectation.yes);
   if (property == "stable") {
@@ -96,6 +153,7 @@ Decision has_property(const Mask& mask, const Expectation& expectation, double s
     return matches({is_interpolatory(mask) ? Truth::yes : Truth::no, ""}, expectation.yes);
   if (property == "smoothness") return smoothness(mask, expectation, seconds);
   if (property == "holder") return holder(mask, expectation, seconds);
+  if (property == "sobolev") return sobolev(mask, expectation, seconds);
   if (property == "variance") return variance(mask, expectation, seconds);
   if (property == "sum_rules") return whole_number(sum_rules(mask), expectation);
   if (property == "generates") return whole_number(polynomial_reproduction(mask).generation_degree, expectation);
@@ -110,6 +168,12 @@ Decision has_property(const Mask& mask, const Expectation& expectation, double s
                    "it is [" + subcert::to_text(found.lower) + ", " + subcert::to_text(found.upper) + "]");
   }
   fail(ErrorKind::domain, "has_property: need a known property, got '{}'", property);
+}
+
+}  // namespace
+
+Decision has_property(const LinearScheme& scheme, const Expectation& expectation, double seconds) {
+  return std::visit([&](const auto& one) { return property_of(one, expectation, seconds); }, scheme);
 }
 
 }  // namespace subcert::properties

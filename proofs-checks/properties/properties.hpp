@@ -1,8 +1,8 @@
 #pragma once
 /// Expected properties of schemes, read from a TOML file and checked: docs/properties.md.
 
-#include <subcert/analysis/symbol/mask.hpp>
 #include <subcert/proofs-checks/file_error.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <optional>
 #include <string>
@@ -29,7 +29,7 @@ struct Expectation {
 struct ExpectedScheme {
   std::string name;  ///< the specification where the file gives none
   std::string specification;
-  Mask mask;
+  LinearScheme scheme;
   std::vector<Expectation> expectations;
 };
 
@@ -38,6 +38,7 @@ struct PropertyHelp {
   std::string name;
   std::string values;
   std::string meaning;
+  bool of_surfaces = true;  ///< also of schemes of two and three variables
 };
 const std::vector<PropertyHelp>& known_properties();
 
@@ -45,8 +46,8 @@ const std::vector<PropertyHelp>& known_properties();
 /// of the wrong kind, a scheme that cannot be made, a scheme without expected properties, a file without schemes.
 std::vector<ExpectedScheme> read_expectations(std::string_view text);
 
-/// Whether the scheme has the property. The reason says what was found. Cost: as the analysis that it needs, with about
-/// this many seconds for each search.
-Decision has_property(const Mask& mask, const Expectation& expectation, double seconds);
+/// Whether the scheme has the property. The reason says what was found. Domain: a property of surfaces for schemes of
+/// two and three variables. Cost: as the analysis that it needs, with about this many seconds for each search.
+Decision has_property(const LinearScheme& scheme, const Expectation& expectation, double seconds);
 
 }  // namespace subcert::properties

@@ -13,14 +13,15 @@ const std::vector<PropertyHelp>& known_properties() {
       {"convergent", "true or false", "uniform convergence for all bounded data"},
       {"smoothness", "\">= K\"", "C^K limits"},
       {"holder", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Hoelder exponent"},
+      {"sobolev", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Sobolev exponent"},
       {"sum_rules", "an integer or a comparison", "the number of sum rules"},
       {"generates", "an integer or a comparison", "the largest degree of polynomials that are limits"},
       {"reproduces", "an integer or a comparison", "the largest degree of polynomials that are reproduced"},
-      {"support", "[first, last]", "the ends of the support of the basic limit function"},
-      {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask"},
+      {"support", "[first, last]", "the ends of the support of the basic limit function", false},
+      {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask", false},
       {"stable", "true or false", "stability of the integer shifts"},
       {"interpolatory", "true or false", "whether old values are kept"},
-      {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve"}};
+      {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve", false}};
   return all;
 }
 
@@ -111,13 +112,17 @@ ExpectedScheme read_scheme(const toml::table& table) {
   if (!mask) throw FileError(place_of(table), "a scheme needs 'mask', a scheme specification");
   if (!mask->is_string()) throw FileError(place_of(*mask), "'mask' takes a scheme specification in quotes");
   const std::string& specification = mask->as_string()->get();
-  std::optional<Scheme> scheme;
+  std::optional<LinearScheme> scheme;
   try {
-    scheme = make_scheme(specification);
+    scheme = make_linear_scheme(specification);
   } catch (const Error& error) {
     throw FileError(place_of(*mask), error.what());
   }
-  ExpectedScheme result{printable(specification), scheme->specification, scheme->mask, {}};
+  const bool surface = std::holds_alternative<MultivariateScheme>(*scheme);
+  ExpectedScheme result{printable(specification),
+                        std::visit([](const auto& one) { return one.specification; }, *scheme),
+                        std::move(*scheme),
+                        {}};
   for (const auto& [key, node] : table) {
     const Place place = place_of(key.source());
     if (key.str() == "mask") continue;
@@ -129,6 +134,9 @@ ExpectedScheme read_scheme(const toml::table& table) {
     const PropertyHelp* property = find_property(key.str());
     if (!property)
       throw FileError(place, "unknown property '" + printable(key.str()) + "'; expected one of " + joined_names());
+    if (surface && !property->of_surfaces)
+      throw FileError(
+          place, "'" + property->name + "' is a property of schemes of one variable, got " + printable(specification));
     result.expectations.push_back(read_expectation(*property, node, place));
   }
   if (result.expectations.empty()) throw FileError(place_of(*mask), "the scheme has no expected property");

@@ -10,7 +10,7 @@ namespace {
 
 Decision first_answer(const std::string& text) {
   const auto schemes = read_expectations(text);
-  return has_property(schemes.at(0).mask, schemes.at(0).expectations.at(0), 10);
+  return has_property(schemes.at(0).scheme, schemes.at(0).expectations.at(0), 10);
 }
 
 std::string error_of(const std::string& text) {
@@ -29,7 +29,8 @@ TEST_CASE("true properties are proved and false ones refuted") {
   for (const char* text :
        {"convergent = true", "smoothness = '>= 1'", "holder = '>= 2'", "holder = '<= 2'", "sum_rules = 3",
         "generates = 2", "reproduces = 1", "reproduces = '>= 1'", "support = [-2, 1]", "support = ['-2', '1/1']",
-        "symmetry = 'even'", "stable = true", "interpolatory = false", "variance = '<= 0.6'", "variance = '> 0.49'"}) {
+        "symmetry = 'even'", "stable = true", "interpolatory = false", "sobolev = '>= 2.49'", "variance = '<= 0.6'",
+        "variance = '> 0.49'"}) {
     CAPTURE(text);
     CHECK(first_answer(chaikin + text).is_yes());
   }
@@ -40,6 +41,25 @@ TEST_CASE("true properties are proved and false ones refuted") {
     CHECK(first_answer(chaikin + text).is_no());
   }
   CHECK(first_answer("mask = 'mask:[1,1]'\nconvergent = true").is_no());
+}
+
+TEST_CASE("properties of surfaces") {
+  const std::string quincunx = "mask = 'quincunx:'\n";
+  for (const char* text :
+       {"convergent = true", "smoothness = '>= 0'", "holder = '>= 0.61'", "holder = '< 0.62'", "sobolev = '>= 1.57'",
+        "sum_rules = 2", "generates = 1", "reproduces = 1", "stable = true", "interpolatory = true"}) {
+    CAPTURE(text);
+    CHECK(first_answer(quincunx + text).is_yes());
+  }
+  for (const char* text : {"convergent = false", "smoothness = '>= 1'", "holder = '>= 0.62'", "sobolev = '> 1.58'",
+                           "sum_rules = 3", "stable = false", "interpolatory = false"}) {
+    CAPTURE(text);
+    CHECK(first_answer(quincunx + text).is_no());
+  }
+  CHECK(first_answer("mask = 'zwart-powell:'\nstable = true").is_no());
+  CHECK(first_answer("mask = 'zwart-powell:'\nholder = '<= 2'").truth == Truth::unknown);
+  CHECK(first_answer("mask = 'kobbelt:w=1/16'\nsmoothness = '>= 1'").is_yes());
+  CHECK_THAT(error_of(quincunx + "variance = '<= 1'"), Catch::Contains("a property of schemes of one variable"));
 }
 
 TEST_CASE("several schemes, with names, in the order of the file") {

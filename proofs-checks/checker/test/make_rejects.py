@@ -242,6 +242,14 @@ surface("surface-gram-sign", "hat-by-hand", "no positive sum", replace("^gram .*
 surface("surface-gram-other", "hat-by-hand", "not a fixed point", replace("^gram .*", "gram 0:5 1:1"))
 surface("surface-gram-twice", "hat-by-hand", "occurs twice", replace("^gram .*", "gram 0:4 1:1 -1:1"))
 surface("surface-gram-far", "hat-by-hand", "not a fixed point", replace("^gram .*", "gram 0:4 1:1 1000000:1"))
+# The hat function of three times the width: the scheme diverges, and the transfer operator has two fixed points, the one
+# with the inner products of the shifts, whose sum has zeros at 2 pi/3, and a positive one. The lower end cannot be proved.
+for name, gram, reason in [("cyclic-zeros", "0:108 1:93 2:60 3:27 4:8 5:1", "not shown to be positive"),
+                           ("diverging", "0:4 3:1", "does not prove the claim")]:
+    surface(f"surface-{name}", "hat-by-hand", reason, lambda lines: [
+        lines[0], "surface [1,0,0,2,0,0,1]/2@0 [2]", *lines[2:5],
+        *make_surfaces.space([{(k,): 1, (k + 1,): -2, (k + 2,): 1} for k in range(4)])[0],
+        f"gram {gram}", *lines[8:]], surface="[1,0,0,2,0,0,1]/2@0")
 element = make_surfaces.convolve(*[make_surfaces.binomial(d, 1) for d in ((1, 0), (0, 1), (1, 1), (1, -1))])
 unstable = make_surfaces.gram({p: a / 4 for p, a in element.items()}, make_surfaces.Division([[2, 0], [0, 2]]))
 surface("surface-unstable", "zwart-powell", "is not positive", lambda lines: [

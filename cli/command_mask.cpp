@@ -19,15 +19,25 @@ void print(const Scheme& scheme, const CommonOptions& options) {
 }
 
 void print(const MultivariateScheme& scheme, const CommonOptions& options) {
+  const Dilation& dilation = scheme.mask.dilation();
+  const bool multiple = dilation.factor().value_or(0) > 0;
   if (!options.json) {
-    options.answer(to_mask_text(scheme.mask) + "\n");
+    options.answer(to_mask_text(scheme.mask) +
+                   (multiple ? "" : ",dilation=" + dilation.to_text() + ",digits=" + to_text(dilation.digits())) +
+                   "\n");
     return;
   }
-  options.answer(Json{{"scheme", scheme.specification},
-                      {"arity", scheme.mask.arity()},
-                      {"first_index", scheme.mask.symbol().lowest()},
-                      {"coefficients", coefficients_json(scheme.mask)},
-                      {"support", limit_support_json(scheme.mask)}});
+  Json json{{"scheme", scheme.specification}};
+  if (multiple) {
+    json["arity"] = scheme.mask.arity();
+  } else {
+    json["dilation"] = dilation.rows();
+    json["digits"] = dilation.digits();
+  }
+  json["first_index"] = scheme.mask.symbol().lowest();
+  json["coefficients"] = coefficients_json(scheme.mask);
+  json["support"] = limit_support_json(scheme.mask);
+  options.answer(json);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // subcert regularity SCHEME
 
+#include "multivariate_regularity_page.hpp"
 #include "regularity_page.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
@@ -21,10 +22,8 @@ struct RegularityOptions : CommonOptions {
   std::size_t memory = 1024;
 };
 
-RegularityPage compute(const RegularityOptions& options) {
+RegularityPage compute(Scheme scheme, const RegularityOptions& options, const Budget& budget) {
   const Stopwatch watch;
-  const Budget budget{Deadline::in(options.budget), options.memory << 20};
-  Scheme scheme = make_scheme(options.scheme);
   options.progress("norms, products and polytopes");
   std::optional<SobolevRegularity> sobolev;
   if (is_affine(scheme.mask))  // otherwise holder_regularity says so
@@ -47,8 +46,8 @@ RegularityPage compute(const RegularityOptions& options) {
           complete,          watch.seconds()};
 }
 
-ExitCode run(const RegularityOptions& options) {
-  const RegularityPage page = compute(options);
+ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budget) {
+  const RegularityPage page = compute(std::move(scheme), options, budget);
   std::optional<CertificateClaim> claim;
   if (!options.certificate.empty()) {
     // Other arguments may prove more than rational numbers do.
@@ -72,20 +71,36 @@ ExitCode run(const RegularityOptions& options) {
   return page.convergence.is_yes() && page.complete ? done : undecided;
 }
 
+ExitCode run(MultivariateScheme scheme, const RegularityOptions& options, const Budget& budget) {
+  options.progress("products and polytopes");
+  const MultivariateRegularityPage page = multivariate_regularity_page(std::move(scheme), budget,
+                                                                       !options.certificate.empty());
+  options.end_progress();
+  if (!options.certificate.empty())
+    runtime::write_file(options.certificate, surface_certificate(page.scheme.mask, page.regularity).text);
+  options.json ? options.answer(page.json()) : options.answer(page.text());
+  if (page.regularity.converges.is_no()) return failed;
+  return page.regularity.converges.is_yes() && page.regularity.is_closed() ? done : undecided;
+}
+
 }  // namespace
 
 void add_regularity(Command& app) {
   auto options = std::make_shared<RegularityOptions>();
   Command command = add_command(app, "regularity", "The Hoelder exponent, enclosed with proof",
-                                "subcert regularity primal:n=5 --certificate s5.cert", options,
-                                [=] { return run(*options); });
+                                "subcert regularity primal:n=5 --certificate s5.cert", options, [=] {
+                                  const Budget budget{Deadline::in(options->budget), options->memory << 20};
+                                  return std::visit(
+                                      [&](auto scheme) { return run(std::move(scheme), *options, budget); },
+                                      make_linear_scheme(options->scheme));
+                                });
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
   command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
   command.option("--memory", options->memory, "MiB that the search may hold; near them it ends with what is proved")
       .within(16, 1 << 20)
       .with_default();
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
-  add_scheme(command, options->scheme);
+  add_scheme(command, options->scheme, true);
 }
 
 }  // namespace subcert::cli

@@ -34,4 +34,18 @@ std::string sobolev_text(const SobolevRegularity& sobolev, const Decision& stabl
                           : "  (L2 smoothness, a lower bound as the shifts are not proved stable)");
 }
 
+std::string method_text(const JointSpectralRadius& radius) {
+  switch (radius.method()) {
+    case JsrMethod::invariant_polytope: return "invariant polytope";
+    case JsrMethod::single_spectral_radius: return "single spectral radius";
+    default: return "norms of the difference scheme";
+  }
+}
+
+std::string word_text(const std::vector<int>& word) {
+  std::string text;
+  for (int letter : word) text += (letter > 9 && !text.empty() ? "," : "") + std::to_string(letter);
+  return text;
+}
+
 }  // namespace subcert::cli

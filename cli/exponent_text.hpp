@@ -4,6 +4,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/regularity/holder_bound.hpp>
+#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 
 namespace subcert::cli {
@@ -17,5 +18,11 @@ Json bound_json(const HolderBound& bound);
 /// The exponent and what stability makes of it; null where there is none.
 Json sobolev_json(const std::optional<SobolevRegularity>& sobolev, const Decision& stable);
 std::string sobolev_text(const SobolevRegularity& sobolev, const Decision& stable);
+
+/// By which kind of argument the upper end of a radius is proved.
+std::string method_text(const JointSpectralRadius& radius);
+
+/// The letters of a product, with commas behind letters above 9.
+std::string word_text(const std::vector<int>& word);
 
 }  // namespace subcert::cli

@@ -5,14 +5,6 @@
 namespace subcert::cli {
 namespace {
 
-std::string method_text(const JointSpectralRadius& radius) {
-  switch (radius.method()) {
-    case JsrMethod::invariant_polytope: return "invariant polytope";
-    case JsrMethod::single_spectral_radius: return "single spectral radius";
-    default: return "norms of the difference scheme";
-  }
-}
-
 /// Whether the exponent is attained: the modulus of continuity of the derivative that decides.
 std::string attained_text(const HolderRegularity& regularity) {
   const LogarithmicFactor& factor = regularity.logarithm;
@@ -35,12 +27,6 @@ std::string attained_text(const HolderRegularity& regularity) {
   if (*factor.at_most == 0) return "yes: " + has;
   if (factor.at_least == 0) return "unknown: " + has + " or a smaller one";
   return "no: " + has + (factor.at_least == *factor.at_most ? ", and no smaller one" : " or a smaller one");
-}
-
-std::string word_text(const std::vector<int>& word) {
-  std::string text;
-  for (int letter : word) text += (letter > 9 && !text.empty() ? "," : "") + std::to_string(letter);
-  return text;
 }
 
 }  // namespace

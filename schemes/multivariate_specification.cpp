@@ -1,7 +1,13 @@
-// Specifications of two and three variables: tensor products and fits on grids; and of any kind.
+// Specifications of two and three variables: tensor products, fits on grids, masks, box splines and classical surface
+// schemes; and of any kind.
 
+#include "ball_regression.hpp"
+#include "classical.hpp"
 #include "grid_regression.hpp"
 #include "specification_text.hpp"
+#include "surface_schemes.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -11,12 +17,7 @@ namespace {
 
 using namespace specification_text;
 
-constexpr long max_coefficients = 100'000;
-
-const FamilyHelp tensor_help{"tensor", "tensor:(primal:n=3)x(dual:n=2)",
-                             "tensor product of two or three schemes of one variable and one arity"};
-const FamilyHelp grid_help{"grid", "grid:points=4x4,d=3",
-                           "least squares of total degree d on a grid of data, as 4x4, 5x5 or 4x4x4; optional a=2"};
+constexpr long max_coefficients = 100'000, max_mask = 2 * max_points, max_entry = 64, max_digit = 1'000'000;
 
 /// The specifications in `(A)x(B)` or `(A)x(B)x(C)`.
 std::vector<Piece> read_factors(const Piece& body) {
@@ -41,14 +42,12 @@ std::vector<Piece> read_factors(const Piece& body) {
   return factors;
 }
 
-MultivariateScheme make_tensor(const Piece& body) {
+MultivariateScheme make_tensor(const Piece&, const Piece& body, const std::string&) {
   MultivariateScheme result{"tensor:", "tensor product", {MultivariatePolynomial(2, 1), 2}, {}};
   long coefficients = 1;
   for (const Piece& factor : read_factors(body)) {
     try {
       const Scheme scheme = make_scheme(factor.text);
-      if (!result.factors.empty() && scheme.mask.arity() != result.factors[0].arity())
-        fail(factor, "a scheme of arity " + std::to_string(result.factors[0].arity()) + " like the first");
       result.specification += (result.factors.empty() ? "(" : "x(") + scheme.specification + ")";
       coefficients *= scheme.mask.symbol().length();
       result.factors.push_back(scheme.mask);
@@ -63,8 +62,7 @@ MultivariateScheme make_tensor(const Piece& body) {
   return result;
 }
 
-MultivariateScheme make_grid(const Piece& family, const Piece& body) {
-  Fields fields(family, body, grid_help.usage);
+MultivariateScheme make_grid(Fields& fields) {
   const Piece points_piece = fields.required("points");
   GridRegression scheme;
   std::string points;
@@ -100,26 +98,248 @@ MultivariateScheme make_grid(const Piece& family, const Piece& body) {
           {}};
 }
 
+/// What `make` returns; what it says to be needed is what is expected in place of the piece.
+template <class Make>
+auto checked(const Piece& piece, Make make) {
+  try {
+    return make();
+  } catch (const SpecificationError&) {
+    throw;
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    const std::size_t need = what.find("need ");
+    fail(piece, need == std::string::npos ? what : what.substr(need + 5));
+  }
+}
+
+/// Points as `1,0;0,1`, with as many coordinates as variables.
+std::vector<LatticePoint> read_lattice_points(const Piece& piece, const std::string& name, std::size_t variables,
+                                              long bound) {
+  std::vector<LatticePoint> points;
+  for (const Piece& entry : read_list(piece, ';')) {
+    points.emplace_back();
+    for (const Piece& number : split(entry, ',')) points.back().push_back(read_integer(number, name, -bound, bound));
+    if (points.back().size() != variables) fail(entry, fmt::format("{} numbers, one for each variable", variables));
+  }
+  return points;
+}
+
+/// The fields arity, dilation and digits; 2 times the identity unless given.
+Dilation read_dilation(Fields& fields, std::size_t variables) {
+  const auto arity = fields.optional("arity"), matrix = fields.optional("dilation"), digits = fields.optional("digits");
+  if (arity && matrix) fail(*matrix, "arity or dilation, not both");
+  const Dilation result =
+      matrix
+          ? checked(*matrix, [&] { return Dilation(read_lattice_points(*matrix, "an entry", variables, max_entry)); })
+          : Dilation::multiple(static_cast<int>(variables),
+                               arity ? static_cast<int>(read_integer(*arity, "arity", 2, max_arity)) : 2);
+  if (!digits) return result;
+  return checked(*digits, [&] {
+    return Dilation(result.rows(), read_lattice_points(*digits, "a coordinate", variables, max_digit));
+  });
+}
+
+/// The fields that read_dilation reads.
+std::string fields_text(const Dilation& dilation) {
+  const int factor = dilation.factor().value_or(0);
+  const Dilation plain(dilation.rows());
+  return (factor == 2  ? ""
+          : factor > 2 ? ",arity=" + std::to_string(factor)
+                       : ",dilation=" + dilation.to_text()) +
+         (dilation == plain ? "" : ",digits=" + to_text(dilation.digits()));
+}
+
+/// Refuses masks whose coset sums are not all 1, by a class without coefficients where there is one.
+void require_affine(const Piece& body, const MultivariateMask& mask) {
+  const std::vector<Rational> sums = coset_sums(mask);
+  std::vector<bool> empty(sums.size(), true);
+  for (const auto& term : mask.symbol().terms()) empty[mask.dilation().divide(term.exponents).digit] = false;
+  auto bad = static_cast<std::size_t>(std::find(empty.begin(), empty.end(), true) - empty.begin());
+  for (std::size_t d = 0; d < sums.size() && bad == sums.size(); ++d)
+    if (sums[d] != 1) bad = d;
+  if (bad == sums.size()) return;
+  fail(body, fmt::format("coefficients that sum to 1 over each class of indices modulo {}; the class of ({}) {}",
+                         mask.dilation().to_text(), fmt::join(mask.dilation().digits()[bad], ","),
+                         empty[bad] ? "has none" : "sums to " + to_decimal(sums[bad], 6, Rounding::nearest)));
+}
+
+MultivariatePolynomial symbol_of(const text::MaskText& mask) {
+  std::vector<Monomial> terms;
+  for (std::size_t i = 0; i < mask.coefficients.size(); ++i) {
+    terms.push_back({mask.coefficients[i], {}});
+    std::size_t rest = i;
+    for (std::size_t v = 0; v < mask.sizes.size(); rest /= mask.sizes[v++]) {
+      const long first = mask.first ? (*mask.first)[v] : -static_cast<long>(mask.sizes[v] / 2);
+      terms.back().exponents.push_back(first + static_cast<long>(rest % mask.sizes[v]));
+    }
+  }
+  return {static_cast<int>(mask.sizes.size()), terms};
+}
+
+template <int variables>
+MultivariateScheme make_mask_of(const Piece& family, const Piece& body, const std::string& usage) {
+  auto [parts, fields] = read_mask(family, body, usage, variables, max_mask);
+  Integer common = 1;
+  for (const Rational& c : parts.coefficients) common = lcm(common, denominator(c));
+  if (common.str().size() * parts.coefficients.size() > 5 * static_cast<std::size_t>(max_long_work))
+    fail(body, fmt::format("coefficients with (number of them) * (digits of the common denominator) <= {}",
+                           5 * max_long_work));
+  const Dilation dilation = read_dilation(fields, variables);
+  fields.finish();
+  const MultivariateMask mask = checked(body, [&] { return MultivariateMask(symbol_of(parts), dilation); });
+  require_affine(body, mask);
+  return {std::string(family.text) + ":" + to_mask_text(mask) + fields_text(dilation), "mask given by its coefficients",
+          mask};
+}
+
+MultivariateScheme make_box(const Piece& family, const Piece& body, const std::string& usage) {
+  std::vector<Piece> rest = split(body, ',');
+  const Piece list = rest.front();
+  rest.erase(rest.begin());
+  const std::size_t variables = split(read_list(list, ';').front(), ',').size();
+  if (variables < 2 || variables > 3) fail(list, "directions of two or three variables, as [1,0;0,1;1,1]");
+  const std::vector<LatticePoint> directions = read_lattice_points(list, "a coordinate", variables, max_entry);
+  Fields fields(family, rest, body.at + body.text.size(), usage);
+  const Dilation dilation = read_dilation(fields, variables);
+  fields.finish();
+  const MultivariateMask mask = checked(list, [&] { return box_spline_mask(directions, dilation); });
+  require_affine(list, mask);
+  return {"box:" + to_text(directions) + fields_text(dilation),
+          fmt::format("box spline of {} directions", directions.size()), mask};
+}
+
+MultivariateScheme make_triangular(Fields& fields) {
+  BallRegression scheme;
+  const Piece radius = fields.required("L");
+  scheme.radius = read_rational(radius);
+  if (denominator(scheme.radius) > 1000) fail(radius, "L with a denominator up to 1000");
+  if (const auto piece = fields.optional("d")) scheme.degree = static_cast<int>(read_integer(*piece, "d", 0, 6));
+  std::string text = fmt::format("triangular:L={},d={}", scheme.radius, scheme.degree);
+  if (const auto piece = fields.optional("grid")) {
+    if (piece->text != "equilateral" && piece->text != "rectangular")
+      fail(*piece, "grid=equilateral or grid=rectangular");
+    if (piece->text == "rectangular") {
+      scheme.lattice = Lattice::rectangular;
+      text += ",grid=rectangular";
+    }
+  }
+  const auto power = fields.optional("power"), weights = fields.optional("weights");
+  if (power && weights) fail(*weights, "power or weights, not both");
+  if (power) scheme.power = static_cast<int>(read_integer(*power, "power", 0, 8));
+  if (scheme.power > 0) text += fmt::format(",power={}", scheme.power);
+  if (weights) {
+    for (const Piece& entry : read_list(*weights, ';')) {
+      scheme.weights.push_back(read_rational(entry));
+      if (scheme.weights.back() <= 0 || entry.text.size() > 40) fail(entry, "a weight > 0 of at most 40 characters");
+      text += (scheme.weights.size() == 1 ? ",weights=[" : ";") + to_text(scheme.weights.back());
+    }
+    text += "]";
+    const std::vector<Rational> distances = checked(radius, [&] { return ball_distances(scheme); });
+    const auto few = distances.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(distances.size(), 8));
+    if (distances.size() != scheme.weights.size())
+      fail(*weights, fmt::format("{} weights, one for each squared distance {}{}", distances.size(),
+                                 fmt::join(distances.begin(), few, ", "), few == distances.end() ? "" : ", ..."));
+  }
+  fields.finish();
+  return {
+      text,
+      fmt::format("least squares on the {} triangular grid within L = {}, degree {}",
+                  scheme.lattice == Lattice::rectangular ? "rectangular" : "equilateral", scheme.radius, scheme.degree),
+      checked(radius, [&] { return ball_regression_mask(scheme); })};
+}
+
+MultivariateScheme make_butterfly(Fields& fields) {
+  const Rational w = read_rational(fields.required("w"));
+  fields.finish();
+  return {"butterfly:w=" + to_text(w), "butterfly scheme with tension " + to_text(w), butterfly_mask(w)};
+}
+
+MultivariateScheme make_kobbelt(Fields& fields) {
+  const Rational w = read_rational(fields.required("w"));
+  fields.finish();
+  const std::vector<Mask> factors(2, four_point_mask(w));
+  return {"kobbelt:w=" + to_text(w), "Kobbelt's interpolatory scheme for quadrilaterals with tension " + to_text(w),
+          tensor_product(factors), factors};
+}
+
+const std::vector<Family<MultivariateScheme>>& multivariate_table();
+
+/// A scheme without parameters, known by its name: another specification.
+Family<MultivariateScheme> named(const std::string& name, const std::string& meaning, const std::string& definition) {
+  return {{name, name, meaning}, [=](const Piece&, const Piece& body, const std::string&) {
+            if (!body.text.empty()) fail(body, "nothing after " + name);
+            MultivariateScheme scheme = *make_one_of(multivariate_table(), definition);
+            return MultivariateScheme{name, meaning, scheme.mask, scheme.factors};
+          }};
+}
+
+const std::vector<Family<MultivariateScheme>>& multivariate_table() {
+  static const std::vector<Family<MultivariateScheme>> families{
+      {{"tensor", "tensor:(primal:n=3)x(dual:n=2)", "tensor product of two or three schemes of one variable"},
+       make_tensor},
+      {{"grid", "grid:points=4x4,d=3",
+        "least squares of total degree d on a grid of data, as 4x4, 5x5 or 4x4x4; optional a=2"},
+       from_fields(make_grid)},
+      {{"triangular", "triangular:L=8/5,d=1",
+        "least squares within the distance L on a triangular grid; optional grid=rectangular, power=2 or "
+        "weights=[...]"},
+       from_fields(make_triangular)},
+      {{"mask2", "mask2:[[1,1,0],[1,2,1],[0,1,1]]/2@-1,-1",
+        "any mask, rows in x; optional arity=2 or dilation=[1,2;-2,-1], and digits=[0,0;1,0;...]"},
+       make_mask_of<2>},
+      {{"mask3", "mask3:[[[1,1],[1,1]],[[1,1],[1,1]]]@-1,-1,-1", "the same in three variables"}, make_mask_of<3>},
+      {{"box", "box:[1,0;0,1;1,1]",
+        "box spline by its directions in two or three variables; optional keys as of mask2"},
+       make_box},
+      {{"butterfly", "butterfly:w=1/16", "butterfly scheme with tension w"}, from_fields(make_butterfly)},
+      named("loop", "Loop's scheme, three-directional quartic box spline", "box:[1,0;1,0;0,1;0,1;1,1;1,1]"),
+      named("catmull-clark", "Catmull and Clark's scheme, bicubic B-spline",
+            "tensor:(bspline:degree=3)x(bspline:degree=3)"),
+      named("doo-sabin", "Doo and Sabin's scheme, biquadratic B-spline",
+            "tensor:(bspline:degree=2)x(bspline:degree=2)"),
+      {{"kobbelt", "kobbelt:w=1/16", "Kobbelt's interpolatory scheme, tensor product of the 4-point scheme"},
+       from_fields(make_kobbelt)},
+      named("sqrt3", "Kobbelt's sqrt(3) scheme",
+            "mask2:[[0,0,0,1,0],[0,1,6,6,1],[0,6,12,6,0],[1,6,6,1,0],[0,1,0,0,0]]/18@-2,-2,dilation=[1,2;-2,-1]"),
+      named("quincunx", "bilinear interpolation on the quincunx lattice",
+            "mask2:[[0,1,0],[1,4,1],[0,1,0]]/4@-1,-1,dilation=[1,-1;1,1]"),
+      named("four-eight", "Velho and Zorin's 4-8 scheme, four-directional box spline, one bisection a step",
+            "box:[1,0;1,0;0,1;0,1;1,1;1,1;1,-1;1,-1],dilation=[1,-1;1,1]"),
+      named("zwart-powell", "Zwart-Powell element, four-directional quadratic box spline", "box:[1,0;0,1;1,1;1,-1]"),
+      named("midedge", "Peters and Reif's simplest scheme, the Zwart-Powell element with midpoints of edges",
+            "box:[1,0;0,1;1,1;1,-1],dilation=[1,-1;1,1]")};
+  return families;
+}
+
+text::MaskText dense(const MultivariateMask& mask) {
+  const LatticePoint lowest = mask.symbol().lowest(), size = mask.symbol().highest() - lowest;
+  text::MaskText result{{}, {}, lowest};
+  std::size_t count = 1;
+  for (const long length : size) {
+    result.sizes.push_back(static_cast<std::size_t>(length + 1));
+    count *= result.sizes.back();
+  }
+  result.coefficients.resize(count, 0);
+  for (const auto& term : mask.symbol().terms()) {
+    std::size_t at = 0;
+    for (std::size_t v = lowest.size(); v-- > 0;)
+      at = at * result.sizes[v] + static_cast<std::size_t>(term.exponents[v] - lowest[v]);
+    result.coefficients[at] = term.coefficient;
+  }
+  return result;
+}
+
 }  // namespace
 
 LinearScheme make_linear_scheme(std::string_view specification) {
-  const std::size_t colon = specification.find(':');
-  const Piece family{specification.substr(0, colon), 0};
-  if (family.text != tensor_help.family && family.text != grid_help.family) {
-    std::string known;
-    for (const auto* list : {&families(), &multivariate_families()})
-      for (const FamilyHelp& help : *list) {
-        known += (known.empty() ? "" : ", ") + help.family;
-        if (help.family == family.text) return make_scheme(specification);
-      }
-    if (family.text == "l1") fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
-    fail(family, "one of " + known + "; for data also l1");
-  }
-  if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
-  const bool tensor = family.text == tensor_help.family;
-  if (colon == std::string_view::npos) fail(family, (tensor ? tensor_help : grid_help).usage);
-  const Piece body{specification.substr(colon + 1), colon + 1};
-  return tensor ? make_tensor(body) : make_grid(family, body);
+  if (auto scheme = make_one_of(multivariate_table(), specification)) return *std::move(scheme);
+  const Piece family = family_of(specification);
+  for (const FamilyHelp& help : families())
+    if (help.family == family.text) return make_scheme(specification);
+  const std::string known = names_of(families()) + ", " + names_of(multivariate_families());
+  if (is_l1_specification(specification))
+    fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
+  fail(family, "one of " + known + "; for data also l1");
 }
 
 AnyScheme make_any_scheme(std::string_view specification) {
@@ -138,40 +358,10 @@ std::vector<Mask> axis_masks(const AnyScheme& scheme) {
 }
 
 const std::vector<FamilyHelp>& multivariate_families() {
-  static const std::vector<FamilyHelp> help{tensor_help, grid_help};
+  static const std::vector<FamilyHelp> help = help_of(multivariate_table());
   return help;
 }
 
-std::string to_mask_text(const MultivariateMask& mask) {
-  const auto lowest = mask.symbol().lowest(), highest = mask.symbol().highest();
-  const std::size_t variables = lowest.size();
-  std::vector<std::size_t> sizes;
-  std::size_t count = 1;
-  for (std::size_t v = 0; v < variables; ++v) {
-    sizes.push_back(static_cast<std::size_t>(highest[v] - lowest[v] + 1));
-    count *= sizes.back();
-  }
-  std::vector<Rational> dense(count, 0);
-  Integer common = 1;
-  for (const auto& term : mask.symbol().terms()) {
-    std::size_t at = 0;
-    for (std::size_t v = variables; v-- > 0;)
-      at = at * sizes[v] + static_cast<std::size_t>(term.exponents[v] - lowest[v]);
-    dense[at] = term.coefficient;
-    common = lcm(common, denominator(term.coefficient));
-  }
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::size_t run = 1;  // numbers in the lists that begin or end here
-    for (std::size_t v = 0; v < variables && i % (run *= sizes[v]) == 0; ++v) text += '[';
-    text += to_text(Rational(dense[i] * common));
-    run = 1;
-    for (std::size_t v = 0; v < variables && (i + 1) % (run *= sizes[v]) == 0; ++v) text += ']';
-    if (i + 1 < count) text += ',';
-  }
-  if (common != 1) text += "/" + to_text(Rational(common));
-  for (std::size_t v = 0; v < variables; ++v) text += (v ? "," : "@") + std::to_string(lowest[v]);
-  return text;
-}
+std::string to_mask_text(const MultivariateMask& mask) { return text::print_mask_text(dense(mask)); }
 
 }  // namespace subcert

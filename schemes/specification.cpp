@@ -3,11 +3,8 @@
 #include "classical.hpp"
 #include "specification_text.hpp"
 
-#include <subcert/analysis/symbol/term_text.hpp>
-
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 
@@ -86,13 +83,6 @@ Scheme make_four_point(Fields& fields) {
   return {"four-point:w=" + to_text(w), "4-point scheme with tension " + to_text(w), four_point_mask(w)};
 }
 
-/// The elements between '[' and ']'.
-std::vector<Piece> read_list(const Piece& piece, char separator) {
-  if (piece.text.size() < 2 || piece.text.front() != '[' || piece.text.back() != ']')
-    fail(piece, "a list in brackets, as [1" + std::string(1, separator) + "2]");
-  return split({piece.text.substr(1, piece.text.size() - 2), piece.at + 1}, separator);
-}
-
 /// The length of the longest number in a list printed with ';' and '|'.
 std::size_t longest_entry(const std::string& list) {
   std::size_t longest = 0, current = 0;
@@ -164,24 +154,13 @@ Scheme make_regression(Fields& fields) {
 }
 
 Scheme make_mask(const Piece& family, const Piece& body, const std::string& usage) {
-  std::vector<Piece> rest = split(body, ',');  // the mask vector, then fields
-  const Piece vector = rest.front();
-  rest.erase(rest.begin());
-  const auto count = 1 + std::count(vector.text.begin(), vector.text.end(), ',');
-  if (count > 4 * max_points) fail(vector, "at most " + number(4 * max_points) + " coefficients");
-  text::MaskText parts;
-  try {
-    parts = text::parse_mask_text(vector.text);
-  } catch (const ParseError& error) {
-    throw SpecificationError(error.token(), vector.at + error.position(), error.expected());
-  }
-  Fields fields(family, rest, body.at + body.text.size(), usage);
+  auto [parts, fields] = read_mask(family, body, usage, 1, 4 * max_points);
   const auto arity_piece = fields.optional("arity");
   const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
   fields.finish();
 
-  const LaurentPolynomial symbol(parts.coefficients,
-                                 parts.first.value_or(-static_cast<long>(parts.coefficients.size() / 2)));
+  const LaurentPolynomial symbol(
+      parts.coefficients, parts.first ? parts.first->front() : -static_cast<long>(parts.coefficients.size() / 2));
   if (symbol.is_zero()) fail(body, "at least one non-zero coefficient");
   const Mask mask(symbol, static_cast<int>(arity));
   const auto sums = coset_sums(mask);
@@ -193,21 +172,8 @@ Scheme make_mask(const Piece& family, const Piece& body, const std::string& usag
           "mask given by its coefficients", mask};
 }
 
-struct Family {
-  FamilyHelp help;
-  std::function<Scheme(const Piece& family, const Piece& body, const std::string& usage)> make;
-};
-
-template <class Make>
-auto from_fields(Make make) {
-  return [make](const Piece& family, const Piece& body, const std::string& usage) {
-    Fields fields(family, body, usage);
-    return make(fields);
-  };
-}
-
-const std::vector<Family>& table() {
-  static const std::vector<Family> families{
+const std::vector<Family<Scheme>>& table() {
+  static const std::vector<Family<Scheme>> families{
       {{"primal", "primal:n=3,d=1", "binary primal 2n-point least squares scheme"}, from_fields(make_primal)},
       {{"dual", "dual:n=3,d=1", "binary dual 2n-point least squares scheme"}, from_fields(make_dual)},
       {{"primal-odd", "primal-odd:n=3,d=1", "binary primal (2n+1)-point variant"}, from_fields(make_primal_odd)},
@@ -225,29 +191,44 @@ const std::vector<Family>& table() {
 
 }  // namespace
 
-Scheme make_scheme(std::string_view specification) {
-  if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
-  const std::size_t colon = specification.find(':');
-  const Piece family{specification.substr(0, colon), 0};
-  std::string known;
-  for (const Family& candidate : table()) {
-    if (candidate.help.family == family.text) {
-      if (colon == std::string_view::npos) fail(family, candidate.help.usage);
-      return candidate.make(family, {specification.substr(colon + 1), colon + 1}, candidate.help.usage);
-    }
-    known += (known.empty() ? "" : ", ") + candidate.help.family;
+namespace specification_text {
+
+MaskAndFields read_mask(const Piece& family, const Piece& body, const std::string& usage, int variables, long most) {
+  // The first indices are separated by commas, as the fields are.
+  std::vector<Piece> rest = split(body, ',');
+  const std::size_t indices = rest.front().text.find('@') == std::string_view::npos
+                                  ? 1
+                                  : static_cast<std::size_t>(variables);
+  const auto fields = rest.begin() + static_cast<std::ptrdiff_t>(std::min(indices, rest.size()));
+  const Piece& last = *std::prev(fields);
+  const Piece mask{body.text.substr(0, last.at + last.text.size() - body.at), body.at};
+  const std::string_view lists = mask.text.substr(0, mask.text.rfind(']'));
+  if (1 + std::count(lists.begin(), lists.end(), ',') > most)
+    fail(mask, "at most " + std::to_string(most) + " coefficients");
+  text::MaskText parts;
+  try {
+    parts = text::parse_mask_text(mask.text, variables);
+  } catch (const ParseError& error) {
+    throw SpecificationError(error.token(), mask.at + error.position(), error.expected());
   }
-  if (family.text == "l1") fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
-  if (family.text == "tensor" || family.text == "grid") fail(family, "a linear scheme of one variable (" + known + ")");
+  return {std::move(parts), Fields(family, {fields, rest.end()}, body.at + body.text.size(), usage)};
+}
+
+}  // namespace specification_text
+
+Scheme make_scheme(std::string_view specification) {
+  if (auto scheme = make_one_of(table(), specification)) return *std::move(scheme);
+  const Piece family = family_of(specification);
+  const std::string known = names_of(families());
+  if (is_l1_specification(specification))
+    fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
+  for (const FamilyHelp& other : multivariate_families())
+    if (other.family == family.text) fail(family, "a linear scheme of one variable (" + known + ")");
   fail(family, "one of " + known);
 }
 
 const std::vector<FamilyHelp>& families() {
-  static const std::vector<FamilyHelp> help = [] {
-    std::vector<FamilyHelp> result;
-    for (const Family& family : table()) result.push_back(family.help);
-    return result;
-  }();
+  static const std::vector<FamilyHelp> help = help_of(table());
   return help;
 }
 

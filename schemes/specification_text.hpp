@@ -3,6 +3,10 @@
 
 #include "specification.hpp"
 
+#include <subcert/analysis/symbol/term_text.hpp>
+
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -39,6 +43,13 @@ inline std::vector<Piece> split(const Piece& piece, char separator) {
     }
   }
   return result;
+}
+
+/// The elements between '[' and ']'.
+inline std::vector<Piece> read_list(const Piece& piece, char separator) {
+  if (piece.text.size() < 2 || piece.text.front() != '[' || piece.text.back() != ']')
+    fail(piece, "a list in brackets, as [1" + std::string(1, separator) + "2]");
+  return split({piece.text.substr(1, piece.text.size() - 2), piece.at + 1}, separator);
 }
 
 inline Rational read_rational(const Piece& piece) {
@@ -107,5 +118,60 @@ class Fields {
   std::string usage_;
   std::vector<Field> fields_;
 };
+
+/// The coefficients at the beginning of the body of a specification, and the fields that follow.
+struct MaskAndFields {
+  text::MaskText mask;
+  Fields fields;
+};
+
+/// Domain: at most `most` coefficients.
+MaskAndFields read_mask(const Piece& family, const Piece& body, const std::string& usage, int variables, long most);
+
+/// The name of a family, an example with all keys, and how its schemes are made.
+template <class AScheme>
+struct Family {
+  FamilyHelp help;
+  std::function<AScheme(const Piece& family, const Piece& body, const std::string& usage)> make;
+};
+
+template <class Make>
+auto from_fields(Make make) {
+  return [make](const Piece& family, const Piece& body, const std::string& usage) {
+    Fields fields(family, body, usage);
+    return make(fields);
+  };
+}
+
+template <class AScheme>
+std::vector<FamilyHelp> help_of(const std::vector<Family<AScheme>>& families) {
+  std::vector<FamilyHelp> result;
+  for (const Family<AScheme>& family : families) result.push_back(family.help);
+  return result;
+}
+
+/// `primal, dual, ...`
+inline std::string names_of(const std::vector<FamilyHelp>& families) {
+  std::string names;
+  for (const FamilyHelp& help : families) names += (names.empty() ? "" : ", ") + help.family;
+  return names;
+}
+
+inline Piece family_of(std::string_view specification) { return {specification.substr(0, specification.find(':')), 0}; }
+
+/// The scheme, where the specification names one of the families. A family without keys may do without its colon.
+template <class AScheme>
+std::optional<AScheme> make_one_of(const std::vector<Family<AScheme>>& families, std::string_view specification) {
+  if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
+  const Piece family = family_of(specification);
+  const std::size_t begin = std::min(family.text.size() + 1, specification.size());
+  for (const Family<AScheme>& candidate : families)
+    if (candidate.help.family == family.text) {
+      const std::string& usage = candidate.help.usage;
+      if (family.text.size() == specification.size() && usage != candidate.help.family) fail(family, usage);
+      return candidate.make(family, {specification.substr(begin), begin}, usage);
+    }
+  return std::nullopt;
+}
 
 }  // namespace subcert::specification_text

@@ -73,12 +73,6 @@ Decision contracts(const MultivariatePolynomial& quotient, int arity, const std:
 
 }  // namespace
 
-std::vector<Rational> coset_sums(const MultivariateMask& mask) {
-  std::vector<Rational> sums(mask.dilation().digits().size(), 0);
-  for (const auto& term : mask.symbol().terms()) sums[mask.dilation().divide(term.exponents).digit] += term.coefficient;
-  return sums;
-}
-
 Rational operator_norm(const MultivariateMask& mask) {
   std::vector<Rational> sums(mask.dilation().digits().size(), 0);
   for (const auto& term : mask.symbol().terms())

@@ -7,9 +7,6 @@
 
 namespace subcert {
 
-/// The sums of the coefficients over the classes of their indices modulo the dilation, digit by digit.
-std::vector<Rational> coset_sums(const MultivariateMask& mask);
-
 /// The maximum norm of the subdivision operator: the largest sum of moduli over a class.
 Rational operator_norm(const MultivariateMask& mask);
 

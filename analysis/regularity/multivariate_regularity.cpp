@@ -1,5 +1,8 @@
 #include "multivariate_regularity.hpp"
 
+#include "holder_regularity.hpp"
+#include "sobolev.hpp"
+
 #include <subcert/analysis/difference/multivariate_convergence.hpp>
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
@@ -9,18 +12,9 @@
 namespace subcert {
 namespace {
 
-constexpr double sobolev_share = 0.2, stability_share = 0.5;
+constexpr double norm_share = 0.05, sobolev_share = 0.2, stability_share = 0.5;  // of the time that is left
+constexpr int levels = 16;  // of norms, where they decide convergence
 constexpr std::size_t largest_space = 256;
-
-/// -log of the radius, to the base by which the dilation expands.
-Enclosure exponent_of(const Enclosure& radius, const Dilation& dilation) {
-  const Rational variables = static_cast<long>(dilation.variables());
-  const int classes = static_cast<int>(dilation.classes());
-  Enclosure result;
-  if (radius.upper && *radius.upper > 0) result.lower = -variables * *log_ratio(*radius.upper, classes).upper;
-  if (radius.lower && *radius.lower > 0) result.upper = -variables * *log_ratio(*radius.lower, classes).lower;
-  return result;
-}
 
 void prove_stability(const MultivariateMask& mask, const Deadline& deadline, MultivariateRegularity& result) {
   try {
@@ -36,6 +30,15 @@ void prove_stability(const MultivariateMask& mask, const Deadline& deadline, Mul
 
 }  // namespace
 
+Enclosure exponent_of_radius(const Enclosure& radius, const Dilation& dilation) {
+  const auto variables = static_cast<long>(dilation.variables());
+  const int classes = static_cast<int>(dilation.classes());
+  Enclosure result;
+  if (radius.upper && *radius.upper > 0) result.lower = -*log_ratio(power(*radius.upper, variables), classes).upper;
+  if (radius.lower && *radius.lower > 0) result.upper = -*log_ratio(power(*radius.lower, variables), classes).lower;
+  return result;
+}
+
 MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget) {
   const Dilation& dilation = mask.dilation();
   require(dilation.is_isotropic(), "multivariate_regularity: need an isotropic dilation, got {}", dilation.to_text());
@@ -47,29 +50,75 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
     return result;
   }
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
-  const Deadline sobolev_end = budget.deadline.after(sobolev_share);
+  std::optional<MultivariateSobolev> sobolev;
   try {
     result.space = difference_space(mask, result.sum_rules);
-    result.sobolev = sobolev_regularity(mask, result.sum_rules, sobolev_end);
+    sobolev = sobolev_regularity(mask, result.sum_rules, budget.deadline.after(sobolev_share));
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::size) throw;
   }
+  if (sobolev) result.sobolev = Enclosure::at_least(*sobolev->exponent.lower);
   if (!result.space || result.space->family.size() > largest_space) {
-    result.converges = converges(mask, {16, budget.deadline});
+    result.exact = {Truth::unknown, "the transition operators act on too many lattice points"};
+    result.converges = converges(mask, {levels, budget.deadline});
     return result;
   }
-  result.radius = joint_spectral_radius(result.space->family, budget);
-  const Enclosure exponent = exponent_of(result.radius->radius, dilation);
+  const NormProof norms = norm_of_products(result.space->family, {budget.deadline.after(norm_share), budget.memory});
+  result.bound = HolderBound{norms.level, norms.norm,
+                             exponent_of_radius(root_enclosure(norms.norm, norms.level), dilation)};
+  result.radius = joint_spectral_radius(result.space->family, budget, norms);
+  result.exact = result.radius->exact;
+  const Enclosure exponent = exponent_of_radius(result.radius->radius, dilation);
   if (!exponent.lower || *exponent.lower <= 0) {
-    result.converges = converges(mask, {16, Deadline::in(std::max(budget.deadline.remaining(), 0.5))});
+    result.converges = converges(mask, {levels, Deadline::in(std::max(budget.deadline.remaining(), 0.5))});
     return result;
   }
   result.converges = {Truth::yes, "the exponent is positive"};
   result.exponent.lower = exponent.lower;
   prove_stability(mask, Deadline::in(std::max(stability_share * budget.deadline.remaining(), 5.0)), result);
+  if (!result.stable.is_yes()) return result;
   // Differences of order m say nothing about exponents from m on.
-  if (result.stable.is_yes() && exponent.upper && *exponent.upper < result.sum_rules)
-    result.exponent.upper = exponent.upper;
+  if (exponent.upper && *exponent.upper < result.sum_rules) result.exponent.upper = exponent.upper;
+  if (sobolev) result.sobolev = sobolev->exponent;
+  return result;
+}
+
+bool MultivariateRegularity::is_closed() const {
+  if (radius) return radius->is_closed();
+  return exponent.is_bounded() && *exponent.upper - *exponent.lower < power(Rational(10), -12);
+}
+
+MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factors, const Budget& budget) {
+  MultivariateRegularity result;
+  result.converges = {Truth::yes, "every factor converges"};
+  result.stable = {Truth::yes, "the shifts of every factor are stable"};
+  const HolderRegularity* roughest = nullptr;
+  std::vector<HolderRegularity> regularities;
+  for (std::size_t k = 0; k < factors.size(); ++k)
+    regularities.push_back(holder_regularity(
+        factors[k], levels, {budget.deadline.after(1.0 / static_cast<double>(factors.size() - k)), budget.memory}));
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    const HolderRegularity& one = regularities[k];
+    const int rules = one.bounds.sum_rules;
+    result.sum_rules = k == 0 ? rules : std::min(result.sum_rules, rules);
+    if (!one.stable.is_yes() && !result.stable.is_no()) result.stable = one.stable;
+    if (!(*one.exponent.lower > 0)) {
+      const Decision decision = converges(factors[k]);
+      if (!decision.is_yes() && !result.converges.is_no()) result.converges = decision;
+    }
+    if (!roughest || *one.exponent.lower < *roughest->exponent.lower) roughest = &one;
+    const auto sobolev = rules >= 1 ? sobolev_regularity(factors[k], budget.deadline) : std::nullopt;
+    if (!sobolev) continue;
+    if (!result.sobolev || *sobolev->exponent.lower < *result.sobolev->lower) result.sobolev = sobolev->exponent;
+  }
+  result.exact = roughest->radius.exact;
+  if (!result.stable.is_yes() && result.sobolev) result.sobolev->upper.reset();
+  if (!(*roughest->exponent.lower > 0)) return result;
+  result.exponent.lower = roughest->exponent.lower;
+  // The smallest exponent is at most the upper end of any.
+  for (const HolderRegularity& one : regularities)
+    if (one.exponent.upper && (!result.exponent.upper || *one.exponent.upper < *result.exponent.upper))
+      result.exponent.upper = one.exponent.upper;
   return result;
 }
 

@@ -2,30 +2,43 @@
 /// The Hoelder exponent in several variables, enclosed with proof.
 
 #include "gram_function.hpp"
+#include "holder_bound.hpp"
 #include "radius/joint_spectral_radius.hpp"
 
 #include <subcert/analysis/difference/difference_space.hpp>
 
 namespace subcert {
 
+/// -log radius to the base |det M|^(1/s), by which an isotropic dilation expands; ends at or below 0 give no end.
+/// Error: none where the power s of the radius is one of |det M|, otherwise as log_ratio.
+Enclosure exponent_of_radius(const Enclosure& radius, const Dilation& dilation);
+
 struct MultivariateRegularity {
   int sum_rules = 0;
   std::optional<DifferenceSpace> space;       ///< nothing without sum rules, or where it grows past its limit
+  std::optional<HolderBound> bound;           ///< by norms of products of the transition operators on the space
   std::optional<JointSpectralRadius> radius;  ///< of the transition operators on the space
+  Decision exact;                             ///< whether a product attains the radius
   Decision converges;
   Decision stable;  ///< of the integer shifts; the upper end is claimed only where it is yes
   /// Contains the Hoelder exponent of the limits; absent where no positive lower end is proved, and the upper end where
   /// the shifts are not proved stable.
   Enclosure exponent;
-  std::optional<MultivariateSobolev> sobolev;
-  std::optional<LatticeSequence> gram;  ///< where the scheme converges
+  /// Of the Sobolev exponent; the upper end only where the shifts are stable.
+  std::optional<Enclosure> sobolev;
+  std::optional<LatticeSequence> gram;  ///< inner products of the shifts, where the scheme converges
 
-  bool is_exact() const { return stable.is_yes() && radius && radius->exact.is_yes() && exponent.is_bounded(); }
+  /// The enclosure is as narrow as it gets.
+  bool is_closed() const;
 };
 
 /// Domain: any mask with an isotropic dilation. Errors: throws Error otherwise. Error: none, both ends are proved.
 /// Cost: as joint_spectral_radius on the difference space of the largest order. Proof: docs/surfaces.md. Ref: [Jia98],
 /// [Jia99], [CM19].
 MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget);
+
+/// The same for a tensor product, by its factors, whatever their arities: the exponent is the smallest of theirs.
+/// Without space, radius and inner products. Domain: two or three masks with coset sums 1.
+MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factors, const Budget& budget);
 
 }  // namespace subcert

@@ -19,15 +19,6 @@ RationalMatrix to_matrix(const std::vector<LatticePoint>& rows) {
   return result;
 }
 
-std::string matrix_text(const std::vector<LatticePoint>& rows) {
-  std::string text;
-  for (const LatticePoint& row : rows) {
-    text += text.empty() ? "[" : ";";
-    for (std::size_t j = 0; j < row.size(); ++j) text += (j ? "," : "") + std::to_string(row[j]);
-  }
-  return text + "]";
-}
-
 /// Whether all zeros of a polynomial over the rationals with simple zeros have one modulus. Domain: degree <= 3. An
 /// irreducible polynomial of degree 2 has two conjugate zeros, or real ones x and -x; one of degree 3 with a real zero
 /// r and |z| = |r| for the others has r^3 = -p(0), so r is a zero of x^3 + p(0), and p is that polynomial.
@@ -80,7 +71,7 @@ Dilation::Dilation(std::vector<LatticePoint> rows, std::vector<LatticePoint> dig
   }
   const RationalMatrix matrix = to_matrix(rows_);
   const LaurentPolynomial characteristic = characteristic_polynomial(matrix);
-  const std::string text = matrix_text(rows_);
+  const std::string text = subcert::to_text(rows_);
   determinant_ = numerator(characteristic.coefficient(0)).convert_to<long>() * (size % 2 == 0 ? 1 : -1);
   require(determinant_ != 0 && *largest_root_modulus(characteristic.reversed()).largest.upper < 1,
           "dilation: need eigenvalues larger than 1 in modulus, all of them, got {}", text);
@@ -174,6 +165,15 @@ std::vector<Rational> Dilation::inverse_times(const std::vector<Rational>& point
   return result;
 }
 
-std::string Dilation::to_text() const { return matrix_text(rows_); }
+std::string to_text(const std::vector<LatticePoint>& rows) {
+  std::string text;
+  for (const LatticePoint& row : rows) {
+    text += text.empty() ? "[" : ";";
+    for (std::size_t j = 0; j < row.size(); ++j) text += (j ? "," : "") + std::to_string(row[j]);
+  }
+  return text + "]";
+}
+
+std::string Dilation::to_text() const { return subcert::to_text(rows_); }
 
 }  // namespace subcert

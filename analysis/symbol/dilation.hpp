@@ -52,7 +52,6 @@ class Dilation {
   /// M^-1 times a rational point.
   std::vector<Rational> inverse_times(const std::vector<Rational>& point) const;
 
-  /// `[1,2;-2,-1]`.
   std::string to_text() const;
   bool operator==(const Dilation& other) const { return rows_ == other.rows_ && digits_ == other.digits_; }
 
@@ -67,5 +66,8 @@ class Dilation {
   std::map<LatticePoint, std::size_t> digit_of_class_;
   bool isotropic_ = false;
 };
+
+/// Points, or the rows of a matrix, as `[1,2;-2,-1]`.
+std::string to_text(const std::vector<LatticePoint>& points);
 
 }  // namespace subcert

@@ -97,8 +97,8 @@ LaurentPolynomial LaurentPolynomial::parse(std::string_view text) {
 }
 
 LaurentPolynomial LaurentPolynomial::parse_mask(std::string_view text) {
-  const text::MaskText parts = text::parse_mask_text(text);
-  return LaurentPolynomial(parts.coefficients, parts.first.value_or(0));
+  const text::MaskText parts = text::parse_mask_text(text, 1);
+  return LaurentPolynomial(parts.coefficients, parts.first ? parts.first->front() : 0);
 }
 
 bool LaurentPolynomial::is_zero() const { return impl_->length() == 0; }
@@ -304,11 +304,7 @@ std::string LaurentPolynomial::to_latex() const { return text::print_terms(terms
 
 std::string LaurentPolynomial::to_mask_text() const {
   if (is_zero()) return "[0]@0";
-  std::string text = "[";
-  for (const Integer& c : numerators()) text += (text.size() > 1 ? "," : "") + c.str();
-  text += "]";
-  if (denominator() != 1) text += "/" + denominator().str();
-  return text + "@" + std::to_string(lowest());
+  return text::print_mask_text({coefficients(), {static_cast<std::size_t>(length())}, {{lowest()}}});
 }
 
 }  // namespace subcert

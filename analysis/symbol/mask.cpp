@@ -31,13 +31,12 @@ int MultivariateMask::arity() const {
 
 MultivariateMask tensor_product(const std::vector<Mask>& masks) {
   std::vector<LaurentPolynomial> symbols;
+  std::vector<LatticePoint> rows;
   for (const Mask& mask : masks) {
-    if (mask.arity() != masks.front().arity())
-      fail(ErrorKind::domain, "tensor product: need masks of one arity, got {} and {}", masks.front().arity(),
-           mask.arity());
+    rows.emplace_back(masks.size(), 0)[symbols.size()] = mask.arity();
     symbols.push_back(mask.symbol());
   }
-  return {MultivariatePolynomial::tensor_product(symbols), masks.front().arity()};
+  return {MultivariatePolynomial::tensor_product(symbols), Dilation(std::move(rows))};
 }
 
 std::vector<Rational> coset_sums(const Mask& mask) {
@@ -47,6 +46,12 @@ std::vector<Rational> coset_sums(const Mask& mask) {
     const long residue = modulo(index++, mask.arity());
     sums[static_cast<std::size_t>(residue)] += c;
   }
+  return sums;
+}
+
+std::vector<Rational> coset_sums(const MultivariateMask& mask) {
+  std::vector<Rational> sums(mask.dilation().digits().size(), 0);
+  for (const auto& term : mask.symbol().terms()) sums[mask.dilation().divide(term.exponents).digit] += term.coefficient;
   return sums;
 }
 

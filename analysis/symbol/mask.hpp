@@ -48,12 +48,15 @@ class MultivariateMask {
   Dilation dilation_;
 };
 
-/// The tensor product of univariate masks of one arity. Domain: two or three masks. Errors: throws Error.
+/// The tensor product of univariate masks: the product of the symbols, and the diagonal dilation of the arities.
+/// Domain: two or three masks, arities up to 64. Errors: throws Error.
 MultivariateMask tensor_product(const std::vector<Mask>& masks);
 
 /// sum over j of a_{residue + arity*j}, for residue = 0, ..., arity-1. A scheme that converges to non-zero limits has
 /// all of them equal to 1.
 std::vector<Rational> coset_sums(const Mask& mask);
+/// The same over the classes modulo the dilation, digit by digit.
+std::vector<Rational> coset_sums(const MultivariateMask& mask);
 
 /// Whether all coset sums are 1.
 bool is_affine(const Mask& mask);

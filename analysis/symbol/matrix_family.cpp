@@ -3,27 +3,71 @@
 #include "error.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace subcert {
 namespace {
 
-bool permutes(const std::vector<RationalMatrix>& matrices, const FamilySymmetry& symmetry) {
-  const std::size_t n = matrices.front().rows();
-  for (std::size_t t = 0; t < matrices.size(); ++t)
+bool is_flipped_by_reversal(const std::vector<RationalMatrix>& matrices) {
+  const std::size_t n = matrices.front().rows(), count = matrices.size();
+  for (std::size_t t = 0; t < count; ++t)
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
-        if (matrices[t](symmetry.coordinates[i], symmetry.coordinates[j]) != matrices[symmetry.letters[t]](i, j))
-          return false;
+        if (matrices[t](n - 1 - i, n - 1 - j) != matrices[count - 1 - t](i, j)) return false;
   return true;
 }
 
-std::vector<std::size_t> reversal(std::size_t size) {
+std::vector<std::size_t> in_order(std::size_t size) {
   std::vector<std::size_t> result(size);
-  for (std::size_t i = 0; i < size; ++i) result[i] = size - 1 - i;
+  std::iota(result.begin(), result.end(), std::size_t{0});
   return result;
 }
 
 }  // namespace
+
+SparseMap::SparseMap(const RationalMatrix& matrix) : rows_(matrix.rows()) {
+  require(matrix.rows() == matrix.columns(), "sparse map: need a square matrix, got {} x {}", matrix.rows(),
+          matrix.columns());
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) {
+      const Rational& entry = matrix(i, j);
+      if (entry == 0) continue;
+      require(denominator(entry) == 1 && abs(entry) < Rational(1L << 62), "sparse map: need integer entries, got {}",
+              entry);
+      rows_[i].emplace_back(j, numerator(entry).convert_to<long>());
+    }
+}
+
+SparseMap SparseMap::identity(std::size_t size) {
+  SparseMap result(size);
+  for (std::size_t i = 0; i < size; ++i) result.rows_[i].emplace_back(i, 1);
+  return result;
+}
+
+SparseMap SparseMap::reversal(std::size_t size) {
+  SparseMap result(size);
+  for (std::size_t i = 0; i < size; ++i) result.rows_[i].emplace_back(size - 1 - i, 1);
+  return result;
+}
+
+RationalMatrix SparseMap::matrix() const {
+  RationalMatrix result(size(), size());
+  for (std::size_t i = 0; i < size(); ++i)
+    for (const auto& [j, entry] : rows_[i]) result(i, j) = entry;
+  return result;
+}
+
+SparseMap SparseMap::inverse() const {
+  if (*this == reversal(size())) return *this;
+  return SparseMap(solve(matrix(), RationalMatrix::identity(size())));
+}
+
+SparseMap SparseMap::transposed() const {
+  SparseMap result(size());
+  for (std::size_t i = 0; i < size(); ++i)
+    for (const auto& [j, entry] : rows_[i]) result.rows_[j].emplace_back(i, entry);
+  return result;
+}
 
 MatrixFamily::MatrixFamily(std::vector<RationalMatrix> matrices) : matrices_(std::move(matrices)) {
   require(!matrices_.empty(), "matrix family: need at least one matrix, got none");
@@ -31,8 +75,17 @@ MatrixFamily::MatrixFamily(std::vector<RationalMatrix> matrices) : matrices_(std
   for (const RationalMatrix& m : matrices_)
     require(m.rows() == size() && m.columns() == size(), "matrix family: need square matrices of one size, got {} x {}",
             m.rows(), m.columns());
-  FamilySymmetry flip{reversal(size()), reversal(count())};
-  if (permutes(matrices_, flip)) symmetries_.push_back(std::move(flip));
+  group_.push_back({SparseMap::identity(size()), in_order(count())});
+  if (!is_flipped_by_reversal(matrices_)) return;
+  group_.push_back({SparseMap::reversal(size()), in_order(count())});
+  std::reverse(group_.back().letters.begin(), group_.back().letters.end());
+}
+
+MatrixFamily::MatrixFamily(std::vector<RationalMatrix> matrices, std::vector<FamilySymmetry> group)
+    : matrices_(std::move(matrices)), group_(std::move(group)) {}
+
+bool MatrixFamily::is_flip_symmetric() const {
+  return group_.size() == 2 && group_[1].map == SparseMap::reversal(size());
 }
 
 RationalMatrix MatrixFamily::product(const std::vector<int>& word) const {
@@ -42,15 +95,18 @@ RationalMatrix MatrixFamily::product(const std::vector<int>& word) const {
 }
 
 MatrixFamily transposed(const MatrixFamily& family) {
-  std::vector<RationalMatrix> result;
-  for (const RationalMatrix& m : family) result.push_back(transposed(m));
-  return result;
+  std::vector<RationalMatrix> matrices;
+  for (const RationalMatrix& m : family) matrices.push_back(transposed(m));
+  std::vector<FamilySymmetry> group;
+  for (const FamilySymmetry& element : family.group())
+    group.push_back({element.map.inverse().transposed(), element.letters});
+  return {std::move(matrices), std::move(group)};
 }
 
 MatrixFamily operator*(const Rational& factor, const MatrixFamily& family) {
-  std::vector<RationalMatrix> result;
-  for (const RationalMatrix& m : family) result.push_back(factor * m);
-  return result;
+  std::vector<RationalMatrix> matrices;
+  for (const RationalMatrix& m : family) matrices.push_back(factor * m);
+  return {std::move(matrices), family.group()};
 }
 
 }  // namespace subcert

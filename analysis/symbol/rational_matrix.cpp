@@ -301,17 +301,38 @@ RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b) {
   return solution.matrix();
 }
 
-std::vector<std::vector<Integer>> reduced_lattice(const std::vector<std::vector<Integer>>& rows) {
-  std::vector<std::vector<Integer>> result = rows;
-  IntegerMatrix lattice(rows.size(), rows.front().size());
+namespace {
+
+void fill(IntegerMatrix& matrix, const std::vector<std::vector<Integer>>& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = 0; j < rows[i].size(); ++j) flint::set(lattice.entry(i, j), rows[i][j]);
+    for (std::size_t j = 0; j < rows[i].size(); ++j) flint::set(matrix.entry(i, j), rows[i][j]);
+}
+
+std::vector<std::vector<Integer>> first_rows(IntegerMatrix& matrix, std::size_t count) {
+  std::vector<std::vector<Integer>> result(count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < static_cast<std::size_t>(matrix.get()->c); ++j)
+      result[i].push_back(flint::to_integer(matrix.entry(i, j)));
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<Integer>> reduced_lattice(const std::vector<std::vector<Integer>>& rows) {
+  IntegerMatrix lattice(rows.size(), rows.front().size());
+  fill(lattice, rows);
   fmpz_lll_t context;
   fmpz_lll_context_init_default(context);
   fmpz_lll(lattice.get(), nullptr, context);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = 0; j < rows[i].size(); ++j) result[i][j] = flint::to_integer(lattice.entry(i, j));
-  return result;
+  return first_rows(lattice, rows.size());
+}
+
+std::vector<std::vector<Integer>> lattice_basis(const std::vector<std::vector<Integer>>& rows) {
+  IntegerMatrix lattice(rows.size(), rows.front().size());
+  fill(lattice, rows);
+  const auto rank = static_cast<std::size_t>(fmpz_mat_rank(lattice.get()));
+  fmpz_mat_hnf(lattice.get(), lattice.get());
+  return first_rows(lattice, rank);
 }
 
 LaurentPolynomial squarefree_part(const LaurentPolynomial& p) {

@@ -83,6 +83,10 @@ RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b);
 /// [LLL82].
 std::vector<std::vector<Integer>> reduced_lattice(const std::vector<std::vector<Integer>>& rows);
 
+/// A basis of the lattice that integer rows span. Domain: at least one row, all of one length. Cost: one Hermite normal
+/// form.
+std::vector<std::vector<Integer>> lattice_basis(const std::vector<std::vector<Integer>>& rows);
+
 /// p without its zero at 0 and with simple zeros only. Domain: p not zero.
 LaurentPolynomial squarefree_part(const LaurentPolynomial& p);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace subcert::text {
 namespace {
@@ -112,6 +113,93 @@ class Reader {
   std::size_t at_ = 0;
 };
 
+class MaskReader {
+ public:
+  MaskReader(std::string_view text, int variables) : text_(text), result_{{}, {}, {}} {
+    result_.sizes.resize(static_cast<std::size_t>(variables), 0);
+  }
+
+  MaskText mask() {
+    list(result_.sizes.size());
+    divisor();
+    if (at_ < text_.size()) first();
+    return std::move(result_);
+  }
+
+ private:
+  [[noreturn]] static void fail(std::string_view token, std::size_t at, const std::string& expected) {
+    throw ParseError("mask", token, at + 1, expected);
+  }
+  char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  /// The text from here to the next of these characters.
+  std::string_view until(const char* ends) const {
+    return text_.substr(at_, std::min(text_.find_first_of(ends, at_), text_.size()) - at_);
+  }
+  std::string form() const {
+    const std::size_t depth = result_.sizes.size();
+    return depth == 1 ? "coefficients in brackets, as in [1,3,3,1]/4@-2"
+                      : "lists in brackets, nested " + std::to_string(depth) + " deep for as many variables";
+  }
+
+  /// Lists of one level have one length.
+  void list(std::size_t depth) {
+    if (peek() != '[') fail(text_.substr(at_), at_, form());
+    const std::size_t begin = at_;
+    std::size_t count = 0;
+    do {
+      ++at_;
+      if (depth > 1) {
+        list(depth - 1);
+      } else {
+        if (peek() == '[') fail(text_.substr(at_), at_, form());
+        const std::string_view number = until(",]");
+        const auto value = parse_rational(number);
+        if (!value) fail(number, at_, "an exact number p or p/q with q > 0");
+        result_.coefficients.push_back(*value);
+        at_ += number.size();
+      }
+      ++count;
+    } while (peek() == ',');
+    if (peek() != ']') fail(text_.substr(at_), at_, "a comma or a closing bracket");
+    ++at_;
+    std::size_t& size = result_.sizes[depth - 1];
+    if (size != 0 && size != count)
+      fail(text_.substr(begin, at_ - begin), begin,
+           "rows of one length: a list of " + std::to_string(size) + ", as before, not of " + std::to_string(count));
+    size = count;
+  }
+
+  void divisor() {
+    const std::string_view divisor_text = until("@");
+    if (divisor_text.empty()) return;
+    const auto divisor = parse_rational(divisor_text.substr(1));
+    if (divisor_text.front() != '/' || !divisor || denominator(*divisor) != 1 || *divisor <= 0)
+      fail(divisor_text, at_, "/D with a positive integer D, or @ and the first index");
+    for (Rational& c : result_.coefficients) c /= *divisor;
+    at_ += divisor_text.size();
+  }
+
+  void first() {
+    result_.first.emplace();
+    for (const std::string& name : variable_names(static_cast<int>(result_.sizes.size()))) {
+      const std::string of = result_.sizes.size() == 1 ? "" : " of " + name;
+      if (at_ == text_.size()) fail("", at_, "@ and as many first indices as variables");
+      ++at_;  // '@' or ','
+      const std::string_view index_text = until(",");
+      const auto index = parse_rational(index_text);
+      if (!index || denominator(*index) != 1 || abs(*index) > max_index)
+        fail(index_text, at_, "the first index" + of + " as an integer from -1000000000 to 1000000000");
+      result_.first->push_back(numerator(*index).convert_to<long>());
+      at_ += index_text.size();
+    }
+    if (at_ < text_.size()) fail(text_.substr(at_), at_, "as many first indices as variables");
+  }
+
+  std::string_view text_;
+  MaskText result_;
+  std::size_t at_ = 0;
+};
+
 }  // namespace
 
 std::vector<std::string> variable_names(int variables) {
@@ -142,36 +230,24 @@ std::string print_terms(const std::vector<Monomial>& terms, Style style) {
 
 std::vector<Monomial> parse_terms(std::string_view text, int variables) { return Reader(text, variables).sum(); }
 
-MaskText parse_mask_text(std::string_view text) {
-  const auto fail = [](std::string_view token, std::size_t at, const std::string& expected) {
-    throw ParseError("mask", token, at + 1, expected);
-  };
-  const std::size_t close = text.find(']');
-  if (text.empty() || text.front() != '[' || close == std::string_view::npos)
-    fail(text, 0, "coefficients in brackets, as in [1,3,3,1]/4@-2");
-  MaskText result;
-  for (std::size_t begin = 1; begin <= close;) {
-    const std::size_t end = std::min(text.find(',', begin), close);
-    const auto value = parse_rational(text.substr(begin, end - begin));
-    if (!value) fail(text.substr(begin, end - begin), begin, "an exact number p or p/q with q > 0");
-    result.coefficients.push_back(*value);
-    begin = end + 1;
+MaskText parse_mask_text(std::string_view text, int variables) { return MaskReader(text, variables).mask(); }
+
+std::string print_mask_text(const MaskText& mask) {
+  Integer common = 1;
+  for (const Rational& c : mask.coefficients) common = lcm(common, denominator(c));
+  std::string text;
+  for (std::size_t i = 0; i < mask.coefficients.size(); ++i) {
+    if (i > 0) text += ',';
+    std::size_t run = 1;  // entries of the lists that begin or end here
+    for (std::size_t v = 0; v < mask.sizes.size() && i % (run *= mask.sizes[v]) == 0; ++v) text += '[';
+    text += to_text(Rational(mask.coefficients[i] * common));
+    run = 1;
+    for (std::size_t v = 0; v < mask.sizes.size() && (i + 1) % (run *= mask.sizes[v]) == 0; ++v) text += ']';
   }
-  const std::size_t at = std::min(text.find('@', close), text.size());
-  const std::string_view divisor_text = text.substr(close + 1, at - close - 1);
-  if (!divisor_text.empty()) {
-    const auto divisor = parse_rational(divisor_text.substr(1));
-    if (divisor_text.front() != '/' || !divisor || denominator(*divisor) != 1 || *divisor <= 0)
-      fail(divisor_text, close + 1, "/D with a positive integer D, or @ and the first index");
-    for (Rational& c : result.coefficients) c /= *divisor;
-  }
-  if (at < text.size()) {
-    const auto first = parse_rational(text.substr(at + 1));
-    if (!first || denominator(*first) != 1 || abs(*first) > max_index)
-      fail(text.substr(at + 1), at + 1, "the first index as an integer from -1000000000 to 1000000000");
-    result.first = numerator(*first).convert_to<long>();
-  }
-  return result;
+  if (common != 1) text += "/" + common.str();
+  if (mask.first)
+    for (std::size_t v = 0; v < mask.sizes.size(); ++v) text += (v ? "," : "@") + std::to_string((*mask.first)[v]);
+  return text;
 }
 
 }  // namespace subcert::text

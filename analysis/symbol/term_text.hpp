@@ -4,6 +4,8 @@
 
 #include "monomial.hpp"
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace subcert::text {
@@ -20,13 +22,19 @@ std::string print_terms(const std::vector<Monomial>& terms, Style style);
 /// exponent beyond +-10^6 is refused.
 std::vector<Monomial> parse_terms(std::string_view text, int variables);
 
-/// The parts of `[c0,c1,...]/D@first`; /D and @first may be absent.
+/// The parts of `[c0,c1,...]/D@first`, or of lists nested as deep as there are variables, the last variable outermost;
+/// /D and @first may be absent.
 struct MaskText {
-  std::vector<Rational> coefficients;
-  std::optional<long> first;
+  std::vector<Rational> coefficients;      ///< the first variable runs fastest
+  std::vector<std::size_t> sizes;          ///< entries along each variable
+  std::optional<std::vector<long>> first;  ///< index of the first coefficient
 };
 
-/// Reads a mask vector with rational coefficients, divided by the positive integer D. Errors: throws ParseError.
-MaskText parse_mask_text(std::string_view text);
+/// Reads a mask with rational coefficients, divided by the positive integer D. Domain: 1 <= variables <= 3. Errors:
+/// throws ParseError, also for lists of one level with different lengths.
+MaskText parse_mask_text(std::string_view text, int variables);
+
+/// What parse_mask_text reads, over the common denominator.
+std::string print_mask_text(const MaskText& mask);
 
 }  // namespace subcert::text

@@ -98,11 +98,12 @@ TEST_CASE("symmetry groups act on letters, words and matrices") {
   CHECK(flip.conjugated(1, a).entries() == two_by_two(4, 3, 2, 1).entries());
   for (const std::size_t d : {1U, 2U, 5U, 6U}) {
     // In adapted coordinates the flip changes signs.
-    const Matrix q = flip.adapted_coordinates(d);
+    const CoordinateChange adapted = flip.adapted_coordinates(d);
+    const Matrix& q = adapted.to;
     Vector x(d);
     for (std::size_t k = 0; k < d; ++k) x[k] = static_cast<double>(k * k) - 2;
     Vector turned = q * x, image = x;
-    flip.adapted_action(d).apply(1, turned.data());
+    flip.action_in(adapted).apply(1, turned.data());
     flip.action(d).apply(1, image.data());
     const Vector expected = q * image;
     for (std::size_t k = 0; k < d; ++k) CHECK(std::abs(turned[k] - expected[k]) < 1e-12);

@@ -9,3 +9,32 @@ TEST_CASE("mask: the fields of the contract") {
   CHECK(mask.at("coefficients").at(0) == "7/40");
   CHECK(mask.at("support").at("upper") == "3");
 }
+
+TEST_CASE("mask: surfaces with any dilation, and what is printed reads back") {
+  CHECK(run("mask loop").out == "[[1,2,1,0,0],[2,6,6,2,0],[1,6,10,6,1],[0,2,6,6,2],[0,0,1,2,1]]/16@-2,-2\n");
+  const std::string sqrt3 =
+      "[[0,0,0,1,0],[0,1,6,6,1],[0,6,12,6,0],[1,6,6,1,0],[0,1,0,0,0]]/18@-2,-2,dilation=[1,2;-2,-1],"
+      "digits=[2,-2;1,-1;0,0]";
+  CHECK(run("mask sqrt3").out == sqrt3 + "\n");
+  CHECK(run("mask 'mask2:" + sqrt3 + "'").out == sqrt3 + "\n");
+  const auto general = run_json("mask sqrt3");
+  CHECK(general.at("scheme") == "sqrt3");
+  CHECK_FALSE(general.contains("arity"));
+  CHECK(general.at("dilation").dump() == "[[1,2],[-2,-1]]");
+  CHECK(general.at("digits").dump() == "[[2,-2],[1,-1],[0,0]]");
+  CHECK(general.at("coefficients").at(2).at(2) == "2/3");
+  const auto multiple = run_json("mask 'box:[1,0;0,1;1,1],arity=3'");
+  CHECK(multiple.at("arity") == 3);
+  CHECK_FALSE(multiple.contains("digits"));
+  CHECK(run_json("mask 'tensor:(primal:n=1)x(ary:a=3,points=2)'").at("dilation").dump() == "[[2,0],[0,3]]");
+  for (const char* bad : {"mask2:[[1,1],[1]]", "mask2:[[[1,1],[1,1]],[[1,1],[1,1]]]", "mask2:[[1,1,1],[1,1,1]]",
+                          "mask2:[[1,1],[1,1]],dilation=[1,0;0,2]", "mask2:[[1,1],[1,1]],digits=[0,0;1,0;0,1;2,0]",
+                          "box:[1,0;2,0]", "box:[2,0;0,2]", "loop:w=1", "triangular:L=1"}) {
+    const Run refused = run("mask '" + std::string(bad) + "'");
+    CAPTURE(bad, refused.err);
+    CHECK(refused.code == 64);
+    CHECK(refused.out.empty());
+    CHECK(refused.err.starts_with("subcert: scheme specification, position "));
+    CHECK(std::count(refused.err.begin(), refused.err.end(), '\n') == 1);
+  }
+}

@@ -18,12 +18,65 @@ std::string outward(const Rational& value, Rounding rounding) {
   return to_text(rounded);
 }
 
-std::string terms_text(const std::vector<WeightedVertex>& terms, PolytopeKind kind) {
+/// The elements of a group as words of a few of them, with the sign that the product lacks.
+class GroupWords {
+ public:
+  explicit GroupWords(const std::vector<FamilySymmetry>& group) : words_(group.size()) {
+    words_[0] = {"", 1};
+    std::vector<RationalMatrix> maps;
+    for (const FamilySymmetry& element : group) maps.push_back(element.map.matrix());
+    if (group.size() == 2 && group[1].map == SparseMap::reversal(group[1].map.size())) {
+      words_[1] = {"f", 1};
+      return;
+    }
+    for (std::size_t next = 1; next < group.size(); ++next) {
+      if (words_[next]) continue;
+      generators_.push_back(next);
+      inverses_.push_back(find(maps, solve(maps[next], maps[0])).first);
+      extend(maps);
+    }
+  }
+
+  const std::vector<std::size_t>& generators() const { return generators_; }
+  /// The element that undoes a generator.
+  std::size_t inverse(std::size_t generator) const { return inverses_[generator]; }
+  const std::string& word(std::size_t element) const { return words_[element]->first; }
+  int sign(std::size_t element) const { return words_[element]->second; }
+
+ private:
+  /// The element that is the map or its negative.
+  static std::pair<std::size_t, int> find(const std::vector<RationalMatrix>& maps, const RationalMatrix& map) {
+    for (std::size_t e = 0; e < maps.size(); ++e)
+      for (const int sign : {1, -1})
+        if (map == Rational(sign) * maps[e]) return {e, sign};
+    fail(ErrorKind::domain, "certificate: need a group of symmetries, got maps that are none");
+  }
+
+  /// Words for all products of the generators so far.
+  void extend(const std::vector<RationalMatrix>& maps) {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t e = 0; e < maps.size(); ++e)
+        for (std::size_t g = 0; words_[e] && g < generators_.size(); ++g) {
+          const auto [product, sign] = find(maps, maps[generators_[g]] * maps[e]);
+          if (words_[product]) continue;
+          words_[product] = {static_cast<char>('A' + g) + words_[e]->first, sign * words_[e]->second};
+          changed = true;
+        }
+    }
+  }
+
+  std::vector<std::size_t> generators_, inverses_;
+  std::vector<std::optional<std::pair<std::string, int>>> words_;  // the word gives sign * element
+};
+
+std::string terms_text(const std::vector<WeightedVertex>& terms, PolytopeKind kind, const GroupWords& group) {
   std::string text;
   for (const WeightedVertex& term : terms) {
-    text += fmt::format(" {}{}{}:{}", term.vertex, term.flipped ? "f" : "", term.conjugated ? "c" : "",
-                        term.weight.str());
-    if (kind == PolytopeKind::complex) text += ":" + term.imaginary.str();
+    const Integer sign = group.sign(term.element);
+    text += fmt::format(" {}{}{}:{}", term.vertex, group.word(term.element), term.conjugated ? "c" : "",
+                        Integer(sign * term.weight).str());
+    if (kind == PolytopeKind::complex) text += ":" + Integer(sign * term.imaginary).str();
   }
   return text;
 }
@@ -34,12 +87,13 @@ std::string numbers_text(const std::vector<Integer>& numbers) {
   return text;
 }
 
-std::string properties_text(const PolytopeProof& polytope) {
+std::string properties_text(const PolytopeProof& polytope, const GroupWords& group) {
   std::string text;
   if (polytope.kind == PolytopeKind::complex) text += " complex";
   if (polytope.kind == PolytopeKind::nonnegative) text += " nonnegative";
-  if (polytope.symmetric) text += " symmetric";
+  if (polytope.is_flip_symmetric()) text += " symmetric";
   if (polytope.transposed) text += " transposed";
+  if (!group.generators().empty()) text += fmt::format(" group:{}", group.generators().size());
   return text;
 }
 
@@ -48,6 +102,17 @@ std::string product_text(const JointSpectralRadius& radius) {
   const BlockProof* blocks = radius.by_blocks();
   return fmt::format("product {} {} {} {}\n", blocks ? blocks->leading : 0, to_text(product.eigenvalue.re),
                      to_text(product.eigenvalue.im), fmt::join(product.word, " "));
+}
+
+/// A line for each row, after the head.
+std::string rows_text(const std::string& head, const RationalMatrix& matrix) {
+  std::string text;
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    text += head;
+    for (std::size_t j = 0; j < matrix.columns(); ++j) text += " " + to_text(matrix(i, j));
+    text += "\n";
+  }
+  return text;
 }
 
 /// The sections of a proof, block by block.
@@ -60,16 +125,20 @@ class SectionWriter {
   std::string operator()(const NormProof& norms) { return fmt::format("block {} norm {}\n", block_, norms.level); }
 
   std::string operator()(const PolytopeProof& polytope) const {
+    const GroupWords group(polytope.group);
     std::string text = fmt::format("block {} polytope {} {} {}{}\n", block_, polytope.vertices.size(),
-                                   polytope.vertex_bits, polytope.weight_bits, properties_text(polytope));
+                                   polytope.vertex_bits, polytope.weight_bits, properties_text(polytope, group));
+    for (std::size_t g = 0; g < group.generators().size(); ++g)
+      text += fmt::format("generator {}\n", fmt::join(polytope.group[group.inverse(g)].letters, " ")) +
+              rows_text("map", polytope.group[group.generators()[g]].map.matrix());
     for (std::size_t v = 0; v < polytope.vertices.size(); ++v)
       text += "vertex" + numbers_text(polytope.vertices[v]) +
               (polytope.kind == PolytopeKind::complex ? numbers_text(polytope.imaginary[v]) : "") + "\n";
     for (std::size_t k = 0; k < polytope.units.size(); ++k)
-      text += fmt::format("unit {}{}\n", k, terms_text(polytope.units[k], polytope.kind));
+      text += fmt::format("unit {}{}\n", k, terms_text(polytope.units[k], polytope.kind, group));
     for (std::size_t i = 0; i < polytope.images.size(); ++i)
       text += fmt::format("image {} {}{}\n", i / matrix_count_, i % matrix_count_,
-                          terms_text(polytope.images[i], polytope.kind));
+                          terms_text(polytope.images[i], polytope.kind, group));
     return text;
   }
 
@@ -87,17 +156,6 @@ class SectionWriter {
   std::size_t matrix_count_;
   std::size_t block_ = 0;
 };
-
-/// A line for each row, after the head.
-std::string rows_text(const std::string& head, const RationalMatrix& matrix) {
-  std::string text;
-  for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    text += head;
-    for (std::size_t j = 0; j < matrix.columns(); ++j) text += " " + to_text(matrix(i, j));
-    text += "\n";
-  }
-  return text;
-}
 
 std::string blocks_text(const JointSpectralRadius& radius) {
   const BlockProof* blocks = radius.by_blocks();
@@ -174,16 +232,14 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   require(regularity.radius && regularity.space, "surface_certificate: need a joint spectral radius, got none");
   const JointSpectralRadius& radius = *regularity.radius;
   const Dilation& dilation = mask.dilation();
-  const Rational variables = static_cast<long>(dilation.variables());
-  const int classes = static_cast<int>(dilation.classes());
-  const Rational lower = -variables * *log_ratio(radius.proved_upper(), classes).upper;
+  const Enclosure exponent = exponent_of_radius({radius.product.radius.lower, radius.proved_upper()}, dilation);
+  const Rational lower = exponent.lower.value_or(0);
   require(lower > 0, "surface_certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(lower, 6, Rounding::nearest));
   Certificate certificate;
   certificate.claim.lower = outward(lower, Rounding::down);
   if (regularity.stable.is_yes() && regularity.exponent.upper)
-    certificate.claim.upper = outward(-variables * *log_ratio(*radius.product.radius.lower, classes).lower,
-                                      Rounding::up);
+    certificate.claim.upper = outward(*exponent.upper, Rounding::up);
   certificate.text = fmt::format("subcert-certificate 3\nsurface {} {}\n{}sum-rules {}\n", to_mask_text(mask),
                                  dilation.to_text(), bounds_text(certificate.claim), regularity.space->order) +
                      space_text(*regularity.space, dilation);

@@ -185,8 +185,67 @@ class Checker {
   struct Polytope {
     std::size_t size, parts;
     bool nonnegative, symmetric;
+    std::vector<Vector> generators;  // of the group: maps A, B, ..., column by column
     std::vector<Vector> vertices;
+    std::map<std::pair<std::size_t, std::string>, Vector> images;  // of vertices under words of generators
   };
+
+  /// Section 4.7, `group`: maps g with T_t g = g T_s for all t, the s in the line, that generate a finite group.
+  std::vector<Vector> read_generators(const Family& family, std::size_t count) {
+    constexpr std::size_t most_elements = 96;
+    const std::size_t n = family.size;
+    std::vector<Vector> generators;
+    for (std::size_t k = 0; k < count; ++k) {
+      std::vector<std::size_t> letters;
+      for (const std::string_view field : reader_.take("generator", family.count(), family.count()))
+        letters.push_back(parse_size(field, 0, family.count() - 1));
+      Vector& map = generators.emplace_back(n * n);
+      for (std::size_t i = 0; i < n; ++i) {
+        const Fields row = reader_.take("map", n, n);
+        for (std::size_t j = 0; j < n; ++j) map[j * n + i] = parse_integer(row[j]);
+      }
+      for (std::size_t t = 0; t < family.count(); ++t) {
+        const auto matrix = family.matrix(letters[t]);
+        require(arithmetic_.multiply(family.matrix(t), map, n) ==
+                    arithmetic_.multiply(map, Vector(matrix.begin(), matrix.end()), n),
+                "a generator does not permute the matrices as it says");
+      }
+    }
+    Vector identity(n * n);
+    for (std::size_t i = 0; i < n; ++i) identity[i * n + i] = 1;
+    std::set<Vector> known{identity};  // each up to its sign
+    for (std::vector<Vector> fresh{identity}; !fresh.empty();) {
+      const Vector element = std::move(fresh.back());
+      fresh.pop_back();
+      for (const Vector& generator : generators) {
+        Vector next = arithmetic_.multiply(generator, element, n);
+        const auto leading = std::find_if(next.begin(), next.end(), [](const mpz_class& x) { return x != 0; });
+        require(leading != next.end(), "a generator is singular");
+        if (*leading < 0)
+          for (mpz_class& x : next) x = -x;
+        if (known.insert(next).second) fresh.push_back(std::move(next));
+        require(known.size() <= most_elements, "the generators span a group of more than 96 elements");
+      }
+    }
+    return generators;
+  }
+
+  /// The vertex after a word of generators, the last letter first; f is the flip.
+  const Vector& image_of(Polytope& body, std::size_t vertex, std::string_view word) {
+    if (word.empty()) return body.vertices[vertex];
+    const auto [at, missing] = body.images.try_emplace({vertex, std::string(word)});
+    if (!missing) return at->second;
+    Vector image = image_of(body, vertex, word.substr(1));
+    if (word.front() == 'f' && body.symmetric) {
+      for (std::size_t part = 0; part < body.parts; ++part)
+        std::reverse(&image[part * body.size], &image[part * body.size] + body.size);
+    } else {
+      const std::size_t generator = static_cast<unsigned char>(word.front()) - std::size_t{'A'};
+      require(generator < body.generators.size(), "unknown generator");
+      image = arithmetic_.multiply(body.generators[generator], image, body.size);
+    }
+    return at->second = std::move(image);
+  }
 
   /// Section 4.7.
   void read_polytope(Family family, const Fields& fields) {
@@ -197,13 +256,19 @@ class Checker {
     if (properties.erase("transposed") != 0) family.transpose();
     const bool complex = properties.erase("complex") != 0, nonnegative = properties.erase("nonnegative") != 0;
     const bool symmetric = properties.erase("symmetric") != 0;
+    std::size_t generators = 0;
+    if (properties.size() == 1 && properties.begin()->starts_with("group:")) {
+      generators = parse_size(properties.begin()->substr(6), 1, 8);
+      properties.clear();
+    }
+    require(!(generators > 0 && (symmetric || nonnegative)), "a group goes with neither 'symmetric' nor 'nonnegative'");
     require(properties.empty() && !(complex && nonnegative), "unknown polytope property");
     const Vector& entries = family.entries;
     const auto negative = [](const mpz_class& x) { return x < 0; };
     require(!symmetric || std::equal(entries.begin(), entries.end(), entries.rbegin()), "the family is not symmetric");
     require(!nonnegative || std::none_of(entries.begin(), entries.end(), negative), "a matrix is not non-negative");
 
-    Polytope body{n, complex ? 2U : 1U, nonnegative, symmetric, {}};
+    Polytope body{n, complex ? 2U : 1U, nonnegative, symmetric, read_generators(family, generators), {}, {}};
     for (std::size_t i = 0; i < vertices; ++i) {
       Vector& vertex = body.vertices.emplace_back();
       for (const std::string_view field : reader_.take("vertex", body.parts * n, body.parts * n))
@@ -234,7 +299,7 @@ class Checker {
 
   /// Reads a line of terms. Returns the sum of their weights in absolute value, and the residual: the norm of
   /// `target` * `target_scale` - (sum of the terms) * `sum_scale`.
-  std::pair<mpz_class, mpz_class> read_combination(const std::string& head, const Polytope& body, const Vector& target,
+  std::pair<mpz_class, mpz_class> read_combination(const std::string& head, Polytope& body, const Vector& target,
                                                    const mpz_class& target_scale, const mpz_class& sum_scale) {
     mpz_class weights = 0, residual = 0;
     Vector sum(target.size());
@@ -245,9 +310,10 @@ class Checker {
       std::string_view index = parts[0];
       const bool conjugate = body.parts == 2 && index.ends_with('c');
       if (conjugate) index.remove_suffix(1);
-      const bool flipped = body.symmetric && index.ends_with('f');
-      if (flipped) index.remove_suffix(1);
-      const Vector& vertex = body.vertices[parse_size(index, 0, body.vertices.size() - 1)];
+      const std::size_t digits = std::min(index.find_first_not_of("0123456789"), index.size());
+      require(index.size() - digits <= 16, "a word of more than 16 generators");
+      const Vector& vertex = image_of(body, parse_size(index.substr(0, digits), 0, body.vertices.size() - 1),
+                                      index.substr(digits));
       const mpz_class re = parse_integer(parts[1]), im = body.parts == 2 ? parse_integer(parts[2]) : mpz_class(0);
       require(!body.nonnegative || re >= 0, "negative weight");
       mpz_class square = 0;
@@ -258,7 +324,7 @@ class Checker {
       for (std::size_t k = 0; k < body.size; ++k)
         for (std::size_t i = 0; i < body.parts * body.parts; ++i)
           arithmetic_.add_product(sum[i % body.parts * body.size + k], factor[i],
-                                  vertex[i / body.parts * body.size + (flipped ? body.size - 1 - k : k)]);
+                                  vertex[i / body.parts * body.size + k]);
     }
     for (std::size_t i = 0; i < target.size(); ++i) {
       mpz_class part = 0;

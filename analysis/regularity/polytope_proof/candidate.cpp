@@ -21,7 +21,15 @@ polytope::Matrix to_double(const RationalMatrix& m) {
 polytope::SearchFamily to_double(const MatrixFamily& family) {
   polytope::SearchFamily result;
   for (const RationalMatrix& m : family) result.matrices.push_back(to_double(m));
-  if (family.is_flip_symmetric()) result.symmetry = polytope::SymmetryGroup::flip();
+  if (family.is_flip_symmetric()) {
+    result.symmetry = polytope::SymmetryGroup::flip();
+  } else if (family.group().size() > 1) {
+    std::vector<polytope::SymmetryGroup::Element> elements;
+    for (const FamilySymmetry& element : family.group())
+      elements.push_back({to_double(element.map.matrix()), to_double(element.map.inverse().matrix()),
+                          std::vector<int>(element.letters.begin(), element.letters.end())});
+    result.symmetry = polytope::SymmetryGroup(std::move(elements));
+  }
   return result;
 }
 
@@ -38,7 +46,6 @@ PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget
 
   PolytopeCandidate result;
   result.kind = found.kind;
-  result.symmetric = family.is_flip_symmetric();
   result.transposed = found.transposed;
   result.closed = found.status == polytope::SearchStatus::closed;
   result.scale = found.scale;
@@ -51,7 +58,8 @@ PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget
   for (const polytope::ImageProof& image : found.images) {
     result.images.push_back({image.vertex, image.letter, image.identity, {}});
     for (const polytope::CombinationTerm& term : image.terms)
-      result.images.back().terms.push_back({term.vertex, term.element != 0, term.conjugated, term.coefficient});
+      result.images.back().terms.push_back(
+          {term.vertex, static_cast<std::size_t>(term.element), term.conjugated, term.coefficient});
   }
   return result;
 }

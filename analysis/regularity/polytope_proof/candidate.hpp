@@ -23,19 +23,19 @@ struct PolytopeCandidate {
   };
   struct Term {
     int vertex = 0;
-    bool flipped = false, conjugated = false;
+    std::size_t element = 0;  ///< of the group of the family
+    bool conjugated = false;
     std::complex<double> coefficient;
   };
   /// A_letter vertices[vertex] / scale is the sum of the terms.
   struct Image {
     int vertex = 0;
     int letter = 0;
-    bool identity = false;  ///< it is terms[0], a vertex up to flip, conjugation, sign or phase
+    bool identity = false;  ///< it is terms[0], a vertex up to symmetry, conjugation, sign or phase
     std::vector<Term> terms;
   };
 
   PolytopeKind kind = PolytopeKind::real;
-  bool symmetric = false;         ///< mirror images of the vertices belong to the polytope
   bool transposed = false;        ///< the polytope belongs to the transposed matrices
   bool closed = false;            ///< every image is a vertex or inside
   double scale = 0;               ///< what images are divided by

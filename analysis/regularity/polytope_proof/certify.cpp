@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <type_traits>
 #include <utility>
 
@@ -49,8 +50,8 @@ class Certifier {
   Certifier(const MatrixFamily& family, const radius::PolytopeCandidate& candidate)
       : candidate_(candidate), size_(family.size()) {
     polytope_.kind = candidate.kind;
-    polytope_.symmetric = candidate.symmetric;
     polytope_.transposed = candidate.transposed;
+    polytope_.group = candidate.transposed ? transposed(family).group() : family.group();
     polytope_.vertex_bits = vertex_bits;
     polytope_.weight_bits = weight_bits;
     for (const RationalMatrix& m : family) denominator_ = lcm(denominator_, common_denominator(m));
@@ -125,13 +126,22 @@ class Certifier {
     return target;
   }
 
-  std::size_t place(const WeightedVertex& term, std::size_t i) const { return term.flipped ? size_ - 1 - i : i; }
   const Integer& real_part(const WeightedVertex& term, std::size_t i) const {
-    return polytope_.vertices[term.vertex][place(term, i)];
+    return image_of(term, polytope_.vertices, images_)[i];
   }
   Integer imaginary_part(const WeightedVertex& term, std::size_t i) const {
-    const Integer& part = polytope_.imaginary[term.vertex][place(term, i)];
+    const Integer& part = image_of(term, polytope_.imaginary, imaginary_images_)[i];
     return term.conjugated ? Integer(-part) : part;
+  }
+
+  using Images = std::map<std::pair<std::size_t, std::size_t>, std::vector<Integer>>;
+  /// The part of the vertex, after the element; each image is computed once.
+  const std::vector<Integer>& image_of(const WeightedVertex& term, const std::vector<std::vector<Integer>>& parts,
+                                       Images& images) const {
+    if (term.element == 0) return parts[term.vertex];
+    const auto [at, missing] = images.try_emplace({term.vertex, term.element});
+    if (missing) at->second = polytope_.group[term.element].map(parts[term.vertex]);
+    return at->second;
   }
 
   template <class Scalar>
@@ -191,13 +201,13 @@ class Certifier {
     for (const auto& term : proposal.terms) {
       const auto weight = [&](double part) { return round_scaled(Real(part) * scale_, weight_bits); };
       WeightedVertex next{static_cast<std::size_t>(term.vertex),
-                          term.flipped,
+                          term.element,
                           term.conjugated && is_complex(),
                           weight(term.coefficient.real()),
                           is_complex() ? weight(term.coefficient.imag()) : Integer(0),
                           0};
       const auto same = std::find_if(terms.begin(), terms.end(), [&](const WeightedVertex& t) {
-        return t.vertex == next.vertex && t.flipped == next.flipped && t.conjugated == next.conjugated;
+        return t.vertex == next.vertex && t.element == next.element && t.conjugated == next.conjugated;
       });
       if (same == terms.end()) {
         terms.push_back(std::move(next));
@@ -270,9 +280,9 @@ class Certifier {
   bool express_units() {
     std::vector<WeightedVertex> all;
     for (std::size_t v = 0; v < polytope_.vertices.size(); ++v)
-      for (int variant = 0; variant < 4; ++variant)
-        if ((variant % 2 == 0 || polytope_.symmetric) && (variant < 2 || is_complex()))
-          all.push_back({v, variant % 2 == 1, variant >= 2, 0, 0, 0});
+      for (const bool conjugated : {false, true})
+        for (std::size_t element = 0; element < polytope_.group.size() && (!conjugated || is_complex()); ++element)
+          all.push_back({v, element, conjugated, 0, 0, 0});
     std::vector<WeightedVertex> basis;
     if (!cone()) {
       std::vector<Scalar> columns;
@@ -284,7 +294,7 @@ class Certifier {
       for (std::size_t k = 0; k < size_; ++k) basis.push_back(all[pivots[k]]);
     }
     Integer most = 0, largest_residual = 0;
-    for (std::size_t k = 0; k < (polytope_.symmetric ? (size_ + 1) / 2 : size_); ++k) {
+    for (std::size_t k = 0; k < (polytope_.is_flip_symmetric() ? (size_ + 1) / 2 : size_); ++k) {
       Target target{std::vector<Integer>(size_, 0), std::vector<Integer>(is_complex() ? size_ : 0, 0)};
       target.re[k] = denominator_ << vertex_bits;
       std::vector<WeightedVertex> terms = basis;
@@ -316,9 +326,14 @@ class Certifier {
   std::vector<std::vector<Integer>> matrices_;  // denominator_ times the matrices, transposed where the search was
   Real scale_ = 1;
   PolytopeProof polytope_{};
+  mutable Images images_, imaginary_images_;  // of vertices under elements other than the identity
 };
 
 }  // namespace
+
+bool PolytopeProof::is_flip_symmetric() const {
+  return group.size() == 2 && group[1].map == SparseMap::reversal(group[1].map.size());
+}
 
 PolytopeProof scaled(PolytopeProof proof, long exponent) {
   if (exponent == 0) return proof;

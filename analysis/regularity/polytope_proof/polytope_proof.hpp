@@ -13,37 +13,41 @@ namespace radius {
 struct PolytopeCandidate;
 }
 
-/// (weight + i imaginary) / 2^weight_bits times the vertex, or its mirror image, or the complex conjugate of either.
+/// (weight + i imaginary) / 2^weight_bits times the image of the vertex under an element of the group, or the complex
+/// conjugate of that.
 /// Canonical: modulus >= |weight + i imaginary|; imaginary = 0 and conjugated = false unless the polytope is complex.
 struct WeightedVertex {
   std::size_t vertex;
-  bool flipped;
+  std::size_t element;
   bool conjugated;
   Integer weight;
   Integer imaginary;
   Integer modulus;
 };
 
-/// Vertices and combinations with exact dyadic numbers. With P the hull of the vertices, their negatives and, where
-/// `symmetric`, their mirror images, the combinations prove A_t P within bound * P for all matrices
+/// Vertices and combinations with exact dyadic numbers. With P the hull of the vertices, their negatives and, the
+/// images of all these under the group, the combinations prove A_t P within bound * P for all matrices
 /// (proofs-checks/certificates/SPEC.md): residuals are small, and `units` bounds the norm of any residual.
 /// Kind nonnegative: the cone hull; combinations dominate instead of being equal. Kind complex: the balanced hull of
 /// the vertices and their conjugates.
 struct PolytopeProof {
   PolytopeKind kind;
-  bool symmetric;
   bool transposed;
+  std::vector<FamilySymmetry> group;  ///< of the matrices of the polytope, transposed where it says so
   int vertex_bits;
   int weight_bits;
   std::vector<std::vector<Integer>> vertices;
   std::vector<std::vector<Integer>> imaginary;      ///< parts of the vertices; empty unless complex
-  std::vector<std::vector<WeightedVertex>> units;   ///< for e_0, e_1, ...; the first half only where symmetric
+  std::vector<std::vector<WeightedVertex>> units;   ///< for e_0, e_1, ...; the first half only under the flip
   std::vector<std::vector<WeightedVertex>> images;  ///< vertex by vertex, matrix by matrix; for the unscaled matrices
   Rational bound;                                   ///< proved: joint spectral radius <= bound
   /// What the bound is made of: bound = max over the images of sum of moduli + unit_norm * |residual|_1.
   Integer unit_norm;                ///< bounds the norm of every unit vector
   std::vector<Rational> moduli;     ///< of the weights of each image, added up
   std::vector<Rational> residuals;  ///< 1-norms
+
+  /// Whether the group consists of the identity and the reversal of the coordinates.
+  bool is_flip_symmetric() const;
 };
 
 /// The proof for 2^exponent times the matrices.

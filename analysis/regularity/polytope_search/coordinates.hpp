@@ -8,7 +8,7 @@ namespace subcert::polytope {
 /// Coordinates x' = to x in which orbits are round and the symmetry acts as `action` tells. Those of non-negative
 /// polytopes are the coordinates of the family.
 struct Coordinates {
-  Matrix to, from;
+  CoordinateChange change;
   GroupAction action;
   std::vector<std::size_t> blocks;  ///< of coordinates on which an element of the symmetry has one sign
 };

@@ -12,6 +12,8 @@ namespace {
 constexpr double extra_reach = 0.3;    // how far orbits of extra vertices come towards the faces at the roots
 constexpr int orbit_generations = 20;  // of such an orbit; it reaches farthest in the first few
 constexpr std::size_t orbit_width = 16;
+constexpr double nearly_kept = 0.999;      // cosine between a unit vector and its image
+constexpr double covered_rest = 0.1;       // of a unit vector that images of others nearly span
 constexpr double spanning_size = 0.02;     // of vertices added only to span, relative to the largest vertex
 constexpr double flat_eigenvalue = 1e-16;  // relative eigenvalue, per coordinate, of a direction that no vertex reaches
 
@@ -43,6 +45,43 @@ class LargestValue {
   std::vector<std::pair<Vector, Vector>> parts_;  // real and imaginary, the latter empty if zero
 };
 
+// The part of a unit vector that is kept, up to signs, by the elements that nearly keep it.
+Vector kept_by_stabiliser(const Vector& x, const GroupAction& action) {
+  Vector sum(x.size(), 0.0);
+  for (int g = 0; g < action.order(); ++g) {
+    Vector image = x;
+    action.apply(g, image.data());
+    const double cosine = inner(x, image);
+    if (std::abs(cosine) < nearly_kept) continue;
+    for (std::size_t i = 0; i < x.size(); ++i) sum[i] += cosine > 0 ? image[i] : -image[i];
+  }
+  const double size = norm(sum);
+  for (double& entry : sum) entry /= size;
+  return sum;
+}
+
+class OrthonormalVectors {
+ public:
+  /// x without its part in the span.
+  Vector rest(Vector x) const {
+    for (const Vector& q : vectors_) {
+      const double part = inner(q, x);
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] -= part * q[i];
+    }
+    return x;
+  }
+  void add(const Vector& x) {
+    Vector q = rest(x);
+    const double size = norm(q);
+    if (size < covered_rest * norm(x)) return;
+    for (double& entry : q) entry /= size;
+    vectors_.push_back(std::move(q));
+  }
+
+ private:
+  std::vector<Vector> vectors_;
+};
+
 }  // namespace
 
 // One vertex in each of a set of orthogonal directions, as long as its orbit allows: it must stay well behind the faces
@@ -66,6 +105,7 @@ void PolytopeRun::add_extra_vertices() {
       for (std::size_t i = 0; i < dimension_; ++i) gram(i, j) += (u[i] * std::conj(u[j])).real();
   }
   const LargestValue largest(duals);
+  OrthonormalVectors covered;  // by the images of the extra vertices under a dense group
   std::size_t begin = 0;
   for (const std::size_t size : coordinates_.blocks) {
     if (size == 0) continue;
@@ -73,6 +113,11 @@ void PolytopeRun::add_extra_vertices() {
     for (std::size_t k = 0; k < size && !options_.budget.deadline.expired() && !full(); ++k) {
       Vector x(dimension_, 0.0);
       std::copy_n(eigen.vectors.column(k), size, x.begin() + static_cast<std::ptrdiff_t>(begin));
+      if (coordinates_.action.is_dense()) {
+        x = kept_by_stabiliser(x, coordinates_.action);
+        if (norm(covered.rest(x)) < covered_rest) continue;
+        for (int g = 0; g < coordinates_.action.order(); ++g) covered.add(acted_on(g, x));
+      }
       double reach = largest(x);
       follow_orbit<Vector>({x}, matrices_, orbit_generations, orbit_width, options_.budget.deadline, largest,
                            [&](const Vector& y) { reach = std::max(reach, largest(y)); });

@@ -9,6 +9,9 @@ namespace subcert::polytope {
 namespace {
 
 constexpr double comfortable_depth = 1e-4;       // images this far inside are not looked at again
+constexpr double same_symmetry = 1e-10;          // squared distance of a vector from its image that counts as kept
+constexpr int unit_bits = 40;                    // of the whole numbers that extra vertices are made of
+constexpr double same_image = 1e-12;             // images this close to parallel are one
 constexpr double same_point = 1e-8;              // an image this close to a vertex is that vertex
 constexpr double least_gain = 1e-9;              // a product that beats another by less is the same up to rounding
 constexpr double largest_norm = 1e3;             // norms beyond say only that the vertices do not span yet
@@ -18,22 +21,53 @@ constexpr std::size_t tried_paths = 6;           // deep vertices whose words ar
 constexpr std::size_t large_dimension = 32;      // from here on the clock costs nothing beside a program
 constexpr std::size_t allocation_overhead = 16;  // bytes that the heap spends on a block of its own
 
-// Makes a vector that is even or odd under the symmetry up to rounding exactly so; leaves others alone.
-void restore_symmetry(ComplexVector& x, const GroupAction& action) {
-  for (int g = 1; g < action.order(); ++g) {
+// Makes a vector that is even or odd under the flip up to rounding exactly so; leaves others alone.
+void restore_flip_symmetry(ComplexVector& x, const GroupAction& action) {
+  ComplexVector image = x;
+  action.apply(1, image.data());
+  for (const double sign : {1.0, -1.0}) {
+    ComplexVector symmetric = x, rest = x;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      symmetric[k] = (x[k] + sign * image[k]) / 2.0;
+      rest[k] -= symmetric[k];
+    }
+    if (squared_norm(rest) > 1e-24 * squared_norm(x)) continue;
+    x = symmetric;
+    break;
+  }
+}
+
+// The sum of a vector of whole numbers of units and its images under the elements that keep it up to a sign: exact
+// where the elements have small integer entries, so that the sum is kept by them exactly.
+void restore_dense_symmetry(ComplexVector& x, const GroupAction& action, double unit) {
+  std::vector<std::pair<int, double>> kept;
+  for (int g = 0; g < action.order(); ++g) {
     ComplexVector image = x;
     action.apply(g, image.data());
-    for (const double sign : {1.0, -1.0}) {
-      ComplexVector symmetric = x, rest = x;
-      for (std::size_t k = 0; k < x.size(); ++k) {
-        symmetric[k] = (x[k] + sign * image[k]) / 2.0;
-        rest[k] -= symmetric[k];
-      }
-      if (squared_norm(rest) > 1e-24 * squared_norm(x)) continue;
-      x = symmetric;
-      break;
-    }
+    const double cosine = inner(x, image).real() / squared_norm(x);
+    double distance = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) distance += std::norm(image[k] - (cosine > 0 ? x[k] : -x[k]));
+    if (distance < same_symmetry * squared_norm(x)) kept.emplace_back(g, cosine > 0 ? 1.0 : -1.0);
   }
+  ComplexVector rounded = x;
+  for (auto& entry : rounded) {
+    entry /= unit * static_cast<double>(kept.size());
+    entry = {std::round(entry.real()), std::round(entry.imag())};
+  }
+  std::fill(x.begin(), x.end(), 0.0);
+  for (const auto& [g, sign] : kept) {
+    ComplexVector image = rounded;
+    action.apply(g, image.data());
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += sign * unit * image[k];
+  }
+}
+
+void restore_symmetry(ComplexVector& x, const GroupAction& action) {
+  if (action.order() == 1 || squared_norm(x) == 0) return;
+  if (!action.is_dense()) return restore_flip_symmetry(x, action);
+  int exponent = 0;
+  std::frexp(std::sqrt(squared_norm(x)), &exponent);
+  restore_dense_symmetry(x, action, std::ldexp(1.0, exponent - unit_bits));
 }
 
 }  // namespace
@@ -49,10 +83,11 @@ PolytopeRun::PolytopeRun(const SearchFamily& family, std::vector<Candidate> prod
       dimension_(family.matrices.front().rows()),
       stride_between_looks_(dimension_ < large_dimension ? 16 : 1),
       // A quarter of the memory for what only saves time.
-      simplex_(kind, coordinates_.action, {options.budget.deadline, options.budget.memory / 4}) {
+      simplex_(kind, coordinates_.action.is_dense() ? GroupAction(dimension_) : coordinates_.action,
+               {options.budget.deadline, options.budget.memory / 4}) {
   for (const Matrix& a : family.matrices) {
     if (options_.budget.deadline.expired()) return;
-    matrices_.push_back(coordinates_.to * a * coordinates_.from);
+    matrices_.push_back(coordinates_.change.to * a * coordinates_.change.from);
   }
   cycles_ = leading_cycles(matrices_, products_, 1e-10, options_.budget.deadline);
   for (Matrix& a : matrices_) a /= scale_;
@@ -99,12 +134,38 @@ Vector PolytopeRun::apply(int letter, const Vector& x) const {
   return result;
 }
 
+Vector PolytopeRun::acted_on(int element, Vector x) const {
+  for (std::size_t h = 0; h < x.size(); h += dimension_) coordinates_.action.apply(element, x.data() + h);
+  return x;
+}
+
 int PolytopeRun::add(Node node) {
-  const int index = simplex_.add(node.value);
+  const int index = static_cast<int>(vertices_.size());
+  std::vector<Vector> images;  // each once up to its sign
+  for (int g = 0; g < static_cast<int>(images_in_simplex()); ++g) {
+    Vector image = acted_on(g, node.value);
+    const double size = inner(image, image);
+    if (std::any_of(images.begin(), images.end(),
+                    [&](const Vector& other) { return std::abs(inner(image, other)) > (1 - same_image) * size; }))
+      continue;
+    simplex_.add(image);
+    image_of_.emplace_back(index, g);
+    images.push_back(std::move(image));
+  }
   vertices_.push_back(std::move(node));
   images_.resize(images_.size() + matrices_.size());
   for (int a = 0; a < static_cast<int>(matrices_.size()); ++a) fresh_.push_back({index, a, 0, {}});
   return index;
+}
+
+std::vector<CombinationTerm> PolytopeRun::combination() const {
+  std::vector<CombinationTerm> terms = simplex_.combination();
+  for (CombinationTerm& term : terms) {
+    const auto [vertex, element] = image_of_[static_cast<std::size_t>(term.vertex)];
+    term.vertex = vertex;
+    if (coordinates_.action.is_dense()) term.element = element;
+  }
+  return terms;
 }
 
 // A vertex, its images as far as their number goes, and what a report makes of them.
@@ -179,7 +240,7 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
     entry.norm = std::min(entry.norm, m.upper);
     return false;
   }
-  std::vector<CombinationTerm> terms = simplex_.combination();
+  std::vector<CombinationTerm> terms = combination();
   if (m.upper > 1 - same_point) {
     const auto largest = std::max_element(terms.begin(), terms.end(), [](const auto& a, const auto& b) {
       return std::abs(a.coefficient) < std::abs(b.coefficient);
@@ -347,7 +408,7 @@ void PolytopeRun::report(SearchResult& result) && {
   const GroupAction action = family_.symmetry.action(dimension_);
   for (const Node& node : vertices_) {
     result.vertices.push_back(
-        {coordinates_.from * complex_form(node.value), node.parent, node.letter, node.cycle, node.place});
+        {coordinates_.change.from * complex_form(node.value), node.parent, node.letter, node.cycle, node.place});
     if (node.parent < 0 && node.cycle < 0) restore_symmetry(result.vertices.back().value, action);
   }
   result.images.clear();

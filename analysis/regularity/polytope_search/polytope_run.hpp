@@ -59,6 +59,8 @@ class PolytopeRun {
   };
 
   Vector apply(int letter, const Vector& x) const;
+  Vector acted_on(int element, Vector x) const;
+  std::vector<CombinationTerm> combination() const;
   Vector real_form(const ComplexVector& x) const;
   ComplexVector complex_form(const Vector& x) const;
   int add(Node node);
@@ -85,7 +87,12 @@ class PolytopeRun {
   std::vector<int> path(int vertex) const;
   std::size_t bytes_of_vertex() const;
   std::size_t bytes() const;
-  std::size_t bytes_of_next_vertex() const { return bytes_of_vertex() + simplex_.bytes_of_next_vertex(); }
+  std::size_t bytes_of_next_vertex() const {
+    return bytes_of_vertex() + images_in_simplex() * simplex_.bytes_of_next_vertex();
+  }
+  std::size_t images_in_simplex() const {
+    return coordinates_.action.is_dense() ? static_cast<std::size_t>(coordinates_.action.order()) : 1;
+  }
 
   const SearchFamily& family_;
   PolytopeKind kind_;
@@ -98,6 +105,9 @@ class PolytopeRun {
   std::size_t stride_between_looks_;
   std::vector<RootCycle> cycles_;
   IncrementalSimplex simplex_;
+  /// What a vertex of the simplex method is: an image of a vertex under a dense group. For the flip it knows the
+  /// images.
+  std::vector<std::pair<int, int>> image_of_;
   std::deque<Node> vertices_;  // a deque, as a vector that grows is held twice
   std::deque<Image> images_;
   std::size_t bytes_of_terms_ = 0;

@@ -50,7 +50,7 @@ void check(const SearchFamily& family, const SearchOptions& options) {
       const double off = difference.largest_modulus();
       require(
           off <= symmetric_tolerance * std::max(1.0, a.largest_modulus()),
-          "search_polytope: need J A_i J = A_(m-1-i) for a symmetric family, got matrices {} and {} that differ by {}",
+          "search_polytope: need g A_i g^-1 = A_g(i) for a symmetric family, got matrices {} and {} that differ by {}",
           i, image, off);
     }
   }
@@ -73,6 +73,7 @@ class Search {
       : options_(options), seconds_(options.budget.deadline.remaining()) {
     family_[0] = family_[1] = family;
     for (Matrix& a : family_[1].matrices) a = a.transposed();
+    family_[1].symmetry = family.symmetry.transposed();
   }
 
   SearchResult run() {

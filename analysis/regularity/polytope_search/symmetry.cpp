@@ -1,10 +1,28 @@
 #include "symmetry.hpp"
 
+#include "product_search.hpp"
+
 #include <cmath>
 
 namespace subcert::polytope {
 
+SymmetryGroup SymmetryGroup::transposed() const {
+  SymmetryGroup result = *this;
+  for (Element& element : result.elements_)
+    element = {element.inverse.transposed(), element.map.transposed(), element.letters};
+  return result;
+}
+
+GroupAction SymmetryGroup::action(std::size_t dimension) const {
+  if (order_ == 1) return GroupAction(dimension);
+  if (elements_.empty()) return GroupAction::reversal(dimension);
+  std::vector<Matrix> matrices;
+  for (const Element& element : elements_) matrices.push_back(element.map);
+  return GroupAction::dense(std::move(matrices));
+}
+
 Matrix SymmetryGroup::conjugated(int element, const Matrix& matrix) const {
+  if (!elements_.empty()) return at(element).map * matrix * at(element).inverse;
   const GroupAction acting = action(matrix.rows());
   Matrix result = matrix;
   for (int side = 0; side < 2; ++side) {
@@ -14,8 +32,14 @@ Matrix SymmetryGroup::conjugated(int element, const Matrix& matrix) const {
   return result;
 }
 
-Matrix SymmetryGroup::adapted_coordinates(std::size_t dimension) const {
-  if (order_ == 1) return Matrix::identity(dimension);
+CoordinateChange SymmetryGroup::adapted_coordinates(std::size_t dimension) const {
+  if (order_ == 1) return {Matrix::identity(dimension), Matrix::identity(dimension)};
+  if (!elements_.empty()) {
+    Matrix shape(dimension, dimension);  // in the coordinates in which it is the identity, every element is orthogonal
+    for (const Element& element : elements_) shape += element.map * element.map.transposed();
+    auto [to, from] = whitening(shape, 0);
+    return {std::move(to), std::move(from)};
+  }
   // Sums of mirrored coordinates, the middle one, then differences.
   const std::size_t odd = dimension / 2, even = dimension - odd;
   Matrix q(dimension, dimension);
@@ -24,12 +48,33 @@ Matrix SymmetryGroup::adapted_coordinates(std::size_t dimension) const {
     q(even + k, dimension - 1 - k) = -std::sqrt(0.5);
   }
   if (even > odd) q(odd, odd) = 1;
-  return q;
+  Matrix back = q.transposed();
+  return {std::move(q), std::move(back)};
 }
 
 std::vector<std::size_t> SymmetryGroup::blocks(std::size_t dimension) const {
-  if (order_ == 1) return {dimension};
+  if (order_ == 1 || !elements_.empty()) return {dimension};
   return {dimension - dimension / 2, dimension / 2};
+}
+
+Matrix SymmetryGroup::mean(const Matrix& matrix, const CoordinateChange& adapted) const {
+  if (elements_.empty()) return matrix;
+  Matrix sum(matrix.rows(), matrix.columns());
+  for (const Element& element : elements_) {
+    const Matrix g = adapted.to * element.map * adapted.from;
+    sum += g * matrix * g.transposed();
+  }
+  sum /= order_;
+  return sum;
+}
+
+GroupAction SymmetryGroup::action_in(const CoordinateChange& coordinates) const {
+  const std::size_t dimension = coordinates.to.rows();
+  if (order_ == 1) return GroupAction(dimension);
+  if (elements_.empty()) return GroupAction::sign_change(dimension, dimension / 2);
+  std::vector<Matrix> matrices;
+  for (const Element& element : elements_) matrices.push_back(coordinates.to * element.map * coordinates.from);
+  return GroupAction::dense(std::move(matrices));
 }
 
 }  // namespace subcert::polytope

@@ -7,6 +7,7 @@
 #include "polytope_kind.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace subcert::polytope {
 
@@ -20,18 +21,35 @@ class GroupAction {
   static GroupAction reversal(std::size_t dimension) { return {dimension, 2, 0}; }
   /// Of the flip in coordinates of which the last `odd` change their sign.
   static GroupAction sign_change(std::size_t dimension, std::size_t odd) { return {dimension, 2, odd, false}; }
+  /// By matrices, that of the identity first.
+  static GroupAction dense(std::vector<Matrix> matrices) {
+    GroupAction result(matrices.front().rows());
+    result.order_ = static_cast<int>(matrices.size());
+    result.matrices_ = std::make_shared<const std::vector<Matrix>>(std::move(matrices));
+    return result;
+  }
 
   int order() const { return order_; }
   std::size_t dimension() const { return dimension_; }
+  /// Whether it acts by matrices.
+  bool is_dense() const { return matrices_ != nullptr; }
   /// Coordinates that the flip negates; 0 where it reverses them.
   std::size_t odd() const { return odd_; }
-  /// The element that acts like `second` after `first`.
+  /// The element of the flip that acts like `second` after `first`.
   int composed(int first, int second) const { return first ^ second; }
 
   /// x becomes its image. Domain: 0 <= element < order(); dimension() numbers from x on.
   template <class Number>
   void apply(int element, Number* x) const {
     if (element == 0) return;
+    if (is_dense()) {
+      const Matrix& matrix = (*matrices_)[static_cast<std::size_t>(element)];
+      std::vector<Number> image(dimension_, Number(0));
+      for (std::size_t j = 0; j < dimension_; ++j)
+        for (std::size_t i = 0; i < dimension_; ++i) image[i] += matrix(i, j) * x[j];
+      std::copy(image.begin(), image.end(), x);
+      return;
+    }
     if (reverses_) return std::reverse(x, x + dimension_);
     for (std::size_t k = dimension_ - odd_; k < dimension_; ++k) x[k] = -x[k];
   }
@@ -43,11 +61,24 @@ class GroupAction {
   int order_ = 1;
   std::size_t odd_ = 0;
   bool reverses_ = false;
+  std::shared_ptr<const std::vector<Matrix>> matrices_;
 };
 
-/// A group G with g A_i g^-1 = A_{g(i)} for every matrix A_i of a family: images of vertices come for free.
+/// x' = to x and back.
+struct CoordinateChange {
+  Matrix to, from;
+};
+
+/// A group G with g A_i g^-1 = A_{g(i)} for every matrix A_i of a family: images of vertices come for free. Polytopes
+/// are symmetric about 0, so that elements that differ by their sign count as one.
 class SymmetryGroup {
  public:
+  /// An element other than the flip.
+  struct Element {
+    Matrix map, inverse;
+    std::vector<int> letters;
+  };
+
   /// The trivial group.
   SymmetryGroup() = default;
   /// The identity and the flip J, the reversal of the coordinates: J A_i J = A_{m-1-i} for m matrices.
@@ -56,10 +87,17 @@ class SymmetryGroup {
     result.order_ = 2;
     return result;
   }
+  /// Domain: the identity first; a finite group up to signs.
+  explicit SymmetryGroup(std::vector<Element> elements)
+      : order_(static_cast<int>(elements.size())), elements_(std::move(elements)) {}
+
+  /// For the transposed matrices: by g^-T.
+  SymmetryGroup transposed() const;
 
   int order() const { return order_; }
   /// g(letter).
   int letter(int element, int letter, std::size_t letter_count) const {
+    if (!elements_.empty()) return at(element).letters[static_cast<std::size_t>(letter)];
     return element == 0 ? letter : static_cast<int>(letter_count) - 1 - letter;
   }
   /// g(w_1) ... g(w_k).
@@ -68,23 +106,24 @@ class SymmetryGroup {
     return word;
   }
   /// On vectors in the coordinates of the family.
-  GroupAction action(std::size_t dimension) const {
-    return order_ == 1 ? GroupAction(dimension) : GroupAction::reversal(dimension);
-  }
+  GroupAction action(std::size_t dimension) const;
   /// g M g^-1.
   Matrix conjugated(int element, const Matrix& matrix) const;
 
-  /// An orthogonal matrix q, x' = q x, in whose coordinates the elements are diagonal, those of equal signs together:
+  /// Coordinates in which the elements are orthogonal; those of the flip are diagonal then, with equal signs together:
   /// symmetric matrices that commute with the group fall apart into diagonal blocks of the sizes `blocks`.
-  Matrix adapted_coordinates(std::size_t dimension) const;
+  CoordinateChange adapted_coordinates(std::size_t dimension) const;
   std::vector<std::size_t> blocks(std::size_t dimension) const;
-  /// On vectors in adapted coordinates.
-  GroupAction adapted_action(std::size_t dimension) const {
-    return order_ == 1 ? GroupAction(dimension) : GroupAction::sign_change(dimension, dimension / 2);
-  }
+  /// The mean of g M g^T over the group. Domain: adapted coordinates, a matrix that nearly commutes with the group.
+  Matrix mean(const Matrix& matrix, const CoordinateChange& adapted) const;
+  /// On vectors in coordinates that differ from the adapted ones by a matrix that commutes with the group.
+  GroupAction action_in(const CoordinateChange& coordinates) const;
 
  private:
+  const Element& at(int element) const { return elements_[static_cast<std::size_t>(element)]; }
+
   int order_ = 1;
+  std::vector<Element> elements_;  // none for the trivial group and the flip
 };
 
 }  // namespace subcert::polytope

@@ -58,7 +58,7 @@ class Proof {
  public:
   Proof(const MatrixFamily& family, const PolytopeCandidate& candidate, const PolytopeProof& polytope,
         const Rational& lower, const Deadline& deadline)
-      : candidate_(candidate), polytope_(polytope), lower_(lower), deadline_(deadline), count_(family.count()) {
+      : candidate_(candidate), polytope_(polytope), lower_(lower), deadline_(deadline) {
     for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
     for (std::size_t k = 0; k < candidate.maximizing; ++k) cycles_.push_back({candidate.products[k].cycle, {}, {}, {}});
   }
@@ -67,7 +67,8 @@ class Proof {
     const auto unknown = [](const char* reason) { return Decision{Truth::unknown, reason}; };
     if (!candidate_.closed) return unknown("the polytope did not close");
     if (polytope_.kind == PolytopeKind::nonnegative) return unknown("polytopes of cones are only enclosed");
-    for (Cycle& cycle : cycles_) cycle.mirror_shift = mirror_shift(cycle.word);
+    for (Cycle& cycle : cycles_)
+      for (const FamilySymmetry& element : polytope_.group) cycle.shifts.push_back(shift_of(cycle.word, element));
     if (!bound_vertex_errors())
       return unknown(deadline_.expired() ? no_time
                                          : "a leading eigenvalue is not simple, or its eigenvector was not isolated");
@@ -91,8 +92,8 @@ class Proof {
   /// A product whose leading eigenvectors are roots of the polytope.
   struct Cycle {
     std::vector<int> word;
-    /// The mirror image of the word is the word shifted by so much.
-    std::optional<std::size_t> mirror_shift;
+    /// For each element of the group: the image of the word is the word shifted by so much.
+    std::vector<std::optional<std::size_t>> shifts;
     /// The root from which all others come, and the vertex it is.
     std::optional<std::size_t> base;
     /// See find_eigenspace.
@@ -115,12 +116,15 @@ class Proof {
     return product;
   }
 
-  std::optional<std::size_t> mirror_shift(const std::vector<int>& word) const {
-    if (!polytope_.symmetric) return std::nullopt;
+  static int image_of(int letter, const FamilySymmetry& element) {
+    return static_cast<int>(element.letters[static_cast<std::size_t>(letter)]);
+  }
+
+  static std::optional<std::size_t> shift_of(const std::vector<int>& word, const FamilySymmetry& element) {
     for (std::size_t shift = 0; shift < word.size(); ++shift) {
       bool equal = true;
       for (std::size_t k = 0; k < word.size() && equal; ++k)
-        equal = static_cast<int>(count_) - 1 - word[k] == word[(k + shift) % word.size()];
+        equal = image_of(word[k], element) == word[(k + shift) % word.size()];
       if (equal) return shift;
     }
     return std::nullopt;
@@ -257,7 +261,7 @@ class Proof {
 
   /// Whether image = +- radius * target follows from linear equations on the eigenspace. Both sides are brought to the
   /// same number of letters by turns of the cycle, which multiply the eigenvector by a number of modulus radius^length.
-  bool follows_linearly(std::size_t source, int image_letter, std::size_t target, bool flipped) const {
+  bool follows_linearly(std::size_t source, int image_letter, std::size_t target, std::size_t element) const {
     auto from = path(source);
     const auto to = path(target);
     if (!from || !to || candidate_.vertices[root_of(source)].cycle != candidate_.vertices[root_of(target)].cycle)
@@ -271,7 +275,7 @@ class Proof {
     for (const RationalVector& v : cycle.eigenspace) {
       const RationalVector left = along(*from, around(cycle, steps < other ? more : 0, v));
       RationalVector right = along(*to, around(cycle, steps > other ? more : 0, v));
-      if (flipped) std::reverse(right.begin(), right.end());
+      right = polytope_.group[element].map(right);
       same = same && left == right;
       opposite = opposite && left == negated(right);
     }
@@ -308,17 +312,19 @@ class Proof {
     return h;
   }
 
-  /// Whether the true image is radius * (a number of modulus 1) * (the true vertex, mirrored or conjugated as said).
+  /// Whether the true image is radius * (a number of modulus 1) * (the true vertex, moved by the element or conjugated
+  /// as said).
   bool is_same_vertex(const PolytopeCandidate::Image& image) const {
     const auto source = static_cast<std::size_t>(image.vertex),
                target = static_cast<std::size_t>(image.terms.front().vertex);
     const PolytopeCandidate::Vertex& aim = candidate_.vertices[target];
-    const bool plain = !image.terms.front().flipped && !image.terms.front().conjugated;
-    if (plain && aim.parent == image.vertex && aim.letter == image.letter) return true;
-    if (follows_from_extra_vertex(source, image.letter, target, image.terms.front().flipped)) return true;
-    if (image.terms.front().conjugated) return false;
-    if (follows_from_cycle(source, image.letter, target, plain)) return true;
-    return follows_linearly(source, image.letter, target, !plain);
+    const std::size_t element = image.terms.front().element;
+    const bool conjugated = image.terms.front().conjugated;
+    if (element == 0 && !conjugated && aim.parent == image.vertex && aim.letter == image.letter) return true;
+    if (follows_from_extra_vertex(source, image.letter, target, element)) return true;
+    if (conjugated) return false;
+    return follows_from_cycle(source, image.letter, target, element) ||
+           follows_linearly(source, image.letter, target, element);
   }
 
   /// The extra vertex that a true vertex stems from, and the letters in between.
@@ -333,7 +339,7 @@ class Proof {
 
   /// Whether image = +- radius * target because the rational extra vertices behind both are led to the same point, up
   /// to its sign, by equally many letters. Real extra vertices only, for which conjugation changes nothing.
-  bool follows_from_extra_vertex(std::size_t source, int image_letter, std::size_t target, bool flipped) const {
+  bool follows_from_extra_vertex(std::size_t source, int image_letter, std::size_t target, std::size_t element) const {
     auto from = extra_origin(source);
     const auto to = extra_origin(target);
     if (!from || !to || from->second.size() + 1 != to->second.size()) return false;
@@ -346,22 +352,21 @@ class Proof {
       }
     left = along(from->second, left);
     right = along(to->second, right);
-    if (flipped) std::reverse(right.begin(), right.end());
+    right = polytope_.group[element].map(right);
     return left == right || left == negated(right);
   }
 
-  bool follows_from_cycle(std::size_t source, int image_letter, std::size_t target, bool plain) const {
+  bool follows_from_cycle(std::size_t source, int image_letter, std::size_t target, std::size_t element) const {
     auto from = history(source);
     auto to = history(target);
     if (!from || !to) return false;
     from->letters.push_back(image_letter);
     const History moved = normalised(*from);
-    if (plain) return moved == *to;
-    const std::optional<std::size_t> shift = to->cycle->mirror_shift;
+    const std::optional<std::size_t> shift = to->cycle->shifts[element];
     if (!shift) return false;
-    // The mirror image of the eigenvector at a place is, up to a number of modulus 1, the one a shift further on.
+    // The image of the eigenvector at a place is, up to a number of modulus 1, the one a shift further on.
     to->place = (to->place + *shift) % to->cycle->word.size();
-    for (int& t : to->letters) t = static_cast<int>(count_) - 1 - t;
+    for (int& t : to->letters) t = image_of(t, polytope_.group[element]);
     return moved == normalised(*to);
   }
 
@@ -369,7 +374,6 @@ class Proof {
   const PolytopeProof& polytope_;
   Rational lower_;  // a lower bound for the radius of the product, by the very eigenvalue whose vector is used
   Deadline deadline_;
-  std::size_t count_;
   std::vector<RationalMatrix> matrices_;
   std::vector<Cycle> cycles_;
   Rational error_ = 0;

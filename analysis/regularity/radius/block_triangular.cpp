@@ -162,6 +162,7 @@ MatrixFamily BlockTriangular::block(std::size_t index) const {
       for (std::size_t j = 0; j < sizes[index]; ++j) block(i, j) = matrix(start + i, start + j);
     result.push_back(std::move(block));
   }
+  if (!groups.empty()) return {std::move(result), groups.at(index)};
   return result;
 }
 

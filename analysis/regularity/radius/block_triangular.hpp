@@ -14,6 +14,8 @@ struct BlockTriangular {
   std::vector<RationalMatrix> triangular;
   /// Of each diagonal block over the rationals: yes where proved, otherwise only 'not reduced'.
   std::vector<Decision> irreducible;
+  /// Symmetries of each block; empty, or one group for each.
+  std::vector<std::vector<FamilySymmetry>> groups = {};
 
   /// The family of a diagonal block. Domain: index < sizes.size().
   MatrixFamily block(std::size_t index) const;

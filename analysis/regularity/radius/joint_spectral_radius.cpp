@@ -2,6 +2,7 @@
 
 #include "one_block.hpp"
 #include "scaling.hpp"
+#include "similarity.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 
@@ -12,7 +13,7 @@ namespace {
 
 const Rational rounding = power(Rational(10), -15);
 constexpr std::size_t most_matrices = 64, largest_size = 256;
-constexpr double triangularising_share = 0.2, first_look_share = 0.02, least_share = 0.05;
+constexpr double triangularising_share = 0.2, symmetries_share = 0.1, first_look_share = 0.02, least_share = 0.05;
 constexpr double first_slice = 0.05;  // seconds for a block that seems smaller
 
 /// The radii of all diagonal blocks, as sharp as the largest needs them.
@@ -100,13 +101,15 @@ void settle_exactness(JointSpectralRadius& result, const MatrixFamily& family,
     const JointSpectralRadius& other = proof.blocks[k];
     if (k == proof.leading || other.proved_upper() < *leader.radius.lower) continue;
     const bool both_exact = leader.radius.is_exact() && *other.radius.upper <= *leader.radius.lower;
-    if (!both_exact && !(other.exact.is_yes() && radius::is_dominated(families[proof.leading], leader.product,
-                                                                      families[k], other.product, deadline))) {
+    const bool similar = !both_exact && radius::are_similar(families[proof.leading], families[k], deadline);
+    if (!both_exact && !similar &&
+        !(other.exact.is_yes() &&
+          radius::is_dominated(families[proof.leading], leader.product, families[k], other.product, deadline))) {
       result.exact = {Truth::unknown, "two blocks have radii that could not be compared exactly"};
       return;
     }
     ++equal;
-    growth_known = growth_known && other.growth.at_most == 0;
+    growth_known = growth_known && (similar || other.growth.at_most == 0);
   }
   if (leader.radius.is_exact()) result.radius = leader.radius;
   if (growth_known) result.growth.at_most = equal - 1;
@@ -173,8 +176,9 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
   require(family.size() <= largest_size, "joint_spectral_radius: need matrices of size 1 to 256, got {}",
           family.size());
   if (family.size() == 1) return radius::radius_of_numbers(family);
-  BlockTriangular triangular = radius::balanced(
-      block_triangularise(family, budget.deadline.after(triangularising_share)));
+  BlockTriangular triangular = radius::with_symmetries(
+      radius::balanced(block_triangularise(family, budget.deadline.after(triangularising_share))),
+      budget.deadline.after(symmetries_share));
   if (triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size()))
     return radius::radius_of_one_block(family, budget, known);
   return radius_by_blocks(family, std::move(triangular), budget, known);

@@ -22,17 +22,11 @@ std::optional<ulong> modulo_prime(const Rational& value) {
   return nmod_div(n, d, mod);
 }
 
-ModMatrix multiply(const ModMatrix& a, const ModMatrix& b) {
-  ModMatrix result(a.rows(), b.columns());
-  nmod_mat_mul(result.get(), a.get(), b.get());
-  return result;
-}
-
 ModMatrix evaluate(const AlgebraElement& element, const ModFamily& family) {
   ModMatrix sum(family.front().rows(), family.front().columns());
   for (const AlgebraElement::Summand& summand : element.summands) {
     ModMatrix product = family[summand.word.front()];
-    for (std::size_t k = 1; k < summand.word.size(); ++k) product = multiply(product, family[summand.word[k]]);
+    for (std::size_t k = 1; k < summand.word.size(); ++k) product = product * family[summand.word[k]];
     const ulong scale = summand.factor >= 0 ? static_cast<ulong>(summand.factor)
                                             : prime - static_cast<ulong>(-summand.factor);
     nmod_mat_scalar_addmul_ui(sum.get(), sum.get(), product.get(), scale);
@@ -50,23 +44,30 @@ class CharacteristicFactors {
     nmod_mat_charpoly(characteristic, matrix.get());
     nmod_poly_factor(factors_, characteristic);
     nmod_poly_clear(characteristic);
-    for (slong i = 0; i < factors_->num; ++i) sorted_.push_back(factors_->p + i);
+    for (slong i = 0; i < factors_->num; ++i) {
+      sorted_.push_back(factors_->p + i);
+      if (factors_->exp[i] == 1 && factors_->p[i].length == 2)
+        simple_roots_.push_back(nmod_neg(factors_->p[i].coeffs[0], factors_->p[i].mod));
+    }
     std::sort(sorted_.begin(), sorted_.end(), [](const auto* a, const auto* b) { return a->length < b->length; });
   }
   CharacteristicFactors(const CharacteristicFactors&) = delete;
   CharacteristicFactors& operator=(const CharacteristicFactors&) = delete;
   ~CharacteristicFactors() { nmod_poly_factor_clear(factors_); }
   const std::vector<const nmod_poly_struct*>& sorted() const { return sorted_; }
+  /// Zeros of simple factors of degree 1.
+  const std::vector<ulong>& simple_roots() const { return simple_roots_; }
 
  private:
   nmod_poly_factor_t factors_;
   std::vector<const nmod_poly_struct*> sorted_;
+  std::vector<ulong> simple_roots_;
 };
 
 ModMatrix value_at(const nmod_poly_struct& f, const ModMatrix& theta) {
   ModMatrix value(theta.rows(), theta.rows());
   for (slong k = f.length - 1; k >= 0; --k) {
-    value = multiply(value, theta);
+    value = value * theta;
     for (std::size_t i = 0; i < value.rows(); ++i) value(i, i) = nmod_add(value(i, i), f.coeffs[k], theta.modulus());
   }
   return value;
@@ -92,6 +93,41 @@ ModMatrix transposed(const ModMatrix& matrix) {
 
 ModMatrix::ModMatrix(std::size_t rows, std::size_t columns) {
   nmod_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns), prime);
+}
+
+ModMatrix operator*(const ModMatrix& a, const ModMatrix& b) {
+  ModMatrix result(a.rows(), b.columns());
+  nmod_mat_mul(result.get(), a.get(), b.get());
+  return result;
+}
+
+ModVector operator*(const ModMatrix& a, const ModVector& x) {
+  const nmod_t mod = a.modulus();
+  ModVector result(a.rows(), 0);
+  for (std::size_t i = 0; i < a.rows(); ++i)
+    for (std::size_t j = 0; j < a.columns(); ++j)
+      if (x[j] != 0) result[i] = nmod_add(result[i], nmod_mul(a(i, j), x[j], mod), mod);
+  return result;
+}
+
+std::optional<ModMatrix> inverse(const ModMatrix& matrix) {
+  ModMatrix result(matrix.rows(), matrix.rows());
+  if (nmod_mat_inv(result.get(), matrix.get()) == 0) return std::nullopt;
+  return result;
+}
+
+std::vector<ulong> simple_eigenvalues(const ModFamily& family, const AlgebraElement& element) {
+  std::vector<ulong> result = CharacteristicFactors(evaluate(element, family)).simple_roots();
+  if (result.size() > factors_per_attempt) result.resize(factors_per_attempt);
+  return result;
+}
+
+std::optional<ModVector> eigenvector(const ModFamily& family, const AlgebraElement& element, ulong eigenvalue) {
+  ModMatrix theta = evaluate(element, family);
+  for (std::size_t i = 0; i < theta.rows(); ++i) theta(i, i) = nmod_sub(theta(i, i), eigenvalue, theta.modulus());
+  auto [nullity, vector] = kernel_vector(theta);
+  if (nullity != 1) return std::nullopt;
+  return vector;
 }
 
 std::optional<ModFamily> modulo_prime(const MatrixFamily& family) {
@@ -143,16 +179,7 @@ std::vector<SpinStep> spin(const ModFamily& family, const ModVector& start) {
   };
   add(start, {0, 0});
   for (std::size_t k = 0; k < basis.size() && basis.size() < n; ++k)
-    for (std::size_t t = 0; t < family.size() && basis.size() < n; ++t) {
-      ModVector image(n, 0);
-      for (std::size_t i = 0; i < n; ++i) {
-        ulong sum = 0;
-        for (std::size_t j = 0; j < n; ++j)
-          if (basis[k][j] != 0) sum = nmod_add(sum, nmod_mul(family[t](i, j), basis[k][j], mod), mod);
-        image[i] = sum;
-      }
-      add(image, {k, t});
-    }
+    for (std::size_t t = 0; t < family.size() && basis.size() < n; ++t) add(family[t] * basis[k], {k, t});
   return steps;
 }
 

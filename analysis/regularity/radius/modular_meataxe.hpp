@@ -67,6 +67,17 @@ struct AlgebraElement {
 /// First the matrices themselves, then ever longer random sums of words. Deterministic.
 AlgebraElement algebra_element(std::size_t count, int attempt, std::mt19937_64& random);
 
+/// Products modulo the prime. Domain: matching sizes.
+ModMatrix operator*(const ModMatrix& a, const ModMatrix& b);
+ModVector operator*(const ModMatrix& a, const ModVector& x);
+/// Nothing for a singular matrix.
+std::optional<ModMatrix> inverse(const ModMatrix& matrix);
+
+/// The eigenvalues of an element that are simple zeros of its characteristic polynomial, a few of them.
+std::vector<ulong> simple_eigenvalues(const ModFamily& family, const AlgebraElement& element);
+/// The eigenvector, determined up to a factor; nothing where the eigenspace has another dimension than 1.
+std::optional<ModVector> eigenvector(const ModFamily& family, const AlgebraElement& element, ulong eigenvalue);
+
 enum class ModularAnswer { irreducible, reducible, unknown };
 
 /// Norton's criterion modulo the prime: for an element theta and an irreducible factor f of its characteristic

@@ -4,6 +4,8 @@
 #include "attains.hpp"
 #include "scaling.hpp"
 
+#include <algorithm>
+
 namespace subcert::radius {
 namespace {
 
@@ -31,9 +33,59 @@ Decision attains(const MatrixFamily& family, const PolytopeCandidate& candidate,
   return product_attains_radius(family, candidate, polytope, *product.radius.lower, deadline);
 }
 
-}  // namespace
+/// A family without matrices that occur before.
+struct DifferentMatrices {
+  MatrixFamily family;
+  std::vector<std::size_t> originals;  ///< the first matrix of the family that is this one
+  std::vector<std::size_t> places;     ///< of each matrix of the family, among the different ones
+};
 
-JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget& budget,
+DifferentMatrices different_matrices(const MatrixFamily& family) {
+  std::vector<RationalMatrix> matrices;
+  std::vector<std::size_t> originals, places;
+  for (std::size_t t = 0; t < family.count(); ++t) {
+    places.push_back(
+        static_cast<std::size_t>(std::find(matrices.begin(), matrices.end(), family[t]) - matrices.begin()));
+    if (places.back() < matrices.size()) continue;
+    matrices.push_back(family[t]);
+    originals.push_back(t);
+  }
+  if (originals.size() == family.count()) return {family, std::move(originals), std::move(places)};
+  std::vector<FamilySymmetry> group;
+  for (const FamilySymmetry& element : family.group()) {
+    FamilySymmetry one{element.map, {}};
+    for (const std::size_t t : originals) one.letters.push_back(places[element.letters[t]]);
+    // Elements of equal letters differ by their sign only, or by nothing.
+    if (std::none_of(group.begin(), group.end(), [&](const FamilySymmetry& g) { return g.letters == one.letters; }))
+      group.push_back(std::move(one));
+  }
+  return {MatrixFamily(std::move(matrices), std::move(group)), std::move(originals), std::move(places)};
+}
+
+/// The proof for the family from that for its different matrices.
+void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
+  for (int& letter : radius.product.word)
+    letter = static_cast<int>(different.originals[static_cast<std::size_t>(letter)]);
+  auto* polytope = std::get_if<PolytopeProof>(&radius.proof);
+  if (!polytope) return;
+  const std::size_t count = different.originals.size();
+  const auto repeated = [&](auto& of_images) {
+    std::remove_reference_t<decltype(of_images)> all;
+    for (std::size_t v = 0; v < polytope->vertices.size(); ++v)
+      for (const std::size_t place : different.places) all.push_back(of_images[v * count + place]);
+    of_images = std::move(all);
+  };
+  repeated(polytope->images);
+  repeated(polytope->moduli);
+  repeated(polytope->residuals);
+  for (FamilySymmetry& element : polytope->group) {
+    std::vector<std::size_t> letters;
+    for (const std::size_t place : different.places) letters.push_back(different.originals[element.letters[place]]);
+    element.letters = std::move(letters);
+  }
+}
+
+JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget& budget,
                                         const std::optional<NormProof>& known) {
   const long exponent = scaling_exponent(family);
   const Rational unit = power(Rational(2), exponent);
@@ -66,6 +118,16 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
     // A norm that no matrix expands by more than the radius.
     result.growth.at_most = 0;
   }
+  return result;
+}
+
+}  // namespace
+
+JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget& budget,
+                                        const std::optional<NormProof>& known) {
+  const DifferentMatrices different = different_matrices(family);
+  JointSpectralRadius result = radius_of_different(different.family, budget, known);
+  if (different.originals.size() < family.count()) expand(result, different);
   return result;
 }
 

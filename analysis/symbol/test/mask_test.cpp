@@ -7,7 +7,6 @@ using namespace subcert;
 
 TEST_CASE("what a mask knows about itself") {
   const Mask chaikin(LaurentPolynomial::parse_mask("[1,3,3,1]/4@-2"), 2);
-  CHECK(chaikin.dimension() == 1);
   CHECK(is_affine(chaikin));
   CHECK(support(chaikin) == IndexRange{-2, 1});
   CHECK(limit_support(chaikin).upper == 1);
@@ -30,5 +29,8 @@ TEST_CASE("what a mask knows about itself") {
   const MultivariateMask surface = tensor_product({chaikin, chaikin});
   CHECK(surface.dimension() == 2);
   CHECK(surface.symbol().coefficient({0, 1}) == Rational(3, 16));
-  CHECK_THROWS_AS(tensor_product({chaikin, ternary}), Error);
+  const MultivariateMask mixed = tensor_product({chaikin, ternary});
+  CHECK(mixed.dilation() == Dilation({{2, 0}, {0, 3}}));
+  CHECK(coset_sums(mixed) == std::vector<Rational>(6, 1));
+  CHECK_THROWS_AS(mixed.arity(), Error);
 }

@@ -45,6 +45,12 @@ TEST_CASE("a scheme of any family refines data") {
         std::vector<std::size_t>{4, 2});
   CHECK(fewest_points(make_any_scheme("grid:points=4x3"), Boundary::regression) == std::vector<std::size_t>{4, 3});
   CHECK(fewest_points(make_any_scheme("l1:points=4x5"), Boundary::regression) == std::vector<std::size_t>{4, 5});
+  CHECK(values(surface, "tensor:(dd:n=2)x(ary:a=3,points=2,d=1)").size() == 17 * 46);
+  CHECK(values(surface, "loop").size() > 200);
+  for (const char* text : {"sqrt3", "quincunx", "mask2:[[1,1],[1,1]]@0,0,dilation=[-2,0;0,-2]"}) {
+    CHECK_FAILS(refine(surface, make_any_scheme(text), options), domain);
+    CHECK_FAILS(fewest_points(make_any_scheme(text), Boundary::regression), domain);
+  }
   for (const char* text : {"dual:n=2", "l1:points=6"})
     CHECK_FAILS(refine(curve, make_any_scheme(text), {1, Boundary::nearest}), domain);
 }

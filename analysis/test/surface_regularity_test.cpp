@@ -1,0 +1,163 @@
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/lattice_symmetry.hpp>
+#include <subcert/analysis/symbol/torus.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/schemes/specification.hpp>
+
+using namespace subcert;
+
+namespace {
+
+MultivariateScheme surface(const std::string& specification) {
+  return std::get<MultivariateScheme>(make_linear_scheme(specification));
+}
+
+MultivariateRegularity regularity(const std::string& specification) {
+  return multivariate_regularity(surface(specification).mask, {Deadline::in(100)});
+}
+
+bool encloses(const Enclosure& enclosure, double value, double width) {
+  return enclosure.is_bounded() && (*enclosure.upper - *enclosure.lower).convert_to<double>() < width &&
+         enclosure.lower->convert_to<double>() < value + width && enclosure.upper->convert_to<double>() > value - width;
+}
+
+}  // namespace
+
+TEST_CASE("classical surfaces have their known exponents, exactly") {
+  struct Known {
+    const char* specification;
+    double holder, sobolev;
+  };
+  // Box splines: the least number of directions outside of a line, less 2, and half more in L2. The others: [DHHS15]
+  // has the factors, [HJ98] the exponents of the butterfly scheme, [CD93] those of the quincunx scheme.
+  for (const Known& known :
+       {Known{"box:[1,0;0,1;1,1]", 1, 1.5}, Known{"box:[1,0;1,0;0,1;1,1]", 1, 1.5},
+        Known{"box:[1,0;1,0;0,1;0,1;1,1]", 2, 2.5}, Known{"loop:", 3, 3.5}, Known{"catmull-clark:", 3, 3.5},
+        Known{"doo-sabin:", 2, 2.5}, Known{"butterfly:w=1/16", 2, 2.44077}, Known{"quincunx:", 0.61152, 1.57764}}) {
+    INFO(known.specification);
+    const MultivariateRegularity result = regularity(known.specification);
+    CHECK(result.converges.is_yes());
+    CHECK(result.stable.is_yes());
+    CHECK(result.exact.is_yes());
+    CHECK(encloses(result.exponent, known.holder, 1e-5));
+    REQUIRE(result.sobolev);
+    CHECK(encloses(*result.sobolev, known.sobolev, 1e-5));
+  }
+}
+
+TEST_CASE("where shifts are unstable only the lower end is claimed") {
+  for (const char* specification : {"zwart-powell:", "four-eight:", "grid:points=2x2,d=1"}) {
+    INFO(specification);
+    const MultivariateRegularity result = regularity(specification);
+    CHECK(result.stable.is_no());
+    CHECK(result.exponent.lower);
+    CHECK(!result.exponent.upper);
+    CHECK((result.sobolev && !result.sobolev->upper));
+  }
+}
+
+TEST_CASE("tensor products by their factors and by their masks agree") {
+  for (const char* specification : {"tensor:(bspline:degree=2)x(bspline:degree=3)", "kobbelt:w=1/16"}) {
+    INFO(specification);
+    const MultivariateScheme scheme = surface(specification);
+    REQUIRE(!scheme.factors.empty());
+    const MultivariateRegularity by_mask = multivariate_regularity(scheme.mask, {Deadline::in(100)}),
+                                 by_factors = tensor_product_regularity(scheme.factors, {Deadline::in(100)});
+    CHECK(by_mask.exact.is_yes());
+    CHECK(by_factors.exact.is_yes());
+    CHECK(by_mask.sum_rules == by_factors.sum_rules);
+    CHECK(*by_mask.exponent.lower <= *by_factors.exponent.upper);
+    CHECK(*by_factors.exponent.lower <= *by_mask.exponent.upper);
+    CHECK(encloses(by_mask.exponent, by_factors.exponent.lower->convert_to<double>(), 1e-10));
+    CHECK(*by_mask.sobolev->lower <= *by_factors.sobolev->upper);
+    CHECK(*by_factors.sobolev->lower <= *by_mask.sobolev->upper);
+  }
+}
+
+TEST_CASE("masks that do not converge are told so") {
+  const MultivariateMask shifted(surface("loop:").mask.symbol() * MultivariatePolynomial(2, 2), 2);
+  CHECK(multivariate_regularity(shifted, {Deadline::in(1)}).converges.is_no());
+  const MultivariateMask anisotropic = surface("tensor:(bspline:degree=1)x(bspline:degree=1,a=3)").mask;
+  CHECK_THROWS_AS(multivariate_regularity(anisotropic, {Deadline::in(1)}), Error);
+}
+
+TEST_CASE("difference spaces are invariant and hold the differences after some steps") {
+  for (const char* specification : {"quincunx:", "loop:", "grid:points=3x3,d=2"}) {
+    INFO(specification);
+    const MultivariateMask mask = surface(specification).mask;
+    const DifferenceSpace space = difference_space(mask, polynomial_reproduction(mask).sum_rules);
+    const auto is_inside = [&](LatticeSequence v) {
+      for (std::size_t c = 0; c < space.basis.size(); ++c) {
+        const auto at = v.find(space.window.points()[space.pivots[c]]);
+        if (at == v.end()) continue;
+        const Rational factor = at->second;
+        for (const auto& [point, value] : space.basis[c])
+          if ((v[point] -= factor * value) == 0) v.erase(point);
+      }
+      return v.empty();
+    };
+    for (const LatticeSequence& vector : space.basis)
+      for (const LatticeSequence& image : transitions(mask.symbol(), mask.dilation(), vector)) CHECK(is_inside(image));
+    std::vector<LatticeSequence> moved = differences_of_delta(2, space.order);
+    for (int step = 0; step < space.window.steps(); ++step) {
+      std::vector<LatticeSequence> next;
+      for (const LatticeSequence& v : moved)
+        for (LatticeSequence& image : transitions(mask.symbol(), mask.dilation(), v)) next.push_back(std::move(image));
+      moved = std::move(next);
+    }
+    for (const LatticeSequence& v : moved) CHECK(is_inside(v));
+  }
+}
+
+TEST_CASE("inner products of shifts belong to the box spline one order higher") {
+  // <phi, phi(. - k)> of the three-directional linear element: 1/2 in the middle and 1/12 at the six neighbours.
+  const auto gram = gram_function(surface("box:[1,0;0,1;1,1]").mask);
+  REQUIRE(gram);
+  CHECK(gram->size() == 7);
+  CHECK(gram->at({0, 0}) == Rational(1, 2));
+  CHECK(gram->at({1, 1}) == Rational(1, 12));
+  CHECK(gram->at({-1, 0}) == Rational(1, 12));
+}
+
+TEST_CASE("symmetries of masks and what the dilation leaves of them") {
+  const auto count = [](const char* specification) {
+    const MultivariateMask mask = surface(specification).mask;
+    const auto group = lattice_symmetries(mask.symbol());
+    return std::pair(group.size(), symmetries_along(group, mask.dilation()).size());
+  };
+  CHECK(count("loop:") == std::pair<std::size_t, std::size_t>(12, 12));
+  CHECK(count("catmull-clark:") == std::pair<std::size_t, std::size_t>(8, 8));
+  CHECK(count("sqrt3:") == std::pair<std::size_t, std::size_t>(12, 12));
+  CHECK(count("tensor:(bspline:degree=1)x(bspline:degree=3)") == std::pair<std::size_t, std::size_t>(4, 4));
+}
+
+TEST_CASE("positive on the torus or not, exactly") {
+  const auto polynomial = [](const char* text) { return MultivariatePolynomial::parse(text, 2); };
+  const MultivariatePolynomial x = polynomial("x + x^-1"), y = polynomial("y + y^-1"), one(2, 1);
+  CHECK(is_positive_on_torus(x + y + one * MultivariatePolynomial(2, Rational(401, 100))).is_yes());
+  CHECK(is_positive_on_torus(x + y + one * MultivariatePolynomial(2, Rational(399, 100))).is_no());
+  CHECK(zero_on_torus(x + y + MultivariatePolynomial(2, 4)) == "2 pi (1/2, 1/2)");
+  CHECK(zero_on_torus(x + MultivariatePolynomial(2, 1)) == "2 pi (1/3, 0)");
+  CHECK(!zero_on_torus(x + y + MultivariatePolynomial(2, 5)));
+}
+
+TEST_CASE("dilations and digits are checked") {
+  CHECK_THROWS_WITH(Dilation({{1, 1}, {0, 2}}), Catch::Contains("larger than 1"));
+  CHECK_THROWS_WITH(Dilation({{2, 0}, {0, 0}}), Catch::Contains("larger than 1"));
+  CHECK_THROWS_WITH(Dilation({{2, 0}, {0, 2, 1}}), Catch::Contains("square"));
+  CHECK_THROWS_WITH(Dilation({{2}}, {{0}, {2}}), Catch::Contains("of one class"));
+  CHECK_THROWS_WITH(Dilation({{2}}, {{0}}), Catch::Contains("need 2 digits"));
+  CHECK(Dilation({{1, 2}, {-2, -1}}).is_isotropic());
+  CHECK(Dilation({{1, -1}, {1, 1}}).is_isotropic());
+  CHECK(!Dilation({{2, 0}, {0, 3}}).is_isotropic());
+  CHECK(!Dilation({{2, 1}, {0, 2}}).is_isotropic());
+  CHECK(Dilation({{0, 0, 2}, {1, 0, 0}, {0, 1, 0}}).is_isotropic());
+  const Dilation sqrt3({{1, 2}, {-2, -1}});
+  for (long i = -5; i <= 5; ++i)
+    for (long j = -5; j <= 5; ++j) {
+      const Dilation::Division at = sqrt3.divide({i, j});
+      CHECK(sqrt3 * at.quotient + sqrt3.digits()[at.digit] == LatticePoint{i, j});
+    }
+}

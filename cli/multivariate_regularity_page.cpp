@@ -1,0 +1,108 @@
+#include "multivariate_regularity_page.hpp"
+
+#include "exponent_text.hpp"
+
+#include <sstream>
+
+namespace subcert::cli {
+namespace {
+
+std::string points_text(const std::vector<LatticePoint>& points) {
+  return fmt::format("({})", fmt::join(
+                                 [&] {
+                                   std::vector<std::string> parts;
+                                   for (const LatticePoint& point : points)
+                                     parts.push_back(fmt::format("{}", fmt::join(point, ",")));
+                                   return parts;
+                                 }(),
+                                 "; "));
+}
+
+}  // namespace
+
+MultivariateRegularityPage multivariate_regularity_page(MultivariateScheme scheme, const Budget& budget, bool by_mask) {
+  const Stopwatch watch;
+  MultivariateRegularity regularity = scheme.factors.empty() || by_mask
+                                          ? multivariate_regularity(scheme.mask, budget)
+                                          : tensor_product_regularity(scheme.factors, budget);
+  return {std::move(scheme), std::move(regularity), watch.seconds()};
+}
+
+Json MultivariateRegularityPage::json() const {
+  const Dilation& dilation = scheme.mask.dilation();
+  const auto& radius = regularity.radius;
+  return {{"scheme", scheme.specification},
+          {"variables", scheme.mask.dimension()},
+          {"dilation", dilation.rows()},
+          {"digits", dilation.digits()},
+          {"sum_rules", regularity.sum_rules},
+          {"bound", regularity.bound ? bound_json(*regularity.bound) : Json()},
+          {"converges", to_text(regularity.converges.truth)},
+          {"dimension", regularity.space ? Json(regularity.space->family.size()) : Json()},
+          {"blocks", radius && radius->by_blocks() ? Json(radius->by_blocks()->triangular.sizes) : Json()},
+          {"radius", radius ? enclosure_json(radius->radius) : Json()},
+          {"holder", enclosure_json(regularity.exponent)},
+          {"exact", regularity.exact.is_yes()},
+          {"exactness", regularity.exact.reason},
+          {"closed", regularity.is_closed()},
+          {"method", radius ? method_text(*radius) : "factors of a tensor product"},
+          {"product", radius ? word_text(radius->product.word) : ""},
+          {"vertices", radius ? Json(radius->vertices()) : Json()},
+          {"stable", regularity.stable.is_yes() && regularity.exponent.upper.has_value()},
+          {"stability", regularity.stable.reason},
+          {"sobolev", regularity.sobolev ? Json{{"exponent", enclosure_json(*regularity.sobolev)},
+                                                {"stable", regularity.stable.is_yes()}}
+                                         : Json()},
+          {"seconds", seconds}};
+}
+
+std::string MultivariateRegularityPage::text() const {
+  const Dilation& dilation = scheme.mask.dilation();
+  const auto& radius = regularity.radius;
+  std::ostringstream page;
+  page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
+       << "dilation     " << dilation.to_text() << ", digits " << points_text(dilation.digits()) << "\n"
+       << "sum rules    " << regularity.sum_rules << "\n"
+       << "converges    " << to_text(regularity.converges.truth) << ": " << regularity.converges.reason << "\n";
+  if (regularity.space)
+    page << "space        dimension " << regularity.space->family.size() << ", differences of order "
+         << regularity.space->order << " on " << regularity.space->window.size() << " lattice points\n";
+  if (regularity.bound)
+    page << "bound        >= " << regularity.bound->exponent.lower_text(12) << " by norms of products of length "
+         << regularity.bound->levels << "\n";
+  if (radius) {
+    page << "radius       " << enclosure_text(radius->radius, 15) << "  (joint spectral radius, "
+         << method_text(*radius);
+    if (radius->vertices() > 0)
+      page << ", " << radius->vertices() << (radius->vertices() == 1 ? " vertex" : " vertices");
+    page << ")\n";
+    if (const BlockProof* blocks = radius->by_blocks())
+      page << "blocks       " << sizes_text(blocks->triangular.sizes) << "\n";
+    page << "product      " << word_text(radius->product.word) << "  (radius "
+         << enclosure_text(radius->product.radius, 15)
+         << (radius->exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
+  }
+  page << "stable       " << to_text(regularity.stable.truth) << ": " << regularity.stable.reason << "\n"
+       << "exponent     ";
+  if (!regularity.exponent.lower)
+    page << (regularity.converges.is_no()    ? "none, as the scheme does not converge"
+             : regularity.converges.is_yes() ? "unknown beyond continuity"
+                                             : "unknown, as convergence is not proved");
+  else if (!regularity.exponent.upper)
+    page << enclosure_text(regularity.exponent, 14) << "  (a proved lower bound"
+         << (regularity.stable.is_no() ? "; the shifts are unstable, so the limits may be smoother)" : ")");
+  else
+    page << enclosure_text(regularity.exponent, 14) << "  (enclosed with proof"
+         << (scheme.factors.empty() || radius ? ")" : ", by the factors)");
+  page << "\n";
+  if (regularity.sobolev)
+    page << "Sobolev      " << enclosure_text(*regularity.sobolev, 14) << "  (L2 smoothness"
+         << (regularity.stable.is_yes() ? ", exact as the shifts are stable)"
+                                        : ", a lower bound as the shifts are not proved stable)")
+         << "\n";
+  if (!regularity.is_closed() && !regularity.converges.is_no())
+    page << "budget       the search did not close; the enclosure reached is printed\n";
+  return page.str();
+}
+
+}  // namespace subcert::cli

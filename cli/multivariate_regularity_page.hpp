@@ -1,0 +1,22 @@
+#pragma once
+/// What `subcert regularity` prints about schemes of two and three variables.
+
+#include "command.hpp"
+
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+
+namespace subcert::cli {
+
+struct MultivariateRegularityPage {
+  MultivariateScheme scheme;
+  MultivariateRegularity regularity;
+  double seconds = 0;
+
+  Json json() const;
+  std::string text() const;
+};
+
+/// By the factors of a tensor product, otherwise, or where `by_mask` asks for it, by the mask.
+MultivariateRegularityPage multivariate_regularity_page(MultivariateScheme scheme, const Budget& budget, bool by_mask);
+
+}  // namespace subcert::cli

@@ -235,6 +235,7 @@ class Checker {
     if (word.empty()) return body.vertices[vertex];
     const auto [at, missing] = body.images.try_emplace({vertex, std::string(word)});
     if (!missing) return at->second;
+    arithmetic_.spend(2000 + 100 * body.size);
     Vector image = image_of(body, vertex, word.substr(1));
     if (word.front() == 'f' && body.symmetric) {
       for (std::size_t part = 0; part < body.parts; ++part)

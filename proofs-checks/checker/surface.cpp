@@ -197,7 +197,7 @@ class Surface {
     const std::size_t m = sum_rules_;
     Vector sums(m * (m + 1) * (m + 2) / 6);
     for (const auto& [point, value] : x) {
-      arithmetic_.spend(50 * sums.size());
+      arithmetic_.spend(sums.size() * (60 + m + mpz_size(value.get_mpz_t())));
       std::size_t at = 0;
       mpz_class a = value;
       for (std::size_t i = 0; i < m; ++i, a *= point[0]) {
@@ -270,7 +270,10 @@ class Surface {
       for (const auto& [point, value] : row.values) add_product(x, point, value, factor);
       drop_zeros(x);
       mpz_class content = 0;
-      for (const auto& [point, value] : x) content = gcd(content, value);
+      for (const auto& [point, value] : x) {
+        arithmetic_.spend(50 + mpz_size(value.get_mpz_t()) * mpz_size(value.get_mpz_t()));
+        content = gcd(content, value);
+      }
       for (auto& [point, value] : x) value /= content;
     }
   }

@@ -55,9 +55,12 @@ class Positivity {
     std::size_t entries = 1;
     for (const auto& [point, value] : g)
       for (std::size_t v = 0; v < 3; ++v) half_[v] = std::max(half_[v], static_cast<std::size_t>(std::abs(point[v])));
-    for (const std::size_t n : half_) {
+    for (std::size_t v = 0; v < 3; ++v) {
+      const std::size_t n = half_[v];
       require(n < max_cell_entries, too_much_work);
-      require((entries *= 2 * n + 1) <= max_cell_entries, too_much_work);
+      require((entries *= sizes_[v] = 2 * n + 1) <= max_cell_entries, too_much_work);
+      arithmetic_.spend(sizes_[v] * sizes_[v] * sizes_[v] * (20 + n));
+      for (std::size_t k = 0; k <= 2 * n; ++k) forms_[v].push_back(power_form(n, k));
     }
   }
   void check() {
@@ -67,8 +70,7 @@ class Positivity {
  private:
   /// On |x_v - pi_v| <= pi/2, pi_v = pi where the bit of the chart is set, otherwise 0; times a positive function.
   Box<mpz_class> form(unsigned chart) {
-    Box<Gaussian> sum{{2 * half_[0] + 1, 2 * half_[1] + 1, 2 * half_[2] + 1}, {}};
-    sum.values.resize(sum.sizes[0] * sum.sizes[1] * sum.sizes[2]);
+    Box<Gaussian> sum{sizes_, std::vector<Gaussian>(sizes_[0] * sizes_[1] * sizes_[2])};
     for (const auto& [point, value] : g_) {
       std::size_t at = 0, sign = 0;
       for (std::size_t v = 3; v-- > 0;) {
@@ -78,17 +80,16 @@ class Positivity {
       sum.values[at].re = sign % 2 == 0 ? value : mpz_class(-value);
     }
     for (std::size_t v = 0; v < variables_; ++v) {
-      std::vector<std::vector<Gaussian>> forms;
-      for (std::size_t k = 0; k < sum.sizes[v]; ++k) forms.push_back(power_form(half_[v], k));
       sum.along(v, [&](std::vector<Gaussian>& line) {
         std::vector<Gaussian> result(line.size());
         for (std::size_t k = 0; k < line.size(); ++k) {
           if (line[k].re == 0 && line[k].im == 0) continue;
           for (std::size_t j = 0; j < line.size(); ++j) {
-            arithmetic_.add_product(result[j].re, line[k].re, forms[k][j].re);
-            arithmetic_.add_product(result[j].re, -line[k].im, forms[k][j].im);
-            arithmetic_.add_product(result[j].im, line[k].re, forms[k][j].im);
-            arithmetic_.add_product(result[j].im, line[k].im, forms[k][j].re);
+            const Gaussian& form = forms_[v][k][j];
+            arithmetic_.add_product(result[j].re, line[k].re, form.re);
+            arithmetic_.add_product(result[j].re, -line[k].im, form.im);
+            arithmetic_.add_product(result[j].im, line[k].re, form.im);
+            arithmetic_.add_product(result[j].im, line[k].im, form.re);
           }
         }
         line = std::move(result);
@@ -129,7 +130,8 @@ class Positivity {
   const Sequence& g_;
   std::size_t variables_;
   Arithmetic& arithmetic_;
-  std::array<std::size_t, 3> half_{};
+  std::array<std::size_t, 3> half_{}, sizes_{};              // n, and 2n + 1, along the axes
+  std::array<std::vector<std::vector<Gaussian>>, 3> forms_;  // by axis and n + k
 };
 
 }  // namespace

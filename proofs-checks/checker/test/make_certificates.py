@@ -8,6 +8,7 @@ points by trying all bases of vertices, which is fine for a handful of vertices 
 """
 import itertools
 import math
+import re
 import sys
 from fractions import Fraction as Q
 from pathlib import Path
@@ -171,6 +172,14 @@ def radius(name, family, word, symmetric, width=Q(1, 10**13)):
     return ["--matrices", name, "--lower", str(lower), "--upper", str(upper)], head + lines + ["end"]
 
 
+def as_group(lines):
+    """The flip of two coordinates as a generator of a group; then all units have lines."""
+    text = re.sub(r"(\d)f:", r"\1A:", "\n".join(lines)).replace(" symmetric", " group:1\ngenerator 1 0\nmap 0 1\nmap 1 0")
+    unit = re.search("^unit 0.*\n", text, re.M)[0]
+    mirrored = re.sub(r"(\d)(A?):", lambda m: m[1] + ("" if m[2] else "A") + ":", unit.replace("unit 0", "unit 1"))
+    return text.replace(unit, unit + mirrored).split("\n")
+
+
 def power_mask(factor, k, scale):
     mask = [Q(1)]
     for _ in range(k):
@@ -219,6 +228,9 @@ def main(out):
     arguments, lines = radius("golden.mat", golden, [0, 1], False)
     phi = math.isqrt(5 * ONE * ONE)
     phi = (ONE + phi) // 2 + 1
+    arguments, lines = radius("golden.mat", golden, [0, 1], True)
+    write("golden-group", (arguments, as_group(lines)))
+    arguments, lines = radius("golden.mat", golden, [0, 1], False)
     two = ["block 0 polytope 1 64 64 nonnegative symmetric", f"vertex {phi} {ONE}", f"unit 0 0:{ONE}",
            f"image 0 0 0:{phi + 2}", f"image 0 1 0f:{phi + 2}"]
     write("golden-nonnegative", (arguments, lines[:4] + two + ["end"]))
@@ -255,7 +267,8 @@ def main(out):
     write("hat-by-hand", (["--surface", "[1,2,1]/2@-1", "--dilation", "[2]", "--lower", "1", "--upper", "1"], hat))
     triangle = [(1, 0), (0, 1), (1, 1)]
     write("three-direction", make_surfaces.box_spline(triangle, 2))  # exponent 1
-    write("loop", make_surfaces.box_spline(triangle * 2, 4))  # exponent 3
+    write("three-direction-group", make_surfaces.box_spline(triangle, 2, exchange=True))
+    write("loop", make_surfaces.box_spline(triangle * 2, 4, exchange=True))  # exponent 3
     write("zwart-powell", make_surfaces.box_spline(triangle + [(1, -1)], 2, False))  # shifts not stable; exponent 2
     write("turning-2", make_surfaces.turning_hat(2))
     write("turning-3", make_surfaces.turning_hat(3))

@@ -145,8 +145,15 @@ def certificate(mask, divide, sum_rules, space_lines, product, section, lower, u
     return claim, head + section + ["end"]
 
 
-def surface(mask, matrix, sum_rules, families, word, value, lower, upper):
-    """families: name -> (directions, b, next name, scale of the vertices); value: the eigenvalue of the word."""
+def exchanged(vertex):
+    """The vertex with its two variables exchanged."""
+    name, k = vertex
+    return tuple(sorted(direction[::-1] for direction in name)), k[::-1]
+
+
+def surface(mask, matrix, sum_rules, families, word, value, lower, upper, exchange=False):
+    """families: name -> (directions, b, next name, scale of the vertices); value: the eigenvalue of the word. With
+    `exchange` one of two vertices that an exchange of the variables maps to each other."""
     divide = Division(matrix)
     start = {name: convolve(*(binomial(eta, -1) for eta in directions)) for name, (directions, *_) in families.items()}
     reached = set(itertools.product(families, itertools.product((-1, 0), repeat=len(matrix))))
@@ -157,10 +164,16 @@ def surface(mask, matrix, sum_rules, families, word, value, lower, upper):
     sequences = {(name, k): {add(p, k): a for p, a in start[name].items()} for name, k in images}
     lines, coordinates = space(sequences.values())
     one = 1 << BITS
-    number = {vertex: i for i, vertex in enumerate(images)}
+    of_orbit = (lambda v: min(v, exchanged(v))) if exchange else (lambda v: v)
+    listed = [v for v in images if of_orbit(v) == v]
+    number = {v: f"{listed.index(of_orbit(v))}" + ("" if of_orbit(v) == v else "A") for v in images}
     scale = {name: Q(round(family[3] * one), one) for name, family in families.items()}
-    section = [f"block 0 polytope {len(images)} {BITS} {BITS}"]
-    section += ["vertex " + " ".join(str(int(a * scale[v[0]] * one)) for a in coordinates(sequences[v])) for v in images]
+    section = [f"block 0 polytope {len(listed)} {BITS} {BITS}" + (" group:1" if exchange else "")]
+    if exchange:
+        columns = [coordinates({p[::-1]: a for p, a in x.items()}) for _, x in sorted(eliminate(sequences.values()))]
+        section.append("generator " + " ".join(str(divide.digits.index(d[::-1])) for d in divide.digits))
+        section += ["map " + " ".join(map(str, row)) for row in zip(*columns)]
+    section += ["vertex " + " ".join(str(int(a * scale[v[0]] * one)) for a in coordinates(sequences[v])) for v in listed]
     # e_K as combinations of vertices: vectors with the vertices in a second part
     size = len(coordinates({}))
     basis = dict(eliminate([{**{("a", i): a * scale[v[0]] for i, a in enumerate(coordinates(sequences[v])) if a},
@@ -168,7 +181,7 @@ def surface(mask, matrix, sum_rules, families, word, value, lower, upper):
     for k in range(size):
         weights = {i: a for (part, i), a in basis["a", k].items() if part == "b"}
         section.append(f"unit {k} " + " ".join(f"{i}:{round(a * one)}" for i, a in sorted(weights.items())))
-    for v in images:
+    for v in listed:
         for d, image in enumerate(images[v]):
             weights = {number[w]: round(a * one * scale[v[0]] / scale[w[0]]) for w, a in image.items()}
             section.append(" ".join([f"image {number[v]} {d}"] + [f"{i}:{a}" for i, a in sorted(weights.items())]))
@@ -176,7 +189,7 @@ def surface(mask, matrix, sum_rules, families, word, value, lower, upper):
     return certificate(mask, divide, sum_rules, lines, product, section, lower, upper)
 
 
-def box_spline(directions, sum_rules, upper=True):
+def box_spline(directions, sum_rules, upper=True, exchange=False):
     """Of the exponent sum_rules - 1, which is the upper end as well where the shifts are stable."""
     n, s = len(directions), len(directions[0])
     scale = {(0,) * s: Q(2**s, 2**n)}
@@ -187,7 +200,7 @@ def box_spline(directions, sum_rules, upper=True):
         families[name] = (name, convolve(scale, *rest), name, Q(1))
     matrix = [[2 * int(i == j) for j in range(s)] for i in range(s)]
     exponent = sum_rules - 1
-    return surface(convolve(scale, *(binomial(d, 1) for d in directions)), matrix, sum_rules, families, [0, 1], Q(1, 4**exponent), exponent, exponent if upper else None)
+    return surface(convolve(scale, *(binomial(d, 1) for d in directions)), matrix, sum_rules, families, [0, 1], Q(1, 4**exponent), exponent, exponent if upper else None, exchange)
 
 
 def turning_hat(s):

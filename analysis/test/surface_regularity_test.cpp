@@ -1,4 +1,5 @@
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/limit/multivariate_limit_values.hpp>
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/lattice_symmetry.hpp>
@@ -119,6 +120,26 @@ TEST_CASE("inner products of shifts belong to the box spline one order higher") 
   CHECK(gram->at({0, 0}) == Rational(1, 2));
   CHECK(gram->at({1, 1}) == Rational(1, 12));
   CHECK(gram->at({-1, 0}) == Rational(1, 12));
+}
+
+TEST_CASE("values of limits solve the refinement equation and sum to 1") {
+  for (const char* specification : {"quincunx:", "loop:", "butterfly:w=1/16", "grid:points=3x3,d=2"}) {
+    INFO(specification);
+    const MultivariateMask mask = surface(specification).mask;
+    const LatticeSequence values = limit_values(mask, 0), finer = limit_values(mask, 2);
+    Rational sum = 0;
+    for (const auto& [point, value] : values) {
+      sum += value;
+      // The same point on the finer lattice.
+      const auto same = finer.find(mask.dilation() * (mask.dilation() * point));
+      CHECK((same != finer.end() && same->second == value));
+    }
+    CHECK(sum == 1);
+  }
+  // The three-directional quartic box spline.
+  const LatticeSequence loop = limit_values(surface("loop:").mask, 0);
+  CHECK(loop.at({0, 0}) == Rational(1, 2));
+  CHECK(loop.at({1, 1}) == Rational(1, 12));
 }
 
 TEST_CASE("symmetries of masks and what the dilation leaves of them") {

@@ -110,6 +110,7 @@ ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimit
     Json json{{"scheme", scheme.specification},
               {"title", scheme.title},
               {"variables", scheme.mask.dimension()},
+              {"arity", optional_json(scheme.mask.dilation().factor())},
               {"dilation", scheme.mask.dilation().rows()},
               {"first_index", scheme.mask.symbol().lowest()},
               {"coefficients", coefficients_json(scheme.mask)},
@@ -120,7 +121,6 @@ ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimit
               {"reproduction_degree", page.polynomials.reproduction_degree},
               {"parametrization", numbers_json(page.polynomials.parametrization)},
               {"convergence", decision_json(page.convergence)}};
-    if (const auto factor = scheme.mask.dilation().factor()) json["arity"] = *factor;
     if (page.regularity) {
       json["stable"] = decision_json(page.regularity->stable);
       json["holder"] = enclosure_json(page.regularity->exponent);

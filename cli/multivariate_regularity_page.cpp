@@ -86,7 +86,7 @@ std::string MultivariateRegularityPage::text() const {
        << "exponent     ";
   if (!regularity.exponent.lower)
     page << (regularity.converges.is_no()    ? "none, as the scheme does not converge"
-             : regularity.converges.is_yes() ? "unknown beyond continuity"
+             : regularity.converges.is_yes() ? "unknown"
                                              : "unknown, as convergence is not proved");
   else if (!regularity.exponent.upper)
     page << enclosure_text(regularity.exponent, 14) << "  (a proved lower bound"

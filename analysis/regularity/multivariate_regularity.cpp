@@ -59,28 +59,34 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
     if (error.kind() != ErrorKind::size) throw;
   }
   if (sobolev) result.sobolev = Enclosure::at_least(*sobolev->exponent.lower);
-  if (!result.space || result.space->family.size() > largest_space) {
+  Enclosure exponent;
+  if (result.space && result.space->family.size() <= largest_space) {
+    const NormProof norms = norm_of_products(result.space->family, {budget.deadline.after(norm_share), budget.memory});
+    result.bound = HolderBound{norms.level, norms.norm,
+                               exponent_of_radius(root_enclosure(norms.norm, norms.level), dilation)};
+    result.radius = joint_spectral_radius(result.space->family, budget, norms);
+    result.exact = result.radius->exact;
+    exponent = exponent_of_radius(result.radius->radius, dilation);
+  } else {
     result.exact = {Truth::unknown, "the transition operators act on too many lattice points"};
-    result.converges = converges(mask, {levels, budget.deadline});
-    return result;
   }
-  const NormProof norms = norm_of_products(result.space->family, {budget.deadline.after(norm_share), budget.memory});
-  result.bound = HolderBound{norms.level, norms.norm,
-                             exponent_of_radius(root_enclosure(norms.norm, norms.level), dilation)};
-  result.radius = joint_spectral_radius(result.space->family, budget, norms);
-  result.exact = result.radius->exact;
-  const Enclosure exponent = exponent_of_radius(result.radius->radius, dilation);
-  if (!exponent.lower || *exponent.lower <= 0) {
+  if (exponent.lower && *exponent.lower > 0)
+    result.converges = {Truth::yes, "the exponent is positive"};
+  else
     result.converges = converges(mask, {levels, Deadline::in(std::max(budget.deadline.remaining(), 0.5))});
-    return result;
-  }
-  result.converges = {Truth::yes, "the exponent is positive"};
-  result.exponent.lower = exponent.lower;
+  if (!result.converges.is_yes()) return result;
   prove_stability(mask, Deadline::in(std::max(stability_share * budget.deadline.remaining(), 5.0)), result);
-  if (!result.stable.is_yes()) return result;
+  if (sobolev && result.stable.is_yes()) result.sobolev = sobolev->exponent;
   // Differences of order m say nothing about exponents from m on.
-  if (exponent.upper && *exponent.upper < result.sum_rules) result.exponent.upper = exponent.upper;
-  if (sobolev) result.sobolev = sobolev->exponent;
+  if (!exponent.upper || *exponent.upper >= result.sum_rules || !result.stable.is_yes()) exponent.upper.reset();
+  result.exponent = {std::max(Rational(0), exponent.lower.value_or(0)), exponent.upper};
+  if (!result.sobolev) return result;
+  // H^r lies in the Hoelder space of exponent r - s/2, and functions of compact support and Hoelder exponent r in all
+  // H^(r - epsilon).
+  result.exponent.lower = std::max(*result.exponent.lower,
+                                   Rational(*result.sobolev->lower - Rational(mask.dimension(), 2)));
+  if (result.sobolev->upper && (!exponent.upper || *result.sobolev->upper < *exponent.upper))
+    result.exponent.upper = result.sobolev->upper;
   return result;
 }
 

@@ -1,5 +1,5 @@
-#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/limit/multivariate_limit_values.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/lattice_symmetry.hpp>

@@ -23,7 +23,7 @@ TEST_CASE("approved output") {
   check_baseline("analyze-chaikin.txt", "analyze 'mask:[1,3,3,1]/4'");
   check_baseline("analyze-dd.txt", "analyze dd:n=2");
   check_baseline("analyze-divergent.txt", "analyze 'mask:[1,1]'");
-  check_baseline("analyze-grid.txt", "analyze grid:points=3x3,d=2");
+  check_baseline("analyze-grid.txt", "analyze grid:points=3x3,d=2 --budget 100");
   check_baseline("analyze-tensor.json", "analyze 'tensor:(primal:n=2)x(dual:n=1)' --json");
   check_baseline("mask-grid.txt", "mask grid:points=4x4");
   check_baseline("limit-primal.json", "limit 'primal:n=2' --level 3 --json");

@@ -49,7 +49,7 @@ void check(const SearchFamily& family, const SearchOptions& options) {
       difference += family.matrices[static_cast<std::size_t>(image)];
       const double off = difference.largest_modulus();
       require(
-          off <= symmetric_tolerance * std::max(1.0, a.largest_modulus()),
+          off <= symmetric_tolerance * std::max(1.0, a.largest_modulus()) * family.symmetry.condition(g),
           "search_polytope: need g A_i g^-1 = A_g(i) for a symmetric family, got matrices {} and {} that differ by {}",
           i, image, off);
     }

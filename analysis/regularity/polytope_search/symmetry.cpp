@@ -21,6 +21,11 @@ GroupAction SymmetryGroup::action(std::size_t dimension) const {
   return GroupAction::dense(std::move(matrices));
 }
 
+double SymmetryGroup::condition(int element) const {
+  if (elements_.empty()) return 1;
+  return norm(at(element).map.entries()) * norm(at(element).inverse.entries());
+}
+
 Matrix SymmetryGroup::conjugated(int element, const Matrix& matrix) const {
   if (!elements_.empty()) return at(element).map * matrix * at(element).inverse;
   const GroupAction acting = action(matrix.rows());

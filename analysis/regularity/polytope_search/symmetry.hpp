@@ -107,6 +107,8 @@ class SymmetryGroup {
   }
   /// On vectors in the coordinates of the family.
   GroupAction action(std::size_t dimension) const;
+  /// By what rounding grows in g M g^-1, about.
+  double condition(int element) const;
   /// g M g^-1.
   Matrix conjugated(int element, const Matrix& matrix) const;
 

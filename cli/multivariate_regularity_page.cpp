@@ -5,21 +5,6 @@
 #include <sstream>
 
 namespace subcert::cli {
-namespace {
-
-std::string points_text(const std::vector<LatticePoint>& points) {
-  return fmt::format("({})", fmt::join(
-                                 [&] {
-                                   std::vector<std::string> parts;
-                                   for (const LatticePoint& point : points)
-                                     parts.push_back(fmt::format("{}", fmt::join(point, ",")));
-                                   return parts;
-                                 }(),
-                                 "; "));
-}
-
-}  // namespace
-
 MultivariateRegularityPage multivariate_regularity_page(MultivariateScheme scheme, const Budget& budget, bool by_mask) {
   const Stopwatch watch;
   MultivariateRegularity regularity = scheme.factors.empty() || by_mask
@@ -61,7 +46,7 @@ std::string MultivariateRegularityPage::text() const {
   const auto& radius = regularity.radius;
   std::ostringstream page;
   page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
-       << "dilation     " << dilation.to_text() << ", digits " << points_text(dilation.digits()) << "\n"
+       << "dilation     " << dilation.to_text() << ", digits " << to_text(dilation.digits()) << "\n"
        << "sum rules    " << regularity.sum_rules << "\n"
        << "converges    " << to_text(regularity.converges.truth) << ": " << regularity.converges.reason << "\n";
   if (regularity.space)

@@ -99,26 +99,28 @@ MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factor
   MultivariateRegularity result;
   result.converges = {Truth::yes, "every factor converges"};
   result.stable = {Truth::yes, "the shifts of every factor are stable"};
-  const HolderRegularity* roughest = nullptr;
   std::vector<HolderRegularity> regularities;
-  for (std::size_t k = 0; k < factors.size(); ++k)
-    regularities.push_back(holder_regularity(
-        factors[k], levels, {budget.deadline.after(1.0 / static_cast<double>(factors.size() - k)), budget.memory}));
+  std::vector<SobolevRegularity> sobolev;
   for (std::size_t k = 0; k < factors.size(); ++k) {
-    const HolderRegularity& one = regularities[k];
-    const int rules = one.bounds.sum_rules;
-    result.sum_rules = k == 0 ? rules : std::min(result.sum_rules, rules);
+    const Deadline share = budget.deadline.after(1.0 / static_cast<double>(factors.size() - k));
+    regularities.push_back(holder_regularity(factors[k], levels, {share, budget.memory}));
+    const HolderRegularity& one = regularities.back();
     if (!one.stable.is_yes() && !result.stable.is_no()) result.stable = one.stable;
     if (!(*one.exponent.lower > 0)) {
       const Decision decision = converges(factors[k]);
       if (!decision.is_yes() && !result.converges.is_no()) result.converges = decision;
     }
-    if (!roughest || *one.exponent.lower < *roughest->exponent.lower) roughest = &one;
-    const auto sobolev = rules >= 1 ? sobolev_regularity(factors[k], budget.deadline) : std::nullopt;
-    if (!sobolev) continue;
-    if (!result.sobolev || *sobolev->exponent.lower < *result.sobolev->lower) result.sobolev = sobolev->exponent;
+    const auto found = one.bounds.sum_rules >= 1 ? sobolev_regularity(factors[k], budget.deadline) : std::nullopt;
+    if (found) sobolev.push_back(*found);
   }
+  const auto by_lower_end = [](const auto& a, const auto& b) { return *a.exponent.lower < *b.exponent.lower; };
+  const auto roughest = std::min_element(regularities.begin(), regularities.end(), by_lower_end);
+  result.sum_rules = std::min_element(regularities.begin(), regularities.end(), [](const auto& a, const auto& b) {
+                       return a.bounds.sum_rules < b.bounds.sum_rules;
+                     })->bounds.sum_rules;
   result.exact = roughest->radius.exact;
+  if (sobolev.size() == factors.size())
+    result.sobolev = std::min_element(sobolev.begin(), sobolev.end(), by_lower_end)->exponent;
   if (!result.stable.is_yes() && result.sobolev) result.sobolev->upper.reset();
   if (!(*roughest->exponent.lower > 0)) return result;
   result.exponent.lower = roughest->exponent.lower;

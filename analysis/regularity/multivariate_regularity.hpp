@@ -34,7 +34,7 @@ struct MultivariateRegularity {
 
 /// Domain: any mask with an isotropic dilation. Errors: throws Error otherwise. Error: none, both ends are proved.
 /// Cost: as joint_spectral_radius on the difference space of the largest order. Proof: docs/surfaces.md. Ref: [Jia98],
-/// [Jia99], [CM19].
+/// [Jia99].
 MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget);
 
 /// The same for a tensor product, by its factors, whatever their arities: the exponent is the smallest of theirs.

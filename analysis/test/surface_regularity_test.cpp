@@ -31,8 +31,8 @@ TEST_CASE("classical surfaces have their known exponents, exactly") {
     const char* specification;
     double holder, sobolev;
   };
-  // Box splines: the least number of directions outside of a line, less 2, and half more in L2. The others: [DHHS15]
-  // has the factors, [HJ98] the exponents of the butterfly scheme, [CD93] those of the quincunx scheme.
+  // Box splines: the least number of directions that must be left out for the rest not to span, less 1, and half more
+  // in L2. The butterfly scheme: [GP16]. The quincunx scheme: -2 log_2((1 + sqrt 5) / 4).
   for (const Known& known :
        {Known{"box:[1,0;0,1;1,1]", 1, 1.5}, Known{"box:[1,0;1,0;0,1;1,1]", 1, 1.5},
         Known{"box:[1,0;1,0;0,1;0,1;1,1]", 2, 2.5}, Known{"loop:", 3, 3.5}, Known{"catmull-clark:", 3, 3.5},

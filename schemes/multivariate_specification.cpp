@@ -128,11 +128,12 @@ std::vector<LatticePoint> read_lattice_points(const Piece& piece, const std::str
 Dilation read_dilation(Fields& fields, std::size_t variables) {
   const auto arity = fields.optional("arity"), matrix = fields.optional("dilation"), digits = fields.optional("digits");
   if (arity && matrix) fail(*matrix, "arity or dilation, not both");
-  const Dilation result =
-      matrix
-          ? checked(*matrix, [&] { return Dilation(read_lattice_points(*matrix, "an entry", variables, max_entry)); })
-          : Dilation::multiple(static_cast<int>(variables),
-                               arity ? static_cast<int>(read_integer(*arity, "arity", 2, max_arity)) : 2);
+  Dilation result = matrix
+                        ? checked(
+                              *matrix,
+                              [&] { return Dilation(read_lattice_points(*matrix, "an entry", variables, max_entry)); })
+                        : Dilation::multiple(static_cast<int>(variables),
+                                             arity ? static_cast<int>(read_integer(*arity, "arity", 2, max_arity)) : 2);
   if (!digits) return result;
   return checked(*digits, [&] {
     return Dilation(result.rows(), read_lattice_points(*digits, "a coordinate", variables, max_digit));
@@ -186,7 +187,8 @@ MultivariateScheme make_mask_of(const Piece& family, const Piece& body, const st
                            5 * max_long_work));
   const Dilation dilation = read_dilation(fields, variables);
   fields.finish();
-  const MultivariateMask mask = checked(body, [&] { return MultivariateMask(symbol_of(parts), dilation); });
+  const MultivariatePolynomial symbol = symbol_of(parts);
+  const MultivariateMask mask = checked(body, [&] { return MultivariateMask(symbol, dilation); });
   require_affine(body, mask);
   return {std::string(family.text) + ":" + to_mask_text(mask) + fields_text(dilation), "mask given by its coefficients",
           mask};

@@ -96,6 +96,7 @@ bool MultivariateRegularity::is_closed() const {
 }
 
 MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factors, const Budget& budget) {
+  require(!factors.empty(), "tensor_product_regularity: need at least one factor, got none");
   MultivariateRegularity result;
   result.converges = {Truth::yes, "every factor converges"};
   result.stable = {Truth::yes, "the shifts of every factor are stable"};

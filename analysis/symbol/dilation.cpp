@@ -165,9 +165,9 @@ std::vector<Rational> Dilation::inverse_times(const std::vector<Rational>& point
   return result;
 }
 
-std::string to_text(const std::vector<LatticePoint>& rows) {
+std::string to_text(const std::vector<LatticePoint>& points) {
   std::string text;
-  for (const LatticePoint& row : rows) {
+  for (const LatticePoint& row : points) {
     text += text.empty() ? "[" : ";";
     for (std::size_t j = 0; j < row.size(); ++j) text += (j ? "," : "") + std::to_string(row[j]);
   }

@@ -107,7 +107,7 @@ class SimilaritySearch {
     const auto start = eigenvector(reduced, element, eigenvalue_);
     if (!start) return std::nullopt;
     const ModMatrix j = words_applied(reduced, *start, letters) * *inverse_basis_;
-    const auto map = recognised(j);
+    auto map = recognised(j);
     if (!map) return std::nullopt;
     for (std::size_t t = 0; t < family_.count(); ++t)
       if (!(*map * family_[t] == other[letters[t]] * *map)) return std::nullopt;
@@ -157,7 +157,7 @@ class SimilaritySearch {
 /// a multiple of the identity, below this order.
 std::optional<RationalMatrix> of_finite_order(const RationalMatrix& j, std::size_t order) {
   const RationalMatrix power_of_j = power(j, static_cast<long>(order));
-  const Rational factor = power_of_j(0, 0);
+  const Rational& factor = power_of_j(0, 0);
   if (factor == 0 || !(power_of_j == factor * RationalMatrix::identity(j.rows()))) return std::nullopt;
   Integer top, bottom;
   const Integer size = abs(numerator(factor));

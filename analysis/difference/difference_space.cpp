@@ -15,9 +15,7 @@ Rational binomial(long x, long k) {
 /// One row for each monomial of degree below `order`, as products of binomials: integers, and small ones.
 RationalMatrix moments(const std::vector<LatticePoint>& points, int order) {
   const std::size_t variables = points.front().size();
-  std::vector<LatticePoint> monomials;
-  for (long degree = 0; degree < order; ++degree)
-    for (LatticePoint& exponents : exponents_of_degree(variables, degree)) monomials.push_back(std::move(exponents));
+  const std::vector<LatticePoint> monomials = exponents_up_to(variables, order - 1);
   RationalMatrix result(monomials.size(), points.size());
   for (std::size_t i = 0; i < monomials.size(); ++i)
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -28,33 +26,20 @@ RationalMatrix moments(const std::vector<LatticePoint>& points, int order) {
   return result;
 }
 
-std::vector<LatticePoint> simplex(std::size_t variables, int order) {
-  std::vector<LatticePoint> result;
-  for (long degree = 0; degree <= order; ++degree)
-    for (LatticePoint& point : exponents_of_degree(variables, degree)) result.push_back(std::move(point));
-  return result;
-}
-
 }  // namespace
 
 DifferenceSpace difference_space(const MultivariateMask& mask, int order, std::size_t most_points) {
   require(order >= 1, "difference space: need sum rules of order 1 or more, got {}", order);
   const Dilation& dilation = mask.dilation();
-  LatticeWindow window(mask.symbol(), dilation, simplex(dilation.variables(), order), most_points);
+  LatticeWindow window(mask.symbol(), dilation, exponents_up_to(dilation.variables(), order), most_points);
   const std::vector<std::vector<Rational>> vectors = kernel(moments(window.points(), order));
   require(!vectors.empty(), "difference space: no sequence on the {} points of the window annihilates polynomials",
           window.size());
-  std::vector<LatticeSequence> basis;
-  std::vector<std::size_t> pivots;
-  for (const std::vector<Rational>& vector : vectors) {
-    basis.emplace_back();
-    pivots.push_back(0);  // the last entry of a vector of a kernel is 1, and 0 in the others
-    for (std::size_t k = 0; k < vector.size(); ++k)
-      if (vector[k] != 0) {
-        basis.back().emplace(window.points()[k], vector[k]);
-        pivots.back() = k;
-      }
-  }
+  std::vector<std::size_t> pivots = free_columns(vectors);
+  std::vector<LatticeSequence> basis(vectors.size());
+  for (std::size_t c = 0; c < vectors.size(); ++c)
+    for (std::size_t k = 0; k < window.size(); ++k)
+      if (vectors[c][k] != 0) basis[c].emplace(window.points()[k], vectors[c][k]);
   std::map<LatticePoint, std::size_t> row_of;
   for (std::size_t c = 0; c < pivots.size(); ++c) row_of.emplace(window.points()[pivots[c]], c);
   std::vector<RationalMatrix> matrices(dilation.digits().size(), RationalMatrix(basis.size(), basis.size()));

@@ -23,12 +23,7 @@ std::vector<LatticePoint> points_of_support(const MultivariateMask& mask) {
   }
   if (count > static_cast<double>(most_points))
     fail(ErrorKind::size, "limit_values: need at most {} lattice points in the support, got {}", most_points, count);
-  std::vector<LatticePoint> result;
-  for (LatticePoint at = low; at.back() <= high.back();) {
-    result.push_back(at);
-    for (std::size_t v = 0; v < box.size() && ++at[v] > high[v] && v + 1 < box.size(); ++v) at[v] = low[v];
-  }
-  return result;
+  return points_of_box(low, high);
 }
 
 }  // namespace
@@ -43,7 +38,7 @@ LatticeSequence limit_values(const MultivariateMask& mask, int level) {
     const auto images = transitions(mask.symbol(), dilation, {{window.points()[column], 1}});
     for (const auto& [point, value] : images[zero]) matrix(window.place(point), column) = value;
   }
-  const auto fixed = fixed_vector(matrix, 1);
+  const auto fixed = fixed_vector(matrix);
   require(fixed.has_value(), "limit_values: need a scheme that converges, got several fixed vectors or none");
   LatticeSequence values;
   for (std::size_t k = 0; k < window.size(); ++k)

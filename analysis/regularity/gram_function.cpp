@@ -2,6 +2,7 @@
 
 #include "radius/cost.hpp"
 
+#include <subcert/analysis/limit/fixed_vector.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/lattice_symmetry.hpp>
 #include <subcert/analysis/symbol/torus.hpp>
@@ -82,12 +83,8 @@ RationalMatrix even_moments(const TransferOperator& transfer, std::size_t variab
   RationalMatrix result(monomials.size(), transfer.size());
   for (std::size_t i = 0; i < monomials.size(); ++i)
     for (std::size_t k = 0; k < transfer.size(); ++k)
-      for (const LatticePoint& point : transfer.orbit(k)) {
-        Rational product = 1;
-        for (std::size_t v = 0; v < variables; ++v)
-          if (monomials[i][v] > 0) product *= point[v] == 0 ? Rational(0) : power(Rational(point[v]), monomials[i][v]);
-        result(i, k) += product;
-      }
+      for (const LatticePoint& point : transfer.orbit(k))
+        result(i, k) += monomial_at({point.begin(), point.end()}, monomials[i]);
   return result;
 }
 
@@ -98,17 +95,14 @@ std::optional<LatticeSequence> gram_function(const MultivariateMask& mask, const
   const TransferOperator transfer(mask, {LatticePoint(variables, 0)});
   RationalMatrix system = transfer.matrix();
   if (!radius::has_time_for_elimination(system, deadline)) return std::nullopt;
-  for (std::size_t i = 0; i < system.rows(); ++i) system(i, i) -= 1;
-  const auto solutions = kernel(system);
-  if (solutions.size() != 1) return std::nullopt;
-  Rational sum = 0;
-  for (std::size_t k = 0; k < transfer.size(); ++k)
-    sum += solutions.front()[k] * static_cast<long>(transfer.orbit(k).size());
-  if (sum == 0) return std::nullopt;
+  std::vector<Rational> sizes;
+  for (std::size_t k = 0; k < transfer.size(); ++k) sizes.emplace_back(static_cast<long>(transfer.orbit(k).size()));
+  const auto values = fixed_vector(std::move(system), sizes);
+  if (!values) return std::nullopt;
   LatticeSequence gram;
   for (std::size_t k = 0; k < transfer.size(); ++k)
     for (const LatticePoint& point : transfer.orbit(k))
-      if (solutions.front()[k] != 0) gram.emplace(point, solutions.front()[k] / sum);
+      if ((*values)[k] != 0) gram.emplace(point, (*values)[k]);
   return gram;
 }
 
@@ -131,23 +125,17 @@ std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& ma
   const std::size_t variables = dilation.variables();
   // The support of (sum over v of 2 - z_v - 1/z_v)^sum_rules.
   std::vector<LatticePoint> start;
-  for (long degree = 0; degree <= sum_rules; ++degree)
-    for (const LatticePoint& point : exponents_of_degree(variables, degree))
-      for (unsigned signs = 0; signs < 1U << variables; ++signs) {
-        start.push_back(point);
-        for (std::size_t v = 0; v < variables; ++v)
-          if (signs >> v & 1) start.back()[v] = -point[v];
-      }
+  for (const LatticePoint& point : exponents_up_to(variables, sum_rules))
+    for (unsigned signs = 0; signs < 1U << variables; ++signs) {
+      start.push_back(point);
+      for (std::size_t v = 0; v < variables; ++v)
+        if (signs >> v & 1) start.back()[v] = -point[v];
+    }
   const TransferOperator transfer(mask, start);
   const RationalMatrix whole = transfer.matrix();
   const auto basis = kernel(even_moments(transfer, variables, 2 * sum_rules));
   if (basis.empty() || !radius::has_time_for_elimination(whole, deadline)) return std::nullopt;
-  std::vector<std::size_t> pivots;  // the last entries: 1, and 0 in all other vectors
-  for (const auto& vector : basis) {
-    std::size_t last = vector.size() - 1;
-    while (vector[last] == 0) --last;
-    pivots.push_back(last);
-  }
+  const std::vector<std::size_t> pivots = free_columns(basis);
   RationalMatrix matrix(basis.size(), basis.size());
   for (std::size_t c = 0; c < basis.size(); ++c) {
     const std::vector<Rational> image = whole * basis[c];

@@ -16,11 +16,9 @@ using Exponents = MultivariatePolynomial::Exponents;
 std::vector<Rational> moments_over_cosets(const MultivariateMask& mask, const Exponents& exponents) {
   std::vector<Rational> sums(mask.dilation().digits().size(), 0);
   for (const auto& term : mask.symbol().terms()) {
-    Rational product = term.coefficient;
-    for (std::size_t v = 0; v < exponents.size(); ++v)
-      if (exponents[v] > 0)
-        product *= term.exponents[v] == 0 ? Rational(0) : power(Rational(term.exponents[v]), exponents[v]);
-    sums[mask.dilation().divide(term.exponents).digit] += product;
+    sums[mask.dilation().divide(term.exponents).digit] += term.coefficient *
+                                                          monomial_at({term.exponents.begin(), term.exponents.end()},
+                                                                      exponents);
   }
   return sums;
 }
@@ -61,10 +59,7 @@ MultivariateReproduction polynomial_reproduction(const MultivariateMask& mask) {
       const std::vector<Rational> moments = moments_over_cosets(mask, exponents);
       if (std::any_of(moments.begin(), moments.end(), [&](const Rational& m) { return m != moments.front(); }))
         return result;
-      Rational expected = 1;
-      for (std::size_t v = 0; v < variables; ++v)
-        if (exponents[v] > 0) expected *= centre[v] == 0 ? Rational(0) : power(centre[v], exponents[v]);
-      reproduces = reproduces && moments.front() == expected;
+      reproduces = reproduces && moments.front() == monomial_at(centre, exponents);
     }
     result.sum_rules = degree + 1;
     if (reproduces) result.reproduction_degree = degree;

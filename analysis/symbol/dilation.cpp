@@ -48,6 +48,36 @@ LatticePoint operator-(LatticePoint a, const LatticePoint& b) {
   return a;
 }
 
+LatticePoint times(const std::vector<LatticePoint>& rows, const LatticePoint& point) {
+  LatticePoint result(rows.size(), 0);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < point.size(); ++j) result[i] += rows[i][j] * point[j];
+  return result;
+}
+
+Rational monomial_at(const std::vector<Rational>& point, const LatticePoint& exponents) {
+  Rational result = 1;
+  for (std::size_t v = 0; v < exponents.size(); ++v)
+    if (exponents[v] > 0) result *= point[v] == 0 ? Rational(0) : power(point[v], exponents[v]);
+  return result;
+}
+
+std::vector<LatticePoint> points_of_box(const LatticePoint& low, const LatticePoint& high) {
+  std::vector<LatticePoint> result;
+  for (LatticePoint at = low; at.back() <= high.back();) {
+    result.push_back(at);
+    for (std::size_t v = 0; v < at.size() && ++at[v] > high[v] && v + 1 < at.size(); ++v) at[v] = low[v];
+  }
+  return result;
+}
+
+std::vector<LatticePoint> exponents_up_to(std::size_t variables, long degree) {
+  std::vector<LatticePoint> result;
+  for (long d = 0; d <= degree; ++d)
+    for (LatticePoint& exponents : exponents_of_degree(variables, d)) result.push_back(std::move(exponents));
+  return result;
+}
+
 std::vector<LatticePoint> exponents_of_degree(std::size_t variables, long degree) {
   if (variables == 1) return {{degree}};
   std::vector<LatticePoint> result;
@@ -92,13 +122,12 @@ Dilation::Dilation(std::vector<LatticePoint> rows, std::vector<LatticePoint> dig
     LatticePoint low(size, 0), high(size, 0);
     for (std::size_t i = 0; i < size; ++i)
       for (const long entry : rows_[i]) (entry < 0 ? low : high)[i] += entry;
-    for (LatticePoint at = low; at.back() <= high.back();) {
-      const LatticePoint scaled = adjugate_times(at);
+    for (const LatticePoint& at : points_of_box(low, high)) {
+      const LatticePoint scaled = times(adjugate_, at);
       if (std::all_of(scaled.begin(), scaled.end(), [this](long c) {
             return determinant_ > 0 ? c >= 0 && c < determinant_ : c <= 0 && c > determinant_;
           }))
         digits.push_back(at);
-      for (std::size_t v = 0; v < size && ++at[v] > high[v] && v + 1 < size; ++v) at[v] = low[v];
     }
   }
   require(digits.size() == static_cast<std::size_t>(std::abs(determinant_)),
@@ -129,29 +158,17 @@ std::optional<int> Dilation::factor() const {
   return static_cast<int>(rows_[0][0]);
 }
 
-LatticePoint Dilation::operator*(const LatticePoint& point) const {
-  LatticePoint result(rows_.size(), 0);
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    for (std::size_t j = 0; j < rows_.size(); ++j) result[i] += rows_[i][j] * point[j];
-  return result;
-}
-
-LatticePoint Dilation::adjugate_times(const LatticePoint& point) const {
-  LatticePoint result(rows_.size(), 0);
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    for (std::size_t j = 0; j < rows_.size(); ++j) result[i] += adjugate_[i][j] * point[j];
-  return result;
-}
+LatticePoint Dilation::operator*(const LatticePoint& point) const { return times(rows_, point); }
 
 LatticePoint Dilation::class_of(const LatticePoint& point) const {
-  LatticePoint result = adjugate_times(point);
+  LatticePoint result = times(adjugate_, point);
   for (long& c : result) c = modulo(c, std::abs(determinant_));
   return result;
 }
 
 Dilation::Division Dilation::divide(const LatticePoint& point) const {
   const std::size_t digit = digit_of_class_.at(class_of(point));
-  LatticePoint quotient = adjugate_times(point - digits_[digit]);
+  LatticePoint quotient = times(adjugate_, point - digits_[digit]);
   for (long& c : quotient) c /= determinant_;
   return {std::move(quotient), digit};
 }

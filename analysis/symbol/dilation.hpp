@@ -17,8 +17,19 @@ using LatticePoint = std::vector<long>;
 LatticePoint operator+(LatticePoint a, const LatticePoint& b);
 LatticePoint operator-(LatticePoint a, const LatticePoint& b);
 
+/// The product of a matrix, given by its rows, and a point.
+LatticePoint times(const std::vector<LatticePoint>& rows, const LatticePoint& point);
+
+/// point^exponents, with 0^0 = 1.
+Rational monomial_at(const std::vector<Rational>& point, const LatticePoint& exponents);
+
+/// The lattice points of a box, the first variable running fastest. Domain: low <= high in each variable.
+std::vector<LatticePoint> points_of_box(const LatticePoint& low, const LatticePoint& high);
+
 /// All points with non-negative coordinates of this sum: the exponents of the monomials of this total degree.
 std::vector<LatticePoint> exponents_of_degree(std::size_t variables, long degree);
+/// Of this sum or a smaller one, the smallest first.
+std::vector<LatticePoint> exponents_up_to(std::size_t variables, long degree);
 
 /// An integer matrix M whose eigenvalues are all larger than 1 in modulus, with a set of digits: one point of each of
 /// the |det M| classes of Z^s modulo M Z^s. In one variable M is the arity.
@@ -56,7 +67,6 @@ class Dilation {
   bool operator==(const Dilation& other) const { return rows_ == other.rows_ && digits_ == other.digits_; }
 
  private:
-  LatticePoint adjugate_times(const LatticePoint& point) const;
   LatticePoint class_of(const LatticePoint& point) const;
 
   std::vector<LatticePoint> rows_;

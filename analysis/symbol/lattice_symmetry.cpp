@@ -8,13 +8,6 @@ namespace {
 
 using Rows = std::vector<LatticePoint>;
 
-LatticePoint times(const Rows& rows, const LatticePoint& point) {
-  LatticePoint result(rows.size(), 0);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = 0; j < point.size(); ++j) result[i] += rows[i][j] * point[j];
-  return result;
-}
-
 Rows times(const Rows& a, const Rows& b) {
   Rows result(a.size(), LatticePoint(a.size(), 0));
   for (std::size_t i = 0; i < a.size(); ++i)

@@ -288,6 +288,15 @@ std::vector<std::vector<Rational>> kernel(const RationalMatrix& matrix) {
   return basis;
 }
 
+std::vector<std::size_t> free_columns(const std::vector<std::vector<Rational>>& kernel) {
+  std::vector<std::size_t> result;
+  for (const std::vector<Rational>& vector : kernel) {
+    result.push_back(vector.size() - 1);
+    while (vector[result.back()] == 0) --result.back();
+  }
+  return result;
+}
+
 std::vector<std::size_t> pivot_columns(const RationalMatrix& matrix) {
   FlintMatrix reduced(matrix);
   return reduce(reduced);

@@ -68,6 +68,8 @@ std::optional<LaurentPolynomial> characteristic_polynomial(const RationalMatrix&
 /// A basis of { x : matrix x = 0 }, one vector per free column: it is 1 there, 0 behind, and all others are 0 there.
 /// Cost: one fraction-free elimination.
 std::vector<std::vector<Rational>> kernel(const RationalMatrix& matrix);
+/// The free columns of such a basis, vector by vector.
+std::vector<std::size_t> free_columns(const std::vector<std::vector<Rational>>& kernel);
 
 /// The columns that are not combinations of columns before them. Cost: one elimination.
 std::vector<std::size_t> pivot_columns(const RationalMatrix& matrix);

@@ -191,7 +191,7 @@ std::optional<std::string> zero_on_torus(const MultivariatePolynomial& p) {
     size += std::abs(values.back());
   }
   for (long order = 1; order <= largest_order; ++order)
-    for (LatticePoint j(variables, 0); j.back() < order;) {
+    for (const LatticePoint& j : points_of_box(LatticePoint(variables, 0), LatticePoint(variables, order - 1))) {
       long common = order;
       for (const long c : j) common = std::gcd(common, c);
       if (common == 1) {
@@ -208,7 +208,6 @@ std::optional<std::string> zero_on_torus(const MultivariatePolynomial& p) {
           return fmt::format("2 pi ({})", fmt::join(coordinates, ", "));
         }
       }
-      for (std::size_t v = 0; v < variables && ++j[v] >= order && v + 1 < variables; ++v) j[v] = 0;
     }
   return std::nullopt;
 }

@@ -110,6 +110,16 @@ TEST_CASE("symmetry groups act on letters, words and matrices") {
   }
 }
 
+TEST_CASE("a group of matrices makes a real polytope, also of non-negative families") {
+  const Matrix exchange = two_by_two(0, 1, 1, 0);
+  const SymmetryGroup group({{Matrix::identity(2), Matrix::identity(2), {0, 1}}, {exchange, exchange, {1, 0}}});
+  const SearchFamily family{{two_by_two(1, 1, 0, 1), two_by_two(1, 0, 1, 1)}, group};
+  const SearchResult result = search_polytope(family);
+  CHECK(result.status == SearchStatus::closed);
+  CHECK(result.kind == PolytopeKind::real);
+  CHECK(std::abs(result.radius - 1.618033988749895) < 1e-12);
+}
+
 TEST_CASE("every phase of the polytope search obeys the deadline") {
   for (const std::size_t size : {6U, 30U, 120U}) {
     const SearchFamily family = random_family(size, 5, 7);

@@ -15,19 +15,19 @@ SymmetryGroup SymmetryGroup::transposed() const {
 
 GroupAction SymmetryGroup::action(std::size_t dimension) const {
   if (order_ == 1) return GroupAction(dimension);
-  if (elements_.empty()) return GroupAction::reversal(dimension);
+  if (!is_dense()) return GroupAction::reversal(dimension);
   std::vector<Matrix> matrices;
   for (const Element& element : elements_) matrices.push_back(element.map);
   return GroupAction::dense(std::move(matrices));
 }
 
 double SymmetryGroup::condition(int element) const {
-  if (elements_.empty()) return 1;
+  if (!is_dense()) return 1;
   return norm(at(element).map.entries()) * norm(at(element).inverse.entries());
 }
 
 Matrix SymmetryGroup::conjugated(int element, const Matrix& matrix) const {
-  if (!elements_.empty()) return at(element).map * matrix * at(element).inverse;
+  if (is_dense()) return at(element).map * matrix * at(element).inverse;
   const GroupAction acting = action(matrix.rows());
   Matrix result = matrix;
   for (int side = 0; side < 2; ++side) {
@@ -39,7 +39,7 @@ Matrix SymmetryGroup::conjugated(int element, const Matrix& matrix) const {
 
 CoordinateChange SymmetryGroup::adapted_coordinates(std::size_t dimension) const {
   if (order_ == 1) return {Matrix::identity(dimension), Matrix::identity(dimension)};
-  if (!elements_.empty()) {
+  if (is_dense()) {
     Matrix shape(dimension, dimension);  // in the coordinates in which it is the identity, every element is orthogonal
     for (const Element& element : elements_) shape += element.map * element.map.transposed();
     auto [to, from] = whitening(shape, 0);
@@ -58,12 +58,12 @@ CoordinateChange SymmetryGroup::adapted_coordinates(std::size_t dimension) const
 }
 
 std::vector<std::size_t> SymmetryGroup::blocks(std::size_t dimension) const {
-  if (order_ == 1 || !elements_.empty()) return {dimension};
+  if (order_ == 1 || is_dense()) return {dimension};
   return {dimension - dimension / 2, dimension / 2};
 }
 
 Matrix SymmetryGroup::mean(const Matrix& matrix, const CoordinateChange& adapted) const {
-  if (elements_.empty()) return matrix;
+  if (!is_dense()) return matrix;
   Matrix sum(matrix.rows(), matrix.columns());
   for (const Element& element : elements_) {
     const Matrix g = adapted.to * element.map * adapted.from;
@@ -76,7 +76,7 @@ Matrix SymmetryGroup::mean(const Matrix& matrix, const CoordinateChange& adapted
 GroupAction SymmetryGroup::action_in(const CoordinateChange& coordinates) const {
   const std::size_t dimension = coordinates.to.rows();
   if (order_ == 1) return GroupAction(dimension);
-  if (elements_.empty()) return GroupAction::sign_change(dimension, dimension / 2);
+  if (!is_dense()) return GroupAction::sign_change(dimension, dimension / 2);
   std::vector<Matrix> matrices;
   for (const Element& element : elements_) matrices.push_back(coordinates.to * element.map * coordinates.from);
   return GroupAction::dense(std::move(matrices));

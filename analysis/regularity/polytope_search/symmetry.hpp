@@ -95,9 +95,11 @@ class SymmetryGroup {
   SymmetryGroup transposed() const;
 
   int order() const { return order_; }
+  /// Whether its elements are other maps than the flip. They need not keep the cone of non-negative vectors.
+  bool is_dense() const { return !elements_.empty(); }
   /// g(letter).
   int letter(int element, int letter, std::size_t letter_count) const {
-    if (!elements_.empty()) return at(element).letters[static_cast<std::size_t>(letter)];
+    if (is_dense()) return at(element).letters[static_cast<std::size_t>(letter)];
     return element == 0 ? letter : static_cast<int>(letter_count) - 1 - letter;
   }
   /// g(w_1) ... g(w_k).

@@ -210,6 +210,14 @@ std::vector<Element> symmetry_group(const MatrixFamily& family, const Deadline& 
   return group;
 }
 
+bool is_nonnegative(const MatrixFamily& family) {
+  for (const RationalMatrix& matrix : family)
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+      for (std::size_t j = 0; j < matrix.columns(); ++j)
+        if (matrix(i, j) < 0) return false;
+  return true;
+}
+
 /// Columns: a basis of the lattice that the images of the unit vectors span.
 RationalMatrix invariant_lattice(const std::vector<Element>& group) {
   const std::size_t n = group.front().map.rows();
@@ -242,6 +250,7 @@ BlockTriangular with_symmetries(BlockTriangular triangular, const Deadline& dead
     const std::size_t size = family.size();
     if (size == 1 || family.count() == 1 || (family.count() <= 3 && family.group().size() > 1) || deadline.expired())
       continue;
+    if (is_nonnegative(family)) continue;  // the cone of non-negative vectors serves better than a group
     const std::vector<Element> group = symmetry_group(family, deadline);
     if (group.size() <= family.group().size()) continue;
     const RationalMatrix basis = invariant_lattice(group);

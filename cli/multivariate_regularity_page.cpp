@@ -52,7 +52,11 @@ std::string MultivariateRegularityPage::text() const {
   if (regularity.space)
     page << "space        dimension " << regularity.space->family.size() << ", differences of order "
          << regularity.space->order << (regularity.space->is_of_values() ? " of phi on " : " on ")
-         << regularity.space->window.size() << " lattice points\n";
+         << regularity.space->window.size() << " lattice points"
+         << (regularity.space->dilation == dilation
+                 ? "\n"
+                 : ", for the dilation " + regularity.space->dilation.to_text() + ", digits " +
+                       to_text(regularity.space->dilation.digits()) + "\n");
   if (regularity.bound)
     page << "bound        >= " << regularity.bound->exponent.lower_text(12) << " by norms of products of length "
          << regularity.bound->levels << "\n";

@@ -42,7 +42,7 @@ DifferenceSpace difference_space(const MultivariateMask& mask, int order, std::s
   std::vector<LatticePoint> pivots;
   for (const std::size_t column : free_columns(vectors)) pivots.push_back(window.points()[column]);
   MatrixFamily family = transition_family(mask.symbol(), dilation, basis, pivots);
-  return {order, std::move(window), std::move(basis), std::move(pivots), std::move(family)};
+  return {order, dilation, std::move(window), std::move(basis), std::move(pivots), std::move(family)};
 }
 
 }  // namespace subcert

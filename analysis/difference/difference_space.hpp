@@ -8,6 +8,7 @@ namespace subcert {
 /// A space of sequences on a window, invariant under all T_d, that tells how differences of order `order` shrink.
 struct DifferenceSpace {
   int order;
+  Dilation dilation;
   LatticeWindow window;
   /// A basis: basis[c] is 1 at pivots[c], where all others are 0.
   std::vector<LatticeSequence> basis;

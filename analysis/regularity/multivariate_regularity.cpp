@@ -8,6 +8,7 @@
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/lattice_symmetry.hpp>
 
 #include <algorithm>
 
@@ -15,7 +16,9 @@ namespace subcert {
 namespace {
 
 constexpr double norm_share = 0.05, sobolev_share = 0.2, stability_share = 0.5;  // of the time that is left
-constexpr int levels = 16;  // of norms, where they decide convergence
+constexpr int levels = 16;                           // of norms, where they decide convergence
+constexpr double least_seconds = 5;                  // for convergence
+constexpr double first_slice = 2, slice_factor = 5;  // seconds for each of several dilations
 constexpr std::size_t largest_space = 256;
 
 /// Provided that the scheme converges.
@@ -41,6 +44,31 @@ std::optional<MultivariateSobolev> decide_sobolev(const MultivariateMask& mask, 
   return found;
 }
 
+/// The mask, and where the dilation M is no multiple of the identity with the dilations g M for symmetries g of the
+/// mask, which refine the same functions. First those that turn least; of those that symmetries exchange, one.
+std::vector<MultivariateMask> with_turned_dilations(const MultivariateMask& mask) {
+  std::vector<MultivariateMask> result{mask};
+  if (mask.dilation().factor()) return result;
+  const auto group = symmetries_along(lattice_symmetries(mask.symbol()), mask.dilation());
+  std::vector<std::vector<LatticePoint>> seen{mask.dilation().rows()};
+  std::vector<std::pair<long, MultivariateMask>> turned;
+  for (const LatticeMap& element : group) {
+    const auto rows = times(element.linear, mask.dilation().rows());
+    const auto is_like = [&](const std::vector<LatticePoint>& other) {
+      return std::any_of(group.begin(), group.end(),
+                         [&](const LatticeMap& g) { return times(g.linear, other) == times(rows, g.linear); });
+    };
+    if (std::any_of(seen.begin(), seen.end(), is_like)) continue;
+    seen.push_back(rows);
+    long trace = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) trace += rows[i][i];
+    turned.emplace_back(trace, MultivariateMask(mask.symbol(), Dilation(rows)));
+  }
+  std::sort(turned.begin(), turned.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (auto& [trace, other] : turned) result.push_back(std::move(other));
+  return result;
+}
+
 /// Where the shifts are not proved stable the differences of phi, as those of the scheme give no upper end.
 DifferenceSpace space_of_differences(const MultivariateMask& mask, const MultivariateRegularity& result,
                                      const std::optional<MultivariateSobolev>& sobolev) {
@@ -50,6 +78,45 @@ DifferenceSpace space_of_differences(const MultivariateMask& mask, const Multiva
     if (auto space = value_space(mask, order)) return std::move(*space);
   }
   return difference_space(mask, result.sum_rules);
+}
+
+/// Whether the differences of the scheme shrink.
+Decision converges_by_norms(const MultivariateMask& mask, const Budget& budget) {
+  Decision decision = converges(mask, {levels, Deadline::in(std::max(budget.deadline.remaining(), least_seconds))});
+  if (decision.is_yes() || decision.is_no()) return decision;
+  const DifferenceSpace space = difference_space(mask, 1);
+  if (space.family.size() > largest_space) return decision;
+  const JointSpectralRadius radius = joint_spectral_radius(space.family, {Deadline::in(least_seconds), budget.memory});
+  if (radius.proved_upper() >= 1) return decision;
+  return {Truth::yes, "the first differences of the scheme shrink"};
+}
+
+/// Fills in what the differences tell: by the dilation with which a polytope closes, in slices of time that grow.
+void search_radius(const MultivariateMask& mask, const std::optional<MultivariateSobolev>& sobolev,
+                   const Budget& budget, MultivariateRegularity& result) {
+  result.exact = {Truth::unknown, "the transition operators act on too many lattice points"};
+  std::vector<MultivariateMask> masks = with_turned_dilations(mask);
+  for (double slice = masks.size() > 1 ? first_slice : budget.deadline.remaining();; slice *= slice_factor) {
+    for (const MultivariateMask& turned : masks) {
+      DifferenceSpace space = space_of_differences(turned, result, sobolev);
+      if (space.family.size() > largest_space) {
+        if (!result.space) result.space = std::move(space);
+        continue;
+      }
+      if (result.radius && result.space->is_of_values() && !space.is_of_values()) continue;
+      const Budget share{budget.deadline.at_most(slice), budget.memory};
+      const NormProof norms = norm_of_products(space.family, {share.deadline.after(norm_share), share.memory});
+      JointSpectralRadius radius = joint_spectral_radius(space.family, share, norms);
+      if (result.radius && !radius.exact.is_yes() && radius.proved_upper() >= result.radius->proved_upper()) continue;
+      result.space = std::move(space);
+      result.bound = HolderBound{norms.level, norms.norm,
+                                 exponent_of_radius(root_enclosure(norms.norm, norms.level), mask.dilation())};
+      result.radius = std::move(radius);
+      result.exact = result.radius->exact;
+      if (result.exact.is_yes()) return;
+    }
+    if (masks.size() == 1 || (result.radius && result.radius->is_closed()) || budget.deadline.expired()) return;
+  }
 }
 
 }  // namespace
@@ -79,27 +146,18 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
   std::optional<MultivariateSobolev> sobolev;
   try {
     sobolev = decide_sobolev(mask, budget.deadline.after(sobolev_share), result);
-    result.space = space_of_differences(mask, result, sobolev);
+    search_radius(mask, sobolev, budget, result);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::size) throw;
   }
   Enclosure exponent;
-  if (result.space && result.space->family.size() <= largest_space) {
-    const NormProof norms = norm_of_products(result.space->family, {budget.deadline.after(norm_share), budget.memory});
-    result.bound = HolderBound{norms.level, norms.norm,
-                               exponent_of_radius(root_enclosure(norms.norm, norms.level), dilation)};
-    result.radius = joint_spectral_radius(result.space->family, budget, norms);
-    result.exact = result.radius->exact;
-    exponent = exponent_of_radius(result.radius->radius, dilation);
-  } else {
-    result.exact = {Truth::unknown, "the transition operators act on too many lattice points"};
-  }
+  if (result.radius) exponent = exponent_of_radius(result.radius->radius, dilation);
   const bool continuous = exponent.lower && *exponent.lower > 0,
              of_values = result.space && result.space->is_of_values();
   if (continuous && !of_values)
     result.converges = {Truth::yes, "the exponent is positive"};
   else
-    result.converges = converges(mask, {levels, Deadline::in(std::max(budget.deadline.remaining(), 0.5))});
+    result.converges = converges_by_norms(mask, budget);
   if (!continuous && !result.converges.is_yes()) {
     result.gram.reset();
     result.stable = {Truth::unknown, "the scheme is not proved to converge"};

@@ -15,7 +15,9 @@ Enclosure exponent_of_radius(const Enclosure& radius, const Dilation& dilation);
 
 struct MultivariateRegularity {
   int sum_rules = 0;
-  std::optional<DifferenceSpace> space;       ///< nothing without sum rules, or where it grows past its limit
+  /// Nothing without sum rules, or where it grows past its limit. Its dilation may be g M with a symmetry g of the
+  /// mask.
+  std::optional<DifferenceSpace> space;
   std::optional<HolderBound> bound;           ///< by norms of products of the transition operators on the space
   std::optional<JointSpectralRadius> radius;  ///< of the transition operators on the space
   Decision exact;                             ///< whether a product attains the radius

@@ -88,11 +88,20 @@ bool leads_into(const MultivariateMask& mask, const SequenceSpace& space, const 
   return rest.is_empty();
 }
 
+/// Digits among which 0 is the first: those of the dilation, if 0 is one of them.
+Dilation with_zero_first(const Dilation& dilation) {
+  const LatticePoint zero(dilation.variables(), 0);
+  std::vector<LatticePoint> digits = dilation.digits();
+  if (std::find(digits.begin(), digits.end(), zero) == digits.end()) digits = Dilation(dilation.rows()).digits();
+  std::stable_partition(digits.begin(), digits.end(), [&zero](const LatticePoint& digit) { return digit == zero; });
+  return Dilation(dilation.rows(), digits);
+}
+
 }  // namespace
 
-std::optional<DifferenceSpace> value_space(const MultivariateMask& mask, int order, std::size_t most_points) {
+std::optional<DifferenceSpace> value_space(const MultivariateMask& original, int order, std::size_t most_points) {
+  const MultivariateMask mask(original.symbol(), with_zero_first(original.dilation()));
   const Dilation& dilation = mask.dilation();
-  if (dilation.digits().front() != LatticePoint(dilation.variables(), 0)) return std::nullopt;
   LatticeSequence values = limit_values(mask, 0);
   std::vector<LatticeSequence> starts;
   std::vector<LatticePoint> support;
@@ -112,6 +121,7 @@ std::optional<DifferenceSpace> value_space(const MultivariateMask& mask, int ord
   }
   MatrixFamily family = transition_family(mask.symbol(), dilation, basis, pivots);
   return DifferenceSpace{order,
+                         dilation,
                          LatticeWindow(mask.symbol(), dilation, support, most_points),
                          std::move(basis),
                          std::move(pivots),

@@ -48,6 +48,14 @@ LatticePoint operator-(LatticePoint a, const LatticePoint& b) {
   return a;
 }
 
+std::vector<LatticePoint> times(const std::vector<LatticePoint>& a, const std::vector<LatticePoint>& b) {
+  std::vector<LatticePoint> result(a.size(), LatticePoint(a.size(), 0));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < a.size(); ++j)
+      for (std::size_t k = 0; k < a.size(); ++k) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+
 LatticePoint times(const std::vector<LatticePoint>& rows, const LatticePoint& point) {
   LatticePoint result(rows.size(), 0);
   for (std::size_t i = 0; i < rows.size(); ++i)

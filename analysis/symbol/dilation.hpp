@@ -17,7 +17,8 @@ using LatticePoint = std::vector<long>;
 LatticePoint operator+(LatticePoint a, const LatticePoint& b);
 LatticePoint operator-(LatticePoint a, const LatticePoint& b);
 
-/// The product of a matrix, given by its rows, and a point.
+/// The product of square matrices of one size, given by their rows; of a matrix and a point.
+std::vector<LatticePoint> times(const std::vector<LatticePoint>& a, const std::vector<LatticePoint>& b);
 LatticePoint times(const std::vector<LatticePoint>& rows, const LatticePoint& point);
 
 /// point^exponents, with 0^0 = 1.

@@ -8,14 +8,6 @@ namespace {
 
 using Rows = std::vector<LatticePoint>;
 
-Rows times(const Rows& a, const Rows& b) {
-  Rows result(a.size(), LatticePoint(a.size(), 0));
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < a.size(); ++j)
-      for (std::size_t k = 0; k < a.size(); ++k) result[i][j] += a[i][k] * b[k][j];
-  return result;
-}
-
 long determinant(const Rows& rows) {
   if (rows.size() == 1) return rows[0][0];
   long sum = 0;

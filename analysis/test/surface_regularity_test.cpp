@@ -1,5 +1,6 @@
 #include <subcert/analysis/limit/multivariate_limit_values.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/value_space.hpp>
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/lattice_symmetry.hpp>
@@ -48,15 +49,50 @@ TEST_CASE("classical surfaces have their known exponents, exactly") {
   }
 }
 
-TEST_CASE("where shifts are unstable only the lower end is claimed") {
-  for (const char* specification : {"zwart-powell:", "four-eight:", "grid:points=2x2,d=1"}) {
-    INFO(specification);
-    const MultivariateRegularity result = regularity(specification);
+TEST_CASE("where shifts are unstable the differences of the limit tell the exponent") {
+  struct Known {
+    const char* specification;
+    double holder, sobolev;
+    bool exact;
+  };
+  // The box splines know their exponents; the differences of their schemes shrink as if they were 2 and 4. Of a
+  // trapezoid, as a tensor product with a parabola, the exponent is that of the trapezoid.
+  for (const Known& known : {Known{"zwart-powell:", 2, 2.5, true}, Known{"four-eight:", 5, 5.5, false},
+                             Known{"grid:points=2x2,d=1", 2, 2.5, true},
+                             Known{"grid:points=3x3,d=1", 1.9656286096237, 1.9995423444156, true},
+                             Known{"mask2:[[1,3,3,1],[1,3,3,1],[0,0,0,0],[1,3,3,1],[1,3,3,1]]/8", 1, 1.5, true}}) {
+    INFO(known.specification);
+    const MultivariateRegularity result = regularity(known.specification);
     CHECK(result.stable.is_no());
-    CHECK(result.exponent.lower);
-    CHECK(!result.exponent.upper);
-    CHECK((result.sobolev && !result.sobolev->upper));
+    REQUIRE(result.space);
+    CHECK(result.space->is_of_values());
+    CHECK((result.exact.is_yes() || !known.exact));
+    CHECK(result.converges.is_yes());
+    CHECK(encloses(result.exponent, known.holder, 1e-10));
+    REQUIRE(result.sobolev);
+    CHECK(encloses(*result.sobolev, known.sobolev, 1e-10));
   }
+}
+
+TEST_CASE("where shifts are stable the differences of the scheme and of the limit shrink alike") {
+  for (const char* specification : {"quincunx:", "loop:", "butterfly:w=1/16", "grid:points=3x3,d=2"}) {
+    INFO(specification);
+    const MultivariateMask mask = surface(specification).mask;
+    const int order = polynomial_reproduction(mask).sum_rules;
+    const auto space = value_space(mask, order);
+    REQUIRE(space);
+    const Rational of_limit = joint_spectral_radius(space->family, {Deadline::in(100)}).proved_upper(),
+                   of_scheme = joint_spectral_radius(difference_space(mask, order).family, {Deadline::in(100)})
+                                   .proved_upper();
+    CHECK(abs(of_limit - of_scheme) < power(Rational(10), -12));
+  }
+}
+
+TEST_CASE("another dilation of the same limits closes where the first does not") {
+  const MultivariateRegularity result = regularity("sqrt3:");
+  CHECK(result.exact.is_yes());
+  CHECK(encloses(result.exponent, 2.63092975357146, 1e-10));  // log_3 18
+  CHECK(!(result.space->dilation == surface("sqrt3:").mask.dilation()));
 }
 
 TEST_CASE("tensor products by their factors and by their masks agree") {

@@ -192,8 +192,10 @@ std::string terms_text(const LatticeSequence& sequence, const Rational& factor, 
 
 /// The lines from the order of the differences to the vectors of the space, times their common denominator.
 std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
-  std::string text = fmt::format("{} {}\ndigits", space.is_of_values() ? "differences" : "sum-rules", space.order);
-  for (const LatticePoint& digit : dilation.digits()) text += " " + point_text(digit);
+  std::string text = fmt::format("{} {}\n", space.is_of_values() ? "differences" : "sum-rules", space.order);
+  if (space.dilation.rows() != dilation.rows()) text += fmt::format("turned {}\n", space.dilation.to_text());
+  text += "digits";
+  for (const LatticePoint& digit : space.dilation.digits()) text += " " + point_text(digit);
   text += "\n";
   if (space.is_of_values()) text += "values" + terms_text(space.values, common_denominator({space.values}));
   text += fmt::format("space {}\n", space.basis.size());
@@ -255,7 +257,7 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   if (certificate.claim.upper && !space.is_of_values()) certificate.text += gram_text(*regularity.gram);
   certificate.text += blocks_text(radius);
   if (certificate.claim.upper) certificate.text += product_text(radius);
-  certificate.text += SectionWriter(dilation.digits().size()).text(radius.proof) + "end\n";
+  certificate.text += SectionWriter(space.family.count()).text(radius.proof) + "end\n";
   return certificate;
 }
 

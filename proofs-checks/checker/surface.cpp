@@ -37,11 +37,40 @@ Point parse_point(std::string_view text, std::size_t variables, std::int64_t lim
   return point;
 }
 
-std::int64_t determinant(const std::array<Point, 3>& m) {
+using Matrix = std::array<Point, 3>;
+
+std::int64_t determinant(const Matrix& m) {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < 3; ++i)
     sum += m[0][i] * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3]);
   return sum;
+}
+
+Matrix adjugate(const Matrix& m) {
+  Matrix result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      result[i][j] = m[(j + 1) % 3][(i + 1) % 3] * m[(j + 2) % 3][(i + 2) % 3] -
+                     m[(j + 1) % 3][(i + 2) % 3] * m[(j + 2) % 3][(i + 1) % 3];
+  return result;
+}
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix result{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) result[i] = combine(result[i], a[i][k], b[k]);
+  return result;
+}
+
+/// a b^-1, which must have integer entries.
+Matrix quotient(const Matrix& a, const Matrix& b) {
+  Matrix result = product(a, adjugate(b));
+  for (Point& row : result)
+    for (std::int64_t& entry : row) {
+      require(entry % determinant(b) == 0, "the turned dilation is no integer multiple of the dilation");
+      entry /= determinant(b);
+    }
+  return result;
 }
 
 /// Section 5.1: M is similar to a multiple of an orthogonal matrix, and |det M| > 1.
@@ -80,12 +109,8 @@ class Surface {
         denominator_(mask.denominator),
         reader_(reader),
         arithmetic_(arithmetic),
-        determinant_(determinant(dilation.rows)) {
-    const auto& m = dilation.rows;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        adjugate_[i][j] = m[(j + 1) % 3][(i + 1) % 3] * m[(j + 2) % 3][(i + 2) % 3] -
-                          m[(j + 1) % 3][(i + 2) % 3] * m[(j + 2) % 3][(i + 1) % 3];
+        determinant_(determinant(dilation.rows)),
+        adjugate_(adjugate(dilation.rows)) {
     Point point{};
     for (const mpz_class& coefficient : mask.coefficients) {
       if (coefficient != 0) entry(mask_, combine(point, 1, first_of(mask))) = coefficient;
@@ -119,6 +144,26 @@ class Surface {
     const std::size_t rounds = rounds_into_space(starts);
     if (spanned) check_spanned(starts, rounds);
     return result;
+  }
+
+  /// Section 5.7: whether the linear map, with some shift, permutes the points of the mask and keeps the coefficients.
+  bool is_symmetry(const Matrix& g) {
+    const auto image = [&g](const Point& p) {
+      Point result{};
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) result[i] += g[i][j] * p[j];
+      return result;
+    };
+    Sequence moved;
+    for (const auto& [point, value] : mask_) {
+      const Point at = image(point);
+      for (const std::int64_t c : at) require(std::abs(c) <= max_coordinate, "a lattice point is too far away");
+      set(moved, at, value);
+    }
+    const Point shift = combine(mask_.begin()->first, -1, moved.begin()->first);
+    return std::equal(mask_.begin(), mask_.end(), moved.begin(), moved.end(), [&](const auto& a, const auto& b) {
+      return a.first == combine(b.first, 1, shift) && a.second == b.second;
+    });
   }
 
   /// Section 5.5: g is a fixed point of the transfer operator, and its Fourier series is positive.
@@ -413,7 +458,7 @@ class Surface {
   Reader& reader_;
   Arithmetic& arithmetic_;
   std::int64_t determinant_;
-  std::array<Point, 3> adjugate_;
+  Matrix adjugate_;
   Sequence mask_;
   std::vector<Point> digits_;
   std::map<Point, std::size_t> digit_of_class_;
@@ -438,10 +483,27 @@ Dilation parse_dilation(std::string_view text) {
   return dilation;
 }
 
+/// Section 5.7: the dilation that a certificate uses instead of that of the claim.
+Dilation read_turned(const Mask& mask, const Dilation& dilation, Reader& reader, Arithmetic& arithmetic) {
+  Dilation turned = parse_dilation(reader.take("turned", 1, 1)[0]);
+  require(turned.variables == dilation.variables, "the turned dilation has another number of variables");
+  classes(turned);
+  Surface surface(mask, dilation, 1, reader, arithmetic);
+  const Matrix first = quotient(turned.rows, dilation.rows);
+  Matrix g = first;
+  for (std::size_t round = 0; round < max_rounds; ++round) {
+    require(std::abs(determinant(g)) == 1 && surface.is_symmetry(g), "the dilation is not turned by symmetries");
+    g = quotient(product(dilation.rows, g), dilation.rows);
+    if (g == first) return turned;
+  }
+  throw Rejected{"the dilation is not turned by symmetries"};
+}
+
 Family read_surface(const Mask& mask, const Dilation& dilation, std::size_t order, bool of_values, bool upper,
                     Reader& reader, Arithmetic& arithmetic) {
   require(order <= max_order, "a higher order than the checker allows in several variables");
-  Surface surface(mask, dilation, order, reader, arithmetic);
+  const Dilation used = reader.at("turned") ? read_turned(mask, dilation, reader, arithmetic) : dilation;
+  Surface surface(mask, used, order, reader, arithmetic);
   if (of_values) return surface.of_values(upper);
   Family family = surface.of_scheme();
   if (upper || reader.at("gram")) surface.check_stability();

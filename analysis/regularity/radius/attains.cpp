@@ -7,6 +7,7 @@
 #include <subcert/analysis/symbol/real_roots.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace subcert::radius {
 namespace {
@@ -31,22 +32,30 @@ std::optional<Rational> distance(const ComplexBall& ball, const RationalComplex&
   return *re.upper + *im.upper;
 }
 
-/// Whether the ball holds exactly one zero of p, a simple one, and all others but its conjugate are smaller in modulus.
-bool is_simple_and_leading(const LaurentPolynomial& p, const ComplexBall& eigenvalue) {
-  const LaurentPolynomial q = p.shifted(-p.lowest());  // the zeros at 0 do not matter
-  const LaurentPolynomial repeated = gcd(q, q.derivative()), simple = *q.exact_quotient(repeated);
-  if (simple.length() < 2) return false;
-  const ComplexBall conjugate = conj(eigenvalue);
-  const Ball modulus = abs(eigenvalue);
-  int held = 0;
-  bool leading = true;
-  for (const ComplexBall& root : complex_roots(simple, precision)) {
-    if (overlap(root, eigenvalue))
-      ++held;
-    else if (!overlap(root, conjugate))
-      leading = leading && abs(root).is_less(modulus);
+/// p(matrix) v. Domain: lowest exponent 0 or more.
+ComplexVector value_on(const LaurentPolynomial& p, const RationalMatrix& matrix, const ComplexVector& v) {
+  ComplexVector sum(v.size(), RationalComplex{0, 0});
+  for (long k = p.highest(); k >= 0; --k) {
+    sum = matrix * sum;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      sum[i].re += p.coefficient(k) * v[i].re;
+      sum[i].im += p.coefficient(k) * v[i].im;
+    }
   }
-  return leading && held == 1 && !contains_zero(value_at(repeated, eigenvalue));
+  return sum;
+}
+
+/// <v, matrix v> / <v, v>. Domain: v not 0.
+RationalComplex rayleigh_quotient(const RationalMatrix& matrix, const ComplexVector& v) {
+  const ComplexVector moved = matrix * v;
+  RationalComplex sum{0, 0};
+  Rational size = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    sum.re += v[i].re * moved[i].re + v[i].im * moved[i].im;
+    sum.im += v[i].re * moved[i].im - v[i].im * moved[i].re;
+    size += v[i].re * v[i].re + v[i].im * v[i].im;
+  }
+  return {sum.re / size, sum.im / size};
 }
 
 RationalVector negated(RationalVector v) {
@@ -60,18 +69,14 @@ class Proof {
         const Rational& lower, const Deadline& deadline)
       : candidate_(candidate), polytope_(polytope), lower_(lower), deadline_(deadline) {
     for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
-    for (std::size_t k = 0; k < candidate.maximizing; ++k) cycles_.push_back({candidate.products[k].cycle, {}, {}, {}});
   }
 
   Decision run() {
     const auto unknown = [](const char* reason) { return Decision{Truth::unknown, reason}; };
     if (!candidate_.closed) return unknown("the polytope did not close");
     if (polytope_.kind == PolytopeKind::nonnegative) return unknown("polytopes of cones are only enclosed");
-    for (Cycle& cycle : cycles_)
-      for (const FamilySymmetry& element : polytope_.group) cycle.shifts.push_back(shift_of(cycle.word, element));
     if (!bound_vertex_errors())
-      return unknown(deadline_.expired() ? no_time
-                                         : "a leading eigenvalue is not simple, or its eigenvector was not isolated");
+      return unknown(deadline_.expired() ? no_time : "a root of the polytope is near no leading eigenvector");
     // kappa: norm by the true polytope / norm by the rational one.
     if (error_ >= 1) return unknown("the vertices are not known well enough");
     const Rational kappa = 1 / (1 - error_);
@@ -89,15 +94,17 @@ class Proof {
   }
 
  private:
-  /// A product whose leading eigenvectors are roots of the polytope.
+  /// A product and one of its leading eigenvectors, of which the images along the word are roots of the polytope.
   struct Cycle {
+    int product;
     std::vector<int> word;
     /// For each element of the group: the image of the word is the word shifted by so much.
     std::vector<std::optional<std::size_t>> shifts;
-    /// The root from which all others come, and the vertex it is.
-    std::optional<std::size_t> base;
-    /// See find_eigenspace.
-    std::vector<RationalVector> eigenspace;
+    std::size_t base;  ///< the vertex that is the first of these roots
+    /// The rational space that the eigenvector and its algebraic conjugates span, with all others of these eigenvalues:
+    /// the kernel of f(product), f irreducible. What rational linear equations hold there hold for the eigenvector.
+    std::vector<RationalVector> eigenspace = {};
+    bool simple = false;  ///< the eigenvalue
 
     int letter(std::size_t place) const { return word[place % word.size()]; }
   };
@@ -105,9 +112,8 @@ class Proof {
   const RationalMatrix& matrix(int letter) const { return matrices_[static_cast<std::size_t>(letter)]; }
 
   std::size_t place_of(std::size_t vertex) const { return static_cast<std::size_t>(candidate_.vertices[vertex].place); }
-  const Cycle& cycle_of(std::size_t vertex) const {
-    return cycles_[static_cast<std::size_t>(candidate_.vertices[vertex].cycle)];
-  }
+  /// Domain: a root that is no extra vertex.
+  const Cycle& cycle_of(std::size_t vertex) const { return cycles_[cycle_of_root_.at(vertex)]; }
 
   /// The product that starts at this place of the word.
   RationalMatrix product_from(const Cycle& cycle, std::size_t place) const {
@@ -139,7 +145,7 @@ class Proof {
     return result;
   }
 
-  /// The norm of M ... M source / radius^steps - (+-) target, by the rational polytope. Domain: steps >= 1.
+  /// The norm of M ... M source / radius^steps - (+-) target, by the rational polytope.
   Rational step_error(std::size_t source, const std::vector<int>& letters, std::size_t target) const {
     ComplexVector moved = vertex(source);
     const ComplexVector goal = vertex(target);
@@ -173,60 +179,95 @@ class Proof {
         errors.push_back(growth() * errors[parent] + step_error(parent, {origin.letter}, v));
       } else if (origin.cycle < 0) {
         errors.emplace_back(0);  // any vertex will do here: the true one is the rational one
-      } else if (Cycle& cycle = cycles_[static_cast<std::size_t>(origin.cycle)]; !cycle.base) {
-        cycle.base = v;
-        const auto error = eigenvector_error(cycle);
+      } else if (const auto carried = error_along_cycle(v, errors)) {
+        errors.push_back(*carried);
+      } else {
+        const auto error = start_cycle(v);
         if (!error) return false;
         errors.push_back(*error);
-      } else {
-        std::vector<int> letters;
-        const std::size_t end = place_of(v);
-        for (std::size_t place = place_of(*cycle.base); place != end; place = (place + 1) % cycle.word.size())
-          letters.push_back(cycle.word[place]);
-        if (letters.empty()) return false;
-        Rational carried = errors[*cycle.base];
-        for (std::size_t k = 0; k < letters.size(); ++k) carried *= growth();
-        errors.push_back(carried + step_error(*cycle.base, letters, v));
       }
       error_ = std::max(error_, errors.back());
     }
-    return std::all_of(cycles_.begin(), cycles_.end(), [](const Cycle& cycle) { return cycle.base.has_value(); });
+    return true;
   }
 
-  /// The norm of (rational base root - an exact eigenvector of the product that starts at its place), if its eigenvalue
-  /// is simple and of largest modulus.
-  std::optional<Rational> eigenvector_error(Cycle& cycle) {
-    const RationalMatrix product = product_from(cycle, place_of(*cycle.base));
-    const ComplexVector v = vertex(*cycle.base);
-    if (one_norm(v) == 0) return std::nullopt;
-    const auto pair = enclose_eigenpair(product, v, precision);
+  /// The error of a root that is the image of the first root of a cycle; nothing where it is that of none.
+  std::optional<Rational> error_along_cycle(std::size_t root, const std::vector<Rational>& errors) {
+    const Rational near = power(Rational(10), -6);
+    for (std::size_t k = 0; k < cycles_.size(); ++k) {
+      const Cycle& cycle = cycles_[k];
+      if (cycle.product != candidate_.vertices[root].cycle) continue;
+      std::vector<int> letters;
+      for (std::size_t place = place_of(cycle.base); place % cycle.word.size() != place_of(root); ++place)
+        letters.push_back(cycle.letter(place));
+      const Rational step = step_error(cycle.base, letters, root);
+      if (step >= near * polytope_.unit_norm) continue;
+      cycle_of_root_.emplace(root, k);
+      Rational carried = errors[cycle.base];
+      for (std::size_t t = 0; t < letters.size(); ++t) carried *= polytope_.bound / lower_;
+      return carried + step;
+    }
+    return std::nullopt;
+  }
+
+  /// The norm of (rational root - an exact eigenvector of the product that starts at its place): the projection of the
+  /// root to the eigenvectors of the eigenvalue. It has to be semisimple. That it leads need not be shown: the polytope
+  /// proves that no radius is above that of its largest cycle.
+  std::optional<Rational> start_cycle(std::size_t root) {
+    const int index = candidate_.vertices[root].cycle;
+    Cycle cycle{index, candidate_.products[static_cast<std::size_t>(index)].cycle, {}, root};
+    for (const FamilySymmetry& element : polytope_.group) cycle.shifts.push_back(shift_of(cycle.word, element));
+    const RationalMatrix product = product_from(cycle, place_of(root));
+    const ComplexVector v = vertex(root);
     const auto characteristic = characteristic_polynomial(product, deadline_);
-    if (!pair || !characteristic || !has_time_for_roots(*characteristic, deadline_) ||
-        !is_simple_and_leading(*characteristic, pair->value))
-      return std::nullopt;
-    find_eigenspace(cycle, product, *characteristic, pair->value);
-    const Enclosure modulus = abs(pair->value).enclosure(256);
-    if (modulus.lower && *modulus.lower > 0)
-      lower_ = std::min(lower_, *root_enclosure(*modulus.lower, static_cast<int>(cycle.word.size())).lower);
+    if (one_norm(v) == 0 || !characteristic || !has_time_for_roots(*characteristic, deadline_)) return std::nullopt;
+    const ComplexBall quotient = ball_around(rayleigh_quotient(product, v), precision);
+    LaurentPolynomial f, others;
+    ComplexBall eigenvalue = ComplexBall::indeterminate(precision);
+    for (const PolynomialFactor& factor : irreducible_factors(*characteristic))
+      for (const ComplexBall& zero : complex_roots(factor.polynomial.shifted(-factor.polynomial.lowest()), precision))
+        if (factor.polynomial.lowest() == 0 && !abs(eigenvalue - quotient).is_less(abs(zero - quotient))) {
+          eigenvalue = zero;
+          f = factor.polynomial;
+          cycle.simple = factor.multiplicity == 1;
+          others = *characteristic;
+          for (int k = 0; k < factor.multiplicity; ++k) others = *others.exact_quotient(f);
+        }
+    if (f.length() < 2) return std::nullopt;
+    cycle.eigenspace = kernel(value_at(f, product));
+    const long multiplicity = (characteristic->highest() - others.highest()) / f.highest();
+    if (static_cast<long>(cycle.eigenspace.size()) != f.highest() * multiplicity) return std::nullopt;
+    const Enclosure modulus = abs(eigenvalue).enclosure(256);
+    if (!modulus.lower || *modulus.lower <= 0) return std::nullopt;
+    lower_ = std::min(lower_, *root_enclosure(*modulus.lower, static_cast<int>(cycle.word.size())).lower);
+    const auto error = distance_to_eigenvector(product, v, f, others, eigenvalue);
+    if (!error) return std::nullopt;
+    cycle_of_root_.emplace(root, cycles_.size());
+    cycles_.push_back(std::move(cycle));
+    return *error * polytope_.unit_norm;
+  }
+
+  /// |v - q(product) v / q(z)|_1 for q(x) = others(x) f(x) / (x - z). Domain: f(z) = 0, f others vanishes at the
+  /// product.
+  static std::optional<Rational> distance_to_eigenvector(const RationalMatrix& product, const ComplexVector& v,
+                                                         const LaurentPolynomial& f, const LaurentPolynomial& others,
+                                                         const ComplexBall& z) {
+    std::vector<ComplexBall> projection(v.size(), ball_around({0, 0}, precision));
+    ComplexVector moved = value_on(others, product, v);
+    // f(x) / (x - z) has the coefficients b_k = f_{k+1} + z b_{k+1}.
+    std::vector<ComplexBall> coefficients{ball_around({f.coefficient(f.highest()), 0}, precision)};
+    for (long k = f.highest() - 1; k >= 1; --k)
+      coefficients.push_back(ball_around({f.coefficient(k), 0}, precision) + z * coefficients.back());
+    for (std::size_t k = coefficients.size(); k-- > 0; moved = product * moved)
+      for (std::size_t i = 0; i < v.size(); ++i) projection[i] += coefficients[k] * ball_around(moved[i], precision);
+    const ComplexBall value = value_at(others, z) * value_at(f.derivative(), z);
     Rational sum = 0;
     for (std::size_t i = 0; i < v.size(); ++i) {
-      const auto d = distance(pair->vector[i], v[i]);
+      const auto d = distance(projection[i] / value, v[i]);
       if (!d) return std::nullopt;
       sum += *d;
     }
-    return sum * polytope_.unit_norm;
-  }
-
-  /// The rational space that the base eigenvector and its algebraic conjugates span: the kernel of f(product), where f
-  /// is the irreducible factor of the characteristic polynomial that vanishes at the eigenvalue. Whatever rational
-  /// linear equations hold on that space hold for the eigenvector.
-  static void find_eigenspace(Cycle& cycle, const RationalMatrix& product, const LaurentPolynomial& characteristic,
-                              const ComplexBall& eigenvalue) {
-    std::vector<LaurentPolynomial> vanishing;
-    for (const PolynomialFactor& factor : irreducible_factors(characteristic))
-      if (factor.polynomial.lowest() == 0 && contains_zero(value_at(factor.polynomial, eigenvalue)))
-        vanishing.push_back(factor.polynomial);
-    if (vanishing.size() == 1) cycle.eigenspace = kernel(value_at(vanishing.front(), product));
+    return sum;
   }
 
   std::size_t root_of(std::size_t index) const {
@@ -242,7 +283,7 @@ class Proof {
     if (candidate_.vertices[index].cycle < 0) return std::nullopt;
     const Cycle& cycle = cycle_of(index);
     const std::size_t length = cycle.word.size();
-    for (std::size_t k = place_of(index); k != place_of(*cycle.base); k = (k + length - 1) % length)
+    for (std::size_t k = place_of(index); k != place_of(cycle.base); k = (k + length - 1) % length)
       letters.push_back(cycle.letter(k + length - 1));
     std::reverse(letters.begin(), letters.end());
     return letters;
@@ -255,7 +296,7 @@ class Proof {
 
   /// Turns of the cycle from its base on.
   RationalVector around(const Cycle& cycle, std::size_t turns, RationalVector v) const {
-    for (std::size_t k = 0; k < turns * cycle.word.size(); ++k) v = matrix(cycle.letter(place_of(*cycle.base) + k)) * v;
+    for (std::size_t k = 0; k < turns * cycle.word.size(); ++k) v = matrix(cycle.letter(place_of(cycle.base) + k)) * v;
     return v;
   }
 
@@ -264,8 +305,7 @@ class Proof {
   bool follows_linearly(std::size_t source, int image_letter, std::size_t target, std::size_t element) const {
     auto from = path(source);
     const auto to = path(target);
-    if (!from || !to || candidate_.vertices[root_of(source)].cycle != candidate_.vertices[root_of(target)].cycle)
-      return false;
+    if (!from || !to || &cycle_of(root_of(source)) != &cycle_of(root_of(target))) return false;
     const Cycle& cycle = cycle_of(root_of(source));
     from->push_back(image_letter);
     const std::size_t steps = from->size(), other = to->size(), length = cycle.word.size();
@@ -363,7 +403,7 @@ class Proof {
     from->letters.push_back(image_letter);
     const History moved = normalised(*from);
     const std::optional<std::size_t> shift = to->cycle->shifts[element];
-    if (!shift) return false;
+    if (!shift || !to->cycle->simple) return false;
     // The image of the eigenvector at a place is, up to a number of modulus 1, the one a shift further on.
     to->place = (to->place + *shift) % to->cycle->word.size();
     for (int& t : to->letters) t = image_of(t, polytope_.group[element]);
@@ -376,6 +416,7 @@ class Proof {
   Deadline deadline_;
   std::vector<RationalMatrix> matrices_;
   std::vector<Cycle> cycles_;
+  std::map<std::size_t, std::size_t> cycle_of_root_;
   Rational error_ = 0;
 };
 

@@ -263,8 +263,10 @@ def main(out):
     write("rotation", (["--matrices", "rotation.mat", "--lower", str(1 - width), "--upper", str(1 + width)], rotation))
 
     hat = ["subcert-certificate 3", "surface [1,2,1]/2@-1 [2]", "bounds 1 1", "sum-rules 2", "digits 0 1", "space 1",
-           "vector -1:1 0:-2 1:1", "gram 0:4 1:1", "product 0 1/2 0 0", "block 0 norm 1", "end"]  # SPEC.md, section 5.6
+           "vector -1:1 0:-2 1:1", "gram 0:4 1:1", "product 0 1/2 0 0", "block 0 norm 1", "end"]  # SPEC.md, section 5.8
     write("hat-by-hand", (["--surface", "[1,2,1]/2@-1", "--dilation", "[2]", "--lower", "1", "--upper", "1"], hat))
+    write("hat-turned", (["--surface", "[1,2,1]/2@-1", "--dilation", "[2]", "--lower", "1", "--upper", "1"],
+                         [*hat[:4], "turned [-2]", *hat[4:]]))
     trapezoid = ["subcert-certificate 3", "surface [1,1,0,1,1]/2@0 [2]", "bounds 1 1", "differences 2", "digits 0 1",
                  "values 1:1 2:1 3:1", "space 1", "vector 0:1 1:-1 3:-1 4:1", "product 0 1/2 0 0", "block 0 norm 1", "end"]
     write("trapezoid-by-hand", (["--surface", "[1,1,0,1,1]/2@0", "--dilation", "[2]", "--lower", "1", "--upper", "1"], trapezoid))

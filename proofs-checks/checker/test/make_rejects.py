@@ -264,7 +264,7 @@ surface("surface-gram-far", "hat-by-hand", "not a fixed point", replace("^gram .
 surface("values-sum", "trapezoid-by-hand", "have the sum 0", replace("^values .*", "values 1:1 2:-1"))
 surface("values-other", "trapezoid-by-hand", "not fixed", replace("^values .*", "values 1:1 2:2 3:1"))
 surface("values-missing", "trapezoid-by-hand", "expected 'values'", drop("values"))
-surface("values-scheme", "trapezoid-by-hand", "no sum rules of this order", replace("^differences", "sum-rules"), lower="1/2")
+surface("values-scheme", "trapezoid-by-hand", "expected 'space'", replace("^differences", "sum-rules"))
 surface("values-gram", "trapezoid-by-hand", "expected 'product'", replace("^(vector .*)", "\\1\ngram 0:1"))
 surface("values-of-curves", "four-point", "expected 'sum-rules'", replace("^sum-rules", "differences"))
 surface("values-order", "trapezoid-by-hand", "not led into the space", replace("^differences 2", "differences 1"))
@@ -273,6 +273,18 @@ surface("values-larger-space", "trapezoid-by-hand", "do not span the space", rep
     "^space 1\nvector .*", "space 5\nvector 0:1\nvector 1:1\nvector 2:1\nvector 3:1\nvector 4:1"))
 surface("values-smaller-space", "trapezoid-by-hand", "out of the space", replace("^vector .*", "vector 0:1 1:-1"))
 surface("values-class-sums", "trapezoid-by-hand", "does not sum to 1", replace("/2@0", "/3@0"), surface="[1,1,0,1,1]/3@0")
+# turned dilations
+def turned(text):
+    return lambda lines: [*lines[:4], f"turned {text}", *lines[4:]]
+
+
+surface("turned-other", "three-direction", "not turned by symmetries", turned("[-2,0;0,2]"))
+surface("turned-shear", "three-direction", "not isotropic and expanding", turned("[2,2;0,2]"))
+surface("turned-fraction", "three-direction", "no integer multiple", turned("[1,2;-2,-1]"))
+surface("turned-variables", "three-direction", "another number of variables", turned("[2]"))
+surface("turned-determinant", "three-direction", "not turned by symmetries", turned("[4,0;0,4]"))
+surface("turned-late", "turning-2", "expected 'space'", replace("^(digits .*)", "\\1\nturned [0,2;1,0]"))
+surface("turned-curve", "four-point", "expected 'stability'", turned("[2]"))
 # The hat function of three times the width: the scheme diverges, and the transfer operator has two fixed points, the one
 # with the inner products of the shifts, whose sum has zeros at 2 pi/3, and a positive one. The lower end cannot be proved.
 for name, gram, reason in [("cyclic-zeros", "0:108 1:93 2:60 3:27 4:8 5:1", "not shown to be positive"),

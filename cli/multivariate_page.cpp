@@ -29,8 +29,9 @@ struct MultivariatePage {
   MultivariateReproduction polynomials;
   std::vector<Interval> support;
   Decision convergence;
-  std::optional<SmoothnessProof> smoothness;         ///< of tensor products: that of the roughest factor
-  std::optional<MultivariateRegularity> regularity;  ///< of other schemes with an isotropic dilation
+  std::optional<SmoothnessProof> smoothness;  ///< of tensor products: that of the roughest factor
+  std::optional<MultivariateRegularity>
+      regularity;  ///< of other schemes with a dilation that splits into isotropic ones
 };
 
 MultivariatePage make_page(const MultivariateScheme& scheme, const ProofLimits& limits) {
@@ -40,7 +41,7 @@ MultivariatePage make_page(const MultivariateScheme& scheme, const ProofLimits& 
       {},
       {},
       {}};
-  if (scheme.factors.empty() && scheme.mask.dilation().is_isotropic()) {
+  if (scheme.factors.empty() && !scheme.mask.dilation().isotropic_subspaces().empty()) {
     page.regularity = multivariate_regularity(scheme.mask, {limits.deadline});
     page.convergence = page.regularity->converges;
     return page;

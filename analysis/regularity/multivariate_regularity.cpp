@@ -110,7 +110,8 @@ void search_radius(const MultivariateMask& mask, const std::optional<Multivariat
       if (result.radius && !radius.exact.is_yes() && radius.proved_upper() >= result.radius->proved_upper()) continue;
       result.space = std::move(space);
       result.bound = HolderBound{norms.level, norms.norm,
-                                 exponent_of_radius(root_enclosure(norms.norm, norms.level), mask.dilation())};
+                                 exponent_of_radius(root_enclosure(norms.norm, norms.level), mask.dilation().classes(),
+                                                    mask.dilation().variables())};
       result.radius = std::move(radius);
       result.exact = result.radius->exact;
       if (result.exact.is_yes()) return;
@@ -119,20 +120,73 @@ void search_radius(const MultivariateMask& mask, const std::optional<Multivariat
   }
 }
 
+/// The exponent along an isotropic subspace, by differences of the least order that is above it.
+struct Along {
+  DifferenceSpace space;
+  JointSpectralRadius radius;
+  Enclosure exponent;
+};
+std::optional<Along> exponent_along(const MultivariateMask& mask, const IsotropicSubspace& subspace, int first_order,
+                                    const Budget& budget) {
+  constexpr int most_orders = 4;
+  std::optional<Along> result;
+  for (int order = first_order; order < first_order + most_orders; ++order) {
+    auto space = value_space(mask, order, subspace.basis);
+    if (!space || space->family.size() > largest_space) break;
+    JointSpectralRadius radius = joint_spectral_radius(space->family, {budget.deadline.after(0.5), budget.memory});
+    Enclosure exponent = exponent_of_radius(radius.radius, subspace.classes, subspace.basis.size());
+    const bool decided = exponent.upper && *exponent.upper < order;
+    if (!decided) exponent = Enclosure::at_least(std::min(exponent.lower.value_or(0), Rational(order)));
+    result = Along{std::move(*space), std::move(radius), exponent};
+    if (decided || *exponent.lower < order - 1) break;
+  }
+  return result;
+}
+
+/// Fills in the smallest of the exponents along the subspaces.
+void search_along_subspaces(const MultivariateMask& mask, const Budget& budget, MultivariateRegularity& result) {
+  result.exact = {Truth::unknown, "no space of differences along a subspace was found"};
+  std::optional<Along> roughest;
+  Enclosure exponent;
+  bool all = true;
+  for (const IsotropicSubspace& subspace : mask.dilation().isotropic_subspaces()) {
+    auto along = exponent_along(mask, subspace, std::max(result.sum_rules, 1), budget);
+    if (!along) {
+      all = false;
+      continue;
+    }
+    if (along->exponent.upper && (!exponent.upper || *along->exponent.upper < *exponent.upper))
+      exponent.upper = along->exponent.upper;
+    if (!roughest || *along->exponent.lower < *roughest->exponent.lower) roughest = std::move(along);
+  }
+  result.converges = converges_by_norms(mask, budget);
+  if (roughest) exponent.lower = roughest->exponent.lower;
+  if (!all || !(*exponent.lower > 0)) {
+    if (!result.converges.is_yes()) result.stable = {Truth::unknown, "the scheme is not proved to converge"};
+    return;
+  }
+  result.exponent = exponent;
+  result.exact = roughest->radius.exact;
+  result.space = std::move(roughest->space);
+  result.radius = std::move(roughest->radius);
+}
+
 }  // namespace
 
-Enclosure exponent_of_radius(const Enclosure& radius, const Dilation& dilation) {
-  const auto variables = static_cast<long>(dilation.variables());
-  const int classes = static_cast<int>(dilation.classes());
+Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t dimension) {
+  const auto root = static_cast<long>(dimension);
+  const int base = static_cast<int>(classes);
   Enclosure result;
-  if (radius.upper && *radius.upper > 0) result.lower = -*log_ratio(power(*radius.upper, variables), classes).upper;
-  if (radius.lower && *radius.lower > 0) result.upper = -*log_ratio(power(*radius.lower, variables), classes).lower;
+  if (radius.upper && *radius.upper > 0) result.lower = -*log_ratio(power(*radius.upper, root), base).upper;
+  if (radius.lower && *radius.lower > 0) result.upper = -*log_ratio(power(*radius.lower, root), base).lower;
   return result;
 }
 
 MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget) {
   const Dilation& dilation = mask.dilation();
-  require(dilation.is_isotropic(), "regularity: need an isotropic dilation or a tensor product, got the dilation {}",
+  require(!dilation.isotropic_subspaces().empty(),
+          "regularity: need a dilation without Jordan blocks whose conjugate eigenvalues have one modulus, or a tensor "
+          "product, got the dilation {}",
           dilation.to_text());
   MultivariateRegularity result;
   result.stable = {Truth::unknown, "the scheme is not proved to converge"};
@@ -143,6 +197,10 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
   }
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
   decide_stability(mask, Deadline::in(std::max(stability_share * budget.deadline.remaining(), 5.0)), result);
+  if (!dilation.is_isotropic()) {
+    search_along_subspaces(mask, budget, result);
+    return result;
+  }
   std::optional<MultivariateSobolev> sobolev;
   try {
     sobolev = decide_sobolev(mask, budget.deadline.after(sobolev_share), result);
@@ -151,7 +209,7 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
     if (error.kind() != ErrorKind::size) throw;
   }
   Enclosure exponent;
-  if (result.radius) exponent = exponent_of_radius(result.radius->radius, dilation);
+  if (result.radius) exponent = exponent_of_radius(result.radius->radius, dilation.classes(), dilation.variables());
   const bool continuous = exponent.lower && *exponent.lower > 0,
              of_values = result.space && result.space->is_of_values();
   if (continuous && !of_values)

@@ -9,9 +9,9 @@
 
 namespace subcert {
 
-/// -log radius to the base |det M|^(1/s), by which an isotropic dilation expands; ends at or below 0 give no end.
-/// Error: none where the power s of the radius is one of |det M|, otherwise as log_ratio.
-Enclosure exponent_of_radius(const Enclosure& radius, const Dilation& dilation);
+/// -log radius to the base classes^(1/dimension), by which a dilation expands an isotropic subspace; ends at or below 0
+/// give no end. Error: none where the power `dimension` of the radius is one of the classes, otherwise as log_ratio.
+Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t dimension);
 
 struct MultivariateRegularity {
   int sum_rules = 0;
@@ -33,9 +33,10 @@ struct MultivariateRegularity {
   bool is_closed() const;
 };
 
-/// Domain: any mask with an isotropic dilation. Errors: throws Error otherwise. Error: none, both ends are proved.
-/// Cost: as joint_spectral_radius on the difference space of the largest order. Proof: docs/surfaces.md. Ref: [Jia98],
-/// [Jia99].
+/// Where the dilation is not isotropic the smallest of the exponents along its isotropic subspaces, whose space and
+/// radius are given. Domain: any mask with a dilation that has such subspaces. Errors: throws Error otherwise. Error:
+/// none, both ends are proved. Cost: as joint_spectral_radius on the space of differences. Proof: docs/surfaces.md.
+/// Ref: [Jia98], [Jia99], [CP19].
 MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget);
 
 /// The same for a tensor product, by its factors, whatever their arities: the exponent is the smallest of theirs.

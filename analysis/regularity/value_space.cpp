@@ -3,6 +3,7 @@
 #include "radius/modular_meataxe.hpp"
 
 #include <subcert/analysis/limit/multivariate_limit_values.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
 
@@ -99,13 +100,24 @@ Dilation with_zero_first(const Dilation& dilation) {
 
 }  // namespace
 
-std::optional<DifferenceSpace> value_space(const MultivariateMask& original, int order, std::size_t most_points) {
+std::optional<DifferenceSpace> value_space(const MultivariateMask& mask, int order, std::size_t most_points) {
+  return value_space(mask, order, exponents_of_degree(mask.dilation().variables(), 1), most_points);
+}
+
+std::optional<DifferenceSpace> value_space(const MultivariateMask& original, int order,
+                                           const std::vector<LatticePoint>& directions, std::size_t most_points) {
   const MultivariateMask mask(original.symbol(), with_zero_first(original.dilation()));
   const Dilation& dilation = mask.dilation();
-  LatticeSequence values = limit_values(mask, 0);
+  LatticeSequence values;
+  try {
+    values = limit_values(mask, 0);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::size) throw;
+    return std::nullopt;  // several fixed vectors or none
+  }
   std::vector<LatticeSequence> starts;
   std::vector<LatticePoint> support;
-  for (const LatticeSequence& difference : differences_of_delta(dilation.variables(), order)) {
+  for (const LatticeSequence& difference : differences_of_delta(directions, order)) {
     starts.push_back(convolution(difference, values));
     for (const auto& [point, value] : starts.back()) support.push_back(point);
   }

@@ -8,9 +8,14 @@ namespace subcert {
 /// The space of the sequences T_w nabla^mu v, v_k = phi(k), for |mu| = order and all long words w: differences of the
 /// values of phi on lattices that get finer. The exponent of phi is -log JSR(family) to the base |det M|^(1/s) where
 /// that is below `order`, and at least `order` otherwise. Nothing where the numbers of the space are not recognised
-/// modulo a prime. Its first digit is 0. Domain: coset sums 1, isotropic dilation, order >= 1. Errors: throws
-/// Error where the refinement equation has no unique solution on lattice points, or on more than `most_points` of them.
+/// modulo a prime, or where the refinement equation has no unique solution on lattice points. Its first digit is 0.
+/// Domain: coset sums 1, isotropic dilation, order >= 1. Errors: throws Error where more than `most_points` of them are
+/// needed.
 /// Cost: eliminations modulo a prime, and exact ones of what differs from the space. Proof: docs/surfaces.md.
 std::optional<DifferenceSpace> value_space(const MultivariateMask& mask, int order, std::size_t most_points = 1024);
+
+/// The same for differences along the vectors of a basis of an isotropic subspace: how smooth phi is along it.
+std::optional<DifferenceSpace> value_space(const MultivariateMask& mask, int order,
+                                           const std::vector<LatticePoint>& directions, std::size_t most_points = 1024);
 
 }  // namespace subcert

@@ -19,21 +19,47 @@ RationalMatrix to_matrix(const std::vector<LatticePoint>& rows) {
   return result;
 }
 
-/// Whether all zeros of a polynomial over the rationals with simple zeros have one modulus. Domain: degree <= 3. An
-/// irreducible polynomial of degree 2 has two conjugate zeros, or real ones x and -x; one of degree 3 with a real zero
-/// r and |z| = |r| for the others has r^3 = -p(0), so r is a zero of x^3 + p(0), and p is that polynomial.
-bool has_zeros_of_one_modulus(const LaurentPolynomial& p) {
-  std::vector<Rational> sixth_powers;  // of the moduli
-  for (const PolynomialFactor& factor : irreducible_factors(p)) {
-    const LaurentPolynomial& f = factor.polynomial;
-    const long degree = f.highest();
-    const Rational last = abs(f.coefficient(0) / f.coefficient(degree)), middle = f.coefficient(1);
-    if (degree == 2 && middle != 0 && middle * middle >= 4 * f.coefficient(0) * f.coefficient(2)) return false;
-    if (degree == 3 && (middle != 0 || f.coefficient(2) != 0)) return false;
-    sixth_powers.push_back(power(last, 6 / degree));
+/// The sixth power of the modulus of its zeros, if they have one modulus. Domain: irreducible over the rationals,
+/// degree
+/// <= 3. Of degree 2 it has two conjugate zeros, or real ones x and -x; one of degree 3 with a real zero r and |z| =
+/// |r| for the others has r^3 = -p(0), so r is a zero of x^3 + p(0), and p is that polynomial.
+std::optional<Rational> sixth_power_of_modulus(const LaurentPolynomial& f) {
+  const long degree = f.highest();
+  const Rational last = abs(f.coefficient(0) / f.coefficient(degree)), middle = f.coefficient(1);
+  if (degree == 2 && middle != 0 && middle * middle >= 4 * f.coefficient(0) * f.coefficient(2)) return std::nullopt;
+  if (degree == 3 && (middle != 0 || f.coefficient(2) != 0)) return std::nullopt;
+  return power(last, 6 / degree);
+}
+
+/// See Dilation::isotropic_subspaces.
+std::vector<IsotropicSubspace> isotropic_subspaces(const RationalMatrix& matrix,
+                                                   const LaurentPolynomial& characteristic) {
+  if (!(value_at(squarefree_part(characteristic), matrix) == RationalMatrix(matrix.rows(), matrix.rows()))) return {};
+  struct Part {
+    LaurentPolynomial polynomial = 1;
+    Rational classes = 1;
+  };
+  std::map<Rational, Part> parts;
+  for (const auto& [factor, multiplicity] : irreducible_factors(characteristic)) {
+    const auto modulus = sixth_power_of_modulus(factor);
+    if (!modulus) return {};
+    Part& part = parts[*modulus];
+    part.polynomial = part.polynomial * factor;
+    part.classes *= power(abs(factor.coefficient(0)), multiplicity);
   }
-  return std::all_of(sixth_powers.begin(), sixth_powers.end(),
-                     [&](const Rational& value) { return value == sixth_powers.front(); });
+  std::vector<IsotropicSubspace> result;
+  for (const auto& [modulus, part] : parts) {
+    IsotropicSubspace subspace{{}, numerator(part.classes).convert_to<long>()};
+    for (const std::vector<Rational>& vector : kernel(value_at(part.polynomial, matrix))) {
+      Integer common = 1;
+      for (const Rational& x : vector) common = lcm(common, denominator(x));
+      subspace.basis.emplace_back();
+      for (const Rational& x : vector)
+        subspace.basis.back().push_back(numerator(Rational(common * x)).convert_to<long>());
+    }
+    result.push_back(std::move(subspace));
+  }
+  return result;
 }
 
 }  // namespace
@@ -115,8 +141,7 @@ Dilation::Dilation(std::vector<LatticePoint> rows, std::vector<LatticePoint> dig
           "dilation: need eigenvalues larger than 1 in modulus, all of them, got {}", text);
   require(std::abs(determinant_) <= most_classes, "dilation: need |det M| <= {}, got {} for {}", most_classes,
           std::abs(determinant_), text);
-  const LaurentPolynomial simple = squarefree_part(characteristic);
-  isotropic_ = value_at(simple, matrix) == RationalMatrix(size, size) && has_zeros_of_one_modulus(simple);
+  isotropic_subspaces_ = subcert::isotropic_subspaces(matrix, characteristic);
 
   const RationalMatrix inverse = solve(matrix, RationalMatrix::identity(size));
   for (std::size_t i = 0; i < size; ++i) {

@@ -32,6 +32,12 @@ std::vector<LatticePoint> exponents_of_degree(std::size_t variables, long degree
 /// Of this sum or a smaller one, the smallest first.
 std::vector<LatticePoint> exponents_up_to(std::size_t variables, long degree);
 
+/// A subspace that a matrix leaves invariant and on which it is similar to a multiple of an orthogonal matrix.
+struct IsotropicSubspace {
+  std::vector<LatticePoint> basis;
+  long classes;  ///< |det| of the matrix on it, which thus expands it by classes^(1 / basis.size())
+};
+
 /// An integer matrix M whose eigenvalues are all larger than 1 in modulus, with a set of digits: one point of each of
 /// the |det M| classes of Z^s modulo M Z^s. In one variable M is the arity.
 class Dilation {
@@ -52,7 +58,11 @@ class Dilation {
   std::optional<int> factor() const;
   /// Whether M is similar to a multiple of an orthogonal matrix: diagonalizable over C, all eigenvalues of one modulus,
   /// which is then |det M|^(1/s). Decided exactly.
-  bool is_isotropic() const { return isotropic_; }
+  bool is_isotropic() const { return isotropic_subspaces_.size() == 1; }
+  /// Subspaces with integer bases whose sum is everything, one for each modulus of the eigenvalues, the smallest first.
+  /// None where M is not diagonalizable over C, or where an irreducible factor of its characteristic polynomial has
+  /// zeros of different moduli.
+  const std::vector<IsotropicSubspace>& isotropic_subspaces() const { return isotropic_subspaces_; }
 
   LatticePoint operator*(const LatticePoint& point) const;
   /// point = M quotient + digits()[digit].
@@ -75,7 +85,7 @@ class Dilation {
   long determinant_ = 1;
   std::vector<LatticePoint> digits_;
   std::map<LatticePoint, std::size_t> digit_of_class_;
-  bool isotropic_ = false;
+  std::vector<IsotropicSubspace> isotropic_subspaces_;
 };
 
 /// Points, or the rows of a matrix, as `[1,2;-2,-1]`.

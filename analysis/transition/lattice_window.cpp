@@ -104,18 +104,14 @@ MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilat
   return MatrixFamily(std::move(matrices));
 }
 
-std::vector<LatticeSequence> differences_of_delta(std::size_t variables, int order) {
+std::vector<LatticeSequence> differences_of_delta(const std::vector<LatticePoint>& directions, int order) {
   std::vector<LatticeSequence> result;
-  for (const LatticePoint& exponents : exponents_of_degree(variables, order)) {
-    LatticeSequence sequence{{LatticePoint(variables, 0), 1}};
-    for (std::size_t v = 0; v < variables; ++v)
+  for (const LatticePoint& exponents : exponents_of_degree(directions.size(), order)) {
+    LatticeSequence sequence{{LatticePoint(directions.front().size(), 0), 1}};
+    for (std::size_t v = 0; v < directions.size(); ++v)
       for (long round = 0; round < exponents[v]; ++round) {
         LatticeSequence next = sequence;
-        for (const auto& [point, value] : sequence) {
-          LatticePoint moved = point;
-          ++moved[v];
-          next[moved] -= value;
-        }
+        for (const auto& [point, value] : sequence) next[point + directions[v]] -= value;
         sequence = std::move(next);
       }
     std::erase_if(sequence, [](const auto& entry) { return entry.second == 0; });

@@ -241,7 +241,9 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   require(regularity.radius && regularity.space, "surface_certificate: need a joint spectral radius, got none");
   const JointSpectralRadius& radius = *regularity.radius;
   const Dilation& dilation = mask.dilation();
-  const Enclosure exponent = exponent_of_radius({radius.product.radius.lower, radius.proved_upper()}, dilation);
+  require(dilation.is_isotropic(), "surface_certificate: need an isotropic dilation, got {}", dilation.to_text());
+  const Enclosure exponent = exponent_of_radius({radius.product.radius.lower, radius.proved_upper()},
+                                                dilation.classes(), dilation.variables());
   const DifferenceSpace& space = *regularity.space;
   const Rational lower = std::min(exponent.lower.value_or(0), Rational(space.order));
   require(lower > 0, "surface_certificate: need a positive lower bound of the exponent, got {}",

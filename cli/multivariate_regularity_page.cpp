@@ -33,7 +33,7 @@ Json MultivariateRegularityPage::json() const {
           {"method", radius ? method_text(*radius) : "factors of a tensor product"},
           {"product", radius ? word_text(radius->product.word) : ""},
           {"vertices", radius ? Json(radius->vertices()) : Json()},
-          {"stable", regularity.stable.is_yes() && regularity.exponent.upper.has_value()},
+          {"stable", regularity.stable.is_yes()},
           {"stability", regularity.stable.reason},
           {"sobolev", regularity.sobolev ? Json{{"exponent", enclosure_json(*regularity.sobolev)},
                                                 {"stable", regularity.stable.is_yes()}}
@@ -51,7 +51,8 @@ std::string MultivariateRegularityPage::text() const {
        << "converges    " << to_text(regularity.converges.truth) << ": " << regularity.converges.reason << "\n";
   if (regularity.space)
     page << "space        dimension " << regularity.space->family.size() << ", differences of order "
-         << regularity.space->order << " on " << regularity.space->window.size() << " lattice points\n";
+         << regularity.space->order << (regularity.space->is_of_values() ? " of phi on " : " on ")
+         << regularity.space->window.size() << " lattice points\n";
   if (regularity.bound)
     page << "bound        >= " << regularity.bound->exponent.lower_text(12) << " by norms of products of length "
          << regularity.bound->levels << "\n";
@@ -82,8 +83,9 @@ std::string MultivariateRegularityPage::text() const {
   page << "\n";
   if (regularity.sobolev)
     page << "Sobolev      " << enclosure_text(*regularity.sobolev, 14) << "  (L2 smoothness"
-         << (regularity.stable.is_yes() ? ", exact as the shifts are stable)"
-                                        : ", a lower bound as the shifts are not proved stable)")
+         << (!regularity.sobolev->upper   ? ", a lower bound as the shifts are not proved stable)"
+             : regularity.stable.is_yes() ? ", exact as the shifts are stable)"
+                                          : ", exact, by the inner products of the shifts)")
          << "\n";
   if (!regularity.is_closed() && !regularity.converges.is_no())
     page << "budget       the search did not close; the enclosure reached is printed\n";

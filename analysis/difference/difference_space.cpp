@@ -35,21 +35,14 @@ DifferenceSpace difference_space(const MultivariateMask& mask, int order, std::s
   const std::vector<std::vector<Rational>> vectors = kernel(moments(window.points(), order));
   require(!vectors.empty(), "difference space: no sequence on the {} points of the window annihilates polynomials",
           window.size());
-  std::vector<std::size_t> pivots = free_columns(vectors);
   std::vector<LatticeSequence> basis(vectors.size());
   for (std::size_t c = 0; c < vectors.size(); ++c)
     for (std::size_t k = 0; k < window.size(); ++k)
       if (vectors[c][k] != 0) basis[c].emplace(window.points()[k], vectors[c][k]);
-  std::map<LatticePoint, std::size_t> row_of;
-  for (std::size_t c = 0; c < pivots.size(); ++c) row_of.emplace(window.points()[pivots[c]], c);
-  std::vector<RationalMatrix> matrices(dilation.digits().size(), RationalMatrix(basis.size(), basis.size()));
-  for (std::size_t c = 0; c < basis.size(); ++c) {
-    const std::vector<LatticeSequence> moved = transitions(mask.symbol(), dilation, basis[c]);
-    for (std::size_t d = 0; d < moved.size(); ++d)
-      for (const auto& [point, value] : moved[d])
-        if (const auto row = row_of.find(point); row != row_of.end()) matrices[d](row->second, c) = value;
-  }
-  return {order, std::move(window), std::move(basis), std::move(pivots), MatrixFamily(std::move(matrices))};
+  std::vector<LatticePoint> pivots;
+  for (const std::size_t column : free_columns(vectors)) pivots.push_back(window.points()[column]);
+  MatrixFamily family = transition_family(mask.symbol(), dilation, basis, pivots);
+  return {order, std::move(window), std::move(basis), std::move(pivots), std::move(family)};
 }
 
 }  // namespace subcert

@@ -1,6 +1,7 @@
 #include "gram_function.hpp"
 
 #include "radius/cost.hpp"
+#include "radius/modular_meataxe.hpp"
 
 #include <subcert/analysis/limit/fixed_vector.hpp>
 #include <subcert/analysis/symbol/error.hpp>
@@ -8,6 +9,7 @@
 #include <subcert/analysis/symbol/torus.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace subcert {
 namespace {
@@ -24,8 +26,8 @@ class TransferOperator {
                 MultivariatePolynomial(mask.dimension(), Rational(1, mask.dilation().classes()))),
         dilation_(mask.dilation().rows()),
         group_(symmetries_along(lattice_symmetries(symbol_), dilation_)),
-        window_(symbol_, dilation_, closed(start), most_points,
-                dilation_.divide(LatticePoint(dilation_.variables(), 0)).digit) {
+        zero_(dilation_.divide(LatticePoint(dilation_.variables(), 0)).digit),
+        window_(symbol_, dilation_, closed(start), most_points, zero_) {
     for (std::size_t place = 0; place < window_.size(); ++place) {
       const LatticePoint first = representative(window_.points()[place]);
       const auto [at, inserted] = orbit_of_.emplace(first, orbits_.size());
@@ -54,6 +56,23 @@ class TransferOperator {
     return result;
   }
 
+  /// The images of the unit vectors under the symmetries.
+  std::set<LatticePoint> unit_directions() const {
+    std::set<LatticePoint> result;
+    for (const LatticePoint& unit : exponents_of_degree(dilation_.variables(), 1))
+      for (const LatticeMap& map : group_) result.insert(map(unit));
+    return result;
+  }
+  /// The values on the orbits of T^n g, for the least n that leads sequences on `start` into the window. Domain: g
+  /// constant on orbits.
+  std::vector<Rational> led_in(LatticeSequence g) const {
+    for (int step = 0; step < window_.steps(); ++step) g = transitions(symbol_, dilation_, g)[zero_];
+    std::vector<Rational> result(size());
+    for (std::size_t k = 0; k < size(); ++k)
+      if (const auto at = g.find(orbits_[k].front()); at != g.end()) result[k] = at->second;
+    return result;
+  }
+
  private:
   LatticePoint representative(const LatticePoint& point) const {
     LatticePoint result = point;
@@ -70,10 +89,47 @@ class TransferOperator {
   MultivariatePolynomial symbol_;
   Dilation dilation_;
   std::vector<LatticeMap> group_;
+  std::size_t zero_;  // the digit
   LatticeWindow window_;
   std::map<LatticePoint, std::size_t> orbit_of_;  // by representative
   std::vector<std::vector<LatticePoint>> orbits_;
 };
+
+/// -log radius / 2 to the base by which the dilation expands.
+MultivariateSobolev sobolev_of(const Enclosure& radius, const Dilation& dilation, std::size_t dimension) {
+  const int classes = static_cast<int>(dilation.classes());
+  const Rational factor(-static_cast<long>(dilation.variables()), 2);
+  return {radius,
+          {factor * *log_ratio(*radius.upper, classes).upper, factor * *log_ratio(*radius.lower, classes).lower},
+          dimension};
+}
+
+/// The sum over the directions e of 2 - z^e - z^-e, times g.
+LatticeSequence second_differences(const LatticeSequence& g, const std::set<LatticePoint>& directions) {
+  LatticeSequence result;
+  for (const auto& [point, value] : g)
+    for (const LatticePoint& direction : directions) {
+      result[point] += 2 * value;
+      result[point + direction] -= value;
+      result[point - direction] -= value;
+    }
+  std::erase_if(result, [](const auto& entry) { return entry.second == 0; });
+  return result;
+}
+
+/// The polynomial of least degree with p(matrix) x = 0.
+std::optional<LaurentPolynomial> minimal_polynomial(const RationalMatrix& matrix, const std::vector<Rational>& x) {
+  radius::ModSpace independent;
+  std::vector<std::vector<Rational>> powers{x};
+  while (independent.add(radius::modulo_prime(radius::primitive(powers.back()))))
+    powers.push_back(matrix * powers.back());
+  RationalMatrix columns(matrix.rows(), powers.size());
+  for (std::size_t k = 0; k < powers.size(); ++k)
+    for (std::size_t i = 0; i < matrix.rows(); ++i) columns(i, k) = powers[k][i];
+  const auto relations = kernel(columns);
+  if (relations.size() != 1) return std::nullopt;
+  return LaurentPolynomial(relations.front(), 0);
+}
 
 /// Rows: sums over the orbits of the monomials of even degree below `order`; the others vanish by symmetry.
 RationalMatrix even_moments(const TransferOperator& transfer, std::size_t variables, int order) {
@@ -143,13 +199,30 @@ std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& ma
   }
   const auto characteristic = characteristic_polynomial(matrix, deadline);
   if (!characteristic || !radius::has_time_for_roots(*characteristic, deadline)) return std::nullopt;
-  const Enclosure radius = largest_root_modulus(*characteristic).largest;
-  const int classes = static_cast<int>(dilation.classes());
-  const Rational factor(-static_cast<long>(variables), 2);
-  return MultivariateSobolev{
-      radius,
-      {factor * *log_ratio(*radius.upper, classes).upper, factor * *log_ratio(*radius.lower, classes).lower},
-      basis.size()};
+  return sobolev_of(largest_root_modulus(*characteristic).largest, dilation, basis.size());
+}
+
+std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& mask, const LatticeSequence& gram,
+                                                      const Deadline& deadline) {
+  constexpr int largest_order = 32;
+  const Rational slack = power(Rational(10), -9);
+  const auto directions = TransferOperator(mask, {LatticePoint(mask.dilation().variables(), 0)}).unit_directions();
+  LatticeSequence differences = gram;
+  for (int order = 1; order <= largest_order; ++order) {
+    differences = second_differences(differences, directions);
+    std::vector<LatticePoint> start;
+    for (const auto& [point, value] : differences) start.push_back(point);
+    const TransferOperator transfer(mask, start);
+    const RationalMatrix matrix = transfer.matrix();
+    if (!radius::has_time_for_elimination(matrix, deadline)) return std::nullopt;
+    const auto polynomial = minimal_polynomial(matrix, transfer.led_in(differences));
+    if (!polynomial || !radius::has_time_for_roots(*polynomial, deadline)) return std::nullopt;
+    MultivariateSobolev found = sobolev_of(largest_root_modulus(*polynomial).largest, mask.dilation(),
+                                           static_cast<std::size_t>(polynomial->highest()));
+    // Differences of order m say nothing about exponents from m on.
+    if (*found.exponent.upper < order - slack) return found;
+  }
+  return std::nullopt;
 }
 
 }  // namespace subcert

@@ -17,18 +17,24 @@ std::optional<LatticeSequence> gram_function(const MultivariateMask& mask, const
 /// docs/surfaces.md.
 Decision has_stable_shifts(const LatticeSequence& gram, const Deadline& deadline = {});
 
-/// The largest s such that phi lies in the Sobolev spaces of all orders below s, where the shifts are stable; otherwise
-/// a lower bound of it. radius is the spectral radius of the transfer operator on the sequences that annihilate
-/// polynomials of degree below 2 * sum_rules. Ref: [Jia99].
+/// The largest s such that phi lies in the Sobolev spaces of all orders below s. Ref: [Jia99].
 struct MultivariateSobolev {
-  Enclosure radius;
+  Enclosure radius;  ///< of the transfer operator
   Enclosure exponent;
   std::size_t dimension;  ///< of the space on which the radius was computed
 };
 
-/// Nothing where it would take longer than the deadline. Domain: sum rules of this order >= 1, isotropic dilation.
-/// Errors: throws Error. Error: exponent to 1e-15. Cost: one characteristic polynomial.
+/// From the transfer operator on the sequences that annihilate polynomials of degree below 2 * sum_rules: the exponent
+/// where the shifts are stable, otherwise a lower bound of it. Nothing where it would take longer than the deadline.
+/// Domain: sum rules of this order >= 1, isotropic dilation. Errors: throws Error. Error: exponent to 1e-15. Cost: one
+/// characteristic polynomial.
 std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& mask, int sum_rules,
+                                                      const Deadline& deadline = {});
+
+/// From the words of the transfer operator on the differences of `gram`: the exponent, whether the shifts are stable or
+/// not. Nothing where it would take longer than the deadline. Domain: `gram` is that of the mask, phi continuous.
+/// Errors, Error: as above. Cost: the minimal polynomial of a vector, for each order up to the exponent.
+std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& mask, const LatticeSequence& gram,
                                                       const Deadline& deadline = {});
 
 }  // namespace subcert

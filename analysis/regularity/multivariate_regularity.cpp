@@ -2,10 +2,12 @@
 
 #include "holder_regularity.hpp"
 #include "sobolev.hpp"
+#include "value_space.hpp"
 
 #include <subcert/analysis/difference/multivariate_convergence.hpp>
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 
 #include <algorithm>
 
@@ -16,7 +18,8 @@ constexpr double norm_share = 0.05, sobolev_share = 0.2, stability_share = 0.5; 
 constexpr int levels = 16;  // of norms, where they decide convergence
 constexpr std::size_t largest_space = 256;
 
-void prove_stability(const MultivariateMask& mask, const Deadline& deadline, MultivariateRegularity& result) {
+/// Provided that the scheme converges.
+void decide_stability(const MultivariateMask& mask, const Deadline& deadline, MultivariateRegularity& result) {
   try {
     result.gram = gram_function(mask, deadline);
   } catch (const Error& error) {
@@ -26,6 +29,27 @@ void prove_stability(const MultivariateMask& mask, const Deadline& deadline, Mul
   }
   result.stable = result.gram ? has_stable_shifts(*result.gram, deadline)
                               : Decision{Truth::unknown, "the inner products of the shifts were not found in time"};
+}
+
+/// Provided that phi is continuous.
+std::optional<MultivariateSobolev> decide_sobolev(const MultivariateMask& mask, const Deadline& deadline,
+                                                  const MultivariateRegularity& result) {
+  if (result.gram && !result.stable.is_yes())
+    if (auto found = sobolev_regularity(mask, *result.gram, deadline)) return found;
+  auto found = sobolev_regularity(mask, result.sum_rules, deadline);
+  if (found && !result.stable.is_yes()) found->exponent.upper.reset();
+  return found;
+}
+
+/// Where the shifts are not proved stable the differences of phi, as those of the scheme give no upper end.
+DifferenceSpace space_of_differences(const MultivariateMask& mask, const MultivariateRegularity& result,
+                                     const std::optional<MultivariateSobolev>& sobolev) {
+  if (!result.stable.is_yes() && sobolev && sobolev->exponent.upper) {
+    // The exponent is at most the Sobolev exponent.
+    const int order = static_cast<int>(floor_index(*sobolev->exponent.upper)) + 1;
+    if (auto space = value_space(mask, order)) return std::move(*space);
+  }
+  return difference_space(mask, result.sum_rules);
 }
 
 }  // namespace
@@ -51,14 +75,14 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
     return result;
   }
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
+  decide_stability(mask, Deadline::in(std::max(stability_share * budget.deadline.remaining(), 5.0)), result);
   std::optional<MultivariateSobolev> sobolev;
   try {
-    result.space = difference_space(mask, result.sum_rules);
-    sobolev = sobolev_regularity(mask, result.sum_rules, budget.deadline.after(sobolev_share));
+    sobolev = decide_sobolev(mask, budget.deadline.after(sobolev_share), result);
+    result.space = space_of_differences(mask, result, sobolev);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::size) throw;
   }
-  if (sobolev) result.sobolev = Enclosure::at_least(*sobolev->exponent.lower);
   Enclosure exponent;
   if (result.space && result.space->family.size() <= largest_space) {
     const NormProof norms = norm_of_products(result.space->family, {budget.deadline.after(norm_share), budget.memory});
@@ -70,15 +94,23 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
   } else {
     result.exact = {Truth::unknown, "the transition operators act on too many lattice points"};
   }
-  if (exponent.lower && *exponent.lower > 0)
+  const bool continuous = exponent.lower && *exponent.lower > 0,
+             of_values = result.space && result.space->is_of_values();
+  if (continuous && !of_values)
     result.converges = {Truth::yes, "the exponent is positive"};
   else
     result.converges = converges(mask, {levels, Deadline::in(std::max(budget.deadline.remaining(), 0.5))});
-  if (!result.converges.is_yes()) return result;
-  prove_stability(mask, Deadline::in(std::max(stability_share * budget.deadline.remaining(), 5.0)), result);
-  if (sobolev && result.stable.is_yes()) result.sobolev = sobolev->exponent;
+  if (!continuous && !result.converges.is_yes()) {
+    result.gram.reset();
+    result.stable = {Truth::unknown, "the scheme is not proved to converge"};
+    if (sobolev) result.sobolev = Enclosure::at_least(*sobolev->exponent.lower);
+    return result;
+  }
+  if (sobolev) result.sobolev = sobolev->exponent;
   // Differences of order m say nothing about exponents from m on.
-  if (!exponent.upper || *exponent.upper >= result.sum_rules || !result.stable.is_yes()) exponent.upper.reset();
+  const int order = result.space ? result.space->order : 0;
+  if (!exponent.upper || *exponent.upper >= order || !(of_values || result.stable.is_yes())) exponent.upper.reset();
+  if (exponent.lower && *exponent.lower > order) exponent.lower = order;
   result.exponent = {std::max(Rational(0), exponent.lower.value_or(0)), exponent.upper};
   if (!result.sobolev) return result;
   // H^r lies in the Hoelder space of exponent r - s/2, and functions of compact support and Hoelder exponent r in all

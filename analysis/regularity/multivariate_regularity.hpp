@@ -20,12 +20,11 @@ struct MultivariateRegularity {
   std::optional<JointSpectralRadius> radius;  ///< of the transition operators on the space
   Decision exact;                             ///< whether a product attains the radius
   Decision converges;
-  Decision stable;  ///< of the integer shifts; the upper end is claimed only where it is yes
-  /// Contains the Hoelder exponent of the limits; absent where no positive lower end is proved, and the upper end where
-  /// the shifts are not proved stable.
+  Decision stable;  ///< of the integer shifts
+  /// Contains the Hoelder exponent of the limit phi; absent where no positive lower end is proved. Where the shifts are
+  /// not proved stable it comes from the differences of phi, and the upper end is absent if these give no space.
   Enclosure exponent;
-  /// Of the Sobolev exponent; the upper end only where the shifts are stable.
-  std::optional<Enclosure> sobolev;
+  std::optional<Enclosure> sobolev;     ///< contains the Sobolev exponent
   std::optional<LatticeSequence> gram;  ///< inner products of the shifts, where the scheme converges
 
   /// The enclosure is as narrow as it gets.

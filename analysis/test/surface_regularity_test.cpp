@@ -91,7 +91,7 @@ TEST_CASE("difference spaces are invariant and hold the differences after some s
     const DifferenceSpace space = difference_space(mask, polynomial_reproduction(mask).sum_rules);
     const auto is_inside = [&](LatticeSequence v) {
       for (std::size_t c = 0; c < space.basis.size(); ++c) {
-        const auto at = v.find(space.window.points()[space.pivots[c]]);
+        const auto at = v.find(space.pivots[c]);
         if (at == v.end()) continue;
         const Rational factor = at->second;
         for (const auto& [point, value] : space.basis[c])

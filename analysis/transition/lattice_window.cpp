@@ -20,13 +20,15 @@ std::set<LatticePoint> images(const std::vector<LatticePoint>& support, const Di
   return result;
 }
 
-}  // namespace
-
-LatticeWindow::LatticeWindow(const MultivariatePolynomial& symbol, const Dilation& dilation,
-                             const std::vector<LatticePoint>& start, std::size_t most_points,
-                             std::optional<std::size_t> digit) {
+std::vector<LatticePoint> support_of(const MultivariatePolynomial& symbol) {
   std::vector<LatticePoint> support;
   for (const auto& term : symbol.terms()) support.push_back(term.exponents);
+  return support;
+}
+
+std::set<LatticePoint> reached_from(const std::vector<LatticePoint>& support, const Dilation& dilation,
+                                    const std::vector<LatticePoint>& start, std::size_t most_points,
+                                    std::optional<std::size_t> digit) {
   std::set<LatticePoint> reached(start.begin(), start.end()), fresh = reached;
   while (!fresh.empty()) {
     std::set<LatticePoint> next;
@@ -37,6 +39,16 @@ LatticeWindow::LatticeWindow(const MultivariatePolynomial& symbol, const Dilatio
            most_points, support.size());
     fresh = std::move(next);
   }
+  return reached;
+}
+
+}  // namespace
+
+LatticeWindow::LatticeWindow(const MultivariatePolynomial& symbol, const Dilation& dilation,
+                             const std::vector<LatticePoint>& start, std::size_t most_points,
+                             std::optional<std::size_t> digit) {
+  const std::vector<LatticePoint> support = support_of(symbol);
+  std::set<LatticePoint> reached = reached_from(support, dilation, start, most_points, digit);
   // A point without predecessor is left behind after one step.
   for (;; ++steps_) {
     std::set<LatticePoint> kept = images(support, dilation, reached, digit);
@@ -44,6 +56,14 @@ LatticeWindow::LatticeWindow(const MultivariatePolynomial& symbol, const Dilatio
     reached = std::move(kept);
   }
   points_.assign(reached.begin(), reached.end());
+}
+
+LatticeWindow LatticeWindow::closure(const MultivariatePolynomial& symbol, const Dilation& dilation,
+                                     const std::vector<LatticePoint>& start, std::size_t most_points) {
+  const std::set<LatticePoint> reached = reached_from(support_of(symbol), dilation, start, most_points, std::nullopt);
+  LatticeWindow result;
+  result.points_.assign(reached.begin(), reached.end());
+  return result;
 }
 
 std::size_t LatticeWindow::place(const LatticePoint& point) const {
@@ -61,6 +81,27 @@ std::vector<LatticeSequence> transitions(const MultivariatePolynomial& symbol, c
     }
   for (LatticeSequence& sequence : result) std::erase_if(sequence, [](const auto& entry) { return entry.second == 0; });
   return result;
+}
+
+MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilation& dilation,
+                               const LatticeWindow& window) {
+  std::vector<LatticeSequence> deltas;
+  for (const LatticePoint& point : window.points()) deltas.push_back({{point, 1}});
+  return transition_family(symbol, dilation, deltas, window.points());
+}
+
+MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilation& dilation,
+                               const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots) {
+  std::map<LatticePoint, std::size_t> row_of;
+  for (std::size_t c = 0; c < pivots.size(); ++c) row_of.emplace(pivots[c], c);
+  std::vector<RationalMatrix> matrices(dilation.digits().size(), RationalMatrix(basis.size(), basis.size()));
+  for (std::size_t c = 0; c < basis.size(); ++c) {
+    const std::vector<LatticeSequence> moved = transitions(symbol, dilation, basis[c]);
+    for (std::size_t d = 0; d < moved.size(); ++d)
+      for (const auto& [point, value] : moved[d])
+        if (const auto row = row_of.find(point); row != row_of.end()) matrices[d](row->second, c) = value;
+  }
+  return MatrixFamily(std::move(matrices));
 }
 
 std::vector<LatticeSequence> differences_of_delta(std::size_t variables, int order) {

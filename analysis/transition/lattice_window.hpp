@@ -21,6 +21,9 @@ class LatticeWindow {
   /// takes more than `most_points` points. Cost: points * coefficients.
   LatticeWindow(const MultivariatePolynomial& symbol, const Dilation& dilation, const std::vector<LatticePoint>& start,
                 std::size_t most_points, std::optional<std::size_t> digit = std::nullopt);
+  /// All points that words reach from `start`, those of `start` among them.
+  static LatticeWindow closure(const MultivariatePolynomial& symbol, const Dilation& dilation,
+                               const std::vector<LatticePoint>& start, std::size_t most_points);
 
   const std::vector<LatticePoint>& points() const { return points_; }
   std::size_t size() const { return points_.size(); }
@@ -29,6 +32,8 @@ class LatticeWindow {
   std::size_t place(const LatticePoint& point) const;
 
  private:
+  LatticeWindow() = default;
+
   std::vector<LatticePoint> points_;  // in the order of std::map
   int steps_ = 0;
 };
@@ -36,6 +41,14 @@ class LatticeWindow {
 /// T_d v for every digit d. Cost: the length of v times the number of coefficients.
 std::vector<LatticeSequence> transitions(const MultivariatePolynomial& symbol, const Dilation& dilation,
                                          const LatticeSequence& v);
+
+/// T_d on all sequences on a window that they do not lead out of.
+MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilation& dilation,
+                               const LatticeWindow& window);
+
+/// T_d on the span of sequences, of which number c is 1 at pivots[c], where all others are 0. Domain: invariant.
+MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilation& dilation,
+                               const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots);
 
 /// The differences nabla^mu delta of total order |mu| = order.
 std::vector<LatticeSequence> differences_of_delta(std::size_t variables, int order);

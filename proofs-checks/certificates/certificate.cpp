@@ -178,30 +178,37 @@ Integer common_denominator(const std::vector<LatticeSequence>& sequences) {
   return common;
 }
 
-/// The vectors of the space, the pivots first, times their common denominator.
+/// The sequences times a factor; the point `first` leads, if it is one of them.
+std::string terms_text(const LatticeSequence& sequence, const Rational& factor, const LatticePoint& first = {}) {
+  std::string text;
+  const auto append = [&](const LatticePoint& point, const Rational& value) {
+    text += " " + point_text(point) + ":" + to_text(Rational(factor * value));
+  };
+  if (const auto at = sequence.find(first); at != sequence.end()) append(first, at->second);
+  for (const auto& [point, value] : sequence)
+    if (point != first) append(point, value);
+  return text + "\n";
+}
+
+/// The lines from the order of the differences to the vectors of the space, times their common denominator.
 std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
-  std::string text = "digits";
+  std::string text = fmt::format("{} {}\ndigits", space.is_of_values() ? "differences" : "sum-rules", space.order);
   for (const LatticePoint& digit : dilation.digits()) text += " " + point_text(digit);
-  text += fmt::format("\nspace {}\n", space.basis.size());
+  text += "\n";
+  if (space.is_of_values()) text += "values" + terms_text(space.values, common_denominator({space.values}));
+  text += fmt::format("space {}\n", space.basis.size());
   const Rational factor = common_denominator(space.basis);
-  for (std::size_t c = 0; c < space.basis.size(); ++c) {
-    const LatticePoint& pivot = space.window.points()[space.pivots[c]];
-    text += "vector " + point_text(pivot) + ":" + to_text(factor);
-    for (const auto& [point, value] : space.basis[c])
-      if (point != pivot) text += " " + point_text(point) + ":" + to_text(Rational(factor * value));
-    text += "\n";
-  }
+  for (std::size_t c = 0; c < space.basis.size(); ++c)
+    text += "vector" + terms_text(space.basis[c], factor, space.pivots[c]);
   return text;
 }
 
 /// One of each pair k, -k, times the common denominator.
 std::string gram_text(const LatticeSequence& gram) {
-  const Rational factor = common_denominator({gram});
-  std::string text = "gram";
+  LatticeSequence half;
   for (const auto& [point, value] : gram)
-    if (LatticePoint(point.size(), 0) - point <= point)
-      text += " " + point_text(point) + ":" + to_text(Rational(factor * value));
-  return text + "\n";
+    if (LatticePoint(point.size(), 0) - point <= point) half.emplace(point, value);
+  return "gram" + terms_text(half, common_denominator({half}));
 }
 
 }  // namespace
@@ -233,17 +240,19 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   const JointSpectralRadius& radius = *regularity.radius;
   const Dilation& dilation = mask.dilation();
   const Enclosure exponent = exponent_of_radius({radius.product.radius.lower, radius.proved_upper()}, dilation);
-  const Rational lower = exponent.lower.value_or(0);
+  const DifferenceSpace& space = *regularity.space;
+  const Rational lower = std::min(exponent.lower.value_or(0), Rational(space.order));
   require(lower > 0, "surface_certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(lower, 6, Rounding::nearest));
   Certificate certificate;
   certificate.claim.lower = outward(lower, Rounding::down);
-  if (regularity.stable.is_yes() && regularity.exponent.upper)
+  const bool tells_upper_end = space.is_of_values() || regularity.stable.is_yes();
+  if (tells_upper_end && exponent.upper && *exponent.upper < space.order)
     certificate.claim.upper = outward(*exponent.upper, Rounding::up);
-  certificate.text = fmt::format("subcert-certificate 3\nsurface {} {}\n{}sum-rules {}\n", to_mask_text(mask),
-                                 dilation.to_text(), bounds_text(certificate.claim), regularity.space->order) +
-                     space_text(*regularity.space, dilation);
-  if (certificate.claim.upper) certificate.text += gram_text(*regularity.gram);
+  certificate.text = fmt::format("subcert-certificate 3\nsurface {} {}\n{}", to_mask_text(mask), dilation.to_text(),
+                                 bounds_text(certificate.claim)) +
+                     space_text(space, dilation);
+  if (certificate.claim.upper && !space.is_of_values()) certificate.text += gram_text(*regularity.gram);
   certificate.text += blocks_text(radius);
   if (certificate.claim.upper) certificate.text += product_text(radius);
   certificate.text += SectionWriter(dilation.digits().size()).text(radius.proof) + "end\n";

@@ -55,11 +55,14 @@ class Checker {
   /// The transition matrices of the mask of the claim, and what is to be shown of them.
   Family read_scheme() {
     const Mask& mask = *claim_.mask;
-    const std::size_t sum_rules = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 500);
+    const bool of_values = claim_.dilation && reader_.at("differences");
+    const std::size_t sum_rules = parse_size(reader_.take(of_values ? "differences" : "sum-rules", 1, 1)[0], 1, 500);
     if (claim_.dilation) {
       show_exponent(classes(*claim_.dilation), 1, sum_rules);
+      require(!of_values || *claim_.lower <= mpz_class(sum_rules),
+              "the lower end is above the order of the differences");
       root_ = claim_.dilation->variables;
-      return read_surface(mask, *claim_.dilation, sum_rules, claim_.upper.has_value(), reader_, arithmetic_);
+      return read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper.has_value(), reader_, arithmetic_);
     }
     require(std::accumulate(mask.coefficients.begin(), mask.coefficients.end(), mpz_class(0)) ==
                 mask.denominator * claim_.arity,

@@ -7,6 +7,7 @@ namespace subcert_check {
 namespace {
 
 constexpr std::int64_t max_entry = 64, max_coordinate = 1'000'000'000;
+constexpr unsigned long prime = 4'294'967'291;  // 2^32 - 5
 constexpr std::size_t max_classes = 64, max_space = 256, max_order = 64, max_rounds = 64;
 
 /// A vector of a basis; the vectors after it, and in the basis of the space all others, are 0 at its pivot.
@@ -73,9 +74,9 @@ bool expands_isotropically(const Dilation& dilation) {
 /// A mask and a dilation with what the certificate says of them. Coordinates on the space are read off at the pivots.
 class Surface {
  public:
-  Surface(const Mask& mask, const Dilation& dilation, std::size_t sum_rules, Reader& reader, Arithmetic& arithmetic)
+  Surface(const Mask& mask, const Dilation& dilation, std::size_t order, Reader& reader, Arithmetic& arithmetic)
       : dilation_(dilation),
-        sum_rules_(sum_rules),
+        order_(order),
         denominator_(mask.denominator),
         reader_(reader),
         arithmetic_(arithmetic),
@@ -95,13 +96,28 @@ class Surface {
     }
   }
 
-  /// Sections 5.2 and 5.3.
-  Family family() {
+  /// Sections 5.2 and 5.3: the space of the differences of the scheme.
+  Family of_scheme() {
     read_digits();
-    check_sum_rules();
+    check_sum_rules(order_);
+    read_space();
+    for (const Row& row : space_)
+      for (const mpz_class& moment : moments(row.values, order_))
+        require(moment == 0, "a vector does not annihilate the polynomials of degree below the order of the sum rules");
+    Family result = restricted();
+    rounds_into_space(differences({{Point{}, 1}}));
+    return result;
+  }
+
+  /// Section 5.6: the space of the differences of phi. With `spanned` they are shown to span it.
+  Family of_values(bool spanned) {
+    read_digits();
+    check_sum_rules(1);
+    const std::set<Sequence> starts = differences(read_values());
     read_space();
     Family result = restricted();
-    check_differences();
+    const std::size_t rounds = rounds_into_space(starts);
+    if (spanned) check_spanned(starts, rounds);
     return result;
   }
 
@@ -192,9 +208,8 @@ class Surface {
 
   // ---- polynomials and differences
 
-  /// The sums of x_k k^nu for all |nu| < the order of the sum rules, one after another, beginning with nu = 0.
-  Vector moments(const Sequence& x) {
-    const std::size_t m = sum_rules_;
+  /// The sums of x_k k^nu for all |nu| < m, one after another, beginning with nu = 0.
+  Vector moments(const Sequence& x, std::size_t m) {
     Vector sums(m * (m + 1) * (m + 2) / 6);
     for (const auto& [point, value] : x) {
       arithmetic_.spend(sums.size() * (60 + m + mpz_size(value.get_mpz_t())));
@@ -211,18 +226,19 @@ class Surface {
     return sums;
   }
 
-  void check_sum_rules() {
+  void check_sum_rules(std::size_t order) {
     std::vector<Sequence> classes(digits_.size());
     for (const auto& [point, value] : mask_) entry(classes[digit_of_class_.at(class_of(point))], point) = value;
-    const Vector first = moments(classes[0]);
+    const Vector first = moments(classes[0], order);
     require(first[0] == denominator_, "a class of coefficients does not sum to 1");
-    for (const Sequence& one : classes) require(moments(one) == first, "the mask has no sum rules of this order");
+    for (const Sequence& one : classes)
+      require(moments(one, order) == first, "the mask has no sum rules of this order");
   }
 
-  /// All nabla^mu delta of the order of the sum rules.
-  std::set<Sequence> differences() {
-    std::set<Sequence> result{{{Point{}, 1}}};
-    for (std::size_t round = 0; round < sum_rules_; ++round) {
+  /// All nabla^mu start, |mu| = the order.
+  std::set<Sequence> differences(const Sequence& start) {
+    std::set<Sequence> result{start};
+    for (std::size_t round = 0; round < order_; ++round) {
       std::set<Sequence> next;
       for (const Sequence& x : result)
         for (std::size_t v = 0; v < dilation_.variables; ++v) {
@@ -230,7 +246,7 @@ class Surface {
           for (const auto& [point, value] : x) {
             Point moved = point;
             ++moved[v];
-            entry(difference, moved, 10) -= value;
+            entry(difference, moved, 10 + mpz_size(value.get_mpz_t())) -= value;
           }
           drop_zeros(difference);
           next.insert(difference);
@@ -255,7 +271,22 @@ class Surface {
     return images;
   }
 
-  /// Makes x zero at the pivots by subtracting multiples of the rows; x may be multiplied by a number.
+  /// A fixed vector of the operator of the first digit, of which the sum is not 0.
+  Sequence read_values() {
+    Sequence values, scaled;
+    mpz_class sum = 0;
+    for (const auto& [point, value] : read_terms("values")) {
+      set(values, point, value);
+      set(scaled, point, value * denominator_);
+      sum += value;
+    }
+    require(sum != 0, "the numbers of the values line have the sum 0");
+    require(transitions(values)[0] == scaled, "the values line is not fixed by the operator of the first digit");
+    return values;
+  }
+
+  /// Makes x zero at the pivots by subtracting multiples of the rows; x may be multiplied by a number. Once `modular_`
+  /// is set, modulo the prime.
   void reduce(Sequence& x, const std::vector<Row>& rows) {
     for (const Row& row : rows) {
       arithmetic_.spend(50);
@@ -268,6 +299,10 @@ class Surface {
         value *= scale;
       }
       for (const auto& [point, value] : row.values) add_product(x, point, value, factor);
+      if (modular_) {
+        reduce_modulo_prime(x);
+        continue;
+      }
       drop_zeros(x);
       mpz_class content = 0;
       for (const auto& [point, value] : x) {
@@ -276,6 +311,13 @@ class Surface {
       }
       for (auto& [point, value] : x) value /= content;
     }
+  }
+  void reduce_modulo_prime(Sequence& x) {
+    for (auto& [point, value] : x) {
+      arithmetic_.spend(20 + 20 * mpz_size(value.get_mpz_t()));
+      value = mpz_fdiv_ui(value.get_mpz_t(), prime);
+    }
+    drop_zeros(x);
   }
 
   void read_space() {
@@ -289,8 +331,6 @@ class Surface {
       factor_ = space_[0].values.at(space_[0].pivot);
       require(factor_ > 0, "the first coefficient of a vector must be positive");
       require(row.values.at(row.pivot) == factor_, "the first coefficients of two vectors differ");
-      for (const mpz_class& moment : moments(row.values))
-        require(moment == 0, "a vector does not annihilate the polynomials of degree below the order of the sum rules");
     }
     for (const Row& row : space_)
       for (const Row& other : space_)
@@ -327,26 +367,48 @@ class Surface {
     return result;
   }
 
-  /// All words of some length lead all nabla^mu delta into the space: modulo the space, their span shrinks to 0.
-  void check_differences() {
+  /// All words of the length that is returned lead the starts into the space: modulo the space, their span shrinks to
+  /// 0.
+  std::size_t rounds_into_space(const std::set<Sequence>& starts) {
     std::vector<Row> rest;
-    for (const Sequence& difference : differences()) add_independent(rest, difference);
-    for (std::size_t round = 0; !rest.empty(); ++round) {
-      require(round < max_rounds, "differences of delta are not led into the space");
+    const auto add = [this](std::vector<Row>& rows, Sequence x) {
+      reduce(x, space_);
+      add_independent(rows, std::move(x));
+    };
+    for (const Sequence& start : starts) add(rest, start);
+    std::size_t round = 0;
+    for (; !rest.empty(); ++round) {
+      require(round < max_rounds, "differences are not led into the space");
       std::vector<Row> next;
       for (const Row& row : rest)
-        for (const Sequence& image : transitions(row.values)) add_independent(next, image);
+        for (const Sequence& image : transitions(row.values)) add(next, image);
       rest = std::move(next);
     }
+    return round;
+  }
+  /// The words of at least this length span the space: they do modulo the prime.
+  void check_spanned(const std::set<Sequence>& starts, std::size_t length) {
+    modular_ = true;
+    std::vector<Row> rows;
+    for (const Sequence& start : starts) add_independent(rows, start);
+    for (std::size_t round = 0; round < length; ++round) {
+      std::vector<Row> next;
+      for (const Row& row : rows)
+        for (const Sequence& image : transitions(row.values)) add_independent(next, image);
+      rows = std::move(next);
+    }
+    for (std::size_t k = 0; k < rows.size() && rows.size() < space_.size(); ++k)
+      for (const Sequence& image : transitions(Sequence(rows[k].values))) add_independent(rows, image);
+    require(rows.size() == space_.size(), "the differences do not span the space");
   }
   void add_independent(std::vector<Row>& rows, Sequence x) {
-    reduce(x, space_);
+    if (modular_) reduce_modulo_prime(x);
     reduce(x, rows);
     if (!x.empty()) rows.push_back({x.begin()->first, std::move(x)});
   }
 
   const Dilation& dilation_;
-  std::size_t sum_rules_;
+  std::size_t order_;
   mpz_class denominator_;
   Reader& reader_;
   Arithmetic& arithmetic_;
@@ -356,7 +418,8 @@ class Surface {
   std::vector<Point> digits_;
   std::map<Point, std::size_t> digit_of_class_;
   std::vector<Row> space_;
-  mpz_class factor_;  // the first coefficient of all vectors
+  mpz_class factor_;      // the first coefficient of all vectors
+  bool modular_ = false;  // from then on sequences are known modulo the prime only
 };
 
 }  // namespace
@@ -375,12 +438,13 @@ Dilation parse_dilation(std::string_view text) {
   return dilation;
 }
 
-Family read_surface(const Mask& mask, const Dilation& dilation, std::size_t sum_rules, bool stability, Reader& reader,
-                    Arithmetic& arithmetic) {
-  require(sum_rules <= max_order, "more sum rules than the checker allows in several variables");
-  Surface surface(mask, dilation, sum_rules, reader, arithmetic);
-  Family family = surface.family();
-  if (stability || reader.at("gram")) surface.check_stability();
+Family read_surface(const Mask& mask, const Dilation& dilation, std::size_t order, bool of_values, bool upper,
+                    Reader& reader, Arithmetic& arithmetic) {
+  require(order <= max_order, "a higher order than the checker allows in several variables");
+  Surface surface(mask, dilation, order, reader, arithmetic);
+  if (of_values) return surface.of_values(upper);
+  Family family = surface.of_scheme();
+  if (upper || reader.at("gram")) surface.check_stability();
   return family;
 }
 

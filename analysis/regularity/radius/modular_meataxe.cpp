@@ -4,11 +4,20 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
 namespace subcert::radius {
 namespace {
 
 constexpr ulong prime = 2'305'843'009'213'693'951;  // 2^61 - 1
+
+constexpr long largest_part = 1L << 29;  // of the fractions that are recognised modulo the prime
+
+nmod_t prime_field() {
+  nmod_t mod;
+  nmod_init(&mod, prime);
+  return mod;
+}
 
 std::optional<ulong> modulo_prime(const Rational& value) {
   const Integer modulus(prime);
@@ -17,9 +26,7 @@ std::optional<ulong> modulo_prime(const Rational& value) {
   Integer num = numerator(value) % modulus;
   if (num < 0) num += modulus;
   const auto d = den.convert_to<unsigned long>(), n = num.convert_to<unsigned long>();
-  nmod_t mod;
-  nmod_init(&mod, prime);
-  return nmod_div(n, d, mod);
+  return nmod_div(n, d, prime_field());
 }
 
 ModMatrix evaluate(const AlgebraElement& element, const ModFamily& family) {
@@ -157,29 +164,82 @@ ModFamily transposed(const ModFamily& family) {
   return result;
 }
 
+std::optional<Rational> small_fraction(ulong value) {
+  Integer a(prime), b(value), x = 0, y = 1;
+  while (b > largest_part) {
+    const Integer q = a / b;
+    std::tie(a, b) = std::pair(b, Integer(a - q * b));
+    std::tie(x, y) = std::pair(y, Integer(x - q * y));
+  }
+  if (y == 0 || abs(y) > largest_part) return std::nullopt;
+  return Rational(b) / Rational(y);
+}
+
+bool ModSpace::add(ModVector vector) {
+  const nmod_t mod = prime_field();
+  for (std::size_t k = 0; k < rows_.size(); ++k)
+    if (const ulong factor = vector[pivots_[k]]; factor != 0)
+      for (std::size_t i = pivots_[k]; i < vector.size(); ++i)
+        vector[i] = nmod_sub(vector[i], nmod_mul(factor, rows_[k][i], mod), mod);
+  const auto pivot = std::find_if(vector.begin(), vector.end(), [](ulong x) { return x != 0; });
+  if (pivot == vector.end()) return false;
+  pivots_.push_back(static_cast<std::size_t>(pivot - vector.begin()));
+  const ulong inverse = nmod_inv(*pivot, mod);
+  for (ulong& x : vector) x = nmod_mul(x, inverse, mod);
+  rows_.push_back(std::move(vector));
+  return true;
+}
+
+std::optional<Subspace> ModSpace::recognised() const {
+  if (rows_.empty()) return Subspace();
+  ModMatrix echelon(rows_.size(), rows_.front().size());
+  for (std::size_t i = 0; i < echelon.rows(); ++i)
+    for (std::size_t j = 0; j < echelon.columns(); ++j) echelon(i, j) = rows_[i][j];
+  nmod_mat_rref(echelon.get());
+  Subspace result(echelon.rows(), Vector(echelon.columns()));
+  for (std::size_t i = 0; i < echelon.rows(); ++i)
+    for (std::size_t j = 0; j < echelon.columns(); ++j) {
+      const auto value = small_fraction(echelon(i, j));
+      if (!value) return std::nullopt;
+      result[i][j] = *value;
+    }
+  return result;
+}
+
+ModSpace span_of_words(const ModFamily& family, const std::vector<ModVector>& starts) {
+  ModSpace space;
+  std::vector<ModVector> fresh = starts;
+  while (!fresh.empty()) {
+    const ModVector vector = std::move(fresh.back());
+    fresh.pop_back();
+    if (!space.add(vector)) continue;
+    for (const ModMatrix& matrix : family) fresh.push_back(matrix * vector);
+  }
+  return space;
+}
+
+ModSpace reached_by_long_words(const ModFamily& family, ModSpace space) {
+  for (;;) {
+    ModSpace next;
+    for (const ModVector& row : space.rows())
+      for (const ModMatrix& matrix : family) next.add(matrix * row);
+    if (next.size() == space.size()) return space;
+    space = std::move(next);
+  }
+}
+
 std::vector<SpinStep> spin(const ModFamily& family, const ModVector& start) {
-  const std::size_t n = start.size();
-  const nmod_t mod = family.front().modulus();
-  std::vector<ModVector> basis, echelon;
-  std::vector<std::size_t> pivots;
+  ModSpace space;
+  std::vector<ModVector> basis;
   std::vector<SpinStep> steps;
-  const auto add = [&](const ModVector& vector, const SpinStep& step) {
-    ModVector rest = vector;
-    for (std::size_t k = 0; k < echelon.size(); ++k)
-      if (const ulong factor = rest[pivots[k]]; factor != 0)
-        for (std::size_t i = 0; i < n; ++i) rest[i] = nmod_sub(rest[i], nmod_mul(factor, echelon[k][i], mod), mod);
-    const auto pivot = std::find_if(rest.begin(), rest.end(), [](ulong x) { return x != 0; });
-    if (pivot == rest.end()) return;
-    pivots.push_back(static_cast<std::size_t>(pivot - rest.begin()));
-    const ulong inverse = nmod_inv(*pivot, mod);
-    for (ulong& x : rest) x = nmod_mul(x, inverse, mod);
-    echelon.push_back(std::move(rest));
-    basis.push_back(vector);
+  const auto add = [&](ModVector vector, const SpinStep& step) {
+    if (!space.add(vector)) return;
+    basis.push_back(std::move(vector));
     steps.push_back(step);
   };
   add(start, {0, 0});
-  for (std::size_t k = 0; k < basis.size() && basis.size() < n; ++k)
-    for (std::size_t t = 0; t < family.size() && basis.size() < n; ++t) add(family[t] * basis[k], {k, t});
+  for (std::size_t k = 0; k < basis.size() && basis.size() < start.size(); ++k)
+    for (std::size_t t = 0; t < family.size() && basis.size() < start.size(); ++t) add(family[t] * basis[k], {k, t});
   return steps;
 }
 

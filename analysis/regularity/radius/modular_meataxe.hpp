@@ -1,6 +1,8 @@
 #pragma once
 /// Invariant subspaces of matrices modulo a prime: spinning and Norton's criterion. Inner header.
 
+#include "subspace.hpp"
+
 #include <subcert/analysis/symbol/matrix_family.hpp>
 
 #include <flint/nmod_mat.h>
@@ -45,6 +47,30 @@ std::optional<ModFamily> modulo_prime(const MatrixFamily& family);
 /// Domain: an integer vector.
 ModVector modulo_prime(const std::vector<Integer>& vector);
 ModFamily transposed(const ModFamily& family);
+
+/// The fraction with small parts that a number modulo the prime stands for, if there is one.
+std::optional<Rational> small_fraction(ulong value);
+
+/// A space of vectors modulo the prime. Canonical: echelon form.
+class ModSpace {
+ public:
+  std::size_t size() const { return rows_.size(); }
+  const std::vector<ModVector>& rows() const { return rows_; }
+  /// Whether the vector was not in the space, which then grows.
+  bool add(ModVector vector);
+  /// The space over the rationals whose reduced echelon basis is that of this one modulo the prime; nothing where its
+  /// numbers are not recognised.
+  std::optional<Subspace> recognised() const;
+
+ private:
+  std::vector<ModVector> rows_;
+  std::vector<std::size_t> pivots_;
+};
+
+/// The smallest invariant subspace that holds the vectors.
+ModSpace span_of_words(const ModFamily& family, const std::vector<ModVector>& starts);
+/// The part of an invariant subspace that words of every length reach.
+ModSpace reached_by_long_words(const ModFamily& family, ModSpace space);
 
 /// How a vector of a spun basis arises from an earlier one; the first is the start.
 struct SpinStep {

@@ -12,7 +12,6 @@ namespace {
 using Letters = std::vector<std::size_t>;
 
 constexpr std::size_t most_permutations = 200, most_elements = 48;
-constexpr long largest_part = 1L << 29;  // of the fractions that are recognised modulo the prime
 
 Letters in_order(std::size_t count) {
   Letters result(count);
@@ -56,18 +55,6 @@ std::vector<Letters> candidate_permutations(const std::vector<ModVector>& first,
   };
   extend(extend);
   return result;
-}
-
-/// The fraction with small parts that a number modulo the prime stands for, by the extended Euclidean algorithm.
-std::optional<Rational> small_fraction(ulong value, ulong prime) {
-  Integer a(prime), b(value), x = 0, y = 1;
-  while (b > largest_part) {
-    const Integer q = a / b;
-    std::tie(a, b) = std::pair(b, Integer(a - q * b));
-    std::tie(x, y) = std::pair(y, Integer(x - q * y));
-  }
-  if (y == 0 || abs(y) > largest_part) return std::nullopt;
-  return Rational(b) / Rational(y);
 }
 
 /// All the similarities of one family to others.
@@ -138,7 +125,7 @@ class SimilaritySearch {
       for (std::size_t j = 0; j < matrix.columns(); ++j) {
         if (matrix(i, j) == 0) continue;
         if (factor == 0) factor = nmod_inv(matrix(i, j), mod);
-        const auto value = small_fraction(nmod_mul(matrix(i, j), factor, mod), mod.n);
+        const auto value = small_fraction(nmod_mul(matrix(i, j), factor, mod));
         if (!value) return std::nullopt;
         result(i, j) = *value;
       }

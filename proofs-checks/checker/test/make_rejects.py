@@ -219,7 +219,7 @@ surface("surface-digits-far", "hat-by-hand", "a coordinate is too large", replac
 surface("surface-digits-dimension", "three-direction", "another number of coordinates", replace("^digits 0,0", "digits 0"))
 # the sum rules
 surface("surface-sum-rules", "three-direction", "no sum rules of this order", replace("^sum-rules 2", "sum-rules 3"))
-surface("surface-many-sum-rules", "three-direction", "more sum rules than the checker allows", replace("^sum-rules 2", "sum-rules 65"))
+surface("surface-many-sum-rules", "three-direction", "a higher order than the checker allows", replace("^sum-rules 2", "sum-rules 65"))
 surface("surface-class-sums", "hat-by-hand", "does not sum to 1", replace("/2@-1", "/3@-1"), surface="[1,2,1]/3@-1")
 surface("surface-haar", "hat-by-hand", "no sum rules of this order", replace("\\[1,2,1\\]/2@-1", "[1,1]@0"), surface="[1,1]@0")
 surface("surface-first-differences", "hat-by-hand", "proves no exponent below", lambda lines: [
@@ -260,6 +260,19 @@ surface("surface-gram-sign", "hat-by-hand", "no positive sum", replace("^gram .*
 surface("surface-gram-other", "hat-by-hand", "not a fixed point", replace("^gram .*", "gram 0:5 1:1"))
 surface("surface-gram-twice", "hat-by-hand", "occurs twice", replace("^gram .*", "gram 0:4 1:1 -1:1"))
 surface("surface-gram-far", "hat-by-hand", "not a fixed point", replace("^gram .*", "gram 0:4 1:1 1000000:1"))
+# the differences of phi
+surface("values-sum", "trapezoid-by-hand", "have the sum 0", replace("^values .*", "values 1:1 2:-1"))
+surface("values-other", "trapezoid-by-hand", "not fixed", replace("^values .*", "values 1:1 2:2 3:1"))
+surface("values-missing", "trapezoid-by-hand", "expected 'values'", drop("values"))
+surface("values-scheme", "trapezoid-by-hand", "no sum rules of this order", replace("^differences", "sum-rules"), lower="1/2")
+surface("values-gram", "trapezoid-by-hand", "expected 'product'", replace("^(vector .*)", "\\1\ngram 0:1"))
+surface("values-of-curves", "four-point", "expected 'sum-rules'", replace("^sum-rules", "differences"))
+surface("values-order", "trapezoid-by-hand", "not led into the space", replace("^differences 2", "differences 1"))
+surface("values-above-order", "trapezoid-by-hand", "above the order", lower="3", upper=None)
+surface("values-larger-space", "trapezoid-by-hand", "do not span the space", replace(
+    "^space 1\nvector .*", "space 5\nvector 0:1\nvector 1:1\nvector 2:1\nvector 3:1\nvector 4:1"))
+surface("values-smaller-space", "trapezoid-by-hand", "out of the space", replace("^vector .*", "vector 0:1 1:-1"))
+surface("values-class-sums", "trapezoid-by-hand", "does not sum to 1", replace("/2@0", "/3@0"), surface="[1,1,0,1,1]/3@0")
 # The hat function of three times the width: the scheme diverges, and the transfer operator has two fixed points, the one
 # with the inner products of the shifts, whose sum has zeros at 2 pi/3, and a positive one. The lower end cannot be proved.
 for name, gram, reason in [("cyclic-zeros", "0:108 1:93 2:60 3:27 4:8 5:1", "not shown to be positive"),

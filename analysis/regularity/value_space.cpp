@@ -1,0 +1,122 @@
+#include "value_space.hpp"
+
+#include "radius/modular_meataxe.hpp"
+
+#include <subcert/analysis/limit/multivariate_limit_values.hpp>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+/// Sequences in echelon form: each is 1 at a point, its pivot, where those after it are 0.
+class SequenceSpace {
+ public:
+  /// x without its part in the space.
+  LatticeSequence reduced(LatticeSequence x) const {
+    for (const auto& [pivot, row] : rows_) {
+      const auto at = x.find(pivot);
+      if (at == x.end()) continue;
+      const Rational factor = at->second;
+      for (const auto& [point, value] : row) x[point] -= factor * value;
+      std::erase_if(x, [](const auto& entry) { return entry.second == 0; });
+    }
+    return x;
+  }
+  bool holds(const LatticeSequence& x) const { return reduced(x).empty(); }
+  /// Adds a sequence that is reduced and not 0.
+  void add(LatticeSequence x) {
+    const LatticePoint pivot = x.begin()->first;
+    const Rational factor = x.begin()->second;
+    for (auto& [point, value] : x) value /= factor;
+    rows_.emplace_back(pivot, std::move(x));
+  }
+  bool is_empty() const { return rows_.empty(); }
+  const std::vector<std::pair<LatticePoint, LatticeSequence>>& rows() const { return rows_; }
+
+ private:
+  std::vector<std::pair<LatticePoint, LatticeSequence>> rows_;
+};
+
+LatticeSequence convolution(const LatticeSequence& a, const LatticeSequence& b) {
+  LatticeSequence result;
+  for (const auto& [i, x] : a)
+    for (const auto& [k, y] : b) result[i + k] += x * y;
+  std::erase_if(result, [](const auto& entry) { return entry.second == 0; });
+  return result;
+}
+
+/// The span of the words modulo the prime, recognised over the rationals.
+std::optional<SequenceSpace> recognised_space(const MultivariateMask& mask, const std::vector<LatticeSequence>& starts,
+                                              const std::vector<LatticePoint>& support, std::size_t most_points) {
+  const auto closure = LatticeWindow::closure(mask.symbol(), mask.dilation(), support, most_points);
+  const auto family = radius::modulo_prime(transition_family(mask.symbol(), mask.dilation(), closure));
+  if (!family) return std::nullopt;
+  std::vector<radius::ModVector> vectors;
+  for (const LatticeSequence& start : starts) {
+    radius::Vector entries(closure.size());
+    for (const auto& [point, value] : start) entries[closure.place(point)] = value;
+    vectors.push_back(radius::modulo_prime(radius::primitive(entries)));
+  }
+  const auto space = reached_by_long_words(*family, span_of_words(*family, vectors)).recognised();
+  if (!space) return std::nullopt;
+  SequenceSpace result;
+  for (const radius::Vector& row : *space) {
+    LatticeSequence sequence;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      if (row[k] != 0) sequence.emplace(closure.points()[k], row[k]);
+    result.add(std::move(sequence));
+  }
+  return result;
+}
+
+/// Whether all words of some length lead the sequences into the space, which is invariant.
+bool leads_into(const MultivariateMask& mask, const SequenceSpace& space, const std::vector<LatticeSequence>& starts) {
+  constexpr int most_rounds = 64;
+  const auto add_rest = [&space](SequenceSpace& rest, const LatticeSequence& x) {
+    LatticeSequence reduced = rest.reduced(space.reduced(x));
+    if (!reduced.empty()) rest.add(std::move(reduced));
+  };
+  SequenceSpace rest;
+  for (const LatticeSequence& start : starts) add_rest(rest, start);
+  for (int round = 0; !rest.is_empty() && round < most_rounds; ++round) {
+    SequenceSpace next;
+    for (const auto& [pivot, row] : rest.rows())
+      for (const LatticeSequence& image : transitions(mask.symbol(), mask.dilation(), row)) add_rest(next, image);
+    rest = std::move(next);
+  }
+  return rest.is_empty();
+}
+
+}  // namespace
+
+std::optional<DifferenceSpace> value_space(const MultivariateMask& mask, int order, std::size_t most_points) {
+  const Dilation& dilation = mask.dilation();
+  if (dilation.digits().front() != LatticePoint(dilation.variables(), 0)) return std::nullopt;
+  LatticeSequence values = limit_values(mask, 0);
+  std::vector<LatticeSequence> starts;
+  std::vector<LatticePoint> support;
+  for (const LatticeSequence& difference : differences_of_delta(dilation.variables(), order)) {
+    starts.push_back(convolution(difference, values));
+    for (const auto& [point, value] : starts.back()) support.push_back(point);
+  }
+  const auto space = recognised_space(mask, starts, support, most_points);
+  if (!space || space->is_empty() || !leads_into(mask, *space, starts)) return std::nullopt;
+  std::vector<LatticeSequence> basis;
+  std::vector<LatticePoint> pivots;
+  for (const auto& [pivot, row] : space->rows()) {
+    for (const LatticeSequence& image : transitions(mask.symbol(), dilation, row))
+      if (!space->holds(image)) return std::nullopt;
+    pivots.push_back(pivot);
+    basis.push_back(row);
+  }
+  MatrixFamily family = transition_family(mask.symbol(), dilation, basis, pivots);
+  return DifferenceSpace{order,
+                         LatticeWindow(mask.symbol(), dilation, support, most_points),
+                         std::move(basis),
+                         std::move(pivots),
+                         std::move(family),
+                         std::move(values)};
+}
+
+}  // namespace subcert

@@ -1,0 +1,16 @@
+#pragma once
+/// The differences of the limit function itself, which tell its exponent whether its shifts are stable or not.
+
+#include <subcert/analysis/difference/difference_space.hpp>
+
+namespace subcert {
+
+/// The space of the sequences T_w nabla^mu v, v_k = phi(k), for |mu| = order and all long words w: differences of the
+/// values of phi on lattices that get finer. The exponent of phi is -log JSR(family) to the base |det M|^(1/s) where
+/// that is below `order`, and at least `order` otherwise. Nothing where the numbers of the space are not recognised
+/// modulo a prime, or where 0 is not a digit. Domain: coset sums 1, isotropic dilation, order >= 1. Errors: throws
+/// Error where the refinement equation has no unique solution on lattice points, or on more than `most_points` of them.
+/// Cost: eliminations modulo a prime, and exact ones of what differs from the space. Proof: docs/surfaces.md.
+std::optional<DifferenceSpace> value_space(const MultivariateMask& mask, int order, std::size_t most_points = 1024);
+
+}  // namespace subcert

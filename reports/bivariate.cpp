@@ -37,11 +37,10 @@ formats::Comparison compare_published(const statements::PublishedCell& cell, con
   // What was open may be decided by another part of the program.
   const bool decided = cell.recorded == Verdict::open && verdict == Verdict::match;
   std::string note;
-  if (verdict == Verdict::open && regularity.stable.is_no())
-    note = "only a lower end is proved, as the shifts are unstable: " + regularity.stable.reason;
-  else if (verdict == Verdict::open && exponent.is_bounded())
-    note = fmt::format("enclosed with a width of {}, which does not decide",
-                       to_decimal(*exponent.upper - *exponent.lower, 2, Rounding::up));
+  if (verdict == Verdict::open)
+    note = exponent.is_bounded() ? fmt::format("enclosed with a width of {}, which does not decide",
+                                               to_decimal(*exponent.upper - *exponent.lower, 2, Rounding::up))
+                                 : "not enclosed from both sides; stable shifts: " + regularity.stable.reason;
   else if (verdict == Verdict::mismatch && regularity.radius)
     note = fmt::format("the product {} of the transition operators has the radius {}",
                        fmt::join(regularity.radius->product.word, ""),

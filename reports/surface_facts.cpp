@@ -14,6 +14,7 @@ namespace subcert::reports {
 namespace {
 
 constexpr int most_places = 8;
+constexpr long most_unstable = 100;       // coefficients: beyond, the Sobolev exponent takes 20 s and more
 constexpr double longest_stability = 60;  // seconds; all that are listed need less than 3
 
 /// As many that a unit of the last is at least the width; one for a bound alone.
@@ -39,18 +40,21 @@ std::string support_text(const std::vector<Interval>& support) {
   return fmt::format("{}", fmt::join(sides, " x "));
 }
 
-/// H^r lies in the Hoelder space of exponent r - s/2 in s variables, and where the shifts are stable no exponent is
-/// above r (docs/surfaces.md, section 4).
+/// The Sobolev exponent r, and the Hoelder exponent between r - s/2 and r (docs/surfaces.md, section 5). Where the
+/// shifts are not stable and the mask is large, a lower end of r.
 MultivariateRegularity sobolev_alone(const MultivariateMask& mask) {
   MultivariateRegularity result;
   result.exact = {Truth::unknown, "not searched"};
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
   result.converges = converges(mask);
-  const auto sobolev = result.sum_rules > 0 ? sobolev_regularity(mask, result.sum_rules) : std::nullopt;
-  if (!result.converges.is_yes() || !sobolev) return result;
-  result.gram = gram_function(mask);
-  if (result.gram) result.stable = has_stable_shifts(*result.gram, Deadline::in(longest_stability));
-  result.sobolev = result.stable.is_yes() ? sobolev->exponent : Enclosure::at_least(*sobolev->exponent.lower);
+  if (result.converges.is_yes()) result.gram = gram_function(mask);
+  if (!result.gram) return result;
+  result.stable = has_stable_shifts(*result.gram, Deadline::in(longest_stability));
+  const bool stable = result.stable.is_yes(), exact = stable || mask.symbol().count() <= most_unstable;
+  const auto sobolev = stable || !exact ? sobolev_regularity(mask, result.sum_rules)
+                                        : sobolev_regularity(mask, *result.gram);
+  if (!sobolev) return result;
+  result.sobolev = exact ? sobolev->exponent : Enclosure::at_least(*sobolev->exponent.lower);
   const Rational lower = *sobolev->exponent.lower - Rational(mask.dimension(), 2);
   result.exponent = {std::max(Rational(0), lower), result.sobolev->upper};
   return result;

@@ -48,7 +48,7 @@ std::string fixed_text(const Enclosure& enclosure, int places) {
     if (enclosure.upper) return "<= " + to_fixed(*enclosure.upper, places, Rounding::up);
     return "?";
   }
-  const std::string low = to_fixed(*enclosure.lower, places, Rounding::nearest);
+  std::string low = to_fixed(*enclosure.lower, places, Rounding::nearest);
   const std::string high = to_fixed(*enclosure.upper, places, Rounding::nearest);
   if (low == high) return low;
   return to_fixed(*enclosure.lower, places, Rounding::down) + " ... " +

@@ -23,6 +23,7 @@ namespace {
 struct ReproduceOptions : CommonOptions {
   std::vector<std::string> papers;
   std::vector<std::string> only;
+  std::optional<double> budget;
 };
 
 void require_known(const ReproduceOptions& options, const std::vector<std::string>& papers) {
@@ -59,7 +60,7 @@ bool wants_colours() {
 
 ExitCode run(ReproduceOptions& options) {
   const Stopwatch stopwatch;
-  const auto papers = options.papers.empty() ? reports::reproducible_papers() : options.papers;
+  const auto papers = options.papers.empty() ? reports::default_papers() : options.papers;
   require_known(options, papers);
   reports::Findings findings;
   std::mutex terminal;
@@ -69,6 +70,7 @@ ExitCode run(ReproduceOptions& options) {
                                           options.progress(line);
                                         },
                                         options.seed};
+  report_options.budget = options.budget;
   for (const std::string& paper : papers) findings.reports.push_back(reports::make_report(paper, report_options));
   if (!options.out.empty()) {
     if (options.papers.empty() && options.only.empty()) findings.statements = write_errata(options);
@@ -94,9 +96,13 @@ void add_reproduce(Command& app) {
   Command command = add_command(
       app, "reproduce", "Recomputes tables, figures and experiments of papers beside what they print",
       "subcert reproduce dyn-2015 --only table1,table2 --out out", options, [=] { return run(*options); });
-  command.option("PAPER", options->papers,
-                 fmt::format("Papers: {} (default: all)", fmt::join(reports::reproducible_papers(), ", ")));
+  command.option(
+      "PAPER", options->papers,
+      fmt::format("Papers and collections: {} (default: all but {})", fmt::join(reports::reproducible_papers(), ", "),
+                  fmt::join(statements::collection_keys(), ", ")));
   command.option("--only", options->only, "Items, separated by commas").separated_by_commas();
+  command.option("--budget", options->budget, "Seconds for the exponent of each surface (default: those of the page)")
+      .within(0.001, 1e6);
   command.existing("--out").describe("Folder for index.html, tables and figures");
 }
 

@@ -121,7 +121,7 @@ std::string paper_lines(const Findings& findings, const Report& report, bool col
                                   claims_of(report).text("claims", "confirmed")};
   std::erase(counts, "");
   return coloured(wrapped(short_citation(report.citation), "  "), "1", colours) +
-         wrapped(fmt::format("{}", fmt::join(counts, ", ")), "    ");
+         (counts.empty() ? "" : wrapped(fmt::format("{}", fmt::join(counts, ", ")), "    "));
 }
 
 std::string table_line(const formats::ComparisonTable& table) {
@@ -130,6 +130,42 @@ std::string table_line(const formats::ComparisonTable& table) {
                      table.count(Verdict::match), table.count(Verdict::mismatch), table.count(Verdict::open),
                      not_reproducible ? fmt::format(", {} not reproducible", not_reproducible) : "",
                      table.as_recorded() ? "" : "   NOT AS RECORDED");
+}
+
+/// The rows in columns, left aligned.
+std::string columns_text(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()), 0);
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("  {:<{}}", row[i], widths[i]);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text + "\n";
+}
+
+/// Every table of the report, whole.
+std::string tables_text(const Report& report) {
+  std::string text;
+  for (const formats::Section& section : report.sections) {
+    for (const formats::ComparisonTable& table : section.comparisons) {
+      std::vector<std::vector<std::string>> rows{{"scheme", "", "published", "proved", "stable", "verdict", "source"}};
+      for (const formats::Comparison& c : table.comparisons)
+        rows.push_back({c.row, c.column, c.printed, c.computed_text(), c.stable, verdict_text(c.verdict, c.recorded),
+                        c.source_key()});
+      text += columns_text(rows);
+    }
+    for (const formats::PlainTable& table : section.tables) {
+      std::vector<std::vector<std::string>> rows{table.head};
+      rows.insert(rows.end(), table.rows.begin(), table.rows.end());
+      text += table.title + "\n\n" + columns_text(rows);
+    }
+  }
+  return text;
 }
 
 std::string experiment_line(const experiments::RanExperiment& ran) {
@@ -189,6 +225,7 @@ std::string full_list(const Findings& findings) {
   std::string text;
   for (const Report& report : findings.reports) {
     text += report.citation + "\n\n";
+    if (report.listed) text += tables_text(report);
     for (const formats::ComparisonTable* table : report.comparison_tables()) text += table_line(*table);
     for (const experiments::RanExperiment& ran : report.experiments) text += experiment_line(ran);
     if (const Score score = statements_of(findings, report.paper); score.all() > 0)

@@ -1,7 +1,9 @@
 #include "report.hpp"
 
+#include "bivariate.hpp"
 #include "dyn_2015.hpp"
 #include "formats/html.hpp"
+#include "least_squares_surfaces.hpp"
 #include "paper_experiments.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
@@ -13,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace subcert::reports {
 namespace {
@@ -29,15 +32,17 @@ Json computed_json(const formats::Computed& computed) {
 }
 
 Json comparison_json(const formats::ComparisonTable& table, const formats::Comparison& comparison) {
-  return {{"paper", table.paper},
-          {"table", table.id},
-          {"cell", comparison.cell()},
-          {"scheme", comparison.scheme},
-          {"printed", comparison.printed},
-          {"computed", computed_json(comparison.computed)},
-          {"verdict", to_text(comparison.verdict)},
-          {"recorded", to_text(comparison.recorded)},
-          {"note", comparison.note}};
+  Json json{{"paper", table.paper},
+            {"table", table.id},
+            {"cell", comparison.cell()},
+            {"scheme", comparison.scheme},
+            {"printed", comparison.printed},
+            {"computed", computed_json(comparison.computed)},
+            {"verdict", to_text(comparison.verdict)},
+            {"recorded", to_text(comparison.recorded)},
+            {"note", comparison.note}};
+  if (!comparison.source.empty()) json.update({{"stable", comparison.stable}, {"source", comparison.source}});
+  return json;
 }
 
 std::string escaped(const std::string& text, const std::string& special, const std::string& prefix) {
@@ -81,6 +86,11 @@ std::vector<std::vector<std::string>> rows_of(const formats::ComparisonTable& ta
   std::vector<std::vector<std::string>> rows{{"cell", "scheme", "printed", "computed", "verdict", "note"}};
   for (const formats::Comparison& c : table.comparisons)
     rows.push_back({c.cell(), c.scheme, c.printed, c.computed_text(), to_text(c.verdict), c.note});
+  if (!table.is_gathered()) return rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].push_back(i == 0 ? "stable" : table.comparisons[i - 1].stable);
+    rows[i].push_back(i == 0 ? "source" : table.comparisons[i - 1].source);
+  }
   return rows;
 }
 
@@ -88,6 +98,10 @@ std::vector<std::vector<std::string>> rows_of(const formats::PlainTable& table) 
   std::vector<std::vector<std::string>> rows{table.head};
   rows.insert(rows.end(), table.rows.begin(), table.rows.end());
   return rows;
+}
+
+Json table_json(const Report& report, const formats::PlainTable& table) {
+  return {{"paper", report.paper}, {"table", table.id}, {"rows", rows_of(table)}};
 }
 
 template <class Value, class Get>
@@ -123,12 +137,18 @@ std::string grid_html(const formats::ComparisonTable& table) {
 }
 
 std::string list_html(const formats::ComparisonTable& table) {
-  std::string result = "<tr><th></th><th class=left>printed</th><th class=left>computed</th><th>verdict</th></tr>\n";
+  const bool gathered = table.is_gathered();
+  std::string result = fmt::format(
+      "<tr><th></th><th class=left>printed</th><th class=left>computed</th>{}<th>verdict</th>{}</tr>\n",
+      gathered ? "<th>stable</th>" : "", gathered ? "<th class=text>source</th>" : "");
   for (const formats::Comparison& c : table.comparisons)
     result += fmt::format(
-        "<tr><th>{}</th><td class=wide>{}</td><td class=wide>{}</td><td class=\"{}\"><span class=verdict>{}</span>"
-        "</td></tr>\n",
-        html(c.column), html(c.printed), html(c.computed_text()), to_text(c.verdict), to_text(c.verdict));
+        "<tr><th title=\"{}\">{}</th><td class=wide>{}</td><td class=wide>{}</td>{}<td class=\"{}\"><span "
+        "class=verdict>{}"
+        "</span></td>{}</tr>\n",
+        html(c.scheme), html(gathered ? c.cell() : c.column), html(c.printed), html(c.computed_text()),
+        gathered ? "<td>" + c.stable + "</td>" : "", to_text(c.verdict), to_text(c.verdict),
+        gathered ? "<td class=text>" + html(c.source) + "</td>" : "");
   return result;
 }
 
@@ -254,6 +274,22 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
   return formats::html_page("subcert: printed values, recomputed", body);
 }
 
+/// What holds more than experiments.
+struct SpecialReport {
+  const std::vector<std::string>& (*items)();
+  Report (*make)(const ReportOptions&);
+};
+
+const SpecialReport* special_report(const std::string& paper) {
+  static const std::map<std::string, SpecialReport> all{
+      {"dyn-2015", {dyn_2015_items, report_dyn_2015}},
+      {"surfaces", {least_squares_surface_items, report_least_squares_surfaces}},
+      {"bivariate", {bivariate_items, report_bivariate}},
+  };
+  const auto found = all.find(paper);
+  return found == all.end() ? nullptr : &found->second;
+}
+
 }  // namespace
 
 std::vector<const formats::ComparisonTable*> Report::comparison_tables() const {
@@ -271,10 +307,20 @@ bool Report::as_recorded() const {
                      [](const experiments::RanExperiment& e) { return e.result.as_recorded(); });
 }
 
-std::vector<std::string> reproducible_papers() { return statements::paper_keys(); }
+std::vector<std::string> default_papers() {
+  std::vector<std::string> result = statements::paper_keys();
+  result.push_back("surfaces");
+  return result;
+}
+
+std::vector<std::string> reproducible_papers() {
+  std::vector<std::string> result = default_papers();
+  result.insert(result.end(), statements::collection_keys().begin(), statements::collection_keys().end());
+  return result;
+}
 
 std::vector<std::string> report_items(const std::string& paper) {
-  if (paper == "dyn-2015") return dyn_2015_items();
+  if (const SpecialReport* special = special_report(paper)) return special->items();
   const auto papers = reproducible_papers();
   if (std::find(papers.begin(), papers.end(), paper) != papers.end()) return experiment_ids(paper);
   fail(ErrorKind::domain, "unknown paper '{}'", paper);
@@ -284,7 +330,7 @@ Report make_report(const std::string& paper, const ReportOptions& options) {
   const auto items = report_items(paper);
   for (const std::string& item : options.only)
     require(std::find(items.begin(), items.end(), item) != items.end(), "unknown item '{}' of {}", item, paper);
-  if (paper == "dyn-2015") return report_dyn_2015(options);
+  if (const SpecialReport* special = special_report(paper)) return special->make(options);
   Report report{paper, statements::citation(paper), {}};
   add_experiments(report, options);
   return report;
@@ -302,14 +348,18 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
       runtime::write_file(inside / (table->id + ".json"), json.dump(2) + "\n");
       runtime::write_file(inside / (table->id + ".csv"), csv(rows_of(*table)));
       auto rows = rows_of(*table);
-      for (auto& row : rows) row.erase(row.begin() + 5), row.erase(row.begin() + 1);  // too wide for a page
+      for (auto& row : rows) {  // the rest is too wide for a page
+        row.erase(row.begin() + 5);
+        row.erase(row.begin() + 1);
+        if (const auto end = row.back().find(']'); table->is_gathered() && end != std::string::npos)
+          row.back().resize(end + 1);
+      }
       runtime::write_file(inside / (table->id + ".tex"), latex_table(table->title, rows));
     }
     for (const formats::Section& section : report.sections) {
       for (const formats::PlainTable& table : section.tables) {
         const auto rows = rows_of(table);
-        Json json{{"paper", report.paper}, {"table", table.id}, {"rows", rows}};
-        runtime::write_file(inside / (table.id + ".json"), json.dump(2) + "\n");
+        runtime::write_file(inside / (table.id + ".json"), table_json(report, table).dump(2) + "\n");
         runtime::write_file(inside / (table.id + ".csv"), csv(rows));
         runtime::write_file(inside / (table.id + ".tex"), latex_table(table.title, rows));
       }
@@ -324,13 +374,15 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
 }
 
 std::string reports_json(const std::vector<Report>& reports) {
-  Json json{{"comparisons", Json::array()}, {"experiments", Json::array()}};
+  Json json{{"comparisons", Json::array()}, {"experiments", Json::array()}, {"tables", Json::array()}};
   for (const Report& report : reports) {
     for (const formats::ComparisonTable* table : report.comparison_tables())
       for (const formats::Comparison& comparison : table->comparisons)
         json["comparisons"].push_back(comparison_json(*table, comparison));
     for (const experiments::RanExperiment& ran : report.experiments)
       json["experiments"].push_back(Json::parse(experiments::experiment_json(ran)));
+    for (const formats::Section& section : report.sections)
+      for (const formats::PlainTable& table : section.tables) json["tables"].push_back(table_json(report, table));
   }
   return json.dump(2);
 }

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Report {
   std::string citation;
   std::vector<formats::Section> sections;
   std::vector<experiments::RanExperiment> experiments = {};
+  bool listed = false;  ///< whether a terminal shows its tables whole
 
   std::vector<const formats::ComparisonTable*> comparison_tables() const;
   /// Whether all verdicts and findings are the recorded ones.
@@ -30,10 +32,12 @@ struct ReportOptions {
   std::function<void(const std::string&)> progress = {};
   std::uint64_t seed = 1;  ///< of the experiments
   std::size_t runs = 50;   ///< samples of the noise in each experiment, 4 times as many beside printed values
+  std::optional<double> budget = {};  ///< seconds for the exponent of each surface; nothing for those of the report
 };
 
-/// The papers that can be reproduced, and the items of each.
+/// The papers and collections that can be reproduced, those that are where none is named, and the items of each.
 std::vector<std::string> reproducible_papers();
+std::vector<std::string> default_papers();
 /// Errors: throws a domain error for a paper that is not among them.
 std::vector<std::string> report_items(const std::string& paper);
 
@@ -45,7 +49,8 @@ Report make_report(const std::string& paper, const ReportOptions& options);
 /// and .csv. Domain: jobs >= 1, the pictures drawn at a time. Errors: throws missing_file that names the file.
 void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder, int jobs);
 
-/// {"comparisons": [...], "experiments": [...]} as in the contract; the experiments are those of experiment_json().
+/// {"comparisons": [...], "experiments": [...], "tables": [...]} as in the contract; the experiments are those of
+/// experiment_json(), the tables those without printed counterpart.
 std::string reports_json(const std::vector<Report>& reports);
 
 }  // namespace subcert::reports

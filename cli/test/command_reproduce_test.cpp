@@ -13,3 +13,17 @@ TEST_CASE("reproduce: the fields of the contract") {
   for (const auto& claim : star.at("experiments").at(0).at("claims"))
     CHECK(claim.at("finding") == claim.at("recorded"));
 }
+
+TEST_CASE("reproduce: a collection gives each value its source, within a budget") {
+  const Run result = run("reproduce bivariate --budget 1 --json");
+  CHECK(result.code <= 1);  // what is decided in a second depends on the machine
+  const auto bivariate = nlohmann::json::parse(result.out);
+  REQUIRE(bivariate.at("comparisons").size() > 25);
+  for (const auto& comparison : bivariate.at("comparisons")) {
+    CHECK(comparison.at("verdict") != "mismatch");
+    CHECK(comparison.at("source").get<std::string>().front() == '[');
+  }
+  CHECK(bivariate.at("tables").at(0).at("table") == "schemes");
+  for (const char* wrong : {"reproduce bivariate --budget 0", "reproduce bivariate --only table1"})
+    CHECK(run(wrong).code == 64);
+}

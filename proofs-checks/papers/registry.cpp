@@ -9,17 +9,19 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace subcert {
-extern const std::map<std::string, std::string_view> paper_files;  // paper.toml of each folder, made by the build
-}
+// Made by the build: paper.toml of each folder, and docs/references.md.
+extern const std::map<std::string, std::string_view> paper_files, reference_file;
+}  // namespace subcert
 
 namespace subcert::statements {
 namespace {
 
 struct Registered {
-  std::string key;  ///< the name of the folder
-  Checks (*checks)();
+  std::string key;     ///< the name of the folder
+  Checks (*checks)();  ///< nothing for a collection
 };
 
 const std::vector<Registered>& registered() {
@@ -28,8 +30,16 @@ const std::vector<Registered>& registered() {
       {"mustafa-li-2015", mustafa_li_2015::checks},
       {"mustafa-hameed", mustafa_hameed::checks},
       {"mustafa-bari-2016", mustafa_bari_2016::checks},
+      {"bivariate", nullptr},
   };
   return all;
+}
+
+std::vector<std::string> registered_keys(bool with_checks) {
+  std::vector<std::string> list;
+  for (const Registered& one : registered())
+    if ((one.checks != nullptr) == with_checks) list.push_back(one.key);
+  return list;
 }
 
 std::string expanded(std::string text, const Transcriptions& transcriptions, Form form) {
@@ -43,11 +53,12 @@ std::string expanded(std::string text, const Transcriptions& transcriptions, For
 }  // namespace
 
 const std::vector<std::string>& paper_keys() {
-  static const std::vector<std::string> keys = [] {
-    std::vector<std::string> list;
-    for (const Registered& one : registered()) list.push_back(one.key);
-    return list;
-  }();
+  static const std::vector<std::string> keys = registered_keys(true);
+  return keys;
+}
+
+const std::vector<std::string>& collection_keys() {
+  static const std::vector<std::string> keys = registered_keys(false);
   return keys;
 }
 
@@ -55,7 +66,7 @@ const std::vector<Paper>& papers() {
   static const std::vector<Paper> all = [] {
     std::vector<Paper> list;
     for (const Registered& one : registered()) try {
-        list.push_back(read_paper(one.key, paper_files.at(one.key), one.checks()));
+        list.push_back(read_paper(one.key, paper_files.at(one.key), one.checks ? one.checks() : Checks{}));
       } catch (const Error& error) {
         fail(error.kind(), "papers/{}/paper.toml: {}", one.key, error.what());
       }
@@ -68,6 +79,18 @@ const Paper& paper(const std::string& key) {
   for (const Paper& candidate : papers())
     if (candidate.key == key) return candidate;
   fail(ErrorKind::domain, "unknown paper '{}'", key);
+}
+
+std::string reference(const std::string& key) {
+  const std::string_view file = reference_file.begin()->second;
+  const std::string head = "- [" + key + "] ";
+  const std::size_t place = file.find(head);
+  if (place == std::string_view::npos) fail(ErrorKind::domain, "unknown reference '{}'", key);
+  const std::string_view rest = file.substr(place + head.size());
+  std::istringstream words{std::string(rest.substr(0, rest.find("\n- [")))};
+  std::string text;
+  for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
+  return text;
 }
 
 const std::vector<Statement>& statements() {

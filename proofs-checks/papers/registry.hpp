@@ -5,12 +5,18 @@
 
 namespace subcert::statements {
 
-/// In order; without reading them.
+/// The papers in order, and the collections of published values, which claim nothing beside their tables; without
+/// reading them.
 const std::vector<std::string>& paper_keys();
+const std::vector<std::string>& collection_keys();
+/// All of both.
 const std::vector<Paper>& papers();
 /// Errors: throws a domain error for an unknown key.
 const Paper& paper(const std::string& key);
 inline const std::string& citation(const std::string& key) { return paper(key).citation; }
+
+/// `K. Author: Title. Journal`, by its key in docs/references.md. Errors: throws a domain error for an unknown key.
+std::string reference(const std::string& key);
 
 /// All statements, paper by paper.
 const std::vector<Statement>& statements();

@@ -21,6 +21,7 @@ struct PublishedCell {
   std::string printed;
   std::string words;  ///< the transcription that this value is a word of; may be empty
   Verdict recorded;
+  std::string source = {};  ///< its key in docs/references.md, where a table is gathered from many
 };
 
 struct PublishedTable {

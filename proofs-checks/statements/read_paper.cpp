@@ -36,7 +36,7 @@ Statement read_statement(const toml::table& table, const std::string& paper) {
   return result;
 }
 
-const Keys cell_keys{"row", "column", "scheme", "quantity", "over", "words", "n", "d"};
+const Keys cell_keys{"row", "column", "scheme", "quantity", "over", "words", "n", "d", "source"};
 
 Keys with(const Keys& keys, const Keys& more) {
   Keys result = keys;
@@ -105,7 +105,8 @@ PublishedTable read_table(const toml::table& table) {
                               cell.plain("over"), cell.number("n"), cell.number("d"), text, cell.plain("words"),
                               recorded                              ? verdict_of(*recorded)
                               : text.find('{') == std::string::npos ? Verdict::match
-                                                                    : Verdict::mismatch});
+                                                                    : Verdict::mismatch,
+                              cell.plain("source")});
     }
   return result;
 }

@@ -13,6 +13,14 @@ namespace subcert::formats {
 /// a domain error where it is not.
 Verdict compare(const std::string& printed, const Enclosure& computed);
 
+/// The same for a published statement about an exponent of smoothness: a decimal number; a whole number, which is meant
+/// exactly; `<= 2.5`, a bound; `C^2`, for the class of the limits, which an exponent equal to 2 leaves open.
+/// Errors: throws a domain error for any other text.
+Verdict compare_exponent(const std::string& printed, const Enclosure& computed);
+
+/// The number to the nearest with so many places where they decide it, or both ends, or '>= bound', rounded outward.
+std::string fixed_text(const Enclosure& enclosure, int places);
+
 /// What was computed: a number, or an exact object (a mask, an interval) as text.
 using Computed = std::variant<Enclosure, std::string>;
 
@@ -25,9 +33,14 @@ struct Comparison {
   Verdict verdict;
   Verdict recorded;  ///< the verdict that this version of the toolkit is known to reach
   std::string note;
+  std::string source = {};  ///< `[KEY] reference`, where a table is gathered from many
+  std::string stable = {};  ///< whether the shifts are stable, where exponents depend on it
 
+  /// `[KEY]`.
+  std::string source_key() const { return source.substr(0, source.find(']') + 1); }
   std::string cell() const { return row + ", " + column; }
-  /// For people: the number with two digits more than printed, or both ends, or '>= bound'.
+  /// For people: the number with two digits more than printed, or with six where no number is printed; or both ends,
+  /// or '>= bound'.
   std::string computed_text() const;
 };
 
@@ -41,6 +54,8 @@ struct ComparisonTable {
 
   bool as_recorded() const;
   int count(Verdict verdict) const;
+  /// Whether the cells have sources of their own.
+  bool is_gathered() const;
 };
 
 }  // namespace subcert::formats

@@ -33,6 +33,25 @@ TEST_CASE("one-sided bounds refute or leave open") {
   CHECK(compare("0.0849", Enclosure{}) == Verdict::open);
 }
 
+TEST_CASE("an exponent fits a decimal, a whole number, a bound or a class") {
+  const Enclosure two = Enclosure::exactly(2), near_two{q("1999999/1000000"), q("2000001/1000000")};
+  CHECK(compare_exponent("2", two) == Verdict::match);
+  CHECK(compare_exponent("2", near_two) == Verdict::open);
+  CHECK(compare_exponent("2", Enclosure::exactly(q("21/10"))) == Verdict::mismatch);
+  CHECK(compare_exponent("2", Enclosure::at_least(2)) == Verdict::open);
+  CHECK(compare_exponent("2.00", near_two) == Verdict::match);
+  CHECK(compare_exponent("C^1", near_two) == Verdict::match);
+  CHECK(compare_exponent("C^1", Enclosure::at_least(q("3/2"))) == Verdict::match);
+  CHECK(compare_exponent("C^2", two) == Verdict::open);
+  CHECK(compare_exponent("C^2", Enclosure{std::nullopt, q("19/10")}) == Verdict::mismatch);
+  CHECK(compare_exponent("<= 2.1", two) == Verdict::match);
+  CHECK(compare_exponent("<= 1.9", two) == Verdict::match);  // one unit of the last printed place
+  CHECK(compare_exponent("<= 1.8", two) == Verdict::mismatch);
+  CHECK(compare_exponent("<= 1.9", Enclosure::at_least(q("3/2"))) == Verdict::open);
+  for (const char* text : {"", "C^", "C2", "<=2", "smooth"})
+    CHECK_THROWS_AS(compare_exponent(text, two), std::exception);
+}
+
 TEST_CASE("what is no decimal is refused") {
   for (const char* text : {"", ".", "1.2.3", "1/2", "1e3", "one", "1,5"})
     CHECK_THROWS_AS(compare(text, Enclosure::exactly(1)), std::exception);
@@ -45,4 +64,6 @@ TEST_CASE("the shown number never hides an uncertainty") {
   CHECK(c.computed_text() == "0.33333");
   c.computed = Enclosure::at_least(q("2/3"));
   CHECK(c.computed_text() == ">= 0.66666");
+  c.printed = "C^0";
+  CHECK(c.computed_text() == ">= 0.666666");
 }

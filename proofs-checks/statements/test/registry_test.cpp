@@ -2,6 +2,7 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 
+#include <algorithm>
 #include <set>
 
 using subcert::Verdict;
@@ -37,8 +38,23 @@ TEST_CASE("the printed tables are complete and well formed") {
         CAPTURE(one.key, table.id, cell.row, cell.column);
         CHECK(places.insert(cell.row + "|" + cell.column).second);
         CHECK(!cell.printed.empty());
+        if (!cell.source.empty()) CHECK(reference(cell.source).find_first_of("[\n") == std::string::npos);
       }
     }
   CHECK_FAILS(dyn.table("table4"), domain);
   CHECK_FAILS(paper("nobody-1900"), domain);
+}
+
+TEST_CASE("collections have tables and references, and no statements") {
+  for (const std::string& key : collection_keys()) {
+    CAPTURE(key);
+    CHECK(std::ranges::find(paper_keys(), key) == paper_keys().end());
+    CHECK(paper(key).statements.empty());
+    for (const PublishedTable& table : paper(key).tables)
+      for (const PublishedCell& cell : table.cells) CHECK(!cell.source.empty());
+  }
+  CHECK(reference("VZ01") ==
+        "L. Velho, D. Zorin: 4-8 subdivision. Computer Aided Geometric Design 18 (2001), 397-427.");
+  CHECK(reference("dBHR93").ends_with("Springer (1993)."));
+  CHECK_FAILS(reference("VZ"), domain);
 }

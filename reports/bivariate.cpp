@@ -1,0 +1,107 @@
+#include "bivariate.hpp"
+
+#include "computed_quantities.hpp"
+#include "surface_facts.hpp"
+
+#include <subcert/proofs-checks/papers/registry.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace subcert::reports {
+namespace {
+
+constexpr double published_seconds = 10;  // seconds; what closes needs 1
+
+struct Named {
+  std::string name, specification;
+};
+
+/// The schemes of the table, each once, and those for which no published value with a sure source is known.
+std::vector<Named> schemes_of_collection(const statements::PublishedTable& published) {
+  std::vector<Named> list;
+  std::set<std::string> seen;
+  for (const statements::PublishedCell& cell : published.cells)
+    if (seen.insert(cell.scheme).second) list.push_back({cell.row, cell.scheme});
+  list.push_back({"quincunx, bilinear", "quincunx"});
+  return list;
+}
+
+formats::Comparison compare_published(const statements::PublishedCell& cell, const SurfaceFacts& facts) {
+  const MultivariateRegularity& regularity = facts.regularity;
+  const Enclosure exponent = cell.quantity.starts_with("Sobolev") ? regularity.sobolev.value_or(Enclosure{})
+                                                                  : regularity.exponent;
+  const Verdict verdict = formats::compare_exponent(cell.printed, exponent);
+  // What was open may be decided by another part of the program.
+  const bool decided = cell.recorded == Verdict::open && verdict == Verdict::match;
+  std::string note;
+  if (verdict == Verdict::open)
+    note = exponent.is_bounded() ? fmt::format("enclosed with a width of {}, which does not decide",
+                                               to_decimal(*exponent.upper - *exponent.lower, 2, Rounding::up))
+                                 : "not enclosed from both sides; stable shifts: " + regularity.stable.reason;
+  else if (verdict == Verdict::mismatch && regularity.radius)
+    note = fmt::format("the product {} of the transition operators has the radius {}",
+                       fmt::join(regularity.radius->product.word, ""),
+                       formats::fixed_text(regularity.radius->product.radius, 12));
+  return {cell.row,
+          cell.column,
+          facts.specification,
+          cell.printed,
+          exponent,
+          verdict,
+          decided ? verdict : cell.recorded,
+          note,
+          fmt::format("[{}] {}", cell.source, statements::reference(cell.source)),
+          to_text(regularity.stable.truth)};
+}
+
+}  // namespace
+
+const std::vector<std::string>& bivariate_items() {
+  static const std::vector<std::string> items{"published", "schemes"};
+  return items;
+}
+
+Report report_bivariate(const ReportOptions& options) {
+  const auto wanted = [&](const std::string& item) {
+    return options.only.empty() || std::ranges::find(options.only, item) != options.only.end();
+  };
+  const statements::PublishedTable& published = statements::paper("bivariate").table("published");
+  const std::vector<Named> schemes = schemes_of_collection(published);
+  std::vector<std::string> specifications;
+  for (const Named& one : schemes) specifications.push_back(one.specification);
+  const std::vector<SurfaceFacts> facts = surface_facts(specifications, options, published_seconds);
+
+  formats::Section section{"published", "Published smoothness, and what is proved", {}};
+  section.paragraphs.push_back(
+      "Exponents and classes that the literature states for bivariate schemes in their regular part, with the source "
+      "of "
+      "each. A decimal number is compared in the printed digits. A whole number is meant exactly. C^k holds where the "
+      "Hoelder exponent is above k, and fails where it is below.");
+  if (wanted("published")) {
+    formats::ComparisonTable table{"bivariate", published.id, published.title, published.place, published.grid, {}};
+    for (const statements::PublishedCell& cell : published.cells) {
+      const auto at = std::ranges::find(specifications, cell.scheme) - specifications.begin();
+      table.comparisons.push_back(compare_published(cell, facts[static_cast<std::size_t>(at)]));
+    }
+    section.paragraphs.push_back(verdict_sentence(table));
+    section.comparisons.push_back(std::move(table));
+  }
+  if (wanted("schemes")) {
+    formats::PlainTable table{
+        "schemes", "The schemes, and what is proved about them", surface_facts_head({"scheme"}), {}};
+    table.head.push_back("specification");
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+      table.rows.push_back(facts[i].row({schemes[i].name}));
+      table.rows.back().push_back(facts[i].specification);
+    }
+    section.tables.push_back(std::move(table));
+  }
+  Report report{"bivariate", statements::citation("bivariate"), {std::move(section)}};
+  report.listed = true;
+  return report;
+}
+
+}  // namespace subcert::reports

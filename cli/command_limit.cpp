@@ -77,7 +77,7 @@ std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticeP
     return std::nullopt;
   }
   MultivariateRegularity regularity;
-  for (const double share : {0.1, 0.9}) {  // most need little of the time
+  for (const double share : {0.2, 0.8}) {  // most need little of the time
     regularity = multivariate_regularity_page(scheme, {Deadline::in(share * options.budget)}, false).regularity;
     const Decision& convergence = regularity.converges;
     const auto& exponent = regularity.exponent.lower;

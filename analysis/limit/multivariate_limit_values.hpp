@@ -5,12 +5,12 @@
 
 namespace subcert {
 
-/// i -> (D^orders phi)(M^-level i), where it is not 0; `orders` has the order of the partial derivative in each variable,
-/// phi itself where it is empty. Domain: a scheme that converges, and whose limits have all derivatives of that total
-/// order, continuous, for which M is isotropic; level >= 0. Errors: throws Error, of kind domain where the refinement
-/// equation does not determine the values, of kind size where more than 2000 lattice points lie in the support, 4*10^6
-/// points M^-level i in its box, or more than 10^6 values are asked for. Cost: one linear system as large as the number
-/// of lattice points in the support, for derivatives two more, then coefficients * values. Proof: docs/surfaces.md.
+/// i -> (D^orders phi)(M^-level i), where it is not 0; `orders` has the order of the derivative in each variable, and
+/// is empty for phi itself. Domain: a scheme that converges; level >= 0; for derivatives an isotropic dilation, and all
+/// derivatives of that total order continuous. Errors: throws Error, of kind domain where the refinement equation does
+/// not determine the values, of kind size where more than 2000 lattice points lie in the support, 4*10^6 points
+/// M^-level i in its box, or more than 10^6 values are asked for. Cost: a linear system as large as the number of
+/// lattice points in the support, for derivatives two more; then coefficients * values. Proof: docs/surfaces.md.
 LatticeSequence limit_values(const MultivariateMask& mask, int level, const LatticePoint& orders = {});
 
 /// The same for a tensor product, from its factors, whatever their arities. Domain: each factor converges, and so does

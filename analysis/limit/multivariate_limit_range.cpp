@@ -17,6 +17,7 @@ constexpr int deepest_tile = 400;
 struct Tile {
   LatticePoint index;
   std::vector<Integer> row;
+  std::optional<Interval> around = {};  ///< of phi on the larger tile it was cut from, where that is known
 
   bool is_zero() const {
     return std::all_of(row.begin(), row.end(), [](const Integer& entry) { return entry.is_zero(); });
@@ -250,10 +251,12 @@ class RangeSearch {
   bool may_hold(std::size_t tiles) const { return tiles * tiling_.window() * bytes_of_entry <= options_.budget.memory; }
 
   bool split_all() {
-    if (options_.budget.deadline.expired() || !may_hold(tiles_.size() * tiling_.digits())) return false;
+    if (!may_hold(tiles_.size() * tiling_.digits())) return false;
     std::vector<Tile> next;
-    for (const Tile& tile : tiles_)
+    for (const Tile& tile : tiles_) {
+      if (options_.budget.deadline.expired()) return false;
       for (Tile& part : tiling_.parts(tile)) next.push_back(std::move(part));
+    }
     tiles_ = std::move(next);
     ++level_;
     attain();
@@ -273,19 +276,26 @@ class RangeSearch {
   }
 
   /// Puts tiles aside that raise no extreme by more than asked for, and splits the others. Whether none was put aside
-  /// for lack of time or memory.
+  /// for lack of time or memory. When the time is up a tile has the bounds of the one it was cut from.
   bool bound() {
     const Rational margin = options_.relative_width * std::max(high_.attained, low_.attained);
     bool complete = true;
     std::vector<Tile> next;
     for (const Tile& tile : tiles_) {
       if (tile.is_zero()) continue;
-      const Interval range = tiling_.range(tile, level_, *modulus_);
+      const bool late = options_.budget.deadline.expired();
+      if (late && !tile.around) {
+        modulus_.reset();  // not all of phi is bounded
+        return false;
+      }
+      const Interval range = late ? *tile.around : tiling_.range(tile, level_, *modulus_);
       const Rational above = high_.above(range), below = nonnegative_ ? Rational(0) : low_.above(range);
       const bool settled = above <= high_.attained + margin && below <= low_.attained + margin;
-      if (!settled && level_ < deepest_tile && may_hold(next.size() + tiling_.digits()) &&
-          !options_.budget.deadline.expired()) {
-        for (Tile& part : tiling_.parts(tile)) next.push_back(std::move(part));
+      if (!settled && !late && level_ < deepest_tile && may_hold(next.size() + tiling_.digits())) {
+        for (Tile& part : tiling_.parts(tile)) {
+          part.around = range;
+          next.push_back(std::move(part));
+        }
         continue;
       }
       complete = complete && settled;

@@ -183,7 +183,13 @@ TEST_CASE("extremes that are known") {
   CHECK(*product.minimum.value.lower <= *factor.minimum.upper);
   CHECK(*product.minimum.value.upper >= *factor.minimum.lower);
   CHECK(product.nonnegative.is_no());
-  // Without memory the values that were found are lower bounds.
+  // Without memory or time the values that were found are lower bounds.
+  const MultivariateLimitRange late = limit_range(surface("butterfly:w=1/16").mask,
+                                                  {Rational(1, 1'000'000), {Deadline::in(0)}});
+  CHECK(!late.complete);
+  CHECK(*late.maximum.value.lower == 1);
+  CHECK(!late.maximum.value.upper);
+  CHECK(!late.minimum.value.lower);
   const MultivariateLimitRange small = limit_range(surface("butterfly:w=1/16").mask,
                                                    {Rational(1, 1'000'000), {Deadline::in(100), 1 << 16}});
   CHECK(!small.complete);

@@ -47,15 +47,7 @@ MultivariateMask power_of(const MultivariateMask& mask, int steps) {
   std::vector<MultivariatePolynomial::Monomial> terms;
   for (const auto& [point, value] : refined_delta(mask, steps)) terms.push_back({value, point});
   std::vector<LatticePoint> rows = mask.dilation().rows();
-  for (int n = 1; n < steps; ++n) {
-    std::vector<LatticePoint> next = rows;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      for (std::size_t j = 0; j < rows.size(); ++j) {
-        next[i][j] = 0;
-        for (std::size_t k = 0; k < rows.size(); ++k) next[i][j] += mask.dilation().rows()[i][k] * rows[k][j];
-      }
-    rows = next;
-  }
+  for (int n = 1; n < steps; ++n) rows = times(mask.dilation().rows(), rows);
   return {MultivariatePolynomial(mask.dimension(), terms), Dilation(rows)};
 }
 

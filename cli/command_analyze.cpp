@@ -1,6 +1,7 @@
 // subcert analyze SCHEME: one page about one scheme
 
 #include "multivariate_page.hpp"
+#include "plot.hpp"
 #include "scheme_page.hpp"
 
 #include <subcert/analysis/regularity/stability.hpp>
@@ -14,6 +15,7 @@ struct AnalyzeOptions : CommonOptions {
   int levels = 16;
   int grid_level = 6;
   double budget = 10;
+  std::string plot;
 };
 
 SchemePage make_page(Scheme scheme, const AnalyzeOptions& options) {
@@ -59,16 +61,27 @@ SchemePage make_page(Scheme scheme, const AnalyzeOptions& options) {
   return page;
 }
 
+/// Prints the page, and says whether the scheme converges.
+Decision analyze(const Scheme& scheme, const AnalyzeOptions& options) {
+  const SchemePage page = make_page(scheme, options);
+  options.json ? options.answer(page.json()) : options.answer(page.text());
+  return page.convergence;
+}
+
+Decision analyze(const MultivariateScheme& scheme, const AnalyzeOptions& options) {
+  return analyze_multivariate(scheme, {options.levels, Deadline::in(options.budget)}, options);
+}
+
 ExitCode run(const AnalyzeOptions& options) {
+  require_picture_name(options.plot);
   const LinearScheme scheme = make_linear_scheme(options.scheme);
-  if (const auto* multivariate = std::get_if<MultivariateScheme>(&scheme))
-    return analyze_multivariate(*multivariate, {options.levels, Deadline::in(options.budget)}, options);
-  const SchemePage page = make_page(std::get<Scheme>(scheme), options);
-  if (options.json)
-    options.answer(page.json());
-  else
-    options.answer(page.text());
-  return page.convergence.truth == Truth::unknown ? undecided : done;
+  require_drawable(options.plot, scheme);
+  const Decision convergence = std::visit([&](const auto& one) { return analyze(one, options); }, scheme);
+  if (!options.plot.empty()) {
+    if (convergence.is_no()) return refuse_unproved(options.scheme, "no limit function to draw", convergence);
+    draw_limit(options.plot, scheme, convergence);
+  }
+  return convergence.truth == Truth::unknown ? undecided : done;
 }
 
 }  // namespace
@@ -79,6 +92,7 @@ void add_analyze(Command& app) {
                                 options, [=] { return run(*options); });
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
   command.option("--budget", options->budget, "Seconds for each proof").within(0.001, 1e6).with_default();
+  command.option("--plot", options->plot, "Draw the basic limit function of one or two variables, as .svg or .png");
   add_scheme(command, options->scheme, true);
 }
 

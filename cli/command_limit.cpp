@@ -1,108 +1,128 @@
 // subcert limit SCHEME
 
+#include "limit_page.hpp"
 #include "multivariate_regularity_page.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/limit/multivariate_limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
-#include <iomanip>
+#include <fmt/format.h>
+
+#include <charconv>
 #include <iostream>
+#include <numeric>
 #include <sstream>
 
 namespace subcert::cli {
 namespace {
 
-constexpr double convergence_seconds = 10;
 constexpr int usual_level = 8, usual_level_of_surfaces = 2;
+constexpr long most_derivatives = 1000;
 
-struct LimitOptions : CommonOptions {
+struct LimitCommandOptions : LimitPageOptions {
   std::string scheme;
-  int level = -1;  // not given
-  int derivative = 0;
+  std::string derivative;
+  bool range = false;
 };
 
-ExitCode run(const MultivariateScheme& scheme, const LimitOptions& options) {
-  if (options.derivative > 0)
-    fail(ErrorKind::usage, "--derivative: need a scheme of one variable, got {}", scheme.specification);
-  const Decision convergence = multivariate_regularity_page(scheme, {Deadline::in(convergence_seconds)}, false)
-                                   .regularity.converges;
-  if (!convergence.is_yes()) return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
-  const LatticeSequence values = limit_values(scheme.mask, options.level);
-  if (options.json) {
-    Json points = Json::array(), numbers = Json::array();
-    for (const auto& [point, value] : values) {
-      points.push_back(point);
-      numbers.push_back(to_text(value));
-    }
-    options.answer(Json{{"scheme", scheme.specification},
-                        {"dilation", scheme.mask.dilation().rows()},
-                        {"level", options.level},
-                        {"indices", std::move(points)},
-                        {"values", std::move(numbers)}});
-    return done;
+/// The order in each variable; zeros where none is given.
+LatticePoint derivative_orders(const std::string& text, std::size_t variables) {
+  if (text.empty()) return LatticePoint(variables, 0);
+  LatticePoint orders;
+  std::istringstream parts(text + ",");
+  for (std::string part; std::getline(parts, part, ',');) {
+    long order = -1;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), order);
+    if (error != std::errc() || end != part.data() + part.size() || order < 0 || order > most_derivatives)
+      fail(ErrorKind::usage, "--derivative: expected orders from 0 to {}, got '{}'", most_derivatives, part);
+    orders.push_back(order);
   }
-  std::ostringstream text;
-  for (const auto& [index, value] : values) {
-    std::vector<Rational> point(index.begin(), index.end());
-    for (int n = 0; n < options.level; ++n) point = scheme.mask.dilation().inverse_times(point);
-    std::string place;
-    for (const Rational& coordinate : point) place += (place.empty() ? "" : ", ") + to_text(coordinate);
-    text << std::setw(20) << place << "  " << std::setw(20) << to_decimal(value, 15, Rounding::nearest) << "  "
-         << to_text(value) << "\n";
-  }
-  options.answer(text.str());
-  return done;
+  if (orders.size() != variables)
+    fail(ErrorKind::usage, "--derivative: need {}, got '{}'",
+         variables == 1   ? "one order for a scheme of one variable"
+         : variables == 2 ? "an order for each of 2 variables, as 1,0"
+                          : "an order for each of 3 variables, as 1,0,0",
+         text);
+  return orders;
 }
 
-ExitCode run(const Scheme& scheme, const LimitOptions& options) {
-  if (options.derivative == 0) {
-    const Decision convergence = converges(scheme.mask);
-    if (!convergence.is_yes())
-      return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
-  } else {
+ExitCode refuse_derivative(const std::string& scheme, const LatticePoint& orders, const std::string& obstacle) {
+  std::cerr << "subcert: " << scheme << ": derivative " << fmt::format("{}", fmt::join(orders, ","))
+            << " is not proved to be continuous; " << obstacle << "\n";
+  return undecided;
+}
+
+/// Prints why values are not to be had; nothing where they are.
+std::optional<ExitCode> refused(const Scheme& scheme, const LatticePoint& orders, const LimitCommandOptions&) {
+  if (orders.front() > 0) {
     const SmoothnessProof smoothness = proved_smoothness(scheme.mask);
-    if (smoothness.order < options.derivative) {
-      std::cerr << "subcert: " << scheme.specification << ": derivative " << options.derivative
-                << " is not proved to be continuous; " << smoothness.obstacle << "\n";
-      return undecided;
+    if (smoothness.order >= orders.front()) return std::nullopt;
+    return refuse_derivative(scheme.specification, orders, smoothness.obstacle);
+  }
+  const Decision convergence = converges(scheme.mask);
+  if (convergence.is_yes()) return std::nullopt;
+  return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
+}
+
+std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticePoint& orders,
+                                const LimitCommandOptions& options) {
+  const long total = std::accumulate(orders.begin(), orders.end(), 0L);
+  if (total > 0 && !scheme.factors.empty()) {
+    for (std::size_t v = 0; v < scheme.factors.size(); ++v) {
+      const SmoothnessProof smoothness = proved_smoothness(scheme.factors[v]);
+      if (smoothness.order < orders[v])
+        return refuse_derivative(scheme.specification, orders,
+                                 "factor " + std::to_string(v + 1) + ": " + smoothness.obstacle);
     }
+    return std::nullopt;
   }
-  const LimitValues values = limit_values(scheme.mask, options.level, options.derivative);
-  if (options.json) {
-    options.answer(Json{{"scheme", scheme.specification},
-                        {"arity", values.arity},
-                        {"level", values.level},
-                        {"derivative", values.order},
-                        {"first_index", values.first_index},
-                        {"values", numbers_json(values.values)}});
-    return done;
+  MultivariateRegularity regularity;
+  for (const double share : {0.2, 0.8}) {  // most need little of the time
+    regularity = multivariate_regularity_page(scheme, {Deadline::in(share * options.budget)}, false).regularity;
+    const Decision& convergence = regularity.converges;
+    const auto& exponent = regularity.exponent.lower;
+    if (total == 0 ? convergence.is_yes() : exponent && *exponent > total) return std::nullopt;
+    if (convergence.is_no() || regularity.is_closed()) break;
   }
-  std::ostringstream text;
-  for (std::size_t i = 0; i < values.values.size(); ++i)
-    text << std::setw(12) << to_text(values.point(i)) << "  " << std::setw(20)
-         << to_decimal(values.values[i], 15, Rounding::nearest) << "  " << to_text(values.values[i]) << "\n";
-  options.answer(text.str());
-  return done;
+  if (!regularity.converges.is_yes())
+    return refuse_unproved(scheme.specification, "no limit function to evaluate", regularity.converges);
+  return refuse_derivative(scheme.specification, orders,
+                           "the exponent is proved to be at least " + regularity.exponent.lower_text(12) +
+                               ", and has to be above " + std::to_string(total));
+}
+
+ExitCode run(LimitCommandOptions options) {
+  const LinearScheme scheme = make_linear_scheme(options.scheme);
+  const auto* multivariate = std::get_if<MultivariateScheme>(&scheme);
+  const LatticePoint orders = derivative_orders(
+      options.derivative, multivariate ? static_cast<std::size_t>(multivariate->mask.dimension()) : 1);
+  if (options.range && (!options.derivative.empty() || options.level >= 0))
+    fail(ErrorKind::usage, "--range: takes neither --level nor --derivative");
+  if (options.level < 0) options.level = multivariate ? usual_level_of_surfaces : usual_level;
+  return std::visit(
+      [&](const auto& one) {
+        if (const auto code = refused(one, orders, options)) return *code;
+        return options.range ? print_limit_range(one, options) : print_limit_values(one, orders, options);
+      },
+      scheme);
 }
 
 }  // namespace
 
 void add_limit(Command& app) {
-  auto options = std::make_shared<LimitOptions>();
-  Command command = add_command(app, "limit", "Exact values of the basic limit function",
-                                "subcert limit primal:n=2 --level 3", options, [=] {
-                                  const LinearScheme scheme = make_linear_scheme(options->scheme);
-                                  if (options->level < 0)
-                                    options->level = scheme.index() == 0 ? usual_level : usual_level_of_surfaces;
-                                  return std::visit([&](const auto& one) { return run(one, *options); }, scheme);
-                                });
+  auto options = std::make_shared<LimitCommandOptions>();
+  Command command = add_command(app, "limit", "Exact values of the basic limit function, or bounds for all of them",
+                                "subcert limit primal:n=2 --level 3", options, [=] { return run(*options); });
   command
       .option("--level", options->level,
               "Values at the points i / arity^LEVEL, 8 if not given; of surfaces at M^-LEVEL i, 2 if not given")
       .within(0, 60);
-  command.option("--derivative", options->derivative, "Order of the derivative").within(0, 1000).with_default();
+  command.option("--derivative", options->derivative, "Order of the derivative; of surfaces in each variable, as 1,0");
+  command.flag("--range", options->range, "Maximum, minimum and sign of the function instead, with proof");
+  command.option("--width", options->width, "Relative width of the enclosures of --range, p or p/q").with_default();
+  command.option("--budget", options->budget, "Seconds for --range, and for the proof of convergence of surfaces")
+      .within(0.001, 1e6)
+      .with_default();
   add_scheme(command, options->scheme, true);
 }
 

@@ -104,7 +104,7 @@ Json limit_support_json(const MultivariateMask& mask) {
   return list;
 }
 
-ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimits& limits,
+Decision analyze_multivariate(const MultivariateScheme& scheme, const ProofLimits& limits,
                               const CommonOptions& options) {
   const MultivariatePage page = make_page(scheme, limits);
   if (options.json) {
@@ -133,7 +133,7 @@ ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimit
   } else {
     options.answer(page_text(scheme, page));
   }
-  return page.convergence.truth == Truth::unknown ? undecided : done;
+  return page.convergence;
 }
 
 }  // namespace subcert::cli

@@ -13,8 +13,8 @@ Json coefficients_json(const MultivariateMask& mask);
 /// One {"lower", "upper"} for each variable.
 Json limit_support_json(const MultivariateMask& mask);
 
-/// Prints the page; the exit code of the command.
-ExitCode analyze_multivariate(const MultivariateScheme& scheme, const ProofLimits& limits,
+/// Prints the page, and says whether the scheme converges.
+Decision analyze_multivariate(const MultivariateScheme& scheme, const ProofLimits& limits,
                               const CommonOptions& options);
 
 }  // namespace subcert::cli

@@ -1,7 +1,7 @@
 #include "plot.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/reports/formats/surface_figure.hpp>
+#include <subcert/reports/formats/limit_figure.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 
 namespace subcert::cli {
@@ -64,6 +64,25 @@ void draw_refined(const std::string& plot, const std::string& scheme, const data
                        {drawn(data, "data", false), drawn(refined, "refined", true)}};
   panel.equal_units = plane;
   formats::draw_file({"refined", scheme, "", 1, {panel}}, plot);
+}
+
+void require_drawable(const std::string& plot, const LinearScheme& scheme) {
+  const auto* multivariate = std::get_if<MultivariateScheme>(&scheme);
+  if (!plot.empty() && multivariate && multivariate->mask.dimension() > 2)
+    fail(ErrorKind::usage, "--plot {}: pictures are of functions of one or two variables; {} has {}", plot,
+         multivariate->specification, multivariate->mask.dimension());
+}
+
+void draw_limit(const std::string& plot, const LinearScheme& scheme, const Decision& convergence) {
+  const formats::DrawnLimit what = convergence.is_yes() ? formats::DrawnLimit::values
+                                                        : formats::DrawnLimit::refined_delta;
+  if (const auto* multivariate = std::get_if<MultivariateScheme>(&scheme)) {
+    formats::draw_surfaces({formats::limit_surface(multivariate->mask, multivariate->specification, what)}, plot);
+    return;
+  }
+  const auto& curve = std::get<Scheme>(scheme);
+  formats::draw_file(
+      {"limit", curve.specification, "", 1, {formats::limit_panel(curve.mask, curve.specification, what)}}, plot);
 }
 
 }  // namespace subcert::cli

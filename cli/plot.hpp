@@ -4,6 +4,7 @@
 #include <subcert/reports/formats/figure.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/refine/grid_data.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <string>
 
@@ -19,5 +20,12 @@ void require_drawable(const std::string& plot, const data::GridData<double>& dat
 /// of one or three. Errors: throws missing_file.
 void draw_refined(const std::string& plot, const std::string& scheme, const data::Table& table,
                   const data::GridData<double>& data, const data::GridData<double>& refined);
+
+/// Throws a usage error for a picture of a limit function of three variables.
+void require_drawable(const std::string& plot, const LinearScheme& scheme);
+
+/// The basic limit function by exact values, or, where convergence is not proved, the unit sequence after some steps.
+/// Domain: as require_drawable(). Errors: throws missing_file.
+void draw_limit(const std::string& plot, const LinearScheme& scheme, const Decision& convergence);
 
 }  // namespace subcert::cli

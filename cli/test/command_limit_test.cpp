@@ -14,5 +14,42 @@ TEST_CASE("limit: surfaces") {
   CHECK(loop.at("values").at(3) == "1/2");
   const auto finer = run_json("limit quincunx: --level 3");
   CHECK(finer.at("indices").size() == finer.at("values").size());
-  check_fails(run("limit loop: --derivative 1"), 64, "--derivative: need a scheme of one variable, got loop");
+}
+
+TEST_CASE("limit: derivatives of surfaces") {
+  // The slope along x of the three-directional quartic box spline at its neighbours of the centre.
+  const auto slope = run_json("limit loop: --level 0 --derivative 1,0");
+  CHECK(slope.at("derivative") == nlohmann::json({1, 0}));
+  CHECK(slope.at("indices").front() == nlohmann::json({-1, -1}));
+  CHECK(slope.at("values").front() == "1/6");
+  CHECK(run_json("limit 'tensor:(dd:n=2)x(dd:n=2)' --derivative 1,1").at("values").size() > 0);
+  const Run rough = run("limit loop: --derivative 2,1");
+  CHECK(rough.code == 2);
+  CHECK(rough.out.empty());
+  CHECK(rough.err ==
+        "subcert: loop: derivative 2,1 is not proved to be continuous; the exponent is proved to be at least "
+        "3, and has to be above 3\n");
+  check_fails(run("limit loop: --derivative 1"), 64,
+              "--derivative: need an order for each of 2 variables, as 1,0, got '1'");
+  check_fails(run("limit dd:n=2 --derivative 1,0"), 64,
+              "--derivative: need one order for a scheme of one variable, got '1,0'");
+  check_fails(run("limit loop: --derivative 1,x"), 64, "--derivative: expected orders from 0 to 1000, got 'x'");
+}
+
+TEST_CASE("limit: extremes and sign") {
+  const auto loop = run_json("limit loop: --range");
+  CHECK(loop.at("maximum").at("lower") == "0.5");
+  CHECK(loop.at("maximum").at("point") == nlohmann::json({"0", "0"}));
+  CHECK(loop.at("minimum").at("upper") == "0");
+  CHECK(loop.at("nonnegative").at("verdict") == "yes");
+  const auto butterfly = run_json("limit butterfly:w=1/16 --range --width 1/1000 --budget 100");
+  CHECK(butterfly.at("nonnegative").at("verdict") == "no");
+  CHECK(has_digits(butterfly.at("maximum"), "lower", "1"));
+  const auto curve = run_json("limit dd:n=2 --range");
+  CHECK(curve.at("nonnegative").at("verdict") == "no");
+  CHECK(has_digits(curve.at("maximum"), "lower", "1"));
+  CHECK(run("limit primal:n=2 --range").out.find("nonnegative      yes: ") != std::string::npos);
+  check_fails(run("limit loop: --range --level 2"), 64, "--range: takes neither --level nor --derivative");
+  check_fails(run("limit loop: --range --width 0"), 64, "--width: expected a positive number p or p/q, got '0'");
+  CHECK(run("limit 'mask:[1,1]' --range").code == 1);
 }

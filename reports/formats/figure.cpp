@@ -1,5 +1,7 @@
 #include "figure.hpp"
 
+#include "gnuplot_text.hpp"
+
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
@@ -11,15 +13,6 @@
 
 namespace subcert::formats {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
 
 void plot(const Figure& figure, const std::string& terminal, const std::filesystem::path& target) {
   Gnuplot gnuplot("gnuplot 2>/dev/null");

@@ -1,6 +1,7 @@
 #include "surface_figure.hpp"
 
 #include "figure.hpp"
+#include "gnuplot_text.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -45,14 +46,14 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, const 
   const std::size_t rows = (surfaces.size() + columns - 1) / columns;
   Gnuplot gnuplot("gnuplot 2>/dev/null");
   gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 520 * columns << "," << 380 * rows << "\n"
-          << "set output '" << target.string() << "'\n"
+          << "set output " << quoted(target.string()) << "\n"
           << "set multiplot layout " << rows << "," << columns << "\n"
           << "set xyplane relative 0.05\nset tics textcolor rgb '#333333'\nset border lc rgb '#888888'\n"
           << "set palette defined (0 '#0b559f', 0.5 '#e8e8e8', 1 '#c0392b')\nunset colorbox\nunset key\n"
           << "set pm3d lighting primary 0.4 specular 0.1\n";
   for (const DrawnSurface& surface : surfaces) {
     const bool coarse = surface.columns * surface.rows <= 2500;
-    gnuplot << "set title \"" << surface.title << "\"\n"
+    gnuplot << "set title " << quoted(surface.title) << "\n"
             << (surface.heights ? "set view 60,30,1\n"
                                 : "set view equal xyz\nset view 60,30," + std::to_string(surface.zoom) +
                                       "\nunset tics\nunset border\n")

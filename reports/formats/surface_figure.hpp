@@ -9,7 +9,8 @@
 
 namespace subcert::formats {
 
-/// A grid of points in space: points[j * columns + i]; closed directions are joined.
+/// A grid of points in space: points[j * columns + i]; closed directions are joined. Heights that are no numbers leave
+/// holes.
 struct DrawnSurface {
   std::string title;
   std::size_t columns;

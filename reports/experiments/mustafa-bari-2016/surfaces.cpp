@@ -6,6 +6,7 @@
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/reports/experiments/figures.hpp>
 #include <subcert/reports/experiments/refined_data.hpp>
+#include <subcert/reports/formats/limit_figure.hpp>
 #include <subcert/schemes/data/refine/grid_refinement.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -86,7 +87,8 @@ double distance_between(const data::GridData<double>& mesh, const data::GridData
   return relative_distance(mesh_at(mesh, limit.axes), limit.values, 3);
 }
 
-void find_exact_facts(Measured& measured, int side, const MultivariateMask& mask) {
+/// Whether the scheme converges is one of them, and the answer.
+Decision find_exact_facts(Measured& measured, int side, const MultivariateMask& mask) {
   const bool product = is_product(mask.symbol());
   measured.add_fact("product", "", !product, product ? "a product" : "no product");
   std::string counts;
@@ -94,15 +96,25 @@ void find_exact_facts(Measured& measured, int side, const MultivariateMask& mask
   measured.add_fact("size", "", counts == std::to_string(side * side), counts);
   const int reproduced = polynomial_reproduction(mask).reproduction_degree;
   measured.add_fact("degree", "", reproduced >= 3, "total degree " + std::to_string(reproduced));
-  const Decision decision = converges(mask);
+  Decision decision = converges(mask);
   measured.add_fact("convergence", "", decision.is_yes(), to_text(decision.truth) + ", " + decision.reason);
+  return decision;
+}
+
+formats::SurfaceFigure limit_function_figure(const std::string& id, const std::string& points,
+                                             const MultivariateScheme& scheme) {
+  return {id + "-limit-function",
+          "The basic limit function of the " + points + "-point scheme",
+          "Exact values, rounded for the picture, over the support.",
+          {formats::limit_surface(scheme.mask, scheme.specification)},
+          1};
 }
 
 Measured measured_surface(const MeshExperiment& experiment, const Run& run) {
   const std::string side = std::to_string(experiment.points), id = run.experiment.id;
   const auto scheme = std::get<MultivariateScheme>(make_any_scheme("grid:points=" + side + "x" + side + ",d=3"));
   Measured result;
-  find_exact_facts(result, experiment.points, scheme.mask);
+  const Decision convergence = find_exact_facts(result, experiment.points, scheme.mask);
   const data::GridData<double> mesh = points_of_mesh(experiment.mesh), limit = refine(mesh, scheme.mask, {limit_level});
   formats::SurfaceFigure figure{id, experiment.title, "", {drawn_surface("initial mesh", mesh)}, 3};
   formats::PlainTable table{id + "-levels",
@@ -125,6 +137,9 @@ Measured measured_surface(const MeshExperiment& experiment, const Run& run) {
   for (formats::DrawnSurface& surface : figure.surfaces) surface.zoom = experiment.mesh.zoom;
   result.tables = {table};
   result.surface_figures = {figure};
+  if (convergence.is_yes())
+    result.surface_figures.push_back(
+        limit_function_figure(id, std::to_string(experiment.points * experiment.points), scheme));
   return result;
 }
 

@@ -1,0 +1,28 @@
+#include "program.hpp"
+
+using namespace subcert::testing;
+
+TEST_CASE("analyze: pictures of basic limit functions") {
+  const Folder folder;
+  const std::string svg = folder / "limit.svg", png = folder / "limit.png";
+  for (const char* scheme : {"loop:", "quincunx:", "dd:n=2", "'mask:[1,3,3,1]/4@5'", "'box:[1,0;0,1;1,1]'"}) {
+    CAPTURE(scheme);
+    const Run plain = run(std::string("analyze ") + scheme),
+              drawn = run(std::string("analyze ") + scheme + " --plot " + svg);
+    CHECK(drawn.code == 0);
+    CHECK(drawn.out == plain.out);
+    CHECK(content(svg).find("<svg") != std::string::npos);
+  }
+  CHECK(content(svg).find("box:[1,0;0,1;1,1]") != std::string::npos);
+  CHECK(run("analyze zwart-powell: --plot " + png).code == 0);
+  CHECK(content(png).starts_with("\x89PNG"));
+  // Nothing is drawn where there is no limit.
+  const Run divergent = run("analyze 'mask:[1,1]' --plot " + folder / "none.svg");
+  CHECK(divergent.code == 1);
+  CHECK(divergent.err.starts_with("subcert: mask:[1,1]: no limit function to draw; convergence: no"));
+  CHECK(run("analyze loop: --plot /proc/nowhere/x.svg").code == 66);
+  check_fails(run("analyze loop: --plot x.pdf"), 64, "--plot x.pdf: expected a name that ends in .svg or .png");
+  check_fails(
+      run("analyze 'tensor:(dd:n=1)x(dd:n=1)x(dd:n=1)' --plot x.svg"), 64,
+      "--plot x.svg: pictures are of functions of one or two variables; tensor:(dd:n=1)x(dd:n=1)x(dd:n=1) has 3");
+}

@@ -1,0 +1,18 @@
+#pragma once
+/// Texts for gnuplot.
+
+#include <string>
+
+namespace subcert::formats {
+
+/// The text between double quotes, as gnuplot reads strings; what its enhanced mode makes of it is not touched.
+inline std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+}  // namespace subcert::formats

@@ -75,7 +75,7 @@ TEST_CASE("where shifts are unstable the differences of the limit tell the expon
 }
 
 TEST_CASE("where shifts are stable the differences of the scheme and of the limit shrink alike") {
-  for (const char* specification : {"quincunx:", "loop:", "butterfly:w=1/16", "grid:points=3x3,d=2"}) {
+  for (const char* specification : {"quincunx:", "loop:", "grid:points=3x3,d=2"}) {
     INFO(specification);
     const MultivariateMask mask = surface(specification).mask;
     const int order = polynomial_reproduction(mask).sum_rules;
@@ -152,7 +152,7 @@ TEST_CASE("difference spaces are invariant and hold the differences after some s
     };
     for (const LatticeSequence& vector : space.basis)
       for (const LatticeSequence& image : transitions(mask.symbol(), mask.dilation(), vector)) CHECK(is_inside(image));
-    std::vector<LatticeSequence> moved = differences_of_delta({{1, 0}, {0, 1}}, space.order);
+    std::vector<LatticeSequence> moved = differences_of_delta(2, space.order);
     for (int step = 0; step < space.window.steps(); ++step) {
       std::vector<LatticeSequence> next;
       for (const LatticeSequence& v : moved)

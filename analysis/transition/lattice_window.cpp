@@ -120,4 +120,10 @@ std::vector<LatticeSequence> differences_of_delta(const std::vector<LatticePoint
   return result;
 }
 
+std::vector<LatticeSequence> differences_of_delta(std::size_t variables, int order) {
+  std::vector<LatticePoint> axes(variables, LatticePoint(variables, 0));
+  for (std::size_t v = 0; v < variables; ++v) axes[v][v] = 1;
+  return differences_of_delta(axes, order);
+}
+
 }  // namespace subcert

@@ -50,7 +50,9 @@ MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilat
 MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilation& dilation,
                                const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots);
 
-/// The differences nabla^mu delta of total order |mu| = order along these directions.
+/// The differences nabla^mu delta of total order |mu| = order along these directions, in the order of
+/// exponents_of_degree; along the axes.
 std::vector<LatticeSequence> differences_of_delta(const std::vector<LatticePoint>& directions, int order);
+std::vector<LatticeSequence> differences_of_delta(std::size_t variables, int order);
 
 }  // namespace subcert

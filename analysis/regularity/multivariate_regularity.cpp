@@ -84,11 +84,15 @@ DifferenceSpace space_of_differences(const MultivariateMask& mask, const Multiva
 Decision converges_by_norms(const MultivariateMask& mask, const Budget& budget) {
   Decision decision = converges(mask, {levels, Deadline::in(std::max(budget.deadline.remaining(), least_seconds))});
   if (decision.is_yes() || decision.is_no()) return decision;
-  const DifferenceSpace space = difference_space(mask, 1);
-  if (space.family.size() > largest_space) return decision;
-  const JointSpectralRadius radius = joint_spectral_radius(space.family, {Deadline::in(least_seconds), budget.memory});
-  if (radius.proved_upper() >= 1) return decision;
-  return {Truth::yes, "the first differences of the scheme shrink"};
+  try {
+    const DifferenceSpace space = difference_space(mask, 1);
+    if (space.family.size() > largest_space) return decision;
+    const auto radius = joint_spectral_radius(space.family, {Deadline::in(least_seconds), budget.memory});
+    if (radius.proved_upper() < 1) return {Truth::yes, "the first differences of the scheme shrink"};
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::size) throw;
+  }
+  return decision;
 }
 
 /// Fills in what the differences tell: by the dilation with which a polytope closes, in slices of time that grow.
@@ -197,17 +201,18 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
   }
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
   decide_stability(mask, Deadline::in(std::max(stability_share * budget.deadline.remaining(), 5.0)), result);
-  if (!dilation.is_isotropic()) {
-    search_along_subspaces(mask, budget, result);
-    return result;
-  }
   std::optional<MultivariateSobolev> sobolev;
   try {
-    sobolev = decide_sobolev(mask, budget.deadline.after(sobolev_share), result);
-    search_radius(mask, sobolev, budget, result);
+    if (dilation.is_isotropic()) {
+      sobolev = decide_sobolev(mask, budget.deadline.after(sobolev_share), result);
+      search_radius(mask, sobolev, budget, result);
+    } else {
+      search_along_subspaces(mask, budget, result);
+    }
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::size) throw;
   }
+  if (!dilation.is_isotropic()) return result;
   Enclosure exponent;
   if (result.radius) exponent = exponent_of_radius(result.radius->radius, dilation.classes(), dilation.variables());
   const bool continuous = exponent.lower && *exponent.lower > 0,
@@ -217,9 +222,11 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
   else
     result.converges = converges_by_norms(mask, budget);
   if (!continuous && !result.converges.is_yes()) {
+    // What comes from the inner products supposes a continuous limit.
+    const bool by_sum_rules = sobolev && (result.stable.is_yes() || !sobolev->exponent.upper);
+    if (by_sum_rules) result.sobolev = Enclosure::at_least(*sobolev->exponent.lower);
     result.gram.reset();
     result.stable = {Truth::unknown, "the scheme is not proved to converge"};
-    if (sobolev) result.sobolev = Enclosure::at_least(*sobolev->exponent.lower);
     return result;
   }
   if (sobolev) result.sobolev = sobolev->exponent;

@@ -72,8 +72,7 @@ std::vector<std::string> fit_findings(const std::vector<FitAndProduct>& pairs) {
   std::vector<std::string> sentences;
   sentences.push_back(
       fmt::format("Of {} schemes on grids that are no tensor products, {} are proved to converge; the Hoelder exponent "
-                  "is known exactly for {}, and "
-                  "proved to be below that of the tensor product for {}.",
+                  "is known exactly for {}, and proved to be below that of the tensor product for {}.",
                   pairs.size(), count([](const FitAndProduct& p) { return p.fit.regularity.converges.is_yes(); }),
                   count([](const FitAndProduct& p) {
                     return p.fit.regularity.exact.is_yes() && p.fit.regularity.exponent.is_bounded();

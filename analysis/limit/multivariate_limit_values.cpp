@@ -89,13 +89,7 @@ std::size_t digit_zero(const Dilation& dilation) {
 
 /// v -> (sum over j of a_{Mk - j} v_j)_k on the window.
 RationalMatrix operator_of_zero(const MultivariateMask& mask, const Dilation& dilation, const LatticeWindow& window) {
-  const std::size_t zero = digit_zero(dilation);
-  RationalMatrix matrix(window.size(), window.size());
-  for (std::size_t column = 0; column < window.size(); ++column) {
-    const auto images = transitions(mask.symbol(), dilation, {{window.points()[column], 1}});
-    for (const auto& [point, value] : images[zero]) matrix(window.place(point), column) = value;
-  }
-  return matrix;
+  return transition_family(mask.symbol(), dilation, window)[digit_zero(dilation)];
 }
 
 LatticeSequence on_points(const LatticeWindow& window, const std::vector<Rational>& values) {

@@ -81,7 +81,7 @@ DifferenceSpace space_of_differences(const MultivariateMask& mask, const Multiva
 }
 
 /// Whether the differences of the scheme shrink.
-Decision converges_by_norms(const MultivariateMask& mask, const Budget& budget) {
+Decision prove_convergence(const MultivariateMask& mask, const Budget& budget) {
   Decision decision = converges(mask, {levels, Deadline::in(std::max(budget.deadline.remaining(), least_seconds))});
   if (decision.is_yes() || decision.is_no()) return decision;
   try {
@@ -99,12 +99,14 @@ Decision converges_by_norms(const MultivariateMask& mask, const Budget& budget) 
 void search_radius(const MultivariateMask& mask, const std::optional<MultivariateSobolev>& sobolev,
                    const Budget& budget, MultivariateRegularity& result) {
   result.exact = {Truth::unknown, "the transition operators act on too many lattice points"};
-  std::vector<MultivariateMask> masks = with_turned_dilations(mask);
+  const std::vector<MultivariateMask> masks = with_turned_dilations(mask);
+  std::vector<DifferenceSpace> spaces;  // of the masks that had their turn
   for (double slice = masks.size() > 1 ? first_slice : budget.deadline.remaining();; slice *= slice_factor) {
-    for (const MultivariateMask& turned : masks) {
-      DifferenceSpace space = space_of_differences(turned, result, sobolev);
+    for (std::size_t k = 0; k < masks.size(); ++k) {
+      if (k == spaces.size()) spaces.push_back(space_of_differences(masks[k], result, sobolev));
+      const DifferenceSpace& space = spaces[k];
       if (space.family.size() > largest_space) {
-        if (!result.space) result.space = std::move(space);
+        if (!result.space) result.space = space;
         continue;
       }
       if (result.radius && result.space->is_of_values() && !space.is_of_values()) continue;
@@ -112,7 +114,7 @@ void search_radius(const MultivariateMask& mask, const std::optional<Multivariat
       const NormProof norms = norm_of_products(space.family, {share.deadline.after(norm_share), share.memory});
       JointSpectralRadius radius = joint_spectral_radius(space.family, share, norms);
       if (result.radius && !radius.exact.is_yes() && radius.proved_upper() >= result.radius->proved_upper()) continue;
-      result.space = std::move(space);
+      result.space = space;
       result.bound = HolderBound{norms.level, norms.norm,
                                  exponent_of_radius(root_enclosure(norms.norm, norms.level), mask.dilation().classes(),
                                                     mask.dilation().variables())};
@@ -163,7 +165,7 @@ void search_along_subspaces(const MultivariateMask& mask, const Budget& budget, 
       exponent.upper = along->exponent.upper;
     if (!roughest || *along->exponent.lower < *roughest->exponent.lower) roughest = std::move(along);
   }
-  result.converges = converges_by_norms(mask, budget);
+  result.converges = prove_convergence(mask, budget);
   if (roughest) exponent.lower = roughest->exponent.lower;
   if (!all || !(*exponent.lower > 0)) {
     if (!result.converges.is_yes()) result.stable = {Truth::unknown, "the scheme is not proved to converge"};
@@ -220,7 +222,7 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
   if (continuous && !of_values)
     result.converges = {Truth::yes, "the exponent is positive"};
   else
-    result.converges = converges_by_norms(mask, budget);
+    result.converges = prove_convergence(mask, budget);
   if (!continuous && !result.converges.is_yes()) {
     // What comes from the inner products supposes a continuous limit.
     const bool by_sum_rules = sobolev && (result.stable.is_yes() || !sobolev->exponent.upper);

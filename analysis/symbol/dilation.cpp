@@ -19,10 +19,9 @@ RationalMatrix to_matrix(const std::vector<LatticePoint>& rows) {
   return result;
 }
 
-/// The sixth power of the modulus of its zeros, if they have one modulus. Domain: irreducible over the rationals,
-/// degree
-/// <= 3. Of degree 2 it has two conjugate zeros, or real ones x and -x; one of degree 3 with a real zero r and |z| =
-/// |r| for the others has r^3 = -p(0), so r is a zero of x^3 + p(0), and p is that polynomial.
+/// The sixth power of the modulus of its zeros, if they have one modulus. Domain: irreducible over the rationals, of
+/// degree 3 at most. Of degree 2 it has two conjugate zeros, or real ones x and -x; one of degree 3 with a real zero r
+/// and |z| = |r| for the others has r^3 = -p(0), so r is a zero of x^3 + p(0), and p is that polynomial.
 std::optional<Rational> sixth_power_of_modulus(const LaurentPolynomial& f) {
   const long degree = f.highest();
   const Rational last = abs(f.coefficient(0) / f.coefficient(degree)), middle = f.coefficient(1);

@@ -42,7 +42,7 @@ class LatticeWindow {
 std::vector<LatticeSequence> transitions(const MultivariatePolynomial& symbol, const Dilation& dilation,
                                          const LatticeSequence& v);
 
-/// T_d on all sequences on a window that they do not lead out of.
+/// T_d on all sequences on a window; what they lead out of it is dropped.
 MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilation& dilation,
                                const LatticeWindow& window);
 

@@ -4,6 +4,7 @@
 #include <subcert/analysis/difference/difference_space.hpp>
 #include <subcert/analysis/regularity/gram_function.hpp>
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
+#include <subcert/analysis/regularity/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/regularity/radius/similarity.hpp>
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -39,19 +40,33 @@ void BM_surface_polytope(benchmark::State& state, const std::string& scheme, boo
   state.counters["closed"] = candidate.closed ? 1 : 0;
 }
 
+/// The bound and the words of a quadratic form, as narrow as 20 s and the work of the checker allow; the target 0.
+void BM_surface_form(benchmark::State& state, const std::string& scheme, bool symmetric) {
+  const MatrixFamily family = largest_block(scheme, symmetric);
+  std::optional<QuadraticProof> proof;
+  for (auto _ : state) proof = prove_by_quadratic_form(family, 0, {Deadline::in(20)});
+  state.counters["dimension"] = static_cast<double>(family.size());
+  state.counters["group"] = static_cast<double>(family.group().size());
+  state.counters["bound"] = proof ? proof->bound.convert_to<double>() : 0;
+  state.counters["words"] = proof ? static_cast<double>(proof->words.size()) : 0;
+}
+
 void BM_surface_stability(benchmark::State& state, const std::string& scheme) {
   const MultivariateMask mask = mask_of(scheme);
   for (auto _ : state) benchmark::DoNotOptimize(has_stable_shifts(*gram_function(mask)));
 }
 
 const bool surface_benchmarks = [] {
-  for (const std::string scheme :
-       {"quincunx:", "butterfly:w=1/16", "grid:points=3x3,d=2", "grid:points=4x4,d=2", "grid:points=4x4,d=3"}) {
-    for (const bool symmetric : {true, false})
-      benchmark::RegisterBenchmark(("BM_surface_polytope/" + scheme + (symmetric ? "/group" : "/none")).c_str(),
-                                   BM_surface_polytope, scheme, symmetric)
-          ->Unit(benchmark::kMillisecond)
-          ->Iterations(1);
+  for (const std::string scheme : {"quincunx:", "butterfly:w=1/16", "grid:points=3x3,d=2", "grid:points=4x4,d=2",
+                                   "grid:points=4x4,d=3", "grid:points=5x5,d=2"}) {
+    for (const bool symmetric : {true, false}) {
+      const std::string name = scheme + (symmetric ? "/group" : "/none");
+      for (const auto& [kind, run] :
+           {std::pair{"BM_surface_polytope/", &BM_surface_polytope}, std::pair{"BM_surface_form/", &BM_surface_form}})
+        benchmark::RegisterBenchmark((kind + name).c_str(), run, scheme, symmetric)
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(1);
+    }
     benchmark::RegisterBenchmark(("BM_surface_stability/" + scheme).c_str(), BM_surface_stability, scheme)
         ->Unit(benchmark::kMillisecond);
   }

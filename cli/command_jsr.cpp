@@ -66,28 +66,24 @@ ExitCode run(const JsrOptions& options) {
     runtime::write_file(options.certificate + ".matrices", matrices_text(matrices));
   }
   const BlockProof* blocks = radius.by_blocks();
-  // For a reducible family, of the block with the largest radius.
-  const std::string method = radius.method() == JsrMethod::invariant_polytope ? "invariant polytope"
-                                                                              : "norms of products";
   if (options.json) {
     options.answer(Json{{"radius", enclosure_json(radius.radius)},
                         {"exact", radius.exact.is_yes()},
                         {"exactness", radius.exact.reason},
                         {"closed", radius.is_closed()},
                         {"product", radius.product.word},
-                        {"method", method},
+                        {"method", method_text(radius)},
                         {"vertices", radius.vertices()},
                         {"blocks", blocks ? Json(blocks->triangular.sizes) : Json({matrices.size()})}});
   } else {
     std::ostringstream text;
     text << "matrices     " << matrices.count() << " of size " << matrices.size() << "\n"
          << (blocks ? "blocks       " + sizes_text(blocks->triangular.sizes) + "\n" : "") << "radius       "
-         << enclosure_text(radius.radius, 14) << "  (" << method << ")\n"
+         << enclosure_text(radius.radius, 14) << "  (" << sized_method_text(radius) << ")\n"
          << "product     ";
     for (int letter : radius.product.word) text << " " << letter;
     text << "  (radius " << enclosure_text(radius.product.radius, 14)
          << (radius.exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
-    if (radius.vertices() > 0) text << "vertices     " << radius.vertices() << "\n";
     options.answer(text.str());
   }
   return radius.is_closed() ? done : undecided;

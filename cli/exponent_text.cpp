@@ -37,9 +37,19 @@ std::string sobolev_text(const SobolevRegularity& sobolev, const Decision& stabl
 std::string method_text(const JointSpectralRadius& radius) {
   switch (radius.method()) {
     case JsrMethod::invariant_polytope: return "invariant polytope";
+    case JsrMethod::quadratic_form: return "quadratic form";
     case JsrMethod::single_spectral_radius: return "single spectral radius";
-    default: return "norms of the difference scheme";
+    default: return "norms of products";
   }
+}
+
+std::string sized_method_text(const JointSpectralRadius& radius) {
+  const auto counted = [&](std::size_t count, const char* one, const char* several) {
+    return fmt::format("{} with {} {}", method_text(radius), count, count == 1 ? one : several);
+  };
+  if (radius.method() == JsrMethod::invariant_polytope) return counted(radius.vertices(), "vertex", "vertices");
+  if (radius.method() == JsrMethod::quadratic_form) return counted(radius.words(), "product", "products");
+  return method_text(radius);
 }
 
 std::string word_text(const std::vector<int>& word) {

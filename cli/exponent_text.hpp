@@ -21,6 +21,8 @@ std::string sobolev_text(const SobolevRegularity& sobolev, const Decision& stabl
 
 /// By which kind of argument the upper end of a radius is proved.
 std::string method_text(const JointSpectralRadius& radius);
+/// The same with the size of the proof.
+std::string sized_method_text(const JointSpectralRadius& radius);
 
 /// The letters of a product, with commas behind letters above 9.
 std::string word_text(const std::vector<int>& word);

@@ -57,15 +57,12 @@ std::string MultivariateRegularityPage::text() const {
                  ? "\n"
                  : ", for the dilation " + regularity.space->dilation.to_text() + ", digits " +
                        to_text(regularity.space->dilation.digits()) + "\n");
-  if (regularity.bound)
+  if (regularity.bound && regularity.bound->exponent.lower.value_or(0) > 0)
     page << "bound        >= " << regularity.bound->exponent.lower_text(12) << " by norms of products of length "
          << regularity.bound->levels << "\n";
   if (radius) {
     page << "radius       " << enclosure_text(radius->radius, 15) << "  (joint spectral radius, "
-         << method_text(*radius);
-    if (radius->vertices() > 0)
-      page << ", " << radius->vertices() << (radius->vertices() == 1 ? " vertex" : " vertices");
-    page << ")\n";
+         << sized_method_text(*radius) << ")\n";
     if (const BlockProof* blocks = radius->by_blocks())
       page << "blocks       " << sizes_text(blocks->triangular.sizes) << "\n";
     page << "product      " << word_text(radius->product.word) << "  (radius "

@@ -82,10 +82,8 @@ std::string RegularityPage::text() const {
        << "converges    " << subcert::to_text(convergence.truth) << ": " << convergence.reason << "\n"
        << "bound        >= " << last.exponent.lower_text(12) << " after " << last.levels << " levels; ||S_b^"
        << last.levels << "|| = " << to_decimal(last.norm, 12, Rounding::nearest) << "\n"
-       << "radius       " << enclosure_text(radius.radius, 15) << "  (joint spectral radius, " << method_text(radius);
-  if (radius.method() == JsrMethod::invariant_polytope)
-    page << " with " << radius.vertices() << (radius.vertices() == 1 ? " vertex" : " vertices");
-  page << ")\n";
+       << "radius       " << enclosure_text(radius.radius, 15) << "  (joint spectral radius, "
+       << sized_method_text(radius) << ")\n";
   if (const BlockProof* blocks = regularity.certifiable().by_blocks())
     page << "blocks       " << sizes_text(blocks->triangular.sizes) << "\n";
   if (!radius.product.word.empty())

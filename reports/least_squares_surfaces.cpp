@@ -11,7 +11,7 @@
 namespace subcert::reports {
 namespace {
 
-constexpr long most_searched = 64;   // coefficients: polytopes of larger masks close in no time that a page may take
+constexpr long most_searched = 100;  // coefficients: larger masks take longer than a page may
 constexpr double fit_seconds = 120;  // seconds; the slowest of the others needs 15
 
 /// The least squares scheme of a total degree on a grid, and the tensor product with the same data and positions.
@@ -108,7 +108,7 @@ formats::Section fits_section(const ReportOptions& options) {
       "smoothness of these limits, so that nothing printed is compared here.");
   for (const std::string& sentence : fit_findings(pairs)) section.paragraphs.push_back(sentence);
   section.paragraphs.push_back(
-      "Masks of more than 64 coefficients are not searched for the product that attains their radius unless --budget "
+      "Masks of more than 100 coefficients are not searched for the product that attains their radius unless --budget "
       "gives the seconds; their Hoelder exponents are enclosed by the Sobolev exponents. '>=' says that no upper end "
       "is "
       "proved.");

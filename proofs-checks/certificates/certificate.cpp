@@ -21,11 +21,12 @@ std::string outward(const Rational& value, Rounding rounding) {
 /// The elements of a group as words of a few of them, with the sign that the product lacks.
 class GroupWords {
  public:
-  explicit GroupWords(const std::vector<FamilySymmetry>& group) : words_(group.size()) {
+  /// `flip`: whether the reversal of the coordinates is written as `f`.
+  explicit GroupWords(const std::vector<FamilySymmetry>& group, bool flip) : words_(group.size()) {
     words_[0] = {"", 1};
     std::vector<RationalMatrix> maps;
     for (const FamilySymmetry& element : group) maps.push_back(element.map.matrix());
-    if (group.size() == 2 && group[1].map == SparseMap::reversal(group[1].map.size())) {
+    if (flip && group.size() == 2 && group[1].map == SparseMap::reversal(group[1].map.size())) {
       words_[1] = {"f", 1};
       return;
     }
@@ -87,14 +88,17 @@ std::string numbers_text(const std::vector<Integer>& numbers) {
   return text;
 }
 
+std::string group_text(const GroupWords& group) {
+  return group.generators().empty() ? "" : fmt::format(" group:{}", group.generators().size());
+}
+
 std::string properties_text(const PolytopeProof& polytope, const GroupWords& group) {
   std::string text;
   if (polytope.kind == PolytopeKind::complex) text += " complex";
   if (polytope.kind == PolytopeKind::nonnegative) text += " nonnegative";
   if (polytope.is_flip_symmetric()) text += " symmetric";
   if (polytope.transposed) text += " transposed";
-  if (!group.generators().empty()) text += fmt::format(" group:{}", group.generators().size());
-  return text;
+  return text + group_text(group);
 }
 
 std::string product_text(const JointSpectralRadius& radius) {
@@ -115,6 +119,14 @@ std::string rows_text(const std::string& head, const RationalMatrix& matrix) {
   return text;
 }
 
+std::string generators_text(const std::vector<FamilySymmetry>& elements, const GroupWords& group) {
+  std::string text;
+  for (std::size_t g = 0; g < group.generators().size(); ++g)
+    text += fmt::format("generator {}\n", fmt::join(elements[group.inverse(g)].letters, " ")) +
+            rows_text("map", elements[group.generators()[g]].map.matrix());
+  return text;
+}
+
 /// The sections of a proof, block by block.
 class SectionWriter {
  public:
@@ -125,12 +137,10 @@ class SectionWriter {
   std::string operator()(const NormProof& norms) { return fmt::format("block {} norm {}\n", block_, norms.level); }
 
   std::string operator()(const PolytopeProof& polytope) const {
-    const GroupWords group(polytope.group);
+    const GroupWords group(polytope.group, true);
     std::string text = fmt::format("block {} polytope {} {} {}{}\n", block_, polytope.vertices.size(),
                                    polytope.vertex_bits, polytope.weight_bits, properties_text(polytope, group));
-    for (std::size_t g = 0; g < group.generators().size(); ++g)
-      text += fmt::format("generator {}\n", fmt::join(polytope.group[group.inverse(g)].letters, " ")) +
-              rows_text("map", polytope.group[group.generators()[g]].map.matrix());
+    text += generators_text(polytope.group, group);
     for (std::size_t v = 0; v < polytope.vertices.size(); ++v)
       text += "vertex" + numbers_text(polytope.vertices[v]) +
               (polytope.kind == PolytopeKind::complex ? numbers_text(polytope.imaginary[v]) : "") + "\n";
@@ -139,6 +149,16 @@ class SectionWriter {
     for (std::size_t i = 0; i < polytope.images.size(); ++i)
       text += fmt::format("image {} {}{}\n", i / matrix_count_, i % matrix_count_,
                           terms_text(polytope.images[i], polytope.kind, group));
+    return text;
+  }
+
+  std::string operator()(const QuadraticProof& proof) const {
+    const GroupWords group(proof.group, false);
+    std::string text = fmt::format("block {} quadratic {} {}{}\n", block_, proof.words.size(), to_text(proof.bound),
+                                   group_text(group)) +
+                       generators_text(proof.group, group);
+    for (const std::vector<Integer>& row : proof.form) text += "form" + numbers_text(row) + "\n";
+    for (const std::vector<int>& word : proof.words) text += fmt::format("word {}\n", fmt::join(word, " "));
     return text;
   }
 

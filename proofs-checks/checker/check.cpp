@@ -2,6 +2,8 @@
 // ../certificates/SPEC.md, which proves each step.
 #include "check.hpp"
 
+#include "group.hpp"
+#include "quadratic.hpp"
 #include "surface.hpp"
 
 #include <algorithm>
@@ -44,6 +46,8 @@ class Checker {
       const Fields fields = reader_.take("block " + std::to_string(i), 2, 8);
       if (fields[0] == "norm")
         read_norm(blocks[i], fields, first_columns ? 1 : blocks[i].size);
+      else if (fields[0] == "quadratic")
+        use_upper_bound(read_quadratic(blocks[i], fields, reader_, arithmetic_), 1);
       else
         read_polytope(blocks[i], fields);
     }
@@ -188,50 +192,10 @@ class Checker {
   struct Polytope {
     std::size_t size, parts;
     bool nonnegative, symmetric;
-    std::vector<Vector> generators;  // of the group: maps A, B, ..., column by column
+    std::vector<Generator> generators;  // of the group: A, B, ...
     std::vector<Vector> vertices;
     std::map<std::pair<std::size_t, std::string>, Vector> images;  // of vertices under words of generators
   };
-
-  /// Section 4.7, `group`: maps g with T_t g = g T_s for all t, the s in the line, that generate a finite group.
-  std::vector<Vector> read_generators(const Family& family, std::size_t count) {
-    constexpr std::size_t most_elements = 96;
-    const std::size_t n = family.size;
-    std::vector<Vector> generators;
-    for (std::size_t k = 0; k < count; ++k) {
-      std::vector<std::size_t> letters;
-      for (const std::string_view field : reader_.take("generator", family.count(), family.count()))
-        letters.push_back(parse_size(field, 0, family.count() - 1));
-      Vector& map = generators.emplace_back(n * n);
-      for (std::size_t i = 0; i < n; ++i) {
-        const Fields row = reader_.take("map", n, n);
-        for (std::size_t j = 0; j < n; ++j) map[j * n + i] = parse_integer(row[j]);
-      }
-      for (std::size_t t = 0; t < family.count(); ++t) {
-        const auto matrix = family.matrix(letters[t]);
-        require(arithmetic_.multiply(family.matrix(t), map, n) ==
-                    arithmetic_.multiply(map, Vector(matrix.begin(), matrix.end()), n),
-                "a generator does not permute the matrices as it says");
-      }
-    }
-    Vector identity(n * n);
-    for (std::size_t i = 0; i < n; ++i) identity[i * n + i] = 1;
-    std::set<Vector> known{identity};  // each up to its sign
-    for (std::vector<Vector> fresh{identity}; !fresh.empty();) {
-      const Vector element = std::move(fresh.back());
-      fresh.pop_back();
-      for (const Vector& generator : generators) {
-        Vector next = arithmetic_.multiply(generator, element, n);
-        const auto leading = std::find_if(next.begin(), next.end(), [](const mpz_class& x) { return x != 0; });
-        require(leading != next.end(), "a generator is singular");
-        if (*leading < 0)
-          for (mpz_class& x : next) x = -x;
-        if (known.insert(next).second) fresh.push_back(std::move(next));
-        require(known.size() <= most_elements, "the generators span a group of more than 96 elements");
-      }
-    }
-    return generators;
-  }
 
   /// The vertex after a word of generators, the last letter first; f is the flip.
   const Vector& image_of(Polytope& body, std::size_t vertex, std::string_view word) {
@@ -246,25 +210,23 @@ class Checker {
     } else {
       const std::size_t generator = static_cast<unsigned char>(word.front()) - std::size_t{'A'};
       require(generator < body.generators.size(), "unknown generator");
-      image = arithmetic_.multiply(body.generators[generator], image, body.size);
+      image = arithmetic_.multiply(body.generators[generator].map, image, body.size);
     }
     return at->second = std::move(image);
   }
 
   /// Section 4.7.
   void read_polytope(Family family, const Fields& fields) {
-    require(fields[0] == "polytope" && fields.size() >= 4, "expected 'norm' or 'polytope' and its numbers");
+    require(fields[0] == "polytope" && fields.size() >= 4,
+            "expected 'norm', 'polytope' or 'quadratic' and its numbers");
     const std::size_t n = family.size, vertices = parse_size(fields[1], 1, max_bytes);
     const std::size_t vertex_bits = parse_size(fields[2], 0, 4096), weight_bits = parse_size(fields[3], 0, 4096);
     std::set<std::string_view> properties(fields.begin() + 4, fields.end());
     if (properties.erase("transposed") != 0) family.transpose();
     const bool complex = properties.erase("complex") != 0, nonnegative = properties.erase("nonnegative") != 0;
     const bool symmetric = properties.erase("symmetric") != 0;
-    std::size_t generators = 0;
-    if (properties.size() == 1 && properties.begin()->starts_with("group:")) {
-      generators = parse_size(properties.begin()->substr(6), 1, 8);
-      properties.clear();
-    }
+    const std::size_t generators = properties.size() == 1 ? parse_group(*properties.begin()) : 0;
+    if (generators > 0) properties.clear();
     require(!(generators > 0 && (symmetric || nonnegative)), "a group goes with neither 'symmetric' nor 'nonnegative'");
     require(properties.empty() && !(complex && nonnegative), "unknown polytope property");
     const Vector& entries = family.entries;
@@ -272,7 +234,8 @@ class Checker {
     require(!symmetric || std::equal(entries.begin(), entries.end(), entries.rbegin()), "the family is not symmetric");
     require(!nonnegative || std::none_of(entries.begin(), entries.end(), negative), "a matrix is not non-negative");
 
-    Polytope body{n, complex ? 2U : 1U, nonnegative, symmetric, read_generators(family, generators), {}, {}};
+    Polytope body{n, complex ? 2U : 1U, nonnegative, symmetric, {}, {}, {}};
+    body.generators = read_generators(family, generators, reader_, arithmetic_);
     for (std::size_t i = 0; i < vertices; ++i) {
       Vector& vertex = body.vertices.emplace_back();
       for (const std::string_view field : reader_.take("vertex", body.parts * n, body.parts * n))

@@ -6,6 +6,7 @@ namespace subcert_check {
 namespace {
 
 constexpr std::size_t max_cell_entries = 1UL << 15, max_depth = 60;
+constexpr std::size_t precision = 256;  // bits of the largest coefficient of a cell
 
 struct Gaussian {
   mpz_class re, im;
@@ -96,7 +97,14 @@ class Positivity {
       });
     }
     Box<mpz_class> real{sum.sizes, {}};
-    for (const Gaussian& value : sum.values) real.values.push_back(value.re);
+    std::size_t largest = 0;
+    for (const Gaussian& value : sum.values) {
+      real.values.push_back(value.re);
+      largest = std::max(largest, bits(value.re));
+    }
+    // Rounded down: what is shown to be positive is not larger.
+    for (mpz_class& value : real.values)
+      if (largest > precision) value >>= largest - precision;
     return real;
   }
 

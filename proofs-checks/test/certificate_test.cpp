@@ -1,4 +1,7 @@
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/difference/difference_space.hpp>
+#include <subcert/analysis/regularity/radius/one_block.hpp>
+#include <subcert/analysis/regularity/radius/similarity.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -219,6 +222,40 @@ TEST_CASE("a complex leading pair") {
   CHECK(regularity.radius.is_closed());
   const Certificate certificate = exponent_certificate(mask, regularity);
   CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
+}
+
+TEST_CASE("certificates by quadratic forms") {
+  const auto by_form = [](const MatrixFamily& family) {
+    JointSpectralRadius result = joint_spectral_radius(family, {Deadline::in(2)});
+    result.proof = *radius::quadratic_bound(family, 0, {Deadline::in(2)});
+    result.radius.upper = result.proved_upper();
+    return result;
+  };
+  // With the flip, and without.
+  const Mask mask = make_scheme("primal:n=3,d=3").mask;
+  const int rules = holder_bounds(mask, 4, Deadline::in(10)).sum_rules;
+  HolderRegularity regularity = regularity_of("primal:n=3,d=3");
+  regularity.radius = by_form(transition_matrices(divided_difference_scheme(mask, rules)));
+  REQUIRE(regularity.radius.method() == JsrMethod::quadratic_form);
+  const Certificate curve = exponent_certificate(mask, regularity);
+  CHECK(proves(subject_of(mask), *curve.claim.lower, *curve.claim.upper, curve.text));
+  // With larger groups and equal matrices.
+  const fs::path file = fs::temp_directory_path() / ("subcert-forms-test-" + std::to_string(getpid()) + ".matrices");
+  RationalMatrix up(2, 2), down(2, 2);
+  up(0, 0) = up(0, 1) = up(1, 1) = down(0, 0) = down(1, 0) = down(1, 1) = q("1/3");
+  const auto surface = std::get<MultivariateScheme>(make_linear_scheme("grid:points=3x3,d=2"));
+  const BlockTriangular blocks = radius::with_symmetries(
+      block_triangularise(difference_space(surface.mask, 3).family, Deadline::in(60)), Deadline::in(60));
+  REQUIRE(blocks.block(0).group().size() == 8);
+  for (const MatrixFamily& family : {MatrixFamily{up, down, up}, blocks.block(0)}) {
+    const JointSpectralRadius radius = by_form(family);
+    std::ofstream(file, std::ios::binary) << matrices_text(family);
+    const Certificate certificate = radius_certificate(family, radius);
+    CHECK(proves("--matrices " + file.string(), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
+    CHECK_FALSE(proves("--matrices " + file.string(), "",
+                       to_text(*parse_rational(*certificate.claim.upper) - power(Rational(10), -6)), certificate.text));
+  }
+  fs::remove(file);
 }
 
 TEST_CASE("reducible families: radii and certificates by blocks") {

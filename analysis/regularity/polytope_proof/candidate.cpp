@@ -18,7 +18,15 @@ polytope::Matrix to_double(const RationalMatrix& m) {
   return result;
 }
 
-polytope::SearchFamily to_double(const MatrixFamily& family) {
+/// The search writes the letter applied first first, also where it applies transposed matrices.
+std::vector<int> from_left_to_right(std::vector<int> cycle, bool transposed) {
+  if (!transposed) std::reverse(cycle.begin(), cycle.end());
+  return cycle;
+}
+
+}  // namespace
+
+polytope::SearchFamily to_search_family(const MatrixFamily& family) {
   polytope::SearchFamily result;
   for (const RationalMatrix& m : family) result.matrices.push_back(to_double(m));
   if (family.is_flip_symmetric()) {
@@ -33,16 +41,8 @@ polytope::SearchFamily to_double(const MatrixFamily& family) {
   return result;
 }
 
-/// The search writes the letter applied first first, also where it applies transposed matrices.
-std::vector<int> from_left_to_right(std::vector<int> cycle, bool transposed) {
-  if (!transposed) std::reverse(cycle.begin(), cycle.end());
-  return cycle;
-}
-
-}  // namespace
-
 PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget) {
-  const polytope::SearchResult found = polytope::search_polytope(to_double(family), {.budget = budget});
+  const polytope::SearchResult found = polytope::search_polytope(to_search_family(family), {.budget = budget});
 
   PolytopeCandidate result;
   result.kind = found.kind;
@@ -66,7 +66,7 @@ PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget
 
 std::vector<int> find_product(const MatrixFamily& family, const Deadline& deadline) {
   const polytope::ProductSearchOptions options{quick_length, quick_width, quick_nearness, {deadline}};
-  const auto found = polytope::search_products(to_double(family), options);
+  const auto found = polytope::search_products(to_search_family(family), options);
   return from_left_to_right(found.front().word, false);
 }
 

@@ -2,6 +2,7 @@
 /// What the floating point search proposes, in words that the proof uses: the border between search and proof. Inner
 /// header. Nothing here is to be trusted.
 
+#include <subcert/analysis/regularity/polytope_search/product_search.hpp>
 #include "polytope_proof.hpp"
 
 #include <complex>
@@ -45,6 +46,9 @@ struct PolytopeCandidate {
   std::vector<Vertex> vertices;
   std::vector<Image> images;  ///< one for every vertex and letter, ordered by vertex, then letter
 };
+
+/// The family in doubles, with its group. Domain: entries whose doubles are finite.
+polytope::SearchFamily to_search_family(const MatrixFamily& family);
 
 /// Searches a product and a polytope. Domain: entries whose doubles are finite and not far from 1 in size.
 PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget);

@@ -27,6 +27,11 @@ SymmetricDecomposition symmetric_decomposition(const Matrix& matrix) {
   return result;
 }
 
+Vector symmetric_eigenvalues(const Matrix& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(copy(matrix), Eigen::EigenvaluesOnly);
+  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+}
+
 EigenDecomposition eigen_decomposition(const Matrix& matrix) {
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(copy(matrix));
   const Eigen::MatrixXcd vectors = solver.eigenvectors();

@@ -13,6 +13,8 @@ struct SymmetricDecomposition {
   Matrix vectors;
 };
 SymmetricDecomposition symmetric_decomposition(const Matrix& matrix);
+/// Increasing. Domain: symmetric.
+Vector symmetric_eigenvalues(const Matrix& matrix);
 
 /// matrix * vectors[k] = values[k] * vectors[k], in no particular order; the vectors have norm 1.
 struct EigenDecomposition {

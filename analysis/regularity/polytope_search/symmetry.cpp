@@ -63,7 +63,15 @@ std::vector<std::size_t> SymmetryGroup::blocks(std::size_t dimension) const {
 }
 
 Matrix SymmetryGroup::mean(const Matrix& matrix, const CoordinateChange& adapted) const {
-  if (!is_dense()) return matrix;
+  if (order_ == 1) return matrix;
+  if (!is_dense()) {  // the flip exchanges the signs between its blocks
+    const std::size_t even = blocks(matrix.rows()).front();
+    Matrix result = matrix;
+    for (std::size_t j = 0; j < result.columns(); ++j)
+      for (std::size_t i = 0; i < result.rows(); ++i)
+        if ((i < even) != (j < even)) result(i, j) = 0;
+    return result;
+  }
   Matrix sum(matrix.rows(), matrix.columns());
   for (const Element& element : elements_) {
     const Matrix g = adapted.to * element.map * adapted.from;

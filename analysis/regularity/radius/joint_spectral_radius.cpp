@@ -56,12 +56,23 @@ class BlockSearch {
     const bool smaller = *radii_[k].radius.lower < best_ * (1 - rounding);
     // A block that seems smaller only has to get below the best lower bound: ever longer searches.
     for (double slice = smaller ? first_slice : seconds; !is_settled(k) && !end.expired(); slice *= 2) {
+      if (smaller) {
+        lower_by_quadratic_form(k, {end.at_most(slice), budget_.memory});
+        if (is_settled(k)) break;
+      }
       JointSpectralRadius found = radius::radius_of_one_block(families_[k], {end.at_most(slice), budget_.memory},
                                                               norms_[k]);
       if (found.exact.is_yes() || found.proved_upper() < radii_[k].proved_upper()) radii_[k] = std::move(found);
       best_ = std::max(best_, *radii_[k].radius.lower);
       if (radii_[k].is_closed()) break;
     }
+  }
+
+  void lower_by_quadratic_form(std::size_t k, const Budget& budget) {
+    auto proof = radius::quadratic_bound(families_[k], best_, budget);
+    if (!proof || proof->bound >= radii_[k].proved_upper()) return;
+    radii_[k].radius.upper = proof->bound;
+    radii_[k].proof = std::move(*proof);
   }
 
   bool is_settled(std::size_t k) const {
@@ -149,6 +160,7 @@ bool JointSpectralRadius::is_closed() const {
 Rational JointSpectralRadius::proved_upper() const {
   if (const auto* norms = std::get_if<NormProof>(&proof)) return norms->bound();
   if (const auto* polytope = std::get_if<PolytopeProof>(&proof)) return polytope->bound;
+  if (const auto* form = std::get_if<QuadraticProof>(&proof)) return form->bound;
   const BlockProof* blocks = by_blocks();
   require(blocks != nullptr, "proved_upper: need a proof in rational numbers, got a single spectral radius");
   Rational most = 0;
@@ -159,6 +171,7 @@ Rational JointSpectralRadius::proved_upper() const {
 JsrMethod JointSpectralRadius::method() const {
   if (const BlockProof* blocks = by_blocks()) return blocks->blocks[blocks->leading].method();
   if (std::holds_alternative<PolytopeProof>(proof)) return JsrMethod::invariant_polytope;
+  if (std::holds_alternative<QuadraticProof>(proof)) return JsrMethod::quadratic_form;
   return std::holds_alternative<NormProof>(proof) ? JsrMethod::norm_of_products : JsrMethod::single_spectral_radius;
 }
 
@@ -167,6 +180,14 @@ std::size_t JointSpectralRadius::vertices() const {
   std::size_t sum = 0;
   if (const BlockProof* blocks = by_blocks())
     for (const JointSpectralRadius& block : blocks->blocks) sum += block.vertices();
+  return sum;
+}
+
+std::size_t JointSpectralRadius::words() const {
+  if (const auto* form = std::get_if<QuadraticProof>(&proof)) return form->words.size();
+  std::size_t sum = 0;
+  if (const BlockProof* blocks = by_blocks())
+    for (const JointSpectralRadius& block : blocks->blocks) sum += block.words();
   return sum;
 }
 

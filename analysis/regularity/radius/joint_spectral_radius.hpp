@@ -2,6 +2,7 @@
 /// Joint spectral radii, enclosed with proof.
 
 #include <subcert/analysis/regularity/polytope_proof/polytope_proof.hpp>
+#include <subcert/analysis/regularity/quadratic/quadratic_proof.hpp>
 #include "block_triangular.hpp"
 #include "norm_of_products.hpp"
 #include "product.hpp"
@@ -25,9 +26,9 @@ struct SingleRadiusProof {
 };
 
 /// How the upper end is proved.
-using RadiusProof = std::variant<NormProof, PolytopeProof, BlockProof, SingleRadiusProof>;
+using RadiusProof = std::variant<NormProof, PolytopeProof, QuadraticProof, BlockProof, SingleRadiusProof>;
 
-enum class JsrMethod { invariant_polytope, norm_of_products, single_spectral_radius };
+enum class JsrMethod { invariant_polytope, quadratic_form, norm_of_products, single_spectral_radius };
 
 /// The largest norm of a product of n matrices lies between positive multiples of n^at_least radius^n and n^at_most
 /// radius^n; an absent end is not known.
@@ -53,6 +54,8 @@ struct JointSpectralRadius {
   JsrMethod method() const;
   /// Of all polytopes.
   std::size_t vertices() const;
+  /// Products of the trees of all quadratic forms.
+  std::size_t words() const;
   /// The proof by diagonal blocks, or null.
   const BlockProof* by_blocks() const { return std::get_if<BlockProof>(&proof); }
 };

@@ -1,11 +1,13 @@
 #include "norm_of_products.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace subcert {
 namespace {
 
 constexpr std::size_t most_products = 512;
+constexpr double most_work = 2e7;  // products of numbers for one level; larger families have better bounds than norms
 constexpr int longest = 24;
 
 /// What matrices of this kind hold, roughly.
@@ -30,7 +32,8 @@ NormProof norm_of_products(const MatrixFamily& family, const Budget& budget) {
       best_bound = bound;
     }
     const std::size_t next = products.size() * family.count();
-    if (proof.norm == 0 || next > most_products || level >= longest ||
+    if (proof.norm == 0 || next > most_products ||
+        static_cast<double>(next) * std::pow(static_cast<double>(family.size()), 3) > most_work || level >= longest ||
         next * bytes_of(products.front()) > budget.memory / 2)
       return best;
     std::vector<RationalMatrix> longer;

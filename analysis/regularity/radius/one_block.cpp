@@ -10,9 +10,9 @@ namespace subcert::radius {
 namespace {
 
 const Rational rounding = power(Rational(10), -15);
-constexpr double norm_share = 0.05;   // of the time
-constexpr double search_share = 0.9;  // of the time that is left; the rest is for the proof
-constexpr double grace = 0.5;         // seconds that a proof may take in any case
+constexpr double norm_share = 0.05;     // of the time
+constexpr double polytope_share = 0.7;  // of the time that is left; the rest is for its proof and quadratic forms
+constexpr double grace = 0.5;           // seconds that a proof may take in any case
 
 /// Whether all maximizing products have the radius of the first, exactly.
 bool have_equal_radii(const MatrixFamily& family, const PolytopeCandidate& candidate, const ProductEvidence& first,
@@ -62,10 +62,28 @@ DifferentMatrices different_matrices(const MatrixFamily& family) {
   return {MatrixFamily(std::move(matrices), std::move(group)), std::move(originals), std::move(places)};
 }
 
+/// A word over the different matrices in letters of the family.
+void rename(std::vector<int>& word, const DifferentMatrices& different) {
+  for (int& letter : word) letter = static_cast<int>(different.originals[static_cast<std::size_t>(letter)]);
+}
+
+void expand(std::vector<FamilySymmetry>& group, const DifferentMatrices& different) {
+  for (FamilySymmetry& element : group) {
+    std::vector<std::size_t> letters;
+    for (const std::size_t place : different.places) letters.push_back(different.originals[element.letters[place]]);
+    element.letters = std::move(letters);
+  }
+}
+
+void expand(QuadraticProof& proof, const DifferentMatrices& different) {
+  for (std::vector<int>& word : proof.words) rename(word, different);
+  expand(proof.group, different);
+}
+
 /// The proof for the family from that for its different matrices.
 void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
-  for (int& letter : radius.product.word)
-    letter = static_cast<int>(different.originals[static_cast<std::size_t>(letter)]);
+  rename(radius.product.word, different);
+  if (auto* form = std::get_if<QuadraticProof>(&radius.proof)) expand(*form, different);
   auto* polytope = std::get_if<PolytopeProof>(&radius.proof);
   if (!polytope) return;
   const std::size_t count = different.originals.size();
@@ -78,11 +96,7 @@ void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
   repeated(polytope->images);
   repeated(polytope->moduli);
   repeated(polytope->residuals);
-  for (FamilySymmetry& element : polytope->group) {
-    std::vector<std::size_t> letters;
-    for (const std::size_t place : different.places) letters.push_back(different.originals[element.letters[place]]);
-    element.letters = std::move(letters);
-  }
+  expand(polytope->group, different);
 }
 
 JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget& budget,
@@ -92,26 +106,33 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   const MatrixFamily scaled_family = exponent == 0 ? family : 1 / unit * family;
   const NormProof norms = known ? *known : norm_of_products(family, {budget.deadline.after(norm_share), budget.memory});
   const PolytopeCandidate candidate = find_polytope(scaled_family,
-                                                    {budget.deadline.after(search_share), budget.memory});
+                                                    {budget.deadline.after(polytope_share), budget.memory});
   const Budget proving{Deadline::in(budget.deadline.remaining() + grace), budget.memory};
 
   JointSpectralRadius result;
   ProductEvidence product = prove_product(scaled_family, candidate.products.front().word, proving.deadline);
   auto polytope = certify_polytope(scaled_family, candidate, proving);
-  const Rational lower = *product.radius.lower * unit, norm_bound = norms.bound();
+  const Rational lower = *product.radius.lower * unit;
+  Rational upper = norms.bound();
+  result.proof = norms;
   // Of two bounds that differ by rounding only, the polytope is the shorter proof.
-  const bool by_polytope = polytope && polytope->bound * unit < norm_bound * (1 + rounding);
-  result.radius = {lower, by_polytope ? polytope->bound * unit : norm_bound};
+  const bool by_polytope = polytope && polytope->bound * unit < upper * (1 + rounding);
+  if (by_polytope) {
+    upper = polytope->bound * unit;
+    result.proof = scaled(*polytope, exponent);
+  }
+  if (!candidate.closed && lower < upper)
+    if (auto form = prove_by_quadratic_form(scaled_family, lower / unit, budget); form && form->bound * unit < upper) {
+      upper = form->bound * unit;
+      result.proof = scaled(std::move(*form), exponent);
+    }
+  result.radius = {lower, upper};
   if (result.radius.is_exact())
     result.exact = {Truth::yes, "both ends of the enclosure are the same number"};
   else if (!by_polytope || lower <= 0)
     result.exact = {Truth::unknown, "no polytope closed"};
   else
     result.exact = attains(scaled_family, candidate, *polytope, product, proving.deadline);
-  if (by_polytope)
-    result.proof = scaled(std::move(*polytope), exponent);
-  else
-    result.proof = norms;
   result.product = scaled(std::move(product), exponent);
   if (result.exact.is_yes()) {
     if (result.product.exact) result.radius = Enclosure::exactly(*result.product.exact);
@@ -129,6 +150,18 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
   JointSpectralRadius result = radius_of_different(different.family, budget, known);
   if (different.originals.size() < family.count()) expand(result, different);
   return result;
+}
+
+std::optional<QuadraticProof> quadratic_bound(const MatrixFamily& family, const Rational& target,
+                                              const Budget& budget) {
+  const DifferentMatrices different = different_matrices(family);
+  const long exponent = scaling_exponent(different.family);
+  const Rational unit = power(Rational(2), exponent);
+  auto proof = prove_by_quadratic_form(exponent == 0 ? different.family : 1 / unit * different.family, target / unit,
+                                       budget);
+  if (!proof) return std::nullopt;
+  expand(*proof, different);
+  return scaled(std::move(*proof), exponent);
 }
 
 JointSpectralRadius radius_of_numbers(const MatrixFamily& family) {

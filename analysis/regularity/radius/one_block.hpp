@@ -5,12 +5,16 @@
 
 namespace subcert::radius {
 
-/// By a polytope, or by norms where none is proved. Domain: size >= 2.
+/// By a polytope, or where none closes by it, a quadratic form or norms, whichever gives the least upper end. Domain:
+/// size >= 2.
 JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget& budget,
                                         const std::optional<NormProof>& known);
 
 /// By a product and norms only: a quick look. Domain: size >= 2.
 JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget);
+
+/// An upper bound by a quadratic form, as small as the target if possible. Domain: any entries.
+std::optional<QuadraticProof> quadratic_bound(const MatrixFamily& family, const Rational& target, const Budget& budget);
 
 /// The largest modulus of numbers. Domain: size 1.
 JointSpectralRadius radius_of_numbers(const MatrixFamily& family);

@@ -262,6 +262,30 @@ def main(out):
                 f"image 0 1 0:{re // 2}:{im // 2}", "end"]
     write("rotation", (["--matrices", "rotation.mat", "--lower", str(1 - width), "--upper", str(1 + width)], rotation))
 
+    # quadratic forms: the rotations are isometries; the golden pair has norms just above its radius in the unit form
+    def by_form(case, name, words, bound, form, group=(), **claim):
+        arguments, lines = case
+        head = f"block 0 quadratic {len(words)} {bound}" + (" group:1" if group else "")
+        section = [head, *group, *form, *(f"word {word}" for word in words)]
+        for option, value in claim.items():
+            arguments = arguments[:arguments.index(f"--{option}") + 1] + [value] + arguments[arguments.index(f"--{option}") + 2:]
+        start = next(i for i, line in enumerate(lines) if line.startswith("block 0"))
+        write(name, (arguments, lines[:start] + section + ["end"]))
+
+    unit_form, exchange = ["form 1", "form 0 1"], ["generator 1 0", "map 0 1", "map 1 0"]
+    turns = (["--matrices", "rotation.mat", "--lower", "1", "--upper", "1"], rotation)
+    by_form(turns, "rotation-quadratic", ["0", "1"], 1, unit_form)  # upper end 1, as S_0 = 0
+    golden_case = radius("golden.mat", golden, [0, 1], False)
+    by_form(golden_case, "golden-quadratic", ["0 0", "0 1", "1"], "16181/10000", unit_form, upper="16181/10000")
+    by_form(golden_case, "golden-quadratic-group", ["0 0 0", "0 0 1", "0 1"], "16181/10000", unit_form, exchange,
+            upper="16181/10000")
+    write_matrices("twice.mat", [golden[0], golden[1], golden[0]])
+    twice = golden_case[0][:1] + ["twice.mat"] + golden_case[0][2:], [
+        line.replace("radius 2", "radius 3") for line in golden_case[1]]
+    by_form(twice, "twice-quadratic", ["1", "2"], "16181/10000", unit_form, upper="16181/10000")
+    case = exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True)
+    by_form(case, "four-point-quadratic", ["0", "1"], "4131/1000", unit_form, lower="39/20")
+
     hat = ["subcert-certificate 3", "surface [1,2,1]/2@-1 [2]", "bounds 1 1", "sum-rules 2", "digits 0 1", "space 1",
            "vector -1:1 0:-2 1:1", "gram 0:4 1:1", "product 0 1/2 0 0", "block 0 norm 1", "end"]  # SPEC.md, section 5.8
     write("hat-by-hand", (["--surface", "[1,2,1]/2@-1", "--dilation", "[2]", "--lower", "1", "--upper", "1"], hat))

@@ -298,4 +298,39 @@ unstable = make_surfaces.gram({p: a / 4 for p, a in element.items()}, make_surfa
 surface("surface-unstable", "zwart-powell", "is not positive", lambda lines: [
     line.replace("block 0", f"gram {make_surfaces.terms(unstable)}\nproduct 0 1/4 0 0\nblock 0") for line in lines], upper="2")
 
+# quadratic forms
+reject("quadratic-bound", "golden-quadratic", "is not below the bound", replace("16181/10000$", "16180/10000"))
+reject("quadratic-claim", "golden-quadratic", "does not prove the claim", replace("16181/10000$", "16182/10000"))
+reject("quadratic-isometry", "rotation-quadratic", "is not below the bound",
+       replace("2 1$", "2 99999999999999999999/100000000000000000000"))
+reject("quadratic-bound-zero", "rotation-quadratic", "is not below the bound", replace("2 1$", "2 0"))
+reject("quadratic-bound-negative", "rotation-quadratic", "is negative", replace("2 1$", "2 -1"))
+reject("quadratic-indefinite", "rotation-quadratic", "not positive definite", replace("^form 0 1", "form 0 -1"))
+reject("quadratic-semidefinite", "rotation-quadratic", "not positive definite", replace("^form 0 1", "form 0 0"))
+reject("quadratic-zero", "rotation-quadratic", "not positive definite", replace("^form 1\nform 0 1", "form 0\nform 0 0"))
+reject("quadratic-singular", "rotation-quadratic", "not positive definite", replace("^form 0 1", "form 1 1"))
+reject("quadratic-other-form", "golden-quadratic", "is not below the bound", replace("^form 0 1", "form 0 2"))
+reject("quadratic-row", "rotation-quadratic", "wrong number of fields", replace("^form 0 1", "form 0"))
+reject("quadratic-form-missing", "rotation-quadratic", "expected 'form'", drop("form 0"))
+reject("quadratic-word-missing", "golden-quadratic", "expected 'word'", drop("word 1"))
+reject("quadratic-incomplete", "golden-quadratic", "not those of a complete tree",
+       replace("quadratic 3((.|\n)*)word 1\n", "quadratic 2\\1"))
+reject("quadratic-prefix", "golden-quadratic", "not those of a complete tree", replace("^word 0 1", "word 0 0 1"))
+reject("quadratic-covered-twice", "golden-quadratic", "not those of a complete tree",
+       replace("quadratic 3((.|\n)*)word 1\n", "quadratic 4\\1word 1\nword 1 0\n"))
+reject("quadratic-word-twice", "golden-quadratic", "a word occurs twice", replace("^word 0 1", "word 0 0"))
+reject("quadratic-empty-word", "golden-quadratic", "wrong number of fields", replace("^word 1", "word"))
+reject("quadratic-letter", "golden-quadratic", "number outside 0..1", replace("^word 1", "word 2"))
+reject("quadratic-long-word", "golden-quadratic", "wrong number of fields", replace("^word 1", "word" + " 1" * 1001))
+reject("quadratic-equal-letters", "twice-quadratic", "a word occurs twice", replace("^word 1", "word 0"))
+reject("quadratic-no-words", "golden-quadratic", "number outside 1..", replace("quadratic 3", "quadratic 0"))
+reject("quadratic-many-words", "golden-quadratic", "expected 'word'", replace("quadratic 3", "quadratic 100000000"))
+reject("quadratic-property", "golden-quadratic", "expected 'quadratic'", replace("16181/10000$", "16181/10000 symmetric"))
+reject("quadratic-group-unannounced", "golden-quadratic-group", "expected 'form'", replace(" group:1", ""))
+reject("quadratic-group-form", "golden-quadratic-group", "does not keep the form", replace("^form 0 1", "form 0 2"))
+reject("quadratic-group-orbits", "golden-quadratic-group", "not those of a complete tree",
+       replace("quadratic 3((.|\n)*)word 0 1\n", "quadratic 2\\1"))
+reject("quadratic-group-other", "golden-quadratic-group", "does not permute the matrices", replace("^generator 1 0", "generator 0 1"))
+reject("quadratic-too-high", "four-point-quadratic", "does not prove the claim",
+       arguments=option(claims["four-point-quadratic"], "lower", "1954/1000"))
 (out / "claims.txt").write_text("\n".join(index) + "\n")

@@ -196,7 +196,9 @@ class Mutator {
     Lines kept;
     for (std::string& line : lines) {
       auto tokens = split(line);
-      if (tokens.empty() || tokens[0] == "vertex" || tokens[0] == "unit" || tokens[0] == "image") continue;
+      if (tokens.empty() || tokens[0] == "vertex" || tokens[0] == "unit" || tokens[0] == "image" ||
+          tokens[0] == "form" || tokens[0] == "word")
+        continue;
       if (tokens[0] == "block" && tokens.size() > 3) tokens[3].assign(1, below(2) == 0 ? '0' : '1');
       kept.push_back(join(tokens));
     }

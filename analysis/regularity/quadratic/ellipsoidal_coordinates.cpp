@@ -1,0 +1,192 @@
+#include "ellipsoidal_coordinates.hpp"
+
+#include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace subcert::quadratic {
+namespace {
+
+using polytope::Matrix;
+using polytope::norm;
+using polytope::SymmetricDecomposition;
+using polytope::Vector;
+
+constexpr double largest_power = 512;  // q: sums of such powers tell the largest term to a thousandth
+constexpr int steps_per_power = 200;
+constexpr std::size_t remembered = 20;  // steps of L-BFGS
+constexpr double settled = 1e-6;        // of the logarithm of the sum
+constexpr int most_halvings = 20;       // of a step
+constexpr double longest_step = 2;      // in the norm of the logarithm of the form
+constexpr double largest_condition = 1e13;
+
+double inner_product(const Matrix& a, const Matrix& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.entries().size(); ++i) sum += a.entries()[i] * b.entries()[i];
+  return sum;
+}
+
+/// a += factor * b
+void add(Matrix& a, double factor, const Matrix& b) {
+  for (std::size_t j = 0; j < a.columns(); ++j)
+    for (std::size_t i = 0; i < a.rows(); ++i) a(i, j) += factor * b(i, j);
+}
+
+Matrix scaled(double factor, const Matrix& a) {
+  Matrix result(a.rows(), a.columns());
+  add(result, factor, a);
+  return result;
+}
+
+/// vectors diag(values) vectors^T
+Matrix composed(const Matrix& vectors, const Vector& values) {
+  Matrix weighted = vectors;
+  for (std::size_t j = 0; j < weighted.columns(); ++j)
+    for (std::size_t i = 0; i < weighted.rows(); ++i) weighted(i, j) *= values[j];
+  return weighted * vectors.transposed();
+}
+
+/// exp(factor X). Domain: symmetric.
+Matrix exponential(const SymmetricDecomposition& x, double factor) {
+  Vector values = x.values;
+  for (double& value : values) value = std::exp(factor * value);
+  return composed(x.vectors, values);
+}
+
+/// A group and coordinates in which its elements are orthogonal; steps along means over the group keep them so.
+struct Symmetry {
+  const polytope::SymmetryGroup& group;
+  polytope::CoordinateChange adapted;
+};
+
+/// log(sum_t trace (B_t^T B_t)^q) / (2 q), its gradient with respect to X where B_t becomes e^(X/2) B_t e^(-X/2), and
+/// the largest norm.
+struct Value {
+  double smooth = 0, bound = 0;
+  Matrix gradient;
+};
+Value value_of(const std::vector<Matrix>& matrices, double q, const Symmetry& symmetry) {
+  const std::size_t n = matrices.front().rows();
+  std::vector<SymmetricDecomposition> squares;
+  double largest = 0;
+  for (const Matrix& b : matrices) {
+    squares.push_back(polytope::symmetric_decomposition(b.transposed() * b));
+    largest = std::max(largest, squares.back().values.back());
+  }
+  Value result{0, std::sqrt(largest), Matrix(n, n)};
+  double sum = 0;
+  for (std::size_t t = 0; t < matrices.size(); ++t) {
+    Vector powers, less;
+    for (const double value : squares[t].values) {
+      const double share = std::max(value, 0.0) / largest;
+      powers.push_back(std::pow(share, q));
+      less.push_back(std::pow(share, q - 1) / largest);
+      sum += powers.back();
+    }
+    add(result.gradient, 1, composed(matrices[t] * squares[t].vectors, less));
+    add(result.gradient, -1, composed(squares[t].vectors, powers));
+  }
+  result.gradient /= 2 * sum;
+  result.gradient = symmetry.group.mean(result.gradient, symmetry.adapted);
+  result.smooth = std::log(largest) / 2 + std::log(sum) / (2 * q);
+  return result;
+}
+
+/// The last steps and what they changed in the gradient.
+class Memory {
+ public:
+  void clear() { steps_.clear(); }
+  void remember(Matrix step, Matrix change) {
+    const double product = inner_product(step, change);
+    if (!(product > 1e-14 * norm(step.entries()) * norm(change.entries()))) return;
+    steps_.push_back({std::move(step), std::move(change), product});
+    if (steps_.size() > remembered) steps_.pop_front();
+  }
+  /// Where to go from here.
+  Matrix direction(const Matrix& gradient, double q) const {
+    Matrix result = scaled(-1, gradient);
+    std::vector<double> shares(steps_.size());
+    for (std::size_t i = steps_.size(); i-- > 0;) {
+      shares[i] = inner_product(steps_[i].step, result) / steps_[i].product;
+      add(result, -shares[i], steps_[i].change);
+    }
+    const double length = norm(gradient.entries());
+    const double first = steps_.empty()
+                             ? 0.1 / (q * std::max(length, 1e-300))
+                             : steps_.back().product / inner_product(steps_.back().change, steps_.back().change);
+    result = scaled(first, result);
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+      add(result, shares[i] - inner_product(steps_[i].change, result) / steps_[i].product, steps_[i].step);
+    return result;
+  }
+
+ private:
+  struct Step {
+    Matrix step, change;
+    double product;
+  };
+  std::deque<Step> steps_;
+};
+
+bool is_well_conditioned(const Matrix& to) {
+  const Vector values = polytope::symmetric_decomposition(to.transposed() * to).values;
+  return values.front() > values.back() / largest_condition;
+}
+
+/// Follows the gradient for one q, as far as the form stays well conditioned.
+void descend(EllipsoidalCoordinates& at, double q, const Symmetry& symmetry, const Deadline& deadline) {
+  Memory memory;
+  Value here = value_of(at.matrices, q, symmetry);
+  for (int k = 0; k < steps_per_power && !deadline.expired(); ++k) {
+    Matrix direction = memory.direction(here.gradient, q);
+    double slope = inner_product(here.gradient, direction);
+    if (slope >= 0) {
+      memory.clear();
+      direction = memory.direction(here.gradient, q);
+      slope = inner_product(here.gradient, direction);
+    }
+    if (!(slope < 0)) return;
+    const SymmetricDecomposition decomposed = polytope::symmetric_decomposition(direction);
+    double share = std::min(1.0, longest_step / norm(direction.entries()));
+    Value there;
+    EllipsoidalCoordinates next;
+    for (int halvings = 0;; share /= 2) {
+      const Matrix map = exponential(decomposed, share / 2), back = exponential(decomposed, -share / 2);
+      next = {map * at.to, {}, 0};
+      for (const Matrix& b : at.matrices) next.matrices.push_back(map * b * back);
+      there = value_of(next.matrices, q, symmetry);
+      if (there.smooth <= here.smooth + 1e-4 * share * slope) break;
+      if (++halvings == most_halvings) return;
+    }
+    if (!is_well_conditioned(next.to)) return;
+    Matrix change = there.gradient;
+    add(change, -1, here.gradient);
+    memory.remember(scaled(share, direction), std::move(change));
+    const double gain = here.smooth - there.smooth;
+    at = std::move(next);
+    at.bound = there.bound;
+    here = std::move(there);
+    if (gain < settled) return;
+  }
+}
+
+}  // namespace
+
+EllipsoidalCoordinates ellipsoidal_coordinates(const polytope::SearchFamily& family, double target,
+                                               const Deadline& deadline) {
+  const std::size_t n = family.matrices.front().rows();
+  const Symmetry symmetry{family.symmetry, family.symmetry.adapted_coordinates(n)};
+  EllipsoidalCoordinates best{symmetry.adapted.to, {}, 0};
+  for (const Matrix& a : family.matrices) best.matrices.push_back(best.to * a * symmetry.adapted.from);
+  best.bound = value_of(best.matrices, 1, symmetry).bound;
+  EllipsoidalCoordinates at = best;
+  for (double q = 1; q <= largest_power && best.bound > target && !deadline.expired(); q *= 2) {
+    descend(at, q, symmetry, deadline);
+    if (at.bound < best.bound) best = at;
+  }
+  return best;
+}
+
+}  // namespace subcert::quadratic

@@ -1,0 +1,202 @@
+#include "quadratic_proof.hpp"
+
+#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
+#include "product_tree.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace subcert {
+namespace {
+
+using quadratic::EllipsoidalCoordinates;
+using quadratic::ProductTree;
+
+constexpr double shape_share = 0.4, tree_share = 0.5;  // of the time that is left
+constexpr double most_work = 4e9;                      // of 10^10 that a checker may spend
+constexpr double work_per_second = 5e8;                // of one core, and some to spare
+constexpr int form_bits = 48;                          // of the coordinates; the form has twice as many
+constexpr int bound_bits = 50;
+constexpr std::size_t guard_bits = 64, pivot_bits = 128;
+constexpr double slacks[] = {1e-11, 1e-9, 1e-7, 1e-5, 1e-3};  // of the bound, relatively
+
+/// A square matrix of integers, row by row.
+using Integers = std::vector<Integer>;
+
+Integers to_integers(const RationalMatrix& matrix) {
+  Integers result;
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) result.push_back(numerator(matrix(i, j)));
+  return result;
+}
+
+Integers product(const Integers& a, const Integers& b, std::size_t n) {
+  Integers result(n * n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k)
+      if (!a[i * n + k].is_zero())
+        for (std::size_t j = 0; j < n; ++j) add_product(result[i * n + j], a[i * n + k], b[k * n + j]);
+  return result;
+}
+
+/// m^T P m on and above the diagonal.
+Integers image_of_form(const Integers& m, const Integers& form, std::size_t n) {
+  const Integers right = product(form, m, n);
+  Integers result(n * n);
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i; j < n; ++j) add_product(result[i * n + j], m[k * n + i], right[k * n + j]);
+  return result;
+}
+
+/// The sum over the group of g^T P g, P the form of the rounded coordinates.
+RationalMatrix integer_form(const EllipsoidalCoordinates& coordinates, const MatrixFamily& family) {
+  const std::size_t n = family.size();
+  const double unit = std::ldexp(1 / coordinates.to.largest_modulus(), form_bits);
+  RationalMatrix to(n, n), result(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) to(i, j) = Integer(std::round(unit * coordinates.to(i, j)));
+  for (const FamilySymmetry& element : family.group()) {
+    const RationalMatrix moved = to * element.map.matrix(), image = transposed(moved) * moved;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) result(i, j) += image(i, j);
+  }
+  return result;
+}
+
+/// Whether a symmetric matrix, given on and above the diagonal, is positive semidefinite, by a Cholesky decomposition
+/// in integers that makes up for its rounding (proofs-checks/certificates/SPEC.md, 4.8).
+bool is_positive(Integers s, std::size_t n) {
+  Integer largest = 0;
+  for (const Integer& entry : s) largest = std::max(largest, abs(entry));
+  if (largest == 0) return true;
+  const std::size_t bits = msb(largest) + 1;
+  for (Integer& entry : s) {
+    if (bits <= 2 * pivot_bits)
+      entry <<= 2 * pivot_bits - bits;
+    else
+      entry >>= bits - 2 * pivot_bits;
+  }
+  const Integer margin = (Integer(n) << pivot_bits) + Integer(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    Integer* row = &s[k * n];
+    row[k] -= margin;
+    for (std::size_t l = 0; l < k; ++l) {
+      const Integer factor = -s[l * n + k];
+      for (std::size_t j = k; j < n; ++j) add_product(row[j], factor, s[l * n + j]);
+    }
+    if (row[k].sign() <= 0) return false;
+    row[k] = sqrt(row[k]);
+    for (std::size_t j = k + 1; j < n; ++j) mpz_fdiv_q(row[j].get(), row[j].get(), row[k].get());
+  }
+  return true;
+}
+
+/// Proves the leaves of a tree for bounds that grow until all hold.
+class LeafProver {
+ public:
+  LeafProver(const MatrixFamily& family, const Integers& form, double bound)
+      : size_(family.size()), form_(form), denominator_(1) {
+    for (const RationalMatrix& m : family) denominator_ = lcm(denominator_, common_denominator(m));
+    for (const RationalMatrix& m : family) integral_.push_back(to_integers(Rational(denominator_) * m));
+    for (const double slack : slacks)
+      bounds_.push_back(Rational(Integer(std::ceil(std::ldexp(bound * (1 + slack), bound_bits)))) *
+                        power(Rational(2), -bound_bits));
+  }
+
+  /// The least of the bounds that holds for all words.
+  std::optional<Rational> prove(const std::vector<std::vector<int>>& words, const Deadline& deadline) {
+    parallel_ranges(words.size(), ranges, all_cores(), [&](std::size_t begin, std::size_t end) {
+      // The products of the beginnings of a word; the next word shares some of them.
+      std::vector<Integers> products;
+      for (std::size_t k = begin; k < end && !failed_; ++k) {
+        const std::vector<int>& word = words[k];
+        std::size_t common = 0;
+        if (k > begin)
+          common = static_cast<std::size_t>(
+              std::mismatch(word.begin(), word.end(), words[k - 1].begin(), words[k - 1].end()).first - word.begin());
+        products.erase(products.begin() + static_cast<std::ptrdiff_t>(common), products.end());
+        for (std::size_t i = common; i < word.size(); ++i) {
+          const Integers& letter = integral_[static_cast<std::size_t>(word[i])];
+          products.push_back(i == 0 ? letter : product(products.back(), letter, size_));
+        }
+        if (deadline.expired() || !holds(image_of_form(products.back(), form_, size_), word.size())) failed_ = true;
+      }
+    });
+    if (failed_) return std::nullopt;
+    return bounds_[slack_];
+  }
+
+ private:
+  static constexpr std::size_t ranges = 16;
+
+  /// Raises the bound until it holds for a product with this image of the form.
+  bool holds(const Integers& image, std::size_t length) {
+    for (std::size_t slack = slack_; slack < bounds_.size(); ++slack) {
+      const Rational power_of_bound = power(bounds_[slack] * Rational(denominator_), 2 * static_cast<long>(length));
+      const Integer factor = (numerator(power_of_bound) << guard_bits) / denominator(power_of_bound);
+      Integers difference;
+      for (std::size_t i = 0; i < image.size(); ++i) difference.push_back(factor * form_[i] - (image[i] << guard_bits));
+      if (!is_positive(std::move(difference), size_)) continue;
+      for (std::size_t known = slack_; known < slack && !slack_.compare_exchange_weak(known, slack);) {
+      }
+      return true;
+    }
+    return false;
+  }
+
+  std::size_t size_;
+  const Integers& form_;
+  Integer denominator_;
+  std::vector<Integers> integral_;  // the matrices times the denominator
+  std::vector<Rational> bounds_;
+  std::atomic<std::size_t> slack_ = 0;
+  std::atomic<bool> failed_ = false;
+};
+
+double limbs_of(const MatrixFamily& family) {
+  long bits = 0;
+  for (const RationalMatrix& m : family) {
+    const Integer denominator = common_denominator(m);
+    bits = std::max(bits, static_cast<long>(msb(denominator)) + binary_exponent(m).value_or(0));
+  }
+  return static_cast<double>(std::max(bits, 1L)) / 64;
+}
+
+}  // namespace
+
+QuadraticProof scaled(QuadraticProof proof, long exponent) {
+  proof.bound *= power(Rational(2), exponent);
+  return proof;
+}
+
+std::optional<QuadraticProof> prove_by_quadratic_form(const MatrixFamily& family, const Rational& target,
+                                                      const Budget& budget) {
+  const polytope::SearchFamily doubles = radius::to_search_family(family);
+  if (std::all_of(doubles.matrices.begin(), doubles.matrices.end(), [](const auto& m) { return m.is_zero(); }))
+    return std::nullopt;
+  const double enough = (1 - 2 * slacks[0]) * target.convert_to<double>();
+  const EllipsoidalCoordinates coordinates = quadratic::ellipsoidal_coordinates(doubles, enough,
+                                                                                budget.deadline.after(shape_share));
+  const Deadline tree_end = budget.deadline.after(tree_share);
+  const double work = std::min(most_work, work_per_second * (1 - tree_share) * budget.deadline.remaining());
+  const ProductTree tree = quadratic::product_tree(coordinates, doubles.symmetry,
+                                                   {enough, limbs_of(family), work, {tree_end, budget.memory / 2}});
+  QuadraticProof result;
+  const Integers form = to_integers(integer_form(coordinates, family));
+  if (!is_positive(form, family.size())) return std::nullopt;
+  const auto bound = LeafProver(family, form, tree.bound).prove(tree.words, budget.deadline);
+  if (!bound) return std::nullopt;
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    result.form.emplace_back();
+    for (std::size_t j = 0; j <= i; ++j) result.form.back().push_back(form[j * family.size() + i]);
+  }
+  result.group = family.group();
+  result.words = tree.words;
+  result.bound = *bound;
+  return result;
+}
+
+}  // namespace subcert

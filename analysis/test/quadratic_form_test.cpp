@@ -1,0 +1,115 @@
+// Upper bounds by quadratic forms: that they are bounds, that they are near the radius, and what is left out is
+// nothing.
+#include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
+#include <subcert/analysis/regularity/radius/one_block.hpp>
+#include <subcert/analysis/transition/transition.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/random.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <algorithm>
+#include <set>
+
+using namespace subcert;
+using subcert::testing::Random;
+
+namespace {
+
+RationalMatrix matrix(std::initializer_list<std::initializer_list<Rational>> rows) {
+  RationalMatrix result(rows.size(), rows.size());
+  std::size_t i = 0;
+  for (const auto& row : rows) {
+    std::size_t j = 0;
+    for (const Rational& entry : row) result(i, j++) = entry;
+    ++i;
+  }
+  return result;
+}
+
+/// The words and their images under the group.
+std::set<std::vector<int>> all_words(const QuadraticProof& proof) {
+  std::set<std::vector<int>> result;
+  for (const FamilySymmetry& element : proof.group)
+    for (std::vector<int> word : proof.words) {
+      for (int& letter : word) letter = static_cast<int>(element.letters[static_cast<std::size_t>(letter)]);
+      result.insert(word);
+    }
+  return result;
+}
+
+/// Whether each infinite sequence of letters begins with exactly one of the words.
+bool is_complete(const std::set<std::vector<int>>& words, long letters) {
+  Rational share = 0;
+  for (const auto& word : words) share += power(Rational(letters), -static_cast<long>(word.size()));
+  const auto is_beginning = [](const std::vector<int>& a, const std::vector<int>& b) {
+    return a.size() <= b.size() && std::equal(a.begin(), a.end(), b.begin());
+  };
+  return share == 1 && std::adjacent_find(words.begin(), words.end(), is_beginning) == words.end();
+}
+
+const Rational thousandth = power(Rational(10), -3);
+
+}  // namespace
+
+TEST_CASE("a quadratic form bounds the radius of the golden pair") {
+  const MatrixFamily golden{matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})};
+  const auto proof = prove_by_quadratic_form(golden, 0, {Deadline::in(2)});
+  REQUIRE(proof);
+  // The radius is (1 + sqrt 5) / 2.
+  CHECK(power(2 * proof->bound - 1, 2) >= 5);
+  CHECK(power(2 * proof->bound - 1, 2) < 5 + thousandth);
+  CHECK(proof->group.size() == 2);
+  CHECK(is_complete(all_words(*proof), 2));
+}
+
+TEST_CASE("the search for a form ends at its target") {
+  const Mask mask = make_scheme("primal:n=6,d=3").mask;
+  const MatrixFamily family = transition_matrices(divided_difference_scheme(mask, 4));
+  const auto rough = prove_by_quadratic_form(family, 2, {Deadline::in(60)});
+  REQUIRE(rough);
+  CHECK(rough->bound < 2);
+  CHECK(rough->words.size() == 1);
+  const auto fine = prove_by_quadratic_form(family, Rational(185, 100), {Deadline::in(60)});
+  REQUIRE(fine);
+  CHECK(fine->bound <= Rational(185, 100));
+  CHECK(fine->words.size() < 2000);
+  CHECK(is_complete(all_words(*fine), 2));
+}
+
+TEST_CASE("quadratic forms of families at the edge") {
+  const RationalMatrix shift = matrix({{0, 1}, {0, 0}}), zero(2, 2);
+  CHECK_FALSE(prove_by_quadratic_form({zero, zero}, 0, {Deadline::in(1)}));
+  const auto nilpotent = prove_by_quadratic_form({shift}, 0, {Deadline::in(1)});
+  REQUIRE(nilpotent);
+  CHECK(nilpotent->bound == 0);
+  // A Jordan block: the infimum over the forms is not attained.
+  const auto jordan = prove_by_quadratic_form({matrix({{1, 1}, {0, 1}})}, 0, {Deadline::in(2)});
+  REQUIRE(jordan);
+  CHECK(jordan->bound > 1);
+  CHECK(jordan->bound < 1 + 30 * thousandth);
+  // Scaled far from 1, with a matrix twice.
+  const Rational huge = power(Rational(10), 60);
+  const RationalMatrix up = matrix({{huge, huge}, {0, huge}}), down = matrix({{huge, 0}, {huge, huge}});
+  const auto twice = radius::quadratic_bound({up, down, up}, 0, {Deadline::in(1)});
+  REQUIRE(twice);
+  CHECK(power(2 * twice->bound / huge - 1, 2) >= 5);
+  for (const auto& word : twice->words)
+    CHECK(std::all_of(word.begin(), word.end(), [](int letter) { return letter < 2; }));
+}
+
+TEST_CASE("bounds by forms are above the products") {
+  Random random;
+  for (int round = 0; round < 20; ++round) {
+    const std::size_t size = 2 + static_cast<std::size_t>(round % 4);
+    std::vector<RationalMatrix> matrices(2, RationalMatrix(size, size));
+    for (RationalMatrix& m : matrices)
+      for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = 0; j < size; ++j) m(i, j) = random.integer(-9, 9);
+    const auto proof = prove_by_quadratic_form(matrices, 0, {Deadline::in(0.5)});
+    if (!proof) continue;
+    const JointSpectralRadius radius = joint_spectral_radius(matrices, {Deadline::in(2)});
+    CHECK(proof->bound >= *radius.radius.lower);
+    CHECK(proof->bound <= *radius.radius.lower * Rational(3, 2));
+  }
+}

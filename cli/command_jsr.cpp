@@ -1,6 +1,7 @@
 // subcert jsr FILE: the joint spectral radius of any finite set of rational matrices
 
 #include "command.hpp"
+#include "exponent_text.hpp"
 
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/symbol/error.hpp>

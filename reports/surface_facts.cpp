@@ -14,7 +14,7 @@ namespace subcert::reports {
 namespace {
 
 constexpr int most_places = 8;
-constexpr long most_unstable = 100;       // coefficients: beyond, the Sobolev exponent takes 20 s and more
+constexpr long most_unstable = 144;       // coefficients: beyond, the Sobolev exponent takes longer than a page may
 constexpr double longest_stability = 60;  // seconds; all that are listed need less than 3
 
 /// As many that a unit of the last is at least the width; one for a bound alone.

@@ -6,6 +6,7 @@
 #include <subcert/analysis/limit/fixed_vector.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/lattice_symmetry.hpp>
+#include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/analysis/symbol/torus.hpp>
 
 #include <algorithm>
@@ -104,6 +105,15 @@ MultivariateSobolev sobolev_of(const Enclosure& radius, const Dilation& dilation
           dimension};
 }
 
+LatticeSequence integral_multiple(LatticeSequence sequence) {
+  std::vector<Rational> values;
+  for (const auto& [point, value] : sequence) values.push_back(value);
+  std::size_t next = 0;
+  const std::vector<Integer> multiples = radius::primitive(values);
+  for (auto& [point, value] : sequence) value = multiples[next++];
+  return sequence;
+}
+
 /// The sum over the directions e of 2 - z^e - z^-e, times g.
 LatticeSequence second_differences(const LatticeSequence& g, const std::set<LatticePoint>& directions) {
   LatticeSequence result;
@@ -117,18 +127,55 @@ LatticeSequence second_differences(const LatticeSequence& g, const std::set<Latt
   return result;
 }
 
-/// The polynomial of least degree with p(matrix) x = 0.
-std::optional<LaurentPolynomial> minimal_polynomial(const RationalMatrix& matrix, const std::vector<Rational>& x) {
-  radius::ModSpace independent;
-  std::vector<std::vector<Rational>> powers{x};
-  while (independent.add(radius::modulo_prime(radius::primitive(powers.back()))))
-    powers.push_back(matrix * powers.back());
-  RationalMatrix columns(matrix.rows(), powers.size());
-  for (std::size_t k = 0; k < powers.size(); ++k)
-    for (std::size_t i = 0; i < matrix.rows(); ++i) columns(i, k) = powers[k][i];
-  const auto relations = kernel(columns);
-  if (relations.size() != 1) return std::nullopt;
-  return LaurentPolynomial(relations.front(), 0);
+/// Whether p(matrix) x = 0, in integers; false past the deadline. Domain: integer coefficients.
+bool annihilates(const LaurentPolynomial& p, const RationalMatrix& matrix, const std::vector<Integer>& x,
+                 const Deadline& deadline) {
+  const std::size_t n = x.size();
+  const Integer scale = common_denominator(matrix);
+  std::vector<Integer> entries;  // of scale * matrix
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      entries.push_back(numerator(matrix(i, j)) * (scale / denominator(matrix(i, j))));
+  std::vector<Integer> value(n);
+  Integer power = 1;
+  for (long k = p.highest(); k >= 0; --k, power *= scale) {
+    if (deadline.expired()) return false;
+    std::vector<Integer> next(n);
+    const Integer factor = numerator(p.coefficient(k)) * power;
+    for (std::size_t i = 0; i < n; ++i) {
+      add_product(next[i], factor, x[i]);
+      for (std::size_t j = 0; j < n; ++j) add_product(next[i], entries[i * n + j], value[j]);
+    }
+    value = std::move(next);
+  }
+  return std::all_of(value.begin(), value.end(), [](const Integer& entry) { return entry.is_zero(); });
+}
+
+/// The polynomial of least degree with p(matrix) x = 0: the shortest divisor of the characteristic polynomial that does
+/// so modulo a prime, confirmed over the rationals. (A shorter one than that would be shorter modulo the prime as
+/// well.)
+std::optional<LaurentPolynomial> minimal_polynomial(const RationalMatrix& matrix, const std::vector<Rational>& x,
+                                                    const Deadline& deadline) {
+  const auto modular = radius::modulo_prime(MatrixFamily{matrix});
+  const auto characteristic = characteristic_polynomial(matrix, deadline);
+  if (!modular || !characteristic) return std::nullopt;
+  const std::vector<Integer> integral = radius::primitive(x);
+  const radius::ModVector start = radius::modulo_prime(integral);
+  std::vector<PolynomialFactor> factors = irreducible_factors(*characteristic);
+  const auto product_of = [&factors] {
+    LaurentPolynomial product = 1;
+    for (const PolynomialFactor& factor : factors) product *= factor.polynomial.pow(factor.multiplicity);
+    return product;
+  };
+  for (PolynomialFactor& factor : factors)
+    for (bool vanishes = true; vanishes && factor.multiplicity > 0;) {
+      --factor.multiplicity;
+      const radius::ModVector value = radius::value_times(product_of(), modular->front(), start);
+      vanishes = std::all_of(value.begin(), value.end(), [](ulong entry) { return entry == 0; });
+      if (!vanishes) ++factor.multiplicity;
+    }
+  LaurentPolynomial result = product_of();
+  return annihilates(result, matrix, integral, deadline) ? std::optional(std::move(result)) : std::nullopt;
 }
 
 /// Rows: sums over the orbits of the monomials of even degree below `order`; the others vanish by symmetry.
@@ -207,7 +254,7 @@ std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& ma
   constexpr int largest_order = 32;
   const Rational slack = power(Rational(10), -9);
   const auto directions = TransferOperator(mask, {LatticePoint(mask.dilation().variables(), 0)}).unit_directions();
-  LatticeSequence differences = gram;
+  LatticeSequence differences = integral_multiple(gram);  // huge denominators would cost common divisors
   for (int order = 1; order <= largest_order; ++order) {
     differences = second_differences(differences, directions);
     std::vector<LatticePoint> start;
@@ -215,7 +262,7 @@ std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& ma
     const TransferOperator transfer(mask, start);
     const RationalMatrix matrix = transfer.matrix();
     if (!radius::has_time_for_elimination(matrix, deadline)) return std::nullopt;
-    const auto polynomial = minimal_polynomial(matrix, transfer.led_in(differences));
+    const auto polynomial = minimal_polynomial(matrix, transfer.led_in(differences), deadline);
     if (!polynomial || !radius::has_time_for_roots(*polynomial, deadline)) return std::nullopt;
     MultivariateSobolev found = sobolev_of(largest_root_modulus(*polynomial).largest, mask.dilation(),
                                            static_cast<std::size_t>(polynomial->highest()));

@@ -117,6 +117,18 @@ ModVector operator*(const ModMatrix& a, const ModVector& x) {
   return result;
 }
 
+ModVector value_times(const LaurentPolynomial& p, const ModMatrix& matrix, const ModVector& x) {
+  const nmod_t field = prime_field();
+  ModVector result(x.size(), 0);
+  for (long k = p.highest(); k >= 0; --k) {
+    result = matrix * result;
+    const ulong coefficient = *modulo_prime(p.coefficient(k));
+    for (std::size_t i = 0; i < x.size(); ++i)
+      result[i] = nmod_add(result[i], nmod_mul(coefficient, x[i], field), field);
+  }
+  return result;
+}
+
 std::optional<ModMatrix> inverse(const ModMatrix& matrix) {
   ModMatrix result(matrix.rows(), matrix.rows());
   if (nmod_mat_inv(result.get(), matrix.get()) == 0) return std::nullopt;

@@ -96,6 +96,8 @@ AlgebraElement algebra_element(std::size_t count, int attempt, std::mt19937_64& 
 /// Products modulo the prime. Domain: matching sizes.
 ModMatrix operator*(const ModMatrix& a, const ModMatrix& b);
 ModVector operator*(const ModMatrix& a, const ModVector& x);
+/// p(matrix) x. Domain: a square matrix, integer coefficients, lowest exponent 0 or more.
+ModVector value_times(const LaurentPolynomial& p, const ModMatrix& matrix, const ModVector& x);
 /// Nothing for a singular matrix.
 std::optional<ModMatrix> inverse(const ModMatrix& matrix);
 

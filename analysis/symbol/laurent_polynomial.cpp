@@ -307,4 +307,15 @@ std::string LaurentPolynomial::to_mask_text() const {
   return text::print_mask_text({coefficients(), {static_cast<std::size_t>(length())}, {{lowest()}}});
 }
 
+LaurentPolynomial interpolation(const std::vector<Rational>& nodes, std::vector<Rational> values) {
+  // Newton's divided differences.
+  for (std::size_t order = 1; order < nodes.size(); ++order)
+    for (std::size_t i = nodes.size(); i-- > order;)
+      values[i] = (values[i] - values[i - 1]) / (nodes[i] - nodes[i - order]);
+  LaurentPolynomial result;
+  for (std::size_t i = nodes.size(); i-- > 0;)
+    result = result.shifted(1) - LaurentPolynomial(nodes[i]) * result + LaurentPolynomial(values[i]);
+  return result;
+}
+
 }  // namespace subcert

@@ -103,4 +103,8 @@ struct LaurentPolynomial::Division {
 /// zeros. Cost: modular, quasi-linear in the size of the coefficients.
 LaurentPolynomial gcd(const LaurentPolynomial& a, const LaurentPolynomial& b);
 
+/// The polynomial of least degree with these values at these nodes. Domain: as many values as nodes, the nodes
+/// different. Cost: quadratic.
+LaurentPolynomial interpolation(const std::vector<Rational>& nodes, std::vector<Rational> values);
+
 }  // namespace subcert

@@ -218,6 +218,14 @@ int largest_jordan_block(const RationalMatrix& matrix, const LaurentPolynomial& 
   }
 }
 
+Rational determinant(const RationalMatrix& matrix) {
+  require(matrix.rows() == matrix.columns(), "determinant: need a square matrix, got {}", shape(matrix));
+  FlintMatrix flint_matrix(matrix);
+  flint::Quotient result;
+  fmpq_mat_det(result.get(), flint_matrix.get());
+  return flint::to_rational(result.get());
+}
+
 LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix) {
   require(matrix.rows() == matrix.columns(), "characteristic_polynomial: need a square matrix, got {}", shape(matrix));
   FlintMatrix source(matrix);

@@ -60,6 +60,9 @@ std::optional<RationalMatrix> value_at(const LaurentPolynomial& p, const Rationa
 /// irreducible over the rationals. Cost: as many kernels of products.
 int largest_jordan_block(const RationalMatrix& matrix, const LaurentPolynomial& p);
 
+/// Domain: square. Cost: modular.
+Rational determinant(const RationalMatrix& matrix);
+
 /// det(x - matrix), with lowest exponent 0 or more; nothing once the deadline passes. Domain: square. Cost: modular,
 /// cubic per prime, as many primes as the entries ask for.
 LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix);

@@ -158,6 +158,37 @@ int count_real_roots(const LaurentPolynomial& p) {
   return static_cast<int>(fmpz_poly_num_real_roots(q.get())) + (p.lowest() > 0 ? 1 : 0);
 }
 
+int count_real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high) {
+  // x = (low + high t) / (1 + t) takes t > 0 to low < x < high.
+  const LaurentPolynomial top({low, high}, 0), bottom({1, 1}, 0);
+  LaurentPolynomial q, power = 1;
+  for (long k = p.highest(); k >= 0; --k) {
+    q = q * top + LaurentPolynomial(p.coefficient(k)) * power;
+    if (k > 0) power *= bottom;
+  }
+  q = q.shifted(-q.lowest());
+  const std::vector<Integer> coefficients = q.numerators();
+  const auto is_of_sign = [&](int sign) {
+    return std::all_of(coefficients.begin(), coefficients.end(),
+                       [&](const Integer& c) { return sign * c.sign() >= 0; });
+  };
+  if (is_of_sign(1) || is_of_sign(-1)) return 0;
+  // t = u^2 has a positive and a negative solution u for each t > 0.
+  return count_real_roots(q.dilated(2)) / 2;
+}
+
+std::vector<Enclosure> real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,
+                                  const Rational& width) {
+  const int count = count_real_roots(p, low, high);
+  if (count == 0) return {};
+  if (count == 1 && high - low <= width) return {{low, high}};
+  const Rational middle = (low + high) / 2;
+  std::vector<Enclosure> result = real_roots(p, low, middle, width);
+  if (p(middle) == 0) result.push_back(Enclosure::exactly(middle));
+  for (const Enclosure& root : real_roots(p, middle, high, width)) result.push_back(root);
+  return result;
+}
+
 std::vector<PolynomialFactor> irreducible_factors(const LaurentPolynomial& p) {
   require(!p.is_zero(), "irreducible_factors: need a non-zero polynomial, got 0");
   return factors_of(p, fmpz_poly_factor);

@@ -8,6 +8,15 @@ namespace subcert {
 /// The number of distinct real zeros. Domain: p not zero. Cost: one Sturm sequence. Ref: [BPR06].
 int count_real_roots(const LaurentPolynomial& p);
 
+/// The number of distinct zeros x with low < x < high. Domain: p not zero, no negative exponents, low < high. Cost: a
+/// Sturm sequence; none where Bernstein coefficients tell that there is no zero.
+int count_real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high);
+
+/// Disjoint intervals with one zero in (low, high) each, in order, of at most this width; a zero that is found to be
+/// rational is one number. Domain: as above, width > 0.
+std::vector<Enclosure> real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,
+                                  const Rational& width);
+
 /// Canonical: irreducible over the rationals, with integer coefficients and lowest exponent 0, or z itself.
 struct PolynomialFactor {
   LaurentPolynomial polynomial;

@@ -94,8 +94,8 @@ TEST_CASE("verdicts have exit codes of their own") {
 }
 
 TEST_CASE("help names an example in every subcommand") {
-  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "jsr", "verify", "limit", "variance",
-                              "refine", "smooth", "experiment"}) {
+  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "range", "jsr", "verify", "limit",
+                              "variance", "refine", "smooth", "experiment"}) {
     const Run result = run(std::string(command) + " --help");
     CAPTURE(command);
     CHECK(result.code == 0);

@@ -1,0 +1,74 @@
+#pragma once
+/// For which values of its parameter a scheme has a property, with proof.
+
+#include "parametric_family.hpp"
+
+#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/interval.hpp>
+
+namespace subcert {
+
+/// What is asked of the scheme at each value of the parameter.
+struct RangeProperty {
+  enum class Kind {
+    convergent,  ///< the scheme converges
+    smooth,      ///< its limits have `order` continuous derivatives
+    holder,      ///< their Hoelder exponent is at least `order`
+    stable       ///< the integer shifts of the basic limit function are stable
+  };
+  Kind kind = Kind::convergent;
+  Rational order = 0;
+};
+
+/// `convergent`, `C2`, `holder>=3/2` or `stable`; nothing for another text. Domain of the numbers: 0 ... 100.
+std::optional<RangeProperty> parse_range_property(std::string_view text);
+
+/// Values of w, and whether the property holds for all of them (yes), for none (no), or is not
+/// decided. `word`: the product that refutes it, over the transition matrices from left to right; empty otherwise.
+struct RangePiece {
+  Rational low, high;
+  Truth holds = Truth::unknown;
+  std::vector<int> word = {};
+  bool low_included = true, high_included = true;
+};
+
+/// An end of a piece: between a proved and a refuted one the radius of the product of `word` crosses the threshold
+/// once, at a zero of the polynomial.
+struct RangeEnd {
+  Rational low, high;
+  LaurentPolynomial polynomial;  ///< irreducible, in w, with one zero between them
+  std::vector<int> word;
+};
+
+/// A single value, or one that is enclosed, at which the scheme has more sum rules than at others.
+struct SpecialValue {
+  Enclosure value;
+  LaurentPolynomial polynomial;  ///< irreducible, in w
+  Truth holds = Truth::unknown;  ///< decided for rational values
+};
+
+struct PropertyRange {
+  int sum_rules = 0;               ///< that hold for all w
+  std::vector<RangePiece> pieces;  ///< one after another, from the first to the last value asked for
+  std::vector<RangeEnd> ends;
+  std::vector<SpecialValue> special;
+  bool complete = true;  ///< every undecided piece consists of intervals of the width asked for
+};
+
+struct RangeOptions {
+  Rational width = power(Rational(10), -9);  ///< of the undecided pieces about an end
+  int jobs = 1;
+  Budget budget{Deadline::in(60)};
+};
+
+/// Decides a property over low <= w <= high by intervals that are halved. With m sum rules for all w and the transition
+/// matrices T_t(w) of the scheme for divided differences of order m: the property is proved on an interval by an upper
+/// bound of the joint spectral radius of the control matrices of the T_t, and refuted by a real eigenvalue of one
+/// product that is too large all over the interval, which Sturm's theorem decides, and by the stability of the shifts.
+/// Domain: coset sums 1 for all w; arity * (degree in w + 1) up to 64; low < high. Errors: throws Error. Error: none;
+/// what is not decided within width and budget is left `unknown`. Cost: one joint spectral radius for each interval.
+/// Ref: docs/families.md.
+PropertyRange property_range(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
+                             const Rational& high, const RangeOptions& options);
+
+}  // namespace subcert

@@ -1,0 +1,175 @@
+// Properties of families with a parameter: what is proved and refuted agrees with the schemes at single values, and the
+// ends are those that are known.
+#include <subcert/analysis/family/property_range.hpp>
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/regularity/stability.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/transition/transition.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/random.hpp>
+#include <subcert/schemes/specification.hpp>
+
+using namespace subcert;
+using subcert::testing::Random;
+
+namespace {
+
+Rational q(const char* text) { return *parse_rational(text); }
+
+PropertyRange range_of(const char* scheme, const char* property, const char* low, const char* high,
+                       const Rational& width = power(Rational(10), -9)) {
+  return property_range(make_parametric_scheme(scheme).mask, *parse_range_property(property), q(low), q(high),
+                        {width, 2, {Deadline::in(60)}});
+}
+
+/// The verdicts, as y, n and ?, of pieces and single points.
+std::string verdicts(const PropertyRange& range) {
+  std::string text;
+  for (const RangePiece& piece : range.pieces)
+    text += piece.holds == Truth::yes ? 'y' : piece.holds == Truth::no ? 'n' : '?';
+  return text;
+}
+
+void check_cover(const PropertyRange& range, const Rational& low, const Rational& high) {
+  REQUIRE_FALSE(range.pieces.empty());
+  CHECK(range.pieces.front().low == low);
+  CHECK(range.pieces.back().high == high);
+  for (std::size_t k = 1; k < range.pieces.size(); ++k) CHECK(range.pieces[k].low == range.pieces[k - 1].high);
+}
+
+}  // namespace
+
+TEST_CASE("the 4-point scheme is C1 between 0 and a cubic number") {
+  const PropertyRange range = range_of("four-point:w", "C1", "-2/5", "1");
+  CHECK(range.sum_rules == 2);
+  check_cover(range, q("-2/5"), 1);
+  CHECK(verdicts(range) == "n?y?n");
+  const Rational width = power(Rational(10), -8);
+  for (const std::size_t k : {std::size_t{1}, std::size_t{3}})
+    CHECK(range.pieces[k].high - range.pieces[k].low < width);
+  CHECK(range.pieces[1].low <= 0);
+  CHECK(range.pieces[1].high >= 0);
+  // [HMR09]: near 0.19273.
+  CHECK(range.pieces[3].low > q("19272/100000"));
+  CHECK(range.pieces[3].high < q("19274/100000"));
+  REQUIRE(range.ends.size() >= 1);
+  const RangeEnd& end = range.ends.back();
+  CHECK(end.polynomial == LaurentPolynomial({-1, 4, 0, 32}, 0));
+  CHECK(count_real_roots(end.polynomial, range.pieces[3].low, range.pieces[3].high) == 1);
+  // At 1/16 there are four sum rules.
+  REQUIRE(range.special.size() == 1);
+  CHECK(range.special[0].value.is_exact());
+  CHECK(*range.special[0].value.lower == q("1/16"));
+  CHECK(range.special[0].holds == Truth::yes);
+}
+
+TEST_CASE("the ternary 4-point scheme is C2 exactly between 1/15 and 1/9") {
+  const PropertyRange range = range_of(
+      "mask:[-1/18+1/6*u,-1/18-1/6*u,0,7/18-1/2*u,13/18+1/2*u,1,13/18+1/2*u,7/18-1/2*u,0,-1/18-1/6*u,-1/18+1/6*u],"
+      "arity=3",
+      "C2", "0", "1/5");
+  CHECK(range.sum_rules == 3);
+  CHECK(verdicts(range) == "n?y?n");
+  REQUIRE(range.ends.size() == 2);
+  CHECK(range.ends[0].polynomial == LaurentPolynomial({-1, 15}, 0));  // [HIDS02]
+  CHECK(range.ends[1].polynomial == LaurentPolynomial({-1, 9}, 0));
+}
+
+TEST_CASE("ends of Hoelder ranges are zeros of exact polynomials") {
+  const PropertyRange range = range_of("four-point:w", "holder>=3/2", "0", "1/5");
+  CHECK(verdicts(range) == "n?y?n");
+  REQUIRE(range.ends.size() == 2);
+  CHECK(range.ends[0].polynomial == LaurentPolynomial({-1, 16, 64}, 0));
+}
+
+TEST_CASE("ranges agree with schemes at single values") {
+  Random random;
+  for (const char* property : {"convergent", "C1", "C2", "holder>=3/2"}) {
+    const PropertyRange range = range_of("four-point:t", property, "-3/4", "3/4", power(Rational(10), -4));
+    check_cover(range, q("-3/4"), q("3/4"));
+    const RangeProperty asked = *parse_range_property(property);
+    for (int round = 0; round < 12; ++round) {
+      const Rational w(random.integer(-74, 74), 99);
+      const auto piece = std::find_if(range.pieces.begin(), range.pieces.end(),
+                                      [&](const RangePiece& p) { return p.low <= w && w <= p.high; });
+      REQUIRE(piece != range.pieces.end());
+      const Enclosure exponent =
+          holder_regularity(make_scheme("four-point:w=" + to_text(w)).mask, 8, {Deadline::in(10)}).exponent;
+      CAPTURE(property, to_text(w));
+      if (piece->holds == Truth::yes) CHECK(*exponent.lower > asked.order);
+      if (piece->holds == Truth::no) CHECK_FALSE(*exponent.lower > asked.order);
+    }
+  }
+}
+
+TEST_CASE("no property above the sum rules but at special values") {
+  const PropertyRange range = range_of("four-point:w", "C2", "0", "1/8", power(Rational(10), -3));
+  CHECK(verdicts(range).find('y') == std::string::npos);
+  REQUIRE(range.special.size() == 1);
+  // The 4-point scheme has the exponent 2 with a logarithm.
+  CHECK(range.special[0].holds == Truth::no);
+}
+
+TEST_CASE("where shifts are stable") {
+  // (1 + z)(w + (1-w) z^2)... : [w, w, 1-w, 1-w] has the cosets w + (1-w) z, twice.
+  const PropertyRange range = range_of("mask:[w,w,1-w,1-w]", "stable", "-1", "2");
+  check_cover(range, -1, 2);
+  for (const RangePiece& piece : range.pieces) {
+    if (piece.low == piece.high) continue;
+    const Rational middle = (piece.low + piece.high) / 2;
+    CHECK((piece.holds == Truth::yes) <=
+          has_stable_shifts(make_parametric_scheme("mask:[w,w,1-w,1-w]").mask.at(middle)).is_yes());
+  }
+  const PropertyRange hat = range_of("mask:[w,1/2,1-2*w,1/2,w]", "stable", "-1", "1");
+  check_cover(hat, -1, 1);
+}
+
+TEST_CASE("control matrices hold the family in their hull") {
+  const ParametricMask mask = make_parametric_scheme("mask:[w^2,1/2,1-2*w^2,1/2,w^2]").mask;
+  const ParametricFamily family = transition_matrices(mask);
+  CHECK(family.degree() == 2);
+  CHECK(family.count() == 2);
+  const Rational low = q("-1/3"), high = q("1/2"), w = q("1/7");
+  const MatrixFamily controls = family.controls(low, high), at = family.at(w);
+  const Rational u = (w - low) / (high - low), v = 1 - u;
+  const Rational weights[] = {v * v, 2 * u * v, u * u};
+  for (std::size_t t = 0; t < 2; ++t) {
+    RationalMatrix sum(family.size(), family.size());
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < family.size(); ++i)
+        for (std::size_t j = 0; j < family.size(); ++j) sum(i, j) += weights[k] * controls[3 * t + k](i, j);
+    CHECK(sum == at[t]);
+  }
+  CHECK(at.matrices() == transition_matrices(mask.at(w)));
+}
+
+TEST_CASE("specifications of families") {
+  CHECK(make_parametric_scheme("four-point:w").mask.to_text('w') == "[-w,0,1/2+w,1,1/2+w,0,-w]@-3");
+  CHECK(make_parametric_scheme("mask:[1-t,1,t]/1@0").specification == "mask:[1-t,1,t]@0");
+  for (const char* bad :
+       {"mask:[1,2,1]/2", "mask:[v,1-v,w,1-w]", "mask:[w,1]", "mask:[w,1/w]", "four-point:", "four-point:ww",
+        "mask:[w,1-w,w*,1]", "primal:n=w", "mask:", "mask:[w,w,1-w,1-w]@x", "mask:[w^13,1,1-w^13]"})
+    CHECK_THROWS_AS(make_parametric_scheme(bad), SpecificationError);
+  for (const char* bad : {"", "C", "C-1", "C1/2", "holder>=", "holder>=-1", "C1000", "smooth", "holder>2"})
+    CHECK_FALSE(parse_range_property(bad));
+}
+
+TEST_CASE("zeros in intervals") {
+  const LaurentPolynomial p = LaurentPolynomial({-2, 0, 1}, 0) * LaurentPolynomial({-1, 1}, 0) *
+                              LaurentPolynomial({0, 1}, 0);
+  CHECK(count_real_roots(p, -2, 2) == 4);
+  CHECK(count_real_roots(p, 0, 1) == 0);
+  CHECK(count_real_roots(p, 0, 2) == 2);
+  CHECK(count_real_roots(p * p, -2, 2) == 4);
+  const auto roots = real_roots(p, -2, 2, power(Rational(10), -6));
+  REQUIRE(roots.size() == 4);
+  CHECK(roots[1].is_exact());
+  CHECK(*roots[3].lower * *roots[3].lower < 2);
+  CHECK(*roots[3].upper * *roots[3].upper > 2);
+  CHECK(interpolation({0, 1, 3}, {1, 2, 10}) == LaurentPolynomial({1, 0, 1}, 0));
+  RationalMatrix m(2, 2);
+  m(0, 0) = 2, m(0, 1) = 1, m(1, 0) = 1, m(1, 1) = 1;
+  CHECK(determinant(m) == 1);
+}

@@ -1,0 +1,143 @@
+// subcert range SCHEME --over w=LOW..HIGH --property PROPERTY
+
+#include "command.hpp"
+#include "exponent_text.hpp"
+
+#include <subcert/analysis/family/property_range.hpp>
+#include <subcert/analysis/symbol/decimal.hpp>
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace subcert::cli {
+namespace {
+
+struct ParameterRangeOptions : CommonOptions {
+  std::string scheme;
+  std::string over;
+  std::string property;
+  std::string width = "1e-9";
+  double budget = 60;
+  std::size_t memory = 1024;
+};
+
+/// `w=-1..1` for this letter.
+std::pair<Rational, Rational> read_over(const std::string& text, char parameter) {
+  const std::string head = std::string(1, parameter) + "=";
+  const std::size_t dots = text.find("..");
+  const auto number = [&](std::size_t begin, std::size_t end) {
+    return begin > end || end - begin > 200 ? std::nullopt : parse_rational(text.substr(begin, end - begin));
+  };
+  const auto low = text.starts_with(head) && dots != std::string::npos ? number(2, dots) : std::nullopt,
+             high = low ? number(dots + 2, text.size()) : std::nullopt;
+  if (!high || !(*low < *high))
+    fail(ErrorKind::usage, "--over: expected {}LOW..HIGH with exact numbers LOW < HIGH, as {}-1..1, got '{}'", head,
+         head, text);
+  return {*low, *high};
+}
+
+std::string letters(const LaurentPolynomial& polynomial, char parameter) {
+  std::string text = polynomial.to_text();
+  std::replace(text.begin(), text.end(), 'z', parameter);
+  return text;
+}
+
+std::string number_text(const Rational& value) {
+  const std::string exact = to_text(value);
+  return exact.size() <= 12 ? exact : to_decimal(value, 12, Rounding::nearest);
+}
+
+const char* verdict(Truth holds) {
+  return holds == Truth::yes ? "proved" : holds == Truth::no ? "refuted" : "undecided";
+}
+
+Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
+  Json pieces = Json::array(), ends = Json::array(), special = Json::array();
+  for (const RangePiece& piece : range.pieces)
+    pieces.push_back({{"from", to_text(piece.low)},
+                      {"to", to_text(piece.high)},
+                      {"from_included", piece.low_included},
+                      {"to_included", piece.high_included},
+                      {"verdict", verdict(piece.holds)}});
+  for (const RangeEnd& end : range.ends)
+    ends.push_back({{"lower", to_text(end.low)},
+                    {"upper", to_text(end.high)},
+                    {"polynomial", letters(end.polynomial, scheme.parameter)},
+                    {"product", word_text(end.word)}});
+  for (const SpecialValue& value : range.special)
+    special.push_back({{"value", enclosure_json(value.value)},
+                       {"polynomial", letters(value.polynomial, scheme.parameter)},
+                       {"verdict", verdict(value.holds)}});
+  return {{"family", scheme.specification},
+          {"property", options.property},
+          {"sum_rules", range.sum_rules},
+          {"pieces", pieces},
+          {"ends", ends},
+          {"special", special}};
+}
+
+std::string text_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
+  std::ostringstream page;
+  const char w = scheme.parameter;
+  page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
+       << "property     " << options.property << "\n"
+       << "sum rules    " << range.sum_rules << " for all " << w << "\n";
+  for (const RangePiece& piece : range.pieces) {
+    page << padded(verdict(piece.holds), 13);
+    if (piece.low == piece.high)
+      page << w << " = " << number_text(piece.low);
+    else
+      page << number_text(piece.low) << (piece.low_included ? " <= " : " < ") << w
+           << (piece.high_included ? " <= " : " < ") << number_text(piece.high);
+    if (piece.holds == Truth::unknown)
+      page << "  (width " << to_decimal(piece.high - piece.low, 2, Rounding::up) << ")";
+    page << "\n";
+  }
+  for (const RangeEnd& end : range.ends)
+    page << "end          the zero of " << letters(end.polynomial, w) << " near " << number_text(end.low)
+         << ", where the radius of the product " << word_text(end.word) << " crosses the threshold\n";
+  for (const SpecialValue& value : range.special)
+    page << "special      " << w << " = " << enclosure_text(value.value, 12) << ": "
+         << (options.property == "stable" ? "shifts may be unstable" : "more sum rules") << "; " << verdict(value.holds)
+         << " there\n";
+  return page.str();
+}
+
+ExitCode run(const ParameterRangeOptions& options) {
+  const ParametricScheme scheme = make_parametric_scheme(options.scheme);
+  const auto property = parse_range_property(options.property);
+  if (!property)
+    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ..., holder>=P/Q or stable, got '{}'",
+         options.property);
+  const auto [low, high] = read_over(options.over, scheme.parameter);
+  auto width = parse_rational(options.width);
+  if (const auto decimal = parse_decimal(options.width); !width && decimal) width = decimal->value;
+  if (!width || !(*width > 0))
+    fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
+  options.progress("intervals");
+  const PropertyRange range = property_range(
+      scheme.mask, *property, low, high,
+      {*width, options.threads(), {Deadline::in(options.budget), options.memory << 20}});
+  options.end_progress();
+  options.answer(json_of(range, options, scheme), text_of(range, options, scheme));
+  return range.complete ? done : undecided;
+}
+
+}  // namespace
+
+void add_range(Command& app) {
+  auto options = std::make_shared<ParameterRangeOptions>();
+  Command command = add_command(app, "range", "For which values of its parameter a scheme has a property, with proof",
+                                "subcert range four-point:w --over w=-1..1 --property C1", options,
+                                [=] { return run(*options); });
+  command.option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w] or four-point:w, with any letter")
+      .required();
+  command.option("--over", options->over, "The values: w=LOW..HIGH").required();
+  command.option("--property", options->property, "convergent, C1, C2, ..., holder>=P/Q or stable").required();
+  command.option("--width", options->width, "Of what is left open about an end").with_default();
+  command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
+  command.option("--memory", options->memory, "MiB that the search may hold").within(16, 1 << 20).with_default();
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,29 @@
+#include "program.hpp"
+
+using namespace subcert::testing;
+
+TEST_CASE("ranges of a parameter are proved and refuted") {
+  const Run page = run("range four-point:w --over w=-1/4..1/4 --property C1");
+  CHECK(page.code == 0);
+  CHECK(page.out.find("the zero of -1 + 4*w + 32*w^3 near 0.19272924") != std::string::npos);
+  CHECK(page.out.find("special      w = 0.0625: more sum rules; proved there") != std::string::npos);
+  const Run json = run("range four-point:t --over t=0..1/2 --property convergent --width 1/1000 --json");
+  CHECK(json.code == 0);
+  const auto range = nlohmann::json::parse(json.out);
+  CHECK(range["sum_rules"] == 2);
+  CHECK(range["pieces"].front()["verdict"] == "proved");
+  CHECK(range["pieces"].front()["from"] == "0");
+}
+
+TEST_CASE("ranges that make no sense are refused in one line") {
+  for (const char* arguments :
+       {"four-point:w --over w=1..0 --property C1", "four-point:w --over t=0..1 --property C1",
+        "four-point:w --over w=0..1 --property D1", "mask:[w,v,1-w,1-v] --over w=0..1 --property C1",
+        "mask:[w,1-w] --over w=0..1 --property C1", "four-point:w=1/16 --over w=0..1 --property C1",
+        "mask:[w,1,1-w] --over w=0..1/0 --property C1", "primal:n=3 --over w=0..1 --property C1",
+        "four-point:w --over w=0..1 --property C1 --width 0", "four-point:w --property C1",
+        "four-point:w --over w=0..1"}) {
+    CAPTURE(arguments);
+    CHECK(run(std::string("range ") + arguments).code == 64);
+  }
+}

@@ -49,7 +49,7 @@ class Threshold {
     const Rational exponent = exponent_ * Rational(length);
     const long top = numerator(exponent).convert_to<long>(), root = denominator(exponent).convert_to<long>();
     if (root == 1) return Enclosure::exactly(power(Rational(arity_), top));
-    const Enclosure modulus = root_enclosure(power(Rational(arity_), std::abs(top)), static_cast<int>(root));
+    Enclosure modulus = root_enclosure(power(Rational(arity_), std::abs(top)), static_cast<int>(root));
     if (top >= 0) return modulus;
     return {1 / *modulus.upper, 1 / *modulus.lower};
   }

@@ -37,10 +37,11 @@ void decide_stability(const MultivariateMask& mask, const Deadline& deadline, Mu
 /// Provided that phi is continuous.
 std::optional<MultivariateSobolev> decide_sobolev(const MultivariateMask& mask, const Deadline& deadline,
                                                   const MultivariateRegularity& result) {
-  if (result.gram && !result.stable.is_yes())
-    if (auto found = sobolev_regularity(mask, *result.gram, deadline)) return found;
   auto found = sobolev_regularity(mask, result.sum_rules, deadline);
-  if (found && !result.stable.is_yes()) found->exponent.upper.reset();
+  if (result.stable.is_yes()) return found;
+  if (found) found->exponent.upper.reset();
+  if (result.gram)
+    if (auto exact = sobolev_regularity(mask, *result.gram, deadline)) return exact;
   return found;
 }
 

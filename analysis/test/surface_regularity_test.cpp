@@ -8,6 +8,8 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <algorithm>
+
 using namespace subcert;
 
 namespace {
@@ -47,6 +49,19 @@ TEST_CASE("classical surfaces have their known exponents, exactly") {
     REQUIRE(result.sobolev);
     CHECK(encloses(*result.sobolev, known.sobolev, 1e-5));
   }
+}
+
+TEST_CASE("a large block that is smaller than the leading one is settled by a quadratic form") {
+  // The exponent of the tensor product, dual-odd:n=2,d=3: a block of size 8 leads, one of size 56 does not.
+  const MultivariateRegularity result = regularity("grid:points=5x5,d=3");
+  CHECK(result.exact.is_yes());
+  CHECK(encloses(result.exponent, 2.396267695259, 1e-10));
+  REQUIRE(result.radius);
+  REQUIRE(result.radius->by_blocks());
+  const auto& blocks = result.radius->by_blocks()->blocks;
+  CHECK(std::any_of(blocks.begin(), blocks.end(), [](const JointSpectralRadius& block) {
+    return std::holds_alternative<QuadraticProof>(block.proof);
+  }));
 }
 
 TEST_CASE("where shifts are unstable the differences of the limit tell the exponent") {

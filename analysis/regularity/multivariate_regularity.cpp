@@ -15,7 +15,7 @@
 namespace subcert {
 namespace {
 
-constexpr double norm_share = 0.05, sobolev_share = 0.2, stability_share = 0.5;  // of the time that is left
+constexpr double norm_share = 0.05, sobolev_share = 0.3, stability_share = 0.5;  // of the time that is left
 constexpr int levels = 16;                           // of norms, where they decide convergence
 constexpr double least_seconds = 5;                  // for convergence
 constexpr double first_slice = 2, slice_factor = 5;  // seconds for each of several dilations

@@ -54,7 +54,7 @@ TEST_CASE("the 4-point scheme is C1 between 0 and a cubic number") {
   // [HMR09]: near 0.19273.
   CHECK(range.pieces[3].low > q("19272/100000"));
   CHECK(range.pieces[3].high < q("19274/100000"));
-  REQUIRE(range.ends.size() >= 1);
+  REQUIRE_FALSE(range.ends.empty());
   const RangeEnd& end = range.ends.back();
   CHECK(end.polynomial == LaurentPolynomial({-1, 4, 0, 32}, 0));
   CHECK(count_real_roots(end.polynomial, range.pieces[3].low, range.pieces[3].high) == 1);

@@ -5,6 +5,7 @@
 
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
 
 #include <fmt/format.h>
 
@@ -37,12 +38,6 @@ std::pair<Rational, Rational> read_over(const std::string& text, char parameter)
   return {*low, *high};
 }
 
-std::string letters(const LaurentPolynomial& polynomial, char parameter) {
-  std::string text = polynomial.to_text();
-  std::replace(text.begin(), text.end(), 'z', parameter);
-  return text;
-}
-
 std::string number_text(const Rational& value) {
   const std::string exact = to_text(value);
   return exact.size() <= 12 ? exact : to_decimal(value, 12, Rounding::nearest);
@@ -63,11 +58,11 @@ Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, c
   for (const RangeEnd& end : range.ends)
     ends.push_back({{"lower", to_text(end.low)},
                     {"upper", to_text(end.high)},
-                    {"polynomial", letters(end.polynomial, scheme.parameter)},
+                    {"polynomial", to_text(end.polynomial, scheme.parameter)},
                     {"product", word_text(end.word)}});
   for (const SpecialValue& value : range.special)
     special.push_back({{"value", enclosure_json(value.value)},
-                       {"polynomial", letters(value.polynomial, scheme.parameter)},
+                       {"polynomial", to_text(value.polynomial, scheme.parameter)},
                        {"verdict", verdict(value.holds)}});
   return {{"family", scheme.specification},
           {"property", options.property},
@@ -95,7 +90,7 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
     page << "\n";
   }
   for (const RangeEnd& end : range.ends)
-    page << "end          the zero of " << letters(end.polynomial, w) << " near " << number_text(end.low)
+    page << "end          the zero of " << to_text(end.polynomial, w) << " near " << number_text(end.low)
          << ", where the radius of the product " << word_text(end.word) << " crosses the threshold\n";
   for (const SpecialValue& value : range.special)
     page << "special      " << w << " = " << enclosure_text(value.value, 12) << ": "

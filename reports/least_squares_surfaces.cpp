@@ -109,9 +109,8 @@ formats::Section fits_section(const ReportOptions& options) {
   for (const std::string& sentence : fit_findings(pairs)) section.paragraphs.push_back(sentence);
   section.paragraphs.push_back(
       "Masks of more than 100 coefficients are not searched for the product that attains their radius unless --budget "
-      "gives the seconds; their Hoelder exponents are enclosed by the Sobolev exponents. '>=' says that no upper end "
-      "is "
-      "proved.");
+      "gives the seconds; their Hoelder exponents are enclosed by the Sobolev exponents. '>=' says that no upper "
+      "end is proved.");
   for (const char* key : {"MLZD15", "MH", "MB16", "DHHS15"})
     section.paragraphs.push_back(fmt::format("[{}] {}", key, statements::reference(key)));
   section.finding = fit_findings(pairs).front();

@@ -1,4 +1,6 @@
 // Families with a parameter: masks with a letter where a number may stand.
+#include "parametric_specification.hpp"
+
 #include "classical.hpp"
 #include "specification_text.hpp"
 
@@ -21,10 +23,8 @@ bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0
 LaurentPolynomial read_coefficient(const Piece& piece, char parameter) {
   const std::string expected = std::string("a sum of terms c, ") + parameter + " or c*" + parameter +
                                "^k with exact numbers c and k up to " + std::to_string(max_degree);
-  std::string text(piece.text);
-  std::replace(text.begin(), text.end(), parameter, 'z');
   try {
-    LaurentPolynomial result = LaurentPolynomial::parse(text);
+    LaurentPolynomial result = parse_polynomial(piece.text, parameter);
     if (!result.is_zero() && (result.lowest() < 0 || result.highest() > max_degree)) fail(piece, expected);
     return result;
   } catch (const ParseError&) {
@@ -79,12 +79,10 @@ ParametricScheme make_mask(const Piece& family, const Piece& body) {
     LaurentPolynomial sum;
     for (long i = mask.support().first; i <= mask.support().last; ++i)
       if ((i - residue) % arity == 0) sum += mask.coefficient(i);
-    if (!(sum == LaurentPolynomial(1))) {
-      std::string text = sum.to_text();
-      std::replace(text.begin(), text.end(), 'z', parameter);
+    if (!(sum == LaurentPolynomial(1)))
       fail(list, std::string("coefficients that sum to 1 over each residue class for all ") + parameter +
-                     "; the class " + std::to_string(residue) + " mod " + std::to_string(arity) + " sums to " + text);
-    }
+                     "; the class " + std::to_string(residue) + " mod " + std::to_string(arity) + " sums to " +
+                     to_text(sum, parameter));
   }
   const std::string text = mask.to_text(parameter);
   return {"mask:" + text + (arity == 2 ? "" : ",arity=" + std::to_string(arity)),

@@ -4,7 +4,6 @@
 #include "l1_scheme.hpp"
 #include "local_regression.hpp"
 
-#include <subcert/analysis/symbol/parametric_mask.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
 
 #include <optional>
@@ -29,14 +28,6 @@ struct Scheme {
   std::string title;
   Mask mask;
   std::optional<LocalRegression> rules = std::nullopt;
-};
-
-/// A scheme of one variable whose coefficients are polynomials in one parameter.
-struct ParametricScheme {
-  std::string specification;
-  std::string title;
-  char parameter;
-  ParametricMask mask;
 };
 
 /// A scheme of two or three variables.
@@ -64,12 +55,6 @@ Scheme make_scheme(std::string_view specification);
 
 /// Reads a linear specification of one, two or three variables. Domain and errors: as make_scheme.
 LinearScheme make_linear_scheme(std::string_view specification);
-
-/// Reads `mask:[-w,0,1/2+w,1,1/2+w,0,-w]` or `four-point:w`, with any letter for the parameter. A coefficient is a sum
-/// of terms `c`, `w`, `c*w^k` with exact numbers c. Domain: up to 100 coefficients, degree up to 12; else as
-/// make_scheme. Errors: throws SpecificationError, also for two letters, none, or coset sums other than 1 for some
-/// value.
-ParametricScheme make_parametric_scheme(std::string_view specification);
 
 /// Whether the text names the family l1.
 bool is_l1_specification(std::string_view specification);

@@ -116,7 +116,7 @@ class RangeSearch {
     for (long k = 0; k < times; ++k) repeated.insert(repeated.end(), word.begin(), word.end());
     if (repeated.size() > longest_end) return std::nullopt;
     for (const int sign : {1, -1}) {
-      const LaurentPolynomial crossing = characteristic_at_threshold(repeated, sign);
+      const LaurentPolynomial crossing = characteristic_at(power_of_threshold(repeated), repeated, sign);
       if (crossing.is_zero() || crossing(gap.low) == 0 || crossing(gap.high) == 0 ||
           count_real_roots(crossing, gap.low, gap.high) != 1)
         continue;
@@ -213,10 +213,6 @@ class RangeSearch {
     return result;
   }
 
-  LaurentPolynomial characteristic_at_threshold(const std::vector<int>& word, int sign) {
-    return characteristic_at(power_of_threshold(word), word, sign);
-  }
-
   /// det(g - sign P(w)) as a polynomial in w, P the product of the word; zero past the deadline.
   LaurentPolynomial characteristic_at(const Rational& g, const std::vector<int>& word, int sign) {
     const auto key = std::tuple(word, sign, g);
@@ -224,18 +220,16 @@ class RangeSearch {
       const std::scoped_lock lock(mutex_);
       if (const auto known = characteristics_.find(key); known != characteristics_.end()) return known->second;
     }
-    const std::size_t n = family_.size(), degree = n * word.size() * static_cast<std::size_t>(family_.degree());
-    std::vector<Rational> nodes, values;
-    for (std::size_t k = 0; k <= degree; ++k) {
-      if (options_.budget.deadline.expired()) return {};
-      nodes.emplace_back(static_cast<long>(k) - static_cast<long>(degree / 2));
-      RationalMatrix shifted = Rational(-sign) * family_.at(nodes.back()).product(word);
-      for (std::size_t i = 0; i < n; ++i) shifted(i, i) += g;
-      values.push_back(determinant(shifted));
-    }
-    LaurentPolynomial result = interpolation(nodes, std::move(values));
+    const auto shifted = [&](const Rational& w) {
+      RationalMatrix result = Rational(-sign) * family_.at(w).product(word);
+      for (std::size_t i = 0; i < family_.size(); ++i) result(i, i) += g;
+      return result;
+    };
+    const auto degree = static_cast<long>(family_.size() * word.size()) * family_.degree();
+    auto result = determinant(shifted, degree, options_.budget.deadline);
+    if (!result) return {};
     const std::scoped_lock lock(mutex_);
-    return characteristics_.emplace(key, std::move(result)).first->second;
+    return characteristics_.emplace(key, std::move(*result)).first->second;
   }
 
   RangeProperty property_;

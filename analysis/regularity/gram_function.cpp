@@ -132,10 +132,7 @@ bool annihilates(const LaurentPolynomial& p, const RationalMatrix& matrix, const
                  const Deadline& deadline) {
   const std::size_t n = x.size();
   const Integer scale = common_denominator(matrix);
-  std::vector<Integer> entries;  // of scale * matrix
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      entries.push_back(numerator(matrix(i, j)) * (scale / denominator(matrix(i, j))));
+  const std::vector<Integer> entries = integer_multiple(matrix, scale);
   std::vector<Integer> value(n);
   Integer power = 1;
   for (long k = p.highest(); k >= 0; --k, power *= scale) {

@@ -94,6 +94,12 @@ RationalMatrix MatrixFamily::product(const std::vector<int>& word) const {
   return product;
 }
 
+Integer common_denominator(const MatrixFamily& family) {
+  Integer result = 1;
+  for (const RationalMatrix& m : family) result = lcm(result, common_denominator(m));
+  return result;
+}
+
 MatrixFamily transposed(const MatrixFamily& family) {
   std::vector<RationalMatrix> matrices;
   for (const RationalMatrix& m : family) matrices.push_back(transposed(m));

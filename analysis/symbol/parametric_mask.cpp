@@ -77,22 +77,19 @@ LaurentPolynomial resultant_in_z(const std::vector<LaurentPolynomial>& p, const 
   const long p_degree = p_range.last - p_range.first, q_degree = q_range.last - q_range.first;
   const auto in_w = static_cast<long>(std::max(p.size(), q.size())) - 1;
   const auto rows = static_cast<std::size_t>(p_degree + q_degree);
-  std::vector<Rational> nodes, values;
-  for (long k = 0; k <= in_w * (p_degree + q_degree); ++k) {
-    if (deadline.expired()) return {};
-    nodes.emplace_back(k);
-    const LaurentPolynomial p_at = at_parameter(p, k), q_at = at_parameter(q, k);
-    RationalMatrix sylvester(rows, rows);
+  const auto sylvester = [&](const Rational& w) {
+    const LaurentPolynomial p_at = at_parameter(p, w), q_at = at_parameter(q, w);
+    RationalMatrix result(rows, rows);
     for (long i = 0; i < q_degree; ++i)
       for (long j = 0; j <= p_degree; ++j)
-        sylvester(static_cast<std::size_t>(i), static_cast<std::size_t>(i + j)) = p_at.coefficient(p_range.last - j);
+        result(static_cast<std::size_t>(i), static_cast<std::size_t>(i + j)) = p_at.coefficient(p_range.last - j);
     for (long i = 0; i < p_degree; ++i)
       for (long j = 0; j <= q_degree; ++j)
-        sylvester(static_cast<std::size_t>(q_degree + i),
-                  static_cast<std::size_t>(i + j)) = q_at.coefficient(q_range.last - j);
-    values.push_back(rows == 0 ? Rational(1) : determinant(sylvester));
-  }
-  return interpolation(nodes, values);
+        result(static_cast<std::size_t>(q_degree + i),
+               static_cast<std::size_t>(i + j)) = q_at.coefficient(q_range.last - j);
+    return result;
+  };
+  return determinant(sylvester, in_w * (p_degree + q_degree), deadline).value_or(LaurentPolynomial());
 }
 
 }  // namespace
@@ -114,12 +111,23 @@ std::string ParametricMask::to_text(char letter) const {
   std::string text;
   const IndexRange range = support();
   for (long i = range.first; i <= range.last; ++i) {
-    std::string entry = coefficient(i).to_text();
+    std::string entry = subcert::to_text(coefficient(i), letter);
     std::erase(entry, ' ');
-    std::replace(entry.begin(), entry.end(), 'z', letter);
     text += (text.empty() ? "[" : ",") + entry;
   }
   return fmt::format("{}]@{}", text, range.first);
+}
+
+std::string to_text(const LaurentPolynomial& polynomial, char letter) {
+  std::string text = polynomial.to_text();
+  std::replace(text.begin(), text.end(), 'z', letter);
+  return text;
+}
+
+LaurentPolynomial parse_polynomial(std::string_view text, char letter) {
+  std::string in_z(text);
+  std::replace(in_z.begin(), in_z.end(), letter, 'z');
+  return LaurentPolynomial::parse(in_z);
 }
 
 int sum_rules(const ParametricMask& mask) {

@@ -32,6 +32,11 @@ class ParametricMask {
   int arity_;
 };
 
+/// A polynomial in a parameter of this name, as to_text() prints those in z.
+std::string to_text(const LaurentPolynomial& polynomial, char letter);
+/// Reads what that prints. Errors: throws ParseError.
+LaurentPolynomial parse_polynomial(std::string_view text, char letter);
+
 /// The number of sum rules that hold for all w.
 int sum_rules(const ParametricMask& mask);
 

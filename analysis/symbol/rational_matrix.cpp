@@ -226,6 +226,17 @@ Rational determinant(const RationalMatrix& matrix) {
   return flint::to_rational(result.get());
 }
 
+std::optional<LaurentPolynomial> determinant(const std::function<RationalMatrix(const Rational&)>& matrix_at,
+                                             long degree, const Deadline& deadline) {
+  std::vector<Rational> nodes, values;
+  for (long k = 0; k <= degree; ++k) {
+    if (deadline.expired()) return std::nullopt;
+    nodes.emplace_back(k - degree / 2);
+    values.push_back(determinant(matrix_at(nodes.back())));
+  }
+  return interpolation(nodes, std::move(values));
+}
+
 LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix) {
   require(matrix.rows() == matrix.columns(), "characteristic_polynomial: need a square matrix, got {}", shape(matrix));
   FlintMatrix source(matrix);
@@ -249,14 +260,22 @@ Integer common_denominator(const RationalMatrix& matrix) {
   return result;
 }
 
+std::vector<Integer> integer_multiple(const RationalMatrix& matrix, const Integer& factor) {
+  std::vector<Integer> result;
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j)
+      result.push_back(numerator(matrix(i, j)) * (factor / denominator(matrix(i, j))));
+  return result;
+}
+
 std::optional<LaurentPolynomial> characteristic_polynomial(const RationalMatrix& matrix, const Deadline& deadline) {
   const std::size_t n = matrix.rows();
   require(n == matrix.columns(), "characteristic_polynomial: need a square matrix, got {}", shape(matrix));
   const Integer common = common_denominator(matrix);
+  const std::vector<Integer> entries = integer_multiple(matrix, common);
   IntegerMatrix integers(n, n);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      flint::set(integers.entry(i, j), Integer(numerator(matrix(i, j)) * (common / denominator(matrix(i, j)))));
+    for (std::size_t j = 0; j < n; ++j) flint::set(integers.entry(i, j), entries[i * n + j]);
   slong bits = bits_of_characteristic(integers);
   if (deadline.expired()) return std::nullopt;
   if (static_cast<double>(bits) * static_cast<double>(n * n) < quick_work) return characteristic_polynomial(matrix);

@@ -6,6 +6,7 @@
 #include "rational_complex.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace subcert {
@@ -63,6 +64,11 @@ int largest_jordan_block(const RationalMatrix& matrix, const LaurentPolynomial& 
 /// Domain: square. Cost: modular.
 Rational determinant(const RationalMatrix& matrix);
 
+/// det(matrix_at(w)) as a polynomial in w; nothing past the deadline. Domain: square matrices, of which the determinant
+/// is a polynomial in w of at most this degree. Cost: degree + 1 determinants and an interpolation.
+std::optional<LaurentPolynomial> determinant(const std::function<RationalMatrix(const Rational&)>& matrix_at,
+                                             long degree, const Deadline& deadline);
+
 /// det(x - matrix), with lowest exponent 0 or more; nothing once the deadline passes. Domain: square. Cost: modular,
 /// cubic per prime, as many primes as the entries ask for.
 LaurentPolynomial characteristic_polynomial(const RationalMatrix& matrix);
@@ -79,6 +85,8 @@ std::vector<std::size_t> pivot_columns(const RationalMatrix& matrix);
 
 /// The least positive integer that makes every entry an integer by multiplication.
 Integer common_denominator(const RationalMatrix& matrix);
+/// factor * matrix, row by row. Domain: a multiple of the common denominator.
+std::vector<Integer> integer_multiple(const RationalMatrix& matrix, const Integer& factor);
 
 /// X with a X = b. Domain: a square and non-singular, a.rows() == b.rows(). Errors: throws Error. Cost: p-adic
 /// lifting or one elimination.

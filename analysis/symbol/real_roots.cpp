@@ -51,26 +51,12 @@ LaurentPolynomial in_sum_of_inverses(const LaurentPolynomial& p) {
   return LaurentPolynomial(p.coefficient(0)) + next.shifted(1) - LaurentPolynomial(2) * after;
 }
 
-/// The number of zeros x with -2 < x < 2, each counted once. Domain: c not zero, c(-2) != 0 != c(2).
-int count_roots_between(const LaurentPolynomial& c) {
-  IntegerPolynomial q(c.lowest() > 0 ? c.shifted(-c.lowest()) : c), factor(LaurentPolynomial({2, -4}, 0));
-  // x = 2 - 4 v, v = 1/u, u = 1 + t^2: then -2 < x < 2 where t is real and not 0, and t and -t give the same x.
-  fmpz_poly_compose(q.get(), q.get(), factor.get());
-  fmpz_poly_reverse(q.get(), q.get(), fmpz_poly_length(q.get()));
-  fmpz_poly_taylor_shift(q.get(), q.get(), Whole(1).get());
-  fmpz_poly_derivative(factor.get(), q.get());
-  fmpz_poly_gcd(factor.get(), factor.get(), q.get());
-  fmpz_poly_div(q.get(), q.get(), factor.get());
-  fmpz_poly_inflate(q.get(), q.get(), 2);
-  return static_cast<int>(fmpz_poly_num_real_roots(q.get())) / 2 + (c.lowest() > 0 ? 1 : 0);
-}
-
 /// Whether c has a zero x with -2 < x < 2.
 bool has_root_between(const LaurentPolynomial& c) {
   LaurentPolynomial inside = c;
   for (const int end : {2, -2})
     while (inside.length() > 1 && inside(end) == 0) inside = *inside.exact_quotient(LaurentPolynomial({-end, 1}, 0));
-  return inside.highest() > 0 && count_roots_between(inside) > 0;
+  return inside.highest() > 0 && count_real_roots(inside, -2, 2) > 0;
 }
 
 /// Whether c is negative at some of a few points x with -2 < x < 2.
@@ -159,22 +145,26 @@ int count_real_roots(const LaurentPolynomial& p) {
 }
 
 int count_real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high) {
-  // x = (low + high t) / (1 + t) takes t > 0 to low < x < high.
-  const LaurentPolynomial top({low, high}, 0), bottom({1, 1}, 0);
-  LaurentPolynomial q, power = 1;
-  for (long k = p.highest(); k >= 0; --k) {
-    q = q * top + LaurentPolynomial(p.coefficient(k)) * power;
-    if (k > 0) power *= bottom;
-  }
-  q = q.shifted(-q.lowest());
-  const std::vector<Integer> coefficients = q.numerators();
+  // x = high - (high - low) v, v = 1/u, u = 1 + s: then low < x < high where s > 0. With x = y/d all is integral.
+  const Integer d = lcm(denominator(low), denominator(high));
+  std::vector<Rational> coefficients;
+  for (long k = 0; k <= p.highest() - p.lowest(); ++k)
+    coefficients.push_back(p.coefficient(p.lowest() + k) / Rational(pow(d, static_cast<unsigned long>(k))));
+  IntegerPolynomial q(LaurentPolynomial(coefficients, 0)), line;
+  fmpz_poly_set_coeff_fmpz(line.get(), 0, Whole(numerator(high * d)).get());
+  fmpz_poly_set_coeff_fmpz(line.get(), 1, Whole(numerator((low - high) * d)).get());
+  fmpz_poly_compose(q.get(), q.get(), line.get());
+  fmpz_poly_reverse(q.get(), q.get(), fmpz_poly_length(q.get()));
+  fmpz_poly_taylor_shift(q.get(), q.get(), Whole(1).get());
+  const LaurentPolynomial in_s = from_flint(q.get());
+  const int zero = p.lowest() > 0 && low < 0 && high > 0 ? 1 : 0;
+  const std::vector<Integer> signs = in_s.numerators();
   const auto is_of_sign = [&](int sign) {
-    return std::all_of(coefficients.begin(), coefficients.end(),
-                       [&](const Integer& c) { return sign * c.sign() >= 0; });
+    return std::all_of(signs.begin(), signs.end(), [&](const Integer& c) { return sign * c.sign() >= 0; });
   };
-  if (is_of_sign(1) || is_of_sign(-1)) return 0;
-  // t = u^2 has a positive and a negative solution u for each t > 0.
-  return count_real_roots(q.dilated(2)) / 2;
+  if (is_of_sign(1) || is_of_sign(-1)) return zero;
+  // s = t^2 has two solutions t for each s > 0; s = 0 is no solution of the rest.
+  return zero + count_real_roots(in_s.shifted(-in_s.lowest()).dilated(2)) / 2;
 }
 
 std::vector<Enclosure> real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,

@@ -9,7 +9,7 @@
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
-#include <subcert/schemes/specification.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
 
 using namespace subcert;
 using subcert::testing::Random;

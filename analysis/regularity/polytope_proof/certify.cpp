@@ -54,16 +54,9 @@ class Certifier {
     polytope_.group = candidate.transposed ? transposed(family).group() : family.group();
     polytope_.vertex_bits = vertex_bits;
     polytope_.weight_bits = weight_bits;
-    for (const RationalMatrix& m : family) denominator_ = lcm(denominator_, common_denominator(m));
-    for (const RationalMatrix& m : family) {
-      std::vector<Integer> entries;
-      for (std::size_t i = 0; i < size_; ++i)
-        for (std::size_t j = 0; j < size_; ++j) {
-          const Rational& entry = candidate.transposed ? m(j, i) : m(i, j);
-          entries.push_back(numerator(entry) * (denominator_ / denominator(entry)));
-        }
-      matrices_.push_back(std::move(entries));
-    }
+    denominator_ = common_denominator(family);
+    for (const RationalMatrix& m : family)
+      matrices_.push_back(integer_multiple(candidate.transposed ? transposed(m) : m, denominator_));
   }
 
   std::optional<PolytopeProof> run(const radius::Orbit& orbit, const Deadline& deadline) {

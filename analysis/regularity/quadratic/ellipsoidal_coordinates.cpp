@@ -22,11 +22,7 @@ constexpr int most_halvings = 20;       // of a step
 constexpr double longest_step = 2;      // in the norm of the logarithm of the form
 constexpr double largest_condition = 1e13;
 
-double inner_product(const Matrix& a, const Matrix& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.entries().size(); ++i) sum += a.entries()[i] * b.entries()[i];
-  return sum;
-}
+double inner(const Matrix& a, const Matrix& b) { return polytope::inner(a.entries(), b.entries()); }
 
 /// a += factor * b
 void add(Matrix& a, double factor, const Matrix& b) {
@@ -99,7 +95,7 @@ class Memory {
  public:
   void clear() { steps_.clear(); }
   void remember(Matrix step, Matrix change) {
-    const double product = inner_product(step, change);
+    const double product = inner(step, change);
     if (!(product > 1e-14 * norm(step.entries()) * norm(change.entries()))) return;
     steps_.push_back({std::move(step), std::move(change), product});
     if (steps_.size() > remembered) steps_.pop_front();
@@ -109,16 +105,15 @@ class Memory {
     Matrix result = scaled(-1, gradient);
     std::vector<double> shares(steps_.size());
     for (std::size_t i = steps_.size(); i-- > 0;) {
-      shares[i] = inner_product(steps_[i].step, result) / steps_[i].product;
+      shares[i] = inner(steps_[i].step, result) / steps_[i].product;
       add(result, -shares[i], steps_[i].change);
     }
     const double length = norm(gradient.entries());
-    const double first = steps_.empty()
-                             ? 0.1 / (q * std::max(length, 1e-300))
-                             : steps_.back().product / inner_product(steps_.back().change, steps_.back().change);
+    const double first = steps_.empty() ? 0.1 / (q * std::max(length, 1e-300))
+                                        : steps_.back().product / inner(steps_.back().change, steps_.back().change);
     result = scaled(first, result);
     for (std::size_t i = 0; i < steps_.size(); ++i)
-      add(result, shares[i] - inner_product(steps_[i].change, result) / steps_[i].product, steps_[i].step);
+      add(result, shares[i] - inner(steps_[i].change, result) / steps_[i].product, steps_[i].step);
     return result;
   }
 
@@ -141,11 +136,11 @@ void descend(EllipsoidalCoordinates& at, double q, const Symmetry& symmetry, con
   Value here = value_of(at.matrices, q, symmetry);
   for (int k = 0; k < steps_per_power && !deadline.expired(); ++k) {
     Matrix direction = memory.direction(here.gradient, q);
-    double slope = inner_product(here.gradient, direction);
+    double slope = inner(here.gradient, direction);
     if (slope >= 0) {
       memory.clear();
       direction = memory.direction(here.gradient, q);
-      slope = inner_product(here.gradient, direction);
+      slope = inner(here.gradient, direction);
     }
     if (!(slope < 0)) return;
     const SymmetricDecomposition decomposed = polytope::symmetric_decomposition(direction);

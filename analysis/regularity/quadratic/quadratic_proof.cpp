@@ -25,13 +25,6 @@ constexpr double slacks[] = {1e-11, 1e-9, 1e-7, 1e-5, 1e-3};  // of the bound, r
 /// A square matrix of integers, row by row.
 using Integers = std::vector<Integer>;
 
-Integers to_integers(const RationalMatrix& matrix) {
-  Integers result;
-  for (std::size_t i = 0; i < matrix.rows(); ++i)
-    for (std::size_t j = 0; j < matrix.columns(); ++j) result.push_back(numerator(matrix(i, j)));
-  return result;
-}
-
 Integers product(const Integers& a, const Integers& b, std::size_t n) {
   Integers result(n * n);
   for (std::size_t i = 0; i < n; ++i)
@@ -52,7 +45,7 @@ Integers image_of_form(const Integers& m, const Integers& form, std::size_t n) {
 }
 
 /// The sum over the group of g^T P g, P the form of the rounded coordinates.
-RationalMatrix integer_form(const EllipsoidalCoordinates& coordinates, const MatrixFamily& family) {
+Integers integer_form(const EllipsoidalCoordinates& coordinates, const MatrixFamily& family) {
   const std::size_t n = family.size();
   const double unit = std::ldexp(1 / coordinates.to.largest_modulus(), form_bits);
   RationalMatrix to(n, n), result(n, n);
@@ -63,7 +56,7 @@ RationalMatrix integer_form(const EllipsoidalCoordinates& coordinates, const Mat
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) result(i, j) += image(i, j);
   }
-  return result;
+  return integer_multiple(result, 1);
 }
 
 /// Whether a symmetric matrix, given on and above the diagonal, is positive semidefinite, by a Cholesky decomposition
@@ -98,9 +91,8 @@ bool is_positive(Integers s, std::size_t n) {
 class LeafProver {
  public:
   LeafProver(const MatrixFamily& family, const Integers& form, double bound)
-      : size_(family.size()), form_(form), denominator_(1) {
-    for (const RationalMatrix& m : family) denominator_ = lcm(denominator_, common_denominator(m));
-    for (const RationalMatrix& m : family) integral_.push_back(to_integers(Rational(denominator_) * m));
+      : size_(family.size()), form_(form), denominator_(common_denominator(family)) {
+    for (const RationalMatrix& m : family) integral_.push_back(integer_multiple(m, denominator_));
     for (const double slack : slacks)
       bounds_.push_back(Rational(Integer(std::ceil(std::ldexp(bound * (1 + slack), bound_bits)))) *
                         power(Rational(2), -bound_bits));
@@ -185,7 +177,7 @@ std::optional<QuadraticProof> prove_by_quadratic_form(const MatrixFamily& family
   const ProductTree tree = quadratic::product_tree(coordinates, doubles.symmetry,
                                                    {enough, limbs_of(family), work, {tree_end, budget.memory / 2}});
   QuadraticProof result;
-  const Integers form = to_integers(integer_form(coordinates, family));
+  const Integers form = integer_form(coordinates, family);
   if (!is_positive(form, family.size())) return std::nullopt;
   const auto bound = LeafProver(family, form, tree.bound).prove(tree.words, budget.deadline);
   if (!bound) return std::nullopt;

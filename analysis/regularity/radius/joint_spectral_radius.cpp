@@ -151,6 +151,16 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   return whole;
 }
 
+/// How many parts of this kind its proofs of this kind have.
+template <class Proof, class Parts>
+std::size_t total(const JointSpectralRadius& radius, Parts Proof::*parts) {
+  if (const auto* proof = std::get_if<Proof>(&radius.proof)) return (proof->*parts).size();
+  std::size_t sum = 0;
+  if (const BlockProof* blocks = radius.by_blocks())
+    for (const JointSpectralRadius& block : blocks->blocks) sum += total(block, parts);
+  return sum;
+}
+
 }  // namespace
 
 bool JointSpectralRadius::is_closed() const {
@@ -175,21 +185,9 @@ JsrMethod JointSpectralRadius::method() const {
   return std::holds_alternative<NormProof>(proof) ? JsrMethod::norm_of_products : JsrMethod::single_spectral_radius;
 }
 
-std::size_t JointSpectralRadius::vertices() const {
-  if (const auto* polytope = std::get_if<PolytopeProof>(&proof)) return polytope->vertices.size();
-  std::size_t sum = 0;
-  if (const BlockProof* blocks = by_blocks())
-    for (const JointSpectralRadius& block : blocks->blocks) sum += block.vertices();
-  return sum;
-}
+std::size_t JointSpectralRadius::vertices() const { return total(*this, &PolytopeProof::vertices); }
 
-std::size_t JointSpectralRadius::words() const {
-  if (const auto* form = std::get_if<QuadraticProof>(&proof)) return form->words.size();
-  std::size_t sum = 0;
-  if (const BlockProof* blocks = by_blocks())
-    for (const JointSpectralRadius& block : blocks->blocks) sum += block.words();
-  return sum;
-}
+std::size_t JointSpectralRadius::words() const { return total(*this, &QuadraticProof::words); }
 
 JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budget& budget,
                                           const std::optional<NormProof>& known) {

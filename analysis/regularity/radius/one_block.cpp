@@ -114,18 +114,13 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   auto polytope = certify_polytope(scaled_family, candidate, proving);
   const Rational lower = *product.radius.lower * unit;
   Rational upper = norms.bound();
-  result.proof = norms;
   // Of two bounds that differ by rounding only, the polytope is the shorter proof.
   const bool by_polytope = polytope && polytope->bound * unit < upper * (1 + rounding);
-  if (by_polytope) {
-    upper = polytope->bound * unit;
-    result.proof = scaled(*polytope, exponent);
-  }
-  if (!candidate.closed && lower < upper)
-    if (auto form = prove_by_quadratic_form(scaled_family, lower / unit, budget); form && form->bound * unit < upper) {
-      upper = form->bound * unit;
-      result.proof = scaled(std::move(*form), exponent);
-    }
+  if (by_polytope) upper = polytope->bound * unit;
+  std::optional<QuadraticProof> form;
+  if (!candidate.closed && lower < upper) form = prove_by_quadratic_form(scaled_family, lower / unit, budget);
+  const bool by_form = form && form->bound * unit < upper;
+  if (by_form) upper = form->bound * unit;
   result.radius = {lower, upper};
   if (result.radius.is_exact())
     result.exact = {Truth::yes, "both ends of the enclosure are the same number"};
@@ -133,6 +128,12 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
     result.exact = {Truth::unknown, "no polytope closed"};
   else
     result.exact = attains(scaled_family, candidate, *polytope, product, proving.deadline);
+  if (by_form)
+    result.proof = scaled(std::move(*form), exponent);
+  else if (by_polytope)
+    result.proof = scaled(std::move(*polytope), exponent);
+  else
+    result.proof = norms;
   result.product = scaled(std::move(product), exponent);
   if (result.exact.is_yes()) {
     if (result.product.exact) result.radius = Enclosure::exactly(*result.product.exact);

@@ -1,0 +1,24 @@
+#pragma once
+/// Specifications with a letter where a number may stand.
+
+#include "specification.hpp"
+
+#include <subcert/analysis/symbol/parametric_mask.hpp>
+
+namespace subcert {
+
+/// A scheme of one variable whose coefficients are polynomials in one parameter.
+struct ParametricScheme {
+  std::string specification;
+  std::string title;
+  char parameter;
+  ParametricMask mask;
+};
+
+/// Reads `mask:[-w,0,1/2+w,1,1/2+w,0,-w]` or `four-point:w`, with any letter for the parameter. A coefficient is a sum
+/// of terms `c`, `w`, `c*w^k` with exact numbers c. Domain: up to 100 coefficients, degree up to 12; else as
+/// make_scheme. Errors: throws SpecificationError, also for two letters, none, or coset sums other than 1 for some
+/// value.
+ParametricScheme make_parametric_scheme(std::string_view specification);
+
+}  // namespace subcert

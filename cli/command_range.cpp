@@ -1,14 +1,18 @@
-// subcert range SCHEME --over w=LOW..HIGH --property PROPERTY
+// subcert range SCHEME --over w=LOW..HIGH --property PROPERTY [--certificate DIR]
 
 #include "command.hpp"
 #include "exponent_text.hpp"
 
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <set>
 #include <sstream>
 
 namespace subcert::cli {
@@ -19,6 +23,7 @@ struct ParameterRangeOptions : CommonOptions {
   std::string over;
   std::string property;
   std::string width = "1e-9";
+  std::string certificate;
   double budget = 60;
   std::size_t memory = 1024;
 };
@@ -47,6 +52,14 @@ const char* verdict(Truth holds) {
   return holds == Truth::yes ? "proved" : holds == Truth::no ? "refuted" : "undecided";
 }
 
+const char* why_text(SpecialValue::Why why) {
+  switch (why) {
+    case SpecialValue::Why::sum_rules: return "more sum rules";
+    case SpecialValue::Why::unstable: return "shifts may be unstable";
+    default: return "the radius of a product meets the threshold";
+  }
+}
+
 Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
   Json pieces = Json::array(), ends = Json::array(), special = Json::array();
   for (const RangePiece& piece : range.pieces)
@@ -59,10 +72,12 @@ Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, c
     ends.push_back({{"lower", to_text(end.low)},
                     {"upper", to_text(end.high)},
                     {"polynomial", to_text(end.polynomial, scheme.parameter)},
-                    {"product", word_text(end.word)}});
+                    {"product", word_text(end.word)},
+                    {"verdict", verdict(end.holds)}});
   for (const SpecialValue& value : range.special)
     special.push_back({{"value", enclosure_json(value.value)},
                        {"polynomial", to_text(value.polynomial, scheme.parameter)},
+                       {"why", why_text(value.why)},
                        {"verdict", verdict(value.holds)}});
   return {{"family", scheme.specification},
           {"property", options.property},
@@ -70,6 +85,13 @@ Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, c
           {"pieces", pieces},
           {"ends", ends},
           {"special", special}};
+}
+
+/// The number itself, where it is rational.
+std::string end_text(const RangeEnd& end, char w) {
+  const LaurentPolynomial& p = end.polynomial;
+  if (p.highest() == 1) return fmt::format("{} = {}", w, to_text(Rational(-p.coefficient(0) / p.coefficient(1))));
+  return fmt::format("the zero of {} near {}", to_text(p, w), number_text(end.low));
 }
 
 std::string text_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
@@ -85,18 +107,34 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
     else
       page << number_text(piece.low) << (piece.low_included ? " <= " : " < ") << w
            << (piece.high_included ? " <= " : " < ") << number_text(piece.high);
-    if (piece.holds == Truth::unknown)
+    if (piece.holds == Truth::unknown && piece.low < piece.high)
       page << "  (width " << to_decimal(piece.high - piece.low, 2, Rounding::up) << ")";
     page << "\n";
   }
   for (const RangeEnd& end : range.ends)
-    page << "end          the zero of " << to_text(end.polynomial, w) << " near " << number_text(end.low)
-         << ", where the radius of the product " << word_text(end.word) << " crosses the threshold\n";
+    page << "end          " << end_text(end, w) << ", where the radius of the product " << word_text(end.word)
+         << " crosses the threshold" << (end.holds == Truth::no ? "; refuted there" : "") << "\n";
   for (const SpecialValue& value : range.special)
-    page << "special      " << w << " = " << enclosure_text(value.value, 12) << ": "
-         << (options.property == "stable" ? "shifts may be unstable" : "more sum rules") << "; " << verdict(value.holds)
-         << " there\n";
+    page << "special      " << w << " = "
+         << (value.value.is_exact() ? number_text(*value.value.lower) : enclosure_text(value.value, 12)) << ": "
+         << why_text(value.why) << "; " << verdict(value.holds) << " there\n";
   return page.str();
+}
+
+/// `01-proved.cert` and so on; others under such names, of a range before, are removed.
+void write_certificates(const std::filesystem::path& directory, const std::vector<RangeCertificate>& certificates) {
+  std::filesystem::create_directories(directory);
+  std::set<std::string> written;
+  for (const RangeCertificate& certificate : certificates) {
+    const std::string name = fmt::format("{:02}-{}.cert", written.size() + 1, verdict(certificate.holds));
+    runtime::write_file(directory / name, certificate.certificate.text);
+    written.insert(name);
+  }
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours = name.ends_with("-proved.cert") || name.ends_with("-refuted.cert");
+    if (ours && !written.contains(name)) std::filesystem::remove(entry.path());
+  }
 }
 
 ExitCode run(const ParameterRangeOptions& options) {
@@ -115,7 +153,14 @@ ExitCode run(const ParameterRangeOptions& options) {
       scheme.mask, *property, low, high,
       {*width, options.threads(), {Deadline::in(options.budget), options.memory << 20}});
   options.end_progress();
-  options.answer(json_of(range, options, scheme), text_of(range, options, scheme));
+  std::string note;
+  if (!options.certificate.empty()) {
+    const auto certificates = range_certificates(scheme.mask, scheme.parameter, *property, range, *width);
+    write_certificates(options.certificate, certificates);
+    note = fmt::format("certificates {} in {}: subcert verify {}\n", certificates.size(), options.certificate,
+                       options.certificate);
+  }
+  options.answer(json_of(range, options, scheme), text_of(range, options, scheme) + note);
   return range.complete ? done : undecided;
 }
 
@@ -131,6 +176,7 @@ void add_range(Command& app) {
   command.option("--over", options->over, "The values: w=LOW..HIGH").required();
   command.option("--property", options->property, "convergent, C1, C2, ..., holder>=P/Q or stable").required();
   command.option("--width", options->width, "Of what is left open about an end").with_default();
+  command.option("--certificate", options->certificate, "Write a certificate for each decided piece into this folder");
   command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
   command.option("--memory", options->memory, "MiB that the search may hold").within(16, 1 << 20).with_default();
 }

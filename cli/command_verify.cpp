@@ -1,4 +1,4 @@
-// subcert verify FILE...: asks the independent checker, a program of its own
+// subcert verify FILE|DIR...: asks the independent checker, a program of its own
 
 #include "command.hpp"
 
@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <system_error>
@@ -75,8 +76,8 @@ std::vector<std::string> claim_of(const std::string& file, const std::string& te
   std::getline(lines, subject);
   std::getline(lines, bounds);
   std::istringstream subject_words(subject), bound_words(bounds);
-  std::string kind, first, second, word, lower, upper;
-  subject_words >> kind >> first >> second;
+  std::string kind, first, second, range, word, lower, upper;
+  subject_words >> kind >> first >> second >> range;
   bound_words >> word >> lower >> upper;
   if (version.rfind("subcert-certificate", 0) != 0 || word != "bounds" || upper.empty() || second.empty())
     fail(ErrorKind::data, "{}: not a certificate", file);
@@ -89,17 +90,37 @@ std::vector<std::string> claim_of(const std::string& file, const std::string& te
     arguments = {"--matrices", file + ".matrices"};
   else
     fail(ErrorKind::data, "{}, line 2: expected exponent, surface or radius", file);
+  if (kind == "exponent" && !range.empty()) arguments.insert(arguments.end(), {"--for", range});
   if (lower != "-") arguments.insert(arguments.end(), {"--lower", lower});
   if (upper != "-") arguments.insert(arguments.end(), {"--upper", upper});
   arguments.push_back(file);
   return arguments;
 }
 
+/// The files, and those named .cert in folders, in the order of their names.
+std::vector<std::string> certificates_of(const std::vector<std::string>& paths) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    if (!fs::is_directory(path)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::string> inside;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path))
+      if (entry.path().extension() == ".cert") inside.push_back(entry.path().string());
+    if (inside.empty()) fail(ErrorKind::missing_file, "{}: no certificates (*.cert) in this folder", path);
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
 ExitCode run(const VerifyOptions& options) {
   Json list = Json::array();
   std::string text;
   ExitCode worst = done;
-  for (const std::string& file : options.files) {
+  for (const std::string& file : certificates_of(options.files)) {
     const CheckerAnswer answer = run_checker(claim_of(file, read_file(file)));
     if (answer.code != 0) worst = std::max(worst, static_cast<ExitCode>(answer.code));
     list.push_back({{"file", file}, {"verified", answer.code == 0}, {"answer", answer.line}});
@@ -115,7 +136,7 @@ void add_verify(Command& app) {
   auto options = std::make_shared<VerifyOptions>();
   Command command = add_command(app, "verify", "Checks certificates with the independent checker",
                                 "subcert verify s5.cert", options, [=] { return run(*options); });
-  command.option("FILE", options->files, "Certificates").required();
+  command.option("FILE", options->files, "Certificates, or folders of them").required();
 }
 
 }  // namespace subcert::cli

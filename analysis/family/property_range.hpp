@@ -1,10 +1,10 @@
 #pragma once
 /// For which values of its parameter a scheme has a property, with proof.
 
-#include "parametric_family.hpp"
+#include "interval_proof.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/interval.hpp>
+#include <subcert/analysis/symbol/parametric_mask.hpp>
 
 namespace subcert {
 
@@ -24,11 +24,10 @@ struct RangeProperty {
 std::optional<RangeProperty> parse_range_property(std::string_view text);
 
 /// Values of w, and whether the property holds for all of them (yes), for none (no), or is not
-/// decided. `word`: the product that refutes it, over the transition matrices from left to right; empty otherwise.
+/// decided.
 struct RangePiece {
   Rational low, high;
   Truth holds = Truth::unknown;
-  std::vector<int> word = {};
   bool low_included = true, high_included = true;
 };
 
@@ -38,13 +37,20 @@ struct RangeEnd {
   Rational low, high;
   LaurentPolynomial polynomial;  ///< irreducible, in w, with one zero between them
   std::vector<int> word;
+  Truth holds;  ///< at the zero itself
 };
 
-/// A single value, or one that is enclosed, at which the scheme has more sum rules than at others.
+/// A single value, or one that is enclosed, which is looked at on its own.
 struct SpecialValue {
+  enum class Why {
+    sum_rules,  ///< the scheme has more sum rules than at others
+    unstable,   ///< the shifts may be unstable there, or are
+    threshold   ///< the radius of a product meets the threshold
+  };
   Enclosure value;
   LaurentPolynomial polynomial;  ///< irreducible, in w
-  Truth holds = Truth::unknown;  ///< decided for rational values
+  Why why = Why::sum_rules;
+  Truth holds = Truth::unknown;  ///< irrational values in a gap are not decided
 };
 
 struct PropertyRange {
@@ -52,7 +58,11 @@ struct PropertyRange {
   std::vector<RangePiece> pieces;  ///< one after another, from the first to the last value asked for
   std::vector<RangeEnd> ends;
   std::vector<SpecialValue> special;
-  bool complete = true;  ///< every undecided piece consists of intervals of the width asked for
+  /// The intervals of which the decided pieces consist, in order: those with an upper bound of the radius belong to
+  /// proved pieces, those with a lower bound to refuted ones. None for `stable`, and for smoothness beyond the sum
+  /// rules.
+  std::vector<IntervalProof> proofs;
+  bool complete = true;  ///< no undecided piece is longer than the width asked for
 };
 
 struct RangeOptions {

@@ -169,6 +169,17 @@ RationalMatrix power(const RationalMatrix& matrix, long exponent) {
   return result;
 }
 
+RationalMatrix second_compound(const RationalMatrix& matrix) {
+  const std::size_t n = matrix.rows();
+  RationalMatrix result(n * (n - 1) / 2, n * (n - 1) / 2);
+  for (std::size_t i = 0, row = 0; i < n; ++i)
+    for (std::size_t k = i + 1; k < n; ++k, ++row)
+      for (std::size_t j = 0, column = 0; j < n; ++j)
+        for (std::size_t l = j + 1; l < n; ++l, ++column)
+          result(row, column) = matrix(i, j) * matrix(k, l) - matrix(i, l) * matrix(k, j);
+  return result;
+}
+
 Rational one_norm(const RationalMatrix& matrix) {
   Rational most = 0;
   for (std::size_t j = 0; j < matrix.columns(); ++j) {

@@ -44,6 +44,10 @@ RationalMatrix transposed(const RationalMatrix& matrix);
 /// Domain: square, exponent >= 0. Cost: a logarithmic number of products.
 RationalMatrix power(const RationalMatrix& matrix, long exponent);
 
+/// The minors of order 2, rows and columns in lexicographic order: its eigenvalues are the products of two eigenvalues.
+/// Domain: square.
+RationalMatrix second_compound(const RationalMatrix& matrix);
+
 /// The largest sum of absolute values in a column.
 Rational one_norm(const RationalMatrix& matrix);
 

@@ -1,5 +1,6 @@
 // Properties of families with a parameter: what is proved and refuted agrees with the schemes at single values, and the
 // ends are those that are known.
+#include <subcert/analysis/family/family_radius.hpp>
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
@@ -102,6 +103,41 @@ TEST_CASE("ranges agree with schemes at single values") {
       if (piece->holds == Truth::no) CHECK_FALSE(*exponent.lower > asked.order);
     }
   }
+}
+
+TEST_CASE("single values in gaps are looked at on their own") {
+  // At w = 0 the hat function, between schemes that are smoother.
+  const PropertyRange range = range_of("mask:[w^2,1/2,1-2*w^2,1/2,w^2]", "C1", "-1/4", "1/4", power(Rational(10), -4));
+  CHECK(verdicts(range) == "y?y");
+  REQUIRE(range.special.size() == 1);
+  CHECK(range.special[0].value.is_exact());
+  CHECK(*range.special[0].value.lower == 0);
+  CHECK(range.special[0].why == SpecialValue::Why::threshold);
+  CHECK(range.special[0].holds == Truth::no);
+  // Corner cutting: the quadratic spline at 1/4, unstable shifts at 1/2.
+  const PropertyRange corner = range_of("mask:[w,1-w,1-w,w]", "C1", "1/8", "3/4");
+  CHECK(verdicts(corner) == "nyn?n");
+  REQUIRE(corner.special.size() == 2);
+  CHECK(corner.special[0].holds == Truth::yes);
+  CHECK(corner.special[1].why == SpecialValue::Why::unstable);
+}
+
+TEST_CASE("a pair of complex eigenvalues bounds a radius over an interval") {
+  // b = (-w, 1, 1, w): T_0 has a pair of eigenvalues with the product 1 + w^2.
+  const ParametricMask mask = make_parametric_scheme("mask:[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]").mask;
+  family::FamilyRadius radius(transition_matrices(divided_difference_scheme(mask, 1)));
+  for (const bool sharp : {false, true}) {
+    const auto bound = radius.from_below({1, q("3/2")}, {0}, q("7/5"), sharp, Deadline());
+    REQUIRE(bound);
+    CHECK(bound->re == 0);
+    CHECK(bound->im >= q("7/5"));
+    CHECK(bound->im * bound->im < 2);
+    if (sharp) CHECK(bound->im * bound->im > q("1999/1000"));
+  }
+  CHECK_FALSE(radius.from_below({1, q("3/2")}, {0}, q("3/2"), false, Deadline()));
+  CHECK(radius.characteristic({{0}, 0, q("3/2")}, Deadline())
+            .divided_by(LaurentPolynomial({-5, 0, 4}, 0))
+            .remainder.is_zero());
 }
 
 TEST_CASE("no property above the sum rules but at special values") {

@@ -6,13 +6,32 @@ TEST_CASE("ranges of a parameter are proved and refuted") {
   const Run page = run("range four-point:w --over w=-1/4..1/4 --property C1");
   CHECK(page.code == 0);
   CHECK(page.out.find("the zero of -1 + 4*w + 32*w^3 near 0.19272924") != std::string::npos);
-  CHECK(page.out.find("special      w = 0.0625: more sum rules; proved there") != std::string::npos);
+  CHECK(page.out.find("special      w = 1/16: more sum rules; proved there") != std::string::npos);
   const Run json = run("range four-point:t --over t=0..1/2 --property convergent --width 1/1000 --json");
   CHECK(json.code == 0);
   const auto range = nlohmann::json::parse(json.out);
   CHECK(range["sum_rules"] == 2);
   CHECK(range["pieces"].front()["verdict"] == "proved");
   CHECK(range["pieces"].front()["from"] == "0");
+}
+
+TEST_CASE("a range comes with certificates that one command verifies") {
+  const Folder folder;
+  const std::string bundle = folder / "bundle";
+  const std::string range = "range four-point:w --over w=0..1/4 --property C1 --width 1/100 --certificate " + bundle;
+  const Run page = run(range);
+  CHECK(page.code == 0);
+  CHECK(page.out.find("certificates 2 in " + bundle) != std::string::npos);
+  const Run verified = run("verify " + bundle);
+  CHECK(verified.code == 0);
+  CHECK(verified.out.find("01-proved.cert: VERIFIED 1 < Hoelder exponent of ") != std::string::npos);
+  CHECK(verified.out.find("02-refuted.cert: VERIFIED Hoelder exponent < 1 of ") != std::string::npos);
+  // Another range leaves no certificate of this one behind.
+  CHECK(run("range four-point:w --over w=1/20..1/10 --property C1 --certificate " + bundle).code == 0);
+  CHECK(std::distance(std::filesystem::directory_iterator(bundle), {}) == 1);
+  std::filesystem::remove_all(bundle);
+  std::filesystem::create_directory(bundle);
+  CHECK(run("verify " + bundle).code == 66);
 }
 
 TEST_CASE("ranges that make no sense are refused in one line") {

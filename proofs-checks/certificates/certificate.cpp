@@ -283,6 +283,40 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   return certificate;
 }
 
+std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, char letter, const RangeProperty& property,
+                                                 const PropertyRange& range, const Rational& margin) {
+  const bool stable = property.kind == RangeProperty::Kind::stable;
+  if (!stable && range.proofs.empty()) return {};
+  std::vector<RangeCertificate> certificates;
+  auto proof = range.proofs.begin();
+  for (const RangePiece& piece : range.pieces) {
+    if (piece.holds == Truth::unknown || (stable && piece.holds == Truth::no)) continue;
+    const Rational low = piece.low_included ? piece.low : Rational(piece.low + margin),
+                   high = piece.high_included ? piece.high : Rational(piece.high - margin);
+    if (!(low < high)) continue;
+    Certificate certificate;
+    if (!stable)
+      (piece.holds == Truth::yes ? certificate.claim.lower : certificate.claim.upper) = to_text(property.order);
+    certificate.text = fmt::format("subcert-certificate 3\nexponent {} {} {}={}..{}\n{}sum-rules {}\n",
+                                   mask.to_text(letter), mask.arity(), letter, to_text(low), to_text(high),
+                                   bounds_text(certificate.claim), range.sum_rules);
+    if (stable || (piece.holds == Truth::no && property.order > 0)) certificate.text += "stability\n";
+    for (; proof != range.proofs.end() && proof->low < piece.high; ++proof) {
+      certificate.text += fmt::format("to {}\n", to_text(proof->high));
+      if (const auto& above = proof->above)
+        certificate.text += blocks_text(*above) +
+                            SectionWriter(static_cast<std::size_t>(mask.arity()) * mask.powers().size())
+                                .text(above->proof);
+      if (const auto& below = proof->below)
+        certificate.text += fmt::format("product 0 {} {} {}\n", to_text(below->re), to_text(below->im),
+                                        fmt::join(below->word, " "));
+    }
+    certificate.text += "end\n";
+    certificates.push_back({low, high, piece.holds, std::move(certificate)});
+  }
+  return certificates;
+}
+
 Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRadius& radius) {
   Certificate certificate;
   if (*radius.product.radius.lower > 0) certificate.claim.lower = outward(*radius.product.radius.lower, Rounding::down);

@@ -1,6 +1,7 @@
 #pragma once
 /// Certificates: the proofs of the search, written so that subcert-check can follow them. Format: SPEC.md beside this.
 
+#include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 
@@ -29,6 +30,20 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
 /// The same in several variables; without an upper end where the shifts are not proved stable. Domain: `regularity` is
 /// that of the mask. Errors: throws Error where nothing positive is proved from below.
 Certificate surface_certificate(const MultivariateMask& mask, const MultivariateRegularity& regularity);
+
+/// Of one piece of a range: for all values of the parameter from `low` to `high` the property holds, or for none.
+struct RangeCertificate {
+  Rational low, high;
+  Truth holds;
+  Certificate certificate;
+};
+
+/// Proves each decided piece of a range. The claim of a proved one is exponent > order, of a refuted one exponent <
+/// order, with order 0 for convergence; stability has no bounds, and smoothness beyond the sum rules has no
+/// certificates. Where the ends of a piece are not included, the certificate stays away from them by `margin`. Domain:
+/// `range` is that of the mask and the property; margin > 0.
+std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, char letter, const RangeProperty& property,
+                                                 const PropertyRange& range, const Rational& margin);
 
 /// Proves bounds of the joint spectral radius of these matrices. Domain: `radius` is that of the family.
 Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRadius& radius);

@@ -3,6 +3,7 @@
 #include "check.hpp"
 
 #include "group.hpp"
+#include "parameter.hpp"
 #include "quadratic.hpp"
 #include "surface.hpp"
 
@@ -17,10 +18,11 @@ namespace subcert_check {
 namespace {
 
 /// What is to be proved: about the exponent of a mask with an arity or a dilation, otherwise about the radius of a
-/// family.
+/// family. For a range of a parameter the inequalities are strict. Without any of them: the shifts are stable.
 struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
+  std::optional<Range> range;
   std::optional<Dilation> dilation;
   Family family;
   std::optional<mpq_class> lower, upper;
@@ -38,24 +40,44 @@ class Checker {
     reader_.take(claim_.head, 0, 0);
     reader_.take("bounds", 2, 2);
     const Family family = claim_.mask ? read_scheme() : claim_.family;
-    const bool divided = reader_.at("blocks"), first_columns = claim_.arity != 0 && !divided;
+    if (claim_.range)
+      read_intervals(family);
+    else
+      read_bounds(family, claim_.arity != 0);
+    reader_.take("end", 0, 0);
+    require(reader_.at_end(), "text after 'end'");
+  }
+
+ private:
+  /// Section 6.1: intervals that cover the range, one after another.
+  void read_intervals(const Family& powers) {
+    const mpq_class& high = claim_.range->high;
+    for (mpq_class reached = claim_.range->low; (lower_ || upper_) && reached < high;) {
+      const mpq_class next = parse_rational(reader_.take("to", 1, 1)[0]);
+      require(reached < next && next <= high, "an interval ends outside of the rest of the range");
+      const Range interval{claim_.range->letter, reached, next};
+      read_bounds(control_family(powers, claim_.mask->powers - 1, interval, arithmetic_), false);
+      reached = next;
+    }
+  }
+
+  /// Bounds of the radius. `first_columns`: the entries of the first columns of products are those of all columns.
+  void read_bounds(const Family& family, bool first_columns) {
+    const bool divided = reader_.at("blocks");
     const std::vector<Family> blocks = divided ? read_blocks(family) : std::vector{family};
     if (lower_ || reader_.at("product")) read_product(blocks);
     const bool sections = upper_ || reader_.at("block 0");
     for (std::size_t i = 0; sections && i < blocks.size(); ++i) {
       const Fields fields = reader_.take("block " + std::to_string(i), 2, 8);
       if (fields[0] == "norm")
-        read_norm(blocks[i], fields, first_columns ? 1 : blocks[i].size);
+        read_norm(blocks[i], fields, first_columns && !divided ? 1 : blocks[i].size);
       else if (fields[0] == "quadratic")
         use_upper_bound(read_quadratic(blocks[i], fields, reader_, arithmetic_), 1);
       else
         read_polytope(blocks[i], fields);
     }
-    reader_.take("end", 0, 0);
-    require(reader_.at_end(), "text after 'end'");
   }
 
- private:
   /// The transition matrices of the mask of the claim, and what is to be shown of them.
   Family read_scheme() {
     const Mask& mask = *claim_.mask;
@@ -68,27 +90,34 @@ class Checker {
       root_ = claim_.dilation->variables;
       return read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper.has_value(), reader_, arithmetic_);
     }
-    require(std::accumulate(mask.coefficients.begin(), mask.coefficients.end(), mpz_class(0)) ==
-                mask.denominator * claim_.arity,
-            "the coefficients of the mask do not sum to the arity");
+    for (std::size_t k = 0; k < mask.powers; ++k) {
+      const auto begin = mask.coefficients.begin() + static_cast<std::ptrdiff_t>(k * mask.points()),
+                 end = begin + static_cast<std::ptrdiff_t>(mask.points());
+      require(std::accumulate(begin, end, mpz_class(0)) == (k == 0 ? mask.denominator * claim_.arity : mpz_class(0)),
+              "the coefficients of the mask do not sum to the arity");
+    }
     show_exponent(claim_.arity, power(claim_.arity, sum_rules), sum_rules);
-    if (claim_.upper || reader_.at("stability")) {
+    const bool diverges = claim_.range && claim_.upper && *claim_.upper == 0;
+    if ((claim_.upper && !diverges) || !(claim_.lower || claim_.upper) || reader_.at("stability")) {
       reader_.take("stability", 0, 0);
-      check_stability(mask, claim_.arity);
+      check_stability(mask, claim_.arity, claim_.range.value_or(Range{}), arithmetic_);
     }
     return transition_family(mask, claim_.arity, sum_rules);
   }
 
   /// An exponent s of a scheme of this order m of sum rules says JSR^root = factor * base^-s, provided that s < m.
   void show_exponent(unsigned base, const mpq_class& factor, std::size_t order) {
-    const mpq_class& lower = *claim_.lower;
-    require(lower > 0, "the lower end of an exponent must be positive");
-    require(lower <= 10000, "the lower end of an exponent is too large");
-    const mpz_class whole = lower.get_num() / lower.get_den() + 1;
-    upper_ = factor * power_lower(base, whole - lower) / power(base, whole.get_ui());
     lower_.reset();
-    if (claim_.upper) lower_ = factor / power_lower(base, *claim_.upper);
+    upper_.reset();
     above_ = factor / power(base, order);
+    if (claim_.lower) {
+      const mpq_class& lower = *claim_.lower;
+      require(lower > 0 || (claim_.range && lower == 0), "the lower end of an exponent must be positive");
+      require(lower <= 10000, "the lower end of an exponent is too large");
+      const mpz_class whole = lower.get_num() / lower.get_den() + 1;
+      upper_ = factor * power_lower(base, whole - lower) / power(base, whole.get_ui());
+    }
+    if (claim_.upper) lower_ = factor / power_lower(base, *claim_.upper);
   }
 
   /// Section 4.4: the diagonal blocks.
@@ -120,20 +149,39 @@ class Checker {
     return blocks;
   }
 
-  /// Section 4.5: a lower bound of the radius.
+  /// A lower bound of the radius.
   void read_product(const std::vector<Family>& blocks) {
     const Fields fields = reader_.take("product", 4, 3 + 4096);
     const Family& family = blocks[parse_size(fields[0], 0, blocks.size() - 1)];
     const mpq_class re = parse_rational(fields[1]), im = parse_rational(fields[2]);
-    const std::size_t n = family.size, length = fields.size() - 3;
+    const std::size_t degree = claim_.range ? claim_.mask->powers - 1 : 0;
+    std::vector<std::size_t> letters;
+    for (std::size_t i = 3; i < fields.size(); ++i)
+      letters.push_back(parse_size(fields[i], 0, family.count() / (degree + 1) - 1));
+    mpq_class radius = abs(re + im);  // JSR^length is at least that, over a range above it
+    if (claim_.range)
+      check_eigenvalue(family, degree, letters, re, im, arithmetic_);
+    else
+      radius = spectral_radius_bound(family, letters, re, im);
+    if (!lower_) return;
+    const mpq_class value = power(radius, root_), least = power(above_, letters.size());
+    require(value > least || (claim_.range && value == least),
+            "the product proves no exponent below the number of sum rules");
+    require(*lower_ <= 0 || value >= power(*lower_, letters.size()),
+            "the product's spectral radius does not prove the claim");
+  }
+
+  /// Section 4.5: a lower bound of the spectral radius of the product, which has an eigenvalue near re + i im.
+  mpq_class spectral_radius_bound(const Family& family, const std::vector<std::size_t>& letters, const mpq_class& re,
+                                  const mpq_class& im) {
+    const std::size_t n = family.size, length = letters.size();
     // `scale` times the product is an integer matrix; c = x + i y is `scale` times the given eigenvalue.
     const mpz_class q = lcm(re.get_den(), im.get_den());
     const mpz_class scale = power(family.denominator, length).get_num() * q;
     const mpz_class x = mpq_class(re * scale).get_num(), y = mpq_class(im * scale).get_num();
     Vector product(n * n), m(n * n);
     for (std::size_t i = 0; i < n; ++i) product[i * n + i] = q;
-    for (std::size_t i = fields.size(); i-- > 3;)
-      product = arithmetic_.multiply(family.matrix(parse_size(fields[i], 0, family.count() - 1)), product, n);
+    for (std::size_t i = length; i-- > 0;) product = arithmetic_.multiply(family.matrix(letters[i]), product, n);
     // The characteristic polynomial, highest coefficient first; by Horner's scheme its value and derivative at c.
     mpz_class coefficient = 1;
     const Vector times_c{x, y, -y, x};
@@ -156,12 +204,7 @@ class Checker {
                     distance = sqrt(mpz_class((values << 640) / slopes));
     const mpz_class bound = modulus - distance - (values == 0 ? 0 : 1);
     require(bound > 0, "the product proves no positive spectral radius");
-    const mpq_class radius = ratio(bound, scale << 320);  // JSR^length is at least that
-    if (!lower_) return;
-    require(power(radius, root_) > power(above_, length),
-            "the product proves no exponent below the number of sum rules");
-    require(*lower_ <= 0 || power(radius, root_) >= power(*lower_, length),
-            "the product's spectral radius does not prove the claim");
+    return ratio(bound, scale << 320);
   }
 
   /// Section 4.6, with the first columns of the products.
@@ -304,14 +347,16 @@ class Checker {
 
   /// Compares the proved JSR(block)^exponent <= value with what is to be shown of each block.
   void use_upper_bound(const mpq_class& value, std::size_t exponent) const {
-    require(!upper_ || (*upper_ >= 0 && power(value, root_) <= power(*upper_, exponent)),
-            "the bound does not prove the claim");
+    if (!upper_) return;
+    const mpq_class proved = power(value, root_), wanted = power(*upper_, exponent);
+    require(*upper_ >= 0 && (claim_.range ? proved < wanted : proved <= wanted), "the bound does not prove the claim");
   }
 
   const Claim& claim_;
   Reader& reader_;
   Arithmetic arithmetic_;
-  // What is to be shown: lower <= JSR^root <= upper; and JSR^root > above, where there is a lower end.
+  // What is to be shown: lower <= JSR^root <= upper (over a range: <); and JSR^root > above, where there is a lower
+  // end.
   std::optional<mpq_class> lower_, upper_;
   mpq_class above_ = 0;
   std::size_t root_ = 1;
@@ -320,10 +365,13 @@ class Checker {
 // ---- the command line ------------------------------------------------------------------------------------------
 
 constexpr const char* usage =
-    "usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A --lower P/Q [--upper P/Q] FILE\n"
+    "usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE\n"
+    "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'\n"
+    "                     [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)\n"
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
+    "a mask and no bounds: its integer shifts are stable\n"
     "prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)\n"
     "exit 64: wrong usage, 65: malformed MATRICES, 66: missing file";
 
@@ -331,7 +379,8 @@ using Options = std::map<std::string, std::optional<std::string>>;
 
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
-  for (const char* name : {"--mask", "--arity", "--surface", "--dilation", "--matrices", "--lower", "--upper", "FILE"})
+  for (const char* name :
+       {"--mask", "--arity", "--for", "--surface", "--dilation", "--matrices", "--lower", "--upper", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -344,11 +393,11 @@ Options read_options(const std::vector<std::string>& arguments) {
 
 /// The mask and its arity or its dilation.
 void read_scheme_claim(const std::string& kind, const std::string& mask, const std::string& scale, Claim& claim) {
-  claim.mask = parse_mask(mask);
+  claim.mask = parse_mask(mask, claim.range ? claim.range->letter : '\0');
   const Vector& coefficients = claim.mask->coefficients;
   if (kind == "arity") {
-    require(claim.mask->sizes.size() == 1 && coefficients.size() <= 1000 && coefficients.front() != 0 &&
-                coefficients.back() != 0,
+    require(claim.mask->sizes.size() == 1 && claim.mask->points() <= 1000 &&
+                (claim.range || (coefficients.front() != 0 && coefficients.back() != 0)),
             "a mask has 1 to 1000 coefficients, the first and the last not zero");
     claim.arity = static_cast<unsigned>(parse_size(scale, 2, 16));
   } else {
@@ -363,17 +412,18 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
 
 Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
-  const auto &mask = given["--mask"], &arity = given["--arity"], &surface = given["--surface"],
+  const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &surface = given["--surface"],
              &dilation = given["--dilation"], &matrices = given["--matrices"], &lower = given["--lower"],
              &upper = given["--upper"], &file = given["FILE"];
   require(file && mask.has_value() + surface.has_value() + matrices.has_value() == 1 &&
               mask.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&
-              (lower || (upper && matrices)),
+              (mask || !range) && (lower || (upper ? matrices || range : mask.has_value())),
           usage);
   Claim claim;
   claim.file = *file;
   if (lower) claim.lower = parse_rational(*lower);
   if (upper) claim.upper = parse_rational(*upper);
+  if (range) claim.range = parse_range(*range);
   if (mask) read_scheme_claim("arity", *mask, *arity, claim);
   if (surface) read_scheme_claim("dilation", *surface, *dilation, claim);
   if (matrices) {
@@ -386,8 +436,16 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     claim.text = "joint spectral radius";
     claim.subject = *matrices;
   }
-  claim.text = (lower ? claim.lower->get_str() + " <= " : "") + claim.text +
-               (upper ? " <= " + claim.upper->get_str() : "") + " of " + claim.subject;
+  if (!lower && !upper) claim.text = "stable integer shifts";
+  const std::string relation = range ? " < " : " <= ";
+  const bool diverges = range && !lower && claim.upper && *claim.upper == 0;
+  if (diverges) claim.text = "no convergence";
+  claim.text = (lower ? claim.lower->get_str() + relation : "") + claim.text +
+               (upper && !diverges ? relation + claim.upper->get_str() : "") + " of " + claim.subject;
+  if (range) {
+    claim.head += " " + *range;
+    claim.text += " for all " + *range;
+  }
   return claim;
 }
 

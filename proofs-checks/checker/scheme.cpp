@@ -1,16 +1,17 @@
 #include "scheme.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 namespace subcert_check {
 namespace {
 
 constexpr std::size_t max_coefficients = 10'000;      // of a mask
+constexpr std::size_t max_degree = 12;                // of a parameter
 constexpr std::size_t max_denominator_bits = 10'000;  // of the common denominator of a mask or a family
 constexpr std::size_t max_family_bits = 1UL << 32;    // of that denominator times the number of entries
 
-/// The sum of a[start + i * step] * 2^(k * i).
+/// The sum of a[i] * 2^(k * floor(i / step)) over the i that leave the remainder `start`.
 mpz_class value_at_power(const Vector& a, std::size_t start, std::size_t step, std::size_t k) {
   mpz_class value = 0;
   for (std::size_t i = a.size(); i-- > 0;)
@@ -18,14 +19,30 @@ mpz_class value_at_power(const Vector& a, std::size_t start, std::size_t step, s
   return value;
 }
 
-/// Phi_n(2^k): for a prime q, Phi_{mq}(z) is Phi_m(z^q) if q divides m, otherwise Phi_m(z^q) / Phi_m(z).
-mpz_class cyclotomic_at_power(std::size_t n, std::size_t k) {
-  if (n == 1) return (mpz_class(1) << k) - 1;
-  std::size_t q = 2;
-  while (n % q != 0) ++q;
-  const std::size_t m = n / q;
-  const mpz_class value = cyclotomic_at_power(m, k * q);
-  return m % q == 0 ? value : mpz_class(value / cyclotomic_at_power(m, k));
+/// The coefficients of w^0, w^1, ... in a sum of terms c, w, w^k, c*w, c*w^k.
+Rationals parse_polynomial(std::string_view text, char letter) {
+  require(!text.empty(), "a coefficient is empty");
+  Rationals coefficients(1);
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end) {
+    end = std::min(text.find_first_of("+-", begin + 1), text.size());
+    std::string_view term = text.substr(begin, end - begin);
+    if (begin > 0 && term.front() == '+') term.remove_prefix(1);
+    const std::size_t at = letter == '\0' ? term.npos : term.find(letter);
+    std::size_t power = 0;
+    std::string factor(term.substr(0, at));
+    if (at != term.npos) {
+      const std::string_view exponent = term.substr(at + 1);
+      require(exponent.empty() || exponent.front() == '^', "not a term c*w^k");
+      power = exponent.empty() ? 1 : parse_size(exponent.substr(1), 1, max_degree);
+      if (factor.empty() || factor == "-")
+        factor += '1';
+      else
+        require(std::exchange(factor.back(), ' ') == '*', "not a term c*w^k"), factor.pop_back();
+    }
+    if (coefficients.size() <= power) coefficients.resize(power + 1);
+    coefficients[power] += parse_rational(factor);
+  }
+  return coefficients;
 }
 
 }  // namespace
@@ -58,7 +75,7 @@ Family read_family(Reader& reader, const std::string& head, std::size_t count, s
   return family;
 }
 
-Mask parse_mask(std::string_view text) {
+Mask parse_mask(std::string_view text, char letter) {
   constexpr const char* expected = "a mask is [c0,c1,...]/D@first, of two variables [[c00,c10,...],...]/D@first,first";
   const std::size_t variables = std::min(text.find_first_not_of('['), text.size()), end = text.rfind(']') + 1;
   require(variables >= 1 && variables <= 3 && end >= 2 * variables, expected);
@@ -66,7 +83,7 @@ Mask parse_mask(std::string_view text) {
   require(text.substr(end - variables, variables) == std::string(variables, ']') && tail.size() <= 2 &&
               (tail[0].empty() || tail[0].starts_with('/')),
           expected);
-  Mask mask{std::vector<std::size_t>(variables), Vector(variables), {}, 1};
+  Mask mask{std::vector<std::size_t>(variables), Vector(variables), 1, {}, 1};
   Fields lists{text.substr(variables, end - 2 * variables)};
   for (std::size_t v = variables; v-- > 0;) {
     Fields items;
@@ -80,8 +97,12 @@ Mask parse_mask(std::string_view text) {
   }
   require(lists.size() <= max_coefficients, "a mask with too many coefficients");
   const mpq_class scale = parse_rational("1" + std::string(tail[0]));
+  std::vector<Rationals> polynomials;
+  for (const std::string_view c : lists)
+    mask.powers = std::max(mask.powers, polynomials.emplace_back(parse_polynomial(c, letter)).size());
   Rationals values;
-  for (const std::string_view c : lists) values.push_back(parse_rational(c) * scale);
+  for (std::size_t k = 0; k < mask.powers; ++k)
+    for (const Rationals& c : polynomials) values.push_back(k < c.size() ? mpq_class(c[k] * scale) : mpq_class(0));
   const Family cleared = clear_denominators(1, values);
   mask.coefficients = cleared.entries;
   mask.denominator = cleared.denominator;
@@ -94,36 +115,37 @@ Mask parse_mask(std::string_view text) {
 }
 
 Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules) {
-  Vector b = mask.coefficients;
-  for (std::size_t round = 0; round < sum_rules; ++round) {
-    for (std::size_t i = b.size(); i-- > 1;) b[i] -= b[i - 1];            // times 1 - z
-    for (std::size_t i = arity; i < b.size(); ++i) b[i] += b[i - arity];  // divided by 1 - z^arity
-    for (unsigned i = 1; i < arity; ++i, b.pop_back())
-      require(b.size() > 1 && b.back() == 0, "the mask has no sum rules of this order");
-  }
+  const std::size_t points = mask.points();
   const mpz_class scale = power(arity, sum_rules).get_num();
-  for (mpz_class& x : b) x *= scale;
-  const std::size_t size = std::max<std::size_t>(1, (b.size() + arity - 3) / (arity - 1));
+  std::vector<Vector> divided;
+  for (std::size_t p = 0; p < mask.powers; ++p) {
+    Vector& b = divided.emplace_back(&mask.coefficients[p * points], &mask.coefficients[p * points] + points);
+    for (std::size_t round = 0; round < sum_rules; ++round) {
+      for (std::size_t i = b.size(); i-- > 1;) b[i] -= b[i - 1];            // times 1 - z
+      for (std::size_t i = arity; i < b.size(); ++i) b[i] += b[i - arity];  // divided by 1 - z^arity
+      for (unsigned i = 1; i < arity; ++i, b.pop_back())
+        require(b.size() > 1 && b.back() == 0, "the mask has no sum rules of this order");
+    }
+    for (mpz_class& x : b) x *= scale;
+  }
+  const std::size_t size = std::max<std::size_t>(1, (divided[0].size() + arity - 3) / (arity - 1));
   require(size <= 256, "transition matrices larger than 256");
   Vector entries;
   for (std::size_t t = 0; t < arity; ++t)
-    for (std::size_t k = 0; k < size; ++k)
-      for (std::size_t i = t; i < t + arity * size; i += arity)
-        entries.push_back(i >= k && i - k < b.size() ? b[i - k] : mpz_class(0));
+    for (const Vector& b : divided)
+      for (std::size_t k = 0; k < size; ++k)
+        for (std::size_t i = t; i < t + arity * size; i += arity)
+          entries.push_back(i >= k && i - k < b.size() ? b[i - k] : mpz_class(0));
   return {size, entries, mask.denominator};
 }
 
-void check_stability(const Mask& mask, unsigned arity) {
+void check_no_common_zeros(const Mask& mask, unsigned arity) {
   const Vector& a = mask.coefficients;
   std::size_t k = 0;
   for (const mpz_class& x : a) k = std::max(k, bits(x) + 64);
   mpz_class common = 0;
   for (unsigned r = 0; r < arity; ++r) common = gcd(common, value_at_power(a, r, arity, k));
   require(bits(common) < k, "stability: the polyphase parts may have a common zero");
-  const mpz_class symbol = value_at_power(a, 0, 1, 64);
-  for (std::size_t n = 2 * arity; n < 6 * a.size(); n += arity)
-    if (std::gcd(n / arity, std::size_t{arity}) == 1)
-      require(symbol % cyclotomic_at_power(n, 64) != 0, "stability: Phi_" + std::to_string(n) + " may divide a");
 }
 
 }  // namespace subcert_check

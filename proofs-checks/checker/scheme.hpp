@@ -22,21 +22,27 @@ Family clear_denominators(std::size_t size, const Rationals& values);
 /// Reads matrices row by row, each row after the head.
 Family read_family(Reader& reader, const std::string& head, std::size_t count, std::size_t size);
 
-/// Coefficients on a box of lattice points, the first variable running fastest, over one denominator > 0.
+/// Coefficients on a box of lattice points, the first variable running fastest, over one denominator > 0: the boxes of
+/// all powers of a parameter, one after another, from the power 0 on.
 struct Mask {
   std::vector<std::size_t> sizes;  // along the variables
   Vector first;                    // the lowest point
+  std::size_t powers = 1;
   Vector coefficients;
   mpz_class denominator;
+
+  std::size_t points() const { return coefficients.size() / powers; }
 };
 
-/// [c0,c1,...]/D@first, or nested lists, the last variable outermost.
-Mask parse_mask(std::string_view text);
+/// [c0,c1,...]/D@first, or nested lists, the last variable outermost. `letter`: of the parameter, 0 where there is
+/// none.
+Mask parse_mask(std::string_view text, char letter);
 
-/// The family of section 4.1: divides the symbol by sigma, `sum_rules` times.
+/// The family of section 4.1: divides the symbol by sigma, `sum_rules` times. Of a mask with a parameter: for each
+/// matrix those of all powers, one after another.
 Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules);
 
-/// Conditions (i) and (ii) of Theorem 4.
-void check_stability(const Mask& mask, unsigned arity);
+/// Condition (i) of Theorem 4, for a mask without a parameter.
+void check_no_common_zeros(const Mask& mask, unsigned arity);
 
 }  // namespace subcert_check

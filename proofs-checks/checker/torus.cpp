@@ -48,6 +48,54 @@ struct Box {
   }
 };
 
+/// A polynomial on [0, 1]^3, by the coefficients of the products of u_v^j (1 - u_v)^(n_v - j): positive coefficients
+/// prove that it is positive; otherwise both halves of the cell, the axes taking turns.
+class Cells {
+ public:
+  Cells(std::size_t variables, const std::string& what, Arithmetic& arithmetic)
+      : variables_(variables), what_(what), arithmetic_(arithmetic) {}
+
+  void check(Box<mpz_class> cell) {
+    std::size_t largest = 0;
+    for (const mpz_class& value : cell.values) largest = std::max(largest, bits(value));
+    // Rounded down: what is shown to be positive is not larger.
+    for (mpz_class& value : cell.values)
+      if (largest > precision) value >>= largest - precision;
+    check_cell(cell, 0);
+  }
+
+ private:
+  void check_cell(const Box<mpz_class>& cell, std::size_t depth) {
+    const auto positive = [](const mpz_class& c) { return c > 0; };
+    if (std::all_of(cell.values.begin(), cell.values.end(), positive)) return;
+    // The coefficients at the ends of all axes are values at corners.
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      std::size_t at = 0;
+      for (std::size_t v = 3; v-- > 0;) at = at * cell.sizes[v] + (corner >> v & 1 ? cell.sizes[v] - 1 : 0);
+      require(positive(cell.values[at]), what_ + " is not positive");
+    }
+    require(depth < max_depth, what_ + " is not shown to be positive");
+    for (const bool right : {false, true}) {
+      Box<mpz_class> half = cell;
+      half.along(depth % variables_, [&](Vector& line) {
+        const std::size_t n = line.size() - 1;
+        arithmetic_.spend((n + 1) * (n + 1) * (10 + mpz_size(line[0].get_mpz_t())) +
+                          80 * n * mpz_size(line[0].get_mpz_t()));
+        if (right) std::reverse(line.begin(), line.end());
+        for (std::size_t k = n; k > 0; --k)  // 1 - u becomes 2 (1 - u) + u
+          for (std::size_t j = 1; j <= k; ++j) line[j] += line[j - 1];
+        for (std::size_t j = 0; j <= n; ++j) line[j] <<= n - j;
+        if (right) std::reverse(line.begin(), line.end());
+      });
+      check_cell(half, depth + 1);
+    }
+  }
+
+  std::size_t variables_;
+  const std::string& what_;
+  Arithmetic& arithmetic_;
+};
+
 /// Section 5.5: sum_k g_k e^(ikx) > 0 for all x, for g_{-k} = g_k.
 class Positivity {
  public:
@@ -65,7 +113,8 @@ class Positivity {
     }
   }
   void check() {
-    for (unsigned chart = 0; chart < 1U << variables_; ++chart) check_cell(form(chart), 0);
+    const std::string what = "stability: the sum over the gram line";
+    for (unsigned chart = 0; chart < 1U << variables_; ++chart) Cells(variables_, what, arithmetic_).check(form(chart));
   }
 
  private:
@@ -97,42 +146,8 @@ class Positivity {
       });
     }
     Box<mpz_class> real{sum.sizes, {}};
-    std::size_t largest = 0;
-    for (const Gaussian& value : sum.values) {
-      real.values.push_back(value.re);
-      largest = std::max(largest, bits(value.re));
-    }
-    // Rounded down: what is shown to be positive is not larger.
-    for (mpz_class& value : real.values)
-      if (largest > precision) value >>= largest - precision;
+    for (const Gaussian& value : sum.values) real.values.push_back(value.re);
     return real;
-  }
-
-  /// Positive coefficients prove it; otherwise both halves of the cell, the axes taking turns.
-  void check_cell(const Box<mpz_class>& cell, std::size_t depth) {
-    const auto positive = [](const mpz_class& c) { return c > 0; };
-    if (std::all_of(cell.values.begin(), cell.values.end(), positive)) return;
-    // The coefficients at the ends of all axes are values at corners.
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      std::size_t at = 0;
-      for (std::size_t v = 3; v-- > 0;) at = at * cell.sizes[v] + (corner >> v & 1 ? cell.sizes[v] - 1 : 0);
-      require(positive(cell.values[at]), "stability: the sum over the gram line is not positive");
-    }
-    require(depth < max_depth, "stability: the sum over the gram line is not shown to be positive");
-    for (const bool right : {false, true}) {
-      Box<mpz_class> half = cell;
-      half.along(depth % variables_, [&](Vector& line) {
-        const std::size_t n = line.size() - 1;
-        arithmetic_.spend((n + 1) * (n + 1) * (10 + mpz_size(line[0].get_mpz_t())) +
-                          80 * n * mpz_size(line[0].get_mpz_t()));
-        if (right) std::reverse(line.begin(), line.end());
-        for (std::size_t k = n; k > 0; --k)  // 1 - u becomes 2 (1 - u) + u
-          for (std::size_t j = 1; j <= k; ++j) line[j] += line[j - 1];
-        for (std::size_t j = 0; j <= n; ++j) line[j] <<= n - j;
-        if (right) std::reverse(line.begin(), line.end());
-      });
-      check_cell(half, depth + 1);
-    }
   }
 
   const Sequence& g_;
@@ -146,6 +161,11 @@ class Positivity {
 
 void check_positive(const Sequence& g, std::size_t variables, Arithmetic& arithmetic) {
   Positivity(g, variables, arithmetic).check();
+}
+
+void check_positive_form(const Vector& form, const std::string& what, Arithmetic& arithmetic) {
+  require(form.size() <= max_cell_entries, too_much_work);
+  Cells(1, what, arithmetic).check({{form.size(), 1, 1}, form});
 }
 
 }  // namespace subcert_check

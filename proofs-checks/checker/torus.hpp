@@ -1,4 +1,5 @@
-// Trigonometric polynomials of up to three variables: section 5.5 of ../certificates/SPEC.md.
+// Positivity of trigonometric polynomials of up to three variables, and of polynomials on an interval: sections 5.5 and
+// 6.2 of ../certificates/SPEC.md.
 #pragma once
 
 #include "arithmetic.hpp"
@@ -16,5 +17,9 @@ using Sequence = std::map<Point, mpz_class>;
 
 /// Rejects unless it can show that sum_k g_k e^(ikx) > 0 for all x. Domain: g_{-k} = g_k.
 void check_positive(const Sequence& g, std::size_t variables, Arithmetic& arithmetic);
+
+/// Rejects unless it can show that the sum of form_j u^j (1-u)^(n-j) is positive for all u from 0 to 1; `what` is the
+/// subject of the reason.
+void check_positive_form(const Vector& form, const std::string& what, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

@@ -7,7 +7,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
-#include <subcert/schemes/specification.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -498,4 +498,41 @@ TEST_CASE("the four-point scheme with a tension beyond doubles") {
   CHECK(regularity.exponent.lower.has_value());
   CHECK(*regularity.exponent.lower < 0);
   CHECK(*regularity.radius.radius.lower <= *regularity.radius.radius.upper);
+}
+
+TEST_CASE("certificates of ranges are accepted, and prove no more than their claims") {
+  struct Case {
+    const char *scheme, *property;
+    int low, high;
+    const char* verdicts;
+  };
+  for (const Case& c :
+       {Case{"four-point:w", "C1", 0, 1, "yn"}, Case{"four-point:w", "holder>=3/2", 0, 1, "nyn"},
+        Case{"four-point:w", "convergent", -1, 1, "nyn"}, Case{"mask:[w^2,1/2,1-2*w^2,1/2,w^2]", "C1", -1, 1, "nyyn"},
+        Case{"mask:[w^2,1/2,1-2*w^2,1/2,w^2]", "stable", 0, 1, "yyy"},
+        Case{"mask:[-1/18+1/6*u,-1/18-1/6*u,0,7/18-1/2*u,13/18+1/2*u,1,13/18+1/2*u,7/18-1/2*u,0,"
+             "-1/18-1/6*u,-1/18+1/6*u],arity=3",
+             "C2", 0, 1, "nyn"},
+        // A pair of complex eigenvalues leads.
+        Case{"mask:[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]", "holder>=1/2", 0, 2, "yn"}}) {
+    CAPTURE(c.scheme, c.property);
+    const ParametricScheme scheme = make_parametric_scheme(c.scheme);
+    const RangeProperty property = *parse_range_property(c.property);
+    const Rational width(1, 1000);
+    const PropertyRange range = property_range(scheme.mask, property, c.low, c.high, {width, 2, {Deadline::in(60)}});
+    std::string verdicts;
+    for (const RangeCertificate& piece : range_certificates(scheme.mask, scheme.parameter, property, range, width)) {
+      verdicts += piece.holds == Truth::yes ? 'y' : 'n';
+      const auto subject = [&](const Rational& low, const Rational& high) {
+        return "--mask '" + scheme.mask.to_text(scheme.parameter) + "' --arity " + std::to_string(scheme.mask.arity()) +
+               " --for " + scheme.parameter + "=" + to_text(low) + ".." + to_text(high);
+      };
+      const CertificateClaim& claim = piece.certificate.claim;
+      const std::string& text = piece.certificate.text;
+      CHECK(proves(subject(piece.low, piece.high), claim.lower.value_or(""), claim.upper.value_or(""), text));
+      CHECK_FALSE(proves(subject(piece.low, piece.high + 1), claim.lower.value_or(""), claim.upper.value_or(""), text));
+      CHECK_FALSE(proves(subject(piece.low, piece.high), claim.upper.value_or("12"), "", text));
+    }
+    CHECK(verdicts == c.verdicts);
+  }
 }

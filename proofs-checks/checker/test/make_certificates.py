@@ -187,6 +187,22 @@ def power_mask(factor, k, scale):
     return [Q(c, scale) for c in mask]
 
 
+def level(mask, m, low, high, bound):
+    """The least level at which the 1-norms of products of control matrices show JSR < bound; a mask of arity 2 whose
+    coefficients are lists of the coefficients of w^0, w^1, ..."""
+    degree = max(map(len, mask)) - 1
+    at = lambda w: transition([sum((c * w**k for k, c in enumerate(p)), Q(0)) for p in mask], 2, m)
+    nodes = [at(low + (high - low) * Q(i, max(degree, 1))) for i in range(degree + 1)]
+    if degree == 2:  # the middle value is (c_0 + 2 c_1 + c_2) / 4
+        nodes[1] = [[[2 * y - (x + z) / 2 for x, y, z in zip(*rows)] for rows in zip(*ms)] for ms in zip(*nodes)]
+    controls = [matrix for node in nodes for matrix in node]
+    products, found = controls, 1
+    while max(sum(map(abs, column)) for p in products for column in zip(*p)) >= bound**found:
+        products, found = [multiply(p, c) for p in products for c in controls], found + 1
+        assert found < 8
+    return found
+
+
 def text(mask):
     return "[" + ",".join(map(str, mask)) + "]"
 
@@ -285,6 +301,32 @@ def main(out):
     by_form(twice, "twice-quadratic", ["1", "2"], "16181/10000", unit_form, upper="16181/10000")
     case = exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True)
     by_form(case, "four-point-quadratic", ["0", "1"], "4131/1000", unit_form, lower="39/20")
+
+    # a parameter: sections of intervals, and the order of the sum rules
+    def over(name, mask, parameter, m, lower, upper, stable, *sections):
+        bounds = [f"--{end} {value}" for end, value in (("lower", lower), ("upper", upper)) if value is not None]
+        write(name, (["--mask", mask, "--arity", "2", "--for", parameter, *bounds], [
+            "subcert-certificate 3", f"exponent {mask} 2 {parameter}",
+            f"bounds {'-' if lower is None else lower} {'-' if upper is None else upper}", f"sum-rules {m}",
+            *(["stability"] if stable else []), *(line for section in sections for line in section), "end"]))
+
+    corner = "[w,1-w,1-w,w]"  # SPEC.md, section 6.4
+    over("corner-converges", corner, "w=1/100..49/100", 1, 0, None, False, ["to 49/100", "block 0 norm 1"])
+    over("corner-not-smooth", corner, "w=1/10..1/5", 1, None, 1, True, ["to 1/5", "product 0 11/10 0 0"])
+    over("corner-diverges", corner, "w=-2..-1/10", 1, None, 0, False, ["to -1", "product 0 5 0 0"],
+         ["to -1/10", "product 0 11/5 0 1"])
+    over("corner-stable", corner, "w=-1..499/1000", 1, None, None, True)
+    ends = [Q(1, 50), Q(1, 10), Q(4, 25)]
+    four = [[Q(0), Q(-1)], [Q(0)], [Q(1, 2), Q(1)], [Q(1)], [Q(1, 2), Q(1)], [Q(0)], [Q(0), Q(-1)]]
+    over("four-point-range", "[-w,0,1/2+w,1,1/2+w,0,-w]@-3", f"w={ends[0]}..{ends[-1]}", 2, 1, None, False, *(
+        [f"to {high}", f"block 0 norm {level(four, 2, low, high, 2)}"] for low, high in zip(ends, ends[1:])))
+    over("four-point-diverges", "[-w,0,1/2+w,1,1/2+w,0,-w]@-3", "w=3/5..1", 2, None, 0, False, ["to 1", "product 0 41/10 0 0"])
+    square = [[Q(0), Q(0), Q(1)], [Q(1, 2)], [Q(1), Q(0), Q(-2)], [Q(1, 2)], [Q(0), Q(0), Q(1)]]
+    over("square-range", "[w^2,1/2,1-2*w^2,1/2,w^2]@-2", "w=1/5..2/5", 2, 1, None, True, *(
+        [f"to {high}", f"block 0 norm {level(square, 2, low, high, 2)}"]
+        for low, high in ((Q(1, 5), Q(1, 4)), (Q(1, 4), Q(2, 5)))))
+    # b = 2a/(1+z) = (-w, 1, 1, w): T_0 has a pair of eigenvalues with the product 1 + w^2
+    over("pair", "[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]", "w=1..2", 1, None, Q(13, 25), True, ["to 2", "product 0 0 7/5 0"])
 
     hat = ["subcert-certificate 3", "surface [1,2,1]/2@-1 [2]", "bounds 1 1", "sum-rules 2", "digits 0 1", "space 1",
            "vector -1:1 0:-2 1:1", "gram 0:4 1:1", "product 0 1/2 0 0", "block 0 norm 1", "end"]  # SPEC.md, section 5.8

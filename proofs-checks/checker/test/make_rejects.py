@@ -90,11 +90,11 @@ reject("no-section", "four-point", "expected 'block 0'", lambda lines: lines[:6]
 mask_case("wrong-sum", "[1,2,1]", 2, "1/2", None, "do not sum to the arity")
 mask_case("diverging", "[-1,3,3,-1]/2", 1, "1/10", None, "does not prove the claim")
 # hat(x/3)/3: exponent 1, shifts not stable by the cyclic zeros of order 3 (-omega is a zero of 1 - z + z^2)
-mask_case("cyclic-zeros", "[1,0,0,2,0,0,1]/2", 2, "1/1000", "2", "Phi_6 may divide", more=["stability"])
+mask_case("cyclic-zeros", "[1,0,0,2,0,0,1]/2", 2, "1/1000", "2", "modulo Phi_6", more=["stability"])
 # symmetric zeros i, -i: (1+z)(1+z^2)/2
 mask_case("symmetric-zeros", "[1,1,1,1]/2", 1, "1/1000", "2", "common zero", more=["stability"])
 # ternary, hat(x/2)/2: zeros of order 6 (Phi_6) and 2 by (1 + z^2 + z^4)^2
-mask_case("ternary-cyclic-zeros", "[1,0,2,0,3,0,2,0,1]/3", 2, "1/1000", "2", "Phi_6 may divide", arity=3, more=["stability"])
+mask_case("ternary-cyclic-zeros", "[1,0,2,0,3,0,2,0,1]/3", 2, "1/1000", "2", "modulo Phi_6", arity=3, more=["stability"])
 # Haar with M = 1: the radius is 2 and the exponent bound 0
 mask_case("haar", "[1,1]", 1, "1/1000", None, "does not prove the claim")
 # a cubic spline with too few factors: the radius is 1, nothing can be said from above
@@ -104,7 +104,7 @@ reject("saturated", "bspline-3", "no exponent below", lambda lines: [
 # one coefficient: the data are only moved about
 mask_case("one-coefficient", "[2]", 1, "1/1000", None, "no sum rules of this order")
 # arity 4, hat(x/3)/3: not stable by the cyclic zeros of order 3, times i
-mask_case("quaternary-cyclic-zeros", "[1,0,0,2,0,0,3,0,0,4,0,0,3,0,0,2,0,0,1]/4", 2, "1/1000", "2", "Phi_12 may divide", arity=4,
+mask_case("quaternary-cyclic-zeros", "[1,0,0,2,0,0,3,0,0,4,0,0,3,0,0,2,0,0,1]/4", 2, "1/1000", "2", "modulo Phi_12", arity=4,
           more=["stability"])
 reject("beyond-sum-rules", "four-point", "does not prove the claim", arguments=option(claims["four-point"], "lower", "5"))
 reject("crossed-bounds", "bspline-3", "does not prove the claim",
@@ -333,4 +333,48 @@ reject("quadratic-group-orbits", "golden-quadratic-group", "not those of a compl
 reject("quadratic-group-other", "golden-quadratic-group", "does not permute the matrices", replace("^generator 1 0", "generator 0 1"))
 reject("quadratic-too-high", "four-point-quadratic", "does not prove the claim",
        arguments=option(claims["four-point-quadratic"], "lower", "1954/1000"))
+
+# a parameter
+corner = claims["corner-converges"]
+reject("range-other", "corner-converges", "expected 'exponent ", arguments=corner.replace("1/100", "1/101"))
+reject("range-open", "corner-converges", "expected 'to'", drop("(to|block)"))
+reject("range-short", "corner-converges", "expected 'to'", replace("^to 49/100", "to 48/100"))
+reject("range-beyond", "corner-converges", "outside of the rest of the range", replace("^to 49/100", "to 1/2"))
+reject("range-backwards", "corner-diverges", "outside of the rest of the range", replace("^to -1$", "to -2"))
+reject("range-after-end", "corner-converges", "expected 'end'", lambda lines: lines[:-1] + lines[4:])
+reject("range-wide", "four-point-range", "does not prove the claim", lambda lines: lines[:4] + lines[6:])
+reject("range-level", "four-point-range", "does not prove the claim", replace("norm \\d+", "norm 1"))
+reject("range-too-high", "four-point-range", "does not prove the claim", arguments=option(claims["four-point-range"], "lower", "2"))
+# JSR = 2 at w = 0 and 1/2: only s >= 0 there
+reject("range-equal", "corner-converges", "does not prove the claim", replace("49/100", "1/2", 2), arguments=corner.replace("49/100", "1/2"))
+reject("range-negative", "corner-converges", "must be positive", arguments=option(corner, "lower", "-1"))
+reject("range-sum-rules", "corner-converges", "no sum rules of this order", replace("sum-rules 1", "sum-rules 2"))
+reject("range-not-affine", "corner-converges", "do not sum to the arity", replace("\\[w,1-w,1-w,w\\]", "[w,1-w,1-w,2*w]"),
+       arguments=corner.replace("1-w,w]", "1-w,2*w]"))
+reject("range-special-sum-rules", "corner-converges", "no sum rules of this order",  # only at w = 1/3
+       replace("\\[w,1-w,1-w,w\\]", "[w,1/3,2-w-1/3]"), arguments=corner.replace("[w,1-w,1-w,w]", "[w,1/3,2-w-1/3]"))
+crossing = "the characteristic polynomial of the product, with the other sign, is not"
+reject("range-eigenvalue-low", "corner-not-smooth", "no exponent below", replace("11/10", "9/10"))
+reject("range-eigenvalue-high", "corner-not-smooth", crossing, replace("11/10", "13/10"))
+reject("range-eigenvalue-sign", "corner-not-smooth", crossing, replace("11/10", "-11/10"))
+reject("range-eigenvalue-pair", "corner-not-smooth", crossing, replace("11/10 0", "0 11/10"))
+reject("range-eigenvalue-both", "corner-not-smooth", "either the real or the imaginary part", replace("11/10 0", "11/10 1"))
+reject("range-eigenvalue-none", "corner-not-smooth", "either the real or the imaginary part", replace("11/10 0", "0 0"))
+reject("range-eigenvalue-touch", "corner-not-smooth", crossing, replace("11/10", "6/5"))  # an eigenvalue at w = 1/5
+reject("range-letter", "corner-not-smooth", "number outside 0..1", replace("11/10 0 0", "11/10 0 2"))
+reject("range-long-word", "corner-not-smooth", "more work than", replace("11/10 0 0", "11/10 0" + " 0" * 4000))
+reject("range-product-missing", "corner-not-smooth", "expected 'product'", drop("product"))
+reject("range-upper", "corner-not-smooth", "does not prove the claim", arguments=option(claims["corner-not-smooth"], "upper", "1/2"))
+reject("range-stability-missing", "corner-not-smooth", "expected 'stability'", drop("stability"))
+reject("range-diverges-not", "corner-diverges", "does not prove the claim", replace("11/5", "19/10"))
+stable = claims["corner-stable"]
+reject("range-unstable", "corner-stable", "the resultant of the polyphase parts is not", replace("499/1000", "501/1000"),
+       arguments=stable.replace("499/1000", "501/1000"))
+reject("range-unstable-end", "corner-stable", "the resultant of the polyphase parts is not", replace("499/1000", "1/2"),
+       arguments=stable.replace("499/1000", "1/2"))
+reject("range-unstable-cyclic", "corner-stable", "modulo Phi_6 is not", replace("-1..499/1000", "3/4..3/2"),
+       arguments=stable.replace("-1..499/1000", "3/4..3/2"))
+reject("range-stable-sections", "corner-stable", "expected 'end'", lambda lines: lines[:-1] + ["to 499/1000", "block 0 norm 1", "end"])
+reject("range-pair-high", "pair", crossing, replace("0 7/5", "0 8/5"))
+reject("range-pair-real", "pair", crossing, replace("0 7/5", "7/5 0"))
 (out / "claims.txt").write_text("\n".join(index) + "\n")

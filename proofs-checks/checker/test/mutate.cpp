@@ -59,13 +59,16 @@ std::vector<Case> read_cases(const std::string& directory) {
     c.claim = claim(lower, upper);
     const auto none = std::nullopt;
     for (const char* step : {"1/1000000000000", "1/10", "2"}) {  // false by a hair and by far
-      if (!upper) break;
-      c.false_claims.push_back(claim(*upper + mpq_class(step), none));
-      c.false_claims.push_back(claim(exponent ? lower : none, *lower - mpq_class(step)));
+      if (lower && upper) {
+        c.false_claims.push_back(claim(*upper + mpq_class(step), none));
+        c.false_claims.push_back(claim(exponent ? lower : none, *lower - mpq_class(step)));
+      } else if (upper) {  // of a range: for no value of the parameter
+        c.false_claims.push_back(claim(*upper + mpq_class(step) - mpq_class("1/1000000000000"), none));
+      }
     }
-    if (!upper) {  // the shifts are not stable, so that no upper end can be proved
-      c.false_claims.push_back(claim(*lower + 2, none));
-      c.false_claims.push_back(claim(lower, *lower + 2));
+    if (!upper) {  // the shifts are not stable, so that no upper end can be proved, or it is about a range
+      c.false_claims.push_back(claim(lower.value_or(0) + 2, none));
+      c.false_claims.push_back(claim(lower, lower.value_or(0) + 2));
     }
     std::ifstream file(directory + "/" + c.name + ".cert");
     for (std::string text; std::getline(file, text);) c.lines.push_back(text);

@@ -1,0 +1,59 @@
+#pragma once
+/// The joint spectral radius of a family with a parameter, bounded for all its values in an interval. Inner header.
+
+#include "interval_proof.hpp"
+#include "parametric_family.hpp"
+
+#include <map>
+#include <mutex>
+#include <tuple>
+
+namespace subcert::family {
+
+/// The product with the largest radius that a quick look finds, in floating point.
+struct Look {
+  std::vector<int> word;  ///< from left to right
+  double radius = 0;
+};
+
+/// Closed.
+struct Segment {
+  Rational low, high;
+
+  Rational middle() const { return (low + high) / 2; }
+  Rational width() const { return high - low; }
+};
+
+/// Bounds over intervals. What it learns of products it keeps; safe to use from several threads.
+class FamilyRadius {
+ public:
+  explicit FamilyRadius(ParametricFamily family) : family_(std::move(family)) {}
+
+  const ParametricFamily& family() const { return family_; }
+
+  Look look(const Rational& w, const Deadline& deadline) const;
+
+  /// A proof that the radius is below the target, by the control matrices; nothing where none is found. `try_form`: by
+  /// a quadratic form first.
+  std::optional<JointSpectralRadius> from_above(const Segment& interval, const Rational& target, bool try_form,
+                                                const Budget& budget) const;
+
+  /// A proof that the spectral radius of the product is above a number, at least this, on the whole interval; nothing
+  /// where none is found. `sharp`: the number is to be as large as it can be. Domain: least > 0.
+  std::optional<EigenvalueBound> from_below(const Segment& interval, const std::vector<int>& word,
+                                            const Rational& least, bool sharp, const Deadline& deadline);
+
+  /// The polynomial in w that is negative where the eigenvalues of the product exceed the bound an odd number of times;
+  /// zero past the deadline, or where it would be large.
+  LaurentPolynomial characteristic(const EigenvalueBound& bound, const Deadline& deadline);
+
+ private:
+  std::vector<EigenvalueBound> guesses(const Segment& interval, const std::vector<int>& word, double least,
+                                       bool sharp) const;
+
+  ParametricFamily family_;
+  std::mutex mutex_;
+  std::map<std::tuple<std::vector<int>, Rational, Rational>, LaurentPolynomial> characteristics_;
+};
+
+}  // namespace subcert::family

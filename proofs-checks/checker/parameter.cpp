@@ -1,0 +1,288 @@
+#include "parameter.hpp"
+
+#include "torus.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace subcert_check {
+namespace {
+
+constexpr std::size_t max_determinant_bits = 1UL << 31;  // of all numbers of a determinant together
+constexpr std::size_t max_determinant_degree = 1UL << 14;
+
+/// The coefficients of u^j v^(n-j) in (low v + high u)^k (u + v)^(n-k), times the n-th power of the denominator of the
+/// range, for k = 0, ..., n.
+std::vector<Vector> power_forms(const Range& range, std::size_t n) {
+  const mpz_class denominator = lcm(range.low.get_den(), range.high.get_den());
+  const mpz_class low = mpq_class(range.low * denominator).get_num(),
+                  high = mpq_class(range.high * denominator).get_num();
+  std::vector<Vector> forms;
+  for (std::size_t k = 0; k <= n; ++k) {
+    Vector& form = forms.emplace_back(Vector{1});
+    for (std::size_t r = 0; r < n; ++r) {
+      form.emplace_back(0);
+      for (std::size_t j = form.size(); j-- > 0;)
+        form[j] = (r < k ? low : denominator) * form[j] +
+                  (j > 0 ? mpz_class((r < k ? high : denominator) * form[j - 1]) : mpz_class(0));
+    }
+  }
+  return forms;
+}
+
+/// The boxes of u^j v^(n-j), j = 0, ..., n, in place of those of the powers.
+Vector coefficient_forms(const Mask& mask, const Range& range) {
+  const std::vector<Vector> forms = power_forms(range, mask.powers - 1);
+  Vector result(mask.coefficients.size());
+  for (std::size_t k = 0; k < mask.powers; ++k)
+    for (std::size_t j = 0; j < mask.powers; ++j)
+      for (std::size_t i = 0; i < mask.points(); ++i)
+        result[j * mask.points() + i] += forms[k][j] * mask.coefficients[k * mask.points() + i];
+  return result;
+}
+
+mpz_class binomial(std::size_t n, std::size_t k) {
+  mpz_class result;
+  mpz_bin_uiui(result.get_mpz_t(), n, k);
+  return result;
+}
+
+/// The determinant by exact elimination [Bareiss 1968].
+mpz_class determinant(Vector matrix, std::size_t n, Arithmetic& arithmetic) {
+  mpz_class last = 1;
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    const auto at = [&](std::size_t i, std::size_t j) -> mpz_class& { return matrix[j * n + i]; };
+    std::size_t pivot = k;
+    while (pivot < n && at(pivot, k) == 0) ++pivot;
+    if (pivot == n) return 0;
+    for (std::size_t j = k; pivot > k && j < n; ++j) {
+      swap(at(pivot, j), at(k, j));
+      at(k, j) = -at(k, j);
+    }
+    for (std::size_t i = k + 1; i < n; ++i)
+      for (std::size_t j = k + 1; j < n; ++j) {
+        mpz_class minor = 0;
+        arithmetic.add_product(minor, at(k, k), at(i, j));
+        arithmetic.add_product(minor, at(i, k), -at(k, j));
+        arithmetic.spend(std::uint64_t{mpz_size(minor.get_mpz_t())} * mpz_size(last.get_mpz_t()));
+        mpz_divexact(at(i, j).get_mpz_t(), minor.get_mpz_t(), last.get_mpz_t());
+      }
+    last = at(k, k);
+  }
+  return matrix.back();
+}
+
+/// Bits that hold the coefficients of the determinant of a matrix with these majorants, and their signs.
+std::size_t bits_of_determinant(const Vector& majorants, std::size_t n) {
+  std::size_t result = 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    mpz_class sum = 0;
+    for (std::size_t j = 0; j < n; ++j) sum += majorants[j * n + i];
+    result += bits(sum);
+  }
+  return result;
+}
+
+/// The coefficients of a form of this degree from its value at u = 2^bits, v = 1.
+Vector unpack(mpz_class value, std::size_t degree, std::size_t bits, Arithmetic& arithmetic) {
+  Vector form;
+  for (std::size_t j = 0; j <= degree; ++j) {
+    arithmetic.spend(100 + mpz_size(value.get_mpz_t()));
+    mpz_class& digit = form.emplace_back();
+    mpz_fdiv_r_2exp(digit.get_mpz_t(), value.get_mpz_t(), bits);
+    if (mpz_tstbit(digit.get_mpz_t(), bits - 1) != 0) digit -= mpz_class(1) << bits;
+    value = (value - digit) >> bits;
+  }
+  return form;
+}
+
+/// The matrix of the forms that `fill(u)` gives: at u = 2^bits, and with moduli at u = 1; their degree is at most that.
+/// Returns the coefficients of the determinant, a form of the degree size * degree.
+template <class Fill>
+Vector determinant_form(std::size_t size, std::size_t degree, Fill fill, Arithmetic& arithmetic) {
+  require(size * degree <= max_determinant_degree, too_much_work);
+  const std::size_t width = bits_of_determinant(fill(std::size_t{0}), size);
+  require((size * degree + 1) * width <= max_determinant_bits / (size * size), too_much_work);
+  return unpack(determinant(fill(width), size, arithmetic), size * degree, width, arithmetic);
+}
+
+/// Conditions (i): the part with the fewest coefficients and a sum of multiples of the others.
+void check_resultant(const Vector& forms, std::size_t degree, unsigned arity, Arithmetic& arithmetic) {
+  const std::size_t points = forms.size() / (degree + 1);
+  struct Part {
+    unsigned residue;
+    std::size_t first, last;  // of the coefficients that are not zero, as multiples of the arity
+  };
+  std::vector<Part> parts;
+  for (unsigned r = 0; r < arity; ++r) {
+    Part part{r, points, 0};
+    for (std::size_t i = r; i < points; i += arity)
+      for (std::size_t k = 0; k <= degree; ++k)
+        if (forms[k * points + i] != 0) part = {r, std::min(part.first, i / arity), i / arity};
+    require(part.first <= part.last, "stability: a polyphase part is zero");
+    parts.push_back(part);
+  }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Part& a, const Part& b) { return a.last - a.first < b.last - b.first; });
+  std::size_t first = points, last = 0;
+  for (std::size_t j = 1; j < parts.size(); ++j) {
+    first = std::min(first, parts[j].first);
+    last = std::max(last, parts[j].last);
+  }
+  const std::size_t p_degree = parts[0].last - parts[0].first, q_degree = last - first, size = p_degree + q_degree;
+  // Of the coefficient number i of both; bits 0: the sum of the moduli.
+  const auto value = [&](bool of_p, std::size_t i, std::size_t width) {
+    mpz_class sum = 0;
+    for (std::size_t j = of_p ? 0 : 1; j < (of_p ? 1 : parts.size()); ++j) {
+      const std::size_t at = ((of_p ? parts[0].first : first) + i) * arity + parts[j].residue;
+      for (std::size_t k = 0; at < points && k <= degree; ++k) {
+        const mpz_class term = forms[k * points + at] * (of_p ? 1 : j * j);
+        sum += width == 0 ? mpz_class(abs(term)) : mpz_class(term << width * k);
+      }
+    }
+    return sum;
+  };
+  const auto sylvester = [&](std::size_t width) {
+    Vector matrix(size * size);
+    for (std::size_t row = 0; row < size; ++row) {
+      const bool of_p = row < q_degree;
+      const std::size_t shift = of_p ? row : row - q_degree;
+      for (std::size_t i = 0; i <= (of_p ? p_degree : q_degree); ++i)
+        matrix[(shift + i) * size + row] = value(of_p, i, width);
+    }
+    return matrix;
+  };
+  Vector form = size == 0 ? Vector{1} : determinant_form(size, degree, sylvester, arithmetic);
+  if (form[0] < 0)
+    for (mpz_class& c : form) c = -c;
+  check_positive_form(form, "stability: the resultant of the polyphase parts", arithmetic);
+}
+
+/// Whether Phi_n can divide the symbol at a value: its product with all 1 - z^(n/q), q | n a prime, modulo z^n - 1.
+void check_cyclotomic(const Vector& forms, std::size_t degree, std::size_t n, const std::vector<std::size_t>& primes,
+                      Arithmetic& arithmetic) {
+  const std::size_t points = forms.size() / (degree + 1);
+  arithmetic.spend((degree + 1) * (points + n * (primes.size() + degree)) * 50);
+  std::vector<Vector> rests;
+  for (std::size_t k = 0; k <= degree; ++k) {
+    Vector& rest = rests.emplace_back(n);
+    for (std::size_t i = 0; i < points; ++i) rest[i % n] += forms[k * points + i];
+    for (const std::size_t q : primes) {
+      const Vector old = rest;
+      for (std::size_t i = 0; i < n; ++i) rest[(i + n / q) % n] -= old[i];
+    }
+  }
+  Vector squares(2 * degree + 1);
+  for (std::size_t k = 0; k <= degree; ++k)
+    for (std::size_t l = 0; l <= degree; ++l)
+      for (std::size_t i = 0; i < n; ++i) arithmetic.add_product(squares[k + l], rests[k][i], rests[l][i]);
+  check_positive_form(squares, "stability: the remainder modulo Phi_" + std::to_string(n), arithmetic);
+}
+
+/// The sums of products of two entries of two rows and two columns: the minors, or with +1 what is at least their
+/// moduli.
+Vector second_compound(const Vector& matrix, std::size_t n, int sign, Arithmetic& arithmetic) {
+  Vector result;
+  const auto at = [&](std::size_t i, std::size_t j) -> const mpz_class& { return matrix[j * n + i]; };
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t l = j + 1; l < n; ++l)
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = i + 1; k < n; ++k) {
+          mpz_class& minor = result.emplace_back();
+          arithmetic.add_product(minor, at(i, j), at(k, l));
+          arithmetic.add_product(minor, at(i, l), sign * at(k, j));
+        }
+  return result;
+}
+
+}  // namespace
+
+Range parse_range(std::string_view text) {
+  constexpr const char* expected = "a range is w=LOW..HIGH with rationals LOW < HIGH";
+  const std::size_t dots = text.find("..");
+  require(text.size() > 2 && text[1] == '=' && dots != text.npos && dots > 2, expected);
+  const char letter = text[0];
+  require((letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'), expected);
+  Range range{letter, parse_rational(text.substr(2, dots - 2)), parse_rational(text.substr(dots + 2))};
+  require(range.low < range.high, expected);
+  return range;
+}
+
+Family control_family(const Family& powers, std::size_t degree, const Range& range, Arithmetic& arithmetic) {
+  const std::vector<Vector> forms = power_forms(range, degree);
+  const std::size_t square = powers.size * powers.size, count = powers.count() / (degree + 1);
+  const mpz_class scale = power(lcm(range.low.get_den(), range.high.get_den()), degree).get_num() * powers.denominator;
+  Rationals entries;
+  arithmetic.spend(count * square * (degree + 1) * 1000);
+  for (std::size_t t = 0; t < count; ++t)
+    for (std::size_t j = 0; j <= degree; ++j)
+      for (std::size_t i = 0; i < square; ++i) {
+        mpz_class sum = 0;
+        for (std::size_t k = 0; k <= degree; ++k)
+          arithmetic.add_product(sum, forms[k][j], powers.entries[(t * (degree + 1) + k) * square + i]);
+        entries.push_back(ratio(sum, scale * binomial(degree, j)));
+      }
+  return clear_denominators(powers.size, entries);
+}
+
+void check_stability(const Mask& mask, unsigned arity, const Range& range, Arithmetic& arithmetic) {
+  const std::size_t degree = mask.powers - 1, points = mask.points();
+  const Vector forms = coefficient_forms(mask, range);
+  if (degree == 0)
+    check_no_common_zeros(mask, arity);
+  else
+    check_resultant(forms, degree, arity, arithmetic);
+  for (std::size_t n = 2 * std::size_t{arity}; n < 6 * points; n += arity) {
+    if (std::gcd(n / arity, std::size_t{arity}) != 1) continue;
+    std::vector<std::size_t> primes;
+    std::size_t rest = n, totient = n;
+    for (std::size_t q = 2; rest > 1; ++q) {
+      if (rest % q != 0) continue;
+      primes.push_back(q);
+      totient -= totient / q;
+      while (rest % q == 0) rest /= q;
+    }
+    if (totient < points) check_cyclotomic(forms, degree, n, primes, arithmetic);
+  }
+}
+
+void check_eigenvalue(const Family& controls, std::size_t degree, const std::vector<std::size_t>& letters,
+                      const mpq_class& re, const mpq_class& im, Arithmetic& arithmetic) {
+  const bool is_pair = im != 0;
+  require((re == 0) == is_pair, "over a range either the real or the imaginary part of the eigenvalue is 0");
+  const std::size_t n = controls.size, length = letters.size(), factors = is_pair ? 2 * length : length;
+  const std::size_t size = is_pair ? n * (n - 1) / 2 : n;
+  require(size > 0, "a pair of eigenvalues needs matrices of size 2");
+  require(size <= 256, too_much_work);
+  // The bound of the eigenvalue, and the power of the denominator that belongs to it.
+  const mpq_class bound = is_pair ? mpq_class(im * im) : mpq_class(abs(re));
+  const mpz_class whole = bound.get_num() * power(controls.denominator, factors).get_num();
+  const auto fill = [&](std::size_t width) {
+    const bool exact = width > 0;
+    const auto matrix = [&](std::size_t t) {
+      Vector sum(n * n);
+      for (std::size_t j = 0; j <= degree; ++j) {
+        const auto control = controls.matrix(t * (degree + 1) + j);
+        for (std::size_t i = 0; i < n * n; ++i) {
+          const mpz_class term = control[i] * binomial(degree, j);
+          sum[i] += exact ? mpz_class(term << width * j) : mpz_class(abs(term));
+        }
+      }
+      arithmetic.spend(n * n * (degree + 1) * (100 + width * degree / 64));
+      return sum;
+    };
+    Vector product(n * n);
+    for (std::size_t i = 0; i < n; ++i) product[i * n + i] = 1;
+    for (std::size_t i = length; i-- > 0;) product = arithmetic.multiply(matrix(letters[i]), product, n);
+    if (is_pair) product = second_compound(product, n, exact ? -1 : 1, arithmetic);
+    for (mpz_class& x : product) x *= exact && (is_pair || re > 0) ? -bound.get_den() : bound.get_den();
+    const mpz_class diagonal = whole * power((mpz_class(1) << width) + 1, degree * factors).get_num();
+    for (std::size_t i = 0; i < size; ++i) product[i * size + i] += diagonal;
+    return product;
+  };
+  Vector form = determinant_form(size, degree * factors, fill, arithmetic);
+  for (mpz_class& c : form) c = -c;
+  check_positive_form(form, "the characteristic polynomial of the product, with the other sign,", arithmetic);
+}
+
+}  // namespace subcert_check

@@ -2,17 +2,15 @@
 
 #include "command.hpp"
 #include "exponent_text.hpp"
+#include "parameter_range.hpp"
 
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
-#include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <set>
 #include <sstream>
 
 namespace subcert::cli {
@@ -28,36 +26,8 @@ struct ParameterRangeOptions : CommonOptions {
   std::size_t memory = 1024;
 };
 
-/// `w=-1..1` for this letter.
-std::pair<Rational, Rational> read_over(const std::string& text, char parameter) {
-  const std::string head = std::string(1, parameter) + "=";
-  const std::size_t dots = text.find("..");
-  const auto number = [&](std::size_t begin, std::size_t end) {
-    return begin > end || end - begin > 200 ? std::nullopt : parse_rational(text.substr(begin, end - begin));
-  };
-  const auto low = text.starts_with(head) && dots != std::string::npos ? number(2, dots) : std::nullopt,
-             high = low ? number(dots + 2, text.size()) : std::nullopt;
-  if (!high || !(*low < *high))
-    fail(ErrorKind::usage, "--over: expected {}LOW..HIGH with exact numbers LOW < HIGH, as {}-1..1, got '{}'", head,
-         head, text);
-  return {*low, *high};
-}
-
-std::string number_text(const Rational& value) {
-  const std::string exact = to_text(value);
-  return exact.size() <= 12 ? exact : to_decimal(value, 12, Rounding::nearest);
-}
-
 const char* verdict(Truth holds) {
   return holds == Truth::yes ? "proved" : holds == Truth::no ? "refuted" : "undecided";
-}
-
-const char* why_text(SpecialValue::Why why) {
-  switch (why) {
-    case SpecialValue::Why::sum_rules: return "more sum rules";
-    case SpecialValue::Why::unstable: return "shifts may be unstable";
-    default: return "the radius of a product meets the threshold";
-  }
 }
 
 Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
@@ -115,26 +85,17 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
     page << "end          " << end_text(end, w) << ", where the radius of the product " << word_text(end.word)
          << " crosses the threshold" << (end.holds == Truth::no ? "; refuted there" : "") << "\n";
   for (const SpecialValue& value : range.special)
-    page << "special      " << w << " = "
-         << (value.value.is_exact() ? number_text(*value.value.lower) : enclosure_text(value.value, 12)) << ": "
-         << why_text(value.why) << "; " << verdict(value.holds) << " there\n";
+    page << "special      " << w << " = " << number_text(value.value) << ": " << why_text(value.why) << "; "
+         << verdict(value.holds) << " there\n";
   return page.str();
 }
 
-/// `01-proved.cert` and so on; others under such names, of a range before, are removed.
-void write_certificates(const std::filesystem::path& directory, const std::vector<RangeCertificate>& certificates) {
-  std::filesystem::create_directories(directory);
-  std::set<std::string> written;
-  for (const RangeCertificate& certificate : certificates) {
-    const std::string name = fmt::format("{:02}-{}.cert", written.size() + 1, verdict(certificate.holds));
-    runtime::write_file(directory / name, certificate.certificate.text);
-    written.insert(name);
-  }
-  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(directory)) {
-    const std::string name = entry.path().filename().string();
-    const bool ours = name.ends_with("-proved.cert") || name.ends_with("-refuted.cert");
-    if (ours && !written.contains(name)) std::filesystem::remove(entry.path());
-  }
+/// `01-proved.cert` and so on.
+std::vector<NamedCertificate> named(const std::vector<RangeCertificate>& certificates) {
+  std::vector<NamedCertificate> result;
+  for (const RangeCertificate& one : certificates)
+    result.push_back({fmt::format("{:02}-{}", result.size() + 1, verdict(one.holds)), one.certificate.text});
+  return result;
 }
 
 ExitCode run(const ParameterRangeOptions& options) {
@@ -156,9 +117,7 @@ ExitCode run(const ParameterRangeOptions& options) {
   std::string note;
   if (!options.certificate.empty()) {
     const auto certificates = range_certificates(scheme.mask, scheme.parameter, *property, range, *width);
-    write_certificates(options.certificate, certificates);
-    note = fmt::format("certificates {} in {}: subcert verify {}\n", certificates.size(), options.certificate,
-                       options.certificate);
+    note = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"});
   }
   options.answer(json_of(range, options, scheme), text_of(range, options, scheme) + note);
   return range.complete ? done : undecided;

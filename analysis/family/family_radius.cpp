@@ -48,6 +48,13 @@ Rational rounded_down(double value, int bits) {
   return Rational(std::ldexp(std::floor(std::ldexp(fraction, bits)), exponent - bits));
 }
 
+/// The bound by single matrices, which costs nothing.
+NormProof largest_norm(const MatrixFamily& family) {
+  NormProof proof{1, 0};
+  for (const RationalMatrix& matrix : family) proof.norm = std::max(proof.norm, one_norm(matrix));
+  return proof;
+}
+
 Look look_at(const MatrixFamily& family, const Deadline& deadline) {
   Look result{radius::find_product(family, deadline), 0};
   // From left to right here, the letter applied first there.
@@ -60,9 +67,9 @@ Look look_at(const MatrixFamily& family, const Deadline& deadline) {
 
 Look FamilyRadius::look(const Rational& w, const Deadline& deadline) const { return look_at(family_.at(w), deadline); }
 
-std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& interval, const Rational& target,
+std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& segment, const Rational& target,
                                                             bool try_form, const Budget& budget) const {
-  const MatrixFamily controls = family_.controls(interval.low, interval.high);
+  const MatrixFamily controls = family_.controls(segment.low, segment.high);
   if (look_at(controls, budget.deadline).radius >= target.convert_to<double>()) return std::nullopt;
   if (try_form) {
     auto form = radius::quadratic_bound(controls, target, {budget.deadline.at_most(form_seconds), budget.memory});
@@ -73,28 +80,34 @@ std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& inter
       return result;
     }
   }
-  JointSpectralRadius result = joint_spectral_radius(controls, budget);
+  JointSpectralRadius result = joint_spectral_radius(controls, budget, largest_norm(controls), target);
   if (result.proved_upper() < target) return result;
   return std::nullopt;
 }
 
-std::optional<EigenvalueBound> FamilyRadius::from_below(const Segment& interval, const std::vector<int>& word,
+JointSpectralRadius FamilyRadius::from_above(const Segment& segment, double excess, const Budget& budget) const {
+  const MatrixFamily controls = family_.controls(segment.low, segment.high);
+  const double near = look_at(controls, budget.deadline).radius;
+  return joint_spectral_radius(controls, budget, largest_norm(controls), Rational(near * (1 + excess)));
+}
+
+std::optional<EigenvalueBound> FamilyRadius::from_below(const Segment& segment, const std::vector<int>& word,
                                                         const Rational& least, bool sharp, const Deadline& deadline) {
-  for (EigenvalueBound& bound : guesses(interval, word, least.convert_to<double>(), sharp)) {
+  for (EigenvalueBound& bound : guesses(segment, word, least.convert_to<double>(), sharp)) {
     if (bound.modulus() < least) (bound.re == 0 ? bound.im : bound.re) = bound.re < 0 ? Rational(-least) : least;
     const LaurentPolynomial value = characteristic(bound, deadline);
-    if (!value.is_zero() && value(interval.low) < 0 && value(interval.high) < 0 &&
-        count_real_roots(value, interval.low, interval.high) == 0)
+    if (!value.is_zero() && value(segment.low) < 0 && value(segment.high) < 0 &&
+        count_real_roots(value, segment.low, segment.high) == 0)
       return std::move(bound);
   }
   return std::nullopt;
 }
 
 /// Numbers that an odd number of eigenvalues exceed, as far as floating point tells from the ends and the middle.
-std::vector<EigenvalueBound> FamilyRadius::guesses(const Segment& interval, const std::vector<int>& word, double least,
+std::vector<EigenvalueBound> FamilyRadius::guesses(const Segment& segment, const std::vector<int>& word, double least,
                                                    bool sharp) const {
   std::vector<polytope::Matrix> products;
-  for (const Rational& w : {interval.low, interval.middle(), interval.high})
+  for (const Rational& w : {segment.low, segment.middle(), segment.high})
     products.push_back(in_doubles(family_.at(w).product(word)));
   std::vector<EigenvalueBound> result;
   for (const Side side : {Side::positive, Side::negative, Side::pair}) {

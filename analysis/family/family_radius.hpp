@@ -35,20 +35,23 @@ class FamilyRadius {
 
   /// A proof that the radius is below the target, by the control matrices; nothing where none is found. `try_form`: by
   /// a quadratic form first.
-  std::optional<JointSpectralRadius> from_above(const Segment& interval, const Rational& target, bool try_form,
+  std::optional<JointSpectralRadius> from_above(const Segment& segment, const Rational& target, bool try_form,
                                                 const Budget& budget) const;
+  /// An upper bound that exceeds the radius of the control matrices by that share, about, or by as little as the budget
+  /// allows.
+  JointSpectralRadius from_above(const Segment& segment, double excess, const Budget& budget) const;
 
   /// A proof that the spectral radius of the product is above a number, at least this, on the whole interval; nothing
   /// where none is found. `sharp`: the number is to be as large as it can be. Domain: least > 0.
-  std::optional<EigenvalueBound> from_below(const Segment& interval, const std::vector<int>& word,
-                                            const Rational& least, bool sharp, const Deadline& deadline);
+  std::optional<EigenvalueBound> from_below(const Segment& segment, const std::vector<int>& word, const Rational& least,
+                                            bool sharp, const Deadline& deadline);
 
   /// The polynomial in w that is negative where the eigenvalues of the product exceed the bound an odd number of times;
   /// zero past the deadline, or where it would be large.
   LaurentPolynomial characteristic(const EigenvalueBound& bound, const Deadline& deadline);
 
  private:
-  std::vector<EigenvalueBound> guesses(const Segment& interval, const std::vector<int>& word, double least,
+  std::vector<EigenvalueBound> guesses(const Segment& segment, const std::vector<int>& word, double least,
                                        bool sharp) const;
 
   ParametricFamily family_;

@@ -259,7 +259,6 @@ bool is_complete(const std::vector<RangePiece>& pieces, const Rational& width) {
 PropertyRange between_zeros(const ParametricMask& mask, const RangeProperty& property, std::vector<SpecialValue> zeros,
                             Truth between, const Rational& low, const Rational& high, const RangeOptions& options) {
   PropertyRange result;
-  std::sort(zeros.begin(), zeros.end(), is_before);
   Rational reached = low;
   const auto add_up_to = [&](const Rational& end, bool included) {
     if (reached < end) result.pieces.push_back({reached, end, between, result.pieces.empty(), included});
@@ -288,23 +287,40 @@ PropertyRange between_zeros(const ParametricMask& mask, const RangeProperty& pro
 /// polynomials that tell where shifts may be unstable and where there are more sum rules.
 PropertyRange by_zeros(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
                        const Rational& high, const RangeOptions& options) {
-  using Why = SpecialValue::Why;
-  const LaurentPolynomial unstable = unstable_values(mask, options.budget.deadline);
+  const Deadline& deadline = options.budget.deadline;
+  const LaurentPolynomial unstable = unstable_values(mask, deadline);
   if (unstable.is_zero()) {
     PropertyRange result;
     result.pieces = {{low, high}};
     result.complete = false;
     return result;
   }
-  std::vector<SpecialValue> zeros = zeros_of(unstable, low, high, options.width, Why::unstable);
   if (property.kind == RangeProperty::Kind::stable)
-    return between_zeros(mask, property, std::move(zeros), Truth::yes, low, high, options);
-  for (SpecialValue& value : zeros_of(special_values(mask), low, high, options.width, Why::sum_rules))
-    replace_equal(zeros, std::move(value));
-  return between_zeros(mask, property, std::move(zeros), Truth::no, low, high, options);
+    return between_zeros(mask, property, zeros_of(unstable, low, high, options.width, SpecialValue::Why::unstable),
+                         Truth::yes, low, high, options);
+  return between_zeros(mask, property, single_values(mask, low, high, options.width, deadline), Truth::no, low, high,
+                       options);
 }
 
 }  // namespace
+
+void require_family(const ParametricMask& mask, const Rational& low, const Rational& high) {
+  require(low < high, "range: need low < high, got {} and {}", low, high);
+  require(static_cast<std::size_t>(mask.arity()) * (mask.powers().size()) <= most_matrices,
+          "range: need arity * (degree + 1) up to 64, got {}",
+          static_cast<std::size_t>(mask.arity()) * mask.powers().size());
+  require(sum_rules(mask) >= 1, "range: need a sum rule for all values of the parameter, got none");
+}
+
+std::vector<SpecialValue> single_values(const ParametricMask& mask, const Rational& low, const Rational& high,
+                                        const Rational& width, const Deadline& deadline) {
+  using Why = SpecialValue::Why;
+  std::vector<SpecialValue> values = zeros_of(unstable_values(mask, deadline), low, high, width, Why::unstable);
+  for (SpecialValue& value : zeros_of(special_values(mask), low, high, width, Why::sum_rules))
+    replace_equal(values, std::move(value));
+  std::sort(values.begin(), values.end(), is_before);
+  return values;
+}
 
 std::optional<RangeProperty> parse_range_property(std::string_view text) {
   using Kind = RangeProperty::Kind;
@@ -321,11 +337,7 @@ std::optional<RangeProperty> parse_range_property(std::string_view text) {
 
 PropertyRange property_range(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
                              const Rational& high, const RangeOptions& options) {
-  require(low < high, "range: need low < high, got {} and {}", low, high);
-  require(static_cast<std::size_t>(mask.arity()) * (mask.powers().size()) <= most_matrices,
-          "range: need arity * (degree + 1) up to 64, got {}",
-          static_cast<std::size_t>(mask.arity()) * mask.powers().size());
-  require(sum_rules(mask) >= 1, "range: need a sum rule for all values of the parameter, got none");
+  require_family(mask, low, high);
   const int rules = sum_rules(mask);
   if (property.kind == RangeProperty::Kind::stable ||
       (property.kind == RangeProperty::Kind::smooth && property.order >= rules)) {

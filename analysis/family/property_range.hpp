@@ -53,6 +53,14 @@ struct SpecialValue {
   Truth holds = Truth::unknown;  ///< irrational values in a gap are not decided
 };
 
+/// The values between low and high, in order, at which the shifts may be unstable or more sum rules hold than for all
+/// w; enclosed with this width where they are irrational. `holds` is not decided. Cost: as unstable_values.
+std::vector<SpecialValue> single_values(const ParametricMask& mask, const Rational& low, const Rational& high,
+                                        const Rational& width, const Deadline& deadline);
+
+/// Errors: throws Error unless low < high, a sum rule holds for all w, and arity * (degree in w + 1) is at most 64.
+void require_family(const ParametricMask& mask, const Rational& low, const Rational& high);
+
 struct PropertyRange {
   int sum_rules = 0;               ///< that hold for all w
   std::vector<RangePiece> pieces;  ///< one after another, from the first to the last value asked for
@@ -75,7 +83,8 @@ struct RangeOptions {
 /// matrices T_t(w) of the scheme for divided differences of order m: the property is proved on an interval by an upper
 /// bound of the joint spectral radius of the control matrices of the T_t, and refuted by a real eigenvalue of one
 /// product that is too large all over the interval, which Sturm's theorem decides, and by the stability of the shifts.
-/// Domain: coset sums 1 for all w; arity * (degree in w + 1) up to 64; low < high. Errors: throws Error. Error: none;
+/// Domain: as require_family.
+/// Errors: throws Error. Error: none;
 /// what is not decided within width and budget is left `unknown`. Cost: one joint spectral radius for each interval.
 /// Ref: docs/families.md.
 PropertyRange property_range(const ParametricMask& mask, const RangeProperty& property, const Rational& low,

@@ -225,6 +225,28 @@ std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
   return text;
 }
 
+/// What the proofs of intervals that follow each other say of all values from low to high; without proofs, that the
+/// shifts are stable.
+Certificate interval_certificate(const ParametricMask& mask, char letter, const Rational& low, const Rational& high,
+                                 const CertificateClaim& claim, const std::vector<IntervalProof>& proofs) {
+  Certificate certificate{claim, {}};
+  certificate.text = fmt::format("subcert-certificate 3\nexponent {} {} {}={}..{}\n{}sum-rules {}\n",
+                                 mask.to_text(letter), mask.arity(), letter, to_text(low), to_text(high),
+                                 bounds_text(claim), sum_rules(mask));
+  if (proofs.empty() || (claim.upper && *claim.upper != "0")) certificate.text += "stability\n";
+  const std::size_t matrices = static_cast<std::size_t>(mask.arity()) * mask.powers().size();
+  for (const IntervalProof& proof : proofs) {
+    certificate.text += fmt::format("to {}\n", to_text(proof.high));
+    if (proof.above) certificate.text += blocks_text(*proof.above);
+    if (const auto& below = proof.below)
+      certificate.text += fmt::format("product 0 {} {} {}\n", to_text(below->re), to_text(below->im),
+                                      fmt::join(below->word, " "));
+    if (proof.above) certificate.text += SectionWriter(matrices).text(proof.above->proof);
+  }
+  certificate.text += "end\n";
+  return certificate;
+}
+
 /// One of each pair k, -k, times the common denominator.
 std::string gram_text(const LatticeSequence& gram) {
   LatticeSequence half;
@@ -294,25 +316,40 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
     const Rational low = piece.low_included ? piece.low : Rational(piece.low + margin),
                    high = piece.high_included ? piece.high : Rational(piece.high - margin);
     if (!(low < high)) continue;
-    Certificate certificate;
-    if (!stable)
-      (piece.holds == Truth::yes ? certificate.claim.lower : certificate.claim.upper) = to_text(property.order);
-    certificate.text = fmt::format("subcert-certificate 3\nexponent {} {} {}={}..{}\n{}sum-rules {}\n",
-                                   mask.to_text(letter), mask.arity(), letter, to_text(low), to_text(high),
-                                   bounds_text(certificate.claim), range.sum_rules);
-    if (stable || (piece.holds == Truth::no && property.order > 0)) certificate.text += "stability\n";
-    for (; proof != range.proofs.end() && proof->low < piece.high; ++proof) {
-      certificate.text += fmt::format("to {}\n", to_text(proof->high));
-      if (const auto& above = proof->above)
-        certificate.text += blocks_text(*above) +
-                            SectionWriter(static_cast<std::size_t>(mask.arity()) * mask.powers().size())
-                                .text(above->proof);
-      if (const auto& below = proof->below)
-        certificate.text += fmt::format("product 0 {} {} {}\n", to_text(below->re), to_text(below->im),
-                                        fmt::join(below->word, " "));
+    CertificateClaim claim;
+    if (!stable) (piece.holds == Truth::yes ? claim.lower : claim.upper) = to_text(property.order);
+    std::vector<IntervalProof> proofs;
+    for (; proof != range.proofs.end() && proof->low < piece.high; ++proof) proofs.push_back(*proof);
+    certificates.push_back({low, high, piece.holds, interval_certificate(mask, letter, low, high, claim, proofs)});
+  }
+  return certificates;
+}
+
+std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, char letter, const ExponentCurve& curve) {
+  const Rational strictly = power(Rational(10), -12);
+  std::vector<RangeCertificate> certificates;
+  const auto add = [&](const IntervalProof& proof, const CertificateClaim& claim) {
+    certificates.push_back({proof.low, proof.high, claim.lower ? Truth::yes : Truth::unknown,
+                            interval_certificate(mask, letter, proof.low, proof.high, claim, {proof})});
+  };
+  for (const CurvePiece& piece : curve.pieces) {
+    IntervalProof above{piece.proof.low, piece.proof.high, std::nullopt, std::nullopt}, below = above;
+    CertificateClaim lower, upper;
+    if (piece.exponent.lower && *piece.exponent.lower > strictly) {
+      above.above = piece.proof.above;
+      lower.lower = outward(*piece.exponent.lower - strictly, Rounding::down);
     }
-    certificate.text += "end\n";
-    certificates.push_back({low, high, piece.holds, std::move(certificate)});
+    if (piece.exponent.upper) {
+      below.below = piece.proof.below;
+      upper.upper = outward(std::max(Rational(0), *piece.exponent.upper), Rounding::up);
+    }
+    // A product of diagonal blocks is not that of the whole matrices.
+    if (above.above && below.below && !above.above->by_blocks()) {
+      add(piece.proof, {lower.lower, upper.upper});
+      continue;
+    }
+    if (above.above) add(above, lower);
+    if (below.below) add(below, upper);
   }
   return certificates;
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// Certificates: the proofs of the search, written so that subcert-check can follow them. Format: SPEC.md beside this.
 
-#include <subcert/analysis/family/property_range.hpp>
+#include <subcert/analysis/family/exponent_curve.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 
@@ -44,6 +44,9 @@ struct RangeCertificate {
 /// `range` is that of the mask and the property; margin > 0.
 std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, char letter, const RangeProperty& property,
                                                  const PropertyRange& range, const Rational& margin);
+
+/// Proves the envelopes piece by piece, the lower one less 10^-12. `holds` of each: whether it proves convergence.
+std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, char letter, const ExponentCurve& curve);
 
 /// Proves bounds of the joint spectral radius of these matrices. Domain: `radius` is that of the family.
 Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRadius& radius);

@@ -19,8 +19,8 @@ constexpr double first_slice = 0.05;  // seconds for a block that seems smaller
 /// The radii of all diagonal blocks, as sharp as the largest needs them.
 class BlockSearch {
  public:
-  BlockSearch(const BlockTriangular& triangular, const Budget& budget)
-      : budget_(budget), seconds_(budget.deadline.remaining()) {
+  BlockSearch(const BlockTriangular& triangular, const Budget& budget, const std::optional<Rational>& target)
+      : budget_(budget), seconds_(budget.deadline.remaining()), target_(target.value_or(-1)) {
     for (std::size_t k = 0; k < triangular.sizes.size(); ++k) {
       families_.push_back(triangular.block(k));
       const bool number = triangular.sizes[k] == 1;
@@ -61,7 +61,7 @@ class BlockSearch {
         if (is_settled(k)) break;
       }
       JointSpectralRadius found = radius::radius_of_one_block(families_[k], {end.at_most(slice), budget_.memory},
-                                                              norms_[k]);
+                                                              norms_[k], target_);
       if (found.exact.is_yes() || found.proved_upper() < radii_[k].proved_upper()) radii_[k] = std::move(found);
       best_ = std::max(best_, *radii_[k].radius.lower);
       if (radii_[k].is_closed()) break;
@@ -77,7 +77,7 @@ class BlockSearch {
 
   bool is_settled(std::size_t k) const {
     const Rational upper = radii_[k].proved_upper();
-    return upper < best_ || (*radii_[k].radius.lower < best_ && upper <= best_);
+    return upper < best_ || upper <= target_ || (*radii_[k].radius.lower < best_ && upper <= best_);
   }
 
   Budget budget_;
@@ -86,7 +86,7 @@ class BlockSearch {
   std::vector<JointSpectralRadius> radii_;
   std::vector<NormProof> norms_;  // of the first looks
   std::vector<std::size_t> open_;
-  Rational best_ = 0;
+  Rational best_ = 0, target_;
 };
 
 /// The block with the largest product, of equal ones one whose product attains its radius.
@@ -129,8 +129,8 @@ void settle_exactness(JointSpectralRadius& result, const MatrixFamily& family,
 }
 
 JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular triangular, const Budget& budget,
-                                     const std::optional<NormProof>& known) {
-  BlockSearch search(triangular, budget);
+                                     const std::optional<NormProof>& known, const std::optional<Rational>& target) {
+  BlockSearch search(triangular, budget, target);
   search.run();
   JointSpectralRadius result;
   const std::size_t leading = leading_block(search.radii());
@@ -140,7 +140,7 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   result.radius = {*leader.radius.lower, result.proved_upper()};
   const Deadline proving = Deadline::in(budget.deadline.remaining() + 0.5);
   settle_exactness(result, family, search.families(), proving);
-  if (result.is_closed()) return result;
+  if (result.is_closed() || (target && result.proved_upper() <= *target)) return result;
   const NormProof norms = known ? *known : norm_of_products(family, {proving, budget.memory});
   if (norms.bound() >= result.proved_upper()) return result;
   JointSpectralRadius whole;
@@ -190,7 +190,8 @@ std::size_t JointSpectralRadius::vertices() const { return total(*this, &Polytop
 std::size_t JointSpectralRadius::words() const { return total(*this, &QuadraticProof::words); }
 
 JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budget& budget,
-                                          const std::optional<NormProof>& known) {
+                                          const std::optional<NormProof>& known,
+                                          const std::optional<Rational>& target) {
   require(family.count() <= most_matrices, "joint_spectral_radius: need 1 to 64 matrices, got {}", family.count());
   require(family.size() <= largest_size, "joint_spectral_radius: need matrices of size 1 to 256, got {}",
           family.size());
@@ -199,8 +200,8 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
       radius::balanced(block_triangularise(family, budget.deadline.after(triangularising_share))),
       budget.deadline.after(symmetries_share));
   if (triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size()))
-    return radius::radius_of_one_block(family, budget, known);
-  return radius_by_blocks(family, std::move(triangular), budget, known);
+    return radius::radius_of_one_block(family, budget, known, target);
+  return radius_by_blocks(family, std::move(triangular), budget, known, target);
 }
 
 }  // namespace subcert

@@ -61,11 +61,12 @@ struct JointSpectralRadius {
 };
 
 /// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: 1 to 64
-/// matrices of size 1 to 256, numbers of any size. `known`: an upper bound that is known beforehand. Errors: throws
-/// Error. Error: none, both ends are proved in exact arithmetic; where the search for an invariant polytope ends within
-/// the budget the width is about 1e-15, otherwise as narrow as the budget allowed. Cost: one linear program per vertex
-/// and matrix. Ref: [GP13, Alg. 1], [Mej20].
+/// matrices of size 1 to 256, numbers of any size. `known`: an upper bound that is known beforehand; `target`: one that
+/// is low enough, where the work ends. Errors: throws Error. Error: none, both ends are proved in exact arithmetic;
+/// where the search for an invariant polytope ends within the budget the width is about 1e-15, otherwise as narrow as
+/// the budget allowed. Cost: one linear program per vertex and matrix. Ref: [GP13, Alg. 1], [Mej20].
 JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budget& budget,
-                                          const std::optional<NormProof>& known = std::nullopt);
+                                          const std::optional<NormProof>& known = std::nullopt,
+                                          const std::optional<Rational>& target = std::nullopt);
 
 }  // namespace subcert

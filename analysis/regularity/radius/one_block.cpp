@@ -100,7 +100,7 @@ void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
 }
 
 JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget& budget,
-                                        const std::optional<NormProof>& known) {
+                                        const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   const long exponent = scaling_exponent(family);
   const Rational unit = power(Rational(2), exponent);
   const MatrixFamily scaled_family = exponent == 0 ? family : 1 / unit * family;
@@ -118,12 +118,16 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   const bool by_polytope = polytope && polytope->bound * unit < upper * (1 + rounding);
   if (by_polytope) upper = polytope->bound * unit;
   std::optional<QuadraticProof> form;
-  if (!candidate.closed && lower < upper) form = prove_by_quadratic_form(scaled_family, lower / unit, budget);
+  const bool enough = target && upper <= *target;
+  if (!candidate.closed && lower < upper && !enough)
+    form = prove_by_quadratic_form(scaled_family, lower / unit, budget);
   const bool by_form = form && form->bound * unit < upper;
   if (by_form) upper = form->bound * unit;
   result.radius = {lower, upper};
   if (result.radius.is_exact())
     result.exact = {Truth::yes, "both ends of the enclosure are the same number"};
+  else if (enough)
+    result.exact = {Truth::unknown, "a bound was asked for, and nothing else"};
   else if (!by_polytope || lower <= 0)
     result.exact = {Truth::unknown, "no polytope closed"};
   else
@@ -146,9 +150,9 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
 }  // namespace
 
 JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget& budget,
-                                        const std::optional<NormProof>& known) {
+                                        const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   const DifferentMatrices different = different_matrices(family);
-  JointSpectralRadius result = radius_of_different(different.family, budget, known);
+  JointSpectralRadius result = radius_of_different(different.family, budget, known, target);
   if (different.originals.size() < family.count()) expand(result, different);
   return result;
 }

@@ -5,10 +5,11 @@
 
 namespace subcert::radius {
 
-/// By a polytope, or where none closes by it, a quadratic form or norms, whichever gives the least upper end. Domain:
-/// size >= 2.
+/// By a polytope, or where none closes by it, a quadratic form or norms, whichever gives the least upper end.
+/// `target`: an upper bound that is low enough. Domain: size >= 2.
 JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget& budget,
-                                        const std::optional<NormProof>& known);
+                                        const std::optional<NormProof>& known,
+                                        const std::optional<Rational>& target = std::nullopt);
 
 /// By a product and norms only: a quick look. Domain: size >= 2.
 JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget);

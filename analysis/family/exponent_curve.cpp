@@ -1,0 +1,128 @@
+#include "exponent_curve.hpp"
+
+#include "family_radius.hpp"
+
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/real_roots.hpp>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+using namespace family;
+
+constexpr int first_share = 2, round_share = 8;  // of the pieces: at once, and then in each round
+constexpr int least_share = 4096;                // of the range: no shorter piece is halved for a missing end
+constexpr double excess_share = 0.02;            // of an upper bound, for one piece: small beside its slope
+constexpr double most_seconds = 1;               // for one piece
+constexpr double generous = 1.2;                 // times the equal share of the time, for one piece
+constexpr double special_seconds = 5;
+constexpr int levels = 12;  // of norms, at special values
+
+class CurveSearch {
+ public:
+  CurveSearch(const ParametricMask& mask, const CurveOptions& options)
+      : options_(options),
+        arity_(mask.arity()),
+        rules_(sum_rules(mask)),
+        unstable_(unstable_values(mask, options.budget.deadline)),
+        radius_(transition_matrices(divided_difference_scheme(mask, rules_))) {}
+
+  std::vector<CurvePiece> pieces(const Rational& low, const Rational& high) {
+    range_ = high - low;
+    const int wanted = options_.pieces, first = std::max(1, wanted / first_share);
+    std::vector<Segment> open;
+    for (int k = 0; k < first; ++k)
+      open.push_back({low + (high - low) * Rational(k, first), low + (high - low) * Rational(k + 1, first)});
+    std::vector<CurvePiece> done;
+    for (;;) {
+      std::vector<CurvePiece> decided(open.size());
+      parallel_for_each(open.size(), options_.jobs, [&](std::size_t k) { decided[k] = piece(open[k]); });
+      std::move(decided.begin(), decided.end(), std::back_inserter(done));
+      const auto missing = static_cast<std::size_t>(wanted) - done.size();
+      if (missing == 0 || options_.budget.deadline.expired()) break;
+      open = halves(done, std::min(missing, static_cast<std::size_t>(wanted / round_share + 1)));
+    }
+    std::sort(done.begin(), done.end(), [](const auto& a, const auto& b) { return a.proof.low < b.proof.low; });
+    return done;
+  }
+
+ private:
+  /// Takes out the pieces that are most worth it.
+  std::vector<Segment> halves(std::vector<CurvePiece>& pieces, std::size_t count) const {
+    count = std::min(count, pieces.size());
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [this](const CurvePiece& a, const CurvePiece& b) { return worth(a) > worth(b); });
+    std::vector<Segment> result;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Segment whole{pieces[k].proof.low, pieces[k].proof.high};
+      result.push_back({whole.low, whole.middle()});
+      result.push_back({whole.middle(), whole.high});
+    }
+    pieces.erase(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(count));
+    return result;
+  }
+
+  /// The distance of the envelopes; a piece without one of them comes first, until it is short.
+  double worth(const CurvePiece& piece) const {
+    if (piece.exponent.upper && *piece.exponent.upper <= 0) return 0;
+    if (!piece.exponent.is_bounded()) return (piece.proof.high - piece.proof.low) * least_share > range_ ? rules_ : 0;
+    return Rational(*piece.exponent.upper - std::max(Rational(0), *piece.exponent.lower)).convert_to<double>();
+  }
+
+  CurvePiece piece(const Segment& segment) {
+    CurvePiece result{{}, {segment.low, segment.high, std::nullopt, std::nullopt}};
+    const Budget& budget = options_.budget;
+    // Most pieces need less than their share; those that are harder may have more.
+    const double share = budget.deadline.remaining() * options_.jobs / options_.pieces;
+    const double seconds = std::min(most_seconds, generous * share);
+    if (budget.deadline.expired()) return result;
+    result.proof.above = radius_.from_above(segment, excess_share / options_.pieces,
+                                            {budget.deadline.at_most(seconds), budget.memory});
+    result.exponent.lower = rules_ - *log_ratio(result.proof.above->proved_upper(), arity_).upper;
+    if (unstable_.is_zero() || unstable_(segment.low) == 0 || unstable_(segment.high) == 0 ||
+        count_real_roots(unstable_, segment.low, segment.high) > 0)
+      return result;
+    for (const Rational& w : {segment.middle(), segment.low, segment.high}) {
+      const std::vector<int> word = radius_.look(w, budget.deadline).word;
+      result.proof.below = radius_.from_below(segment, word, 1, true, budget.deadline);
+      if (!result.proof.below) continue;
+      result.exponent.upper = rules_ - *log_ratio(result.proof.below->modulus(), arity_).lower /
+                                           Rational(static_cast<long>(word.size()));
+      break;
+    }
+    return result;
+  }
+
+  const CurveOptions& options_;
+  int arity_, rules_;
+  LaurentPolynomial unstable_;
+  FamilyRadius radius_;
+  Rational range_ = 1;  // length of what is asked for
+};
+
+}  // namespace
+
+ExponentCurve exponent_curve(const ParametricMask& mask, const Rational& low, const Rational& high,
+                             const CurveOptions& options) {
+  require_family(mask, low, high);
+  require(options.pieces >= 1 && options.pieces <= 100'000, "curve: need 1 to 100000 pieces, got {}", options.pieces);
+  ExponentCurve result;
+  result.sum_rules = sum_rules(mask);
+  result.pieces = CurveSearch(mask, options).pieces(low, high);
+  for (SpecialValue& value : single_values(mask, low, high, Rational(1, 1'000'000'000), options.budget.deadline)) {
+    CurvePoint point{std::move(value), std::nullopt};
+    if (point.at.value.is_exact())
+      point.exponent = holder_regularity(mask.at(*point.at.value.lower), levels,
+                                         {options.budget.deadline.at_most(special_seconds), options.budget.memory})
+                           .exponent;
+    result.special.push_back(std::move(point));
+  }
+  return result;
+}
+
+}  // namespace subcert

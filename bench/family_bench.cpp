@@ -1,0 +1,70 @@
+// Families with a parameter: the cost of a range over the width that it leaves open, and of a curve over its pieces.
+
+#include <subcert/analysis/family/exponent_curve.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace subcert;
+
+constexpr const char* ternary =
+    "mask:[-1/18+1/6*u,-1/18-1/6*u,0,7/18-1/2*u,13/18+1/2*u,1,13/18+1/2*u,7/18-1/2*u,0,-1/18-1/6*u,-1/18+1/"
+    "6*u],arity=3";
+// Matrices of size 12.
+constexpr const char* eight_point =
+    "mask:[-5/2048-w,0,49/2048,0,-245/2048,0,1225/2048+w,1,1225/2048+w,0,-245/2048,0,49/2048,0,-5/2048-w]";
+
+/// Ten to the power of minus the argument is the width.
+void BM_range(benchmark::State& state, const char* scheme, const char* property, int low, int high) {
+  const ParametricMask mask = make_parametric_scheme(scheme).mask;
+  const RangeOptions options{power(Rational(10), -state.range(0)), 2, {Deadline::in(60)}};
+  std::size_t intervals = 0;
+  for (auto _ : state) {
+    const PropertyRange range = property_range(mask, *parse_range_property(property), low, high, options);
+    intervals = range.proofs.size();
+  }
+  state.counters["intervals"] = static_cast<double>(intervals);
+}
+BENCHMARK_CAPTURE(BM_range, four_point_C1, "four-point:w", "C1", -1, 1)
+    ->DenseRange(3, 9, 2)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_range, ternary_C2, ternary, "C2", 0, 1)
+    ->DenseRange(3, 9, 2)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+void BM_curve(benchmark::State& state, const char* scheme, const Rational& low, const Rational& high) {
+  const ParametricMask mask = make_parametric_scheme(scheme).mask;
+  const CurveOptions options{static_cast<int>(state.range(0)), 2, {Deadline::in(60)}};
+  double widest = 0;
+  for (auto _ : state) {
+    widest = 0;
+    for (const CurvePiece& piece : exponent_curve(mask, low, high, options).pieces)
+      if (piece.exponent.is_bounded())
+        widest = std::max(widest, Rational(*piece.exponent.upper - *piece.exponent.lower).convert_to<double>());
+  }
+  state.counters["apart"] = widest;
+}
+BENCHMARK_CAPTURE(BM_curve, four_point, "four-point:w", Rational(0), Rational(1, 4))
+    ->Arg(50)
+    ->Arg(100)
+    ->Arg(200)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_curve, size_12, eight_point, Rational(-1, 100), Rational(1, 100))
+    ->Arg(200)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+}  // namespace

@@ -1,0 +1,63 @@
+#include "parameter_range.hpp"
+
+#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace subcert::cli {
+
+std::pair<Rational, Rational> read_over(const std::string& text, char parameter) {
+  const std::string head = std::string(1, parameter) + "=";
+  const std::size_t dots = text.find("..");
+  const auto number = [&](std::size_t begin, std::size_t end) {
+    return begin > end || end - begin > 200 ? std::nullopt : parse_rational(text.substr(begin, end - begin));
+  };
+  const auto low = text.starts_with(head) && dots != std::string::npos ? number(2, dots) : std::nullopt,
+             high = low ? number(dots + 2, text.size()) : std::nullopt;
+  if (!high || !(*low < *high))
+    fail(ErrorKind::usage, "--over: expected {}LOW..HIGH with exact numbers LOW < HIGH, as {}-1..1, got '{}'", head,
+         head, text);
+  return {*low, *high};
+}
+
+std::string number_text(const Rational& value) {
+  const std::string exact = to_text(value);
+  return exact.size() <= 12 ? exact : to_decimal(value, 12, Rounding::nearest);
+}
+
+std::string number_text(const Enclosure& value) {
+  return value.is_exact() ? number_text(*value.lower) : enclosure_text(value, 12);
+}
+
+const char* why_text(SpecialValue::Why why) {
+  switch (why) {
+    case SpecialValue::Why::sum_rules: return "more sum rules";
+    case SpecialValue::Why::unstable: return "shifts may be unstable";
+    default: return "the radius of a product meets the threshold";
+  }
+}
+
+std::string write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
+                               const std::vector<std::string>& ends) {
+  namespace fs = std::filesystem;
+  fs::create_directories(directory);
+  std::set<std::string> written;
+  for (const NamedCertificate& certificate : certificates) {
+    runtime::write_file(fs::path(directory) / (certificate.name + ".cert"), certificate.text);
+    written.insert(certificate.name);
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().stem().string();
+    const bool ours = std::any_of(ends.begin(), ends.end(),
+                                  [&](const std::string& end) { return name.ends_with(end); });
+    if (entry.path().extension() == ".cert" && ours && !written.contains(name)) fs::remove(entry.path());
+  }
+  return fmt::format("certificates {} in {}: subcert verify {}\n", certificates.size(), directory, directory);
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,34 @@
+#include "program.hpp"
+
+using namespace subcert::testing;
+
+TEST_CASE("a curve is drawn, tabulated and verified") {
+  const Folder folder;
+  const std::string csv = folder / "curve.csv", picture = folder / "curve.svg", bundle = folder / "bundle";
+  const Run page = run("curve four-point:w --over w=1/100..1/10 --pieces 12 --csv " + csv + " --plot " + picture +
+                       " --certificate " + bundle);
+  CHECK(page.code == 0);
+  CHECK(page.out.find("special      w = 1/16: more sum rules; exponent 2") != std::string::npos);
+  const std::string table = content(csv);
+  CHECK(std::count(table.begin(), table.end(), '\n') == 13);
+  CHECK(table.starts_with("from,to,lower,upper,product,convergence\n1/100,"));
+  CHECK(content(picture).find("<svg") != std::string::npos);
+  const Run verified = run("verify " + bundle);
+  CHECK(verified.code == 0);
+  CHECK(verified.out.find("00001-piece.cert: VERIFIED ") != std::string::npos);
+  const Run json = run("curve four-point:t --over t=0..1/20 --pieces 4 --json");
+  const auto curve = nlohmann::json::parse(json.out);
+  CHECK(curve["family"] == "four-point:t");
+  CHECK(curve["pieces"].size() == 4);
+  CHECK(curve["pieces"][0]["product"] == "0");
+  CHECK(curve["pieces"][0].contains("holder"));
+}
+
+TEST_CASE("curves that make no sense are refused in one line") {
+  for (const char* arguments :
+       {"four-point:w --over w=1..0", "four-point:w --over t=0..1", "four-point:w", "primal:n=3 --over w=0..1",
+        "four-point:w --over w=0..1 --pieces 0", "four-point:w --over w=0..1 --plot curve.pdf"}) {
+    CAPTURE(arguments);
+    CHECK(run(std::string("curve ") + arguments).code == 64);
+  }
+}

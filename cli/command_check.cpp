@@ -60,7 +60,7 @@ ExitCode run(const CheckOptions& options) {
         questions.push_back({options.files[i], &scheme, &expectation});
   std::vector<Decision> answers(questions.size());
   parallel_for_each(questions.size(), options.threads(), [&](std::size_t i) {
-    answers[i] = has_property(questions[i].scheme->scheme, *questions[i].expectation, options.budget);
+    answers[i] = has_property(*questions[i].scheme, *questions[i].expectation, options.budget);
   });
   Json json{{"properties", Json::array()}};
   std::string text;

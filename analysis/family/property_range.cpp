@@ -170,8 +170,8 @@ class RangeSearch {
     return std::nullopt;
   }
 
-  /// Values in a gap between two pieces of one verdict: where shifts may be unstable, or where the radius of a product
-  /// meets the threshold.
+  /// Values in a gap between two pieces of one verdict, or at an end of the range: where shifts may be unstable, or
+  /// where the radius of a product meets the threshold.
   std::vector<SpecialValue> inside(const RangePiece& gap) {
     if (auto values = zeros_of(unstable_, gap.low, gap.high, options_.width, SpecialValue::Why::unstable);
         !values.empty())
@@ -230,13 +230,11 @@ Truth holds_at(const Mask& mask, const RangeProperty& property, const Deadline& 
   if (property.kind == RangeProperty::Kind::stable) return has_stable_shifts(mask).truth;
   const HolderRegularity regularity = holder_regularity(mask, levels, {deadline.at_most(special_seconds)});
   const Enclosure& exponent = regularity.exponent;
-  const bool strict = property.kind != RangeProperty::Kind::holder;
-  if (*exponent.lower > property.order || (!strict && *exponent.lower >= property.order)) return Truth::yes;
+  if (property.kind == RangeProperty::Kind::smooth) return has_derivatives(regularity, property.order);
+  if (*exponent.lower > property.order) return Truth::yes;
   if (property.kind == RangeProperty::Kind::convergent) return converges(mask, {levels, deadline.at_most(5)}).truth;
-  if (!exponent.upper) return Truth::unknown;
-  // A derivative of the order that is attained would make the radius smaller.
-  const bool attains = exponent.is_exact() && *exponent.lower == property.order && regularity.stable.is_yes();
-  return *exponent.upper < property.order || (strict && attains) ? Truth::no : Truth::unknown;
+  if (*exponent.lower >= property.order) return Truth::yes;
+  return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
 }
 
 std::vector<RangePiece> merged(const std::vector<IntervalProof>& intervals) {
@@ -351,11 +349,12 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
   std::vector<IntervalProof> intervals = search.intervals(low, high);
   result.pieces = merged(intervals);
   result.complete = is_complete(result.pieces, options.width);
-  for (std::size_t k = 1; k + 1 < result.pieces.size(); ++k) {
+  for (std::size_t k = 0; k < result.pieces.size(); ++k) {
     const RangePiece& gap = result.pieces[k];
-    const Truth before = result.pieces[k - 1].holds, after = result.pieces[k + 1].holds;
-    if (gap.holds != Truth::unknown || before == Truth::unknown || after == Truth::unknown) continue;
-    if (before == after) {
+    if (gap.holds != Truth::unknown) continue;
+    const Truth before = k > 0 ? result.pieces[k - 1].holds : Truth::unknown,
+                after = k + 1 < result.pieces.size() ? result.pieces[k + 1].holds : Truth::unknown;
+    if (before == after || before == Truth::unknown || after == Truth::unknown) {
       for (SpecialValue& value : search.inside(gap)) result.special.push_back(std::move(value));
       continue;
     }

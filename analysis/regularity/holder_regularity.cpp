@@ -148,4 +148,12 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
   return result;
 }
 
+Truth has_derivatives(const HolderRegularity& regularity, const Rational& order) {
+  const Enclosure& exponent = regularity.exponent;
+  if (*exponent.lower > order) return Truth::yes;
+  if (!exponent.upper) return Truth::unknown;
+  const bool equal = exponent.is_exact() && *exponent.lower == order && regularity.stable.is_yes();
+  return *exponent.upper < order || equal ? Truth::no : Truth::unknown;
+}
+
 }  // namespace subcert

@@ -44,4 +44,9 @@ enum class HolderProof { shortest, certificate };
 HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget,
                                    HolderProof proof = HolderProof::shortest);
 
+/// Whether the limits have so many continuous derivatives. An exponent above the order says yes, one below it no; and
+/// with stable shifts also one that is equal to it, as a derivative makes the radius smaller (docs/families.md).
+/// Domain: `regularity` of a mask; an integer order >= 0.
+Truth has_derivatives(const HolderRegularity& regularity, const Rational& order);
+
 }  // namespace subcert

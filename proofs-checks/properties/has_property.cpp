@@ -2,12 +2,14 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 
@@ -52,11 +54,12 @@ Decision smoothness(const Mask& mask, const Expectation& expectation, double sec
   if (proof.order >= expectation.number)
     return decided(true, "C^" + std::to_string(proof.order) + ": " + proof.evidence);
   if (!is_affine(mask)) return {Truth::unknown, proof.obstacle};
-  const Enclosure exponent = holder_regularity(mask, levels, {Deadline::in(seconds)}).exponent;
+  const HolderRegularity regularity = holder_regularity(mask, levels, {Deadline::in(seconds)});
+  const Enclosure& exponent = regularity.exponent;
   const std::string found = "the Hoelder exponent lies in [" + exponent.lower_text(8) + ", " + exponent.upper_text(8) +
                             "]";
-  if (exponent.lower && *exponent.lower > expectation.number) return decided(true, found);
-  if (exponent.upper && *exponent.upper < expectation.number) return decided(false, found);
+  const Truth smooth = has_derivatives(regularity, expectation.number);
+  if (smooth != Truth::unknown) return {smooth, found};
   return {Truth::unknown, "C^" + std::to_string(proof.order) + " is proved; " + found};
 }
 
@@ -170,10 +173,46 @@ Decision property_of(const Scheme& scheme, const Expectation& expectation, doubl
   fail(ErrorKind::domain, "has_property: need a known property, got '{}'", property);
 }
 
+RangeProperty range_property(const Expectation& expectation) {
+  using Kind = RangeProperty::Kind;
+  if (expectation.property == "convergent") return {Kind::convergent, 0};
+  if (expectation.property == "stable") return {Kind::stable, 0};
+  if (expectation.property == "holder") return {Kind::holder, expectation.number};
+  return {expectation.number == 0 ? Kind::convergent : Kind::smooth, expectation.number};
+}
+
+/// For all values: every piece is proved, single values of gaps included.
+Decision property_of(const SchemeRange& range, const Expectation& expectation, double seconds) {
+  const std::string letter(1, range.family.parameter);
+  const auto describe = [&](const RangePiece& piece, const char* verdict) {
+    const auto text = [](const Rational& value) { return to_decimal(value, 10, Rounding::nearest); };
+    return verdict + (piece.low == piece.high
+                          ? " for " + letter + " = " + text(piece.low)
+                          : " for " + text(piece.low) + " <= " + letter + " <= " + text(piece.high));
+  };
+  const PropertyRange found = property_range(range.family.mask, range_property(expectation), range.low, range.high,
+                                             {power(Rational(10), -9), 1, {Deadline::in(seconds)}});
+  Decision answer{Truth::yes, ""};
+  for (const RangePiece& piece : found.pieces) {
+    const bool outside = piece.low == piece.high && ((piece.low == range.low && !range.low_included) ||
+                                                     (piece.high == range.high && !range.high_included));
+    if (piece.holds == Truth::no && !outside) return decided(false, describe(piece, "refuted"));
+    if (piece.holds == Truth::unknown && !outside && answer.is_yes())
+      answer = {Truth::unknown, describe(piece, "open")};
+  }
+  for (const SpecialValue& value : found.special)
+    if (value.holds == Truth::no && value.value.is_exact()) {
+      const Rational& w = *value.value.lower;
+      if ((w > range.low || range.low_included) && (w < range.high || range.high_included))
+        return decided(false, describe({w, w}, "refuted"));
+    }
+  return answer;
+}
+
 }  // namespace
 
-Decision has_property(const LinearScheme& scheme, const Expectation& expectation, double seconds) {
-  return std::visit([&](const auto& one) { return property_of(one, expectation, seconds); }, scheme);
+Decision has_property(const ExpectedScheme& scheme, const Expectation& expectation, double seconds) {
+  return std::visit([&](const auto& one) { return property_of(one, expectation, seconds); }, scheme.scheme);
 }
 
 }  // namespace subcert::properties

@@ -2,7 +2,7 @@
 /// Expected properties of schemes, read from a TOML file and checked: docs/properties.md.
 
 #include <subcert/proofs-checks/file_error.hpp>
-#include <subcert/schemes/specification.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
 
 #include <optional>
 #include <string>
@@ -26,10 +26,17 @@ struct Expectation {
   std::optional<Interval> ends;
 };
 
+/// The schemes of a family for all values of its parameter between two numbers.
+struct SchemeRange {
+  ParametricScheme family;
+  Rational low, high;
+  bool low_included = true, high_included = true;
+};
+
 struct ExpectedScheme {
   std::string name;  ///< the specification where the file gives none
   std::string specification;
-  LinearScheme scheme;
+  std::variant<Scheme, MultivariateScheme, SchemeRange> scheme;
   std::vector<Expectation> expectations;
 };
 
@@ -39,6 +46,7 @@ struct PropertyHelp {
   std::string values;
   std::string meaning;
   bool of_surfaces = true;  ///< also of schemes of two and three variables
+  bool of_ranges = false;   ///< also for all values of a parameter
 };
 const std::vector<PropertyHelp>& known_properties();
 
@@ -46,8 +54,9 @@ const std::vector<PropertyHelp>& known_properties();
 /// of the wrong kind, a scheme that cannot be made, a scheme without expected properties, a file without schemes.
 std::vector<ExpectedScheme> read_expectations(std::string_view text);
 
-/// Whether the scheme has the property. The reason says what was found. Domain: a property of surfaces for schemes of
-/// two and three variables. Cost: as the analysis that it needs, with about this many seconds for each search.
-Decision has_property(const LinearScheme& scheme, const Expectation& expectation, double seconds);
+/// Whether the scheme has the property, of a range: for all values of the parameter. The reason says what was found.
+/// Domain: a property of surfaces for schemes of two and three variables, of ranges for ranges. Cost: as the analysis
+/// that it needs, with about this many seconds for each search.
+Decision has_property(const ExpectedScheme& scheme, const Expectation& expectation, double seconds);
 
 }  // namespace subcert::properties

@@ -2,7 +2,6 @@
 
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/proofs-checks/toml_file.hpp>
-#include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
 
@@ -10,16 +9,16 @@ namespace subcert::properties {
 
 const std::vector<PropertyHelp>& known_properties() {
   static const std::vector<PropertyHelp> all{
-      {"convergent", "true or false", "uniform convergence for all bounded data"},
-      {"smoothness", "\">= K\"", "C^K limits"},
-      {"holder", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Hoelder exponent"},
+      {"convergent", "true or false", "uniform convergence for all bounded data", true, true},
+      {"smoothness", "\">= K\"", "C^K limits", true, true},
+      {"holder", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Hoelder exponent", true, true},
       {"sobolev", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Sobolev exponent"},
       {"sum_rules", "an integer or a comparison", "the number of sum rules"},
       {"generates", "an integer or a comparison", "the largest degree of polynomials that are limits"},
       {"reproduces", "an integer or a comparison", "the largest degree of polynomials that are reproduced"},
       {"support", "[first, last]", "the ends of the support of the basic limit function", false},
       {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask", false},
-      {"stable", "true or false", "stability of the integer shifts"},
+      {"stable", "true or false", "stability of the integer shifts", true, true},
       {"interpolatory", "true or false", "whether old values are kept"},
       {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve", false}};
   return all;
@@ -104,28 +103,67 @@ Expectation read_expectation(const PropertyHelp& property, const toml::node& nod
 std::string joined_names() {
   std::string names = "mask, name";
   for (const PropertyHelp& property : known_properties()) names += ", " + property.name;
-  return names;
+  return names + ", for";
 }
+
+/// `0 < w <= 1/5`: the ends, and whether they belong to it.
+SchemeRange read_range(const toml::node& node, ParametricScheme family) {
+  const char letter = family.parameter;
+  const auto refused = [&]() -> FileError {
+    return {place_of(node), std::string("'for' takes \"LOW < ") + letter + " < HIGH\", with < or <= and LOW < HIGH"};
+  };
+  if (!node.is_string()) throw refused();
+  std::string text = node.as_string()->get();
+  std::erase(text, ' ');
+  const std::size_t at = text.find(letter);
+  if (at == std::string::npos || text.size() > 1000) throw refused();
+  SchemeRange range{std::move(family), 0, 0};
+  std::string low = text.substr(0, at), high = text.substr(at + 1);
+  range.low_included = low.ends_with("<=");
+  range.high_included = high.starts_with("<=");
+  if (!range.low_included && !low.ends_with('<')) throw refused();
+  if (!range.high_included && !high.starts_with('<')) throw refused();
+  low.erase(low.find('<'));
+  high.erase(0, range.high_included ? 2 : 1);
+  const auto first = number_in(low), last = number_in(high);
+  if (!first || !last || !(*first < *last)) throw refused();
+  range.low = *first;
+  range.high = *last;
+  return range;
+}
+
+std::variant<Scheme, MultivariateScheme, SchemeRange> read_subject(const toml::table& table,
+                                                                   const std::string& specification) {
+  if (const toml::node* range = table.get("for")) return read_range(*range, make_parametric_scheme(specification));
+  return std::visit([](auto one) -> std::variant<Scheme, MultivariateScheme, SchemeRange> { return one; },
+                    make_linear_scheme(specification));
+}
+
+struct SpecificationOf {
+  std::string operator()(const SchemeRange& range) const { return range.family.specification; }
+  template <class One>
+  std::string operator()(const One& scheme) const {
+    return scheme.specification;
+  }
+};
 
 ExpectedScheme read_scheme(const toml::table& table) {
   const toml::node* mask = table.get("mask");
   if (!mask) throw FileError(place_of(table), "a scheme needs 'mask', a scheme specification");
   if (!mask->is_string()) throw FileError(place_of(*mask), "'mask' takes a scheme specification in quotes");
   const std::string& specification = mask->as_string()->get();
-  std::optional<LinearScheme> scheme;
+  std::optional<std::variant<Scheme, MultivariateScheme, SchemeRange>> scheme;
   try {
-    scheme = make_linear_scheme(specification);
+    scheme = read_subject(table, specification);
   } catch (const Error& error) {
     throw FileError(place_of(*mask), error.what());
   }
-  const bool surface = std::holds_alternative<MultivariateScheme>(*scheme);
-  ExpectedScheme result{printable(specification),
-                        std::visit([](const auto& one) { return one.specification; }, *scheme),
-                        std::move(*scheme),
-                        {}};
+  const bool surface = std::holds_alternative<MultivariateScheme>(*scheme),
+             range = std::holds_alternative<SchemeRange>(*scheme);
+  ExpectedScheme result{printable(specification), std::visit(SpecificationOf{}, *scheme), std::move(*scheme), {}};
   for (const auto& [key, node] : table) {
     const Place place = place_of(key.source());
-    if (key.str() == "mask") continue;
+    if (key.str() == "mask" || key.str() == "for") continue;
     if (key.str() == "name") {
       if (!node.is_string()) throw FileError(place_of(node), "'name' takes a string");
       result.name = printable(node.as_string()->get());
@@ -137,7 +175,14 @@ ExpectedScheme read_scheme(const toml::table& table) {
     if (surface && !property->of_surfaces)
       throw FileError(
           place, "'" + property->name + "' is a property of schemes of one variable, got " + printable(specification));
+    if (range && !property->of_ranges)
+      throw FileError(place, "'" + property->name + "' is a property of single schemes, got a range of a parameter");
     result.expectations.push_back(read_expectation(*property, node, place));
+    if (const Expectation& expected = result.expectations.back();
+        range && (expected.relation.starts_with('<') || expected.relation == ">" ||
+                  (expected.relation.empty() && !expected.yes)))
+      throw FileError(place, "'" + property->name + "' over a range of a parameter takes " +
+                                 (expected.relation.empty() ? "true" : "\">= X\""));
   }
   if (result.expectations.empty()) throw FileError(place_of(*mask), "the scheme has no expected property");
   std::sort(result.expectations.begin(), result.expectations.end(), [](const Expectation& a, const Expectation& b) {

@@ -10,7 +10,7 @@ namespace {
 
 Decision first_answer(const std::string& text) {
   const auto schemes = read_expectations(text);
-  return has_property(schemes.at(0).scheme, schemes.at(0).expectations.at(0), 10);
+  return has_property(schemes.at(0), schemes.at(0).expectations.at(0), 20);
 }
 
 std::string error_of(const std::string& text) {
@@ -35,12 +35,44 @@ TEST_CASE("true properties are proved and false ones refuted") {
     CHECK(first_answer(chaikin + text).is_yes());
   }
   for (const char* text : {"convergent = false", "smoothness = '>= 3'", "holder = '> 2.1'", "holder = '< 2'",
-                           "sum_rules = 2", "reproduces = 2", "support = [-2, 2]", "symmetry = 'odd'", "stable = false",
-                           "interpolatory = true", "variance = '<= 0.4'"}) {
+                           "sum_rules = 2", "reproduces = 2", "support = [-2, 2]", "symmetry = 'odd'",
+                           "smoothness = '>= 2'", "stable = false", "interpolatory = true", "variance = '<= 0.4'"}) {
     CAPTURE(text);
     CHECK(first_answer(chaikin + text).is_no());
   }
   CHECK(first_answer("mask = 'mask:[1,1]'\nconvergent = true").is_no());
+}
+
+TEST_CASE("properties for all values of a parameter") {
+  const std::string tension = "mask = 'four-point:w'\n";
+  for (const char* text :
+       {"for = '0.001 < w < 0.1927'\nsmoothness = '>= 1'", "for = '-0.4 <= w <= 49/100'\nconvergent = true",
+        "for = '1/16 <= w <= 0.1'\nholder = '>= 3/2'", "for = '-1/4 <= w < 1'\nstable = true"}) {
+    CAPTURE(text);
+    CHECK(first_answer(tension + text).is_yes());
+  }
+  for (const char* text :
+       {"for = '0.001 < w < 0.1928'\nsmoothness = '>= 1'", "for = '0 <= w <= 0.1'\nsmoothness = '>= 1'",
+        "for = '0.05 <= w <= 0.07'\nsmoothness = '>= 2'"}) {
+    CAPTURE(text);
+    CHECK(first_answer(tension + text).is_no());
+  }
+  // Up to the end itself no interval is proved.
+  const Decision open = first_answer(tension + "for = '0 < w < 0.1'\nsmoothness = '>= 1'");
+  CHECK(open.truth == Truth::unknown);
+  CHECK(open.reason.find("open for ") == 0);
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {"for = '0 < v < 1'\nconvergent = true", "'for' takes"},
+           {"for = '1 < w < 0'\nconvergent = true", "'for' takes"},
+           {"for = 'w > 0'\nconvergent = true", "'for' takes"},
+           {"for = 3\nconvergent = true", "'for' takes"},
+           {"for = '0 < w < 1'\nconvergent = false", "over a range of a parameter takes true"},
+           {"for = '0 < w < 1'\nholder = '< 2'", "over a range of a parameter takes"},
+           {"for = '0 < w < 1'\nsum_rules = 2", "is a property of single schemes"}}) {
+    CAPTURE(text);
+    CHECK(error_of(tension + text).find(message) != std::string::npos);
+  }
+  CHECK(error_of("mask = 'dd:n=2'\nfor = '0 < w < 1'\nconvergent = true").find("family") != std::string::npos);
 }
 
 TEST_CASE("properties of surfaces") {

@@ -103,8 +103,8 @@ std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) 
     }
     const std::string product = product_text(begin);
     page << padded(convergence_text(begin.exponent), 13)
-         << fmt::format("{} <= {} <= {}", number_text(begin.proof.low), w,
-                        number_text(curve.pieces[next - 1].proof.high));
+         << fmt::format("{} <= {} <= {}", number_text(begin.proof.low, Rounding::up), w,
+                        number_text(curve.pieces[next - 1].proof.high, Rounding::down));
     if (hull.lower || hull.upper) page << ": exponent " << enclosure_text(hull, 5);
     page << (product.empty() ? ", no upper end is proved" : ", product " + product) << "\n";
   }

@@ -72,12 +72,14 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
        << "sum rules    " << range.sum_rules << " for all " << w << "\n";
   for (const RangePiece& piece : range.pieces) {
     page << padded(verdict(piece.holds), 13);
+    // What is said of a piece is true as it is printed.
+    const bool open = piece.holds == Truth::unknown;
     if (piece.low == piece.high)
       page << w << " = " << number_text(piece.low);
     else
-      page << number_text(piece.low) << (piece.low_included ? " <= " : " < ") << w
-           << (piece.high_included ? " <= " : " < ") << number_text(piece.high);
-    if (piece.holds == Truth::unknown && piece.low < piece.high)
+      page << number_text(piece.low, open ? Rounding::down : Rounding::up) << (piece.low_included ? " <= " : " < ") << w
+           << (piece.high_included ? " <= " : " < ") << number_text(piece.high, open ? Rounding::up : Rounding::down);
+    if (open && piece.low < piece.high)
       page << "  (width " << to_decimal(piece.high - piece.low, 2, Rounding::up) << ")";
     page << "\n";
   }

@@ -1,7 +1,7 @@
 #include "parameter_range.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
 
 #include <fmt/format.h>
 
@@ -15,7 +15,8 @@ std::pair<Rational, Rational> read_over(const std::string& text, char parameter)
   const std::string head = std::string(1, parameter) + "=";
   const std::size_t dots = text.find("..");
   const auto number = [&](std::size_t begin, std::size_t end) {
-    return begin > end || end - begin > 200 ? std::nullopt : parse_rational(text.substr(begin, end - begin));
+    return begin > end || end - begin > 200 ? std::nullopt
+                                            : parse_number(std::string_view(text).substr(begin, end - begin));
   };
   const auto low = text.starts_with(head) && dots != std::string::npos ? number(2, dots) : std::nullopt,
              high = low ? number(dots + 2, text.size()) : std::nullopt;
@@ -25,9 +26,9 @@ std::pair<Rational, Rational> read_over(const std::string& text, char parameter)
   return {*low, *high};
 }
 
-std::string number_text(const Rational& value) {
+std::string number_text(const Rational& value, Rounding rounding) {
   const std::string exact = to_text(value);
-  return exact.size() <= 12 ? exact : to_decimal(value, 12, Rounding::nearest);
+  return exact.size() <= 12 ? exact : to_decimal(value, 12, rounding);
 }
 
 std::string number_text(const Enclosure& value) {

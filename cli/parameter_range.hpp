@@ -4,6 +4,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/family/property_range.hpp>
+#include <subcert/analysis/symbol/decimal.hpp>
 
 #include <utility>
 
@@ -12,8 +13,8 @@ namespace subcert::cli {
 /// `w=-1..1` for this letter. Errors: throws a usage error.
 std::pair<Rational, Rational> read_over(const std::string& text, char parameter);
 
-/// Exact where that is short.
-std::string number_text(const Rational& value);
+/// Exact where that is short, else rounded to 12 digits.
+std::string number_text(const Rational& value, Rounding rounding = Rounding::nearest);
 std::string number_text(const Enclosure& value);
 
 /// `more sum rules` and so on.

@@ -2,6 +2,7 @@
 
 #include "bivariate.hpp"
 #include "dyn_2015.hpp"
+#include "families.hpp"
 #include "formats/html.hpp"
 #include "least_squares_surfaces.hpp"
 #include "paper_experiments.hpp"
@@ -285,6 +286,7 @@ const SpecialReport* special_report(const std::string& paper) {
       {"dyn-2015", {dyn_2015_items, report_dyn_2015}},
       {"surfaces", {least_squares_surface_items, report_least_squares_surfaces}},
       {"bivariate", {bivariate_items, report_bivariate}},
+      {"families", {family_items, report_families}},
   };
   const auto found = all.find(paper);
   return found == all.end() ? nullptr : &found->second;

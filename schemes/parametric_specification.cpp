@@ -4,6 +4,7 @@
 #include "classical.hpp"
 #include "specification_text.hpp"
 
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <cctype>
@@ -108,6 +109,28 @@ ParametricScheme make_parametric_scheme(std::string_view specification) {
   if (family.text == "mask") return make_mask(family, body);
   if (family.text == "four-point") return make_four_point(body);
   fail(family, std::string("a family with a parameter: ") + mask_usage + " or " + four_point_usage);
+}
+
+std::optional<Rational> parse_number(std::string_view text) {
+  if (auto rational = parse_rational(text)) return rational;
+  if (const auto decimal = parse_plain_decimal(text)) return decimal->value;
+  return std::nullopt;
+}
+
+std::optional<ParameterRange> parse_parameter_range(std::string text, char parameter) {
+  std::erase(text, ' ');
+  const std::size_t at = text.find(parameter);
+  if (at == std::string::npos || text.size() > 1000) return std::nullopt;
+  std::string_view low = std::string_view(text).substr(0, at), high = std::string_view(text).substr(at + 1);
+  if (!(low.ends_with('<') || low.ends_with("<=")) || !high.starts_with('<')) return std::nullopt;
+  ParameterRange range{0, 0, low.ends_with('='), high.starts_with("<=")};
+  low.remove_suffix(range.low_included ? 2 : 1);
+  high.remove_prefix(range.high_included ? 2 : 1);
+  const auto first = parse_number(low), last = parse_number(high);
+  if (!first || !last || !(*first < *last)) return std::nullopt;
+  range.low = *first;
+  range.high = *last;
+  return range;
 }
 
 }  // namespace subcert

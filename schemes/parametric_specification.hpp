@@ -21,4 +21,17 @@ struct ParametricScheme {
 /// value.
 ParametricScheme make_parametric_scheme(std::string_view specification);
 
+/// A rational or a decimal number without exponent; nothing for another text.
+std::optional<Rational> parse_number(std::string_view text);
+
+/// Values of a parameter between two numbers, low < high.
+struct ParameterRange {
+  Rational low, high;
+  bool low_included = true, high_included = true;
+};
+
+/// Reads `0 < w <= 1/5` or `-0.1 <= w < 2`, blanks anywhere; nothing for another text. Domain: low < high, up to 1000
+/// characters.
+std::optional<ParameterRange> parse_parameter_range(std::string text, char parameter);
+
 }  // namespace subcert

@@ -31,6 +31,7 @@ const std::vector<Registered>& registered() {
       {"mustafa-hameed", mustafa_hameed::checks},
       {"mustafa-bari-2016", mustafa_bari_2016::checks},
       {"bivariate", nullptr},
+      {"families", nullptr},
   };
   return all;
 }

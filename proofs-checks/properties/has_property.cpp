@@ -190,12 +190,12 @@ Decision property_of(const SchemeRange& range, const Expectation& expectation, d
                           ? " for " + letter + " = " + text(piece.low)
                           : " for " + text(piece.low) + " <= " + letter + " <= " + text(piece.high));
   };
-  const PropertyRange found = property_range(range.family.mask, range_property(expectation), range.low, range.high,
-                                             {power(Rational(10), -9), 1, {Deadline::in(seconds)}});
+  const PropertyRange found = property_range(range.family.mask, range_property(expectation), range.values.low,
+                                             range.values.high, {power(Rational(10), -9), 1, {Deadline::in(seconds)}});
   Decision answer{Truth::yes, ""};
   for (const RangePiece& piece : found.pieces) {
-    const bool outside = piece.low == piece.high && ((piece.low == range.low && !range.low_included) ||
-                                                     (piece.high == range.high && !range.high_included));
+    const bool outside = piece.low == piece.high && ((piece.low == range.values.low && !range.values.low_included) ||
+                                                     (piece.high == range.values.high && !range.values.high_included));
     if (piece.holds == Truth::no && !outside) return decided(false, describe(piece, "refuted"));
     if (piece.holds == Truth::unknown && !outside && answer.is_yes())
       answer = {Truth::unknown, describe(piece, "open")};
@@ -203,7 +203,7 @@ Decision property_of(const SchemeRange& range, const Expectation& expectation, d
   for (const SpecialValue& value : found.special)
     if (value.holds == Truth::no && value.value.is_exact()) {
       const Rational& w = *value.value.lower;
-      if ((w > range.low || range.low_included) && (w < range.high || range.high_included))
+      if ((w > range.values.low || range.values.low_included) && (w < range.values.high || range.values.high_included))
         return decided(false, describe({w, w}, "refuted"));
     }
   return answer;

@@ -29,8 +29,7 @@ struct Expectation {
 /// The schemes of a family for all values of its parameter between two numbers.
 struct SchemeRange {
   ParametricScheme family;
-  Rational low, high;
-  bool low_included = true, high_included = true;
+  ParameterRange values;
 };
 
 struct ExpectedScheme {

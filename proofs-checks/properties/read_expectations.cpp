@@ -27,15 +27,9 @@ const std::vector<PropertyHelp>& known_properties() {
 namespace {
 
 /// An integer, or a rational or decimal number in a string.
-std::optional<Rational> number_in(std::string_view text) {
-  if (auto rational = parse_rational(text)) return rational;
-  if (const auto decimal = parse_plain_decimal(text)) return decimal->value;
-  return std::nullopt;
-}
-
 std::optional<Rational> exact_number(const toml::node& node) {
   if (const auto* integer = node.as_integer()) return Rational(static_cast<long>(integer->get()));
-  if (const auto* text = node.as_string()) return number_in(text->get());
+  if (const auto* text = node.as_string()) return parse_number(text->get());
   return std::nullopt;
 }
 
@@ -63,7 +57,7 @@ void read_comparison(Expectation& to, const toml::node& node, const PropertyHelp
   for (const char* relation : {">=", "<=", ">", "<"}) {
     if (value.rfind(relation, 0) != 0) continue;
     const std::size_t begin = value.find_first_not_of(' ', std::string(relation).size());
-    const auto number = begin == std::string::npos ? std::nullopt : number_in(std::string_view(value).substr(begin));
+    const auto number = begin == std::string::npos ? std::nullopt : parse_number(std::string_view(value).substr(begin));
     const bool is_order = property.name == "smoothness";
     if (!number ||
         (is_order && (std::string(relation) != ">=" || denominator(*number) != 1 || *number < 0 || *number > 1000)))
@@ -106,30 +100,13 @@ std::string joined_names() {
   return names + ", for";
 }
 
-/// `0 < w <= 1/5`: the ends, and whether they belong to it.
 SchemeRange read_range(const toml::node& node, ParametricScheme family) {
-  const char letter = family.parameter;
-  const auto refused = [&]() -> FileError {
-    return {place_of(node), std::string("'for' takes \"LOW < ") + letter + " < HIGH\", with < or <= and LOW < HIGH"};
-  };
-  if (!node.is_string()) throw refused();
-  std::string text = node.as_string()->get();
-  std::erase(text, ' ');
-  const std::size_t at = text.find(letter);
-  if (at == std::string::npos || text.size() > 1000) throw refused();
-  SchemeRange range{std::move(family), 0, 0};
-  std::string low = text.substr(0, at), high = text.substr(at + 1);
-  range.low_included = low.ends_with("<=");
-  range.high_included = high.starts_with("<=");
-  if (!range.low_included && !low.ends_with('<')) throw refused();
-  if (!range.high_included && !high.starts_with('<')) throw refused();
-  low.erase(low.find('<'));
-  high.erase(0, range.high_included ? 2 : 1);
-  const auto first = number_in(low), last = number_in(high);
-  if (!first || !last || !(*first < *last)) throw refused();
-  range.low = *first;
-  range.high = *last;
-  return range;
+  const auto* text = node.as_string();
+  const auto values = text ? parse_parameter_range(text->get(), family.parameter) : std::nullopt;
+  if (!values)
+    throw FileError(place_of(node),
+                    std::string("'for' takes \"LOW < ") + family.parameter + " < HIGH\", with < or <= and LOW < HIGH");
+  return {std::move(family), *values};
 }
 
 std::variant<Scheme, MultivariateScheme, SchemeRange> read_subject(const toml::table& table,

@@ -176,7 +176,8 @@ void add_curve(Command& app) {
   Command command = add_command(
       app, "curve", "The exponent of a family over its parameter, between certified envelopes",
       "subcert curve four-point:w --over w=0..1/4 --plot curve.svg", options, [=] { return run(*options); });
-  command.option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w] or four-point:w, with any letter")
+  command
+      .option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w and other families, any letter")
       .required();
   command.option("--over", options->over, "The values: w=LOW..HIGH").required();
   command.option("--pieces", options->pieces, "Intervals, more of them where the envelopes are far apart")

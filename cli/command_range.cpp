@@ -132,7 +132,8 @@ void add_range(Command& app) {
   Command command = add_command(app, "range", "For which values of its parameter a scheme has a property, with proof",
                                 "subcert range four-point:w --over w=-1..1 --property C1", options,
                                 [=] { return run(*options); });
-  command.option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w] or four-point:w, with any letter")
+  command
+      .option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w and other families, any letter")
       .required();
   command.option("--over", options->over, "The values: w=LOW..HIGH").required();
   command.option("--property", options->property, "convergent, C1, C2, ..., holder>=P/Q or stable").required();

@@ -14,11 +14,58 @@ Mask bspline_mask(int degree, int arity) {
           arity};
 }
 
-Mask deslauriers_dubuc_mask(int n) { return regression_mask(primal(n, 2 * n - 1)); }
+Mask deslauriers_dubuc_mask(int n, int arity) {
+  require(n >= 1, "deslauriers_dubuc_mask: need n >= 1, got {}", n);
+  require(arity >= 2, "deslauriers_dubuc_mask: need arity >= 2, got {}", arity);
+  LocalRegression scheme{{{0, 0, 0}}, 2 * n - 1};
+  for (int k = 1; k < arity; ++k) scheme.rules.push_back({-n + 1, n, Rational(k, arity)});
+  return regression_mask(scheme);
+}
+
+Mask pseudo_spline_mask(int m, int l) {
+  require(0 <= l && l < m, "pseudo_spline_mask: need 0 <= l < m, got m = {}, l = {}", m, l);
+  // cos^2 and sin^2 of half the angle.
+  const LaurentPolynomial cosine({Rational(1, 4), Rational(1, 2), Rational(1, 4)}, -1),
+      sine({Rational(-1, 4), Rational(1, 2), Rational(-1, 4)}, -1);
+  LaurentPolynomial sum;
+  Rational binomial = 1;
+  for (int j = 0; j <= l; ++j) {
+    sum += LaurentPolynomial(binomial) * sine.pow(j) * cosine.pow(l - j);
+    binomial *= Rational(m + l - j, j + 1);
+  }
+  return {LaurentPolynomial(2) * cosine.pow(m) * sum, 2};
+}
 
 Mask four_point_mask(const Rational& w) {
   const Rational inner = Rational(1, 2) + w;
   return {LaurentPolynomial({-w, 0, inner, 1, inner, 0, -w}, -3), 2};
+}
+
+const std::vector<ClassicalFamily>& classical_families() {
+  const auto family = [](std::string name, std::string title, const std::vector<const char*>& coefficients, int arity) {
+    std::vector<LaurentPolynomial> powers(2);
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+      const LaurentPolynomial coefficient = parse_polynomial(coefficients[k], 'w');
+      const long index = static_cast<long>(k) - static_cast<long>(coefficients.size() / 2);
+      for (const long i : {0L, 1L})
+        powers[static_cast<std::size_t>(i)] += LaurentPolynomial::monomial(coefficient.coefficient(i), index);
+    }
+    return ClassicalFamily{std::move(name), std::move(title), ParametricMask(std::move(powers), arity)};
+  };
+  static const std::vector<ClassicalFamily> all{
+      family("four-point", "4-point scheme with tension", {"-w", "0", "1/2+w", "1", "1/2+w", "0", "-w"}, 2),
+      family("six-point", "interpolatory 6-point scheme with the parameter",
+             {"w", "0", "-1/16-3*w", "0", "9/16+2*w", "1", "9/16+2*w", "0", "-1/16-3*w", "0", "w"}, 2),
+      family("dual-four-point", "dual 4-point scheme with tension",
+             {"-5*w", "-7*w", "1/4+3*w", "3/4+9*w", "3/4+9*w", "1/4+3*w", "-7*w", "-5*w"}, 2),
+      family("corner-cutting", "corner cutting with the ratio", {"w", "1-w", "1-w", "w"}, 2),
+      family("ternary-three-point", "ternary interpolatory 3-point scheme with the parameter",
+             {"-1/3+w", "0", "w", "4/3-2*w", "1", "4/3-2*w", "w", "0", "-1/3+w"}, 3),
+      family("ternary-four-point", "ternary interpolatory 4-point scheme with the parameter",
+             {"-1/18+1/6*w", "-1/18-1/6*w", "0", "7/18-1/2*w", "13/18+1/2*w", "1", "13/18+1/2*w", "7/18-1/2*w", "0",
+              "-1/18-1/6*w", "-1/18+1/6*w"},
+             3)};
+  return all;
 }
 
 }  // namespace subcert

@@ -1,7 +1,7 @@
 #pragma once
 /// Classical schemes to compare with.
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/parametric_mask.hpp>
 
 namespace subcert {
 
@@ -9,10 +9,23 @@ namespace subcert {
 /// Ref: [CDM91].
 Mask bspline_mask(int degree, int arity = 2);
 
-/// Interpolatory 2n-point scheme of Deslauriers and Dubuc. Domain: n >= 1. Ref: [DD89].
-Mask deslauriers_dubuc_mask(int n);
+/// Interpolatory 2n-point scheme of Deslauriers and Dubuc. Domain: n >= 1, arity >= 2. Ref: [DD89].
+Mask deslauriers_dubuc_mask(int n, int arity = 2);
+
+/// The pseudo-spline of type II and order (m, l), from the B-spline of degree 2m - 1 for l = 0 to the 2m-point scheme
+/// of Deslauriers and Dubuc for l = m - 1. Domain: 0 <= l < m. Ref: [DS07].
+Mask pseudo_spline_mask(int m, int l);
 
 /// The 4-point scheme with tension w: [-w, 0, 1/2+w, 1, 1/2+w, 0, -w]. Ref: [DLG87].
 Mask four_point_mask(const Rational& w);
+
+/// A family of the literature with the parameter w.
+struct ClassicalFamily {
+  std::string name, title;
+  ParametricMask mask;
+};
+
+/// In the order of docs/schemes.md.
+const std::vector<ClassicalFamily>& classical_families();
 
 }  // namespace subcert

@@ -7,6 +7,8 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
+#include <fmt/format.h>
+
 #include <cctype>
 
 namespace subcert {
@@ -16,7 +18,6 @@ using namespace specification_text;
 
 constexpr long max_degree = 12, max_coefficients = 100;
 constexpr const char* mask_usage = "mask:[-w,0,1/2+w,1,1/2+w,0,-w]@-3,arity=2";
-constexpr const char* four_point_usage = "four-point:w";
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
@@ -87,16 +88,14 @@ ParametricScheme make_mask(const Piece& family, const Piece& body) {
   }
   const std::string text = mask.to_text(parameter);
   return {"mask:" + text + (arity == 2 ? "" : ",arity=" + std::to_string(arity)),
-          "mask with the parameter " + std::string(1, parameter), parameter, std::move(mask)};
+          fmt::format("mask with the parameter {}", parameter), parameter, std::move(mask)};
 }
 
-ParametricScheme make_four_point(const Piece& body) {
+ParametricScheme make_classical(const ClassicalFamily& family, const Piece& body) {
   if (body.text.size() != 1 || !is_letter(body.text.front()))
-    fail(body, std::string("a letter for the tension, as in ") + four_point_usage);
-  const char parameter = body.text.front();
-  const LaurentPolynomial base = four_point_mask(0).symbol();
-  return {std::string("four-point:") + parameter, std::string("4-point scheme with tension ") + parameter, parameter,
-          ParametricMask({base, four_point_mask(1).symbol() - base}, 2)};
+    fail(body, "a letter for the parameter, as in " + family.name + ":w");
+  const char letter = body.text.front();
+  return {fmt::format("{}:{}", family.name, letter), fmt::format("{} {}", family.title, letter), letter, family.mask};
 }
 
 }  // namespace
@@ -107,8 +106,12 @@ ParametricScheme make_parametric_scheme(std::string_view specification) {
   const std::size_t begin = std::min(family.text.size() + 1, specification.size());
   const Piece body{specification.substr(begin), begin};
   if (family.text == "mask") return make_mask(family, body);
-  if (family.text == "four-point") return make_four_point(body);
-  fail(family, std::string("a family with a parameter: ") + mask_usage + " or " + four_point_usage);
+  std::string names;
+  for (const ClassicalFamily& classical : classical_families()) {
+    if (family.text == classical.name) return make_classical(classical, body);
+    names += " or " + classical.name + ":w";
+  }
+  fail(family, std::string("a family with a parameter: ") + mask_usage + names);
 }
 
 std::optional<Rational> parse_number(std::string_view text) {

@@ -15,10 +15,10 @@ struct ParametricScheme {
   ParametricMask mask;
 };
 
-/// Reads `mask:[-w,0,1/2+w,1,1/2+w,0,-w]` or `four-point:w`, with any letter for the parameter. A coefficient is a sum
-/// of terms `c`, `w`, `c*w^k` with exact numbers c. Domain: up to 100 coefficients, degree up to 12; else as
-/// make_scheme. Errors: throws SpecificationError, also for two letters, none, or coset sums other than 1 for some
-/// value.
+/// Reads `mask:[-w,0,1/2+w,1,1/2+w,0,-w]` or a classical family, as `four-point:w`, with any letter for the parameter.
+/// A coefficient is a sum of terms `c`, `w`, `c*w^k` with exact numbers c. Domain: up to 100 coefficients, degree up to
+/// 12; else as make_scheme. Errors: throws SpecificationError, also for two letters, none, or coset sums other than 1
+/// for some value.
 ParametricScheme make_parametric_scheme(std::string_view specification);
 
 /// A rational or a decimal number without exponent; nothing for another text.

@@ -60,9 +60,13 @@ Scheme make_ary(Fields& fields) {
 
 Scheme make_deslauriers_dubuc(Fields& fields) {
   const long n = read_integer(fields.required("n"), "n", 1, 200);
+  const auto arity_piece = fields.optional("a");
+  const long arity = arity_piece ? read_integer(*arity_piece, "a", 2, max_arity) : 2;
   fields.finish();
-  return {"dd:n=" + number(n), "interpolatory Deslauriers-Dubuc " + number(2 * n) + "-point scheme",
-          deslauriers_dubuc_mask(static_cast<int>(n))};
+  return {"dd:n=" + number(n) + (arity == 2 ? "" : ",a=" + number(arity)),
+          "interpolatory Deslauriers-Dubuc " + number(2 * n) + "-point scheme" +
+              (arity == 2 ? "" : ", arity " + number(arity)),
+          deslauriers_dubuc_mask(static_cast<int>(n), static_cast<int>(arity))};
 }
 
 Scheme make_bspline(Fields& fields) {
@@ -77,10 +81,22 @@ Scheme make_bspline(Fields& fields) {
           bspline_mask(static_cast<int>(degree), static_cast<int>(arity))};
 }
 
-Scheme make_four_point(Fields& fields) {
-  const Rational w = read_rational(fields.required("w"));
+Scheme make_pseudo_spline(Fields& fields) {
+  const long m = read_integer(fields.required("m"), "m", 1, 100);
+  const long l = read_integer(fields.required("l"), "l", 0, m - 1);
   fields.finish();
-  return {"four-point:w=" + to_text(w), "4-point scheme with tension " + to_text(w), four_point_mask(w)};
+  return {"pseudo-spline:m=" + number(m) + ",l=" + number(l),
+          "pseudo-spline of type II and order (" + number(m) + ", " + number(l) + ")",
+          pseudo_spline_mask(static_cast<int>(m), static_cast<int>(l))};
+}
+
+/// One scheme of each family, by the number that takes the place of its letter.
+Family<Scheme> at_numbers(const ClassicalFamily& family, const char* example) {
+  return {{family.name, family.name + ":w=" + example, family.title + " w"}, from_fields([&family](Fields& fields) {
+            const Rational w = read_rational(fields.required("w"));
+            fields.finish();
+            return Scheme{family.name + ":w=" + to_text(w), family.title + " " + to_text(w), family.mask.at(w)};
+          })};
 }
 
 /// The length of the longest number in a list printed with ';' and '|'.
@@ -179,9 +195,16 @@ const std::vector<Family<Scheme>>& table() {
       {{"primal-odd", "primal-odd:n=3,d=1", "binary primal (2n+1)-point variant"}, from_fields(make_primal_odd)},
       {{"dual-odd", "dual-odd:n=3,d=1", "binary dual (2n+1)-point variant"}, from_fields(make_dual_odd)},
       {{"ary", "ary:a=3,points=4,d=3", "a-ary least squares scheme on consecutive data"}, from_fields(make_ary)},
-      {{"dd", "dd:n=2", "interpolatory Deslauriers-Dubuc 2n-point scheme"}, from_fields(make_deslauriers_dubuc)},
+      {{"dd", "dd:n=2,a=2", "interpolatory Deslauriers-Dubuc 2n-point scheme, arity a (2 unless given)"},
+       from_fields(make_deslauriers_dubuc)},
       {{"bspline", "bspline:degree=3,a=2", "B-spline, arity a (2 unless given)"}, from_fields(make_bspline)},
-      {{"four-point", "four-point:w=1/16", "generalised 4-point scheme with tension w"}, from_fields(make_four_point)},
+      {{"pseudo-spline", "pseudo-spline:m=3,l=1", "pseudo-spline of type II"}, from_fields(make_pseudo_spline)},
+      at_numbers(classical_families()[0], "1/16"),
+      at_numbers(classical_families()[1], "1/100"),
+      at_numbers(classical_families()[2], "1/128"),
+      at_numbers(classical_families()[3], "1/4"),
+      at_numbers(classical_families()[4], "5/18"),
+      at_numbers(classical_families()[5], "1/11"),
       {{"mask", "mask:[1,3,3,1]/4@-2,arity=2", "any mask; centred and binary unless said otherwise"}, make_mask},
       {{"regression", "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
         "any local regression rules; optional weights=[1;2;1|1;1;1;1] and first=0"},

@@ -132,3 +132,23 @@ TEST_CASE("the error says what, where and what would be right") {
     CHECK(error.expected() == "a key of dual:n=3,d=1");
   }
 }
+
+TEST_CASE("classical families by name") {
+  const auto mask_of = [](const char* text) { return make_scheme(text).mask; };
+  CHECK(mask_of("four-point:w=1/16").symbol() == mask_of("dd:n=2").symbol());
+  CHECK(mask_of("six-point:w=0").symbol() == mask_of("dd:n=2").symbol());
+  CHECK(mask_of("six-point:w=3/256").symbol() == mask_of("dd:n=3").symbol());
+  CHECK(mask_of("ternary-four-point:w=1/27").symbol() == mask_of("dd:n=2,a=3").symbol());
+  CHECK(mask_of("dd:n=1,a=4").symbol() == mask_of("bspline:degree=1,a=4").symbol());
+  CHECK(mask_of("corner-cutting:w=1/4").symbol() == mask_of("bspline:degree=2").symbol());
+  CHECK(mask_of("dual-four-point:w=1/128").symbol() == mask_of("mask:[-5,-7,35,105,105,35,-7,-5]/128").symbol());
+  CHECK(mask_of("ternary-three-point:w=5/18").arity() == 3);
+  for (int m = 1; m <= 6; ++m) {
+    const std::string text = "pseudo-spline:m=" + std::to_string(m) + ",l=";
+    CHECK(make_scheme(text + "0").mask.symbol() ==
+          make_scheme("bspline:degree=" + std::to_string(2 * m - 1)).mask.symbol());
+    CHECK(make_scheme(text + std::to_string(m - 1)).mask.symbol() ==
+          make_scheme("dd:n=" + std::to_string(m)).mask.symbol());
+  }
+  CHECK(mask_of("pseudo-spline:m=3,l=1").symbol() == mask_of("mask:[-3,-8,12,72,110,72,12,-8,-3]/128").symbol());
+}

@@ -1,5 +1,7 @@
 #include "families.hpp"
 
+#include "computed_quantities.hpp"
+
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>

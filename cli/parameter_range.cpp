@@ -1,5 +1,6 @@
 #include "parameter_range.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
@@ -46,7 +47,10 @@ const char* why_text(SpecialValue::Why why) {
 std::string write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
                                const std::vector<std::string>& ends) {
   namespace fs = std::filesystem;
-  fs::create_directories(directory);
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (!fs::is_directory(directory, error))
+    fail(ErrorKind::missing_file, "--certificate {}: expected a folder, or a place where one can be made", directory);
   std::set<std::string> written;
   for (const NamedCertificate& certificate : certificates) {
     runtime::write_file(fs::path(directory) / (certificate.name + ".cert"), certificate.text);

@@ -32,6 +32,11 @@ TEST_CASE("a range comes with certificates that one command verifies") {
   std::filesystem::remove_all(bundle);
   std::filesystem::create_directory(bundle);
   CHECK(run("verify " + bundle).code == 66);
+  // Not a folder.
+  const std::string file = folder / "file";
+  std::ofstream(file) << "text";
+  CHECK(run("range four-point:w --over w=1/20..1/10 --property C1 --certificate " + file).code == 66);
+  CHECK(content(file) == "text");
 }
 
 TEST_CASE("ranges that make no sense are refused in one line") {

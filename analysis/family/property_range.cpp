@@ -90,7 +90,7 @@ std::vector<SpecialValue> zeros_of(const LaurentPolynomial& polynomial, const Ra
 }
 
 struct Node {
-  Segment interval;
+  Segment segment;
   Look at_low, at_high;
 };
 
@@ -115,7 +115,7 @@ class RangeSearch {
       std::vector<Look> middles(open.size());
       std::vector<double> seconds(open.size());
       parallel_for_each(open.size(), options_.jobs, [&](std::size_t k) {
-        middles[k] = look(open[k].interval.middle());
+        middles[k] = look(open[k].segment.middle());
         const Stopwatch watch;
         decided[k] = decide(open[k], middles[k]);
         seconds[k] = watch.seconds();
@@ -123,7 +123,7 @@ class RangeSearch {
       std::vector<Node> next;
       for (std::size_t k = 0; k < open.size(); ++k) {
         Node& node = open[k];
-        const Rational width = node.interval.width();
+        const Rational width = node.segment.width();
         // Where a proof takes long that for the halves does as well.
         const bool hard = seconds[k] > short_seconds / 2 && width <= options_.width;
         if (decided[k].above || decided[k].below || hard || width * shortest_share <= options_.width ||
@@ -131,9 +131,9 @@ class RangeSearch {
           done.push_back(std::move(decided[k]));
           continue;
         }
-        const Rational middle = node.interval.middle();
-        next.push_back({{node.interval.low, middle}, std::move(node.at_low), middles[k]});
-        next.push_back({{middle, node.interval.high}, std::move(middles[k]), std::move(node.at_high)});
+        const Rational middle = node.segment.middle();
+        next.push_back({{node.segment.low, middle}, std::move(node.at_low), middles[k]});
+        next.push_back({{middle, node.segment.high}, std::move(middles[k]), std::move(node.at_high)});
       }
       open = std::move(next);
     }
@@ -188,7 +188,7 @@ class RangeSearch {
   Look look(const Rational& w) const { return radius_.look(w, options_.budget.deadline); }
 
   IntervalProof decide(const Node& node, const Look& middle) {
-    const Segment& interval = node.interval;
+    const Segment& interval = node.segment;
     IntervalProof proof{interval.low, interval.high, std::nullopt, std::nullopt};
     if (options_.budget.deadline.expired()) return proof;
     const double limit = threshold_.value();

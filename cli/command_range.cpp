@@ -6,6 +6,7 @@
 
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
@@ -59,9 +60,8 @@ Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, c
 
 /// The number itself, where it is rational.
 std::string end_text(const RangeEnd& end, char w) {
-  const LaurentPolynomial& p = end.polynomial;
-  if (p.highest() == 1) return fmt::format("{} = {}", w, to_text(Rational(-p.coefficient(0) / p.coefficient(1))));
-  return fmt::format("the zero of {} near {}", to_text(p, w), number_text(end.low));
+  if (const auto zero = zero_of_linear(end.polynomial)) return fmt::format("{} = {}", w, to_text(*zero));
+  return fmt::format("the zero of {} near {}", to_text(end.polynomial, w), number_text(end.low));
 }
 
 std::string text_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {

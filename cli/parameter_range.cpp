@@ -2,7 +2,6 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
-#include <subcert/schemes/parametric_specification.hpp>
 
 #include <fmt/format.h>
 

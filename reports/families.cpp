@@ -6,6 +6,7 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
@@ -20,19 +21,14 @@ constexpr double range_seconds = 30;
 const Rational share_left_open(1, 1'000'000);  // of the printed range, about each end
 constexpr std::string_view exactly = " exactly";
 
-/// An end of the proved range: the number itself where a polynomial names it, otherwise what is proved.
+/// An end of the proved range: up to which number it is proved, and what names the end itself.
 struct ProvedEnd {
   Rational proved;
-  std::optional<LaurentPolynomial> polynomial;
-  Rational gap_low, gap_high;  ///< one zero of the polynomial between them
+  std::optional<RangeEnd> end;
 
-  bool is(const Rational& value) const {
-    return polynomial && gap_low <= value && value <= gap_high && (*polynomial)(value) == 0;
-  }
   std::string text() const {
-    if (polynomial && polynomial->highest() == 1)
-      return subcert::to_text(Rational(-polynomial->coefficient(0) / polynomial->coefficient(1)));
-    return to_decimal(proved, 7, Rounding::nearest);
+    const auto zero = end ? zero_of_linear(end->polynomial) : std::nullopt;
+    return zero ? subcert::to_text(*zero) : to_decimal(proved, 7, Rounding::nearest);
   }
 };
 
@@ -44,8 +40,8 @@ struct ProvedRange {
 
 ProvedEnd end_of(const PropertyRange& range, const Rational& proved) {
   for (const RangeEnd& end : range.ends)
-    if (end.low == proved || end.high == proved) return {proved, end.polynomial, end.low, end.high};
-  return {proved, std::nullopt, proved, proved};
+    if (end.low == proved || end.high == proved) return {proved, end};
+  return {proved, std::nullopt};
 }
 
 std::optional<ProvedRange> proved_about(const PropertyRange& range, const Rational& middle, const Rational& width) {
@@ -64,19 +60,21 @@ std::optional<ProvedRange> proved_about(const PropertyRange& range, const Ration
 }
 
 /// Whether a printed end is that of the proved range: the zero itself, or its decimals.
-bool agrees(const std::string& printed, const Rational& value, const ProvedEnd& end) {
-  if (end.is(value)) return true;
+bool agrees(const std::string& printed, const Rational& value, const ProvedEnd& proved) {
+  if (!proved.end) return false;
+  const RangeEnd& end = *proved.end;
+  if (end.low <= value && value <= end.high && end.polynomial(value) == 0) return true;
   const std::size_t point = printed.find('.');
-  if (point == std::string::npos || !end.polynomial) return false;
+  if (point == std::string::npos) return false;
   const Rational unit = power(Rational(10), -static_cast<long>(printed.size() - point - 1));
-  return abs(Rational(end.gap_low - value)) <= unit / 2 && abs(Rational(end.gap_high - value)) <= unit / 2;
+  return abs(Rational(end.low - value)) <= unit / 2 && abs(Rational(end.high - value)) <= unit / 2;
 }
 
 std::string polynomials_text(const ProvedRange& range, char letter) {
   std::string text;
-  for (const ProvedEnd* end : {&range.low, &range.high})
-    if (end->polynomial && end->polynomial->highest() > 1)
-      text += fmt::format("; {} is the zero of {}", end->text(), to_text(*end->polynomial, letter));
+  for (const ProvedEnd* proved : {&range.low, &range.high})
+    if (proved->end && !zero_of_linear(proved->end->polynomial))
+      text += fmt::format("; {} is the zero of {}", proved->text(), to_text(proved->end->polynomial, letter));
   return text;
 }
 
@@ -119,23 +117,27 @@ formats::Comparison compare_range(const statements::PublishedCell& cell, int job
              high_agrees = proved && agrees(digits(cell.printed.substr(at + 1)), printed->high, proved->high);
   if (!(is_exact && low_agrees && high_agrees)) refute(comparison, found, *printed);
   if (!proved || comparison.verdict == Verdict::mismatch) return comparison;
+  // An open end that agrees is an end of the proved range; all else has to lie inside.
   const bool low_inside = (low_agrees && !printed->low_included) || proved->low.proved <= printed->low,
-             high_inside = (high_agrees && !printed->high_included) || printed->high <= proved->high.proved;
-  const std::string gaps = proved->has_gaps ? "; gaps inside are open" : "";
-  if (low_agrees && high_agrees) {
-    comparison.verdict = Verdict::match;
-    comparison.note = "exactly the proved range" + polynomials_text(*proved, letter) + gaps;
-  } else if (is_exact) {
+             high_inside = (high_agrees && !printed->high_included) || printed->high <= proved->high.proved,
+             beyond = (proved->low.proved < printed->low && !low_agrees) ||
+                      (printed->high < proved->high.proved && !high_agrees);
+  const std::string polynomials = polynomials_text(*proved, letter);
+  if (proved->has_gaps) {
+    comparison.note = "gaps inside are open" + polynomials;
+  } else if (is_exact && beyond) {
     comparison.verdict = Verdict::mismatch;
-    comparison.note = "not the proved range" + polynomials_text(*proved, letter);
-  } else if (low_inside && high_inside) {
+    comparison.note = "the proved range is larger" + polynomials;
+  } else if (low_inside && high_inside && (!is_exact || (low_agrees && high_agrees))) {
     comparison.verdict = Verdict::match;
-    comparison.note = fmt::format(
-                          "true, but a part of the proved range: {} of it",
-                          to_decimal(length / (proved->high.proved - proved->low.proved), 2, Rounding::nearest)) +
-                      polynomials_text(*proved, letter) + gaps;
+    comparison.note = (low_agrees && high_agrees
+                           ? std::string("exactly the proved range")
+                           : fmt::format("true, but a part of the proved range: {} of it",
+                                         to_decimal(length / (proved->high.proved - proved->low.proved), 2,
+                                                    Rounding::nearest))) +
+                      polynomials;
   } else {
-    comparison.note = "an end is not decided" + polynomials_text(*proved, letter) + gaps;
+    comparison.note = "an end is not decided" + polynomials;
   }
   return comparison;
 }

@@ -36,13 +36,11 @@ Mask pseudo_spline_mask(int m, int l) {
   return {LaurentPolynomial(2) * cosine.pow(m) * sum, 2};
 }
 
-Mask four_point_mask(const Rational& w) {
-  const Rational inner = Rational(1, 2) + w;
-  return {LaurentPolynomial({-w, 0, inner, 1, inner, 0, -w}, -3), 2};
-}
+Mask four_point_mask(const Rational& w) { return classical_families().front().mask.at(w); }
 
 const std::vector<ClassicalFamily>& classical_families() {
-  const auto family = [](std::string name, std::string title, const std::vector<const char*>& coefficients, int arity) {
+  const auto family = [](std::string name, std::string title, std::string example,
+                         const std::vector<const char*>& coefficients, int arity) {
     std::vector<LaurentPolynomial> powers(2);
     for (std::size_t k = 0; k < coefficients.size(); ++k) {
       const LaurentPolynomial coefficient = parse_polynomial(coefficients[k], 'w');
@@ -50,18 +48,19 @@ const std::vector<ClassicalFamily>& classical_families() {
       for (const long i : {0L, 1L})
         powers[static_cast<std::size_t>(i)] += LaurentPolynomial::monomial(coefficient.coefficient(i), index);
     }
-    return ClassicalFamily{std::move(name), std::move(title), ParametricMask(std::move(powers), arity)};
+    return ClassicalFamily{std::move(name), std::move(title), std::move(example),
+                           ParametricMask(std::move(powers), arity)};
   };
   static const std::vector<ClassicalFamily> all{
-      family("four-point", "4-point scheme with tension", {"-w", "0", "1/2+w", "1", "1/2+w", "0", "-w"}, 2),
-      family("six-point", "interpolatory 6-point scheme with the parameter",
+      family("four-point", "4-point scheme with tension", "1/16", {"-w", "0", "1/2+w", "1", "1/2+w", "0", "-w"}, 2),
+      family("six-point", "interpolatory 6-point scheme with the parameter", "1/100",
              {"w", "0", "-1/16-3*w", "0", "9/16+2*w", "1", "9/16+2*w", "0", "-1/16-3*w", "0", "w"}, 2),
-      family("dual-four-point", "dual 4-point scheme with tension",
+      family("dual-four-point", "dual 4-point scheme with tension", "1/128",
              {"-5*w", "-7*w", "1/4+3*w", "3/4+9*w", "3/4+9*w", "1/4+3*w", "-7*w", "-5*w"}, 2),
-      family("corner-cutting", "corner cutting with the ratio", {"w", "1-w", "1-w", "w"}, 2),
-      family("ternary-three-point", "ternary interpolatory 3-point scheme with the parameter",
+      family("corner-cutting", "corner cutting with the ratio", "1/4", {"w", "1-w", "1-w", "w"}, 2),
+      family("ternary-three-point", "ternary interpolatory 3-point scheme with the parameter", "5/18",
              {"-1/3+w", "0", "w", "4/3-2*w", "1", "4/3-2*w", "w", "0", "-1/3+w"}, 3),
-      family("ternary-four-point", "ternary interpolatory 4-point scheme with the parameter",
+      family("ternary-four-point", "ternary interpolatory 4-point scheme with the parameter", "1/11",
              {"-1/18+1/6*w", "-1/18-1/6*w", "0", "7/18-1/2*w", "13/18+1/2*w", "1", "13/18+1/2*w", "7/18-1/2*w", "0",
               "-1/18-1/6*w", "-1/18+1/6*w"},
              3)};

@@ -22,6 +22,7 @@ Mask four_point_mask(const Rational& w);
 /// A family of the literature with the parameter w.
 struct ClassicalFamily {
   std::string name, title;
+  std::string example;  ///< a value of w
   ParametricMask mask;
 };
 

@@ -114,12 +114,6 @@ ParametricScheme make_parametric_scheme(std::string_view specification) {
   fail(family, std::string("a family with a parameter: ") + mask_usage + names);
 }
 
-std::optional<Rational> parse_number(std::string_view text) {
-  if (auto rational = parse_rational(text)) return rational;
-  if (const auto decimal = parse_plain_decimal(text)) return decimal->value;
-  return std::nullopt;
-}
-
 std::optional<ParameterRange> parse_parameter_range(std::string text, char parameter) {
   std::erase(text, ' ');
   const std::size_t at = text.find(parameter);

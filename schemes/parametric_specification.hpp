@@ -21,9 +21,6 @@ struct ParametricScheme {
 /// for some value.
 ParametricScheme make_parametric_scheme(std::string_view specification);
 
-/// A rational or a decimal number without exponent; nothing for another text.
-std::optional<Rational> parse_number(std::string_view text);
-
 /// Values of a parameter between two numbers, low < high.
 struct ParameterRange {
   Rational low, high;

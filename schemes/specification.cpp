@@ -91,8 +91,9 @@ Scheme make_pseudo_spline(Fields& fields) {
 }
 
 /// One scheme of each family, by the number that takes the place of its letter.
-Family<Scheme> at_numbers(const ClassicalFamily& family, const char* example) {
-  return {{family.name, family.name + ":w=" + example, family.title + " w"}, from_fields([&family](Fields& fields) {
+Family<Scheme> at_numbers(const ClassicalFamily& family) {
+  return {{family.name, family.name + ":w=" + family.example, family.title + " w"},
+          from_fields([&family](Fields& fields) {
             const Rational w = read_rational(fields.required("w"));
             fields.finish();
             return Scheme{family.name + ":w=" + to_text(w), family.title + " " + to_text(w), family.mask.at(w)};
@@ -189,26 +190,25 @@ Scheme make_mask(const Piece& family, const Piece& body, const std::string& usag
 }
 
 const std::vector<Family<Scheme>>& table() {
-  static const std::vector<Family<Scheme>> families{
-      {{"primal", "primal:n=3,d=1", "binary primal 2n-point least squares scheme"}, from_fields(make_primal)},
-      {{"dual", "dual:n=3,d=1", "binary dual 2n-point least squares scheme"}, from_fields(make_dual)},
-      {{"primal-odd", "primal-odd:n=3,d=1", "binary primal (2n+1)-point variant"}, from_fields(make_primal_odd)},
-      {{"dual-odd", "dual-odd:n=3,d=1", "binary dual (2n+1)-point variant"}, from_fields(make_dual_odd)},
-      {{"ary", "ary:a=3,points=4,d=3", "a-ary least squares scheme on consecutive data"}, from_fields(make_ary)},
-      {{"dd", "dd:n=2,a=2", "interpolatory Deslauriers-Dubuc 2n-point scheme, arity a (2 unless given)"},
-       from_fields(make_deslauriers_dubuc)},
-      {{"bspline", "bspline:degree=3,a=2", "B-spline, arity a (2 unless given)"}, from_fields(make_bspline)},
-      {{"pseudo-spline", "pseudo-spline:m=3,l=1", "pseudo-spline of type II"}, from_fields(make_pseudo_spline)},
-      at_numbers(classical_families()[0], "1/16"),
-      at_numbers(classical_families()[1], "1/100"),
-      at_numbers(classical_families()[2], "1/128"),
-      at_numbers(classical_families()[3], "1/4"),
-      at_numbers(classical_families()[4], "5/18"),
-      at_numbers(classical_families()[5], "1/11"),
-      {{"mask", "mask:[1,3,3,1]/4@-2,arity=2", "any mask; centred and binary unless said otherwise"}, make_mask},
-      {{"regression", "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
-        "any local regression rules; optional weights=[1;2;1|1;1;1;1] and first=0"},
-       from_fields(make_regression)}};
+  static const std::vector<Family<Scheme>> families = [] {
+    std::vector<Family<Scheme>> list{
+        {{"primal", "primal:n=3,d=1", "binary primal 2n-point least squares scheme"}, from_fields(make_primal)},
+        {{"dual", "dual:n=3,d=1", "binary dual 2n-point least squares scheme"}, from_fields(make_dual)},
+        {{"primal-odd", "primal-odd:n=3,d=1", "binary primal (2n+1)-point variant"}, from_fields(make_primal_odd)},
+        {{"dual-odd", "dual-odd:n=3,d=1", "binary dual (2n+1)-point variant"}, from_fields(make_dual_odd)},
+        {{"ary", "ary:a=3,points=4,d=3", "a-ary least squares scheme on consecutive data"}, from_fields(make_ary)},
+        {{"dd", "dd:n=2,a=2", "interpolatory Deslauriers-Dubuc 2n-point scheme, arity a (2 unless given)"},
+         from_fields(make_deslauriers_dubuc)},
+        {{"bspline", "bspline:degree=3,a=2", "B-spline, arity a (2 unless given)"}, from_fields(make_bspline)},
+        {{"pseudo-spline", "pseudo-spline:m=3,l=1", "pseudo-spline of type II"}, from_fields(make_pseudo_spline)}};
+    for (const ClassicalFamily& family : classical_families()) list.push_back(at_numbers(family));
+    list.push_back(
+        {{"mask", "mask:[1,3,3,1]/4@-2,arity=2", "any mask; centred and binary unless said otherwise"}, make_mask});
+    list.push_back({{"regression", "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
+                     "any local regression rules; optional weights=[1;2;1|1;1;1;1] and first=0"},
+                    from_fields(make_regression)});
+    return list;
+  }();
   return families;
 }
 

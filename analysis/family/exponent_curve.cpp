@@ -25,11 +25,11 @@ constexpr int levels = 12;  // of norms, at special values
 
 class CurveSearch {
  public:
-  CurveSearch(const ParametricMask& mask, const CurveOptions& options)
+  CurveSearch(const ParametricMask& mask, const LaurentPolynomial& unstable, const CurveOptions& options)
       : options_(options),
         arity_(mask.arity()),
         rules_(sum_rules(mask)),
-        unstable_(unstable_values(mask, options.budget.deadline)),
+        unstable_(unstable),
         radius_(transition_matrices(divided_difference_scheme(mask, rules_))) {}
 
   std::vector<CurvePiece> pieces(const Rational& low, const Rational& high) {
@@ -84,9 +84,7 @@ class CurveSearch {
     result.proof.above = radius_.from_above(segment, excess_share / options_.pieces,
                                             {budget.deadline.at_most(seconds), budget.memory});
     result.exponent.lower = rules_ - *log_ratio(result.proof.above->proved_upper(), arity_).upper;
-    if (unstable_.is_zero() || unstable_(segment.low) == 0 || unstable_(segment.high) == 0 ||
-        count_real_roots(unstable_, segment.low, segment.high) > 0)
-      return result;
+    if (!has_no_real_root(unstable_, segment.low, segment.high)) return result;
     for (const Rational& w : {segment.middle(), segment.low, segment.high}) {
       const std::vector<int> word = radius_.look(w, budget.deadline).word;
       result.proof.below = radius_.from_below(segment, word, 1, true, budget.deadline);
@@ -100,7 +98,7 @@ class CurveSearch {
 
   const CurveOptions& options_;
   int arity_, rules_;
-  LaurentPolynomial unstable_;
+  const LaurentPolynomial& unstable_;
   FamilyRadius radius_;
   Rational range_ = 1;  // length of what is asked for
 };
@@ -113,8 +111,9 @@ ExponentCurve exponent_curve(const ParametricMask& mask, const Rational& low, co
   require(options.pieces >= 1 && options.pieces <= 100'000, "curve: need 1 to 100000 pieces, got {}", options.pieces);
   ExponentCurve result;
   result.sum_rules = sum_rules(mask);
-  result.pieces = CurveSearch(mask, options).pieces(low, high);
-  for (SpecialValue& value : single_values(mask, low, high, Rational(1, 1'000'000'000), options.budget.deadline)) {
+  const LaurentPolynomial unstable = unstable_values(mask, options.budget.deadline);
+  result.pieces = CurveSearch(mask, unstable, options).pieces(low, high);
+  for (SpecialValue& value : single_values(mask, unstable, low, high, power(Rational(10), -9))) {
     CurvePoint point{std::move(value), std::nullopt};
     if (point.at.value.is_exact())
       point.exponent = holder_regularity(mask.at(*point.at.value.lower), levels,

@@ -29,8 +29,6 @@ class FamilyRadius {
  public:
   explicit FamilyRadius(ParametricFamily family) : family_(std::move(family)) {}
 
-  const ParametricFamily& family() const { return family_; }
-
   Look look(const Rational& w, const Deadline& deadline) const;
 
   /// A proof that the radius is below the target, by the control matrices; nothing where none is found. `try_form`: by

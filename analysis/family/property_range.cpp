@@ -18,8 +18,9 @@ namespace {
 using namespace family;
 
 constexpr double radius_seconds = 2;     // for one interval
-constexpr double short_seconds = 0.4;    // for one that is short: its neighbours are as hard
+constexpr double short_seconds = 0.8;    // for one that is short: its neighbours are as hard
 constexpr int short_share = 64;          // of the range
+constexpr double extending_seconds = 6;  // for all that took too long
 constexpr double far_below = 0.97;       // of the threshold: quadratic forms may do
 constexpr double special_seconds = 10;   // for one value
 constexpr int levels = 12;               // of norms, at special values
@@ -78,9 +79,8 @@ std::vector<SpecialValue> zeros_of(const LaurentPolynomial& polynomial, const Ra
   if (polynomial.is_zero() || polynomial == LaurentPolynomial(polynomial.coefficient(0))) return result;
   for (const PolynomialFactor& factor : irreducible_factors(polynomial)) {
     const LaurentPolynomial& p = factor.polynomial;
-    if (p.length() == 2 || p.lowest() == 1) {
-      const Rational root = -p.coefficient(0) / p.coefficient(1);
-      if (low <= root && root <= high) result.push_back({Enclosure::exactly(root), p, why, Truth::unknown});
+    if (const auto root = zero_of_linear(p)) {
+      if (low <= *root && *root <= high) result.push_back({Enclosure::exactly(*root), p, why, Truth::unknown});
       continue;
     }
     for (const Enclosure& root : real_roots(p, low, high, width)) result.push_back({root, p, why, Truth::unknown});
@@ -96,12 +96,11 @@ struct Node {
 
 class RangeSearch {
  public:
-  RangeSearch(const ParametricMask& mask, const RangeProperty& property, const RangeOptions& options)
+  RangeSearch(const ParametricMask& mask, int rules, const RangeProperty& property, const RangeOptions& options)
       : property_(property),
         options_(options),
-        rules_(sum_rules(mask)),
-        threshold_(property, mask.arity(), rules_),
-        radius_(transition_matrices(divided_difference_scheme(mask, rules_))) {
+        threshold_(property, mask.arity(), rules),
+        radius_(transition_matrices(divided_difference_scheme(mask, rules))) {
     if (property.kind != RangeProperty::Kind::convergent) unstable_ = unstable_values(mask, options.budget.deadline);
   }
 
@@ -125,7 +124,7 @@ class RangeSearch {
         Node& node = open[k];
         const Rational width = node.segment.width();
         // Where a proof takes long that for the halves does as well.
-        const bool hard = seconds[k] > short_seconds / 2 && width <= options_.width;
+        const bool hard = seconds[k] > 0.75 * short_seconds && width <= options_.width;
         if (decided[k].above || decided[k].below || hard || width * shortest_share <= options_.width ||
             options_.budget.deadline.expired()) {
           done.push_back(std::move(decided[k]));
@@ -138,6 +137,7 @@ class RangeSearch {
       open = std::move(next);
     }
     std::sort(done.begin(), done.end(), [](const auto& a, const auto& b) { return a.low < b.low; });
+    extend_proved(done);
     return done;
   }
 
@@ -187,6 +187,19 @@ class RangeSearch {
  private:
   Look look(const Rational& w) const { return radius_.look(w, options_.budget.deadline); }
 
+  /// What took too long beside a proved interval gets more time, as long as that helps: a busy machine leaves no
+  /// slivers.
+  void extend_proved(std::vector<IntervalProof>& intervals) const {
+    const Deadline end = options_.budget.deadline.at_most(extending_seconds);
+    const auto extend = [&](const IntervalProof& beside, IntervalProof& next) {
+      if (!beside.above || next.above || next.below || !threshold_.is_reachable() || end.expired()) return;
+      next.above = radius_.from_above({next.low, next.high}, threshold_.below(), false,
+                                      {end.at_most(radius_seconds), options_.budget.memory});
+    };
+    for (std::size_t k = 1; k < intervals.size(); ++k) extend(intervals[k - 1], intervals[k]);
+    for (std::size_t k = intervals.size(); k-- > 1;) extend(intervals[k], intervals[k - 1]);
+  }
+
   IntervalProof decide(const Node& node, const Look& middle) {
     const Segment& interval = node.segment;
     IntervalProof proof{interval.low, interval.high, std::nullopt, std::nullopt};
@@ -208,8 +221,7 @@ class RangeSearch {
 
   bool is_stable_on(const Segment& interval) const {
     if (property_.kind == RangeProperty::Kind::convergent) return true;
-    return !unstable_.is_zero() && unstable_(interval.low) != 0 && unstable_(interval.high) != 0 &&
-           count_real_roots(unstable_, interval.low, interval.high) == 0;
+    return has_no_real_root(unstable_, interval.low, interval.high);
   }
 
   Rational power_of_threshold(const std::vector<int>& word) const {
@@ -218,7 +230,6 @@ class RangeSearch {
 
   RangeProperty property_;
   const RangeOptions& options_;
-  int rules_;
   Threshold threshold_;
   FamilyRadius radius_;
   LaurentPolynomial unstable_;
@@ -285,8 +296,7 @@ PropertyRange between_zeros(const ParametricMask& mask, const RangeProperty& pro
 /// polynomials that tell where shifts may be unstable and where there are more sum rules.
 PropertyRange by_zeros(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
                        const Rational& high, const RangeOptions& options) {
-  const Deadline& deadline = options.budget.deadline;
-  const LaurentPolynomial unstable = unstable_values(mask, deadline);
+  const LaurentPolynomial unstable = unstable_values(mask, options.budget.deadline);
   if (unstable.is_zero()) {
     PropertyRange result;
     result.pieces = {{low, high}};
@@ -296,7 +306,7 @@ PropertyRange by_zeros(const ParametricMask& mask, const RangeProperty& property
   if (property.kind == RangeProperty::Kind::stable)
     return between_zeros(mask, property, zeros_of(unstable, low, high, options.width, SpecialValue::Why::unstable),
                          Truth::yes, low, high, options);
-  return between_zeros(mask, property, single_values(mask, low, high, options.width, deadline), Truth::no, low, high,
+  return between_zeros(mask, property, single_values(mask, unstable, low, high, options.width), Truth::no, low, high,
                        options);
 }
 
@@ -310,10 +320,10 @@ void require_family(const ParametricMask& mask, const Rational& low, const Ratio
   require(sum_rules(mask) >= 1, "range: need a sum rule for all values of the parameter, got none");
 }
 
-std::vector<SpecialValue> single_values(const ParametricMask& mask, const Rational& low, const Rational& high,
-                                        const Rational& width, const Deadline& deadline) {
+std::vector<SpecialValue> single_values(const ParametricMask& mask, const LaurentPolynomial& unstable,
+                                        const Rational& low, const Rational& high, const Rational& width) {
   using Why = SpecialValue::Why;
-  std::vector<SpecialValue> values = zeros_of(unstable_values(mask, deadline), low, high, width, Why::unstable);
+  std::vector<SpecialValue> values = zeros_of(unstable, low, high, width, Why::unstable);
   for (SpecialValue& value : zeros_of(special_values(mask), low, high, width, Why::sum_rules))
     replace_equal(values, std::move(value));
   std::sort(values.begin(), values.end(), is_before);
@@ -343,7 +353,7 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
     result.sum_rules = rules;
     return result;
   }
-  RangeSearch search(mask, property, options);
+  RangeSearch search(mask, rules, property, options);
   PropertyRange result;
   result.sum_rules = rules;
   std::vector<IntervalProof> intervals = search.intervals(low, high);

@@ -54,9 +54,10 @@ struct SpecialValue {
 };
 
 /// The values between low and high, in order, at which the shifts may be unstable or more sum rules hold than for all
-/// w; enclosed with this width where they are irrational. `holds` is not decided. Cost: as unstable_values.
-std::vector<SpecialValue> single_values(const ParametricMask& mask, const Rational& low, const Rational& high,
-                                        const Rational& width, const Deadline& deadline);
+/// w; enclosed with this width where they are irrational. `holds` is not decided. Domain: `unstable` of
+/// unstable_values.
+std::vector<SpecialValue> single_values(const ParametricMask& mask, const LaurentPolynomial& unstable,
+                                        const Rational& low, const Rational& high, const Rational& width);
 
 /// Errors: throws Error unless low < high, a sum rule holds for all w, and arity * (degree in w + 1) is at most 64.
 void require_family(const ParametricMask& mask, const Rational& low, const Rational& high);

@@ -62,6 +62,12 @@ std::optional<Decimal> parse_plain_decimal(std::string_view text) {
   return text.find_first_of("eE") == std::string_view::npos ? parse_decimal(text) : std::nullopt;
 }
 
+std::optional<Rational> parse_number(std::string_view text) {
+  if (auto rational = parse_rational(text)) return rational;
+  if (const auto decimal = parse_plain_decimal(text)) return decimal->value;
+  return std::nullopt;
+}
+
 Decimal read_decimal(std::string_view text) {
   const std::optional<Decimal> result = parse_plain_decimal(text);
   if (!result) fail(ErrorKind::usage, "need a decimal number, got '{}'", text);

@@ -167,6 +167,15 @@ int count_real_roots(const LaurentPolynomial& p, const Rational& low, const Rati
   return zero + count_real_roots(in_s.shifted(-in_s.lowest()).dilated(2)) / 2;
 }
 
+bool has_no_real_root(const LaurentPolynomial& p, const Rational& low, const Rational& high) {
+  return !p.is_zero() && p(low) != 0 && p(high) != 0 && count_real_roots(p, low, high) == 0;
+}
+
+std::optional<Rational> zero_of_linear(const LaurentPolynomial& p) {
+  if (p.is_zero() || p.highest() != 1) return std::nullopt;
+  return Rational(-p.coefficient(0) / p.coefficient(1));
+}
+
 std::vector<Enclosure> real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,
                                   const Rational& width) {
   const int count = count_real_roots(p, low, high);

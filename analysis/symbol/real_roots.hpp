@@ -12,6 +12,13 @@ int count_real_roots(const LaurentPolynomial& p);
 /// Sturm sequence; none where Bernstein coefficients tell that there is no zero.
 int count_real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high);
 
+/// Whether p is not zero and has no zero x with low <= x <= high. Domain: no negative exponents, low < high. Cost: as
+/// count_real_roots.
+bool has_no_real_root(const LaurentPolynomial& p, const Rational& low, const Rational& high);
+
+/// The zero of a polynomial of degree 1; nothing for another degree. Domain: lowest exponent 0 or more.
+std::optional<Rational> zero_of_linear(const LaurentPolynomial& p);
+
 /// Disjoint intervals with one zero in (low, high) each, in order, of at most this width; a zero that is found to be
 /// rational is one number. Domain: as above, width > 0.
 std::vector<Enclosure> real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,

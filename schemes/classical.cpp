@@ -41,15 +41,10 @@ Mask four_point_mask(const Rational& w) { return classical_families().front().ma
 const std::vector<ClassicalFamily>& classical_families() {
   const auto family = [](std::string name, std::string title, std::string example,
                          const std::vector<const char*>& coefficients, int arity) {
-    std::vector<LaurentPolynomial> powers(2);
-    for (std::size_t k = 0; k < coefficients.size(); ++k) {
-      const LaurentPolynomial coefficient = parse_polynomial(coefficients[k], 'w');
-      const long index = static_cast<long>(k) - static_cast<long>(coefficients.size() / 2);
-      for (const long i : {0L, 1L})
-        powers[static_cast<std::size_t>(i)] += LaurentPolynomial::monomial(coefficient.coefficient(i), index);
-    }
+    std::vector<RationalFunction> functions;
+    for (const char* coefficient : coefficients) functions.push_back(RationalFunction::parse(coefficient, 'w'));
     return ClassicalFamily{std::move(name), std::move(title), std::move(example),
-                           ParametricMask(std::move(powers), arity)};
+                           ParametricMask(functions, -static_cast<long>(functions.size() / 2), arity)};
   };
   static const std::vector<ClassicalFamily> all{
       family("four-point", "4-point scheme with tension", "1/16", {"-w", "0", "1/2+w", "1", "1/2+w", "0", "-w"}, 2),

@@ -1,8 +1,9 @@
 #pragma once
 /// Local polynomial regression: the one family that contains every linear scheme of the papers.
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/parametric_mask.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace subcert {
@@ -27,22 +28,33 @@ std::vector<std::vector<Rational>> regression_terms(const std::vector<Rational>&
                                                     const Rational& x);
 
 /// One refinement rule: the fit uses the data f_{i+first}, ..., f_{i+last} and is evaluated at i + position.
-struct RegressionRule {
+template <class Number>
+struct RegressionRuleOf {
   long first;
   long last;
-  Rational position;
-  std::vector<Rational> weights = {};  ///< prior weights, positive; empty means all one
+  Number position;
+  std::vector<Number> weights;  ///< prior weights, positive; empty means all one
+
+  RegressionRuleOf(long from, long to, Number at, std::vector<Number> prior = {})
+      : first(from), last(to), position(std::move(at)), weights(std::move(prior)) {}
 };
+using RegressionRule = RegressionRuleOf<Rational>;
 
 /// The scheme with rules[k] : f'_{arity*i + first_output + k}, arity = rules.size().
-struct LocalRegression {
-  std::vector<RegressionRule> rules;
+template <class Number>
+struct LocalRegressionOf {
+  std::vector<RegressionRuleOf<Number>> rules;
   int degree;
   long first_output = 0;
 };
+using LocalRegression = LocalRegressionOf<Rational>;
 
 /// The exact mask. Domain: at least two rules, first <= last in each. Errors: as regression_weights.
 Mask regression_mask(const LocalRegression& scheme);
+
+/// The same with positions and weights that are functions of a parameter. Where a weight is not positive the mask is
+/// what the formula gives, and no longer a minimum. Domain: as above; weights that are not zero.
+ParametricMask parametric_regression_mask(const LocalRegressionOf<RationalFunction>& scheme);
 
 /// [DHHS15, sec. 2, 4.3]: 2n-1 data around the old point, 2n data around the midpoint. Domain: n >= 1, degree >= 0.
 LocalRegression primal(int n, int degree);

@@ -7,7 +7,7 @@
 
 namespace subcert {
 
-/// A scheme of one variable whose coefficients are polynomials in one parameter.
+/// A scheme of one variable whose coefficients are polynomials in one parameter, or quotients of them.
 struct ParametricScheme {
   std::string specification;
   std::string title;
@@ -15,9 +15,10 @@ struct ParametricScheme {
   ParametricMask mask;
 };
 
-/// Reads `mask:[-w,0,1/2+w,1,1/2+w,0,-w]` or a classical family, as `four-point:w`, with any letter for the parameter.
-/// A coefficient is a sum of terms `c`, `w`, `c*w^k` with exact numbers c. Domain: up to 100 coefficients, degree up to
-/// 12; else as make_scheme. Errors: throws SpecificationError, also for two letters, none, or coset sums other than 1
+/// Reads `mask:[-w,0,1/2+w,1,1/2+w,0,-w]`, `regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[w;1;w|w;1;1;w]`,
+/// or a classical family, as `four-point:w`, with any letter for the parameter. Coefficients, positions and weights are
+/// what RationalFunction::parse reads. Domain: up to 100 coefficients, degree up to 12 over their common denominator;
+/// else as make_scheme. Errors: throws SpecificationError, also for two letters, none, or coset sums other than 1
 /// for some value.
 ParametricScheme make_parametric_scheme(std::string_view specification);
 

@@ -1,7 +1,7 @@
 #include "specification.hpp"
 
 #include "classical.hpp"
-#include "specification_text.hpp"
+#include "regression_text.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,17 +12,6 @@ namespace subcert {
 namespace {
 
 using namespace specification_text;
-
-/// Degree of a fit on `points` data, bounded so that the mask is made in seconds.
-long read_degree(Fields& fields, long points) {
-  const auto piece = fields.optional("d");
-  if (!piece) return 1;
-  const long degree = read_integer(*piece, "d", 0, std::numeric_limits<std::int32_t>::max());
-  if (std::min(degree, points - 1) * points > max_work)
-    fail(*piece, "a degree d with points * d <= " + std::to_string(max_work) +
-                     " (here points = " + std::to_string(points) + ")");
-  return degree;
-}
 
 std::string number(long value) { return std::to_string(value); }
 
@@ -100,73 +89,21 @@ Family<Scheme> at_numbers(const ClassicalFamily& family) {
           })};
 }
 
-/// The length of the longest number in a list printed with ';' and '|'.
-std::size_t longest_entry(const std::string& list) {
-  std::size_t longest = 0, current = 0;
-  for (char c : list) {
-    current = c == ';' || c == '|' ? 0 : current + 1;
-    longest = std::max(longest, current);
-  }
-  return longest;
-}
-
 /// f'_{a i + k} = the fit on the k-th stencil, evaluated at the k-th position.
 Scheme make_regression(Fields& fields) {
-  LocalRegression scheme{{}, 1};
-  long points = 0;
-  std::string stencils, positions, weights;
-  const Piece stencils_piece = fields.required("stencils");
-  for (const Piece& stencil : read_list(stencils_piece, ';')) {
-    const std::size_t dots = stencil.text.find("..");
-    if (dots == std::string_view::npos) fail(stencil, "a stencil first..last, as -1..2");
-    const long first = read_integer({stencil.text.substr(0, dots), stencil.at}, "first", -max_points, max_points);
-    const long last = read_integer({stencil.text.substr(dots + 2), stencil.at + dots + 2}, "last", -max_points,
-                                   max_points);
-    if (first > last || last - first >= max_points)
-      fail(stencil, "a stencil first..last with at most " + number(max_points) + " points");
-    points = std::max(points, last - first + 1);
-    scheme.rules.push_back({first, last, 0});
-    stencils += (stencils.empty() ? "" : ";") + number(first) + ".." + number(last);
-  }
-  if (scheme.rules.size() < 2 || scheme.rules.size() > static_cast<std::size_t>(max_arity))
-    fail(stencils_piece, "one stencil for each of 2 to " + number(max_arity) + " rules");
-  if (points * static_cast<long>(scheme.rules.size()) > 4 * max_points)
-    fail(stencils_piece, "rules * points <= " + number(4 * max_points));
-
-  const Piece at_piece = fields.required("at");
-  const auto at = read_list(at_piece, ';');
-  if (at.size() != scheme.rules.size()) fail(at_piece, "as many positions as stencils");
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    scheme.rules[k].position = read_rational(at[k]);
-    positions += (k == 0 ? "" : ";") + to_text(scheme.rules[k].position);
-  }
-
-  if (const auto piece = fields.optional("weights")) {
-    const auto lists = read_list(*piece, '|');
-    if (lists.size() != scheme.rules.size()) fail(*piece, "as many weight lists as stencils, separated by |");
-    for (std::size_t k = 0; k < lists.size(); ++k) {
-      RegressionRule& rule = scheme.rules[k];
-      for (const Piece& entry : split(lists[k], ';')) {
-        rule.weights.push_back(read_rational(entry));
-        if (rule.weights.back() <= 0) fail(entry, "a weight > 0");
-        weights += (rule.weights.size() > 1 ? ";" : (k == 0 ? "" : "|")) + to_text(rule.weights.back());
-      }
-      if (rule.weights.size() != static_cast<std::size_t>(rule.last - rule.first + 1))
-        fail(lists[k], "one weight for each point of the stencil");
-    }
-  }
-  scheme.degree = static_cast<int>(read_degree(fields, points));
+  const auto weight = [](const Piece& piece) {
+    const Rational value = read_rational(piece);
+    if (value <= 0) fail(piece, "a weight > 0");
+    return value;
+  };
+  const auto [scheme, text, points, digits, stencils] = read_regression<Rational>(
+      fields, read_rational, weight, [](const Rational& value) { return to_text(value); });
   // Long numbers make long masks: their digits multiply with the degree.
-  const std::size_t digits = std::max(longest_entry(positions), longest_entry(weights));
   const long effective = std::min<long>(scheme.degree, points - 1);
-  if ((!weights.empty() || digits > 6) && points * effective * effective * static_cast<long>(digits) > max_long_work)
-    fail(stencils_piece, "points * d^2 * (digits of the longest position or weight) <= " + number(max_long_work));
-  if (const auto piece = fields.optional("first"))
-    scheme.first_output = read_integer(*piece, "first", -max_points, max_points);
+  const bool weighted = !scheme.rules.front().weights.empty();
+  if ((weighted || digits > 6) && points * effective * effective * static_cast<long>(digits) > max_long_work)
+    fail(stencils, "points * d^2 * (digits of the longest position or weight) <= " + number(max_long_work));
   fields.finish();
-  std::string text = "regression:stencils=[" + stencils + "],at=[" + positions + "],d=" + number(scheme.degree);
-  if (!weights.empty()) text += ",weights=[" + weights + "]";
-  if (scheme.first_output != 0) text += ",first=" + number(scheme.first_output);
   return {text, "local regression of degree " + number(scheme.degree), regression_mask(scheme), scheme};
 }
 

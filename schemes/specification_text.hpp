@@ -6,7 +6,9 @@
 #include <subcert/analysis/symbol/term_text.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -118,6 +120,17 @@ class Fields {
   std::string usage_;
   std::vector<Field> fields_;
 };
+
+/// Degree of a fit on `points` data, bounded so that the mask is made in seconds.
+inline long read_degree(Fields& fields, long points) {
+  const auto piece = fields.optional("d");
+  if (!piece) return 1;
+  const long degree = read_integer(*piece, "d", 0, std::numeric_limits<std::int32_t>::max());
+  if (std::min(degree, points - 1) * points > max_work)
+    fail(*piece, "a degree d with points * d <= " + std::to_string(max_work) +
+                     " (here points = " + std::to_string(points) + ")");
+  return degree;
+}
 
 /// The coefficients at the beginning of the body of a specification, and the fields that follow.
 struct MaskAndFields {

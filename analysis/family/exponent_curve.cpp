@@ -25,19 +25,21 @@ constexpr int levels = 12;  // of norms, at special values
 
 class CurveSearch {
  public:
-  CurveSearch(const ParametricMask& mask, const LaurentPolynomial& unstable, const CurveOptions& options)
+  CurveSearch(const ParametricMask& mask, const LaurentPolynomial& unstable, const Segment& range,
+              const CurveOptions& options)
       : options_(options),
         arity_(mask.arity()),
         rules_(sum_rules(mask)),
         unstable_(unstable),
-        radius_(transition_matrices(divided_difference_scheme(mask, rules_))) {}
+        radius_(transition_matrices(divided_difference_scheme(mask, rules_), range.low)),
+        range_(range) {}
 
-  std::vector<CurvePiece> pieces(const Rational& low, const Rational& high) {
-    range_ = high - low;
+  std::vector<CurvePiece> pieces() {
     const int wanted = options_.pieces, first = std::max(1, wanted / first_share);
     std::vector<Segment> open;
     for (int k = 0; k < first; ++k)
-      open.push_back({low + (high - low) * Rational(k, first), low + (high - low) * Rational(k + 1, first)});
+      open.push_back(
+          {range_.low + range_.width() * Rational(k, first), range_.low + range_.width() * Rational(k + 1, first)});
     std::vector<CurvePiece> done;
     for (;;) {
       std::vector<CurvePiece> decided(open.size());
@@ -70,7 +72,8 @@ class CurveSearch {
   /// The distance of the envelopes; a piece without one of them comes first, until it is short.
   double worth(const CurvePiece& piece) const {
     if (piece.exponent.upper && *piece.exponent.upper <= 0) return 0;
-    if (!piece.exponent.is_bounded()) return (piece.proof.high - piece.proof.low) * least_share > range_ ? rules_ : 0;
+    if (!piece.exponent.is_bounded())
+      return (piece.proof.high - piece.proof.low) * least_share > range_.width() ? rules_ : 0;
     return Rational(*piece.exponent.upper - std::max(Rational(0), *piece.exponent.lower)).convert_to<double>();
   }
 
@@ -83,7 +86,8 @@ class CurveSearch {
     if (budget.deadline.expired()) return result;
     result.proof.above = radius_.from_above(segment, excess_share / options_.pieces,
                                             {budget.deadline.at_most(seconds), budget.memory});
-    result.exponent.lower = rules_ - *log_ratio(result.proof.above->proved_upper(), arity_).upper;
+    if (result.proof.above)
+      result.exponent.lower = rules_ - *log_ratio(result.proof.above->proved_upper(), arity_).upper;
     if (!has_no_real_root(unstable_, segment.low, segment.high)) return result;
     for (const Rational& w : {segment.middle(), segment.low, segment.high}) {
       const std::vector<int> word = radius_.look(w, budget.deadline).word;
@@ -100,7 +104,7 @@ class CurveSearch {
   int arity_, rules_;
   const LaurentPolynomial& unstable_;
   FamilyRadius radius_;
-  Rational range_ = 1;  // length of what is asked for
+  Segment range_;  // what is asked for
 };
 
 }  // namespace
@@ -112,7 +116,7 @@ ExponentCurve exponent_curve(const ParametricMask& mask, const Rational& low, co
   ExponentCurve result;
   result.sum_rules = sum_rules(mask);
   const LaurentPolynomial unstable = unstable_values(mask, options.budget.deadline);
-  result.pieces = CurveSearch(mask, unstable, options).pieces(low, high);
+  result.pieces = CurveSearch(mask, unstable, {low, high}, options).pieces();
   for (SpecialValue& value : single_values(mask, unstable, low, high, power(Rational(10), -9))) {
     CurvePoint point{std::move(value), std::nullopt};
     if (point.at.value.is_exact())

@@ -69,10 +69,10 @@ Look FamilyRadius::look(const Rational& w, const Deadline& deadline) const { ret
 
 std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& segment, const Rational& target,
                                                             bool try_form, const Budget& budget) const {
-  const MatrixFamily controls = family_.controls(segment.low, segment.high);
-  if (look_at(controls, budget.deadline).radius >= target.convert_to<double>()) return std::nullopt;
+  const auto controls = family_.controls(segment.low, segment.high);
+  if (!controls || look_at(*controls, budget.deadline).radius >= target.convert_to<double>()) return std::nullopt;
   if (try_form) {
-    auto form = radius::quadratic_bound(controls, target, {budget.deadline.at_most(form_seconds), budget.memory});
+    auto form = radius::quadratic_bound(*controls, target, {budget.deadline.at_most(form_seconds), budget.memory});
     if (form && form->bound < target) {
       JointSpectralRadius result;
       result.radius = {0, form->bound};
@@ -80,15 +80,17 @@ std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& segme
       return result;
     }
   }
-  JointSpectralRadius result = joint_spectral_radius(controls, budget, largest_norm(controls), target);
+  JointSpectralRadius result = joint_spectral_radius(*controls, budget, largest_norm(*controls), target);
   if (result.proved_upper() < target) return result;
   return std::nullopt;
 }
 
-JointSpectralRadius FamilyRadius::from_above(const Segment& segment, double excess, const Budget& budget) const {
-  const MatrixFamily controls = family_.controls(segment.low, segment.high);
-  const double near = look_at(controls, budget.deadline).radius;
-  return joint_spectral_radius(controls, budget, largest_norm(controls), Rational(near * (1 + excess)));
+std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& segment, double excess,
+                                                            const Budget& budget) const {
+  const auto controls = family_.controls(segment.low, segment.high);
+  if (!controls) return std::nullopt;
+  const double near = look_at(*controls, budget.deadline).radius;
+  return joint_spectral_radius(*controls, budget, largest_norm(*controls), Rational(near * (1 + excess)));
 }
 
 std::optional<EigenvalueBound> FamilyRadius::from_below(const Segment& segment, const std::vector<int>& word,
@@ -144,12 +146,15 @@ LaurentPolynomial FamilyRadius::characteristic(const EigenvalueBound& bound, con
   }
   const bool pair = bound.re == 0;
   const std::size_t n = family_.size(), size = pair ? n * (n - 1) / 2 : n;
-  const long degree = static_cast<long>(size * bound.word.size()) * family_.degree() * (pair ? 2 : 1);
+  const long factors = static_cast<long>(bound.word.size()) * (pair ? 2 : 1);
+  const long degree = static_cast<long>(size) * factors * family_.degree;
   if (degree > most_terms) return {};
   const auto shifted = [&](const Rational& w) {
-    const RationalMatrix product = family_.at(w).product(bound.word);
+    const RationalMatrix product = family_.numerators_at(w).product(bound.word);
     RationalMatrix result = Rational(bound.re < 0 ? 1 : -1) * (pair ? second_compound(product) : product);
-    for (std::size_t i = 0; i < size; ++i) result(i, i) += pair ? Rational(bound.im * bound.im) : bound.modulus();
+    const Rational diagonal = (pair ? Rational(bound.im * bound.im) : bound.modulus()) *
+                              power(family_.denominator(w), factors);
+    for (std::size_t i = 0; i < size; ++i) result(i, i) += diagonal;
     return result;
   };
   auto result = determinant(shifted, degree, deadline);

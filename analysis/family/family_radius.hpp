@@ -36,8 +36,8 @@ class FamilyRadius {
   std::optional<JointSpectralRadius> from_above(const Segment& segment, const Rational& target, bool try_form,
                                                 const Budget& budget) const;
   /// An upper bound that exceeds the radius of the control matrices by that share, about, or by as little as the budget
-  /// allows.
-  JointSpectralRadius from_above(const Segment& segment, double excess, const Budget& budget) const;
+  /// allows; nothing where the interval has no control matrices.
+  std::optional<JointSpectralRadius> from_above(const Segment& segment, double excess, const Budget& budget) const;
 
   /// A proof that the spectral radius of the product is above a number, at least this, on the whole interval; nothing
   /// where none is found. `sharp`: the number is to be as large as it can be. Domain: least > 0.

@@ -1,5 +1,6 @@
 #include "parametric_family.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 namespace subcert {
@@ -9,7 +10,7 @@ namespace {
 RationalMatrix combination(const std::vector<Rational>& factors, const std::vector<RationalMatrix>& matrices) {
   const std::size_t n = matrices.front().rows();
   RationalMatrix result(n, n);
-  for (std::size_t k = 0; k < factors.size(); ++k)
+  for (std::size_t k = 0; k < matrices.size(); ++k)
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) result(i, j) += factors[k] * matrices[k](i, j);
   return result;
@@ -31,29 +32,49 @@ std::vector<Rational> blossom(long n, long i, const Rational& low, const Rationa
 
 }  // namespace
 
-MatrixFamily ParametricFamily::at(const Rational& w) const {
+MatrixFamily ParametricFamily::numerators_at(const Rational& w) const {
   std::vector<Rational> factors;
-  for (int k = 0; k <= degree(); ++k) factors.push_back(power(w, k));
+  for (int k = 0; k <= degree; ++k) factors.push_back(power(w, k));
   std::vector<RationalMatrix> matrices;
   for (const auto& one : powers) matrices.push_back(combination(factors, one));
   return matrices;
 }
 
-MatrixFamily ParametricFamily::controls(const Rational& low, const Rational& high) const {
+MatrixFamily ParametricFamily::at(const Rational& w) const {
+  const Rational below = denominator(w);
+  require(below != 0, "parametric family: need a value where the denominator is not zero, got {}", w);
+  MatrixFamily result = numerators_at(w);
+  if (below == 1) return result;
   std::vector<RationalMatrix> matrices;
-  for (const auto& one : powers)
-    for (int i = 0; i <= degree(); ++i) matrices.push_back(combination(blossom(degree(), i, low, high), one));
+  for (const RationalMatrix& matrix : result) matrices.push_back(Rational(1 / below) * matrix);
   return matrices;
 }
 
-ParametricFamily transition_matrices(const ParametricMask& mask) {
+std::optional<MatrixFamily> ParametricFamily::controls(const Rational& low, const Rational& high) const {
+  std::vector<std::vector<Rational>> factors;
+  for (int i = 0; i <= degree; ++i) {
+    factors.push_back(blossom(degree, i, low, high));
+    Rational below = 0;
+    for (int k = 0; k <= degree; ++k) below += factors.back()[static_cast<std::size_t>(k)] * denominator.coefficient(k);
+    if (below <= 0) return std::nullopt;
+    for (Rational& factor : factors.back()) factor /= below;
+  }
+  std::vector<RationalMatrix> matrices;
+  for (const auto& one : powers)
+    for (const std::vector<Rational>& control : factors) matrices.push_back(combination(control, one));
+  return MatrixFamily(std::move(matrices));
+}
+
+ParametricFamily transition_matrices(const ParametricMask& mask, const Rational& inside) {
   const IndexRange support = mask.support();
   const IndexRange window{0, TransitionWindow(support.last - support.first, mask.arity()).width - 1};
-  ParametricFamily result;
+  const LaurentPolynomial sign = mask.denominator()(inside) < 0 ? -1 : 1;
+  ParametricFamily result{{}, sign * mask.denominator(), mask.degree()};
   for (long t = 0; t < mask.arity(); ++t) {
     result.powers.emplace_back();
     for (const LaurentPolynomial& power : mask.powers())
-      result.powers.back().push_back(transition_block(power.shifted(-support.first), mask.arity(), t, window, window));
+      result.powers.back().push_back(
+          transition_block((sign * power).shifted(-support.first), mask.arity(), t, window, window));
   }
   return result;
 }

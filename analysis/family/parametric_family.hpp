@@ -1,27 +1,36 @@
 #pragma once
-/// Families of matrices whose entries are polynomials in one parameter.
+/// Families of matrices whose entries are polynomials in one parameter, or quotients of them.
 
 #include <subcert/analysis/symbol/matrix_family.hpp>
 #include <subcert/analysis/symbol/parametric_mask.hpp>
 
+#include <optional>
+
 namespace subcert {
 
-/// T_t(w) = sum over k of w^k powers[t][k]. Canonical: as many powers for each t, square matrices of one size.
+/// T_t(w) = sum over k of w^k powers[t][k] / denominator(w). Canonical: as many powers for each t, square matrices of
+/// one size.
 struct ParametricFamily {
   std::vector<std::vector<RationalMatrix>> powers;
+  LaurentPolynomial denominator = 1;
+  int degree = 0;  ///< in w, of numerators and denominator
 
   std::size_t size() const { return powers.front().front().rows(); }
-  int degree() const { return static_cast<int>(powers.front().size()) - 1; }
   std::size_t count() const { return powers.size(); }
 
+  /// T_t(w) times the denominator.
+  MatrixFamily numerators_at(const Rational& w) const;
+  /// Domain: the denominator is not zero there.
   MatrixFamily at(const Rational& w) const;
-  /// T_t(w) = sum over i of B_i(w) C_{t,i} with the Bernstein polynomials B_i of [low, high], which are not negative
-  /// and sum to 1: for each w there the T_t(w) lie in the convex hull of the C_{t,i}, so that their joint spectral
-  /// radius is at most that of the family of all C_{t,i}.
-  MatrixFamily controls(const Rational& low, const Rational& high) const;
+  /// With the Bernstein polynomials B_i of [low, high], which are not negative, numerator and denominator are sums of
+  /// B_i(w) N_{t,i} and B_i(w) q_i. Where all q_i are positive T_t(w) is in the convex hull of the C_{t,i} =
+  /// N_{t,i}/q_i for each w, so that the joint spectral radius is at most that of the family of all C_{t,i}. Nothing
+  /// where some q_i is not positive.
+  std::optional<MatrixFamily> controls(const Rational& low, const Rational& high) const;
 };
 
-/// Those of transition_matrices(mask.at(w)), on a window that holds all coefficients for all w.
-ParametricFamily transition_matrices(const ParametricMask& mask);
+/// Those of transition_matrices(mask.at(w)), on a window that holds all coefficients for all w; the denominator is
+/// positive at `inside`.
+ParametricFamily transition_matrices(const ParametricMask& mask, const Rational& inside);
 
 }  // namespace subcert

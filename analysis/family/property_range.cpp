@@ -26,7 +26,7 @@ constexpr double special_seconds = 10;   // for one value
 constexpr int levels = 12;               // of norms, at special values
 constexpr int shortest_share = 16;       // of the width that may stay open: several intervals make a gap
 constexpr std::size_t longest_end = 24;  // letters of a product that names an end
-constexpr std::size_t most_matrices = 64;
+constexpr int most_matrices = 64;
 
 /// What a radius of the difference scheme of order m has to stay below: arity^(m - order).
 class Threshold {
@@ -96,19 +96,20 @@ struct Node {
 
 class RangeSearch {
  public:
-  RangeSearch(const ParametricMask& mask, int rules, const RangeProperty& property, const RangeOptions& options)
+  RangeSearch(const ParametricMask& mask, int rules, const RangeProperty& property, const Segment& range,
+              const RangeOptions& options)
       : property_(property),
         options_(options),
         threshold_(property, mask.arity(), rules),
-        radius_(transition_matrices(divided_difference_scheme(mask, rules))) {
+        radius_(transition_matrices(divided_difference_scheme(mask, rules), range.low)),
+        range_(range) {
     if (property.kind != RangeProperty::Kind::convergent) unstable_ = unstable_values(mask, options.budget.deadline);
   }
 
   /// Decided or too short to be halved; an interval with neither proof is not decided.
-  std::vector<IntervalProof> intervals(const Rational& low, const Rational& high) {
-    range_ = high - low;
+  std::vector<IntervalProof> intervals() {
     std::vector<IntervalProof> done;
-    std::vector<Node> open{{{low, high}, look(low), look(high)}};
+    std::vector<Node> open{{range_, look(range_.low), look(range_.high)}};
     while (!open.empty()) {
       std::vector<IntervalProof> decided(open.size());
       std::vector<Look> middles(open.size());
@@ -212,7 +213,7 @@ class RangeSearch {
           proof.below = radius_.from_below(interval, word, power_of_threshold(word), false, options_.budget.deadline);
     } else if (const double largest = std::max(node.at_low.radius, node.at_high.radius);
                threshold_.is_reachable() && largest < limit) {
-      const double seconds = interval.width() * short_share < range_ ? short_seconds : radius_seconds;
+      const double seconds = interval.width() * short_share < range_.width() ? short_seconds : radius_seconds;
       proof.above = radius_.from_above(interval, threshold_.below(), largest < far_below * limit,
                                        {options_.budget.deadline.at_most(seconds), options_.budget.memory});
     }
@@ -233,7 +234,7 @@ class RangeSearch {
   Threshold threshold_;
   FamilyRadius radius_;
   LaurentPolynomial unstable_;
-  Rational range_ = 1;  // length of what is asked for
+  Segment range_;  // what is asked for
 };
 
 /// Whether the scheme has the property at one value.
@@ -314,9 +315,11 @@ PropertyRange by_zeros(const ParametricMask& mask, const RangeProperty& property
 
 void require_family(const ParametricMask& mask, const Rational& low, const Rational& high) {
   require(low < high, "range: need low < high, got {} and {}", low, high);
-  require(static_cast<std::size_t>(mask.arity()) * (mask.powers().size()) <= most_matrices,
-          "range: need arity * (degree + 1) up to 64, got {}",
-          static_cast<std::size_t>(mask.arity()) * mask.powers().size());
+  require(mask.arity() * (mask.degree() + 1) <= most_matrices, "range: need arity * (degree + 1) up to {}, got {}",
+          most_matrices, mask.arity() * (mask.degree() + 1));
+  const LaurentPolynomial& q = mask.denominator();
+  require(q == LaurentPolynomial(1) || has_no_real_root(q, low, high),
+          "range: need a range without zeros of the denominator of the mask, got {} to {}", low, high);
   require(sum_rules(mask) >= 1, "range: need a sum rule for all values of the parameter, got none");
 }
 
@@ -353,10 +356,10 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
     result.sum_rules = rules;
     return result;
   }
-  RangeSearch search(mask, rules, property, options);
+  RangeSearch search(mask, rules, property, {low, high}, options);
   PropertyRange result;
   result.sum_rules = rules;
-  std::vector<IntervalProof> intervals = search.intervals(low, high);
+  std::vector<IntervalProof> intervals = search.intervals();
   result.pieces = merged(intervals);
   result.complete = is_complete(result.pieces, options.width);
   for (std::size_t k = 0; k < result.pieces.size(); ++k) {

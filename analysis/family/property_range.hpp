@@ -59,7 +59,8 @@ struct SpecialValue {
 std::vector<SpecialValue> single_values(const ParametricMask& mask, const LaurentPolynomial& unstable,
                                         const Rational& low, const Rational& high, const Rational& width);
 
-/// Errors: throws Error unless low < high, a sum rule holds for all w, and arity * (degree in w + 1) is at most 64.
+/// Errors: throws Error unless low < high, a sum rule holds for all w, the denominator has no zero from low to high,
+/// and arity * (degree in w + 1) is at most 64.
 void require_family(const ParametricMask& mask, const Rational& low, const Rational& high);
 
 struct PropertyRange {

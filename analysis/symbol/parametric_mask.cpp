@@ -58,6 +58,26 @@ LaurentPolynomial at_parameter(const std::vector<LaurentPolynomial>& powers, con
   return sum;
 }
 
+LaurentPolynomial common_denominator(const std::vector<RationalFunction>& coefficients) {
+  LaurentPolynomial result = 1;
+  for (const RationalFunction& c : coefficients) result *= RationalFunction(result, c.denominator()).denominator();
+  return result;
+}
+
+std::vector<LaurentPolynomial> powers_of(const std::vector<RationalFunction>& coefficients,
+                                         const LaurentPolynomial& denominator, long first) {
+  std::vector<LaurentPolynomial> result;
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    const LaurentPolynomial c = (coefficients[k] * denominator).numerator();
+    for (long i = 0; !c.is_zero() && i <= c.highest(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (at >= result.size()) result.resize(at + 1);
+      result[at] += LaurentPolynomial::monomial(c.coefficient(i), first + static_cast<long>(k));
+    }
+  }
+  return result;
+}
+
 /// The range of exponents of all powers.
 IndexRange range_of(const std::vector<LaurentPolynomial>& powers) {
   IndexRange range{std::numeric_limits<long>::max(), std::numeric_limits<long>::min()};
@@ -94,40 +114,40 @@ LaurentPolynomial resultant_in_z(const std::vector<LaurentPolynomial>& p, const 
 
 }  // namespace
 
-ParametricMask::ParametricMask(std::vector<LaurentPolynomial> powers, int arity)
-    : powers_(std::move(powers)), arity_(arity) {
+ParametricMask::ParametricMask(std::vector<LaurentPolynomial> powers, int arity, LaurentPolynomial denominator)
+    : powers_(std::move(powers)), denominator_(std::move(denominator)), arity_(arity) {
   while (!powers_.empty() && powers_.back().is_zero()) powers_.pop_back();
   require(!powers_.empty(), "mask: need a symbol that is not zero, got zero");
   require(arity >= 2, "mask: need arity >= 2, got {}", arity);
+}
+
+ParametricMask::ParametricMask(const std::vector<RationalFunction>& coefficients, long first, int arity)
+    : ParametricMask(powers_of(coefficients, common_denominator(coefficients), first), arity,
+                     common_denominator(coefficients)) {}
+
+int ParametricMask::degree() const {
+  return static_cast<int>(std::max(static_cast<long>(powers_.size()) - 1, denominator_.highest()));
 }
 
 IndexRange ParametricMask::support() const { return range_of(powers_); }
 
 LaurentPolynomial ParametricMask::coefficient(long index) const { return in_parameter(powers_, index); }
 
-Mask ParametricMask::at(const Rational& w) const { return {at_parameter(powers_, w), arity_}; }
+Mask ParametricMask::at(const Rational& w) const {
+  const Rational below = denominator_(w);
+  require(below != 0, "mask: need a value where the denominator is not zero, got {}", w);
+  return {LaurentPolynomial(1 / below) * at_parameter(powers_, w), arity_};
+}
 
 std::string ParametricMask::to_text(char letter) const {
   std::string text;
   const IndexRange range = support();
   for (long i = range.first; i <= range.last; ++i) {
-    std::string entry = subcert::to_text(coefficient(i), letter);
-    std::erase(entry, ' ');
-    text += (text.empty() ? "[" : ",") + entry;
+    text += (text.empty() ? "[" : ",") + RationalFunction(coefficient(i)).to_text(letter);
   }
-  return fmt::format("{}]@{}", text, range.first);
-}
-
-std::string to_text(const LaurentPolynomial& polynomial, char letter) {
-  std::string text = polynomial.to_text();
-  std::replace(text.begin(), text.end(), 'z', letter);
-  return text;
-}
-
-LaurentPolynomial parse_polynomial(std::string_view text, char letter) {
-  std::string in_z(text);
-  std::replace(in_z.begin(), in_z.end(), letter, 'z');
-  return LaurentPolynomial::parse(in_z);
+  text += ']';
+  if (!(denominator_ == LaurentPolynomial(1))) text += "/(" + RationalFunction(denominator_).to_text(letter) + ")";
+  return fmt::format("{}@{}", text, range.first);
 }
 
 int sum_rules(const ParametricMask& mask) {
@@ -146,7 +166,7 @@ ParametricMask divided_difference_scheme(const ParametricMask& mask, int order) 
             order);
     powers.push_back(LaurentPolynomial(subcert::power(Rational(mask.arity()), order)) * *quotient);
   }
-  return {std::move(powers), mask.arity()};
+  return {std::move(powers), mask.arity(), mask.denominator()};
 }
 
 LaurentPolynomial special_values(const ParametricMask& mask) {

@@ -1,41 +1,44 @@
 #pragma once
-/// Masks whose coefficients are polynomials in one parameter.
+/// Masks whose coefficients are polynomials in one parameter, or quotients of them.
 
 #include "budget.hpp"
 #include "mask.hpp"
+#include "rational_function.hpp"
 
 namespace subcert {
 
-/// a(z, w) = sum over k of w^k a_k(z) with an arity. Canonical: at least one power, the last of them not zero.
+/// a(z, w) = sum over k of w^k a_k(z) / q(w) with an arity. Canonical: at least one power, the last of them not zero; q
+/// as in RationalFunction, without a factor that all coefficients have.
 class ParametricMask {
  public:
-  /// Errors: throws Error for arity < 2, or where all powers are zero.
-  ParametricMask(std::vector<LaurentPolynomial> powers, int arity);
+  /// Domain: canonical, but for powers at the end that are zero. Errors: throws Error for arity < 2, or where all
+  /// powers are zero.
+  ParametricMask(std::vector<LaurentPolynomial> powers, int arity, LaurentPolynomial denominator = 1);
+  /// The first coefficient belongs to the index `first`. Errors: as above.
+  ParametricMask(const std::vector<RationalFunction>& coefficients, long first, int arity);
 
   /// a_0, a_1, ...
   const std::vector<LaurentPolynomial>& powers() const { return powers_; }
-  /// In w.
-  int degree() const { return static_cast<int>(powers_.size()) - 1; }
+  /// q, which is 1 where all coefficients are polynomials.
+  const LaurentPolynomial& denominator() const { return denominator_; }
+  /// In w, of numerators and denominator.
+  int degree() const;
   int arity() const { return arity_; }
   /// The indices at which some coefficient is not zero.
   IndexRange support() const;
-  /// The coefficient at an index, as a polynomial in w.
+  /// The coefficient at an index times the denominator, as a polynomial in w.
   LaurentPolynomial coefficient(long index) const;
-  /// Errors: throws Error where all coefficients vanish at w.
+  /// Errors: throws Error where all coefficients vanish at w, or the denominator does.
   Mask at(const Rational& w) const;
 
-  /// `[-w,0,1/2+w,1,1/2+w,0,-w]@-3` with this letter.
+  /// `[-w,0,1/2+w,1,1/2+w,0,-w]@-3` with this letter, or `[1,1+w,1]/(2+w)@-1`.
   std::string to_text(char letter) const;
 
  private:
   std::vector<LaurentPolynomial> powers_;
+  LaurentPolynomial denominator_;
   int arity_;
 };
-
-/// A polynomial in a parameter of this name, as to_text() prints those in z.
-std::string to_text(const LaurentPolynomial& polynomial, char letter);
-/// Reads what that prints. Errors: throws ParseError.
-LaurentPolynomial parse_polynomial(std::string_view text, char letter);
 
 /// The number of sum rules that hold for all w.
 int sum_rules(const ParametricMask& mask);

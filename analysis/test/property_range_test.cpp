@@ -125,7 +125,7 @@ TEST_CASE("single values in gaps are looked at on their own") {
 TEST_CASE("a pair of complex eigenvalues bounds a radius over an interval") {
   // b = (-w, 1, 1, w): T_0 has a pair of eigenvalues with the product 1 + w^2.
   const ParametricMask mask = make_parametric_scheme("mask:[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]").mask;
-  family::FamilyRadius radius(transition_matrices(divided_difference_scheme(mask, 1)));
+  family::FamilyRadius radius(transition_matrices(divided_difference_scheme(mask, 1), 0));
   for (const bool sharp : {false, true}) {
     const auto bound = radius.from_below({1, q("3/2")}, {0}, q("7/5"), sharp, Deadline());
     REQUIRE(bound);
@@ -163,22 +163,44 @@ TEST_CASE("where shifts are stable") {
 }
 
 TEST_CASE("control matrices hold the family in their hull") {
-  const ParametricMask mask = make_parametric_scheme("mask:[w^2,1/2,1-2*w^2,1/2,w^2]").mask;
-  const ParametricFamily family = transition_matrices(mask);
-  CHECK(family.degree() == 2);
-  CHECK(family.count() == 2);
-  const Rational low = q("-1/3"), high = q("1/2"), w = q("1/7");
-  const MatrixFamily controls = family.controls(low, high), at = family.at(w);
-  const Rational u = (w - low) / (high - low), v = 1 - u;
-  const Rational weights[] = {v * v, 2 * u * v, u * u};
-  for (std::size_t t = 0; t < 2; ++t) {
-    RationalMatrix sum(family.size(), family.size());
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t i = 0; i < family.size(); ++i)
-        for (std::size_t j = 0; j < family.size(); ++j) sum(i, j) += weights[k] * controls[3 * t + k](i, j);
-    CHECK(sum == at[t]);
+  for (const char* text : {"mask:[w^2,1/2,1-2*w^2,1/2,w^2]", "mask:[1,1+w,w]/(1+w)", "mask:[1,w-2,w-3]/(w-2)"}) {
+    CAPTURE(text);
+    const ParametricMask mask = make_parametric_scheme(text).mask;
+    const ParametricFamily family = transition_matrices(mask, 0);
+    CHECK(family.count() == 2);
+    const Rational low = q("-1/3"), high = q("1/2"), w = q("1/7");
+    const auto controls = family.controls(low, high);
+    REQUIRE(controls);
+    const MatrixFamily at = family.at(w);
+    const Rational u = (w - low) / (high - low), v = 1 - u;
+    const auto n = static_cast<std::size_t>(family.degree);
+    // In the one family the binomials, in the others the values of the denominator at the ends.
+    const std::vector<Rational> weights = n == 2 ? std::vector<Rational>{v * v, 2 * u * v, u * u}
+                                                 : std::vector<Rational>{v * family.denominator(low),
+                                                                         u * family.denominator(high)};
+    Rational total = 0;
+    for (const Rational& weight : weights) total += weight;
+    for (std::size_t t = 0; t < 2; ++t) {
+      RationalMatrix sum(family.size(), family.size());
+      for (std::size_t k = 0; k <= n; ++k)
+        for (std::size_t i = 0; i < family.size(); ++i)
+          for (std::size_t j = 0; j < family.size(); ++j)
+            sum(i, j) += weights[k] / total * (*controls)[(n + 1) * t + k](i, j);
+      CHECK(sum == at[t]);
+    }
+    CHECK(at.matrices() == transition_matrices(mask.at(w)));
   }
-  CHECK(at.matrices() == transition_matrices(mask.at(w)));
+  CHECK_FALSE(transition_matrices(make_parametric_scheme("mask:[1,1+w,w]/(1+w)").mask, 0).controls(-2, 0));
+}
+
+TEST_CASE("a family with denominators has the range of the same family without") {
+  // Corner cutting with w = 1/(1 + v).
+  const PropertyRange direct = range_of("corner-cutting:w", "C1", "1/10", "2/5"),
+                      quotient = range_of("mask:[1,v,v,1]/(1+v)", "C1", "3/2", "9");
+  CHECK(verdicts(direct) == verdicts(quotient));
+  const PropertyRange convergent = range_of("mask:[1,v,v,1]/(1+v)", "convergent", "11/10", "9");
+  CHECK(verdicts(convergent) == "y");
+  CHECK_THROWS_AS(range_of("mask:[1,v,v,1]/(1+v)", "C1", "-2", "0"), Error);
 }
 
 TEST_CASE("specifications of families") {
@@ -186,7 +208,12 @@ TEST_CASE("specifications of families") {
   CHECK(make_parametric_scheme("mask:[1-t,1,t]/1@0").specification == "mask:[1-t,1,t]@0");
   for (const char* bad :
        {"mask:[1,2,1]/2", "mask:[v,1-v,w,1-w]", "mask:[w,1]", "mask:[w,1/w]", "four-point:", "four-point:ww",
-        "mask:[w,1-w,w*,1]", "primal:n=w", "mask:", "mask:[w,w,1-w,1-w]@x", "mask:[w^13,1,1-w^13]"})
+        "mask:[w,1-w,w*,1]", "primal:n=w", "mask:", "mask:[w,w,1-w,1-w]@x", "mask:[w^13,1,1-w^13]", "mask:[1,1,w]/(1+w",
+        "mask:[1,1+w,w]/(w-w)", "mask:[w,1,1-w]/(1+v)", "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
+        "regression:stencils=[-1..1;-1..2],at=[0;w],weights=[v;1;1|1;1;1;1]",
+        "regression:stencils=[-1..1;-1..2],at=[0;w],weights=[0;w;1|1;1;1;1]",
+        "regression:stencils=[-1..1;-1..2],at=[0;w],weights=[1;1|1;1;1;1]",
+        "regression:stencils=[-40..40;-40..40],at=[0;w],d=3"})
     CHECK_THROWS_AS(make_parametric_scheme(bad), SpecificationError);
   for (const char* bad : {"", "C", "C-1", "C1/2", "holder>=", "holder>=-1", "C1000", "smooth", "holder>2"})
     CHECK_FALSE(parse_range_property(bad));

@@ -39,6 +39,20 @@ TEST_CASE("a range comes with certificates that one command verifies") {
   CHECK(content(file) == "text");
 }
 
+TEST_CASE("a window that moves from a peak to a box") {
+  const std::string bundle = std::filesystem::temp_directory_path() / "subcert_window_test";
+  const Run page = run(
+      "range 'regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[w;1;w|w;1;1;w]' --over w=1/4..2 --property C1 "
+      "--certificate " +
+      bundle);
+  CHECK(page.code == 0);
+  CHECK(page.out.find("proved       1/4 <= w <= 2\n") != std::string::npos);
+  const Run verified = run("verify " + bundle);
+  CHECK(verified.code == 0);
+  CHECK(verified.out.find("/(1+3*w+2*w^2)@-3 with arity 2 for all w=1/4..2") != std::string::npos);
+  std::filesystem::remove_all(bundle);
+}
+
 TEST_CASE("ranges that make no sense are refused in one line") {
   for (const char* arguments :
        {"four-point:w --over w=1..0 --property C1", "four-point:w --over t=0..1 --property C1",
@@ -46,7 +60,8 @@ TEST_CASE("ranges that make no sense are refused in one line") {
         "mask:[w,1-w] --over w=0..1 --property C1", "four-point:w=1/16 --over w=0..1 --property C1",
         "mask:[w,1,1-w] --over w=0..1/0 --property C1", "primal:n=3 --over w=0..1 --property C1",
         "four-point:w --over w=0..1 --property C1 --width 0", "four-point:w --property C1",
-        "four-point:w --over w=0..1"}) {
+        "four-point:w --over w=0..1", "'mask:[1,v,v,1]/(1+v)' --over v=-2..1 --property C1",
+        "'mask:[1,v,v,1]/(1+v)' --over v=-1..1 --property C1", "'mask:[1,v,v,1]/(1+v' --over v=0..1 --property C1"}) {
     CAPTURE(arguments);
     CHECK(run(std::string("range ") + arguments).code == 64);
   }

@@ -56,7 +56,9 @@ class Checker {
       const mpq_class next = parse_rational(reader_.take("to", 1, 1)[0]);
       require(reached < next && next <= high, "an interval ends outside of the rest of the range");
       const Range interval{claim_.range->letter, reached, next};
-      read_bounds(control_family(powers, claim_.mask->powers - 1, interval, arithmetic_), false);
+      Controls controls = control_family(powers, claim_.mask->divisor, interval, arithmetic_);
+      weights_ = std::move(controls.weights);
+      read_bounds(controls.family, false);
       reached = next;
     }
   }
@@ -93,7 +95,7 @@ class Checker {
     for (std::size_t k = 0; k < mask.powers; ++k) {
       const auto begin = mask.coefficients.begin() + static_cast<std::ptrdiff_t>(k * mask.points()),
                  end = begin + static_cast<std::ptrdiff_t>(mask.points());
-      require(std::accumulate(begin, end, mpz_class(0)) == (k == 0 ? mask.denominator * claim_.arity : mpz_class(0)),
+      require(std::accumulate(begin, end, mpz_class(0)) == mask.denominator * claim_.arity * mask.divisor[k],
               "the coefficients of the mask do not sum to the arity");
     }
     show_exponent(claim_.arity, power(claim_.arity, sum_rules), sum_rules);
@@ -154,13 +156,12 @@ class Checker {
     const Fields fields = reader_.take("product", 4, 3 + 4096);
     const Family& family = blocks[parse_size(fields[0], 0, blocks.size() - 1)];
     const mpq_class re = parse_rational(fields[1]), im = parse_rational(fields[2]);
-    const std::size_t degree = claim_.range ? claim_.mask->powers - 1 : 0;
     std::vector<std::size_t> letters;
     for (std::size_t i = 3; i < fields.size(); ++i)
-      letters.push_back(parse_size(fields[i], 0, family.count() / (degree + 1) - 1));
+      letters.push_back(parse_size(fields[i], 0, family.count() / weights_.size() - 1));
     mpq_class radius = abs(re + im);  // JSR^length is at least that, over a range above it
     if (claim_.range)
-      check_eigenvalue(family, degree, letters, re, im, arithmetic_);
+      check_eigenvalue(family, weights_, letters, re, im, arithmetic_);
     else
       radius = spectral_radius_bound(family, letters, re, im);
     if (!lower_) return;
@@ -355,6 +356,7 @@ class Checker {
   const Claim& claim_;
   Reader& reader_;
   Arithmetic arithmetic_;
+  Vector weights_{1};  // of the control matrices
   // What is to be shown: lower <= JSR^root <= upper (over a range: <); and JSR^root > above, where there is a lower
   // end.
   std::optional<mpq_class> lower_, upper_;

@@ -41,9 +41,11 @@ Vector coefficient_forms(const Mask& mask, const Range& range) {
   return result;
 }
 
-mpz_class binomial(std::size_t n, std::size_t k) {
-  mpz_class result;
-  mpz_bin_uiui(result.get_mpz_t(), n, k);
+/// The coefficients of the divisor of a mask.
+Vector divisor_form(const Vector& divisor, const std::vector<Vector>& forms) {
+  Vector result(divisor.size());
+  for (std::size_t k = 0; k < divisor.size(); ++k)
+    for (std::size_t j = 0; j < divisor.size(); ++j) result[j] += forms[k][j] * divisor[k];
   return result;
 }
 
@@ -208,25 +210,35 @@ Range parse_range(std::string_view text) {
   return range;
 }
 
-Family control_family(const Family& powers, std::size_t degree, const Range& range, Arithmetic& arithmetic) {
+Controls control_family(const Family& powers, const Vector& divisor, const Range& range, Arithmetic& arithmetic) {
+  const std::size_t degree = divisor.size() - 1, square = powers.size * powers.size,
+                    count = powers.count() / (degree + 1);
   const std::vector<Vector> forms = power_forms(range, degree);
-  const std::size_t square = powers.size * powers.size, count = powers.count() / (degree + 1);
-  const mpz_class scale = power(lcm(range.low.get_den(), range.high.get_den()), degree).get_num() * powers.denominator;
+  Vector weights = divisor_form(divisor, forms);
   Rationals entries;
   arithmetic.spend(count * square * (degree + 1) * 1000);
   for (std::size_t t = 0; t < count; ++t)
-    for (std::size_t j = 0; j <= degree; ++j)
+    for (std::size_t j = 0; j <= degree; ++j) {
+      require(sgn(weights[j]) * sgn(weights[0]) > 0, "the denominator of the mask changes its sign, or may do so");
       for (std::size_t i = 0; i < square; ++i) {
         mpz_class sum = 0;
         for (std::size_t k = 0; k <= degree; ++k)
           arithmetic.add_product(sum, forms[k][j], powers.entries[(t * (degree + 1) + k) * square + i]);
-        entries.push_back(ratio(sum, scale * binomial(degree, j)));
+        entries.push_back(ratio(sum, weights[j] * powers.denominator));
       }
-  return clear_denominators(powers.size, entries);
+    }
+  mpz_class common = 0;
+  for (const mpz_class& weight : weights) common = gcd(common, weight);
+  for (mpz_class& weight : weights) weight = abs(weight) / common;
+  return {clear_denominators(powers.size, entries), std::move(weights)};
 }
 
 void check_stability(const Mask& mask, unsigned arity, const Range& range, Arithmetic& arithmetic) {
   const std::size_t degree = mask.powers - 1, points = mask.points();
+  Vector divisor = divisor_form(mask.divisor, power_forms(range, degree));
+  if (divisor[0] < 0)
+    for (mpz_class& c : divisor) c = -c;
+  check_positive_form(divisor, "the denominator of the mask", arithmetic);
   const Vector forms = coefficient_forms(mask, range);
   if (degree == 0)
     check_no_common_zeros(mask, arity);
@@ -246,25 +258,26 @@ void check_stability(const Mask& mask, unsigned arity, const Range& range, Arith
   }
 }
 
-void check_eigenvalue(const Family& controls, std::size_t degree, const std::vector<std::size_t>& letters,
+void check_eigenvalue(const Family& family, const Vector& weights, const std::vector<std::size_t>& letters,
                       const mpq_class& re, const mpq_class& im, Arithmetic& arithmetic) {
   const bool is_pair = im != 0;
   require((re == 0) == is_pair, "over a range either the real or the imaginary part of the eigenvalue is 0");
-  const std::size_t n = controls.size, length = letters.size(), factors = is_pair ? 2 * length : length;
+  const std::size_t n = family.size, length = letters.size(), factors = is_pair ? 2 * length : length;
+  const std::size_t degree = weights.size() - 1;
   const std::size_t size = is_pair ? n * (n - 1) / 2 : n;
   require(size > 0, "a pair of eigenvalues needs matrices of size 2");
   require(size <= 256, too_much_work);
   // The bound of the eigenvalue, and the power of the denominator that belongs to it.
   const mpq_class bound = is_pair ? mpq_class(im * im) : mpq_class(abs(re));
-  const mpz_class whole = bound.get_num() * power(controls.denominator, factors).get_num();
+  const mpz_class whole = bound.get_num() * power(family.denominator, factors).get_num();
   const auto fill = [&](std::size_t width) {
     const bool exact = width > 0;
     const auto matrix = [&](std::size_t t) {
       Vector sum(n * n);
       for (std::size_t j = 0; j <= degree; ++j) {
-        const auto control = controls.matrix(t * (degree + 1) + j);
+        const auto control = family.matrix(t * (degree + 1) + j);
         for (std::size_t i = 0; i < n * n; ++i) {
-          const mpz_class term = control[i] * binomial(degree, j);
+          const mpz_class term = control[i] * weights[j];
           sum[i] += exact ? mpz_class(term << width * j) : mpz_class(abs(term));
         }
       }
@@ -276,7 +289,9 @@ void check_eigenvalue(const Family& controls, std::size_t degree, const std::vec
     for (std::size_t i = length; i-- > 0;) product = arithmetic.multiply(matrix(letters[i]), product, n);
     if (is_pair) product = second_compound(product, n, exact ? -1 : 1, arithmetic);
     for (mpz_class& x : product) x *= exact && (is_pair || re > 0) ? -bound.get_den() : bound.get_den();
-    const mpz_class diagonal = whole * power((mpz_class(1) << width) + 1, degree * factors).get_num();
+    mpz_class one = 0;
+    for (std::size_t j = 0; j <= degree; ++j) one += weights[j] << width * j;
+    const mpz_class diagonal = whole * power(one, factors).get_num();
     for (std::size_t i = 0; i < size; ++i) product[i * size + i] += diagonal;
     return product;
   };

@@ -14,16 +14,26 @@ struct Range {
 /// w=LOW..HIGH
 Range parse_range(std::string_view text);
 
-/// The matrices at which Bernstein's polynomials of the range lead to those of the powers: for each matrix, those of
-/// all powers, one after another.
-Family control_family(const Family& powers, std::size_t degree, const Range& range, Arithmetic& arithmetic);
+/// The control matrices of a range: for each matrix those of u^0, u^1, ..., one after another, and the weights of these
+/// powers, positive integers.
+struct Controls {
+  Family family;
+  Vector weights;
+
+  std::size_t degree() const { return weights.size() - 1; }
+};
+
+/// Of the matrices of all powers, one after another for each matrix, over the divisor of the mask. Rejects where a
+/// weight would not be positive.
+Controls control_family(const Family& powers, const Vector& divisor, const Range& range, Arithmetic& arithmetic);
 
 /// Conditions (i) and (ii) of Theorem 4 for all values of the range. Without a parameter: with an empty range.
 void check_stability(const Mask& mask, unsigned arity, const Range& range, Arithmetic& arithmetic);
 
 /// Rejects unless for all values of the range the product of the letters has a real eigenvalue beyond `re`, or two
-/// eigenvalues whose product is above im^2. Domain: one of re and im is 0.
-void check_eigenvalue(const Family& controls, std::size_t degree, const std::vector<std::size_t>& letters,
+/// eigenvalues whose product is above im^2. `family`: the control matrices, or one of their diagonal blocks. Domain:
+/// one of re and im is 0.
+void check_eigenvalue(const Family& family, const Vector& weights, const std::vector<std::size_t>& letters,
                       const mpq_class& re, const mpq_class& im, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

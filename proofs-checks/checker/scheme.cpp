@@ -83,7 +83,7 @@ Mask parse_mask(std::string_view text, char letter) {
   require(text.substr(end - variables, variables) == std::string(variables, ']') && tail.size() <= 2 &&
               (tail[0].empty() || tail[0].starts_with('/')),
           expected);
-  Mask mask{std::vector<std::size_t>(variables), Vector(variables), 1, {}, 1};
+  Mask mask{std::vector<std::size_t>(variables), Vector(variables), 1, {}, 1, {1}};
   Fields lists{text.substr(variables, end - 2 * variables)};
   for (std::size_t v = variables; v-- > 0;) {
     Fields items;
@@ -96,10 +96,18 @@ Mask parse_mask(std::string_view text, char letter) {
     lists = items;
   }
   require(lists.size() <= max_coefficients, "a mask with too many coefficients");
-  const mpq_class scale = parse_rational("1" + std::string(tail[0]));
+  const bool divided = letter != '\0' && tail[0].starts_with("/(") && tail[0].ends_with(')');
+  mpq_class scale = divided ? mpq_class(1) : parse_rational("1" + std::string(tail[0]));
+  if (divided) {
+    const Family divisor = clear_denominators(1, parse_polynomial(tail[0].substr(2, tail[0].size() - 3), letter));
+    mask.divisor = divisor.entries;
+    mask.powers = divisor.entries.size();
+    scale = divisor.denominator;
+  }
   std::vector<Rationals> polynomials;
   for (const std::string_view c : lists)
     mask.powers = std::max(mask.powers, polynomials.emplace_back(parse_polynomial(c, letter)).size());
+  mask.divisor.resize(mask.powers);
   Rationals values;
   for (std::size_t k = 0; k < mask.powers; ++k)
     for (const Rationals& c : polynomials) values.push_back(k < c.size() ? mpq_class(c[k] * scale) : mpq_class(0));

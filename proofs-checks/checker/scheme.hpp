@@ -23,19 +23,20 @@ Family clear_denominators(std::size_t size, const Rationals& values);
 Family read_family(Reader& reader, const std::string& head, std::size_t count, std::size_t size);
 
 /// Coefficients on a box of lattice points, the first variable running fastest, over one denominator > 0: the boxes of
-/// all powers of a parameter, one after another, from the power 0 on.
+/// all powers of a parameter, one after another, from the power 0 on; all of that over a polynomial in the parameter.
 struct Mask {
   std::vector<std::size_t> sizes;  // along the variables
   Vector first;                    // the lowest point
   std::size_t powers = 1;
   Vector coefficients;
   mpz_class denominator;
+  Vector divisor{1};  // as many coefficients as powers
 
   std::size_t points() const { return coefficients.size() / powers; }
 };
 
-/// [c0,c1,...]/D@first, or nested lists, the last variable outermost. `letter`: of the parameter, 0 where there is
-/// none.
+/// [c0,c1,...]/D@first, or nested lists, the last variable outermost, or [c0,c1,...]/(q)@first with a polynomial q in
+/// the parameter. `letter`: of the parameter, 0 where there is none.
 Mask parse_mask(std::string_view text, char letter);
 
 /// The family of section 4.1: divides the symbol by sigma, `sum_rules` times. Of a mask with a parameter: for each

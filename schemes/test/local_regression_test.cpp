@@ -3,6 +3,7 @@
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/classical.hpp>
 #include <subcert/schemes/local_regression.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
 
 using namespace subcert;
 using subcert::testing::Random;
@@ -171,4 +172,42 @@ TEST_CASE("a-ary masks are centred and sum to one") {
         CHECK(report.kind != Symmetry::none);
         CHECK((report.centre == 0 || report.centre == Rational(-1, 2)));
       }
+}
+
+TEST_CASE("a regression with a parameter is the regression at each of its values") {
+  const auto f = [](const char* text) { return RationalFunction::parse(text, 'w'); };
+  const LocalRegressionOf<RationalFunction> schemes[] = {
+      {{{-1, 1, 0, {f("w"), 1, f("w")}}, {-1, 2, f("1/2"), {f("w"), 1, 1, f("w")}}}, 1},
+      {{{-2, 2, 0, {}}, {-2, 3, f("w"), {}}}, 2},
+      {{{-2, 2, f("-w"), {1, 1, 1, 1, 1}},
+        {-2, 2, f("w^2"), {1, f("1/(1+w)"), f("3-w"), 1, 2}},
+        {-2, 3, f("1-w"), {f("(1+w)^2"), 1, 1, 1, 1, 1}}},
+       2,
+       -1},
+      {{{0, 0, 0, {}}, {-1, 2, f("w"), {}}}, 3}};
+  for (const auto& scheme : schemes) {
+    const ParametricMask mask = parametric_regression_mask(scheme);
+    for (const Rational& w : {Rational(1, 2), Rational(2, 7), Rational(2)}) {
+      LocalRegression at_number{{}, scheme.degree, scheme.first_output};
+      for (const auto& rule : scheme.rules) {
+        at_number.rules.push_back({rule.first, rule.last, rule.position(w), {}});
+        for (const RationalFunction& weight : rule.weights) at_number.rules.back().weights.push_back(weight(w));
+      }
+      CHECK(mask.at(w) == regression_mask(at_number));
+    }
+  }
+}
+
+TEST_CASE("specifications of regressions with a parameter") {
+  const ParametricScheme scheme = make_parametric_scheme(
+      "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[w;1;w|w;1;1;w]");
+  CHECK(scheme.mask.to_text('w') ==
+        parametric_regression_mask(
+            LocalRegressionOf<RationalFunction>{
+                {{-1, 1, 0, {LaurentPolynomial({0, 1}, 0), 1, LaurentPolynomial({0, 1}, 0)}},
+                 {-1, 2, Rational(1, 2), {LaurentPolynomial({0, 1}, 0), 1, 1, LaurentPolynomial({0, 1}, 0)}}},
+                1})
+            .to_text('w'));
+  CHECK(make_parametric_scheme(scheme.specification).specification == scheme.specification);
+  CHECK(make_parametric_scheme("mask:" + scheme.mask.to_text('w')).mask.to_text('w') == scheme.mask.to_text('w'));
 }

@@ -325,6 +325,15 @@ def main(out):
     over("square-range", "[w^2,1/2,1-2*w^2,1/2,w^2]@-2", "w=1/5..2/5", 2, 1, None, True, *(
         [f"to {high}", f"block 0 norm {level(square, 2, low, high, 2)}"]
         for low, high in ((Q(1, 5), Q(1, 4)), (Q(1, 4), Q(2, 5)))))
+    # corner cutting with w = 1/(1 + v), where 1 + v is positive and where it is negative
+    quotient = "[1,v,v,1]/(1+v)"
+    over("quotient-converges", quotient, "v=3/2..9", 1, 0, None, False, ["to 9", "block 0 norm 1"])
+    over("quotient-not-smooth", quotient, "v=4..9", 1, None, 1, True, ["to 9", "product 0 11/10 0 0"])
+    over("quotient-diverges", quotient, "v=-9..-3", 1, None, 0, False, ["to -3", "product 0 2 0 1"])
+    over("quotient-stable", quotient, "v=-100..-11/10", 1, None, None, True)
+    # 1/q and (q - 1)/q for the halves; on both intervals together a coefficient of q = (v - 1)^2 + 1/100 is negative
+    over("quotient-square", "[1,101/100-2*v+v^2,1/100-2*v+v^2]/(101/100-2*v+v^2)",
+         "v=1/2..3/2", 1, None, 0, False, ["to 1", "product 0 2 0 0"], ["to 3/2", "product 0 2 0 0"])
     # b = 2a/(1+z) = (-w, 1, 1, w): T_0 has a pair of eigenvalues with the product 1 + w^2
     over("pair", "[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]", "w=1..2", 1, None, Q(13, 25), True, ["to 2", "product 0 0 7/5 0"])
 

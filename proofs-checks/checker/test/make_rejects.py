@@ -367,6 +367,22 @@ reject("range-product-missing", "corner-not-smooth", "expected 'product'", drop(
 reject("range-upper", "corner-not-smooth", "does not prove the claim", arguments=option(claims["corner-not-smooth"], "upper", "1/2"))
 reject("range-stability-missing", "corner-not-smooth", "expected 'stability'", drop("stability"))
 reject("range-diverges-not", "corner-diverges", "does not prove the claim", replace("11/5", "19/10"))
+quotient = claims["quotient-converges"]
+reject("quotient-sums", "quotient-converges", "do not sum to the arity", replace("1\\+v\\)", "2+v)"),
+       arguments=quotient.replace("(1+v)", "(2+v)"))
+reject("quotient-zero", "quotient-diverges", "changes its sign", replace("-3$", "0", 2),
+       arguments=claims["quotient-diverges"].replace("..-3", "..0"))
+reject("quotient-zero-end", "quotient-diverges", "changes its sign", replace("-3$", "-1", 2),
+       arguments=claims["quotient-diverges"].replace("..-3", "..-1"))
+reject("quotient-zero-stable", "quotient-stable", "the denominator of the mask is not", replace("-11/10", "-9/10"),
+       arguments=claims["quotient-stable"].replace("-11/10", "-9/10"))
+reject("quotient-zero-stable-end", "quotient-stable", "the denominator of the mask is not", replace("-11/10", "-1"),
+       arguments=claims["quotient-stable"].replace("-11/10", "-1"))
+reject("quotient-wide", "quotient-square", "changes its sign", replace("^to 1\nproduct 0 2 0 0\n", ""))
+reject("quotient-too-high", "quotient-not-smooth", crossing, replace("11/10", "5/4"))
+reject("quotient-too-low", "quotient-not-smooth", "no exponent below", replace("11/10", "9/10"))
+reject("quotient-norm", "quotient-converges", "does not prove the claim", replace("3/2..9", "1..9"),
+       arguments=quotient.replace("3/2..9", "1..9"))
 stable = claims["corner-stable"]
 reject("range-unstable", "corner-stable", "the resultant of the polyphase parts is not", replace("499/1000", "501/1000"),
        arguments=stable.replace("499/1000", "501/1000"))

@@ -1,0 +1,118 @@
+#pragma once
+// Local regression over any field of numbers: exact numbers, and quotients of polynomials in a parameter.
+
+#include "local_regression.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace subcert::regression_fit {
+
+/// As regression_terms() in local_regression.hpp. Domain: distinct nodes, norms that are not zero.
+template <class Number>
+std::vector<std::vector<Number>> terms(const std::vector<Rational>& nodes, const std::vector<Number>& weights,
+                                       int degree, const Number& x) {
+  const std::size_t m = nodes.size();
+  const int last = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(degree), m - 1));
+  // Monic orthogonal polynomials by Stieltjes' recurrence P_{k+1} = (t - alpha) P_k - beta P_{k-1}, carried as their
+  // values at the nodes and at x.
+  std::vector<Number> previous(m, Number(0)), current(m, Number(1));
+  std::vector<std::vector<Number>> result;
+  Number previous_x = 0, current_x = 1, previous_norm = 1;
+  for (int k = 0;; ++k) {
+    Number norm = 0, moment = 0;
+    for (std::size_t i = 0; i < m; ++i) {
+      Number square = current[i] * current[i];
+      if (!weights.empty()) square *= weights[i];
+      norm += square;
+      moment += square * Number(nodes[i]);
+    }
+    result.emplace_back(m, Number(0));
+    const Number scale = current_x / norm;
+    if (!(scale == Number(0)))
+      for (std::size_t i = 0; i < m; ++i) result.back()[i] = scale * current[i];
+    if (k == last) return result;
+    const Number alpha = moment / norm;
+    const Number beta = k == 0 ? Number(0) : Number(norm / previous_norm);
+    for (std::size_t i = 0; i < m; ++i) {
+      previous[i] = (Number(nodes[i]) - alpha) * current[i] - beta * previous[i];
+      std::swap(previous[i], current[i]);
+    }
+    previous_x = (x - alpha) * current_x - beta * previous_x;
+    std::swap(previous_x, current_x);
+    previous_norm = norm;
+  }
+}
+
+/// Lagrange's formula. Domain: distinct nodes.
+template <class Number>
+std::vector<Number> interpolation(const std::vector<Rational>& nodes, const Number& x) {
+  std::vector<Number> result(nodes.size(), Number(0));
+  const auto hit = std::find_if(nodes.begin(), nodes.end(), [&](const Rational& node) { return Number(node) == x; });
+  if (hit != nodes.end()) {
+    result[static_cast<std::size_t>(hit - nodes.begin())] = 1;
+    return result;
+  }
+  Number all = 1;  // product of x - node; one factor is divided out
+  for (const Rational& node : nodes) all *= x - Number(node);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    Number denominator = x - Number(nodes[i]);
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      if (j != i) denominator *= Number(nodes[i] - nodes[j]);
+    result[i] = all / denominator;
+  }
+  return result;
+}
+
+/// As regression_weights() in local_regression.hpp.
+template <class Number>
+std::vector<Number> weights(const std::vector<Rational>& nodes, const std::vector<Number>& prior, int degree,
+                            const Number& x) {
+  if (static_cast<std::size_t>(degree) + 1 >= nodes.size()) return interpolation(nodes, x);
+  std::vector<Number> result(nodes.size(), Number(0));
+  for (const std::vector<Number>& term : terms(nodes, prior, degree, x))
+    for (std::size_t i = 0; i < nodes.size(); ++i) result[i] += term[i];
+  if (!prior.empty())
+    for (std::size_t i = 0; i < nodes.size(); ++i) result[i] *= prior[i];
+  return result;
+}
+
+/// The coefficients of a mask and the index of the first.
+template <class Number>
+struct Coefficients {
+  std::vector<Number> values;
+  long first = 0;
+};
+
+/// `fit(nodes, weights, degree, x)` gives the weights of a rule. Errors: throws Error for fewer than two rules, or
+/// first > last.
+template <class Number, class Fit>
+Coefficients<Number> coefficients(const LocalRegressionOf<Number>& scheme, Fit fit) {
+  const auto arity = static_cast<long>(scheme.rules.size());
+  require(arity >= 2, "regression_mask: need at least two rules, got {}", arity);
+  // f'_{arity*i + s} uses f_{i+l} with weight a_{s - arity*l}.
+  long lowest = 0, highest = 0;
+  for (long k = 0; k < arity; ++k) {
+    const RegressionRuleOf<Number>& rule = scheme.rules[static_cast<std::size_t>(k)];
+    require(rule.first <= rule.last, "regression_mask: need first <= last, got {} and {}", rule.first, rule.last);
+    const long output = scheme.first_output + k;
+    lowest = k == 0 ? output - arity * rule.last : std::min(lowest, output - arity * rule.last);
+    highest = k == 0 ? output - arity * rule.first : std::max(highest, output - arity * rule.first);
+  }
+  Coefficients<Number> result{std::vector<Number>(static_cast<std::size_t>(highest - lowest + 1), Number(0)), lowest};
+  for (long k = 0; k < arity; ++k) {
+    const RegressionRuleOf<Number>& rule = scheme.rules[static_cast<std::size_t>(k)];
+    std::vector<Rational> nodes;
+    for (long l = rule.first; l <= rule.last; ++l) nodes.emplace_back(l);
+    const std::vector<Number> values = fit(nodes, rule.weights, scheme.degree, rule.position);
+    for (long l = rule.first; l <= rule.last; ++l)
+      result.values[static_cast<std::size_t>(scheme.first_output + k - arity * l - lowest)] =
+          values[static_cast<std::size_t>(l - rule.first)];
+  }
+  return result;
+}
+
+}  // namespace subcert::regression_fit

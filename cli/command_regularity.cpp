@@ -26,10 +26,10 @@ RegularityPage compute(Scheme scheme, const RegularityOptions& options, const Bu
   const Stopwatch watch;
   options.progress("norms, products and polytopes");
   std::optional<SobolevRegularity> sobolev;
-  if (is_affine(scheme.mask))  // otherwise holder_regularity says so
+  if (is_affine(scheme.mask) && !scheme.rounding)  // otherwise holder_regularity says so
     sobolev = sobolev_if_small(scheme.mask, Deadline::in(sobolev_share * budget.deadline.remaining() + 1));
   const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
-  HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof);
+  HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof, scheme.rounding);
   options.end_progress();
   // A bound that is not positive proves nothing, not even convergence.
   const bool proves = *regularity.exponent.lower > 0;
@@ -56,7 +56,7 @@ ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budg
     if (!(radius < power(Rational(page.scheme.mask.arity()), rules)))
       fail(ErrorKind::usage, "--certificate: rational numbers prove nothing positive about {}",
            page.scheme.specification);
-    const Certificate certificate = exponent_certificate(page.scheme.mask, page.regularity);
+    const Certificate certificate = exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding);
     runtime::write_file(options.certificate, certificate.text);
     claim = certificate.claim;
   }

@@ -29,6 +29,11 @@ std::string attained_text(const HolderRegularity& regularity) {
   return "no: " + has + (factor.at_least == *factor.at_most ? ", and no smaller one" : " or a smaller one");
 }
 
+std::string rounding_text(const MaskRounding& rounding) {
+  return "coefficients, by " + to_decimal(rounding.distance, 2, Rounding::up) +
+         " at most; what follows holds for all such masks";
+}
+
 }  // namespace
 
 Json RegularityPage::json() const {
@@ -38,6 +43,7 @@ Json RegularityPage::json() const {
   for (const HolderBound& bound : bounds.levels) by_level.push_back(bound.exponent.lower_text(12));
   const LogarithmicFactor& logarithm = regularity.logarithm;
   return {{"scheme", scheme.specification},
+          {"rounded", scheme.rounding ? Json(to_text(scheme.rounding->distance)) : Json()},
           {"sum_rules", bounds.sum_rules},
           {"bound", bound_json(bounds.last())},
           {"bounds_by_level", by_level},
@@ -78,6 +84,7 @@ std::string RegularityPage::text() const {
   const HolderBound& last = bounds.last();
   std::ostringstream page;
   page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
+       << (scheme.rounding ? "rounded      " + rounding_text(*scheme.rounding) + "\n" : "")  //
        << "sum rules    " << bounds.sum_rules << "\n"
        << "converges    " << subcert::to_text(convergence.truth) << ": " << convergence.reason << "\n"
        << "bound        >= " << last.exponent.lower_text(12) << " after " << last.levels << " levels; ||S_b^"

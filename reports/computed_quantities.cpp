@@ -58,7 +58,9 @@ void ComputedQuantities::need_bounds(const std::vector<std::string>& specificati
 
 void ComputedQuantities::need_exponents(const std::vector<std::string>& specifications) {
   need(exponents_, specifications, [](const auto& s) {
-    return holder_regularity(make_scheme(s).mask, holder_levels, {Deadline::in(exponent_seconds)});
+    const Scheme scheme = make_scheme(s);
+    return holder_regularity(scheme.mask, holder_levels, {Deadline::in(exponent_seconds)}, HolderProof::shortest,
+                             scheme.rounding);
   });
 }
 

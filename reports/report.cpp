@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include "bivariate.hpp"
+#include "daubechies.hpp"
 #include "dyn_2015.hpp"
 #include "families.hpp"
 #include "formats/html.hpp"
@@ -287,6 +288,7 @@ const SpecialReport* special_report(const std::string& paper) {
       {"surfaces", {least_squares_surface_items, report_least_squares_surfaces}},
       {"bivariate", {bivariate_items, report_bivariate}},
       {"families", {family_items, report_families}},
+      {"daubechies", {daubechies_items, report_daubechies}},
   };
   const auto found = all.find(paper);
   return found == all.end() ? nullptr : &found->second;
@@ -358,6 +360,7 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
       }
       runtime::write_file(inside / (table->id + ".tex"), latex_table(table->title, rows));
     }
+    for (const auto& [name, text] : report.files) runtime::write_file(inside / name, text);
     for (const formats::Section& section : report.sections) {
       for (const formats::PlainTable& table : section.tables) {
         const auto rows = rows_of(table);

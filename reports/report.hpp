@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ struct Report {
   std::string citation;
   std::vector<formats::Section> sections;
   std::vector<experiments::RanExperiment> experiments = {};
-  bool listed = false;  ///< whether a terminal shows its tables whole
+  bool listed = false;                            ///< whether a terminal shows its tables whole
+  std::map<std::string, std::string> files = {};  ///< further files of the folder of the paper, by their names
 
   std::vector<const formats::ComparisonTable*> comparison_tables() const;
   /// Whether all verdicts and findings are the recorded ones.
@@ -46,7 +48,8 @@ Report make_report(const std::string& paper, const ReportOptions& options);
 
 /// Writes DIR/index.html for the reports, with a link to DIR/errata.html where that is there, and for each table
 /// DIR/PAPER/ID.csv, .tex, .json, for each figure .svg, .png
-/// and .csv. Domain: jobs >= 1, the pictures drawn at a time. Errors: throws missing_file that names the file.
+/// and .csv, and the further files. Domain: jobs >= 1, the pictures drawn at a time. Errors: throws missing_file that
+/// names the file.
 void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder, int jobs);
 
 /// {"comparisons": [...], "experiments": [...], "tables": [...]} as in the contract; the experiments are those of

@@ -6,6 +6,8 @@
 
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/real_roots.hpp>
 
 #include <fmt/format.h>
 
@@ -18,8 +20,10 @@ namespace {
 using namespace specification_text;
 
 constexpr long max_degree = 12, max_coefficients = 100;
+constexpr long algebraic_bits = 1500;    // of a number that stands for an algebraic one
 constexpr long max_symbolic_work = 500;  // points * d^2 of a regression: its fractions are long
 constexpr const char* mask_usage = "mask:[-w,0,1/2+w,1,1/2+w,0,-w]@-3,arity=2";
+constexpr const char* algebraic_usage = "mask:[1+t,3+t,3-t,1-t]/4,where=t^2-3:1.7..1.8";
 constexpr const char* regression_usage = "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[w;1;w|w;1;1;w]";
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
@@ -67,56 +71,126 @@ std::size_t end_of_parentheses(std::string_view text) {
   return text.size();
 }
 
-ParametricScheme make_mask(const Piece& family, const Piece& body) {
+/// The keys of `mask:` with a letter in its coefficients.
+struct MaskText {
+  std::vector<RationalFunction> coefficients;
+  long first;
+  int arity;
+  char letter;
+  Piece list;  ///< of the coefficients
+  Fields fields;
+};
+
+/// The factor 1/D and the first index of `/D@first`, both of which may be absent.
+std::pair<Rational, std::optional<long>> read_scale(const Piece& piece) {
+  const std::string one = "[1]";
+  try {
+    const text::MaskText parts = text::parse_mask_text(one + std::string(piece.text), 1);
+    return {parts.coefficients.front(), parts.first ? std::optional(parts.first->front()) : std::nullopt};
+  } catch (const ParseError& error) {
+    throw SpecificationError(error.token(), piece.at + std::max(error.position(), one.size() + 1) - one.size(),
+                             error.expected());
+  }
+}
+
+MaskText read_mask_with_letter(const Piece& family, const Piece& body, const char* usage) {
   const std::size_t close = body.text.find(']');
   if (body.text.empty() || body.text.front() != '[' || close == std::string_view::npos)
-    fail(body, std::string("coefficients in brackets, as in ") + mask_usage);
-  const char parameter = read_parameter(body, mask_usage);
+    fail(body, std::string("coefficients in brackets, as in ") + usage);
+  const char letter = read_parameter(body, usage);
   const Piece list{body.text.substr(0, close + 1), body.at};
   const std::vector<Piece> entries = read_list(list, ',');
   if (static_cast<long>(entries.size()) > max_coefficients)
     fail(list, fmt::format("at most {} coefficients", max_coefficients));
-  // A denominator in parentheses may depend on the parameter.
+  // A denominator in parentheses may depend on the letter.
   Piece rest{body.text.substr(close + 1), body.at + close + 1};
   RationalFunction denominator = 1;
   if (rest.text.starts_with("/(")) {
     const std::size_t end = 1 + end_of_parentheses(rest.text.substr(1));
     const Piece divisor{rest.text.substr(1, end - 1), rest.at + 1};
-    denominator = read_function(divisor, parameter);
+    denominator = read_function(divisor, letter);
     if (denominator == RationalFunction()) fail(divisor, "a denominator that is not zero");
     rest = {rest.text.substr(end), rest.at + end};
   }
-  // What follows is read as that of a mask of ones.
-  std::string ones = "[1";
-  for (std::size_t k = 1; k < entries.size(); ++k) ones += ",1";
-  ones += "]" + std::string(rest.text);
-  auto [parts, fields] = read_mask(family, {ones, body.at}, mask_usage, 1, max_coefficients);
-  const auto arity_piece = fields.optional("arity");
-  const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
-  fields.finish();
-
+  const std::vector<Piece> pieces = split(rest, ',');
+  Fields fields(family, {pieces.begin() + 1, pieces.end()}, body.at + body.text.size(), usage);
+  const auto [scale, first] = read_scale(pieces.front());
   std::vector<RationalFunction> coefficients;
   for (std::size_t k = 0; k < entries.size(); ++k)
-    coefficients.push_back(read_function(entries[k], parameter) * RationalFunction(parts.coefficients[k]) /
-                           denominator);
+    coefficients.push_back(read_function(entries[k], letter) * RationalFunction(scale) / denominator);
   if (std::all_of(coefficients.begin(), coefficients.end(),
                   [](const RationalFunction& c) { return c == RationalFunction(); }))
     fail(list, "at least one coefficient that is not zero");
-  const long first = parts.first ? parts.first->front() : -static_cast<long>(entries.size() / 2);
-  ParametricMask mask(coefficients, first, static_cast<int>(arity));
-  require_size(mask, list);
-  for (long residue = 0; residue < arity; ++residue) {
+  const auto arity_piece = fields.optional("arity");
+  const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
+  return {std::move(coefficients),
+          first.value_or(-static_cast<long>(entries.size() / 2)),
+          static_cast<int>(arity),
+          letter,
+          list,
+          std::move(fields)};
+}
+
+/// `for all w` or `for this t`
+void require_sums(const MaskText& text, const std::string& values) {
+  for (long residue = 0; residue < text.arity; ++residue) {
     RationalFunction sum;
-    for (std::size_t k = 0; k < coefficients.size(); ++k)
-      if ((first + static_cast<long>(k) - residue) % arity == 0) sum += coefficients[k];
+    for (std::size_t k = 0; k < text.coefficients.size(); ++k)
+      if ((text.first + static_cast<long>(k) - residue) % text.arity == 0) sum += text.coefficients[k];
     if (!(sum == RationalFunction(1)))
-      fail(list, fmt::format("coefficients that sum to 1 over each residue class for all {}; the class {} mod {} sums "
-                             "to {}",
-                             parameter, residue, arity, sum.to_text(parameter)));
+      fail(text.list, fmt::format("coefficients that sum to 1 over each residue class for {} {}; the class {} mod {} "
+                                  "sums to {}",
+                                  values, text.letter, residue, text.arity, sum.to_text(text.letter)));
   }
-  const std::string text = mask.to_text(parameter);
-  return {"mask:" + text + (arity == 2 ? "" : ",arity=" + std::to_string(arity)),
-          fmt::format("mask with the parameter {}", parameter), parameter, std::move(mask)};
+}
+
+ParametricScheme make_mask(const Piece& family, const Piece& body) {
+  MaskText text = read_mask_with_letter(family, body, mask_usage);
+  text.fields.finish();
+  ParametricMask mask(text.coefficients, text.first, text.arity);
+  require_size(mask, text.list);
+  require_sums(text, "all");
+  const std::string printed = mask.to_text(text.letter);
+  return {"mask:" + printed + (text.arity == 2 ? "" : ",arity=" + std::to_string(text.arity)),
+          fmt::format("mask with the parameter {}", text.letter), text.letter, std::move(mask)};
+}
+
+/// p modulo a polynomial of positive degree.
+LaurentPolynomial remainder(LaurentPolynomial p, const LaurentPolynomial& divisor) {
+  while (!p.is_zero() && p.highest() >= divisor.highest())
+    p -= LaurentPolynomial::monomial(p.coefficient(p.highest()) / divisor.coefficient(divisor.highest()),
+                                     p.highest() - divisor.highest()) *
+         divisor;
+  return p;
+}
+
+/// A real algebraic number.
+struct AlgebraicNumber {
+  LaurentPolynomial polynomial;  ///< irreducible
+  Rational low, high;            ///< with no other zero of it between them
+  Enclosure value;
+};
+
+/// `t^2-3:1.7..1.8`
+AlgebraicNumber read_number(const Piece& piece, char letter) {
+  const std::size_t colon = piece.text.find(':'), dots = piece.text.find("..");
+  if (colon == std::string_view::npos || dots == std::string_view::npos || dots < colon)
+    fail(piece, fmt::format("a polynomial and an interval with one zero of it, as {0}^2-3:1.7..1.8", letter));
+  const Piece equation{piece.text.substr(0, colon), piece.at}, ends{piece.text.substr(colon + 1), piece.at + colon + 1};
+  const RationalFunction function = read_function(equation, letter);
+  const LaurentPolynomial& p = function.numerator();
+  if (!function.is_polynomial() || p.is_zero() || p.highest() == 0 || p.highest() > max_degree)
+    fail(equation, fmt::format("a polynomial in {} of degree 1 to {}", letter, max_degree));
+  const auto low = parse_number(piece.text.substr(colon + 1, dots - colon - 1)),
+             high = parse_number(piece.text.substr(dots + 2));
+  if (!low || !high || !(*low < *high)) fail(ends, "exact numbers LOW..HIGH with LOW < HIGH");
+  if (p(*low) == 0 || p(*high) == 0 || count_real_roots(p, *low, *high) != 1)
+    fail(ends, "an interval with exactly one zero of " + to_text(p, letter) + " inside");
+  for (const PolynomialFactor& factor : irreducible_factors(p))
+    if (count_real_roots(factor.polynomial, *low, *high) == 1)
+      return {factor.polynomial, *low, *high,
+              real_roots(factor.polynomial, *low, *high, power(Rational(2), -algebraic_bits)).front()};
+  fail(ends, "an interval with a zero");
 }
 
 ParametricScheme make_regression(const Piece& family, const Piece& body) {
@@ -149,6 +223,39 @@ ParametricScheme make_classical(const ClassicalFamily& family, const Piece& body
 }
 
 }  // namespace
+
+Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece& body) {
+  MaskText text = read_mask_with_letter(family, body, algebraic_usage);
+  const AlgebraicNumber number = read_number(text.fields.required("where"), text.letter);
+  text.fields.finish();
+  // Powers of the number below the degree of its polynomial are independent over the rationals: what holds for the
+  // coefficients modulo the polynomial holds for all numbers in place of this one, sum rules too.
+  for (RationalFunction& c : text.coefficients) {
+    if (!c.is_polynomial()) fail(text.list, fmt::format("coefficients that are polynomials in {}", text.letter));
+    c = remainder(c.numerator(), number.polynomial);
+  }
+  require_sums(text, "this");
+  const ParametricMask mask(text.coefficients, text.first, text.arity);
+  const std::string arity = text.arity == 2 ? "" : ",arity=" + std::to_string(text.arity);
+  const Rational unit = power(Rational(2), -algebraic_bits), &low = *number.value.lower, &high = *number.value.upper;
+  const Rational value = number.value.is_exact() ? low : unit * Rational(to_integer(low / unit, Rounding::nearest));
+  Scheme scheme{
+      fmt::format("mask:{}{},where={}:{}..{}", mask.to_text(text.letter), arity,
+                  RationalFunction(number.polynomial).to_text(text.letter), to_text(number.low), to_text(number.high)),
+      "mask given by its coefficients, rounded", mask.at(value)};
+  if (number.value.is_exact()) return scheme;
+  // |t^k - v^k| <= k |t - v| max(|t|, |v|)^(k-1)
+  const Rational away = high - low + unit, most = std::max(abs(low), abs(high)) + unit;
+  Rational distance = 0;
+  for (const RationalFunction& c : text.coefficients) {
+    Rational slope = 0;
+    for (long k = 1; !c.numerator().is_zero() && k <= c.numerator().highest(); ++k)
+      slope += abs(c.numerator().coefficient(k)) * k * power(most, k - 1);
+    distance = std::max(distance, Rational(slope * away));
+  }
+  if (distance > 0) scheme.rounding = {power(Rational(2), binary_exponent(distance) + 1), sum_rules(mask)};
+  return scheme;
+}
 
 ParametricScheme make_parametric_scheme(std::string_view specification) {
   if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");

@@ -1,6 +1,7 @@
 #include "specification.hpp"
 
 #include "classical.hpp"
+#include "daubechies.hpp"
 #include "regression_text.hpp"
 
 #include <algorithm>
@@ -107,7 +108,30 @@ Scheme make_regression(Fields& fields) {
   return {text, "local regression of degree " + number(scheme.degree), regression_mask(scheme), scheme};
 }
 
+Scheme make_daubechies(Fields& fields) {
+  const long n = read_integer(fields.required("n"), "n", 1, 40);
+  fields.finish();
+  RoundedMask rounded = daubechies_mask(static_cast<int>(n));
+  Scheme scheme{"daubechies:n=" + number(n),
+                "orthonormal scaling function D" + number(2 * n) + " of Daubechies, coefficients rounded",
+                std::move(rounded.mask)};
+  if (rounded.rounding.distance > 0) scheme.rounding = std::move(rounded.rounding);
+  return scheme;
+}
+
+Scheme make_dual_spline(Fields& fields) {
+  const long n = read_integer(fields.required("n"), "n", 1, 100);
+  const Piece rules_piece = fields.required("m");
+  const long m = read_integer(rules_piece, "m", 1, 100);
+  fields.finish();
+  if ((n + m) % 2 != 0) fail(rules_piece, "n + m even");
+  return {"cdf:n=" + number(n) + ",m=" + number(m),
+          "scaling function with " + number(m) + " sum rules, dual to the B-spline of order " + number(n),
+          dual_spline_mask(static_cast<int>(n), static_cast<int>(m))};
+}
+
 Scheme make_mask(const Piece& family, const Piece& body, const std::string& usage) {
+  if (body.text.find(",where=") != std::string_view::npos) return make_algebraic_mask(family, body);
   auto [parts, fields] = read_mask(family, body, usage, 1, 4 * max_points);
   const auto arity_piece = fields.optional("arity");
   const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
@@ -137,10 +161,14 @@ const std::vector<Family<Scheme>>& table() {
         {{"dd", "dd:n=2,a=2", "interpolatory Deslauriers-Dubuc 2n-point scheme, arity a (2 unless given)"},
          from_fields(make_deslauriers_dubuc)},
         {{"bspline", "bspline:degree=3,a=2", "B-spline, arity a (2 unless given)"}, from_fields(make_bspline)},
-        {{"pseudo-spline", "pseudo-spline:m=3,l=1", "pseudo-spline of type II"}, from_fields(make_pseudo_spline)}};
+        {{"pseudo-spline", "pseudo-spline:m=3,l=1", "pseudo-spline of type II"}, from_fields(make_pseudo_spline)},
+        {{"daubechies", "daubechies:n=2", "Daubechies' orthonormal scaling function D(2n)"},
+         from_fields(make_daubechies)},
+        {{"cdf", "cdf:n=2,m=2", "dual of the B-spline of order n with m sum rules"}, from_fields(make_dual_spline)}};
     for (const ClassicalFamily& family : classical_families()) list.push_back(at_numbers(family));
-    list.push_back(
-        {{"mask", "mask:[1,3,3,1]/4@-2,arity=2", "any mask; centred and binary unless said otherwise"}, make_mask});
+    list.push_back({{"mask", "mask:[1,3,3,1]/4@-2,arity=2",
+                     "any mask; centred and binary unless said otherwise; where=t^2-3:1.7..1.8 for a number t"},
+                    make_mask});
     list.push_back({{"regression", "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
                      "any local regression rules; optional weights=[1;2;1|1;1;1;1] and first=0"},
                     from_fields(make_regression)});

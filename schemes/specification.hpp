@@ -28,6 +28,7 @@ struct Scheme {
   std::string title;
   Mask mask;
   std::optional<LocalRegression> rules = std::nullopt;
+  std::optional<MaskRounding> rounding = std::nullopt;  ///< where the coefficients that are meant are not rational
 };
 
 /// A scheme of two or three variables.

@@ -141,6 +141,9 @@ struct MaskAndFields {
 /// Domain: at most `most` coefficients.
 MaskAndFields read_mask(const Piece& family, const Piece& body, const std::string& usage, int variables, long most);
 
+/// `mask:[...],where=t^2-3:1.7..1.8`: coefficients that are polynomials in a real algebraic number.
+Scheme make_algebraic_mask(const Piece& family, const Piece& body);
+
 /// The name of a family, an example with all keys, and how its schemes are made.
 template <class AScheme>
 struct Family {

@@ -1,9 +1,11 @@
 #include "holder_regularity.hpp"
 
+#include "radius/rounded_family.hpp"
 #include "stability.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
@@ -114,17 +116,51 @@ LogarithmicFactor logarithmic_factor(const Mask& mask, const HolderRegularity& r
   return result;
 }
 
+/// What errors of the coefficients make of those of the divided difference scheme of the order of the sum rules.
+Rational entry_error(const Mask& mask, const MaskRounding& rounding) {
+  const auto step = static_cast<std::size_t>(mask.arity());
+  std::vector<Rational> errors(mask.symbol().coefficients().size(), rounding.distance);
+  for (int k = 0; k < rounding.sum_rules; ++k) {
+    // Times (1 + z)/(1 - z^arity), which has the moduli of the coefficients of (1 - z)/(1 - z^arity).
+    for (std::size_t i = errors.size(); i-- > 1;) errors[i] += errors[i - 1];
+    for (std::size_t i = step; i < errors.size(); ++i) errors[i] += errors[i - step];
+  }
+  return power(Rational(mask.arity()), rounding.sum_rules) * *std::max_element(errors.begin(), errors.end());
+}
+
+void add_rounding(HolderBounds& bounds, const Mask& derived, const Rational& error) {
+  const radius::EntryError entries(transition_matrices(derived), error);
+  for (HolderBound& bound : bounds.levels) {
+    bound.norm += entries.of_products(bound.levels);
+    const Enclosure logarithm = log_ratio(bound.norm, derived.arity());
+    bound.exponent = {bounds.sum_rules - *logarithm.upper / bound.levels,
+                      bounds.sum_rules - *logarithm.lower / bound.levels};
+  }
+}
+
 }  // namespace
 
-HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof) {
+HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof,
+                                   const std::optional<MaskRounding>& rounding) {
   HolderRegularity result;
   result.bounds = holder_bounds(mask, levels, budget.deadline.after(0.5));
-  const HolderBound& best = result.bounds.best();
   const int rules = result.bounds.sum_rules, arity = mask.arity();
-  result.stable = has_stable_shifts(mask);
   const Mask derived = divided_difference_scheme(mask, rules);
-  result.single = single_spectral_radius(derived);
-  result.radius = radius_by_rational_numbers(derived, result.single, {best.levels, best.norm}, budget, proof);
+  if (rounding) {
+    require(rounding->sum_rules == rules, "holder_regularity: need a rounded mask with {} sum rules, got {}",
+            rounding->sum_rules, rules);
+    add_rounding(result.bounds, derived, entry_error(mask, *rounding));
+    result.stable = has_stable_shifts(mask, rounding->distance);
+    result.single.applies = {Truth::unknown, "the coefficients are rounded"};
+  } else {
+    result.stable = has_stable_shifts(mask);
+    result.single = single_spectral_radius(derived);
+  }
+  const HolderBound& best = result.bounds.best();
+  const NormProof norms{best.levels, best.norm};
+  result.radius = rounding ? radius::radius_of_rounded_family(transition_matrices(derived),
+                                                              entry_error(mask, *rounding), budget, norms)
+                           : radius_by_rational_numbers(derived, result.single, norms, budget, proof);
   if (result.single.applies.is_yes()) {
     result.rational = std::move(result.radius);
     const CoefficientGrowth& growth = result.single.growth;

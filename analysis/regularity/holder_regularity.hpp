@@ -39,10 +39,12 @@ struct HolderRegularity {
 enum class HolderProof { shortest, certificate };
 
 /// Domain: coset sums 1; levels >= 1; at most 256 rows in the transition matrices (larger masks keep the bounds by
-/// norms). Errors: throws Error. Error: none, both ends are proved; see joint_spectral_radius for the width. Ref:
-/// [Rio92], [FM13], [JW93], [GP13].
+/// norms). `rounding`: what is proved holds for all masks that are meant; nothing then is exact, and at most
+/// 256 rows are allowed. Errors: throws Error.
+/// Error: none, both ends are proved; see joint_spectral_radius for the width. Ref: [Rio92], [FM13], [JW93], [GP13].
 HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget,
-                                   HolderProof proof = HolderProof::shortest);
+                                   HolderProof proof = HolderProof::shortest,
+                                   const std::optional<MaskRounding>& rounding = std::nullopt);
 
 /// Whether the limits have so many continuous derivatives. An exponent above the order says yes, one below it no; and
 /// with stable shifts also one that is equal to it, as a derivative makes the radius smaller (docs/families.md).

@@ -11,4 +11,8 @@ namespace subcert {
 /// Proof: proofs-checks/certificates/SPEC.md, theorem 4. Ref: [JW93].
 Decision has_stable_shifts(const Mask& mask);
 
+/// Whether that is so for all masks whose coefficients differ from these by at most `distance`, on the same support:
+/// yes or unknown. Domain: distance > 0. Cost: a determinant. Ref: SPEC.md, theorem 22.
+Decision has_stable_shifts(const Mask& mask, const Rational& distance);
+
 }  // namespace subcert

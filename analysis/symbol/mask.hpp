@@ -24,6 +24,13 @@ class Mask {
   int arity_;
 };
 
+/// Of a mask with rounded coefficients: those that are meant differ from them by at most `distance`, on the same
+/// support, and have so many sum rules; so does the rounded mask.
+struct MaskRounding {
+  Rational distance;
+  int sum_rules;
+};
+
 /// The same in two or three variables, where i and j are multi-indices and a dilation matrix M stands for the arity:
 /// f'_i = sum over j of a_{i - Mj} f_j.
 class MultivariateMask {

@@ -257,7 +257,8 @@ std::string gram_text(const LatticeSequence& gram) {
 
 }  // namespace
 
-Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity) {
+Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity,
+                                 const std::optional<MaskRounding>& rounding) {
   // What the rational numbers prove; the exponent may be known more sharply by other arguments.
   const int rules = regularity.bounds.sum_rules, arity = mask.arity();
   const JointSpectralRadius& radius = regularity.certifiable();
@@ -270,8 +271,9 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
   if (regularity.stable.is_yes() && radius.product.radius.lower && *radius.product.radius.lower > 1 &&
       common_factor_of_cosets(mask).length() == 1)
     certificate.claim.upper = outward(rules - *log_ratio(*radius.product.radius.lower, arity).lower, Rounding::up);
-  certificate.text = fmt::format("subcert-certificate 3\nexponent {} {}\n{}sum-rules {}\n",
-                                 mask.symbol().to_mask_text(), arity, bounds_text(certificate.claim), rules);
+  const std::string within = rounding ? fmt::format(" within={},{}", to_text(rounding->distance), rules) : "";
+  certificate.text = fmt::format("subcert-certificate 3\nexponent {} {}{}\n{}sum-rules {}\n",
+                                 mask.symbol().to_mask_text(), arity, within, bounds_text(certificate.claim), rules);
   if (certificate.claim.upper) certificate.text += "stability\n";
   certificate.text += blocks_text(radius);
   if (certificate.claim.upper) certificate.text += product_text(radius);

@@ -22,10 +22,12 @@ struct Certificate {
   std::string text;
 };
 
-/// Proves bounds of the Hoelder exponent for this mask. Domain: `regularity` is that of the mask. Errors: throws
+/// Proves bounds of the Hoelder exponent for this mask, or with `rounding` for all masks that are meant. Domain:
+/// `regularity` is that of the mask and the rounding. Errors: throws
 /// Error where the rational evidence (polytope or norms) proves nothing positive from below; what the
 /// single spectral radius proves beyond that has no certificate.
-Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity);
+Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity,
+                                 const std::optional<MaskRounding>& rounding = std::nullopt);
 
 /// The same in several variables; without an upper end where the shifts are not proved stable. Domain: `regularity` is
 /// that of the mask. Errors: throws Error where nothing positive is proved from below.

@@ -18,6 +18,12 @@ std::size_t bits(const mpz_class& x) { return mpz_sizeinbase(x.get_mpz_t(), 2); 
 
 mpq_class ratio(const mpz_class& top, const mpz_class& bottom) { return mpq_class(top) / mpq_class(bottom); }
 
+mpz_class ceiling(const mpq_class& x) {
+  mpz_class result;
+  mpz_cdiv_q(result.get_mpz_t(), x.get_num_mpz_t(), x.get_den_mpz_t());
+  return result;
+}
+
 mpq_class power(const mpq_class& base, std::size_t exponent) {
   require((bits(base.get_num()) + bits(base.get_den())) * exponent <= max_power_bits, "power of a number too large");
   mpq_class result;

@@ -36,6 +36,7 @@ void require(bool condition, std::string_view why);
 
 std::size_t bits(const mpz_class& x);
 mpq_class ratio(const mpz_class& top, const mpz_class& bottom);
+mpz_class ceiling(const mpq_class& x);
 mpq_class power(const mpq_class& base, std::size_t exponent);
 /// A lower bound of base^exponent, exponent >= 0: exact for integers, otherwise smaller by a factor above 1 - 2^-120.
 mpq_class power_lower(unsigned base, const mpq_class& exponent);

@@ -5,6 +5,7 @@
 #include "group.hpp"
 #include "parameter.hpp"
 #include "quadratic.hpp"
+#include "rounding.hpp"
 #include "surface.hpp"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
   std::optional<Range> range;
+  std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
   Family family;
   std::optional<mpq_class> lower, upper;
@@ -66,6 +68,7 @@ class Checker {
   /// Bounds of the radius. `first_columns`: the entries of the first columns of products are those of all columns.
   void read_bounds(const Family& family, bool first_columns) {
     const bool divided = reader_.at("blocks");
+    require(!divided || entry_error_ == 0, "blocks prove nothing of rounded masks");
     const std::vector<Family> blocks = divided ? read_blocks(family) : std::vector{family};
     if (lower_ || reader_.at("product")) read_product(blocks);
     const bool sections = upper_ || reader_.at("block 0");
@@ -73,7 +76,7 @@ class Checker {
       const Fields fields = reader_.take("block " + std::to_string(i), 2, 8);
       if (fields[0] == "norm")
         read_norm(blocks[i], fields, first_columns && !divided ? 1 : blocks[i].size);
-      else if (fields[0] == "quadratic")
+      else if (fields[0] == "quadratic" && entry_error_ == 0)
         use_upper_bound(read_quadratic(blocks[i], fields, reader_, arithmetic_), 1);
       else
         read_polytope(blocks[i], fields);
@@ -102,7 +105,12 @@ class Checker {
     const bool diverges = claim_.range && claim_.upper && *claim_.upper == 0;
     if ((claim_.upper && !diverges) || !(claim_.lower || claim_.upper) || reader_.at("stability")) {
       reader_.take("stability", 0, 0);
-      check_stability(mask, claim_.arity, claim_.range.value_or(Range{}), arithmetic_);
+      const mpq_class error = claim_.rounding ? claim_.rounding->distance * mask.denominator : mpq_class(0);
+      check_stability(mask, claim_.arity, claim_.range.value_or(Range{}), error, arithmetic_);
+    }
+    if (claim_.rounding) {
+      require(sum_rules == claim_.rounding->sum_rules, "the claim is about masks with another number of sum rules");
+      entry_error_ = entry_error(mask, claim_.arity, *claim_.rounding);
     }
     return transition_family(mask, claim_.arity, sum_rules);
   }
@@ -178,11 +186,23 @@ class Checker {
     const std::size_t n = family.size, length = letters.size();
     // `scale` times the product is an integer matrix; c = x + i y is `scale` times the given eigenvalue.
     const mpz_class q = lcm(re.get_den(), im.get_den());
-    const mpz_class scale = power(family.denominator, length).get_num() * q;
-    const mpz_class x = mpq_class(re * scale).get_num(), y = mpq_class(im * scale).get_num();
+    mpq_class scale = power(family.denominator, length).get_num() * q;
+    mpz_class x = mpq_class(re * scale).get_num(), y = mpq_class(im * scale).get_num();
     Vector product(n * n), m(n * n);
     for (std::size_t i = 0; i < n; ++i) product[i * n + i] = q;
     for (std::size_t i = length; i-- > 0;) product = arithmetic_.multiply(family.matrix(letters[i]), product, n);
+    mpq_class error = change_of(family, length) * scale;
+    if (entry_error_ > 0) {
+      // Section 7: with fewer digits, which is one more error.
+      std::size_t most = 0;
+      for (const mpz_class& entry : product) most = std::max(most, bits(entry));
+      const std::size_t cut = most - std::min(most, 256 + 40 * n);
+      const auto shorten = [cut](mpz_class& value) { value >>= cut; };
+      std::for_each(product.begin(), product.end(), shorten);
+      shorten(x), shorten(y);
+      scale /= mpz_class(1) << cut;
+      if (cut > 0) error = error / (mpz_class(1) << cut) + mpz_class(n);
+    }
     // The characteristic polynomial, highest coefficient first; by Horner's scheme its value and derivative at c.
     mpz_class coefficient = 1;
     const Vector times_c{x, y, -y, x};
@@ -201,11 +221,22 @@ class Checker {
     const auto square = [](const mpz_class& a, const mpz_class& b) { return mpz_class(a * a + b * b); };
     const mpz_class values = square(state[0], state[1]) * n * n, slopes = square(state[2], state[3]);
     require(slopes != 0, "the characteristic polynomial has derivative 0 at the given eigenvalue");
-    const mpz_class modulus = sqrt(mpz_class(square(x, y) << 640)),
-                    distance = sqrt(mpz_class((values << 640) / slopes));
-    const mpz_class bound = modulus - distance - (values == 0 ? 0 : 1);
+    const mpz_class modulus = sqrt(mpz_class(square(x, y) << 640));
+    mpz_class distance = sqrt(mpz_class((values << 640) / slopes)) + (values == 0 ? 0 : 1);
+    if (entry_error_ > 0) {
+      // The changes of the characteristic polynomial and of its derivative.
+      const mpq_class column = largest_column_sum({n, product, 1}) + sqrt(square(x, y)) + 1,
+                      factor(mpz_class(n) << 320);
+      const mpz_class steep = sqrt(mpz_class((slopes << 640))) -
+                              ceiling(change_of_product(column, error, n - 1) * factor),
+                      value = sqrt(mpz_class(values << 640)) + 1 +
+                              ceiling(change_of_product(column, error, n) * factor);
+      require(steep > 0, "the product proves nothing of rounded masks");
+      distance = (value << 320) / steep + 1;
+    }
+    const mpz_class bound = modulus - distance;
     require(bound > 0, "the product proves no positive spectral radius");
-    return ratio(bound, scale << 320);
+    return bound / (scale * (mpz_class(1) << 320));
   }
 
   /// Section 4.6, with the first columns of the products.
@@ -219,7 +250,7 @@ class Checker {
       unit[k] = 1;
       largest = std::max(largest, largest_norm(family, unit, level));
     }
-    use_upper_bound(ratio(largest, power(family.denominator, level).get_num()), level);
+    use_upper_bound(ratio(largest, power(family.denominator, level).get_num()) + change_of(family, level), level);
   }
 
   /// The largest 1-norm of product * x over all products of this many matrices.
@@ -272,6 +303,7 @@ class Checker {
     const std::size_t generators = properties.size() == 1 ? parse_group(*properties.begin()) : 0;
     if (generators > 0) properties.clear();
     require(!(generators > 0 && (symmetric || nonnegative)), "a group goes with neither 'symmetric' nor 'nonnegative'");
+    require(generators == 0 || entry_error_ == 0, "a group proves nothing of rounded masks");
     require(properties.empty() && !(complex && nonnegative), "unknown polytope property");
     const Vector& entries = family.entries;
     const auto negative = [](const mpz_class& x) { return x < 0; };
@@ -303,7 +335,11 @@ class Checker {
         const Vector image = arithmetic_.multiply(family.matrix(t), body.vertices[j], n);
         const std::string head = "image " + std::to_string(j) + " " + std::to_string(t);
         const auto [weights, residual] = read_combination(head, body, image, weight_one, family.denominator);
-        bound = std::max(bound, mpz_class((weights * family.denominator << vertex_bits) + residual * unit_norm));
+        mpz_class length = 0;
+        for (const mpz_class& x : body.vertices[j]) length += abs(x);
+        const mpz_class off = ceiling(entry_error_ * (length * n * weight_one * family.denominator));
+        bound = std::max(bound,
+                         mpz_class((weights * family.denominator << vertex_bits) + (residual + off) * unit_norm));
       }
     use_upper_bound(ratio(bound, one * family.denominator), 1);
   }
@@ -346,6 +382,12 @@ class Checker {
     return {weights, residual};
   }
 
+  /// What errors of the entries add to the norms of products of so many matrices.
+  mpq_class change_of(const Family& family, std::size_t level) const {
+    if (entry_error_ == 0) return 0;
+    return change_of_product(largest_column_sum(family), entry_error_ * mpz_class(family.size), level);
+  }
+
   /// Compares the proved JSR(block)^exponent <= value with what is to be shown of each block.
   void use_upper_bound(const mpq_class& value, std::size_t exponent) const {
     if (!upper_) return;
@@ -356,7 +398,8 @@ class Checker {
   const Claim& claim_;
   Reader& reader_;
   Arithmetic arithmetic_;
-  Vector weights_{1};  // of the control matrices
+  Vector weights_{1};          // of the control matrices
+  mpq_class entry_error_ = 0;  // of the matrices, where the mask is rounded
   // What is to be shown: lower <= JSR^root <= upper (over a range: <); and JSR^root > above, where there is a lower
   // end.
   std::optional<mpq_class> lower_, upper_;
@@ -370,6 +413,8 @@ constexpr const char* usage =
     "usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE\n"
     "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'\n"
     "                     [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)\n"
+    "       subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks\n"
+    "                     within EPS of MASK that have M sum rules)\n"
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
@@ -381,8 +426,8 @@ using Options = std::map<std::string, std::optional<std::string>>;
 
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
-  for (const char* name :
-       {"--mask", "--arity", "--for", "--surface", "--dilation", "--matrices", "--lower", "--upper", "FILE"})
+  for (const char* name : {"--mask", "--arity", "--for", "--within", "--surface", "--dilation", "--matrices", "--lower",
+                           "--upper", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -414,18 +459,20 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
 
 Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
-  const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &surface = given["--surface"],
-             &dilation = given["--dilation"], &matrices = given["--matrices"], &lower = given["--lower"],
-             &upper = given["--upper"], &file = given["FILE"];
+  const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
+             &surface = given["--surface"], &dilation = given["--dilation"], &matrices = given["--matrices"],
+             &lower = given["--lower"], &upper = given["--upper"], &file = given["FILE"];
   require(file && mask.has_value() + surface.has_value() + matrices.has_value() == 1 &&
               mask.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&
-              (mask || !range) && (lower || (upper ? matrices || range : mask.has_value())),
+              (mask || !(range || rounding)) && !(range && rounding) &&
+              (lower || (upper ? matrices || range : mask.has_value())),
           usage);
   Claim claim;
   claim.file = *file;
   if (lower) claim.lower = parse_rational(*lower);
   if (upper) claim.upper = parse_rational(*upper);
   if (range) claim.range = parse_range(*range);
+  if (rounding) claim.rounding = parse_rounding(*rounding);
   if (mask) read_scheme_claim("arity", *mask, *arity, claim);
   if (surface) read_scheme_claim("dilation", *surface, *dilation, claim);
   if (matrices) {
@@ -447,6 +494,10 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (range) {
     claim.head += " " + *range;
     claim.text += " for all " + *range;
+  }
+  if (rounding) {
+    claim.head += " within=" + *rounding;
+    claim.text += " for all masks within=" + *rounding;
   }
   return claim;
 }

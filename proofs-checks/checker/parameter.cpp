@@ -1,5 +1,6 @@
 #include "parameter.hpp"
 
+#include "rounding.hpp"
 #include "torus.hpp"
 
 #include <algorithm>
@@ -108,8 +109,10 @@ Vector determinant_form(std::size_t size, std::size_t degree, Fill fill, Arithme
   return unpack(determinant(fill(width), size, arithmetic), size * degree, width, arithmetic);
 }
 
-/// Conditions (i): the part with the fewest coefficients and a sum of multiples of the others.
-void check_resultant(const Vector& forms, std::size_t degree, unsigned arity, Arithmetic& arithmetic) {
+/// Conditions (i): the part with the fewest coefficients and a sum of multiples of the others. With errors all
+/// coefficients count, as none is sure to be 0.
+void check_resultant(const Vector& forms, std::size_t degree, unsigned arity, const mpq_class& error,
+                     Arithmetic& arithmetic) {
   const std::size_t points = forms.size() / (degree + 1);
   struct Part {
     unsigned residue;
@@ -120,7 +123,7 @@ void check_resultant(const Vector& forms, std::size_t degree, unsigned arity, Ar
     Part part{r, points, 0};
     for (std::size_t i = r; i < points; i += arity)
       for (std::size_t k = 0; k <= degree; ++k)
-        if (forms[k * points + i] != 0) part = {r, std::min(part.first, i / arity), i / arity};
+        if (error > 0 || forms[k * points + i] != 0) part = {r, std::min(part.first, i / arity), i / arity};
     require(part.first <= part.last, "stability: a polyphase part is zero");
     parts.push_back(part);
   }
@@ -154,15 +157,30 @@ void check_resultant(const Vector& forms, std::size_t degree, unsigned arity, Ar
     }
     return matrix;
   };
-  Vector form = size == 0 ? Vector{1} : determinant_form(size, degree, sylvester, arithmetic);
-  if (form[0] < 0)
+  Vector form{1};
+  if (error > 0 && size > 0) {
+    // Section 7: with fewer digits, which is one more error.
+    Vector matrix = sylvester(1);
+    std::size_t most = 0;
+    for (const mpz_class& entry : matrix) most = std::max(most, bits(entry));
+    const std::size_t cut = most - std::min(most, 256 + 16 * size);
+    for (mpz_class& entry : matrix) entry >>= cut;
+    mpz_class multiples = 1;
+    for (std::size_t j = 1; j < parts.size(); ++j) multiples += j * j;
+    const mpq_class off = error * multiples / (mpz_class(1) << cut) + (cut > 0 ? 1 : 0);
+    const mpq_class change = change_of_product(largest_column_sum({size, matrix, 1}), off * mpz_class(size), size);
+    form[0] = abs(determinant(matrix, size, arithmetic)) > change ? 1 : 0;
+  } else if (size > 0) {
+    form = determinant_form(size, degree, sylvester, arithmetic);
+  }
+  if (error == 0 && form[0] < 0)
     for (mpz_class& c : form) c = -c;
   check_positive_form(form, "stability: the resultant of the polyphase parts", arithmetic);
 }
 
 /// Whether Phi_n can divide the symbol at a value: its product with all 1 - z^(n/q), q | n a prime, modulo z^n - 1.
 void check_cyclotomic(const Vector& forms, std::size_t degree, std::size_t n, const std::vector<std::size_t>& primes,
-                      Arithmetic& arithmetic) {
+                      const mpq_class& error, Arithmetic& arithmetic) {
   const std::size_t points = forms.size() / (degree + 1);
   arithmetic.spend((degree + 1) * (points + n * (primes.size() + degree)) * 50);
   std::vector<Vector> rests;
@@ -178,6 +196,8 @@ void check_cyclotomic(const Vector& forms, std::size_t degree, std::size_t n, co
   for (std::size_t k = 0; k <= degree; ++k)
     for (std::size_t l = 0; l <= degree; ++l)
       for (std::size_t i = 0; i < n; ++i) arithmetic.add_product(squares[k + l], rests[k][i], rests[l][i]);
+  const mpq_class off = error * mpz_class(points) * (mpz_class(1) << primes.size());
+  if (error > 0) squares[0] = squares[0] > off * off * mpz_class(n) ? 1 : 0;
   check_positive_form(squares, "stability: the remainder modulo Phi_" + std::to_string(n), arithmetic);
 }
 
@@ -233,17 +253,18 @@ Controls control_family(const Family& powers, const Vector& divisor, const Range
   return {clear_denominators(powers.size, entries), std::move(weights)};
 }
 
-void check_stability(const Mask& mask, unsigned arity, const Range& range, Arithmetic& arithmetic) {
+void check_stability(const Mask& mask, unsigned arity, const Range& range, const mpq_class& error,
+                     Arithmetic& arithmetic) {
   const std::size_t degree = mask.powers - 1, points = mask.points();
   Vector divisor = divisor_form(mask.divisor, power_forms(range, degree));
   if (divisor[0] < 0)
     for (mpz_class& c : divisor) c = -c;
   check_positive_form(divisor, "the denominator of the mask", arithmetic);
   const Vector forms = coefficient_forms(mask, range);
-  if (degree == 0)
+  if (degree == 0 && error == 0)
     check_no_common_zeros(mask, arity);
   else
-    check_resultant(forms, degree, arity, arithmetic);
+    check_resultant(forms, degree, arity, error, arithmetic);
   for (std::size_t n = 2 * std::size_t{arity}; n < 6 * points; n += arity) {
     if (std::gcd(n / arity, std::size_t{arity}) != 1) continue;
     std::vector<std::size_t> primes;
@@ -254,7 +275,7 @@ void check_stability(const Mask& mask, unsigned arity, const Range& range, Arith
       totient -= totient / q;
       while (rest % q == 0) rest /= q;
     }
-    if (totient < points) check_cyclotomic(forms, degree, n, primes, arithmetic);
+    if (totient < points) check_cyclotomic(forms, degree, n, primes, error, arithmetic);
   }
 }
 

@@ -27,8 +27,10 @@ struct Controls {
 /// weight would not be positive.
 Controls control_family(const Family& powers, const Vector& divisor, const Range& range, Arithmetic& arithmetic);
 
-/// Conditions (i) and (ii) of Theorem 4 for all values of the range. Without a parameter: with an empty range.
-void check_stability(const Mask& mask, unsigned arity, const Range& range, Arithmetic& arithmetic);
+/// Conditions (i) and (ii) of Theorem 4 for all values of the range. Without a parameter: with an empty range, and for
+/// all masks whose coefficients, times the denominator, are off by at most `error`.
+void check_stability(const Mask& mask, unsigned arity, const Range& range, const mpq_class& error,
+                     Arithmetic& arithmetic);
 
 /// Rejects unless for all values of the range the product of the letters has a real eigenvalue beyond `re`, or two
 /// eigenvalues whose product is above im^2. `family`: the control matrices, or one of their diagonal blocks. Domain:

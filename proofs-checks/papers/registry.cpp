@@ -32,6 +32,7 @@ const std::vector<Registered>& registered() {
       {"mustafa-bari-2016", mustafa_bari_2016::checks},
       {"bivariate", nullptr},
       {"families", nullptr},
+      {"daubechies", nullptr},
   };
   return all;
 }

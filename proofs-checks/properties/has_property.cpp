@@ -143,7 +143,29 @@ Decision property_of(const MultivariateScheme& scheme, const Expectation& expect
   fail(ErrorKind::domain, "has_property: need a property of surfaces, got '{}'", property);
 }
 
+/// What depends on coefficients that are rounded; nothing for properties that do not.
+std::optional<Decision> property_of_rounded(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  const std::string& property = expectation.property;
+  if (property == "sobolev" || property == "variance" || property == "reproduces")
+    return Decision{Truth::unknown, "the coefficients are rounded"};
+  if (property == "stable") return matches(has_stable_shifts(scheme.mask, scheme.rounding->distance), expectation.yes);
+  if (property != "convergent" && property != "holder" && property != "smoothness") return std::nullopt;
+  const HolderRegularity regularity = holder_regularity(scheme.mask, levels, {Deadline::in(seconds)},
+                                                        HolderProof::shortest, scheme.rounding);
+  const Enclosure& exponent = regularity.exponent;
+  const bool converges = *exponent.lower > 0;
+  if (property == "convergent")
+    return matches({converges ? Truth::yes : Truth::unknown, converges ? "the exponent is positive" : "not proved"},
+                   expectation.yes);
+  if (!converges) return Decision{Truth::unknown, "convergence is not proved"};
+  if (property == "holder") return compare(exponent, expectation, "the exponent");
+  return Decision{has_derivatives(regularity, expectation.number),
+                  "the Hoelder exponent lies in [" + exponent.lower_text(8) + ", " + exponent.upper_text(8) + "]"};
+}
+
 Decision property_of(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  if (scheme.rounding)
+    if (auto decision = property_of_rounded(scheme, expectation, seconds)) return *std::move(decision);
   const Mask& mask = scheme.mask;
   const std::string& property = expectation.property;
   if (property == "convergent") return matches(converges(mask, {levels, Deadline::in(seconds)}), expectation.yes);

@@ -554,3 +554,73 @@ TEST_CASE("certificates of curves are accepted, and prove no more than their env
     }
   }
 }
+
+TEST_CASE("rounded masks: certificates for all masks nearby") {
+  const Rational near = power(Rational(10), -40);
+  for (const char* specification :
+       {"mask:[1+t,3+t,3-t,1-t]/4@0,where=t^2-3:1.7..1.8", "daubechies:n=6", "daubechies:n=10", "primal:n=5",
+        "dual:n=4,d=3", "ary:a=3,points=4,d=1", "cdf:n=2,m=4", "mask:[1,0,1,1,0,1]/2", "mask:[5,-1,4,7,-1,2]/8"}) {
+    CAPTURE(specification);
+    const Scheme scheme = make_scheme(specification);
+    const Mask& mask = scheme.mask;
+    const MaskRounding rounding = scheme.rounding.value_or(MaskRounding{near, sum_rules(mask)});
+    const HolderRegularity regularity = holder_regularity(mask, 8, {Deadline::in(60)}, HolderProof::certificate,
+                                                          rounding);
+    if (!(*regularity.exponent.lower > 0)) continue;
+    const Certificate certificate = exponent_certificate(mask, regularity, rounding);
+    const std::string subject = subject_of(mask) + " --within " + to_text(rounding.distance) + "," +
+                                std::to_string(rounding.sum_rules),
+                      lower = certificate.claim.lower.value(), upper = certificate.claim.upper.value_or("");
+    CHECK(proves(subject, lower, upper, certificate.text));
+    CHECK_FALSE(proves(subject_of(mask), lower, upper, certificate.text));
+    CHECK_FALSE(proves(subject_of(mask) + " --within 1/10," + std::to_string(rounding.sum_rules), lower, upper,
+                       certificate.text));
+    CHECK_FALSE(proves(subject, to_text(*parse_rational(lower) + q("1/1000")), upper, certificate.text));
+    if (!upper.empty())
+      CHECK_FALSE(proves(subject, lower, to_text(*parse_rational(upper) - q("1/1000")), certificate.text));
+  }
+}
+
+TEST_CASE("rounded masks: the exponents of masks nearby are enclosed") {
+  subcert::testing::Random random;
+  for (const char* specification : {"mask:[273205,473205,126795,-73205]/400000", "primal:n=4", "daubechies:n=4"}) {
+    CAPTURE(specification);
+    const Mask mask = make_scheme(specification).mask;
+    const int rules = sum_rules(mask);
+    const LaurentPolynomial smooth = LaurentPolynomial({q("1/2"), q("1/2")}, 0).pow(rules);
+    const LaurentPolynomial rest = *mask.symbol().exact_quotient(smooth);
+    const Rational distance = power(Rational(10), -30);
+    const HolderRegularity all = holder_regularity(mask, 6, {Deadline::in(60)}, HolderProof::shortest,
+                                                   MaskRounding{distance, rules});
+    CAPTURE(all.stable.reason, to_decimal(*all.radius.radius.lower, 6, Rounding::down));
+    REQUIRE(all.exponent.is_bounded());
+    CHECK(*all.exponent.upper - *all.exponent.lower < q("1/1000"));
+    for (const int round : {1, 2, 3}) {
+      CAPTURE(round);
+      // The errors of the other factor sum to 0; those of the mask are not larger.
+      std::vector<Rational> errors{0};
+      for (long k = 1; k < rest.length(); ++k) {
+        errors.push_back(distance * Rational(random.integer(-100, 100), 100 * rest.length()));
+        errors.front() -= errors.back();
+      }
+      const Mask other(smooth * (rest + LaurentPolynomial(errors, rest.lowest())), 2);
+      const HolderRegularity exact = holder_regularity(other, 6, {Deadline::in(60)});
+      CHECK(*all.exponent.lower <= *exact.exponent.lower);
+      CHECK(*exact.exponent.upper <= *all.exponent.upper);
+    }
+  }
+}
+
+TEST_CASE("the exponent of D4 is 2 - log2(1 + sqrt 3)") {
+  const Scheme scheme = make_scheme("daubechies:n=2");
+  const HolderRegularity regularity = holder_regularity(scheme.mask, 6, {Deadline::in(60)}, HolderProof::shortest,
+                                                        scheme.rounding);
+  const Rational digits = power(Rational(10), 80);
+  Enclosure root = root_enclosure(3 * digits * digits, 2);
+  root = {*root.lower / digits, *root.upper / digits};
+  const Rational lower = 2 - *log_ratio(1 + *root.upper, 2).upper, upper = 2 - *log_ratio(1 + *root.lower, 2).lower;
+  CHECK(*regularity.exponent.lower <= upper);
+  CHECK(lower <= *regularity.exponent.upper);
+  CHECK(*regularity.exponent.upper - *regularity.exponent.lower < power(Rational(10), -14));
+  CHECK_FALSE(regularity.radius.exact.is_yes());
+}

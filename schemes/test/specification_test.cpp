@@ -54,7 +54,8 @@ TEST_CASE("malformed specifications are refused, with position") {
 
 TEST_CASE("every prefix and every single change of a specification is read or refused") {
   for (const std::string valid :
-       {"primal:n=3,d=1", "mask:[1,3,3,1]/4@-2,arity=2", "four-point:w=1/16",
+       {"primal:n=3,d=1", "mask:[1,3,3,1]/4@-2,arity=2", "four-point:w=1/16", "cdf:n=2,m=4",
+        "mask:[1+t,3+t,3-t,1-t]/4@0,arity=2,where=t^2-3:1.7..1.8",
         "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[1;2;1|1;2;2;1],first=-1"}) {
     const auto attempt = [](const std::string& text) {
       try {
@@ -151,4 +152,63 @@ TEST_CASE("classical families by name") {
           make_scheme("dd:n=" + std::to_string(m)).mask.symbol());
   }
   CHECK(mask_of("pseudo-spline:m=3,l=1").symbol() == mask_of("mask:[-3,-8,12,72,110,72,12,-8,-3]/128").symbol());
+}
+
+TEST_CASE("coefficients that are algebraic numbers") {
+  const Scheme scheme = make_scheme("mask:[1+t,3+t,3-t,1-t]/4@0,where=t^2-3:1.7..1.8");
+  REQUIRE(scheme.rounding);
+  CHECK(scheme.rounding->sum_rules == 2);
+  CHECK(scheme.rounding->distance < power(Rational(2), -1000));
+  CHECK(scheme.mask.symbol().multiplicity(LaurentPolynomial::all_ones(2)) == 2);
+  // (4 a_0 - 1)^2 = 3, nearly.
+  const Rational root = 4 * scheme.mask.symbol().coefficient(0) - 1;
+  CHECK(abs(root * root - 3) < power(Rational(2), -1000));
+  CHECK(make_scheme(scheme.specification).mask == scheme.mask);
+  // The same number by another polynomial, and with powers that are reduced.
+  CHECK(make_scheme("mask:[1+t^3/3,3+t,3-t,1-t]/4@0,where=(t^2-3)*(t^2+1):1.7..1.8").mask == scheme.mask);
+  // Rational numbers are exact.
+  const Scheme exact = make_scheme("mask:[t,1-t,1-t,t],where=(4*t-1)*(t-2):0..1");
+  CHECK_FALSE(exact.rounding);
+  CHECK(exact.mask == make_scheme("mask:[1,3,3,1]/4").mask);
+}
+
+TEST_CASE("Daubechies' masks are near to orthonormal ones") {
+  CHECK(make_scheme("daubechies:n=1").mask.symbol() == LaurentPolynomial({1, 1}, 0));
+  CHECK_FALSE(make_scheme("daubechies:n=1").rounding);
+  for (const int n : {2, 3, 5, 10, 21}) {
+    const Scheme scheme = make_scheme("daubechies:n=" + std::to_string(n));
+    REQUIRE(scheme.rounding);
+    CHECK(scheme.rounding->sum_rules == n);
+    CHECK(scheme.mask.symbol().multiplicity(LaurentPolynomial::all_ones(2)) == n);
+    const LaurentPolynomial& a = scheme.mask.symbol();
+    CHECK(a.length() == 2 * n);
+    // The autocorrelation a(z) a(1/z) / 2 is the interpolatory mask of Deslauriers and Dubuc.
+    const LaurentPolynomial difference = LaurentPolynomial(Rational(1, 2)) * a * a.reversed() -
+                                         make_scheme("dd:n=" + std::to_string(n)).mask.symbol();
+    for (const Rational& c : difference.coefficients()) CHECK(abs(c) < 8 * n * scheme.rounding->distance);
+    // The larger coefficients come first.
+    CHECK(abs(a.coefficient(0)) > abs(a.coefficient(2L * n - 1)));
+  }
+  const Scheme algebraic = make_scheme("mask:[1+t,3+t,3-t,1-t]/4@0,where=t^2-3:1.7..1.8");
+  const LaurentPolynomial difference = make_scheme("daubechies:n=2").mask.symbol() - algebraic.mask.symbol();
+  for (const Rational& c : difference.coefficients()) CHECK(abs(c) < power(Rational(2), -300));
+}
+
+TEST_CASE("duals of B-splines") {
+  // (1 + z)^2 (-1 + 4 z - z^2) / 4, dual to the hat.
+  CHECK(make_scheme("cdf:n=2,m=2").mask.symbol() ==
+        LaurentPolynomial({Rational(-1, 4), Rational(1, 2), Rational(3, 2), Rational(1, 2), Rational(-1, 4)}, -2));
+  for (const auto& [n, m] : {std::pair{1, 3}, {2, 4}, {3, 5}, {4, 4}}) {
+    const Mask dual = make_scheme("cdf:n=" + std::to_string(n) + ",m=" + std::to_string(m)).mask;
+    CHECK(dual.symbol().multiplicity(LaurentPolynomial::all_ones(2)) == m);
+    // The product of dual symbols is interpolatory.
+    const LaurentPolynomial product = LaurentPolynomial(Rational(1, 2)) * dual.symbol() *
+                                      bspline_mask(n == 1 ? 1 : n - 1).symbol();
+    if (n == 1) continue;
+    for (const long parity : {0L, 1L}) {
+      const LaurentPolynomial half = product.coset(2, parity);
+      if (half.length() == 1) CHECK(half.coefficient(half.lowest()) == 1);
+    }
+    CHECK((product.coset(2, 0).length() == 1 || product.coset(2, 1).length() == 1));
+  }
 }

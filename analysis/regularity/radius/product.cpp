@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include "cost.hpp"
+#include "rounded_family.hpp"
 
 #include <subcert/analysis/symbol/balls.hpp>
 #include <subcert/analysis/symbol/error.hpp>
@@ -91,7 +92,8 @@ std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPoly
 
 }  // namespace
 
-ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline) {
+ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline,
+                              const Rational& distance) {
   ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
   const RationalMatrix product = family.product(word);
   const auto characteristic = characteristic_polynomial(product, deadline);
@@ -108,14 +110,24 @@ ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>
   }
   evidence.eigenvalue = c;
   if (slope == 0) return evidence;
-  const Rational distance = static_cast<long>(family.size()) *
-                            *root_enclosure(value_at(p, c).squared_modulus() / slope, 2).upper;
-  const Enclosure modulus = root_enclosure(c.squared_modulus(), 2);
   const int length = static_cast<int>(word.size());
-  const Rational low = *modulus.lower - distance;
+  const Enclosure modulus = root_enclosure(c.squared_modulus(), 2);
+  const Rational size = static_cast<long>(family.size());
+  Rational away = size * *root_enclosure(value_at(p, c).squared_modulus() / slope, 2).upper;
+  if (distance > 0) {
+    const auto n = static_cast<long>(family.size());
+    const Rational error = radius::EntryError(family, distance).of_products(length),
+                   column = *modulus.upper + one_norm(product);
+    const auto change = [&](long factors) { return power(column + error, factors) - power(column, factors); };
+    const Rational value = *root_enclosure(value_at(p, c).squared_modulus(), 2).upper + change(n),
+                   steep = *root_enclosure(slope, 2).lower - size * change(n - 1);
+    if (steep <= 0) return evidence;
+    away = size * value / steep;
+  }
+  const Rational low = *modulus.lower - away;
   if (low > 0)
-    evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + distance, length).upper};
-  if (centre->rational) {
+    evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + away, length).upper};
+  if (centre->rational && distance == 0) {
     const Enclosure exact = root_enclosure(abs(*centre->rational), length);
     if (exact.is_exact() && is_largest_root(p, *centre->rational, deadline)) evidence.exact = exact.lower;
   }

@@ -15,10 +15,12 @@ struct ProductEvidence {
   std::optional<Rational> exact;  ///< rho(product)^(1/length), where that is proved to be a rational number
 };
 
-/// Encloses the leading eigenvalue of a product. Domain: a word of at least one letter. Error: about 2^-190,
-/// relatively; the lower end is 0 where no eigenvalue is isolated or the deadline passes. Cost: one characteristic
-/// polynomial.
-ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline = {});
+/// Encloses the leading eigenvalue of a product. `distance`: for all families whose entries differ from these by at
+/// most that. Domain: a word of at least one letter; distance >= 0. Error: about 2^-190, relatively; the lower end is 0
+/// where no eigenvalue is isolated or the deadline passes. Cost: one characteristic polynomial. Ref: SPEC.md, 4.5 and
+/// theorem 22.
+ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline = {},
+                              const Rational& distance = 0);
 
 namespace radius {
 

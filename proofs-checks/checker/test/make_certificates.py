@@ -337,6 +337,22 @@ def main(out):
     # b = 2a/(1+z) = (-w, 1, 1, w): T_0 has a pair of eigenvalues with the product 1 + w^2
     over("pair", "[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]", "w=1..2", 1, None, Q(13, 25), True, ["to 2", "product 0 0 7/5 0"])
 
+    # rounded masks
+    def rounded(name, mask, within, lower, upper, *lines):
+        bounds = [f"--{end} {value}" for end, value in (("lower", lower), ("upper", upper)) if value is not None]
+        write(name, (["--mask", mask, "--arity", "2", "--within", within, *bounds], [
+            "subcert-certificate 3", f"exponent {mask} 2 within={within}",
+            f"bounds {lower or '-'} {upper or '-'}", f"sum-rules {within.split(',')[1]}", *lines, "end"]))
+
+    rounded("rounded-hat", "[1,2,1]/2@-1", "1/100,1", "9/10", None, "block 0 norm 1")  # SPEC.md, section 7
+    daubechies = "[273205,473205,126795,-73205]/400000"
+    rounded("rounded-daubechies", daubechies, "1/1000000,2", "549/1000", "551/1000", "stability",
+            "product 0 273205/100000 0 0", "block 0 norm 1")
+    rounded("rounded-stable", daubechies, "1/100,2", None, None, "stability")
+    by_polytope = exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True)[1][4:-1]
+    rounded("rounded-four-point", "[-1,0,9,16,9,0,-1]/16@-3", "1/1000000000,4", "19999/10000", "20001/10000", *by_polytope)
+    rounded("rounded-four-point-norm", "[-1,0,9,16,9,0,-1]/16@-3", "1/1000000000,4", "19/10", None, "block 0 norm 8")
+
     hat = ["subcert-certificate 3", "surface [1,2,1]/2@-1 [2]", "bounds 1 1", "sum-rules 2", "digits 0 1", "space 1",
            "vector -1:1 0:-2 1:1", "gram 0:4 1:1", "product 0 1/2 0 0", "block 0 norm 1", "end"]  # SPEC.md, section 5.8
     write("hat-by-hand", (["--surface", "[1,2,1]/2@-1", "--dilation", "[2]", "--lower", "1", "--upper", "1"], hat))

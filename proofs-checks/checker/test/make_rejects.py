@@ -383,6 +383,42 @@ reject("quotient-too-high", "quotient-not-smooth", crossing, replace("11/10", "5
 reject("quotient-too-low", "quotient-not-smooth", "no exponent below", replace("11/10", "9/10"))
 reject("quotient-norm", "quotient-converges", "does not prove the claim", replace("3/2..9", "1..9"),
        arguments=quotient.replace("3/2..9", "1..9"))
+def rounded(name, base, reason, within, edit=lambda lines: lines, **options):
+    """The claim with another rounding, in the file as well."""
+    arguments = option(claims[base], "within", within)
+    for key, value in options.items():
+        arguments = option(arguments, key, value)
+    reject(name, base, reason, lambda lines: edit([re.sub(" within=.*", f" within={within}", line) for line in lines]), arguments)
+
+
+four = claims["rounded-four-point"]
+reject("rounded-other", "rounded-four-point", "expected 'exponent ", arguments=option(four, "within", "1/100000000,4"))
+reject("rounded-not", "four-point", "expected 'exponent ", arguments=option(claims["four-point"], "within", "1/100000000,4"))
+rounded("rounded-other-rules", "rounded-four-point", "another number of sum rules", "1/1000000000,3")
+rounded("rounded-fewer-rules", "rounded-four-point", "another number of sum rules", "1/1000000000,4",
+        replace("sum-rules 4", "sum-rules 3"))
+rounded("rounded-coarse-polytope", "rounded-four-point", "does not prove the claim", "1/10000000,4", lambda lines: lines, upper="21/10")
+rounded("rounded-coarse-product", "rounded-four-point", "does not prove the claim", "1/10000000,4", lambda lines: lines, lower="19/10")
+rounded("rounded-steep", "rounded-four-point", "the product proves nothing of rounded masks", "1/1000000000,4",
+        replace("^product 0 4", "product 0 1500001/1000000"))  # 3/2 is a zero of the derivative
+rounded("rounded-coarse-norm", "rounded-four-point-norm", "does not prove the claim", "1/100,4")
+rounded("rounded-hat-coarse", "rounded-hat", "does not prove the claim", "1/80,1")
+rounded("rounded-exact-claim", "rounded-four-point", "does not prove the claim", "1/1000000000,4", lambda lines: lines, lower="2")
+rounded("rounded-exact-upper", "rounded-four-point", "does not prove the claim", "1/1000000000,4", lambda lines: lines, upper="2")
+rounded("rounded-resultant", "rounded-stable", "the resultant of the polyphase parts is not", "1/5,2")
+rounded("rounded-cyclotomic", "rounded-stable", "modulo Phi_6 is not", "1/1000,1",
+        lambda lines: [line.replace("[273205,473205,126795,-73205]/400000", "[1,0,0,1]").replace("rules 2", "rules 1")
+                       for line in lines], mask="[1,0,0,1]")
+rounded("rounded-unstable", "rounded-stable", "the resultant of the polyphase parts is not", "1/1000,2",
+        lambda lines: [line.replace("[273205,473205,126795,-73205]/400000", "[1,1,1,1]/2") for line in lines],
+        mask="[1,1,1,1]/2")
+reject("rounded-blocks", "rounded-four-point", "blocks prove nothing of rounded masks",
+       replace("^product", "blocks 1 1\nbasis 1 0\nbasis 0 1\ninverse 1 0\ninverse 0 1\nproduct"))
+reject("rounded-group", "rounded-four-point", "a group proves nothing of rounded masks", replace("symmetric", "group:1"))
+reject("rounded-quadratic", "rounded-four-point-norm", "expected 'norm', 'polytope'",
+       replace("norm 8", "quadratic 2 5\nform 1\nform 0 1\nword 0\nword 1"))
+reject("rounded-no-product", "rounded-daubechies", "expected 'product'", drop("product"))
+reject("rounded-no-stability", "rounded-daubechies", "expected 'stability'", drop("stability"))
 stable = claims["corner-stable"]
 reject("range-unstable", "corner-stable", "the resultant of the polyphase parts is not", replace("499/1000", "501/1000"),
        arguments=stable.replace("499/1000", "501/1000"))

@@ -42,9 +42,10 @@ std::vector<Case> read_cases(const std::string& directory) {
     words >> c.name;
     Claim subject;
     std::optional<mpq_class> lower, upper;
-    bool exponent = false;
+    bool exponent = false, is_range = false;
     for (std::string option, value; words >> option >> value;) {
       if (option == "--lower") lower = mpq_class(value);
+      is_range = is_range || option == "--for";
       if (option == "--upper") upper = mpq_class(value);
       if (option == "--lower" || option == "--upper") continue;
       exponent = exponent || option == "--mask" || option == "--surface";
@@ -68,7 +69,7 @@ std::vector<Case> read_cases(const std::string& directory) {
     }
     if (!upper) {  // the shifts are not stable, so that no upper end can be proved, or it is about a range
       c.false_claims.push_back(claim(lower.value_or(0) + 2, none));
-      c.false_claims.push_back(claim(lower, lower.value_or(0) + 2));
+      if (lower || is_range) c.false_claims.push_back(claim(lower, lower.value_or(0) + 2));
     }
     std::ifstream file(directory + "/" + c.name + ".cert");
     for (std::string text; std::getline(file, text);) c.lines.push_back(text);

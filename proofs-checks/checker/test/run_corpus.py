@@ -37,6 +37,13 @@ if mode == "usage":
             (64, "--mask [w,1] --arity 2 --for w=0.1 golden.cert"), (64, "--mask [w,1] --arity 2 --for 1=0..1 golden.cert"),
             (64, "--mask [w,1] --arity 2 --for w= golden.cert"), (64, "--mask [w,1] --arity 2 --for w=..1 golden.cert"),
             (64, "--matrices golden.mat --for w=0..1 --upper 2 golden.cert"),
+            (64, "--matrices golden.mat --within 1/9,1 --upper 2 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --within 0,1 golden.cert"), (64, "--mask [1,1] --arity 2 --within 1/9 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --within 1/9,0 golden.cert"), (64, "--mask [1,1] --arity 2 --within -1,1 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --within 1/9,1,1 golden.cert"), (64, "--mask [1,1] --arity 2 --within , golden.cert"),
+            (64, "--mask [w,1] --arity 2 --within 1/9,1 --for w=0..1 golden.cert"),
+            (64, "--mask [w,1]/(w --arity 2 --for w=0..1 golden.cert"), (64, "--mask [w,1]/() --arity 2 --for w=0..1 golden.cert"),
+            (64, "--mask [1,1]/(2) --arity 2 --lower 1 golden.cert"),
             (64, "--surface [[1,1],[1,1]] --lower 1 golden.cert"), (64, "--mask [1,1] --dilation [2] --lower 1 golden.cert"),
             (64, "--surface [[1,1],[1,1]] --dilation [2] --lower 1 golden.cert"),
             (64, "--surface [[1,1],[1]] --dilation [2,0;0,2] --lower 1 golden.cert"),
@@ -59,15 +66,16 @@ else:
         count += 1
         if mode == "accept":
             values = dict(zip(arguments[::2], arguments[1::2]))
-            lower, upper, range_ = (values.get(f"--{option}") for option in ("lower", "upper", "for"))
+            lower, upper, range_, within = (values.get(f"--{option}") for option in ("lower", "upper", "for", "within"))
             what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
             what = what if lower or upper else "stable integer shifts"
             subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
-                                    for name, value in values.items() if name not in ("--lower", "--upper", "--for"))
+                                    for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
             relation = "<" if range_ else "<="
             text = "VERIFIED " + (f"{Fraction(lower)} {relation} " if lower else "") + what
             text += (f" {relation} {Fraction(upper)}" if upper else "") + f" of {subject}"
             text = text.replace("Hoelder exponent < 0", "no convergence") + (f" for all {range_}" if range_ else "")
+            text += f" for all masks within={within}" if within else ""
             expect(name, result == (0, text, ""), result)
         else:
             rejected = result[0] == 1 and result[1].startswith("REJECTED ") and ", line " in result[1] and not result[2]

@@ -1,0 +1,76 @@
+#include "daubechies.hpp"
+
+#include "computed_quantities.hpp"
+
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace subcert::reports {
+namespace {
+
+constexpr int first = 2, last = 21;  // D4 to D42
+
+std::string specification(int n) { return fmt::format("daubechies:n={}", n); }
+
+}  // namespace
+
+const std::vector<std::string>& daubechies_items() {
+  static const std::vector<std::string> items{"published", "exponents"};
+  return items;
+}
+
+Report report_daubechies(const ReportOptions& options) {
+  const auto wanted = [&](const std::string& item) {
+    return options.only.empty() || std::ranges::find(options.only, item) != options.only.end();
+  };
+  const statements::PublishedTable& published = statements::paper("daubechies").table("published");
+  std::vector<std::string> schemes = schemes_of(published);
+  if (wanted("exponents"))
+    for (int n = last; n >= first; --n) schemes.push_back(specification(n));  // the long ones first
+  ComputedQuantities computed(options);
+  computed.need_exponents(schemes);
+
+  formats::Section section{"daubechies", "Exponents of Daubechies' orthonormal scaling functions", {}};
+  section.paragraphs.push_back(
+      "D(2n) has n sum rules and 2n coefficients, which are not rational for n > 1. What is proved holds for all masks "
+      "with n sum rules in a small neighbourhood of rounded coefficients, in which the mask that is meant lies.");
+  Report report{"daubechies", statements::citation("daubechies"), {}};
+  report.listed = true;
+  if (wanted("published")) {
+    formats::ComparisonTable table{"daubechies", published.id, published.title, published.place, published.grid, {}};
+    for (const statements::PublishedCell& cell : published.cells) {
+      formats::Comparison comparison = compare_number(cell, computed.exponent(cell.scheme).exponent, "");
+      comparison.source = fmt::format("[{}] {}", cell.source, statements::reference(cell.source));
+      table.comparisons.push_back(std::move(comparison));
+    }
+    section.paragraphs.push_back(verdict_sentence(table));
+    section.comparisons.push_back(std::move(table));
+  }
+  if (wanted("exponents")) {
+    formats::PlainTable table{
+        "exponents",
+        "Hoelder exponents of D4 to D42",
+        {"function", "exponent", "width", "leading product", "vertices", "distance", "certificate"},
+        {}};
+    for (int n = first; n <= last; ++n) {
+      const Scheme scheme = make_scheme(specification(n));
+      const HolderRegularity& regularity = computed.exponent(scheme.specification);
+      const Enclosure& exponent = regularity.exponent;
+      const std::string name = fmt::format("D{}.cert", 2 * n);
+      report.files.emplace(name, exponent_certificate(scheme.mask, regularity, scheme.rounding).text);
+      table.rows.push_back({fmt::format("D{}", 2 * n), formats::fixed_text(exponent, 12),
+                            exponent.is_bounded() ? to_decimal(*exponent.upper - *exponent.lower, 2, Rounding::up) : "",
+                            fmt::format("{}", fmt::join(regularity.radius.product.word, "")),
+                            std::to_string(regularity.radius.vertices()),
+                            to_decimal(scheme.rounding->distance, 2, Rounding::up), name});
+    }
+    section.tables.push_back(std::move(table));
+  }
+  report.sections.push_back(std::move(section));
+  return report;
+}
+
+}  // namespace subcert::reports

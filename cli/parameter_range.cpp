@@ -39,6 +39,7 @@ const char* why_text(SpecialValue::Why why) {
   switch (why) {
     case SpecialValue::Why::sum_rules: return "more sum rules";
     case SpecialValue::Why::unstable: return "shifts may be unstable";
+    case SpecialValue::Why::sign: return "a coefficient vanishes";
     default: return "the radius of a product meets the threshold";
   }
 }

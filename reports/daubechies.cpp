@@ -3,6 +3,7 @@
 #include "computed_quantities.hpp"
 
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@
 namespace subcert::reports {
 namespace {
 
-constexpr int first = 2, last = 21;  // D4 to D42
+constexpr int first_order = 2, last_order = 21;  // D4 to D42
 
 std::string specification(int n) { return fmt::format("daubechies:n={}", n); }
 
@@ -29,7 +30,7 @@ Report report_daubechies(const ReportOptions& options) {
   const statements::PublishedTable& published = statements::paper("daubechies").table("published");
   std::vector<std::string> schemes = schemes_of(published);
   if (wanted("exponents"))
-    for (int n = last; n >= first; --n) schemes.push_back(specification(n));  // the long ones first
+    for (int n = last_order; n >= first_order; --n) schemes.push_back(specification(n));  // the long ones first
   ComputedQuantities computed(options);
   computed.need_exponents(schemes);
 
@@ -55,7 +56,7 @@ Report report_daubechies(const ReportOptions& options) {
         "Hoelder exponents of D4 to D42",
         {"function", "exponent", "width", "leading product", "vertices", "distance", "certificate"},
         {}};
-    for (int n = first; n <= last; ++n) {
+    for (int n = first_order; n <= last_order; ++n) {
       const Scheme scheme = make_scheme(specification(n));
       const HolderRegularity& regularity = computed.exponent(scheme.specification);
       const Enclosure& exponent = regularity.exponent;

@@ -81,6 +81,14 @@ struct MaskText {
   Fields fields;
 };
 
+/// The coefficients in brackets, and what follows.
+std::pair<Piece, Piece> list_and_rest(const Piece& body, const char* usage) {
+  const std::size_t close = body.text.find(']');
+  if (body.text.empty() || body.text.front() != '[' || close == std::string_view::npos)
+    fail(body, std::string("coefficients in brackets, as in ") + usage);
+  return {{body.text.substr(0, close + 1), body.at}, {body.text.substr(close + 1), body.at + close + 1}};
+}
+
 /// The factor 1/D and the first index of `/D@first`, both of which may be absent.
 std::pair<Rational, std::optional<long>> read_scale(const Piece& piece) {
   const std::string one = "[1]";
@@ -94,16 +102,12 @@ std::pair<Rational, std::optional<long>> read_scale(const Piece& piece) {
 }
 
 MaskText read_mask_with_letter(const Piece& family, const Piece& body, const char* usage) {
-  const std::size_t close = body.text.find(']');
-  if (body.text.empty() || body.text.front() != '[' || close == std::string_view::npos)
-    fail(body, std::string("coefficients in brackets, as in ") + usage);
+  auto [list, rest] = list_and_rest(body, usage);
   const char letter = read_parameter(body, usage);
-  const Piece list{body.text.substr(0, close + 1), body.at};
   const std::vector<Piece> entries = read_list(list, ',');
   if (static_cast<long>(entries.size()) > max_coefficients)
     fail(list, fmt::format("at most {} coefficients", max_coefficients));
   // A denominator in parentheses may depend on the letter.
-  Piece rest{body.text.substr(close + 1), body.at + close + 1};
   RationalFunction denominator = 1;
   if (rest.text.starts_with("/(")) {
     const std::size_t end = 1 + end_of_parentheses(rest.text.substr(1));
@@ -270,6 +274,67 @@ ParametricScheme make_parametric_scheme(std::string_view specification) {
     names += " or " + classical.name + ":w";
   }
   fail(family, std::string("a family with a parameter: ") + mask_usage + names);
+}
+
+BiparametricMask make_biparametric_mask(std::string_view specification, char first, char second) {
+  const std::string usage = fmt::format("mask:[{1},0,-{0}-3*{1},0,1/2+{0}+2*{1},1,...]@-5", first, second);
+  if (specification.size() > max_text) fail({specification, 0}, fmt::format("at most {} characters", max_text));
+  const Piece family = family_of(specification);
+  if (family.text != "mask") fail(family, "a mask with two letters, " + usage);
+  const std::size_t begin = std::min(family.text.size() + 1, specification.size());
+  const Piece body{specification.substr(begin), begin};
+  const auto [list, rest] = list_and_rest(body, usage.c_str());
+  std::vector<MultivariatePolynomial> coefficients;
+  for (const Piece& entry : read_list(list, ',')) {
+    std::string in_xy(entry.text);
+    for (std::size_t i = 0; i < in_xy.size(); ++i) {
+      if (!is_letter(in_xy[i])) continue;
+      if (in_xy[i] != first && in_xy[i] != second)
+        fail({entry.text.substr(i, 1), entry.at + i}, fmt::format("the letters {} and {}", first, second));
+      in_xy[i] = in_xy[i] == first ? 'x' : 'y';
+    }
+    try {
+      coefficients.push_back(MultivariatePolynomial::parse(in_xy, 2));
+    } catch (const ParseError& error) {
+      throw SpecificationError(error.token(), entry.at + error.position(),
+                               fmt::format("a sum of terms c*{}^i*{}^j with exact numbers c", first, second));
+    }
+    const MultivariatePolynomial& c = coefficients.back();
+    for (const long side : {0, 1})
+      if (!c.is_zero() &&
+          (c.lowest()[static_cast<std::size_t>(side)] < 0 || c.highest()[static_cast<std::size_t>(side)] > max_degree))
+        fail(entry, fmt::format("powers from 0 to {}", max_degree));
+  }
+  if (static_cast<long>(coefficients.size()) > max_coefficients)
+    fail(list, fmt::format("at most {} coefficients", max_coefficients));
+  const std::vector<Piece> pieces = split(rest, ',');
+  Fields fields(family, {pieces.begin() + 1, pieces.end()}, specification.size(), usage);
+  const auto [scale, at] = read_scale(pieces.front());
+  const auto arity_piece = fields.optional("arity");
+  const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
+  fields.finish();
+
+  const long index = at.value_or(-static_cast<long>(coefficients.size() / 2));
+  long degree = 0;
+  for (const MultivariatePolynomial& c : coefficients)
+    if (!c.is_zero()) degree = std::max(degree, c.highest()[0]);
+  std::vector<LaurentPolynomial> powers;
+  std::vector<MultivariatePolynomial> sums(static_cast<std::size_t>(arity), MultivariatePolynomial(2));
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    const long place = index + static_cast<long>(k);
+    sums[static_cast<std::size_t>(((place % arity) + arity) % arity)] += coefficients[k];
+    for (const auto& term : coefficients[k].terms()) {
+      const auto power = static_cast<std::size_t>(term.exponents[0] + (degree + 1) * term.exponents[1]);
+      if (power >= powers.size()) powers.resize(power + 1);
+      powers[power] += LaurentPolynomial::monomial(term.coefficient * scale, place);
+    }
+  }
+  for (std::size_t residue = 0; residue < sums.size(); ++residue)
+    if (!(sums[residue] == MultivariatePolynomial(2, 1 / scale)))
+      fail(list, fmt::format("coefficients that sum to 1 over each residue class for all values; the class {} mod {} "
+                             "does not",
+                             residue, arity));
+  return {ParametricMask(std::move(powers), static_cast<int>(arity)), static_cast<int>(degree) + 1};
 }
 
 std::optional<ParameterRange> parse_parameter_range(std::string text, char parameter) {

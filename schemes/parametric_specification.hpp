@@ -22,6 +22,11 @@ struct ParametricScheme {
 /// for some value.
 ParametricScheme make_parametric_scheme(std::string_view specification);
 
+/// Reads `mask:[t,0,-w-3*t,...]` with two letters: coefficients are sums of terms `c`, `t`, `c*t^i*w^j` with exact
+/// numbers c. `first` and `second`: the letters of v and w. Domain: up to 100 coefficients, degrees up to 12; else as
+/// make_scheme. Errors: throws SpecificationError.
+BiparametricMask make_biparametric_mask(std::string_view specification, char first, char second);
+
 /// Values of a parameter between two numbers, low < high.
 struct ParameterRange {
   Rational low, high;

@@ -93,7 +93,7 @@ Family<Scheme> at_numbers(const ClassicalFamily& family) {
 /// f'_{a i + k} = the fit on the k-th stencil, evaluated at the k-th position.
 Scheme make_regression(Fields& fields) {
   const auto weight = [](const Piece& piece) {
-    const Rational value = read_rational(piece);
+    Rational value = read_rational(piece);
     if (value <= 0) fail(piece, "a weight > 0");
     return value;
   };

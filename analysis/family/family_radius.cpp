@@ -55,6 +55,8 @@ NormProof largest_norm(const MatrixFamily& family) {
   return proof;
 }
 
+}  // namespace
+
 Look look_at(const MatrixFamily& family, const Deadline& deadline) {
   Look result{radius::find_product(family, deadline), 0};
   // From left to right here, the letter applied first there.
@@ -63,13 +65,8 @@ Look look_at(const MatrixFamily& family, const Deadline& deadline) {
   return result;
 }
 
-}  // namespace
-
-Look FamilyRadius::look(const Rational& w, const Deadline& deadline) const { return look_at(family_.at(w), deadline); }
-
-std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& segment, const Rational& target,
-                                                            bool try_form, const Budget& budget) const {
-  const auto controls = family_.controls(segment.low, segment.high);
+std::optional<JointSpectralRadius> radius_below(const std::optional<MatrixFamily>& controls, const Rational& target,
+                                                bool try_form, const Budget& budget) {
   if (!controls || look_at(*controls, budget.deadline).radius >= target.convert_to<double>()) return std::nullopt;
   if (try_form) {
     auto form = radius::quadratic_bound(*controls, target, {budget.deadline.at_most(form_seconds), budget.memory});
@@ -83,6 +80,13 @@ std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& segme
   JointSpectralRadius result = joint_spectral_radius(*controls, budget, largest_norm(*controls), target);
   if (result.proved_upper() < target) return result;
   return std::nullopt;
+}
+
+Look FamilyRadius::look(const Rational& w, const Deadline& deadline) const { return look_at(family_.at(w), deadline); }
+
+std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& segment, const Rational& target,
+                                                            bool try_form, const Budget& budget) const {
+  return radius_below(family_.controls(segment.low, segment.high), target, try_form, budget);
 }
 
 std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& segment, double excess,

@@ -24,6 +24,13 @@ struct Segment {
   Rational width() const { return high - low; }
 };
 
+Look look_at(const MatrixFamily& family, const Deadline& deadline);
+
+/// A proof that the radius of the control matrices is below the target; nothing where none is found, or there are no
+/// controls. `try_form`: by a quadratic form first.
+std::optional<JointSpectralRadius> radius_below(const std::optional<MatrixFamily>& controls, const Rational& target,
+                                                bool try_form, const Budget& budget);
+
 /// Bounds over intervals. What it learns of products it keeps; safe to use from several threads.
 class FamilyRadius {
  public:

@@ -16,10 +16,11 @@ RationalMatrix combination(const std::vector<Rational>& factors, const std::vect
   return result;
 }
 
-/// The factors of the powers of w in the i-th Bernstein coefficient of degree n on [low, high]: the blossom of w^k with
-/// n - i arguments `low` and i arguments `high`.
-std::vector<Rational> blossom(long n, long i, const Rational& low, const Rational& high) {
-  // The elementary symmetric polynomials of the arguments over binomials.
+}  // namespace
+
+std::vector<Rational> bernstein_factors(long n, long i, const Rational& low, const Rational& high) {
+  // The blossom of w^k with n - i arguments `low` and i arguments `high`: their elementary symmetric polynomials over
+  // binomials.
   const LaurentPolynomial product = LaurentPolynomial({1, low}, 0).pow(n - i) * LaurentPolynomial({1, high}, 0).pow(i);
   std::vector<Rational> result;
   Rational binomial = 1;
@@ -29,8 +30,6 @@ std::vector<Rational> blossom(long n, long i, const Rational& low, const Rationa
   }
   return result;
 }
-
-}  // namespace
 
 MatrixFamily ParametricFamily::numerators_at(const Rational& w) const {
   std::vector<Rational> factors;
@@ -53,7 +52,7 @@ MatrixFamily ParametricFamily::at(const Rational& w) const {
 std::optional<MatrixFamily> ParametricFamily::controls(const Rational& low, const Rational& high) const {
   std::vector<std::vector<Rational>> factors;
   for (int i = 0; i <= degree; ++i) {
-    factors.push_back(blossom(degree, i, low, high));
+    factors.push_back(bernstein_factors(degree, i, low, high));
     Rational below = 0;
     for (int k = 0; k <= degree; ++k) below += factors.back()[static_cast<std::size_t>(k)] * denominator.coefficient(k);
     if (below <= 0) return std::nullopt;
@@ -63,6 +62,38 @@ std::optional<MatrixFamily> ParametricFamily::controls(const Rational& low, cons
   for (const auto& one : powers)
     for (const std::vector<Rational>& control : factors) matrices.push_back(combination(control, one));
   return MatrixFamily(std::move(matrices));
+}
+
+ParametricFamily BiparametricFamily::slice(const Rational& w) const {
+  std::vector<Rational> factors;
+  for (std::size_t j = 0; j < rows(); ++j) factors.push_back(power(w, static_cast<long>(j)));
+  ParametricFamily result{{}, 1, static_cast<int>(columns) - 1};
+  for (const auto& one : powers) {
+    result.powers.emplace_back();
+    for (std::size_t i = 0; i < columns; ++i) {
+      std::vector<RationalMatrix> column;
+      for (std::size_t j = 0; j < rows(); ++j) column.push_back(one[i + columns * j]);
+      result.powers.back().push_back(combination(factors, column));
+    }
+  }
+  return result;
+}
+
+MatrixFamily BiparametricFamily::controls(const std::array<Rational, 2>& low,
+                                          const std::array<Rational, 2>& high) const {
+  const auto n = static_cast<long>(columns) - 1, m = static_cast<long>(rows()) - 1;
+  std::vector<RationalMatrix> matrices;
+  for (const auto& one : powers)
+    for (long j = 0; j <= m; ++j)
+      for (long i = 0; i <= n; ++i) {
+        const std::vector<Rational> in_v = bernstein_factors(n, i, low[0], high[0]),
+                                    in_w = bernstein_factors(m, j, low[1], high[1]);
+        std::vector<Rational> factors;
+        for (const Rational& y : in_w)
+          for (const Rational& x : in_v) factors.push_back(x * y);
+        matrices.push_back(combination(factors, one));
+      }
+  return matrices;
 }
 
 ParametricFamily transition_matrices(const ParametricMask& mask, const Rational& inside) {

@@ -4,6 +4,7 @@
 #include <subcert/analysis/symbol/matrix_family.hpp>
 #include <subcert/analysis/symbol/parametric_mask.hpp>
 
+#include <array>
 #include <optional>
 
 namespace subcert {
@@ -28,6 +29,24 @@ struct ParametricFamily {
   /// where some q_i is not positive.
   std::optional<MatrixFamily> controls(const Rational& low, const Rational& high) const;
 };
+
+/// Matrices with entries that are polynomials in v and w: the factor of v^i w^j is powers[t][i + columns * j].
+/// Canonical: as many powers for each t, a multiple of `columns`; square matrices of one size.
+struct BiparametricFamily {
+  std::vector<std::vector<RationalMatrix>> powers;
+  std::size_t columns;
+
+  std::size_t size() const { return powers.front().front().rows(); }
+  /// One more than the degree in w.
+  std::size_t rows() const { return powers.front().size() / columns; }
+  /// The family in v for one w.
+  ParametricFamily slice(const Rational& w) const;
+  /// As those of one parameter, with products of two Bernstein polynomials.
+  MatrixFamily controls(const std::array<Rational, 2>& low, const std::array<Rational, 2>& high) const;
+};
+
+/// The factors of the powers of w in the i-th Bernstein coefficient of degree n on [low, high].
+std::vector<Rational> bernstein_factors(long n, long i, const Rational& low, const Rational& high);
 
 /// Those of transition_matrices(mask.at(w)), on a window that holds all coefficients for all w; the denominator is
 /// positive at `inside`.

@@ -1,8 +1,10 @@
 #include "property_range.hpp"
 
 #include "family_radius.hpp"
+#include "threshold.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/error.hpp>
@@ -10,7 +12,8 @@
 #include <subcert/analysis/symbol/real_roots.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <functional>
 
 namespace subcert {
 namespace {
@@ -27,40 +30,6 @@ constexpr int levels = 12;               // of norms, at special values
 constexpr int shortest_share = 16;       // of the width that may stay open: several intervals make a gap
 constexpr std::size_t longest_end = 24;  // letters of a product that names an end
 constexpr int most_matrices = 64;
-
-/// What a radius of the difference scheme of order m has to stay below: arity^(m - order).
-class Threshold {
- public:
-  Threshold(const RangeProperty& property, int arity, int rules) : arity_(arity), exponent_(rules) {
-    if (property.kind == RangeProperty::Kind::smooth || property.kind == RangeProperty::Kind::holder)
-      exponent_ -= property.order;
-  }
-
-  double value() const { return std::pow(arity_, exponent_.convert_to<double>()); }
-  /// Bounds with room for the rounding of the checker, exact where the exponent is whole.
-  Rational below() const { return *raised(1).lower * (1 - margin()); }
-  Rational power_above(long length) const { return *raised(length).upper * (1 + margin()); }
-  /// Domain: a multiple of rational_power(1).
-  Rational exact_power(long length) const { return *raised(length).upper; }
-  /// The power of that power which is rational.
-  long rational_power(long length) const { return denominator(exponent_ * Rational(length)).convert_to<long>(); }
-  /// Radii are at least 1: below that nothing can be proved.
-  bool is_reachable() const { return exponent_ > 0; }
-
- private:
-  Rational margin() const { return denominator(exponent_) == 1 ? Rational(0) : power(Rational(2), -90); }
-  Enclosure raised(long length) const {
-    const Rational exponent = exponent_ * Rational(length);
-    const long top = numerator(exponent).convert_to<long>(), root = denominator(exponent).convert_to<long>();
-    if (root == 1) return Enclosure::exactly(power(Rational(arity_), top));
-    Enclosure modulus = root_enclosure(power(Rational(arity_), std::abs(top)), static_cast<int>(root));
-    if (top >= 0) return modulus;
-    return {1 / *modulus.upper, 1 / *modulus.lower};
-  }
-
-  int arity_;
-  Rational exponent_;
-};
 
 bool is_before(const SpecialValue& a, const SpecialValue& b) { return *a.value.lower < *b.value.lower; }
 
@@ -240,6 +209,12 @@ class RangeSearch {
 /// Whether the scheme has the property at one value.
 Truth holds_at(const Mask& mask, const RangeProperty& property, const Deadline& deadline) {
   if (property.kind == RangeProperty::Kind::stable) return has_stable_shifts(mask).truth;
+  if (property.kind == RangeProperty::Kind::preserving) {
+    const Mask differences = divided_difference_scheme(mask, numerator(property.order).convert_to<int>());
+    const auto coefficients = differences.symbol().coefficients();
+    return std::any_of(coefficients.begin(), coefficients.end(), [](const Rational& c) { return c < 0; }) ? Truth::no
+                                                                                                          : Truth::yes;
+  }
   const HolderRegularity regularity = holder_regularity(mask, levels, {deadline.at_most(special_seconds)});
   const Enclosure& exponent = regularity.exponent;
   if (property.kind == RangeProperty::Kind::smooth) return has_derivatives(regularity, property.order);
@@ -265,13 +240,16 @@ bool is_complete(const std::vector<RangePiece>& pieces, const Rational& width) {
   });
 }
 
-/// The same verdict between the zeros of a polynomial, which are looked at on their own.
+/// One verdict between neighbouring zeros of polynomials, which are looked at on their own. `between`: the verdict at a
+/// value there.
 PropertyRange between_zeros(const ParametricMask& mask, const RangeProperty& property, std::vector<SpecialValue> zeros,
-                            Truth between, const Rational& low, const Rational& high, const RangeOptions& options) {
+                            const std::function<Truth(const Rational&)>& between, const Rational& low,
+                            const Rational& high, const RangeOptions& options) {
   PropertyRange result;
   Rational reached = low;
   const auto add_up_to = [&](const Rational& end, bool included) {
-    if (reached < end) result.pieces.push_back({reached, end, between, result.pieces.empty(), included});
+    if (reached < end)
+      result.pieces.push_back({reached, end, between((reached + end) / 2), result.pieces.empty(), included});
   };
   for (SpecialValue& zero : zeros) {
     if (zero.value.is_exact()) zero.holds = holds_at(mask.at(*zero.value.lower), property, options.budget.deadline);
@@ -305,10 +283,26 @@ PropertyRange by_zeros(const ParametricMask& mask, const RangeProperty& property
     return result;
   }
   if (property.kind == RangeProperty::Kind::stable)
-    return between_zeros(mask, property, zeros_of(unstable, low, high, options.width, SpecialValue::Why::unstable),
-                         Truth::yes, low, high, options);
-  return between_zeros(mask, property, single_values(mask, unstable, low, high, options.width), Truth::no, low, high,
-                       options);
+    return between_zeros(
+        mask, property, zeros_of(unstable, low, high, options.width, SpecialValue::Why::unstable),
+        [](const Rational&) { return Truth::yes; }, low, high, options);
+  return between_zeros(
+      mask, property, single_values(mask, unstable, low, high, options.width),
+      [](const Rational&) { return Truth::no; }, low, high, options);
+}
+
+/// By the signs of the coefficients.
+PropertyRange by_signs(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
+                       const Rational& high, const RangeOptions& options) {
+  const ParametricMask differences = divided_difference_scheme(mask, numerator(property.order).convert_to<int>());
+  LaurentPolynomial product = 1;
+  for (long i = differences.support().first; i <= differences.support().last; ++i) {
+    const LaurentPolynomial c = differences.coefficient(i);
+    if (!c.is_zero()) product *= squarefree_part(c).shifted(c.lowest() > 0 ? 1 : 0);
+  }
+  const auto at = [&](const Rational& w) { return holds_at(mask.at(w), property, options.budget.deadline); };
+  return between_zeros(mask, property, zeros_of(product, low, high, options.width, SpecialValue::Why::sign), at, low,
+                       high, options);
 }
 
 }  // namespace
@@ -337,6 +331,9 @@ std::optional<RangeProperty> parse_range_property(std::string_view text) {
   using Kind = RangeProperty::Kind;
   if (text == "convergent") return RangeProperty{Kind::convergent, 0};
   if (text == "stable") return RangeProperty{Kind::stable, 0};
+  for (int order = 0; order < 3; ++order)
+    if (text == std::array{"positive", "monotone", "convex"}[static_cast<std::size_t>(order)])
+      return RangeProperty{Kind::preserving, order};
   constexpr std::string_view holder = "holder>=";
   const bool smooth = text.starts_with('C');
   if (!smooth && !text.starts_with(holder)) return std::nullopt;
@@ -353,6 +350,13 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
   if (property.kind == RangeProperty::Kind::stable ||
       (property.kind == RangeProperty::Kind::smooth && property.order >= rules)) {
     PropertyRange result = by_zeros(mask, property, low, high, options);
+    result.sum_rules = rules;
+    return result;
+  }
+  if (property.kind == RangeProperty::Kind::preserving) {
+    require(property.order <= rules, "range: need differences of an order up to the number {} of sum rules, got {}",
+            rules, property.order);
+    PropertyRange result = by_signs(mask, property, low, high, options);
     result.sum_rules = rules;
     return result;
   }

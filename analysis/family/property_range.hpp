@@ -14,13 +14,15 @@ struct RangeProperty {
     convergent,  ///< the scheme converges
     smooth,      ///< its limits have `order` continuous derivatives
     holder,      ///< their Hoelder exponent is at least `order`
-    stable       ///< the integer shifts of the basic limit function are stable
+    stable,      ///< the integer shifts of the basic limit function are stable
+    preserving   ///< each step keeps differences of this order non-negative: data that are positive, monotone, convex
   };
   Kind kind = Kind::convergent;
   Rational order = 0;
 };
 
-/// `convergent`, `C2`, `holder>=3/2` or `stable`; nothing for another text. Domain of the numbers: 0 ... 100.
+/// `convergent`, `C2`, `holder>=3/2`, `stable`, `positive`, `monotone` or `convex`; nothing for another text. Domain of
+/// the numbers: 0 ... 100.
 std::optional<RangeProperty> parse_range_property(std::string_view text);
 
 /// Values of w, and whether the property holds for all of them (yes), for none (no), or is not
@@ -45,6 +47,7 @@ struct SpecialValue {
   enum class Why {
     sum_rules,  ///< the scheme has more sum rules than at others
     unstable,   ///< the shifts may be unstable there, or are
+    sign,       ///< a coefficient of the difference scheme vanishes
     threshold   ///< the radius of a product meets the threshold
   };
   Enclosure value;
@@ -85,10 +88,10 @@ struct RangeOptions {
 /// matrices T_t(w) of the scheme for divided differences of order m: the property is proved on an interval by an upper
 /// bound of the joint spectral radius of the control matrices of the T_t, and refuted by a real eigenvalue of one
 /// product that is too large all over the interval, which Sturm's theorem decides, and by the stability of the shifts.
-/// Domain: as require_family.
-/// Errors: throws Error. Error: none;
-/// what is not decided within width and budget is left `unknown`. Cost: one joint spectral radius for each interval.
-/// Ref: docs/families.md.
+/// `preserving` is decided by the signs of the coefficients of the divided difference scheme of that order, between
+/// their zeros. Domain: as require_family; `preserving` with an order up to the number of sum rules. Errors: throws
+/// Error. Error: none; what is not decided within width and budget is left `unknown`. Cost: one joint spectral radius
+/// for each interval. Ref: docs/families.md.
 PropertyRange property_range(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
                              const Rational& high, const RangeOptions& options);
 

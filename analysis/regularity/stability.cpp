@@ -1,5 +1,6 @@
 #include "stability.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
@@ -8,6 +9,48 @@
 #include <vector>
 
 namespace subcert {
+
+namespace {
+
+/// Coefficients and how far they may be off.
+struct RoundedPolynomial {
+  std::vector<Rational> values, errors;
+  std::size_t last = 0;  ///< one more than the place of the last coefficient that may differ from 0
+
+  void add(const Rational& value, const Rational& error) {
+    values.push_back(value);
+    errors.push_back(error);
+    if (value != 0 || error != 0) last = values.size();
+  }
+  std::size_t first() const {
+    std::size_t place = 0;
+    while (place < last && values[place] == 0 && errors[place] == 0) ++place;
+    return place;
+  }
+  std::size_t length() const { return last - first(); }
+  /// Without what is 0 at both ends.
+  RoundedPolynomial trimmed() const {
+    RoundedPolynomial result;
+    for (std::size_t i = first(); i < last; ++i) result.add(values[i], errors[i]);
+    return result;
+  }
+  void add_multiple(const Rational& factor, const RoundedPolynomial& other) {
+    RoundedPolynomial result;
+    for (std::size_t i = 0; i < std::max(values.size(), other.values.size()); ++i)
+      result.add((i < values.size() ? values[i] : 0) + (i < other.values.size() ? factor * other.values[i] : 0),
+                 (i < errors.size() ? errors[i] : 0) + (i < other.errors.size() ? factor * other.errors[i] : 0));
+    *this = std::move(result);
+  }
+  static Rational sum_of_moduli(const std::vector<Rational>& list) {
+    Rational sum = 0;
+    for (const Rational& x : list) sum += abs(x);
+    return sum;
+  }
+  Rational norm() const { return sum_of_moduli(values); }
+  Rational error() const { return sum_of_moduli(errors); }
+};
+
+}  // namespace
 
 Decision has_stable_shifts(const Mask& mask) {
   const int arity = mask.arity();
@@ -33,49 +76,61 @@ Decision has_stable_shifts(const Mask& mask) {
 }
 
 Decision has_stable_shifts(const Mask& mask, const Rational& distance) {
-  const Decision unknown{Truth::unknown, "the shifts may be unstable for other masks that round to this one"};
+  return has_stable_shifts(mask, std::vector<Rational>(static_cast<std::size_t>(mask.symbol().length()), distance));
+}
+
+Decision has_stable_shifts(const Mask& mask, const std::vector<Rational>& errors) {
+  Decision unknown{Truth::unknown, "the shifts may be unstable for other masks that are as near"};
   const std::vector<Rational> coefficients = mask.symbol().coefficients();
+  require(errors.size() == coefficients.size(),
+          "has_stable_shifts: need an error of each of the {} coefficients, got {}", coefficients.size(),
+          errors.size());
   const auto arity = static_cast<std::size_t>(mask.arity());
   // (i) of theorem 4: two combinations of the parts, with all coefficients that may differ from 0.
-  std::vector<std::vector<Rational>> parts(std::min(arity, coefficients.size()));
-  for (std::size_t i = 0; i < coefficients.size(); ++i) parts[i % arity].push_back(coefficients[i]);
-  std::stable_sort(parts.begin(), parts.end(), [](const auto& p, const auto& q) { return p.size() < q.size(); });
-  std::vector<Rational> rest(parts.back().size(), 0);
-  Rational most = 1;  // errors of the rest
-  for (std::size_t j = 1; j < parts.size(); ++j) {
-    const Rational factor = static_cast<long>(j * j);
-    most += factor;
-    for (std::size_t i = 0; i < parts[j].size(); ++i) rest[i] += factor * parts[j][i];
-  }
-  const std::size_t p_degree = parts[0].size() - 1, q_degree = rest.size() - 1, size = p_degree + q_degree;
+  std::vector<RoundedPolynomial> parts(arity);
+  for (std::size_t i = 0; i < coefficients.size(); ++i) parts[i % arity].add(coefficients[i], errors[i]);
+  std::erase_if(parts, [](const RoundedPolynomial& part) { return part.last == 0; });
+  std::stable_sort(parts.begin(), parts.end(), [](const auto& p, const auto& q) { return p.length() < q.length(); });
+  const RoundedPolynomial p = parts.front().trimmed();
+  RoundedPolynomial q;
+  for (std::size_t j = 1; j < parts.size(); ++j) q.add_multiple(static_cast<long>(j * j), parts[j]);
+  q = q.trimmed();
+  if (q.last == 0) return unknown;
+  const std::size_t p_degree = p.length() - 1, q_degree = q.length() - 1, size = p_degree + q_degree;
   RationalMatrix sylvester(size, size);
-  for (std::size_t row = 0; row < size; ++row) {
-    const std::vector<Rational>& polynomial = row < q_degree ? parts[0] : rest;
-    const std::size_t shift = row < q_degree ? row : row - q_degree;
-    for (std::size_t i = 0; i < polynomial.size(); ++i) sylvester(shift + i, row) = polynomial[i];
+  for (std::size_t column = 0; column < size; ++column) {
+    const RoundedPolynomial& polynomial = column < q_degree ? p : q;
+    const std::size_t shift = column < q_degree ? column : column - q_degree;
+    for (std::size_t i = 0; i < polynomial.length(); ++i) sylvester(shift + i, column) = polynomial.values[i];
   }
-  const auto n = static_cast<long>(size);
-  const Rational norm = one_norm(sylvester), error = n * most * distance;
-  if (!(abs(determinant(sylvester)) > power(norm + error, n) - power(norm, n))) return unknown;
+  // A determinant is at most the product of the norms of its columns.
+  const auto columns = [&](const Rational& in_p, const Rational& in_q) {
+    return power(in_p, static_cast<long>(q_degree)) * power(in_q, static_cast<long>(p_degree));
+  };
+  const Rational change = columns(p.norm() + p.error(), q.norm() + q.error()) - columns(p.norm(), q.norm());
+  if (!(abs(size == 0 ? Rational(1) : determinant(sylvester)) > change)) return unknown;
   // (ii) Phi_n divides no such symbol if it leaves a larger remainder than errors can make.
+  Rational moved = 0;
+  for (const Rational& error : errors) moved += error;
   const long degree = static_cast<long>(coefficients.size()) - 1, step = mask.arity();
   for (long order = 2 * step; order < 6 * (degree + 1); order += step) {
     if (std::gcd(order / step, step) != 1 || totient(order) > degree) continue;
     LaurentPolynomial product = mask.symbol();
-    Rational moved = Rational(degree + 1) * distance;
-    for (long q = 2, left = order; left > 1; ++q) {
-      if (left % q != 0) continue;
-      while (left % q == 0) left /= q;
-      product *= LaurentPolynomial(1) - LaurentPolynomial::monomial(1, order / q);
-      moved *= 2;
+    Rational off = moved;
+    for (long prime = 2, left = order; left > 1; ++prime) {
+      if (left % prime != 0) continue;
+      while (left % prime == 0) left /= prime;
+      product *= LaurentPolynomial(1) - LaurentPolynomial::monomial(1, order / prime);
+      off *= 2;
     }
-    Rational squares = 0;
+    // The 1-norm of the remainder modulo z^order - 1.
+    Rational norm = 0;
     for (long residue = 0; residue < order; ++residue) {
       Rational sum = 0;
       for (const Rational& c : product.coset(static_cast<int>(order), residue).coefficients()) sum += c;
-      squares += sum * sum;
+      norm += abs(sum);
     }
-    if (!(squares > order * moved * moved)) return unknown;
+    if (!(norm > off)) return unknown;
   }
   return {Truth::yes,
           "the sub-symbols have no common zero, and there are no cyclic zeros, also with all rounding errors"};

@@ -3,6 +3,8 @@
 
 #include <subcert/analysis/symbol/mask.hpp>
 
+#include <vector>
+
 namespace subcert {
 
 /// Whether the integer shifts of the basic limit function are a Riesz basis of their span (stable). Domain: the scheme
@@ -14,5 +16,9 @@ Decision has_stable_shifts(const Mask& mask);
 /// Whether that is so for all masks whose coefficients differ from these by at most `distance`, on the same support:
 /// yes or unknown. Domain: distance > 0. Cost: a determinant. Ref: SPEC.md, theorem 22.
 Decision has_stable_shifts(const Mask& mask, const Rational& distance);
+
+/// The same with an error for each coefficient, from the first to the last. Domain: errors >= 0, as many as
+/// coefficients.
+Decision has_stable_shifts(const Mask& mask, const std::vector<Rational>& errors);
 
 }  // namespace subcert

@@ -150,6 +150,16 @@ std::string ParametricMask::to_text(char letter) const {
   return fmt::format("{}@{}", text, range.first);
 }
 
+Mask BiparametricMask::at(const Rational& v, const Rational& w) const {
+  LaurentPolynomial sum;
+  const std::vector<LaurentPolynomial>& powers = flat.powers();
+  for (std::size_t k = 0; k < powers.size(); ++k) {
+    const auto place = static_cast<long>(k);
+    sum += LaurentPolynomial(power(v, place % columns) * power(w, place / columns)) * powers[k];
+  }
+  return {sum, flat.arity()};
+}
+
 int sum_rules(const ParametricMask& mask) {
   int rules = std::numeric_limits<int>::max();
   for (const LaurentPolynomial& power : mask.powers())

@@ -40,6 +40,16 @@ class ParametricMask {
   int arity_;
 };
 
+/// A mask with coefficients that are polynomials in v and w: the factor of v^i w^j is the power i + columns * j of
+/// `flat`.
+struct BiparametricMask {
+  ParametricMask flat;
+  int columns;  ///< one more than the degree in v
+
+  /// Errors: throws Error where all coefficients vanish there.
+  Mask at(const Rational& v, const Rational& w) const;
+};
+
 /// The number of sum rules that hold for all w.
 int sum_rules(const ParametricMask& mask);
 

@@ -203,6 +203,30 @@ TEST_CASE("a family with denominators has the range of the same family without")
   CHECK_THROWS_AS(range_of("mask:[1,v,v,1]/(1+v)", "C1", "-2", "0"), Error);
 }
 
+TEST_CASE("signs of the differences over a parameter") {
+  // a = (w, 1-w, 1-w, w), b = 2 (w, 1-2w, w).
+  const PropertyRange positive = range_of("corner-cutting:w", "positive", "-1", "2");
+  check_cover(positive, -1, 2);
+  CHECK(verdicts(positive) == "nyn");
+  CHECK(positive.pieces[1].low == 0);
+  CHECK(positive.pieces[1].high == 1);
+  CHECK(positive.pieces[1].low_included);
+  CHECK_FALSE(positive.pieces[2].low_included);
+  const PropertyRange monotone = range_of("corner-cutting:w", "monotone", "-1", "2");
+  CHECK(verdicts(monotone) == "nyn");
+  CHECK(monotone.pieces[1].high == q("1/2"));
+  // Irrational ends are enclosed: 2 - w^2 changes its sign.
+  const PropertyRange square = range_of("mask:[1-w^2/2,1/2,w^2/2,1/2]", "positive", "0", "2");
+  CHECK(verdicts(square) == "y?n");
+  CHECK(square.complete);
+  REQUIRE(square.special.size() >= 1);
+  CHECK(square.special.back().why == SpecialValue::Why::sign);
+  // The 4-point scheme keeps signs nowhere else, and monotone data for w = 0 only.
+  CHECK(verdicts(range_of("four-point:w", "positive", "-1/2", "0")) == "y");
+  CHECK(verdicts(range_of("four-point:w", "positive", "1/100", "1")) == "n");
+  CHECK_THROWS_AS(range_of("corner-cutting:w", "convex", "0", "1"), Error);
+}
+
 TEST_CASE("specifications of families") {
   CHECK(make_parametric_scheme("four-point:w").mask.to_text('w') == "[-w,0,1/2+w,1,1/2+w,0,-w]@-3");
   CHECK(make_parametric_scheme("mask:[1-t,1,t]/1@0").specification == "mask:[1-t,1,t]@0");

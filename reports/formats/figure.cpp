@@ -14,6 +14,17 @@
 namespace subcert::formats {
 namespace {
 
+/// The hull of all cells, where the axes end.
+std::string range_of(const std::vector<Cells>& cells) {
+  std::array<double, 4> hull = cells.front().rectangles.front();
+  for (const Cells& some : cells)
+    for (const auto& [x_low, x_high, y_low, y_high] : some.rectangles)
+      hull = {std::min(hull[0], x_low), std::max(hull[1], x_high), std::min(hull[2], y_low), std::max(hull[3], y_high)};
+  std::ostringstream text;
+  text << "set xrange [" << hull[0] << ":" << hull[1] << "]\nset yrange [" << hull[2] << ":" << hull[3] << "]\n";
+  return text.str();
+}
+
 void plot(const Figure& figure, const std::string& terminal, const std::filesystem::path& target) {
   Gnuplot gnuplot("gnuplot 2>/dev/null");
   const auto count = static_cast<int>(figure.panels.size());
@@ -32,7 +43,14 @@ void plot(const Figure& figure, const std::string& terminal, const std::filesyst
             << (panel.log_y ? "set logscale y\nset format y '10^{%T}'\n" : "unset logscale y\nset format y '%g'\n")
             << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
             << (panel.equal_units ? "set size ratio -1\n" : "set size noratio\n")
-            << "set offsets graph 0, graph 0, graph 0.08, graph 0.03\nplot ";
+            << (panel.cells.empty() ? "set autoscale\nset offsets graph 0, graph 0, graph 0.08, graph 0.03\n"
+                                    : "set offsets 0, 0, 0, 0\n" + range_of(panel.cells))
+            << "plot ";
+    for (std::size_t i = 0; i < panel.cells.size(); ++i)
+      gnuplot << (i ? ", " : "")
+              << "'-' using (($1+$2)/2):(($3+$4)/2):1:2:3:4 with boxxyerror fs solid noborder lc rgb "
+              << quoted(panel.cells[i].colour) << " title " << quoted(panel.cells[i].label)
+              << (i + 1 == panel.cells.size() && !panel.curves.empty() ? ", " : "");
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
       const Curve& curve = panel.curves[i];
       gnuplot << (i ? ", " : "") << "'-' with " << (!curve.joined ? "points" : curve.marked ? "linespoints" : "lines");
@@ -43,6 +61,11 @@ void plot(const Figure& figure, const std::string& terminal, const std::filesyst
         gnuplot << " title " << quoted(curve.label);
     }
     gnuplot << "\n";
+    for (const Cells& cells : panel.cells) {
+      for (const auto& [x_low, x_high, y_low, y_high] : cells.rectangles)
+        gnuplot << x_low << ' ' << x_high << ' ' << y_low << ' ' << y_high << '\n';
+      gnuplot << "e\n";
+    }
     for (const Curve& curve : panel.curves) gnuplot.send1d(curve.points);
   }
   gnuplot << "unset multiplot\nunset output\n";

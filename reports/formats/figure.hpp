@@ -1,6 +1,7 @@
 #pragma once
 /// Figures: data first, drawn by gnuplot as SVG and PNG.
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -16,6 +17,13 @@ struct Curve {
   std::string colour = {};  ///< as "#0b559f"; empty: by place in the panel
 };
 
+/// Rectangles x_low, x_high, y_low, y_high, filled; at least one.
+struct Cells {
+  std::string label;
+  std::string colour;
+  std::vector<std::array<double, 4>> rectangles;
+};
+
 struct Panel {
   std::string title;
   std::string x_label;
@@ -25,6 +33,7 @@ struct Panel {
   std::string key = "top right";  ///< where gnuplot puts the legend
   bool equal_units = false;       ///< the same scale on both axes, as for curves in the plane
   bool log_x = false;
+  std::vector<Cells> cells = {};  ///< under the curves
 };
 
 /// Panels side by side, at most `columns` in a row.

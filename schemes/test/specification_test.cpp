@@ -1,4 +1,5 @@
 #include <subcert/cmake/catch.hpp>
+#include <subcert/schemes/classical.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <fstream>

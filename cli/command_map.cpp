@@ -1,0 +1,135 @@
+// subcert map SCHEME --over v=LOW..HIGH --over w=LOW..HIGH --property PROPERTY [--plot FILE] [--csv FILE]
+
+#include "command.hpp"
+#include "parameter_range.hpp"
+#include "plot.hpp"
+
+#include <subcert/analysis/family/property_map.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace subcert::cli {
+namespace {
+
+struct MapCommandOptions : CommonOptions {
+  std::string scheme;
+  std::vector<std::string> over;
+  std::string property;
+  std::string plot;
+  std::string csv;
+  int resolution = 64;
+  double budget = 60;
+  std::size_t memory = 1024;
+};
+
+struct Verdict {
+  Truth holds;
+  const char *text, *colour;
+};
+constexpr Verdict verdicts[] = {
+    {Truth::yes, "proved", "#7fbf7b"}, {Truth::no, "refuted", "#e0a3a0"}, {Truth::unknown, "undecided", "#d0d0d0"}};
+
+const char* text_of(Truth holds) { return std::ranges::find(verdicts, holds, &Verdict::holds)->text; }
+
+Json json_of(const PropertyMap& map, const MapCommandOptions& options) {
+  Json cells = Json::array(), shares = Json::object();
+  for (const MapCell& cell : map.cells)
+    cells.push_back({{"from", {to_text(cell.rectangle.low[0]), to_text(cell.rectangle.low[1])}},
+                     {"to", {to_text(cell.rectangle.high[0]), to_text(cell.rectangle.high[1])}},
+                     {"verdict", text_of(cell.holds)}});
+  for (const Verdict& verdict : verdicts) shares[verdict.text] = to_text(map.share(verdict.holds));
+  return {{"family", options.scheme}, {"property", options.property},
+          {"over", options.over},     {"sum_rules", map.sum_rules},
+          {"shares", shares},         {"cells", cells}};
+}
+
+std::string csv_of(const PropertyMap& map, const std::string& letters) {
+  std::string text = fmt::format("{0}_from,{0}_to,{1}_from,{1}_to,verdict\n", letters[0], letters[1]);
+  for (const MapCell& cell : map.cells) {
+    const Rectangle& r = cell.rectangle;
+    text += fmt::format("{},{},{},{},{}\n", to_text(r.low[0]), to_text(r.high[0]), to_text(r.low[1]),
+                        to_text(r.high[1]), text_of(cell.holds));
+  }
+  return text;
+}
+
+void draw(const PropertyMap& map, const MapCommandOptions& options, const std::string& letters) {
+  formats::Panel panel{options.property, letters.substr(0, 1), letters.substr(1, 1), {}};
+  const auto number = [](const Rational& value) { return value.convert_to<double>(); };
+  for (const Verdict& verdict : verdicts) {
+    formats::Cells cells{verdict.text, verdict.colour, {}};
+    for (const MapCell& cell : map.cells) {
+      const Rectangle& r = cell.rectangle;
+      if (cell.holds == verdict.holds)
+        cells.rectangles.push_back({number(r.low[0]), number(r.high[0]), number(r.low[1]), number(r.high[1])});
+    }
+    if (!cells.rectangles.empty()) panel.cells.push_back(std::move(cells));
+  }
+  panel.key = "outside top right horizontal";
+  formats::draw_file({"map", options.scheme, "", 1, {panel}}, options.plot);
+}
+
+/// The letters of the parameters, in the order of --over.
+std::string read_letters(const std::vector<std::string>& over) {
+  std::string letters;
+  for (const std::string& range : over)
+    if (range.size() > 2 && std::isalpha(static_cast<unsigned char>(range[0])) != 0 && range[1] == '=')
+      letters += range[0];
+  if (over.size() != 2 || letters.size() != 2 || letters[0] == letters[1])
+    fail(ErrorKind::usage, "--over: expected two ranges with different letters, --over v=LOW..HIGH --over w=LOW..HIGH");
+  return letters;
+}
+
+ExitCode run(const MapCommandOptions& options) {
+  require_picture_name(options.plot);
+  const std::string letters = read_letters(options.over);
+  const BiparametricMask mask = make_biparametric_mask(options.scheme, letters[0], letters[1]);
+  const auto [v_low, v_high] = read_over(options.over[0], letters[0]);
+  const auto [w_low, w_high] = read_over(options.over[1], letters[1]);
+  const auto property = parse_range_property(options.property);
+  if (!property)
+    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", options.property);
+  options.progress("cells");
+  const PropertyMap map = property_map(
+      mask, *property, {{v_low, w_low}, {v_high, w_high}},
+      {options.resolution, options.threads(), {Deadline::in(options.budget), options.memory << 20}});
+  options.end_progress();
+  if (!options.csv.empty()) runtime::write_file(options.csv, csv_of(map, letters));
+  if (!options.plot.empty()) draw(map, options, letters);
+  std::string text = fmt::format("scheme       {}\nproperty     {}\nsum rules    {} for all {} and {}\n",
+                                 options.scheme, options.property, map.sum_rules, letters[0], letters[1]);
+  for (const Verdict& verdict : verdicts)
+    text += fmt::format("{}{} of the area, {} cells\n", padded(verdict.text, 13),
+                        to_decimal(map.share(verdict.holds) * 100, 4, Rounding::nearest) + " %",
+                        std::ranges::count(map.cells, verdict.holds, &MapCell::holds));
+  options.answer(json_of(map, options), text);
+  return map.complete ? done : undecided;
+}
+
+}  // namespace
+
+void add_map(Command& app) {
+  auto options = std::make_shared<MapCommandOptions>();
+  Command command = add_command(
+      app, "map", "For which values of two parameters a property holds, with proof",
+      "subcert map 'mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]' --over w=0..1/5 --over t=-1/20..1/20 "
+      "--property C1 --plot map.svg",
+      options, [=] { return run(*options); });
+  command.option("SCHEME", options->scheme, "mask:[...] with coefficients that are polynomials in two letters")
+      .required();
+  command.option("--over", options->over, "The values, twice: w=LOW..HIGH, the first one from left to right")
+      .required();
+  command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2").required();
+  command.option("--resolution", options->resolution, "Cells along each side, at most").within(1, 1024).with_default();
+  command.option("--plot", options->plot, "Draw the cells, as .svg or .png");
+  command.option("--csv", options->csv, "Write the cells as a table");
+  command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
+  command.option("--memory", options->memory, "MiB that the search may hold").within(16, 1 << 20).with_default();
+}
+
+}  // namespace subcert::cli

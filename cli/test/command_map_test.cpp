@@ -1,0 +1,43 @@
+#include "program.hpp"
+
+#include <filesystem>
+
+using namespace subcert::testing;
+
+namespace {
+
+const std::string six_points = "'mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]'";
+
+}  // namespace
+
+TEST_CASE("a map of two parameters, as text, JSON, table and picture") {
+  const std::string folder = std::filesystem::temp_directory_path() / "subcert_map_test";
+  std::filesystem::create_directories(folder);
+  const std::string map = "map " + six_points + " --over w=-1/8..1/4 --over t=-1/16..1/16 --property C1 --resolution 8";
+  const Run page = run(map + " --plot " + folder + "/map.svg --csv " + folder + "/map.csv");
+  CHECK(page.code == 0);
+  CHECK(page.out.find("sum rules    2 for all w and t\n") != std::string::npos);
+  CHECK(page.out.find("proved       ") != std::string::npos);
+  CHECK(std::filesystem::file_size(folder + "/map.svg") > 1000);
+  CHECK(std::filesystem::file_size(folder + "/map.csv") > 300);
+  std::filesystem::remove_all(folder);
+  const auto json = run_json(map);
+  CHECK(json.at("cells").size() > 10);
+  CHECK(json.at("shares").at("proved").is_string());
+  CHECK(json.at("cells")[0].at("verdict").is_string());
+}
+
+TEST_CASE("maps that make no sense are refused in one line") {
+  for (const std::string& arguments : std::initializer_list<std::string>{
+           six_points + " --over w=0..1 --property C1", six_points + " --over w=0..1 --over w=0..1 --property C1",
+           six_points + " --over w=0..1 --over s=0..1 --property C1",
+           six_points + " --over w=1..0 --over t=0..1 --property C1",
+           six_points + " --over w=0..1 --over t=0..1 --property D1",
+           six_points + " --over w=0..1 --over t=0..1 --property C2", six_points + " --over w=0..1 --over t=0..1",
+           std::string("four-point:w --over w=0..1 --over t=0..1 --property C1"),
+           six_points + " --over w=0..1 --over t=0..1 --property C1 --plot map.gif"}) {
+    CAPTURE(arguments);
+    const Run refused = run("map " + arguments);
+    CHECK(refused.code == 64);
+  }
+}

@@ -1,5 +1,6 @@
 // subcert analyze SCHEME: one page about one scheme
 
+#include "family_page.hpp"
 #include "multivariate_page.hpp"
 #include "plot.hpp"
 #include "scheme_page.hpp"
@@ -74,6 +75,13 @@ Decision analyze(const MultivariateScheme& scheme, const AnalyzeOptions& options
 
 ExitCode run(const AnalyzeOptions& options) {
   require_picture_name(options.plot);
+  if (has_parameter(options.scheme)) {
+    if (!options.plot.empty())
+      fail(ErrorKind::usage, "--plot: pictures are of single schemes; {} has a parameter", options.scheme);
+    const FamilyPage page = family_page(make_parametric_scheme(options.scheme));
+    options.answer(page.json, page.text);
+    return done;
+  }
   const LinearScheme scheme = make_linear_scheme(options.scheme);
   require_drawable(options.plot, scheme);
   const Decision convergence = std::visit([&](const auto& one) { return analyze(one, options); }, scheme);

@@ -137,7 +137,10 @@ void add_range(Command& app) {
       .option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w and other families, any letter")
       .required();
   command.option("--over", options->over, "The values: w=LOW..HIGH").required();
-  command.option("--property", options->property, "convergent, C1, C2, ..., holder>=P/Q, stable, positive, monotone or convex").required();
+  command
+      .option("--property", options->property,
+              "convergent, C1, C2, ..., holder>=P/Q, stable, positive, monotone or convex")
+      .required();
   command.option("--width", options->width, "Of what is left open about an end").with_default();
   command.option("--certificate", options->certificate, "Write a certificate for each decided piece into this folder");
   command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();

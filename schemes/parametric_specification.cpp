@@ -276,6 +276,23 @@ ParametricScheme make_parametric_scheme(std::string_view specification) {
   fail(family, std::string("a family with a parameter: ") + mask_usage + names);
 }
 
+bool has_parameter(std::string_view specification) {
+  const std::string_view family = family_of(specification).text;
+  const std::string_view body = specification.substr(std::min(family.size() + 1, specification.size()));
+  if (body.find(",where=") != std::string_view::npos) return false;
+  if (family == "mask" || family == "regression") {
+    int depth = 0;
+    for (const char c : body) {
+      depth += c == '[' || c == '(' ? 1 : c == ']' || c == ')' ? -1 : 0;
+      if (depth > 0 && is_letter(c)) return true;
+    }
+    return false;
+  }
+  const auto& families = classical_families();
+  return body.size() == 1 && is_letter(body.front()) &&
+         std::any_of(families.begin(), families.end(), [&](const ClassicalFamily& one) { return one.name == family; });
+}
+
 BiparametricMask make_biparametric_mask(std::string_view specification, char first, char second) {
   const std::string usage = fmt::format("mask:[{1},0,-{0}-3*{1},0,1/2+{0}+2*{1},1,...]@-5", first, second);
   if (specification.size() > max_text) fail({specification, 0}, fmt::format("at most {} characters", max_text));

@@ -22,6 +22,9 @@ struct ParametricScheme {
 /// for some value.
 ParametricScheme make_parametric_scheme(std::string_view specification);
 
+/// Whether the text names a family that make_parametric_scheme may read: with a letter where a number may stand.
+bool has_parameter(std::string_view specification);
+
 /// Reads `mask:[t,0,-w-3*t,...]` with two letters: coefficients are sums of terms `c`, `t`, `c*t^i*w^j` with exact
 /// numbers c. `first` and `second`: the letters of v and w. Domain: up to 100 coefficients, degrees up to 12; else as
 /// make_scheme. Errors: throws SpecificationError.

@@ -21,4 +21,34 @@ PolynomialReproduction polynomial_reproduction(const Mask& mask) {
   return result;
 }
 
+ParametricReproduction polynomial_reproduction(const ParametricMask& mask) {
+  const int rules = sum_rules(mask);
+  std::vector<LaurentPolynomial> derivatives = mask.powers();
+  // The values of the derivatives at z = 1.
+  const auto at_one = [&] {
+    std::vector<Rational> values;
+    for (const LaurentPolynomial& p : derivatives) values.push_back(p.is_zero() ? Rational(0) : p(1));
+    return RationalFunction(LaurentPolynomial(values, 0), mask.denominator());
+  };
+  const auto differentiate = [&] {
+    for (LaurentPolynomial& p : derivatives) p = p.derivative();
+  };
+  RationalFunction value = at_one();
+  differentiate();
+  const RationalFunction arity(mask.arity()), tau = at_one() / arity;
+  ParametricReproduction result{rules - 1, -1, tau / RationalFunction(mask.arity() - 1), special_values(mask), 1};
+  RationalFunction expected = arity;
+  for (int k = 0; k < rules; ++k) {
+    if (!(value == expected)) {
+      result.more_reproduction = (value - expected).numerator();
+      break;
+    }
+    result.reproduction_degree = k;
+    expected *= tau - RationalFunction(k);
+    value = at_one();
+    differentiate();
+  }
+  return result;
+}
+
 }  // namespace subcert

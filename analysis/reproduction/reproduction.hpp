@@ -1,7 +1,7 @@
 #pragma once
 /// Polynomial generation and reproduction.
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/parametric_mask.hpp>
 
 namespace subcert {
 
@@ -22,5 +22,20 @@ struct PolynomialReproduction {
 };
 
 PolynomialReproduction polynomial_reproduction(const Mask& mask);
+
+/// The same for all values of a parameter.
+struct ParametricReproduction {
+  int generation_degree;  ///< for all values
+  int reproduction_degree;
+  RationalFunction parametrization;
+  /// Vanishes where one more sum rule holds; 1 where none does.
+  LaurentPolynomial more_sum_rules;
+  /// Vanishes where the degree of reproduction is larger, for want of a condition that does not hold for all values; 1
+  /// where only more sum rules help.
+  LaurentPolynomial more_reproduction;
+};
+
+/// Domain: coset sums 1 for all values.
+ParametricReproduction polynomial_reproduction(const ParametricMask& mask);
 
 }  // namespace subcert

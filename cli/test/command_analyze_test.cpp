@@ -26,3 +26,21 @@ TEST_CASE("analyze: pictures of basic limit functions") {
       run("analyze 'tensor:(dd:n=1)x(dd:n=1)x(dd:n=1)' --plot x.svg"), 64,
       "--plot x.svg: pictures are of functions of one or two variables; tensor:(dd:n=1)x(dd:n=1)x(dd:n=1) has 3");
 }
+
+TEST_CASE("analyze: a family with a parameter") {
+  const Run page = run("analyze four-point:w");
+  CHECK(page.code == 0);
+  CHECK(page.out.find("sum rules     2 for all w; more at w = 1/16\n") != std::string::npos);
+  CHECK(page.out.find("reproduces degree 1 with f_j at j + 0 for all w\n") != std::string::npos);
+  const auto quotient = run_json("analyze 'regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[w;1;w|w;1;1;w]'");
+  CHECK(quotient.at("sum_rules") == 2);
+  CHECK(quotient.at("reproduces") == 1);
+  CHECK(quotient.at("support") == nlohmann::json::parse("[-3, 3]"));
+  // The zeros of the denominator, -1 and -1/2, are no values of the parameter.
+  CHECK(quotient.at("unstable") == nlohmann::json::parse(R"(["w = 0", "w = 1/2", "the real zeros of -1 + 2*w^2"])"));
+  const auto dual = run_json("analyze dual-four-point:w");
+  CHECK(dual.at("more_reproduction") == nlohmann::json::parse(R"(["w = 1/128"])"));
+  CHECK(dual.at("parametrization") == "-1/2");
+  CHECK(run("analyze four-point:w --plot p.svg").code == 64);
+  CHECK(run("analyze 'mask:[w,v,1-w,1-v]'").code == 64);
+}

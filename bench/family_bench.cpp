@@ -1,6 +1,8 @@
 // Families with a parameter: the cost of a range over the width that it leaves open, and of a curve over its pieces.
 
 #include <subcert/analysis/family/exponent_curve.hpp>
+#include <subcert/analysis/family/property_map.hpp>
+#include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
 #include <benchmark/benchmark.h>
@@ -66,5 +68,30 @@ BENCHMARK_CAPTURE(BM_curve, size_12, eight_point, Rational(-1, 100), Rational(1,
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
+
+/// The argument is the resolution.
+void BM_map(benchmark::State& state) {
+  const BiparametricMask mask = make_biparametric_mask("mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]", 'w',
+                                                       't');
+  const Rectangle rectangle{{Rational(-1, 8), Rational(-1, 16)}, {Rational(1, 4), Rational(1, 16)}};
+  double undecided = 0;
+  for (auto _ : state)
+    undecided = property_map(mask, *parse_range_property("C1"), rectangle,
+                             {static_cast<int>(state.range(0)), 2, {Deadline::in(60)}})
+                    .share(Truth::unknown)
+                    .convert_to<double>();
+  state.counters["undecided"] = undecided;
+}
+BENCHMARK(BM_map)->RangeMultiplier(2)->Range(8, 64)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The argument is the order n of D(2n).
+void BM_daubechies(benchmark::State& state) {
+  for (auto _ : state) {
+    const Scheme scheme = make_scheme("daubechies:n=" + std::to_string(state.range(0)));
+    benchmark::DoNotOptimize(
+        holder_regularity(scheme.mask, 16, {Deadline::in(60)}, HolderProof::shortest, scheme.rounding));
+  }
+}
+BENCHMARK(BM_daubechies)->Arg(2)->Arg(10)->Arg(21)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

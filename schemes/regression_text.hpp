@@ -24,7 +24,7 @@ RegressionText<Number> read_regression(Fields& fields, Position position, Weight
   RegressionText<Number> result;
   std::string stencils, positions, weights;
   const auto printed = [&](const Number& value) {
-    const std::string text = print(value);
+    std::string text = print(value);
     result.digits = std::max(result.digits, text.size());
     return text;
   };

@@ -219,7 +219,7 @@ TEST_CASE("signs of the differences over a parameter") {
   const PropertyRange square = range_of("mask:[1-w^2/2,1/2,w^2/2,1/2]", "positive", "0", "2");
   CHECK(verdicts(square) == "y?n");
   CHECK(square.complete);
-  REQUIRE(square.special.size() >= 1);
+  REQUIRE_FALSE(square.special.empty());
   CHECK(square.special.back().why == SpecialValue::Why::sign);
   // The 4-point scheme keeps signs nowhere else, and monotone data for w = 0 only.
   CHECK(verdicts(range_of("four-point:w", "positive", "-1/2", "0")) == "y");

@@ -123,7 +123,8 @@ void add_map(Command& app) {
   command.option("SCHEME", options->scheme, "mask:[...] with coefficients that are polynomials in two letters")
       .required();
   command.option("--over", options->over, "The values, twice: w=LOW..HIGH, the first one from left to right")
-      .required();
+      .required()
+      .one_each();
   command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2").required();
   command.option("--resolution", options->resolution, "Cells along each side, at most").within(1, 1024).with_default();
   command.option("--plot", options->plot, "Draw the cells, as .svg or .png");

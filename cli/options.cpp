@@ -31,6 +31,11 @@ Option& Option::with_default() {
   return *this;
 }
 
+Option& Option::one_each() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
 Option& Option::separated_by_commas() {
   option_->delimiter(',');
   return *this;

@@ -25,6 +25,8 @@ class Option {
   Option& with_default();
   /// `a,b` is the same as `a b`.
   Option& separated_by_commas();
+  /// A value each time the option is named; what follows is an argument of its own.
+  Option& one_each();
   Option& describe(const std::string& text);
 
  private:

@@ -23,6 +23,8 @@ TEST_CASE("a map of two parameters, as text, JSON, table and picture") {
   std::filesystem::remove_all(folder);
   const auto json = run_json(map);
   CHECK(json.at("cells").size() > 10);
+  // The scheme may stand behind the ranges.
+  CHECK(run("map --over w=0..1/8 --over t=0..1/64 " + six_points + " --property C1 --resolution 2").code == 0);
   CHECK(json.at("shares").at("proved").is_string());
   CHECK(json.at("cells")[0].at("verdict").is_string());
 }

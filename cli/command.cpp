@@ -69,6 +69,13 @@ Command add_command(Command& app, const std::string& name, const std::string& de
   return command;
 }
 
+void add_limits(Command& command, SearchOptions& options) {
+  command.option("--budget", options.budget, "Seconds").within(0.001, 1e6).with_default();
+  command.option("--memory", options.memory, "MiB that the search may hold; near them it ends with what is proved")
+      .within(16, 1 << 20)
+      .with_default();
+}
+
 void add_scheme(Command& command, std::string& target, bool any) {
   std::vector<FamilyHelp> help = families();
   if (any) help.insert(help.end(), multivariate_families().begin(), multivariate_families().end());

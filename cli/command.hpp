@@ -4,6 +4,7 @@
 #include "json.hpp"
 #include "options.hpp"
 
+#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -52,6 +53,17 @@ struct CommonOptions {
   /// The one that --json asks for.
   void answer(const Json& json_object, const std::string& text) const { json ? answer(json_object) : answer(text); }
 };
+
+/// Of commands that search joint spectral radii.
+struct SearchOptions : CommonOptions {
+  double budget = 60;         ///< seconds
+  std::size_t memory = 1024;  ///< MiB
+
+  Budget limits() const { return {Deadline::in(budget), memory << 20}; }
+};
+
+/// --budget and --memory.
+void add_limits(Command& command, SearchOptions& options);
 
 /// Registers a subcommand with the common options; `run` gives its exit code. `example` is shown in its help.
 Command add_command(Command& app, const std::string& name, const std::string& description, const std::string& example,

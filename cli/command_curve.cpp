@@ -16,15 +16,13 @@
 namespace subcert::cli {
 namespace {
 
-struct CurveCommandOptions : CommonOptions {
+struct CurveCommandOptions : SearchOptions {
   std::string scheme;
   std::string over;
   std::string plot;
   std::string csv;
   std::string certificate;
   int pieces = 200;
-  double budget = 60;
-  std::size_t memory = 1024;
 };
 
 /// The ends that say something about exponents: positive ones.
@@ -152,9 +150,8 @@ ExitCode run(const CurveCommandOptions& options) {
   const ParametricScheme scheme = make_parametric_scheme(options.scheme);
   const auto [low, high] = read_over(options.over, scheme.parameter);
   options.progress("pieces");
-  const ExponentCurve curve = exponent_curve(
-      scheme.mask, low, high,
-      {options.pieces, options.threads(), {Deadline::in(options.budget), options.memory << 20}});
+  const ExponentCurve curve = exponent_curve(scheme.mask, low, high,
+                                             {options.pieces, options.threads(), options.limits()});
   options.end_progress();
   std::string note;
   if (!options.csv.empty()) runtime::write_file(options.csv, csv_of(curve));
@@ -186,8 +183,7 @@ void add_curve(Command& app) {
   command.option("--plot", options->plot, "Draw both envelopes, as .svg or .png");
   command.option("--csv", options->csv, "Write the pieces as a table");
   command.option("--certificate", options->certificate, "Write a certificate for each piece into this folder");
-  command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
-  command.option("--memory", options->memory, "MiB that the search may hold").within(16, 1 << 20).with_default();
+  add_limits(command, *options);
 }
 
 }  // namespace subcert::cli

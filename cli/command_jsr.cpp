@@ -13,11 +13,9 @@
 namespace subcert::cli {
 namespace {
 
-struct JsrOptions : CommonOptions {
+struct JsrOptions : SearchOptions {
   std::string file;
   std::string certificate;
-  double budget = 60;
-  std::size_t memory = 1024;
 };
 
 constexpr std::size_t most_matrices = 64, largest_size = 256, longest_number = 4000;
@@ -59,7 +57,7 @@ MatrixFamily read_matrices(const std::string& file) {
 ExitCode run(const JsrOptions& options) {
   const MatrixFamily matrices = read_matrices(options.file);
   options.progress("products and polytopes");
-  const Budget budget{Deadline::in(options.budget), options.memory << 20};
+  const Budget budget = options.limits();
   const JointSpectralRadius radius = joint_spectral_radius(matrices, budget);
   options.end_progress();
   if (!options.certificate.empty()) {
@@ -99,10 +97,7 @@ void add_jsr(Command& app) {
       "subcert jsr pair.json    with {\"matrices\": [[[\"1\",\"1\"],[\"0\",\"1\"]], [[\"1\",\"0\"],[\"1\",\"1\"]]]}",
       options, [=] { return run(*options); });
   command.option("FILE", options->file, "JSON file").required();
-  command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
-  command.option("--memory", options->memory, "MiB that the search may hold; near them it ends with what is proved")
-      .within(16, 1 << 20)
-      .with_default();
+  add_limits(command, *options);
   command.option("--certificate", options->certificate,
                  "Write a certificate there, and the matrices beside it as FILE.matrices");
 }

@@ -16,33 +16,28 @@
 namespace subcert::cli {
 namespace {
 
-struct MapCommandOptions : CommonOptions {
+struct MapCommandOptions : SearchOptions {
   std::string scheme;
   std::vector<std::string> over;
   std::string property;
   std::string plot;
   std::string csv;
   int resolution = 64;
-  double budget = 60;
-  std::size_t memory = 1024;
 };
 
-struct Verdict {
-  Truth holds;
-  const char *text, *colour;
-};
-constexpr Verdict verdicts[] = {
-    {Truth::yes, "proved", "#7fbf7b"}, {Truth::no, "refuted", "#e0a3a0"}, {Truth::unknown, "undecided", "#d0d0d0"}};
+constexpr Truth verdicts[] = {Truth::yes, Truth::no, Truth::unknown};
 
-const char* text_of(Truth holds) { return std::ranges::find(verdicts, holds, &Verdict::holds)->text; }
+const char* colour_of(Truth holds) {
+  return holds == Truth::yes ? "#7fbf7b" : holds == Truth::no ? "#e0a3a0" : "#d0d0d0";
+}
 
 Json json_of(const PropertyMap& map, const MapCommandOptions& options) {
   Json cells = Json::array(), shares = Json::object();
   for (const MapCell& cell : map.cells)
     cells.push_back({{"from", {to_text(cell.rectangle.low[0]), to_text(cell.rectangle.low[1])}},
                      {"to", {to_text(cell.rectangle.high[0]), to_text(cell.rectangle.high[1])}},
-                     {"verdict", text_of(cell.holds)}});
-  for (const Verdict& verdict : verdicts) shares[verdict.text] = to_text(map.share(verdict.holds));
+                     {"verdict", verdict_text(cell.holds)}});
+  for (const Truth holds : verdicts) shares[verdict_text(holds)] = to_text(map.share(holds));
   return {{"family", options.scheme}, {"property", options.property},
           {"over", options.over},     {"sum_rules", map.sum_rules},
           {"shares", shares},         {"cells", cells}};
@@ -53,7 +48,7 @@ std::string csv_of(const PropertyMap& map, const std::string& letters) {
   for (const MapCell& cell : map.cells) {
     const Rectangle& r = cell.rectangle;
     text += fmt::format("{},{},{},{},{}\n", to_text(r.low[0]), to_text(r.high[0]), to_text(r.low[1]),
-                        to_text(r.high[1]), text_of(cell.holds));
+                        to_text(r.high[1]), verdict_text(cell.holds));
   }
   return text;
 }
@@ -61,11 +56,11 @@ std::string csv_of(const PropertyMap& map, const std::string& letters) {
 void draw(const PropertyMap& map, const MapCommandOptions& options, const std::string& letters) {
   formats::Panel panel{options.property, letters.substr(0, 1), letters.substr(1, 1), {}};
   const auto number = [](const Rational& value) { return value.convert_to<double>(); };
-  for (const Verdict& verdict : verdicts) {
-    formats::Cells cells{verdict.text, verdict.colour, {}};
+  for (const Truth holds : verdicts) {
+    formats::Cells cells{verdict_text(holds), colour_of(holds), {}};
     for (const MapCell& cell : map.cells) {
       const Rectangle& r = cell.rectangle;
-      if (cell.holds == verdict.holds)
+      if (cell.holds == holds)
         cells.rectangles.push_back({number(r.low[0]), number(r.high[0]), number(r.low[1]), number(r.high[1])});
     }
     if (!cells.rectangles.empty()) panel.cells.push_back(std::move(cells));
@@ -95,18 +90,18 @@ ExitCode run(const MapCommandOptions& options) {
   if (!property)
     fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", options.property);
   options.progress("cells");
-  const PropertyMap map = property_map(
-      mask, *property, {{v_low, w_low}, {v_high, w_high}},
-      {options.resolution, options.threads(), {Deadline::in(options.budget), options.memory << 20}});
+  const PropertyMap map = property_map(mask, *property, {{v_low, w_low}, {v_high, w_high}},
+                                       {options.resolution, options.threads(), options.limits()});
   options.end_progress();
   if (!options.csv.empty()) runtime::write_file(options.csv, csv_of(map, letters));
   if (!options.plot.empty()) draw(map, options, letters);
   std::string text = fmt::format("scheme       {}\nproperty     {}\nsum rules    {} for all {} and {}\n",
                                  options.scheme, options.property, map.sum_rules, letters[0], letters[1]);
-  for (const Verdict& verdict : verdicts)
-    text += fmt::format("{}{} of the area, {} cells\n", padded(verdict.text, 13),
-                        to_decimal(map.share(verdict.holds) * 100, 4, Rounding::nearest) + " %",
-                        std::ranges::count(map.cells, verdict.holds, &MapCell::holds));
+  // No larger share is said to be decided than is.
+  for (const Truth holds : verdicts)
+    text += fmt::format("{}{} % of the area, {} cells\n", padded(verdict_text(holds), 13),
+                        to_decimal(map.share(holds) * 100, 4, holds == Truth::unknown ? Rounding::up : Rounding::down),
+                        std::ranges::count(map.cells, holds, &MapCell::holds));
   options.answer(json_of(map, options), text);
   return map.complete ? done : undecided;
 }
@@ -129,8 +124,7 @@ void add_map(Command& app) {
   command.option("--resolution", options->resolution, "Cells along each side, at most").within(1, 1024).with_default();
   command.option("--plot", options->plot, "Draw the cells, as .svg or .png");
   command.option("--csv", options->csv, "Write the cells as a table");
-  command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
-  command.option("--memory", options->memory, "MiB that the search may hold").within(16, 1 << 20).with_default();
+  add_limits(command, *options);
 }
 
 }  // namespace subcert::cli

@@ -17,19 +17,13 @@
 namespace subcert::cli {
 namespace {
 
-struct ParameterRangeOptions : CommonOptions {
+struct ParameterRangeOptions : SearchOptions {
   std::string scheme;
   std::string over;
   std::string property;
   std::string width = "1e-9";
   std::string certificate;
-  double budget = 60;
-  std::size_t memory = 1024;
 };
-
-const char* verdict(Truth holds) {
-  return holds == Truth::yes ? "proved" : holds == Truth::no ? "refuted" : "undecided";
-}
 
 Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
   Json pieces = Json::array(), ends = Json::array(), special = Json::array();
@@ -38,18 +32,18 @@ Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, c
                       {"to", to_text(piece.high)},
                       {"from_included", piece.low_included},
                       {"to_included", piece.high_included},
-                      {"verdict", verdict(piece.holds)}});
+                      {"verdict", verdict_text(piece.holds)}});
   for (const RangeEnd& end : range.ends)
     ends.push_back({{"lower", to_text(end.low)},
                     {"upper", to_text(end.high)},
                     {"polynomial", to_text(end.polynomial, scheme.parameter)},
                     {"product", word_text(end.word)},
-                    {"verdict", verdict(end.holds)}});
+                    {"verdict", verdict_text(end.holds)}});
   for (const SpecialValue& value : range.special)
     special.push_back({{"value", enclosure_json(value.value)},
                        {"polynomial", to_text(value.polynomial, scheme.parameter)},
                        {"why", why_text(value.why)},
-                       {"verdict", verdict(value.holds)}});
+                       {"verdict", verdict_text(value.holds)}});
   return {{"family", scheme.specification},
           {"property", options.property},
           {"sum_rules", range.sum_rules},
@@ -71,7 +65,7 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
        << "property     " << options.property << "\n"
        << "sum rules    " << range.sum_rules << " for all " << w << "\n";
   for (const RangePiece& piece : range.pieces) {
-    page << padded(verdict(piece.holds), 13);
+    page << padded(verdict_text(piece.holds), 13);
     // What is said of a piece is true as it is printed.
     const bool open = piece.holds == Truth::unknown;
     if (piece.low == piece.high)
@@ -88,7 +82,7 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
          << " crosses the threshold" << (end.holds == Truth::no ? "; refuted there" : "") << "\n";
   for (const SpecialValue& value : range.special)
     page << "special      " << w << " = " << number_text(value.value) << ": " << why_text(value.why) << "; "
-         << verdict(value.holds) << " there\n";
+         << verdict_text(value.holds) << " there\n";
   return page.str();
 }
 
@@ -96,7 +90,7 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
 std::vector<NamedCertificate> named(const std::vector<RangeCertificate>& certificates) {
   std::vector<NamedCertificate> result;
   for (const RangeCertificate& one : certificates)
-    result.push_back({fmt::format("{:02}-{}", result.size() + 1, verdict(one.holds)), one.certificate.text});
+    result.push_back({fmt::format("{:02}-{}", result.size() + 1, verdict_text(one.holds)), one.certificate.text});
   return result;
 }
 
@@ -113,9 +107,8 @@ ExitCode run(const ParameterRangeOptions& options) {
   if (!width || !(*width > 0))
     fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
   options.progress("intervals");
-  const PropertyRange range = property_range(
-      scheme.mask, *property, low, high,
-      {*width, options.threads(), {Deadline::in(options.budget), options.memory << 20}});
+  const PropertyRange range = property_range(scheme.mask, *property, low, high,
+                                             {*width, options.threads(), options.limits()});
   options.end_progress();
   std::string note;
   if (!options.certificate.empty()) {
@@ -143,8 +136,7 @@ void add_range(Command& app) {
       .required();
   command.option("--width", options->width, "Of what is left open about an end").with_default();
   command.option("--certificate", options->certificate, "Write a certificate for each decided piece into this folder");
-  command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
-  command.option("--memory", options->memory, "MiB that the search may hold").within(16, 1 << 20).with_default();
+  add_limits(command, *options);
 }
 
 }  // namespace subcert::cli

@@ -14,12 +14,10 @@ namespace {
 
 constexpr double sobolev_share = 0.3;  // of the time, at most
 
-struct RegularityOptions : CommonOptions {
+struct RegularityOptions : SearchOptions {
   std::string scheme;
   std::string certificate;
   int levels = 16;
-  double budget = 60;
-  std::size_t memory = 1024;
 };
 
 RegularityPage compute(Scheme scheme, const RegularityOptions& options, const Budget& budget) {
@@ -89,16 +87,13 @@ void add_regularity(Command& app) {
   auto options = std::make_shared<RegularityOptions>();
   Command command = add_command(app, "regularity", "The Hoelder exponent, enclosed with proof",
                                 "subcert regularity primal:n=5 --certificate s5.cert", options, [=] {
-                                  const Budget budget{Deadline::in(options->budget), options->memory << 20};
+                                  const Budget budget = options->limits();
                                   return std::visit(
                                       [&](auto scheme) { return run(std::move(scheme), *options, budget); },
                                       make_linear_scheme(options->scheme));
                                 });
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
-  command.option("--budget", options->budget, "Seconds").within(0.001, 1e6).with_default();
-  command.option("--memory", options->memory, "MiB that the search may hold; near them it ends with what is proved")
-      .within(16, 1 << 20)
-      .with_default();
+  add_limits(command, *options);
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
   add_scheme(command, options->scheme, true);
 }

@@ -90,9 +90,11 @@ std::vector<std::string> claim_of(const std::string& file, const std::string& te
     arguments = {"--matrices", file + ".matrices"};
   else
     fail(ErrorKind::data, "{}, line 2: expected exponent, surface or radius", file);
-  if (kind == "exponent" && !range.empty())
-    arguments.insert(arguments.end(), {range.starts_with("within=") ? "--within" : "--for",
-                                       range.starts_with("within=") ? range.substr(7) : range});
+  constexpr std::string_view within = "within=";
+  if (kind == "exponent" && range.starts_with(within))
+    arguments.insert(arguments.end(), {"--within", range.substr(within.size())});
+  else if (kind == "exponent" && !range.empty())
+    arguments.insert(arguments.end(), {"--for", range});
   if (lower != "-") arguments.insert(arguments.end(), {"--lower", lower});
   if (upper != "-") arguments.insert(arguments.end(), {"--upper", upper});
   arguments.push_back(file);

@@ -17,6 +17,9 @@ std::pair<Rational, Rational> read_over(const std::string& text, char parameter)
 std::string number_text(const Rational& value, Rounding rounding = Rounding::nearest);
 std::string number_text(const Enclosure& value);
 
+/// `proved`, `refuted` or `undecided`.
+const char* verdict_text(Truth holds);
+
 /// `more sum rules` and so on.
 const char* why_text(SpecialValue::Why why);
 

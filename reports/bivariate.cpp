@@ -65,9 +65,6 @@ const std::vector<std::string>& bivariate_items() {
 }
 
 Report report_bivariate(const ReportOptions& options) {
-  const auto wanted = [&](const std::string& item) {
-    return options.only.empty() || std::ranges::find(options.only, item) != options.only.end();
-  };
   const statements::PublishedTable& published = statements::paper("bivariate").table("published");
   const std::vector<Named> schemes = schemes_of_collection(published);
   std::vector<std::string> specifications;
@@ -80,7 +77,7 @@ Report report_bivariate(const ReportOptions& options) {
       "of "
       "each. A decimal number is compared in the printed digits. A whole number is meant exactly. C^k holds where the "
       "Hoelder exponent is above k, and fails where it is below.");
-  if (wanted("published")) {
+  if (options.wants("published")) {
     formats::ComparisonTable table{"bivariate", published.id, published.title, published.place, published.grid, {}};
     for (const statements::PublishedCell& cell : published.cells) {
       const auto at = std::ranges::find(specifications, cell.scheme) - specifications.begin();
@@ -89,7 +86,7 @@ Report report_bivariate(const ReportOptions& options) {
     section.paragraphs.push_back(verdict_sentence(table));
     section.comparisons.push_back(std::move(table));
   }
-  if (wanted("schemes")) {
+  if (options.wants("schemes")) {
     formats::PlainTable table{
         "schemes", "The schemes, and what is proved about them", surface_facts_head({"scheme"}), {}};
     table.head.push_back("specification");

@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace subcert::reports {
 namespace {
 
@@ -24,12 +22,9 @@ const std::vector<std::string>& daubechies_items() {
 }
 
 Report report_daubechies(const ReportOptions& options) {
-  const auto wanted = [&](const std::string& item) {
-    return options.only.empty() || std::ranges::find(options.only, item) != options.only.end();
-  };
   const statements::PublishedTable& published = statements::paper("daubechies").table("published");
   std::vector<std::string> schemes = schemes_of(published);
-  if (wanted("exponents"))
+  if (options.wants("exponents"))
     for (int n = last_order; n >= first_order; --n) schemes.push_back(specification(n));  // the long ones first
   ComputedQuantities computed(options);
   computed.need_exponents(schemes);
@@ -40,7 +35,7 @@ Report report_daubechies(const ReportOptions& options) {
       "with n sum rules in a small neighbourhood of rounded coefficients, in which the mask that is meant lies.");
   Report report{"daubechies", statements::citation("daubechies"), {}};
   report.listed = true;
-  if (wanted("published")) {
+  if (options.wants("published")) {
     formats::ComparisonTable table{"daubechies", published.id, published.title, published.place, published.grid, {}};
     for (const statements::PublishedCell& cell : published.cells) {
       formats::Comparison comparison = compare_number(cell, computed.exponent(cell.scheme).exponent, "");
@@ -50,7 +45,7 @@ Report report_daubechies(const ReportOptions& options) {
     section.paragraphs.push_back(verdict_sentence(table));
     section.comparisons.push_back(std::move(table));
   }
-  if (wanted("exponents")) {
+  if (options.wants("exponents")) {
     formats::PlainTable table{
         "exponents",
         "Hoelder exponents of D4 to D42",

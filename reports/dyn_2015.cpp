@@ -11,7 +11,6 @@
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
-#include <set>
 
 namespace subcert::reports {
 namespace {
@@ -224,27 +223,25 @@ const std::vector<std::string>& dyn_2015_items() {
 }
 
 Report report_dyn_2015(const ReportOptions& options) {
-  const std::set<std::string> only(options.only.begin(), options.only.end());
-  const auto wanted = [&](const char* item) { return only.empty() || only.contains(item); };
   ComputedQuantities quantities(options);
   Report report{quantities.paper().key, statements::citation(quantities.paper().key), {}};
 
   formats::Section masks{"masks", "Masks, supports and basic limit functions", {}};
-  if (wanted("masks")) masks.comparisons.push_back(compare_masks(quantities.published("masks")));
-  if (wanted("supports")) masks.comparisons.push_back(compare_supports(quantities.published("supports")));
-  if (wanted("fig1")) masks.figures.push_back(figure_1());
+  if (options.wants("masks")) masks.comparisons.push_back(compare_masks(quantities.published("masks")));
+  if (options.wants("supports")) masks.comparisons.push_back(compare_supports(quantities.published("supports")));
+  if (options.wants("fig1")) masks.figures.push_back(figure_1());
   if (!masks.comparisons.empty())
     masks.paragraphs.push_back(
         "The masks are derived from the local fits in exact rational arithmetic and compared coefficient by "
         "coefficient; the supports follow from the masks.");
-  if (wanted("masks"))
+  if (options.wants("masks"))
     masks.paragraphs.push_back("Masks: " + verdict_sentence(masks.comparisons.front()) +
                                " A list that does not sum to 1 over the even and over the odd indices cannot be the "
                                "mask of a convergent scheme, whatever its fits; the notes name the sums.");
 
   formats::Section bounds{"bounds", "Lower bounds of the Hoelder exponent", {}};
   for (const char* id : {"table1", "table2"})
-    if (wanted(id)) {
+    if (options.wants(id)) {
       bounds.comparisons.push_back(compare_bounds(quantities.published(id), quantities));
       bounds.paragraphs.push_back((id == std::string("table1") ? "Table 1: " : "Table 2: ") +
                                   verdict_sentence(bounds.comparisons.back()));
@@ -253,14 +250,14 @@ Report report_dyn_2015(const ReportOptions& options) {
     bounds.paragraphs.push_back(
         "Computed is the sixteen-level bound of Dyn and Levin: the norm behind it is an exact rational number, and "
         "only its logarithm is rounded, outward.");
-  if (wanted("levels")) explain_levels(bounds, quantities);
+  if (options.wants("levels")) explain_levels(bounds, quantities);
 
   formats::Section sharp{"exponents", "", {}};
-  if (wanted("exponents")) sharp = exponents(quantities);
+  if (options.wants("exponents")) sharp = exponents(quantities);
 
   formats::Section variance = variance_section(options, quantities), conjecture, theorems;
-  if (wanted("conjecture7")) conjecture = conjecture_7_section(quantities);
-  if (wanted("theorems")) {
+  if (options.wants("conjecture7")) conjecture = conjecture_7_section(quantities);
+  if (options.wants("theorems")) {
     quantities.say("theorems");
     theorems = theorem_section(options);
   }

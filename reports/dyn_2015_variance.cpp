@@ -7,8 +7,6 @@
 #include <subcert/proofs-checks/papers/dyn-2015/figure_sentences.hpp>
 #include <subcert/schemes/specification.hpp>
 
-#include <algorithm>
-
 namespace subcert::reports {
 
 using namespace statements::dyn_2015;
@@ -135,11 +133,8 @@ std::string slope_sentence(ComputedQuantities& quantities) {
 }  // namespace
 
 formats::Section variance_section(const ReportOptions& options, ComputedQuantities& quantities) {
-  const auto wanted = [&](const std::string& item) {
-    return options.only.empty() || std::find(options.only.begin(), options.only.end(), item) != options.only.end();
-  };
   formats::Section section{"variance", "The variance curves", {}};
-  if (wanted("table3")) {
+  if (options.wants("table3")) {
     quantities.say("table3");
     section.comparisons.push_back(compare_table_3(quantities.published("table3"), quantities));
     section.paragraphs.push_back("Table 3: " + verdict_sentence(section.comparisons.back()));
@@ -158,23 +153,23 @@ formats::Section variance_section(const ReportOptions& options, ComputedQuantiti
   const std::map<std::string, std::vector<std::string>> figures{
       {"fig2", schemes_of_figure_2()}, {"fig8", schemes_of_figure_8()}, {"fig9", schemes_of_figure_9()}};
   for (const auto& [item, schemes] : figures) {
-    if (!wanted(item)) continue;
+    if (!options.wants(item)) continue;
     quantities.say(item);
     section.comparisons.push_back(compare_sentences(quantities.published(item), schemes, quantities));
     section.paragraphs.push_back("Statements about Figure " + item.substr(3) + ": " +
                                  std::to_string(section.comparisons.back().count(Verdict::match)) + " of " +
                                  std::to_string(section.comparisons.back().comparisons.size()) + " hold.");
   }
-  if (wanted("fig2")) {
+  if (options.wants("fig2")) {
     section.tables.push_back(
         extremes_table("fig2-values", "Figure 2, enclosed over all x", schemes_of_figure_2(), quantities));
     section.figures.push_back(figure_2());
   }
-  if (wanted("fig8")) {
+  if (options.wants("fig8")) {
     section.figures.push_back(figure_8(quantities));
     section.paragraphs.push_back(slope_sentence(quantities));
   }
-  if (wanted("fig9")) {
+  if (options.wants("fig9")) {
     section.tables.push_back(
         extremes_table("fig9-values", "Figure 9, enclosed over all x", schemes_of_figure_9(), quantities));
     section.figures.push_back(figure_9());

@@ -147,12 +147,9 @@ const std::vector<std::string>& least_squares_surface_items() {
 }
 
 Report report_least_squares_surfaces(const ReportOptions& options) {
-  const auto wanted = [&](const char* item) {
-    return options.only.empty() || std::ranges::find(options.only, item) != options.only.end();
-  };
   Report report{"surfaces", "Surfaces and volumes: the least squares schemes of the papers, smoothness proved", {}};
-  if (wanted("least-squares")) report.sections.push_back(fits_section(options));
-  if (wanted("tensor-products")) report.sections.push_back(products_section(options));
+  if (options.wants("least-squares")) report.sections.push_back(fits_section(options));
+  if (options.wants("tensor-products")) report.sections.push_back(products_section(options));
   report.listed = true;
   return report;
 }

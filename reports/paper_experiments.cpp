@@ -1,7 +1,5 @@
 #include "paper_experiments.hpp"
 
-#include <algorithm>
-
 namespace subcert::reports {
 
 std::vector<std::string> experiment_ids(const std::string& paper) {
@@ -17,8 +15,7 @@ std::size_t report_runs(const experiments::Experiment& experiment, std::size_t r
 
 void add_experiments(Report& report, const ReportOptions& options) {
   for (const std::string& id : experiment_ids(report.paper)) {
-    if (!options.only.empty() && std::find(options.only.begin(), options.only.end(), id) == options.only.end())
-      continue;
+    if (!options.wants(id)) continue;
     if (options.progress) options.progress(id);
     report.experiments.push_back(experiments::run_experiment(
         experiments::experiment(id),

@@ -4,6 +4,7 @@
 #include "experiments/experiment.hpp"
 #include "formats/section.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -29,6 +30,9 @@ struct Report {
 /// What to compute and how.
 struct ReportOptions {
   std::vector<std::string> only = {};  ///< item ids; empty for all
+  bool wants(const std::string& item) const {
+    return only.empty() || std::find(only.begin(), only.end(), item) != only.end();
+  }
   int jobs = 2;
   /// Called with a line about what is being done; may be empty.
   std::function<void(const std::string&)> progress = {};

@@ -28,20 +28,25 @@ constexpr const char* regression_usage = "regression:stencils=[-1..1;-1..2],at=[
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// The one letter inside brackets and parentheses.
-char read_parameter(const Piece& body, const char* usage) {
-  char parameter = '\0';
+/// The letters inside brackets and parentheses, each with its place.
+std::vector<Piece> letters_inside(const Piece& body) {
+  std::vector<Piece> letters;
   int depth = 0;
   for (std::size_t i = 0; i < body.text.size(); ++i) {
     const char c = body.text[i];
-    if (c == '[' || c == '(') ++depth;
-    if (c == ']' || c == ')') --depth;
-    if (depth == 0 || !is_letter(c)) continue;
-    if (parameter != '\0' && c != parameter)
-      fail({body.text.substr(i, 1), body.at + i}, fmt::format("one letter for the parameter, here {}", parameter));
-    parameter = c;
+    depth += c == '[' || c == '(' ? 1 : c == ']' || c == ')' ? -1 : 0;
+    if (depth != 0 && is_letter(c)) letters.push_back({body.text.substr(i, 1), body.at + i});
   }
-  if (parameter == '\0') fail(body, std::string("a letter for the parameter, as in ") + usage);
+  return letters;
+}
+
+/// The one letter inside brackets and parentheses.
+char read_parameter(const Piece& body, const char* usage) {
+  const std::vector<Piece> letters = letters_inside(body);
+  if (letters.empty()) fail(body, std::string("a letter for the parameter, as in ") + usage);
+  const char parameter = letters.front().text.front();
+  for (const Piece& letter : letters)
+    if (letter.text.front() != parameter) fail(letter, fmt::format("one letter for the parameter, here {}", parameter));
   return parameter;
 }
 
@@ -89,16 +94,30 @@ std::pair<Piece, Piece> list_and_rest(const Piece& body, const char* usage) {
   return {{body.text.substr(0, close + 1), body.at}, {body.text.substr(close + 1), body.at + close + 1}};
 }
 
-/// The factor 1/D and the first index of `/D@first`, both of which may be absent.
-std::pair<Rational, std::optional<long>> read_scale(const Piece& piece) {
+/// What stands behind the coefficients: `/D@first,arity=2` and further keys. All may be absent.
+struct MaskTail {
+  Rational scale;  ///< 1/D
+  long first;
+  int arity;
+  Fields fields;
+};
+
+MaskTail read_tail(const Piece& family, const Piece& rest, std::size_t coefficients, const std::string& usage) {
+  const std::vector<Piece> pieces = split(rest, ',');
+  const Piece& scale = pieces.front();
   const std::string one = "[1]";
+  text::MaskText parts;
   try {
-    const text::MaskText parts = text::parse_mask_text(one + std::string(piece.text), 1);
-    return {parts.coefficients.front(), parts.first ? std::optional(parts.first->front()) : std::nullopt};
+    parts = text::parse_mask_text(one + std::string(scale.text), 1);
   } catch (const ParseError& error) {
-    throw SpecificationError(error.token(), piece.at + std::max(error.position(), one.size() + 1) - one.size(),
+    throw SpecificationError(error.token(), scale.at + std::max(error.position(), one.size() + 1) - one.size(),
                              error.expected());
   }
+  Fields fields(family, {pieces.begin() + 1, pieces.end()}, rest.at + rest.text.size(), usage);
+  const auto arity_piece = fields.optional("arity");
+  const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
+  return {parts.coefficients.front(), parts.first ? parts.first->front() : -static_cast<long>(coefficients / 2),
+          static_cast<int>(arity), std::move(fields)};
 }
 
 MaskText read_mask_with_letter(const Piece& family, const Piece& body, const char* usage) {
@@ -116,23 +135,14 @@ MaskText read_mask_with_letter(const Piece& family, const Piece& body, const cha
     if (denominator == RationalFunction()) fail(divisor, "a denominator that is not zero");
     rest = {rest.text.substr(end), rest.at + end};
   }
-  const std::vector<Piece> pieces = split(rest, ',');
-  Fields fields(family, {pieces.begin() + 1, pieces.end()}, body.at + body.text.size(), usage);
-  const auto [scale, first] = read_scale(pieces.front());
+  MaskTail tail = read_tail(family, rest, entries.size(), usage);
   std::vector<RationalFunction> coefficients;
   for (std::size_t k = 0; k < entries.size(); ++k)
-    coefficients.push_back(read_function(entries[k], letter) * RationalFunction(scale) / denominator);
+    coefficients.push_back(read_function(entries[k], letter) * RationalFunction(tail.scale) / denominator);
   if (std::all_of(coefficients.begin(), coefficients.end(),
                   [](const RationalFunction& c) { return c == RationalFunction(); }))
     fail(list, "at least one coefficient that is not zero");
-  const auto arity_piece = fields.optional("arity");
-  const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
-  return {std::move(coefficients),
-          first.value_or(-static_cast<long>(entries.size() / 2)),
-          static_cast<int>(arity),
-          letter,
-          list,
-          std::move(fields)};
+  return {std::move(coefficients), tail.first, tail.arity, letter, list, std::move(tail.fields)};
 }
 
 /// `for all w` or `for this t`
@@ -264,8 +274,7 @@ Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece&
 ParametricScheme make_parametric_scheme(std::string_view specification) {
   if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
   const Piece family = family_of(specification);
-  const std::size_t begin = std::min(family.text.size() + 1, specification.size());
-  const Piece body{specification.substr(begin), begin};
+  const Piece body = body_of(specification);
   if (family.text == "mask") return make_mask(family, body);
   if (family.text == "regression") return make_regression(family, body);
   std::string names = std::string(" or ") + regression_usage;
@@ -278,18 +287,11 @@ ParametricScheme make_parametric_scheme(std::string_view specification) {
 
 bool has_parameter(std::string_view specification) {
   const std::string_view family = family_of(specification).text;
-  const std::string_view body = specification.substr(std::min(family.size() + 1, specification.size()));
-  if (body.find(",where=") != std::string_view::npos) return false;
-  if (family == "mask" || family == "regression") {
-    int depth = 0;
-    for (const char c : body) {
-      depth += c == '[' || c == '(' ? 1 : c == ']' || c == ')' ? -1 : 0;
-      if (depth > 0 && is_letter(c)) return true;
-    }
-    return false;
-  }
+  const Piece body = body_of(specification);
+  if (body.text.find(",where=") != std::string_view::npos) return false;
+  if (family == "mask" || family == "regression") return !letters_inside(body).empty();
   const auto& families = classical_families();
-  return body.size() == 1 && is_letter(body.front()) &&
+  return body.text.size() == 1 && is_letter(body.text.front()) &&
          std::any_of(families.begin(), families.end(), [&](const ClassicalFamily& one) { return one.name == family; });
 }
 
@@ -298,8 +300,7 @@ BiparametricMask make_biparametric_mask(std::string_view specification, char fir
   if (specification.size() > max_text) fail({specification, 0}, fmt::format("at most {} characters", max_text));
   const Piece family = family_of(specification);
   if (family.text != "mask") fail(family, "a mask with two letters, " + usage);
-  const std::size_t begin = std::min(family.text.size() + 1, specification.size());
-  const Piece body{specification.substr(begin), begin};
+  const Piece body = body_of(specification);
   const auto [list, rest] = list_and_rest(body, usage.c_str());
   std::vector<MultivariatePolynomial> coefficients;
   for (const Piece& entry : read_list(list, ',')) {
@@ -324,21 +325,16 @@ BiparametricMask make_biparametric_mask(std::string_view specification, char fir
   }
   if (static_cast<long>(coefficients.size()) > max_coefficients)
     fail(list, fmt::format("at most {} coefficients", max_coefficients));
-  const std::vector<Piece> pieces = split(rest, ',');
-  Fields fields(family, {pieces.begin() + 1, pieces.end()}, specification.size(), usage);
-  const auto [scale, at] = read_scale(pieces.front());
-  const auto arity_piece = fields.optional("arity");
-  const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
+  const auto [scale, first_index, arity, fields] = read_tail(family, rest, coefficients.size(), usage);
   fields.finish();
 
-  const long index = at.value_or(-static_cast<long>(coefficients.size() / 2));
   long degree = 0;
   for (const MultivariatePolynomial& c : coefficients)
     if (!c.is_zero()) degree = std::max(degree, c.highest()[0]);
   std::vector<LaurentPolynomial> powers;
   std::vector<MultivariatePolynomial> sums(static_cast<std::size_t>(arity), MultivariatePolynomial(2));
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
-    const long place = index + static_cast<long>(k);
+    const long place = first_index + static_cast<long>(k);
     sums[static_cast<std::size_t>(((place % arity) + arity) % arity)] += coefficients[k];
     for (const auto& term : coefficients[k].terms()) {
       const auto power = static_cast<std::size_t>(term.exponents[0] + (degree + 1) * term.exponents[1]);
@@ -351,7 +347,7 @@ BiparametricMask make_biparametric_mask(std::string_view specification, char fir
       fail(list, fmt::format("coefficients that sum to 1 over each residue class for all values; the class {} mod {} "
                              "does not",
                              residue, arity));
-  return {ParametricMask(std::move(powers), static_cast<int>(arity)), static_cast<int>(degree) + 1};
+  return {ParametricMask(std::move(powers), arity), static_cast<int>(degree) + 1};
 }
 
 std::optional<ParameterRange> parse_parameter_range(std::string text, char parameter) {

@@ -175,17 +175,22 @@ inline std::string names_of(const std::vector<FamilyHelp>& families) {
 
 inline Piece family_of(std::string_view specification) { return {specification.substr(0, specification.find(':')), 0}; }
 
+/// What follows the colon.
+inline Piece body_of(std::string_view specification) {
+  const std::size_t begin = std::min(family_of(specification).text.size() + 1, specification.size());
+  return {specification.substr(begin), begin};
+}
+
 /// The scheme, where the specification names one of the families. A family without keys may do without its colon.
 template <class AScheme>
 std::optional<AScheme> make_one_of(const std::vector<Family<AScheme>>& families, std::string_view specification) {
   if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
   const Piece family = family_of(specification);
-  const std::size_t begin = std::min(family.text.size() + 1, specification.size());
   for (const Family<AScheme>& candidate : families)
     if (candidate.help.family == family.text) {
       const std::string& usage = candidate.help.usage;
       if (family.text.size() == specification.size() && usage != candidate.help.family) fail(family, usage);
-      return candidate.make(family, {specification.substr(begin), begin}, usage);
+      return candidate.make(family, body_of(specification), usage);
     }
   return std::nullopt;
 }

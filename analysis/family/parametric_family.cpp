@@ -18,15 +18,19 @@ RationalMatrix combination(const std::vector<Rational>& factors, const std::vect
 
 }  // namespace
 
-std::vector<Rational> bernstein_factors(long n, long i, const Rational& low, const Rational& high) {
-  // The blossom of w^k with n - i arguments `low` and i arguments `high`: their elementary symmetric polynomials over
-  // binomials.
-  const LaurentPolynomial product = LaurentPolynomial({1, low}, 0).pow(n - i) * LaurentPolynomial({1, high}, 0).pow(i);
-  std::vector<Rational> result;
-  Rational binomial = 1;
-  for (long k = 0; k <= n; ++k) {
-    result.push_back(product.coefficient(k) / binomial);
-    binomial *= Rational(n - k, k + 1);
+std::vector<std::vector<Rational>> bernstein_factors(long n, const Rational& low, const Rational& high) {
+  std::vector<std::vector<Rational>> result;
+  for (long i = 0; i <= n; ++i) {
+    // The blossom of w^k with n - i arguments `low` and i arguments `high`: their elementary symmetric polynomials over
+    // binomials.
+    const LaurentPolynomial product = LaurentPolynomial({1, low}, 0).pow(n - i) *
+                                      LaurentPolynomial({1, high}, 0).pow(i);
+    result.emplace_back();
+    Rational binomial = 1;
+    for (long k = 0; k <= n; ++k) {
+      result.back().push_back(product.coefficient(k) / binomial);
+      binomial *= Rational(n - k, k + 1);
+    }
   }
   return result;
 }
@@ -50,13 +54,12 @@ MatrixFamily ParametricFamily::at(const Rational& w) const {
 }
 
 std::optional<MatrixFamily> ParametricFamily::controls(const Rational& low, const Rational& high) const {
-  std::vector<std::vector<Rational>> factors;
-  for (int i = 0; i <= degree; ++i) {
-    factors.push_back(bernstein_factors(degree, i, low, high));
+  std::vector<std::vector<Rational>> factors = bernstein_factors(degree, low, high);
+  for (std::vector<Rational>& control : factors) {
     Rational below = 0;
-    for (int k = 0; k <= degree; ++k) below += factors.back()[static_cast<std::size_t>(k)] * denominator.coefficient(k);
+    for (int k = 0; k <= degree; ++k) below += control[static_cast<std::size_t>(k)] * denominator.coefficient(k);
     if (below <= 0) return std::nullopt;
-    for (Rational& factor : factors.back()) factor /= below;
+    for (Rational& factor : control) factor /= below;
   }
   std::vector<RationalMatrix> matrices;
   for (const auto& one : powers)
@@ -81,18 +84,16 @@ ParametricFamily BiparametricFamily::slice(const Rational& w) const {
 
 MatrixFamily BiparametricFamily::controls(const std::array<Rational, 2>& low,
                                           const std::array<Rational, 2>& high) const {
-  const auto n = static_cast<long>(columns) - 1, m = static_cast<long>(rows()) - 1;
+  std::vector<std::vector<Rational>> factors;
+  for (const auto& in_w : bernstein_factors(static_cast<long>(rows()) - 1, low[1], high[1]))
+    for (const auto& in_v : bernstein_factors(static_cast<long>(columns) - 1, low[0], high[0])) {
+      factors.emplace_back();
+      for (const Rational& y : in_w)
+        for (const Rational& x : in_v) factors.back().push_back(x * y);
+    }
   std::vector<RationalMatrix> matrices;
   for (const auto& one : powers)
-    for (long j = 0; j <= m; ++j)
-      for (long i = 0; i <= n; ++i) {
-        const std::vector<Rational> in_v = bernstein_factors(n, i, low[0], high[0]),
-                                    in_w = bernstein_factors(m, j, low[1], high[1]);
-        std::vector<Rational> factors;
-        for (const Rational& y : in_w)
-          for (const Rational& x : in_v) factors.push_back(x * y);
-        matrices.push_back(combination(factors, one));
-      }
+    for (const std::vector<Rational>& control : factors) matrices.push_back(combination(control, one));
   return matrices;
 }
 

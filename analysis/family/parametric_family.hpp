@@ -45,8 +45,8 @@ struct BiparametricFamily {
   MatrixFamily controls(const std::array<Rational, 2>& low, const std::array<Rational, 2>& high) const;
 };
 
-/// The factors of the powers of w in the i-th Bernstein coefficient of degree n on [low, high].
-std::vector<Rational> bernstein_factors(long n, long i, const Rational& low, const Rational& high);
+/// [i][k]: the factor of w^k in the i-th Bernstein coefficient of degree n on [low, high].
+std::vector<std::vector<Rational>> bernstein_factors(long n, const Rational& low, const Rational& high);
 
 /// Those of transition_matrices(mask.at(w)), on a window that holds all coefficients for all w; the denominator is
 /// positive at `inside`.

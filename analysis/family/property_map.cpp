@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <numeric>
 
 namespace subcert {
 namespace {
@@ -25,28 +26,23 @@ constexpr int most_matrices = 64;
 /// [j][i]: the factor of v^i w^j.
 using Bivariate = std::vector<std::vector<Rational>>;
 
-/// The Bernstein coefficients of sum_k c_k x^k on [low, high].
-std::vector<Rational> bernstein(const std::vector<Rational>& c, const Rational& low, const Rational& high) {
-  const auto n = static_cast<long>(c.size()) - 1;
-  std::vector<Rational> result;
-  for (long i = 0; i <= n; ++i) {
-    const std::vector<Rational> factors = bernstein_factors(n, i, low, high);
-    Rational sum = 0;
-    for (std::size_t k = 0; k < c.size(); ++k) sum += factors[k] * c[k];
-    result.push_back(std::move(sum));
-  }
-  return result;
-}
-
-/// Those of a polynomial in v and w on a rectangle.
+/// The Bernstein coefficients of a polynomial on a rectangle.
 Bivariate bernstein(const Bivariate& polynomial, const Rectangle& cell) {
-  Bivariate rows, result(polynomial.size());
-  for (const std::vector<Rational>& row : polynomial) rows.push_back(bernstein(row, cell.low[0], cell.high[0]));
-  for (std::size_t i = 0; i < rows.front().size(); ++i) {
-    std::vector<Rational> column;
-    for (const std::vector<Rational>& row : rows) column.push_back(row[i]);
-    column = bernstein(column, cell.low[1], cell.high[1]);
-    for (std::size_t j = 0; j < column.size(); ++j) result[j].push_back(std::move(column[j]));
+  const auto factors = [&](std::size_t side, std::size_t count) {
+    return bernstein_factors(static_cast<long>(count) - 1, cell.low[side], cell.high[side]);
+  };
+  const auto in_v = factors(0, polynomial.front().size()), in_w = factors(1, polynomial.size());
+  Bivariate rows;  // coefficients in v, powers of w
+  for (const std::vector<Rational>& row : polynomial) {
+    rows.emplace_back();
+    for (const std::vector<Rational>& control : in_v)
+      rows.back().push_back(std::inner_product(row.begin(), row.end(), control.begin(), Rational(0)));
+  }
+  Bivariate result;
+  for (const std::vector<Rational>& control : in_w) {
+    result.emplace_back(in_v.size(), Rational(0));
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      for (std::size_t i = 0; i < in_v.size(); ++i) result.back()[i] += control[j] * rows[j][i];
   }
   return result;
 }

@@ -295,14 +295,13 @@ PropertyRange by_zeros(const ParametricMask& mask, const RangeProperty& property
 PropertyRange by_signs(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
                        const Rational& high, const RangeOptions& options) {
   const ParametricMask differences = divided_difference_scheme(mask, numerator(property.order).convert_to<int>());
-  LaurentPolynomial product = 1;
-  for (long i = differences.support().first; i <= differences.support().last; ++i) {
-    const LaurentPolynomial c = differences.coefficient(i);
-    if (!c.is_zero()) product *= squarefree_part(c).shifted(c.lowest() > 0 ? 1 : 0);
-  }
+  std::vector<SpecialValue> zeros;
+  for (long i = differences.support().first; i <= differences.support().last; ++i)
+    for (SpecialValue& zero : zeros_of(differences.coefficient(i), low, high, options.width, SpecialValue::Why::sign))
+      replace_equal(zeros, std::move(zero));
+  std::sort(zeros.begin(), zeros.end(), is_before);
   const auto at = [&](const Rational& w) { return holds_at(mask.at(w), property, options.budget.deadline); };
-  return between_zeros(mask, property, zeros_of(product, low, high, options.width, SpecialValue::Why::sign), at, low,
-                       high, options);
+  return between_zeros(mask, property, std::move(zeros), at, low, high, options);
 }
 
 }  // namespace

@@ -30,6 +30,11 @@ long scaling_exponent(const LaurentPolynomial& symbol) {
 
 }  // namespace
 
+HolderBound holder_bound(int level, const Rational& norm, int sum_rules, int arity) {
+  const Enclosure logarithm = log_ratio(norm, arity);
+  return {level, norm, {sum_rules - *logarithm.upper / level, sum_rules - *logarithm.lower / level}};
+}
+
 HolderBounds holder_bounds(const Mask& mask, int levels, const Deadline& deadline) {
   require(is_affine(mask), "holder_bounds: need coset sums 1, got {}", mask.symbol().to_mask_text());
   const int rules = sum_rules(mask);
@@ -41,8 +46,7 @@ HolderBounds holder_bounds(const Mask& mask, int levels, const Deadline& deadlin
   for (std::size_t l = 0; l < powers.norms.size(); ++l) {
     const int level = static_cast<int>(l) + 1;
     const Rational norm = powers.norms[l] * power(Rational(2), exponent * level);
-    const Enclosure logarithm = log_ratio(norm, mask.arity());
-    result.levels.push_back({level, norm, {rules - *logarithm.upper / level, rules - *logarithm.lower / level}});
+    result.levels.push_back(holder_bound(level, norm, rules, mask.arity()));
   }
   return result;
 }

@@ -17,6 +17,9 @@ struct HolderBound {
   Enclosure exponent;
 };
 
+/// What a norm of this level proves. Domain: norm > 0.
+HolderBound holder_bound(int level, const Rational& norm, int sum_rules, int arity);
+
 struct HolderBounds {
   int sum_rules = 0;
   /// One for each of the levels 1, 2, ... that were finished within the time.

@@ -128,16 +128,6 @@ Rational entry_error(const Mask& mask, const MaskRounding& rounding) {
   return power(Rational(mask.arity()), rounding.sum_rules) * *std::max_element(errors.begin(), errors.end());
 }
 
-void add_rounding(HolderBounds& bounds, const Mask& derived, const Rational& error) {
-  const radius::EntryError entries(transition_matrices(derived), error);
-  for (HolderBound& bound : bounds.levels) {
-    bound.norm += entries.of_products(bound.levels);
-    const Enclosure logarithm = log_ratio(bound.norm, derived.arity());
-    bound.exponent = {bounds.sum_rules - *logarithm.upper / bound.levels,
-                      bounds.sum_rules - *logarithm.lower / bound.levels};
-  }
-}
-
 }  // namespace
 
 HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof,
@@ -149,18 +139,19 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
   if (rounding) {
     require(rounding->sum_rules == rules, "holder_regularity: need a rounded mask with {} sum rules, got {}",
             rounding->sum_rules, rules);
-    add_rounding(result.bounds, derived, entry_error(mask, *rounding));
+    const radius::RoundedFamily family(transition_matrices(derived), entry_error(mask, *rounding));
+    for (HolderBound& bound : result.bounds.levels)
+      bound = holder_bound(bound.levels, bound.norm + family.change_of_products(bound.levels), rules, arity);
     result.stable = has_stable_shifts(mask, rounding->distance);
     result.single.applies = {Truth::unknown, "the coefficients are rounded"};
+    const HolderBound& best = result.bounds.best();
+    result.radius = family.radius({best.levels, best.norm}, budget);
   } else {
+    const HolderBound& best = result.bounds.best();
     result.stable = has_stable_shifts(mask);
     result.single = single_spectral_radius(derived);
+    result.radius = radius_by_rational_numbers(derived, result.single, {best.levels, best.norm}, budget, proof);
   }
-  const HolderBound& best = result.bounds.best();
-  const NormProof norms{best.levels, best.norm};
-  result.radius = rounding ? radius::radius_of_rounded_family(transition_matrices(derived),
-                                                              entry_error(mask, *rounding), budget, norms)
-                           : radius_by_rational_numbers(derived, result.single, norms, budget, proof);
   if (result.single.applies.is_yes()) {
     result.rational = std::move(result.radius);
     const CoefficientGrowth& growth = result.single.growth;
@@ -174,6 +165,7 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
     if (product.word == std::vector<int>{result.single.letter} && !(*product.radius.lower > 0))
       product.radius = growth.radius;
   }
+  const HolderBound& best = result.bounds.best();
   const Enclosure& radius = result.radius.radius;
   result.exponent = Enclosure::at_least(
       std::max(*best.exponent.lower, Rational(rules - *log_ratio(*radius.upper, arity).upper)));

@@ -39,9 +39,9 @@ struct HolderRegularity {
 enum class HolderProof { shortest, certificate };
 
 /// Domain: coset sums 1; levels >= 1; at most 256 rows in the transition matrices (larger masks keep the bounds by
-/// norms). `rounding`: what is proved holds for all masks that are meant; nothing then is exact, and at most
-/// 256 rows are allowed. Errors: throws Error.
-/// Error: none, both ends are proved; see joint_spectral_radius for the width. Ref: [Rio92], [FM13], [JW93], [GP13].
+/// norms). `rounding`: what is proved holds for all masks that are meant, and nothing is exact; larger masks are
+/// refused. Errors: throws Error. Error: none, both ends are proved; see joint_spectral_radius for the width. Ref:
+/// [Rio92], [FM13], [JW93], [GP13].
 HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget,
                                    HolderProof proof = HolderProof::shortest,
                                    const std::optional<MaskRounding>& rounding = std::nullopt);

@@ -14,7 +14,7 @@ namespace subcert {
 Decision has_stable_shifts(const Mask& mask);
 
 /// Whether that is so for all masks whose coefficients differ from these by at most `distance`, on the same support:
-/// yes or unknown. Domain: distance > 0. Cost: a determinant. Ref: SPEC.md, theorem 22.
+/// yes or unknown. Domain: distance > 0. Cost: a determinant. Ref: SPEC.md, section 7.
 Decision has_stable_shifts(const Mask& mask, const Rational& distance);
 
 /// The same with an error for each coefficient, from the first to the last. Domain: errors >= 0, as many as

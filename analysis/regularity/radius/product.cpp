@@ -112,17 +112,17 @@ ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>
   if (slope == 0) return evidence;
   const int length = static_cast<int>(word.size());
   const Enclosure modulus = root_enclosure(c.squared_modulus(), 2);
-  const Rational size = static_cast<long>(family.size());
-  Rational away = size * *root_enclosure(value_at(p, c).squared_modulus() / slope, 2).upper;
+  const auto n = static_cast<long>(family.size());
+  const Rational squared_value = value_at(p, c).squared_modulus();
+  Rational away = n * *root_enclosure(squared_value / slope, 2).upper;
   if (distance > 0) {
-    const auto n = static_cast<long>(family.size());
-    const Rational error = radius::EntryError(family, distance).of_products(length),
+    // The characteristic polynomials of all products, and their derivatives.
+    const Rational error = radius::RoundedFamily(family, distance).change_of_products(length),
                    column = *modulus.upper + one_norm(product);
-    const auto change = [&](long factors) { return power(column + error, factors) - power(column, factors); };
-    const Rational value = *root_enclosure(value_at(p, c).squared_modulus(), 2).upper + change(n),
-                   steep = *root_enclosure(slope, 2).lower - size * change(n - 1);
+    const Rational value = *root_enclosure(squared_value, 2).upper + radius::change_of_product(column, error, n),
+                   steep = *root_enclosure(slope, 2).lower - n * radius::change_of_product(column, error, n - 1);
     if (steep <= 0) return evidence;
-    away = size * value / steep;
+    away = n * value / steep;
   }
   const Rational low = *modulus.lower - away;
   if (low > 0)

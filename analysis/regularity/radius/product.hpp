@@ -17,8 +17,8 @@ struct ProductEvidence {
 
 /// Encloses the leading eigenvalue of a product. `distance`: for all families whose entries differ from these by at
 /// most that. Domain: a word of at least one letter; distance >= 0. Error: about 2^-190, relatively; the lower end is 0
-/// where no eigenvalue is isolated or the deadline passes. Cost: one characteristic polynomial. Ref: SPEC.md, 4.5 and
-/// theorem 22.
+/// where no eigenvalue is isolated or the deadline passes. Cost: one characteristic polynomial. Ref: SPEC.md, 4.5
+/// and section 7.
 ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline = {},
                               const Rational& distance = 0);
 

@@ -3,6 +3,7 @@
 #include "one_block.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace subcert::radius {
 namespace {
@@ -22,31 +23,34 @@ Rational longest_vertex(const PolytopeProof& proof) {
 
 }  // namespace
 
-EntryError::EntryError(const MatrixFamily& family, const Rational& distance)
-    : norm(0), error(static_cast<long>(family.size()) * distance) {
-  for (const RationalMatrix& matrix : family) norm = std::max(norm, one_norm(matrix));
+Rational change_of_product(const Rational& norm, const Rational& error, long factors) {
+  return power(norm + error, factors) - power(norm, factors);
 }
 
-JointSpectralRadius radius_of_rounded_family(const MatrixFamily& family, const Rational& distance, const Budget& budget,
-                                             const NormProof& known) {
+RoundedFamily::RoundedFamily(MatrixFamily family, const Rational& distance)
+    : family_(std::move(family)), distance_(distance), norm_(0), error_(static_cast<long>(family_.size()) * distance) {
+  for (const RationalMatrix& matrix : family_) norm_ = std::max(norm_, one_norm(matrix));
+}
+
+JointSpectralRadius RoundedFamily::radius(const NormProof& known, const Budget& budget) const {
   // Any bound will do: nothing can be exact.
-  JointSpectralRadius radius = family.size() == 1 ? radius_of_numbers(family)
-                                                  : radius_of_one_block(family, budget, known, known.bound());
-  auto* polytope = std::get_if<PolytopeProof>(&radius.proof);
+  JointSpectralRadius result = family_.size() == 1 ? radius_of_numbers(family_)
+                                                   : radius_of_one_block(family_, budget, known, known.bound());
+  auto* polytope = std::get_if<PolytopeProof>(&result.proof);
   if (polytope && (polytope->group.size() <= 1 || polytope->is_flip_symmetric())) {
     // What an image moves by is one more residual.
-    const Rational moved = EntryError(family, distance).error * longest_vertex(*polytope);
+    const Rational moved = error_ * longest_vertex(*polytope);
     for (Rational& residual : polytope->residuals) residual += moved;
     polytope->bound += Rational(polytope->unit_norm) * moved;
-    radius.radius.upper = polytope->bound;
+    result.radius.upper = polytope->bound;
   } else {
-    radius.proof = known;
-    radius.radius.upper = known.bound();
+    result.proof = known;
+    result.radius.upper = known.bound();
   }
-  radius.product = prove_product(family, radius.product.word, budget.deadline, distance);
-  radius.radius.lower = radius.product.radius.lower;
-  radius.exact = {Truth::unknown, "the coefficients are rounded"};
-  return radius;
+  result.product = prove_product(family_, result.product.word, budget.deadline, distance_);
+  result.radius.lower = result.product.radius.lower;
+  result.exact = {Truth::unknown, "the coefficients are rounded"};
+  return result;
 }
 
 }  // namespace subcert::radius

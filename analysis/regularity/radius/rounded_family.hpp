@@ -5,20 +5,28 @@
 
 namespace subcert::radius {
 
-/// What errors of the entries do to norms: SPEC.md, section 7.
-struct EntryError {
-  Rational norm;   ///< of the matrices, the largest 1-norm
-  Rational error;  ///< of a matrix, in that norm
+/// What products of so many factors, or determinants of that size, change by at most where factors or columns with
+/// norms up to `norm` change by `error`: SPEC.md, section 7.
+Rational change_of_product(const Rational& norm, const Rational& error, long factors);
 
-  EntryError(const MatrixFamily& family, const Rational& distance);
-  /// Of products of so many matrices, in that norm.
-  Rational of_products(long length) const { return power(norm + error, length) - power(norm, length); }
+/// All families whose entries differ from those of one by at most a number.
+class RoundedFamily {
+ public:
+  /// Domain: distance > 0.
+  RoundedFamily(MatrixFamily family, const Rational& distance);
+
+  /// In the 1-norm, of products of so many matrices.
+  Rational change_of_products(long length) const { return change_of_product(norm_, error_, length); }
+
+  /// Encloses the joint spectral radii of all of them. `known`: an upper bound of all. Domain: as
+  /// joint_spectral_radius. Cost: likewise, by a polytope of the whole matrices.
+  JointSpectralRadius radius(const NormProof& known, const Budget& budget) const;
+
+ private:
+  MatrixFamily family_;
+  Rational distance_;
+  Rational norm_;   // the largest 1-norm of a matrix
+  Rational error_;  // of a matrix, in that norm
 };
-
-/// Encloses the joint spectral radii of all families whose entries differ from these by at most `distance`. `known`: an
-/// upper bound of all. Domain: as joint_spectral_radius; distance > 0. Cost: likewise, by a polytope of the whole
-/// matrices.
-JointSpectralRadius radius_of_rounded_family(const MatrixFamily& family, const Rational& distance, const Budget& budget,
-                                             const NormProof& known);
 
 }  // namespace subcert::radius

@@ -383,6 +383,8 @@ reject("quotient-too-high", "quotient-not-smooth", crossing, replace("11/10", "5
 reject("quotient-too-low", "quotient-not-smooth", "no exponent below", replace("11/10", "9/10"))
 reject("quotient-norm", "quotient-converges", "does not prove the claim", replace("3/2..9", "1..9"),
        arguments=quotient.replace("3/2..9", "1..9"))
+
+
 def rounded(name, base, reason, within, edit=lambda lines: lines, **options):
     """The claim with another rounding, in the file as well."""
     arguments = option(claims[base], "within", within)

@@ -32,12 +32,17 @@ void BM_range(benchmark::State& state, const char* scheme, const char* property,
   state.counters["intervals"] = static_cast<double>(intervals);
 }
 BENCHMARK_CAPTURE(BM_range, four_point_C1, "four-point:w", "C1", -1, 1)
-    ->DenseRange(3, 9, 2)
+    ->DenseRange(2, 12, 2)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_range, six_point_H3, "six-point:w", "sobolev>=3", 0, 1)
+    ->DenseRange(2, 12, 2)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(BM_range, ternary_C2, ternary, "C2", 0, 1)
-    ->DenseRange(3, 9, 2)
+    ->DenseRange(2, 12, 2)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

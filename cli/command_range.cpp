@@ -17,6 +17,9 @@
 namespace subcert::cli {
 namespace {
 
+constexpr const char* properties =
+    "convergent, C1, C2, ..., holder>=P/Q, sobolev>=P/Q, stable, positive, monotone or convex";
+
 struct ParameterRangeOptions : SearchOptions {
   std::string scheme;
   std::string over;
@@ -52,10 +55,15 @@ Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, c
           {"special", special}};
 }
 
+constexpr std::size_t longest_polynomial = 12;  // coefficients, in text
+
 /// The number itself, where it is rational.
 std::string end_text(const RangeEnd& end, char w) {
   if (const auto zero = zero_of_linear(end.polynomial)) return fmt::format("{} = {}", w, to_text(*zero));
-  return fmt::format("the zero of {} near {}", to_text(end.polynomial, w), number_text(end.low));
+  const std::string polynomial = static_cast<std::size_t>(end.polynomial.length()) <= longest_polynomial
+                                     ? to_text(end.polynomial, w)
+                                     : fmt::format("a polynomial of degree {}", end.polynomial.highest());
+  return fmt::format("the zero of {} near {}", polynomial, number_text(end.low));
 }
 
 std::string text_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
@@ -78,8 +86,10 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
     page << "\n";
   }
   for (const RangeEnd& end : range.ends)
-    page << "end          " << end_text(end, w) << ", where the radius of the product " << word_text(end.word)
-         << " crosses the threshold" << (end.holds == Truth::no ? "; refuted there" : "") << "\n";
+    page << "end          " << end_text(end, w) << ", where "
+         << (end.word.empty() ? "the spectral radius" : "the radius of the product " + word_text(end.word))
+         << " crosses the threshold"
+         << (end.holds == Truth::unknown ? "" : fmt::format("; {} there", verdict_text(end.holds))) << "\n";
   for (const SpecialValue& value : range.special)
     page << "special      " << w << " = " << number_text(value.value) << ": " << why_text(value.why) << "; "
          << verdict_text(value.holds) << " there\n";
@@ -97,10 +107,7 @@ std::vector<NamedCertificate> named(const std::vector<RangeCertificate>& certifi
 ExitCode run(const ParameterRangeOptions& options) {
   const ParametricScheme scheme = make_parametric_scheme(options.scheme);
   const auto property = parse_range_property(options.property);
-  if (!property)
-    fail(ErrorKind::usage,
-         "--property: expected convergent, C1, C2, ..., holder>=P/Q, stable, positive, monotone or convex, got '{}'",
-         options.property);
+  if (!property) fail(ErrorKind::usage, "--property: expected {}, got '{}'", properties, options.property);
   const auto [low, high] = read_over(options.over, scheme.parameter);
   auto width = parse_rational(options.width);
   if (const auto decimal = parse_decimal(options.width); !width && decimal) width = decimal->value;
@@ -130,10 +137,7 @@ void add_range(Command& app) {
       .option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w and other families, any letter")
       .required();
   command.option("--over", options->over, "The values: w=LOW..HIGH").required();
-  command
-      .option("--property", options->property,
-              "convergent, C1, C2, ..., holder>=P/Q, stable, positive, monotone or convex")
-      .required();
+  command.option("--property", options->property, properties).required();
   command.option("--width", options->width, "Of what is left open about an end").with_default();
   command.option("--certificate", options->certificate, "Write a certificate for each decided piece into this folder");
   add_limits(command, *options);

@@ -44,7 +44,7 @@ const char* why_text(SpecialValue::Why why) {
     case SpecialValue::Why::sum_rules: return "more sum rules";
     case SpecialValue::Why::unstable: return "shifts may be unstable";
     case SpecialValue::Why::sign: return "a coefficient vanishes";
-    default: return "the radius of a product meets the threshold";
+    default: return "a radius meets the threshold";
   }
 }
 
@@ -66,6 +66,7 @@ std::string write_certificates(const std::string& directory, const std::vector<N
                                   [&](const std::string& end) { return name.ends_with(end); });
     if (entry.path().extension() == ".cert" && ours && !written.contains(name)) fs::remove(entry.path());
   }
+  if (certificates.empty()) return "certificates none: there are none for this property\n";
   return fmt::format("certificates {} in {}: subcert verify {}\n", certificates.size(), directory, directory);
 }
 

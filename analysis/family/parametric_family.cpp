@@ -111,4 +111,17 @@ ParametricFamily transition_matrices(const ParametricMask& mask, const Rational&
   return result;
 }
 
+ParametricFamily central_matrices(const ParametricMask& mask) {
+  const std::vector<LaurentPolynomial>& powers = mask.powers();
+  std::vector<LaurentPolynomial> autocorrelation(2 * powers.size() - 1);
+  for (std::size_t j = 0; j < powers.size(); ++j)
+    for (std::size_t k = 0; k < powers.size(); ++k) autocorrelation[j + k] += powers[j] * powers[k].reversed();
+  const IndexRange support = mask.support();
+  const long reach = (support.last - support.first) / (mask.arity() - 1);
+  ParametricFamily result{{{}}, mask.denominator() * mask.denominator(), 2 * mask.degree()};
+  for (const LaurentPolynomial& power : autocorrelation)
+    result.powers.front().push_back(central_matrix(power, mask.arity(), reach));
+  return result;
+}
+
 }  // namespace subcert

@@ -52,4 +52,7 @@ std::vector<std::vector<Rational>> bernstein_factors(long n, const Rational& low
 /// positive at `inside`.
 ParametricFamily transition_matrices(const ParametricMask& mask, const Rational& inside);
 
+/// The one matrix central_matrix(b(z) b(1/z)) for b = mask.at(w), which gives the Sobolev exponent.
+ParametricFamily central_matrices(const ParametricMask& mask);
+
 }  // namespace subcert

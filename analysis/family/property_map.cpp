@@ -198,7 +198,8 @@ PropertyMap property_map(const BiparametricMask& mask, const RangeProperty& prop
   result.sum_rules = sum_rules(mask.flat);
   require(result.sum_rules >= 1, "map: need a sum rule for all values of the parameters, got none");
   using Kind = RangeProperty::Kind;
-  require(property.kind != Kind::stable && property.kind != Kind::preserving && property.order < result.sum_rules,
+  require((property.kind == Kind::convergent || property.kind == Kind::smooth || property.kind == Kind::holder) &&
+              property.order < result.sum_rules,
           "map: need 'convergent', or an order below the number {} of sum rules that hold for all values",
           result.sum_rules);
   MapSearch search(mask, result.sum_rules, property, options);

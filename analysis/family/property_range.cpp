@@ -1,5 +1,6 @@
 #include "property_range.hpp"
 
+#include "between_zeros.hpp"
 #include "family_radius.hpp"
 #include "threshold.hpp"
 
@@ -25,38 +26,9 @@ constexpr double short_seconds = 0.8;    // for one that is short: its neighbour
 constexpr int short_share = 64;          // of the range
 constexpr double extending_seconds = 6;  // for all that took too long
 constexpr double far_below = 0.97;       // of the threshold: quadratic forms may do
-constexpr double special_seconds = 10;   // for one value
-constexpr int levels = 12;               // of norms, at special values
 constexpr int shortest_share = 16;       // of the width that may stay open: several intervals make a gap
 constexpr std::size_t longest_end = 24;  // letters of a product that names an end
 constexpr int most_matrices = 64;
-
-bool is_before(const SpecialValue& a, const SpecialValue& b) { return *a.value.lower < *b.value.lower; }
-
-/// Puts a value among others, in the place of the same one for another reason.
-void replace_equal(std::vector<SpecialValue>& values, SpecialValue value) {
-  std::erase_if(values, [&](const SpecialValue& other) {
-    return other.polynomial == value.polynomial && other.value.lower == value.value.lower;
-  });
-  values.push_back(std::move(value));
-}
-
-/// The real zeros of a polynomial in w, each with its irreducible factor.
-std::vector<SpecialValue> zeros_of(const LaurentPolynomial& polynomial, const Rational& low, const Rational& high,
-                                   const Rational& width, SpecialValue::Why why) {
-  std::vector<SpecialValue> result;
-  if (polynomial.is_zero() || polynomial == LaurentPolynomial(polynomial.coefficient(0))) return result;
-  for (const PolynomialFactor& factor : irreducible_factors(polynomial)) {
-    const LaurentPolynomial& p = factor.polynomial;
-    if (const auto root = zero_of_linear(p)) {
-      if (low <= *root && *root <= high) result.push_back({Enclosure::exactly(*root), p, why, Truth::unknown});
-      continue;
-    }
-    for (const Enclosure& root : real_roots(p, low, high, width)) result.push_back({root, p, why, Truth::unknown});
-  }
-  std::sort(result.begin(), result.end(), is_before);
-  return result;
-}
 
 struct Node {
   Segment segment;
@@ -206,24 +178,6 @@ class RangeSearch {
   Segment range_;  // what is asked for
 };
 
-/// Whether the scheme has the property at one value.
-Truth holds_at(const Mask& mask, const RangeProperty& property, const Deadline& deadline) {
-  if (property.kind == RangeProperty::Kind::stable) return has_stable_shifts(mask).truth;
-  if (property.kind == RangeProperty::Kind::preserving) {
-    const Mask differences = divided_difference_scheme(mask, numerator(property.order).convert_to<int>());
-    const auto coefficients = differences.symbol().coefficients();
-    return std::any_of(coefficients.begin(), coefficients.end(), [](const Rational& c) { return c < 0; }) ? Truth::no
-                                                                                                          : Truth::yes;
-  }
-  const HolderRegularity regularity = holder_regularity(mask, levels, {deadline.at_most(special_seconds)});
-  const Enclosure& exponent = regularity.exponent;
-  if (property.kind == RangeProperty::Kind::smooth) return has_derivatives(regularity, property.order);
-  if (*exponent.lower > property.order) return Truth::yes;
-  if (property.kind == RangeProperty::Kind::convergent) return converges(mask, {levels, deadline.at_most(5)}).truth;
-  if (*exponent.lower >= property.order) return Truth::yes;
-  return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
-}
-
 std::vector<RangePiece> merged(const std::vector<IntervalProof>& intervals) {
   std::vector<RangePiece> result;
   for (const IntervalProof& proof : intervals) {
@@ -232,76 +186,6 @@ std::vector<RangePiece> merged(const std::vector<IntervalProof>& intervals) {
     result.back().high = proof.high;
   }
   return result;
-}
-
-bool is_complete(const std::vector<RangePiece>& pieces, const Rational& width) {
-  return std::all_of(pieces.begin(), pieces.end(), [&](const RangePiece& piece) {
-    return piece.holds != Truth::unknown || piece.high - piece.low <= width;
-  });
-}
-
-/// One verdict between neighbouring zeros of polynomials, which are looked at on their own. `between`: the verdict at a
-/// value there.
-PropertyRange between_zeros(const ParametricMask& mask, const RangeProperty& property, std::vector<SpecialValue> zeros,
-                            const std::function<Truth(const Rational&)>& between, const Rational& low,
-                            const Rational& high, const RangeOptions& options) {
-  PropertyRange result;
-  Rational reached = low;
-  const auto add_up_to = [&](const Rational& end, bool included) {
-    if (reached < end)
-      result.pieces.push_back({reached, end, between((reached + end) / 2), result.pieces.empty(), included});
-  };
-  for (SpecialValue& zero : zeros) {
-    if (zero.value.is_exact()) zero.holds = holds_at(mask.at(*zero.value.lower), property, options.budget.deadline);
-    add_up_to(*zero.value.lower, false);
-    result.pieces.push_back({*zero.value.lower, *zero.value.upper, zero.holds});
-    reached = *zero.value.upper;
-  }
-  add_up_to(high, true);
-  for (std::size_t k = result.pieces.size(); k-- > 1;) {
-    RangePiece &before = result.pieces[k - 1], &after = result.pieces[k];
-    // One of two neighbours has the number between them.
-    if (before.holds != after.holds) continue;
-    before.high = after.high;
-    before.high_included = after.high_included;
-    result.pieces.erase(result.pieces.begin() + static_cast<std::ptrdiff_t>(k));
-  }
-  result.special = std::move(zeros);
-  result.complete = is_complete(result.pieces, options.width);
-  return result;
-}
-
-/// Stability, or a property of smoothness that stable shifts have with more sum rules only: between the zeros of the
-/// polynomials that tell where shifts may be unstable and where there are more sum rules.
-PropertyRange by_zeros(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
-                       const Rational& high, const RangeOptions& options) {
-  const LaurentPolynomial unstable = unstable_values(mask, options.budget.deadline);
-  if (unstable.is_zero()) {
-    PropertyRange result;
-    result.pieces = {{low, high}};
-    result.complete = false;
-    return result;
-  }
-  if (property.kind == RangeProperty::Kind::stable)
-    return between_zeros(
-        mask, property, zeros_of(unstable, low, high, options.width, SpecialValue::Why::unstable),
-        [](const Rational&) { return Truth::yes; }, low, high, options);
-  return between_zeros(
-      mask, property, single_values(mask, unstable, low, high, options.width),
-      [](const Rational&) { return Truth::no; }, low, high, options);
-}
-
-/// By the signs of the coefficients.
-PropertyRange by_signs(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
-                       const Rational& high, const RangeOptions& options) {
-  const ParametricMask differences = divided_difference_scheme(mask, numerator(property.order).convert_to<int>());
-  std::vector<SpecialValue> zeros;
-  for (long i = differences.support().first; i <= differences.support().last; ++i)
-    for (SpecialValue& zero : zeros_of(differences.coefficient(i), low, high, options.width, SpecialValue::Why::sign))
-      replace_equal(zeros, std::move(zero));
-  std::sort(zeros.begin(), zeros.end(), is_before);
-  const auto at = [&](const Rational& w) { return holds_at(mask.at(w), property, options.budget.deadline); };
-  return between_zeros(mask, property, std::move(zeros), at, low, high, options);
 }
 
 }  // namespace
@@ -316,16 +200,6 @@ void require_family(const ParametricMask& mask, const Rational& low, const Ratio
   require(sum_rules(mask) >= 1, "range: need a sum rule for all values of the parameter, got none");
 }
 
-std::vector<SpecialValue> single_values(const ParametricMask& mask, const LaurentPolynomial& unstable,
-                                        const Rational& low, const Rational& high, const Rational& width) {
-  using Why = SpecialValue::Why;
-  std::vector<SpecialValue> values = zeros_of(unstable, low, high, width, Why::unstable);
-  for (SpecialValue& value : zeros_of(special_values(mask), low, high, width, Why::sum_rules))
-    replace_equal(values, std::move(value));
-  std::sort(values.begin(), values.end(), is_before);
-  return values;
-}
-
 std::optional<RangeProperty> parse_range_property(std::string_view text) {
   using Kind = RangeProperty::Kind;
   if (text == "convergent") return RangeProperty{Kind::convergent, 0};
@@ -333,32 +207,27 @@ std::optional<RangeProperty> parse_range_property(std::string_view text) {
   for (int order = 0; order < 3; ++order)
     if (text == std::array{"positive", "monotone", "convex"}[static_cast<std::size_t>(order)])
       return RangeProperty{Kind::preserving, order};
-  constexpr std::string_view holder = "holder>=";
-  const bool smooth = text.starts_with('C');
-  if (!smooth && !text.starts_with(holder)) return std::nullopt;
-  const auto order = text.size() > 40 ? std::nullopt : parse_rational(text.substr(smooth ? 1 : holder.size()));
-  if (!order || *order < 0 || *order > 100 || denominator(*order) > (smooth ? 1 : 1000)) return std::nullopt;
-  if (smooth && *order == 0) return RangeProperty{Kind::convergent, 0};
-  return RangeProperty{smooth ? Kind::smooth : Kind::holder, *order};
+  struct Ordered {
+    std::string_view name;
+    Kind kind;
+    int denominator;  // the largest
+  };
+  for (const Ordered& one :
+       {Ordered{"C", Kind::smooth, 1}, {"holder>=", Kind::holder, 1000}, {"sobolev>=", Kind::sobolev, 1000}}) {
+    if (!text.starts_with(one.name) || text.size() > 40) continue;
+    const auto order = parse_rational(text.substr(one.name.size()));
+    if (!order || *order < 0 || *order > 100 || denominator(*order) > one.denominator) return std::nullopt;
+    if (one.kind == Kind::smooth && *order == 0) return RangeProperty{Kind::convergent, 0};
+    return RangeProperty{one.kind, *order};
+  }
+  return std::nullopt;
 }
 
 PropertyRange property_range(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
                              const Rational& high, const RangeOptions& options) {
   require_family(mask, low, high);
   const int rules = sum_rules(mask);
-  if (property.kind == RangeProperty::Kind::stable ||
-      (property.kind == RangeProperty::Kind::smooth && property.order >= rules)) {
-    PropertyRange result = by_zeros(mask, property, low, high, options);
-    result.sum_rules = rules;
-    return result;
-  }
-  if (property.kind == RangeProperty::Kind::preserving) {
-    require(property.order <= rules, "range: need differences of an order up to the number {} of sum rules, got {}",
-            rules, property.order);
-    PropertyRange result = by_signs(mask, property, low, high, options);
-    result.sum_rules = rules;
-    return result;
-  }
+  if (changes_at_zeros(property, rules)) return property_between_zeros(mask, rules, property, low, high, options);
   RangeSearch search(mask, rules, property, {low, high}, options);
   PropertyRange result;
   result.sum_rules = rules;
@@ -384,7 +253,7 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
   result.proofs = std::move(intervals);
   for (SpecialValue& value : zeros_of(special_values(mask), low, high, options.width, SpecialValue::Why::sum_rules))
     replace_equal(result.special, std::move(value));
-  std::sort(result.special.begin(), result.special.end(), is_before);
+  sort_values(result.special);
   for (SpecialValue& value : result.special) {
     const auto piece = std::find_if(result.pieces.begin(), result.pieces.end(), [&](const RangePiece& candidate) {
       return candidate.low <= *value.value.lower && *value.value.upper <= candidate.high;

@@ -14,6 +14,7 @@ struct RangeProperty {
     convergent,  ///< the scheme converges
     smooth,      ///< its limits have `order` continuous derivatives
     holder,      ///< their Hoelder exponent is at least `order`
+    sobolev,     ///< their Sobolev exponent is at least `order`
     stable,      ///< the integer shifts of the basic limit function are stable
     preserving   ///< each step keeps differences of this order non-negative: data that are positive, monotone, convex
   };
@@ -21,8 +22,8 @@ struct RangeProperty {
   Rational order = 0;
 };
 
-/// `convergent`, `C2`, `holder>=3/2`, `stable`, `positive`, `monotone` or `convex`; nothing for another text. Domain of
-/// the numbers: 0 ... 100.
+/// `convergent`, `C2`, `holder>=3/2`, `sobolev>=1`, `stable`, `positive`, `monotone` or `convex`; nothing for another
+/// text. Domain of the numbers: 0 ... 100.
 std::optional<RangeProperty> parse_range_property(std::string_view text);
 
 /// Values of w, and whether the property holds for all of them (yes), for none (no), or is not
@@ -38,8 +39,8 @@ struct RangePiece {
 struct RangeEnd {
   Rational low, high;
   LaurentPolynomial polynomial;  ///< irreducible, in w, with one zero between them
-  std::vector<int> word;
-  Truth holds;  ///< at the zero itself
+  std::vector<int> word;         ///< empty where a spectral radius is meant that is not one of a product
+  Truth holds;                   ///< at the zero itself
 };
 
 /// A single value, or one that is enclosed, which is looked at on its own.
@@ -88,6 +89,7 @@ struct RangeOptions {
 /// matrices T_t(w) of the scheme for divided differences of order m: the property is proved on an interval by an upper
 /// bound of the joint spectral radius of the control matrices of the T_t, and refuted by a real eigenvalue of one
 /// product that is too large all over the interval, which Sturm's theorem decides, and by the stability of the shifts.
+/// `sobolev` is decided between the zeros of one polynomial, at which the spectral radius may meet the threshold.
 /// `preserving` is decided by the signs of the coefficients of the divided difference scheme of that order, between
 /// their zeros. Domain: as require_family; `preserving` with an order up to the number of sum rules. Errors: throws
 /// Error. Error: none; what is not decided within width and budget is left `unknown`. Cost: one joint spectral radius

@@ -73,18 +73,19 @@ bool is_negative_somewhere(const LaurentPolynomial& c) {
 /// Of the largest coefficient.
 slong bits_of(const IntegerPolynomial& q) { return std::abs(fmpz_poly_max_bits(q.get())); }
 
-/// A ball around the largest real zero of a squarefree polynomial and around no other; false where there is no real
-/// zero.
-bool isolate_largest(const IntegerPolynomial& q, Ball& ball, slong bits) {
-  // The real zeros come first, in ascending order, with imaginary parts that are exactly zero; the balls are disjoint.
+/// Disjoint balls around the real zeros of a squarefree polynomial, in ascending order.
+std::vector<Ball> isolate(const IntegerPolynomial& q, slong bits) {
+  // The real zeros come first, with imaginary parts that are exactly zero; the balls are disjoint.
   const slong degree = fmpz_poly_degree(q.get());
   acb_ptr roots = _acb_vec_init(degree);
   arb_fmpz_poly_complex_roots(roots, q.get(), 0, bits);
-  slong real = 0;
-  while (real < degree && arb_is_zero(acb_imagref(roots + real))) ++real;
-  if (real > 0) arb_set(ball.get(), acb_realref(roots + real - 1));
+  std::vector<Ball> result;
+  for (slong k = 0; k < degree && arb_is_zero(acb_imagref(roots + k)); ++k) {
+    result.emplace_back();
+    arb_set(result.back().get(), acb_realref(roots + k));
+  }
   _acb_vec_clear(roots, degree);
-  return real > 0;
+  return result;
 }
 
 /// Interval Newton: the zero in `ball`, the only one there, to this many bits if the derivative has no zero in the
@@ -111,13 +112,14 @@ void refine(const IntegerPolynomial& q, Ball& ball, slong bits) {
 /// The largest real zero of a squarefree polynomial, if there is one.
 std::optional<Enclosure> largest_simple_root(const LaurentPolynomial& factor, int bits) {
   IntegerPolynomial q(factor);
-  Ball ball;
   slong start = 64;
-  if (!isolate_largest(q, ball, start)) return std::nullopt;
+  std::vector<Ball> roots = isolate(q, start);
+  if (roots.empty()) return std::nullopt;
+  Ball& ball = roots.back();
   // A rational zero times the leading coefficient is an integer, at most twice the largest coefficient.
   const Whole leading(factor.numerators().back());
   for (slong wanted = std::max<slong>(bits, bits_of(q) + 8);; wanted *= 2) {
-    while (refine(q, ball, wanted), arb_rel_accuracy_bits(ball.get()) < wanted) isolate_largest(q, ball, start *= 2);
+    while (refine(q, ball, wanted), arb_rel_accuracy_bits(ball.get()) < wanted) ball = isolate(q, start *= 2).back();
     Ball multiple;
     arb_mul_fmpz(multiple.get(), ball.get(), leading.get(), 2 * wanted);
     Whole candidate;
@@ -176,21 +178,36 @@ std::optional<Rational> zero_of_linear(const LaurentPolynomial& p) {
   return Rational(-p.coefficient(0) / p.coefficient(1));
 }
 
-std::vector<Enclosure> real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,
-                                  const Rational& width) {
-  const int count = count_real_roots(p, low, high);
-  if (count == 0) return {};
-  if (count == 1 && high - low <= width) return {{low, high}};
-  const Rational middle = (low + high) / 2;
-  std::vector<Enclosure> result = real_roots(p, low, middle, width);
-  if (p(middle) == 0) result.push_back(Enclosure::exactly(middle));
-  for (const Enclosure& root : real_roots(p, middle, high, width)) result.push_back(root);
-  return result;
-}
-
 std::vector<PolynomialFactor> irreducible_factors(const LaurentPolynomial& p) {
   require(!p.is_zero(), "irreducible_factors: need a non-zero polynomial, got 0");
   return factors_of(p, fmpz_poly_factor);
+}
+
+std::vector<Enclosure> real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,
+                                  const Rational& width) {
+  std::vector<Enclosure> result;
+  for (const PolynomialFactor& factor : irreducible_factors(p)) {
+    if (const auto root = zero_of_linear(factor.polynomial)) {
+      if (low < *root && *root < high) result.push_back(Enclosure::exactly(*root));
+      continue;
+    }
+    const IntegerPolynomial q(factor.polynomial);
+    for (slong bits = 64;; bits *= 2) {
+      std::vector<Enclosure> roots;
+      for (const Ball& ball : isolate(q, bits)) roots.push_back(ball.enclosure(bits + 30));
+      // The zeros are irrational: enough bits tell them from the ends.
+      const auto is_open = [&](const Enclosure& root) {
+        return *root.upper - *root.lower > width || (*root.lower <= low && low <= *root.upper) ||
+               (*root.lower <= high && high <= *root.upper);
+      };
+      if (std::ranges::any_of(roots, is_open)) continue;
+      for (const Enclosure& root : roots)
+        if (low < *root.lower && *root.upper < high) result.push_back(root);
+      break;
+    }
+  }
+  std::ranges::sort(result, {}, [](const Enclosure& root) -> const Rational& { return *root.lower; });
+  return result;
 }
 
 std::optional<RealRoot> largest_real_root(const LaurentPolynomial& p, int bits) {

@@ -19,11 +19,6 @@ bool has_no_real_root(const LaurentPolynomial& p, const Rational& low, const Rat
 /// The zero of a polynomial of degree 1; nothing for another degree. Domain: lowest exponent 0 or more.
 std::optional<Rational> zero_of_linear(const LaurentPolynomial& p);
 
-/// Disjoint intervals with one zero in (low, high) each, in order, of at most this width; a zero that is found to be
-/// rational is one number. Domain: as above, width > 0.
-std::vector<Enclosure> real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,
-                                  const Rational& width);
-
 /// Canonical: irreducible over the rationals, with integer coefficients and lowest exponent 0, or z itself.
 struct PolynomialFactor {
   LaurentPolynomial polynomial;
@@ -32,6 +27,12 @@ struct PolynomialFactor {
 
 /// The irreducible factors, without constants and powers of 1/z. Domain: p not zero. Cost: polynomial, by lattices.
 std::vector<PolynomialFactor> irreducible_factors(const LaurentPolynomial& p);
+
+/// The zeros in (low, high), in order, each enclosed with at most this width; rational ones are one number. Those of
+/// one irreducible factor have disjoint enclosures. Domain: p not zero, lowest exponent 0 or more, low < high, width >
+/// 0. Cost: a factorisation and the balls of the zeros. Ref: [Joh17].
+std::vector<Enclosure> real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,
+                                  const Rational& width);
 
 /// The largest real zero, enclosed, with its multiplicity. Canonical: `value` is one number exactly where the zero is
 /// rational, and only there.

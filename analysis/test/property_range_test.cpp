@@ -3,6 +3,7 @@
 #include <subcert/analysis/family/family_radius.hpp>
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>
@@ -227,6 +228,56 @@ TEST_CASE("signs of the differences over a parameter") {
   CHECK_THROWS_AS(range_of("corner-cutting:w", "convex", "0", "1"), Error);
 }
 
+TEST_CASE("Sobolev exponents over a parameter") {
+  const PropertyRange range = range_of("four-point:w", "sobolev>=1", "-1", "1");
+  check_cover(range, -1, 1);
+  // Shifts are not stable at -1/2.
+  CHECK(verdicts(range) == "n?nyn");
+  CHECK(range.pieces[3].low == q("-1/8"));
+  CHECK(range.pieces[3].high == q("1/4"));
+  CHECK(range.pieces[3].low_included);
+  CHECK(range.pieces[3].high_included);
+  REQUIRE(range.ends.size() == 2);
+  CHECK(range.ends[1].word.empty());
+  CHECK(range.ends[1].holds == Truth::yes);
+  // Both ends are zeros of one polynomial.
+  const PropertyRange irrational = range_of("six-point:w", "sobolev>=3", "0", "1/10");
+  CHECK(verdicts(irrational) == "n?y?n");
+  CHECK(irrational.complete);
+  REQUIRE(irrational.ends.size() == 2);
+  CHECK(irrational.ends[0].polynomial == irrational.ends[1].polynomial);
+  // Above the sum rules for all w: at special values only.
+  CHECK(verdicts(range_of("four-point:w", "sobolev>=12/5", "0", "1/4")) == "nyn");
+  CHECK(verdicts(range_of("four-point:w", "sobolev>=5/2", "0", "1/4")) == "n");
+  CHECK(verdicts(range_of("mask:[1,v,v,1]/(1+v)", "sobolev>=1", "2", "9")) == "nyn");
+  // Polynomials of large degree are not looked for.
+  CHECK_FALSE(range_of("six-point:w", "sobolev>=3001/1000", "0", "1/10").complete);
+}
+
+TEST_CASE("ranges of Sobolev exponents agree with schemes at single values") {
+  Random random;
+  for (const char* scheme : {"four-point:t", "mask:[1,t,t,1]/(1+t)", "ternary-four-point:t", "corner-cutting:t"})
+    for (const char* property : {"sobolev>=1/2", "sobolev>=1", "sobolev>=5/3"}) {
+      const PropertyRange range = range_of(scheme, property, "-3/4", "3/4");
+      check_cover(range, q("-3/4"), q("3/4"));
+      const RangeProperty asked = *parse_range_property(property);
+      for (int round = 0; round < 12; ++round) {
+        const Rational w(random.integer(-74, 74), 99);
+        const auto piece = std::find_if(range.pieces.begin(), range.pieces.end(), [&](const RangePiece& p) {
+          return (p.low_included ? p.low <= w : p.low < w) && (p.high_included ? w <= p.high : w < p.high);
+        });
+        const Mask mask = make_parametric_scheme(scheme).mask.at(w);
+        const Enclosure exponent = sobolev_regularity(mask).exponent;
+        CAPTURE(scheme, property, to_text(w));
+        if (piece->holds == Truth::yes) CHECK(*exponent.lower >= asked.order);
+        if (piece->holds == Truth::no) {
+          CHECK(*exponent.lower < asked.order);
+          CHECK(has_stable_shifts(mask).is_yes());
+        }
+      }
+    }
+}
+
 TEST_CASE("specifications of families") {
   CHECK(make_parametric_scheme("four-point:w").mask.to_text('w') == "[-w,0,1/2+w,1,1/2+w,0,-w]@-3");
   CHECK(make_parametric_scheme("mask:[1-t,1,t]/1@0").specification == "mask:[1-t,1,t]@0");
@@ -239,7 +290,8 @@ TEST_CASE("specifications of families") {
         "regression:stencils=[-1..1;-1..2],at=[0;w],weights=[1;1|1;1;1;1]",
         "regression:stencils=[-40..40;-40..40],at=[0;w],d=3"})
     CHECK_THROWS_AS(make_parametric_scheme(bad), SpecificationError);
-  for (const char* bad : {"", "C", "C-1", "C1/2", "holder>=", "holder>=-1", "C1000", "smooth", "holder>2"})
+  for (const char* bad :
+       {"", "C", "C-1", "C1/2", "holder>=", "holder>=-1", "C1000", "smooth", "holder>2", "sobolev>=", "sobolev>=-1"})
     CHECK_FALSE(parse_range_property(bad));
 }
 

@@ -230,9 +230,9 @@ std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
 Certificate interval_certificate(const ParametricMask& mask, char letter, const Rational& low, const Rational& high,
                                  const CertificateClaim& claim, const std::vector<IntervalProof>& proofs) {
   Certificate certificate{claim, {}};
-  certificate.text = fmt::format("subcert-certificate 3\nexponent {} {} {}={}..{}\n{}sum-rules {}\n",
+  certificate.text = fmt::format("subcert-certificate 3\nexponent {} {} {}={}..{}\n{}sum-rules {}{}\n",
                                  mask.to_text(letter), mask.arity(), letter, to_text(low), to_text(high),
-                                 bounds_text(claim), sum_rules(mask));
+                                 bounds_text(claim), sum_rules(mask), claim.says_rough() ? " full" : "");
   if (proofs.empty() || (claim.upper && *claim.upper != "0")) certificate.text += "stability\n";
   const std::size_t matrices = static_cast<std::size_t>(mask.arity()) * mask.powers().size();
   for (const IntervalProof& proof : proofs) {
@@ -309,20 +309,38 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
 
 std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, char letter, const RangeProperty& property,
                                                  const PropertyRange& range, const Rational& margin) {
-  const bool stable = property.kind == RangeProperty::Kind::stable;
-  if (!stable && range.proofs.empty()) return {};
+  using Kind = RangeProperty::Kind;
+  const bool stable = property.kind == Kind::stable,
+             rough = property.kind == Kind::smooth && property.order >= range.sum_rules;
+  if (!stable && !rough && range.proofs.empty()) return {};
   std::vector<RangeCertificate> certificates;
   auto proof = range.proofs.begin();
+  const auto add = [&](const Rational& low, const Rational& high, Truth holds, const CertificateClaim& claim,
+                       const std::vector<IntervalProof>& proofs) {
+    if (low < high)
+      certificates.push_back({low, high, holds, interval_certificate(mask, letter, low, high, claim, proofs)});
+  };
   for (const RangePiece& piece : range.pieces) {
     if (piece.holds == Truth::unknown || (stable && piece.holds == Truth::no)) continue;
-    const Rational low = piece.low_included ? piece.low : Rational(piece.low + margin),
-                   high = piece.high_included ? piece.high : Rational(piece.high - margin);
-    if (!(low < high)) continue;
+    Rational low = piece.low_included ? piece.low : Rational(piece.low + margin);
+    const Rational high = piece.high_included ? piece.high : Rational(piece.high - margin);
     CertificateClaim claim;
+    if (rough) {
+      if (piece.holds == Truth::yes) continue;
+      claim.upper = "C" + to_text(property.order);
+      // Away from single values, which were looked at on their own.
+      for (const SpecialValue& value : range.special) {
+        if (*value.value.upper < low || *value.value.lower > high) continue;
+        add(low, *value.value.lower - margin, Truth::no, claim, {});
+        low = *value.value.upper + margin;
+      }
+      add(low, high, Truth::no, claim, {});
+      continue;
+    }
     if (!stable) (piece.holds == Truth::yes ? claim.lower : claim.upper) = to_text(property.order);
     std::vector<IntervalProof> proofs;
     for (; proof != range.proofs.end() && proof->low < piece.high; ++proof) proofs.push_back(*proof);
-    certificates.push_back({low, high, piece.holds, interval_certificate(mask, letter, low, high, claim, proofs)});
+    add(low, high, piece.holds, claim, proofs);
   }
   return certificates;
 }

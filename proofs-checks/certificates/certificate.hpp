@@ -11,10 +11,12 @@
 namespace subcert {
 
 /// What a certificate proves, as the checker is to be asked: decimals with 15 places, more for tiny numbers,
-/// rounded outward.
+/// rounded outward; an upper end `C2` says that limits are not C^2.
 struct CertificateClaim {
   std::optional<std::string> lower;
   std::optional<std::string> upper;
+
+  bool says_rough() const { return upper && upper->starts_with('C'); }
 };
 
 struct Certificate {
@@ -41,9 +43,10 @@ struct RangeCertificate {
 };
 
 /// Proves each decided piece of a range. The claim of a proved one is exponent > order, of a refuted one exponent <
-/// order, with order 0 for convergence; stability has no bounds, and smoothness beyond the sum rules has no
-/// certificates. Where the ends of a piece are not included, the certificate stays away from them by `margin`. Domain:
-/// `range` is that of the mask and the property; margin > 0.
+/// order, with order 0 for convergence; stability has no bounds, and smoothness of an order from the number of sum
+/// rules on is refuted between the values that have more of them. Where the ends of a piece are not included, the
+/// certificate stays away from them by `margin`. None for properties that are decided by signs or a spectral radius.
+/// Domain: `range` is that of the mask and the property; margin > 0.
 std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, char letter, const RangeProperty& property,
                                                  const PropertyRange& range, const Rational& margin);
 

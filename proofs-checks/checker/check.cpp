@@ -19,7 +19,8 @@ namespace subcert_check {
 namespace {
 
 /// What is to be proved: about the exponent of a mask with an arity or a dilation, otherwise about the radius of a
-/// family. For a range of a parameter the inequalities are strict. Without any of them: the shifts are stable.
+/// family. For a range of a parameter the inequalities are strict. Or that limits are not C^k for k = `rough`. Without
+/// any of them: the shifts are stable.
 struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
@@ -28,6 +29,7 @@ struct Claim {
   std::optional<Dilation> dilation;
   Family family;
   std::optional<mpq_class> lower, upper;
+  std::optional<std::size_t> rough;
   std::string head, text, subject, file;  // its line in a certificate; what to print; of what; the certificate
 };
 
@@ -87,7 +89,8 @@ class Checker {
   Family read_scheme() {
     const Mask& mask = *claim_.mask;
     const bool of_values = claim_.dilation && reader_.at("differences");
-    const std::size_t sum_rules = parse_size(reader_.take(of_values ? "differences" : "sum-rules", 1, 1)[0], 1, 500);
+    const Fields order = reader_.take(of_values ? "differences" : "sum-rules", 1, claim_.arity != 0 ? 2 : 1);
+    const std::size_t sum_rules = parse_size(order[0], 1, 500);
     if (claim_.dilation) {
       show_exponent(classes(*claim_.dilation), 1, sum_rules);
       require(!of_values || *claim_.lower <= mpz_class(sum_rules),
@@ -103,7 +106,7 @@ class Checker {
     }
     show_exponent(claim_.arity, power(claim_.arity, sum_rules), sum_rules);
     const bool diverges = claim_.range && claim_.upper && *claim_.upper == 0;
-    if ((claim_.upper && !diverges) || !(claim_.lower || claim_.upper) || reader_.at("stability")) {
+    if (claim_.rough || (claim_.upper && !diverges) || !(claim_.lower || claim_.upper) || reader_.at("stability")) {
       reader_.take("stability", 0, 0);
       const mpq_class error = claim_.rounding ? claim_.rounding->distance * mask.denominator : mpq_class(0);
       check_stability(mask, claim_.arity, claim_.range.value_or(Range{}), error, arithmetic_);
@@ -112,7 +115,16 @@ class Checker {
       require(sum_rules == claim_.rounding->sum_rules, "the claim is about masks with another number of sum rules");
       entry_error_ = entry_error(mask, claim_.arity, *claim_.rounding);
     }
-    return transition_family(mask, claim_.arity, sum_rules);
+    const Family family = transition_family(mask, claim_.arity, sum_rules);
+    if (order.size() > 1) {
+      require(order[1] == "full" && !claim_.rounding, "expected 'sum-rules M', or 'sum-rules M full' of one mask");
+      check_full_sum_rules(family, mask.powers - 1, claim_.range.value_or(Range{}), arithmetic_);
+      const mpz_class full = sum_rules;
+      if (claim_.upper && (claim_.range ? *claim_.upper > full : *claim_.upper >= full)) lower_.reset();
+    }
+    require(!claim_.rough || (order.size() > 1 && *claim_.rough >= sum_rules),
+            "less smoothness than that needs the full number of sum rules, and no more of them");
+    return family;
   }
 
   /// An exponent s of a scheme of this order m of sum rules says JSR^root = factor * base^-s, provided that s < m.
@@ -413,6 +425,7 @@ constexpr const char* usage =
     "usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE\n"
     "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'\n"
     "                     [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)\n"
+    "       subcert-check --mask MASK --arity A [--for RANGE] --upper CK FILE    (no C^K limits, K = 1, 2, ...)\n"
     "       subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks\n"
     "                     within EPS of MASK that have M sum rules)\n"
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
@@ -462,15 +475,17 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
              &surface = given["--surface"], &dilation = given["--dilation"], &matrices = given["--matrices"],
              &lower = given["--lower"], &upper = given["--upper"], &file = given["FILE"];
+  const bool rough = upper && upper->starts_with('C');
   require(file && mask.has_value() + surface.has_value() + matrices.has_value() == 1 &&
               mask.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&
               (mask || !(range || rounding)) && !(range && rounding) &&
-              (lower || (upper ? matrices || range : mask.has_value())),
+              (lower || (upper ? matrices || range || rough : mask.has_value())) && (!rough || (mask && !rounding)),
           usage);
   Claim claim;
   claim.file = *file;
   if (lower) claim.lower = parse_rational(*lower);
-  if (upper) claim.upper = parse_rational(*upper);
+  if (rough) claim.rough = parse_size(upper->substr(1), 1, 500);
+  if (upper && !rough) claim.upper = parse_rational(*upper);
   if (range) claim.range = parse_range(*range);
   if (rounding) claim.rounding = parse_rounding(*rounding);
   if (mask) read_scheme_claim("arity", *mask, *arity, claim);
@@ -489,8 +504,9 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   const std::string relation = range ? " < " : " <= ";
   const bool diverges = range && !lower && claim.upper && *claim.upper == 0;
   if (diverges) claim.text = "no convergence";
+  if (rough) claim.text = (lower ? "Hoelder exponent and no C^" : "no C^") + upper->substr(1) + " limits";
   claim.text = (lower ? claim.lower->get_str() + relation : "") + claim.text +
-               (upper && !diverges ? relation + claim.upper->get_str() : "") + " of " + claim.subject;
+               (upper && !diverges && !rough ? relation + claim.upper->get_str() : "") + " of " + claim.subject;
   if (range) {
     claim.head += " " + *range;
     claim.text += " for all " + *range;

@@ -178,6 +178,17 @@ void check_resultant(const Vector& forms, std::size_t degree, unsigned arity, co
   check_positive_form(form, "stability: the resultant of the polyphase parts", arithmetic);
 }
 
+/// The form that is the sum of the squares of forms: their coefficients of u^k v^(n-k), k = 0, ..., n, one after
+/// another.
+Vector sum_of_squares(const std::vector<Vector>& forms, Arithmetic& arithmetic) {
+  Vector squares(2 * forms.size() - 1);
+  for (std::size_t k = 0; k < forms.size(); ++k)
+    for (std::size_t l = 0; l < forms.size(); ++l)
+      for (std::size_t i = 0; i < forms[k].size(); ++i)
+        arithmetic.add_product(squares[k + l], forms[k][i], forms[l][i]);
+  return squares;
+}
+
 /// Whether Phi_n can divide the symbol at a value: its product with all 1 - z^(n/q), q | n a prime, modulo z^n - 1.
 void check_cyclotomic(const Vector& forms, std::size_t degree, std::size_t n, const std::vector<std::size_t>& primes,
                       const mpq_class& error, Arithmetic& arithmetic) {
@@ -192,10 +203,7 @@ void check_cyclotomic(const Vector& forms, std::size_t degree, std::size_t n, co
       for (std::size_t i = 0; i < n; ++i) rest[(i + n / q) % n] -= old[i];
     }
   }
-  Vector squares(2 * degree + 1);
-  for (std::size_t k = 0; k <= degree; ++k)
-    for (std::size_t l = 0; l <= degree; ++l)
-      for (std::size_t i = 0; i < n; ++i) arithmetic.add_product(squares[k + l], rests[k][i], rests[l][i]);
+  Vector squares = sum_of_squares(rests, arithmetic);
   const mpq_class off = error * mpz_class(points) * (mpz_class(1) << primes.size());
   if (error > 0) squares[0] = squares[0] > off * off * mpz_class(n) ? 1 : 0;
   check_positive_form(squares, "stability: the remainder modulo Phi_" + std::to_string(n), arithmetic);
@@ -277,6 +285,23 @@ void check_stability(const Mask& mask, unsigned arity, const Range& range, const
     }
     if (totient < points) check_cyclotomic(forms, degree, n, primes, error, arithmetic);
   }
+}
+
+void check_full_sum_rules(const Family& powers, std::size_t degree, const Range& range, Arithmetic& arithmetic) {
+  const std::vector<Vector> forms = power_forms(range, degree);
+  const std::size_t arity = powers.count() / (degree + 1);
+  // The first columns hold the coefficients of the classes.
+  const auto class_sum = [&](std::size_t t, std::size_t k) {
+    const auto column = powers.matrix(t * (degree + 1) + k).first(powers.size);
+    return std::accumulate(column.begin(), column.end(), mpz_class(0));
+  };
+  std::vector<Vector> differences(degree + 1, Vector(arity));
+  for (std::size_t k = 0; k <= degree; ++k)
+    for (std::size_t t = 0; t < arity; ++t)
+      for (std::size_t j = 0; j <= degree; ++j)
+        arithmetic.add_product(differences[j][t], forms[k][j], class_sum(t, k) - class_sum(0, k));
+  check_positive_form(sum_of_squares(differences, arithmetic), "sum-rules full: what one more sum rule would make 0,",
+                      arithmetic);
 }
 
 void check_eigenvalue(const Family& family, const Vector& weights, const std::vector<std::size_t>& letters,

@@ -32,6 +32,10 @@ Controls control_family(const Family& powers, const Vector& divisor, const Range
 void check_stability(const Mask& mask, unsigned arity, const Range& range, const mpq_class& error,
                      Arithmetic& arithmetic);
 
+/// Section 6.4: rejects unless the mask has no further sum rule for any value of the range. `powers`: the matrices of
+/// all powers up to the degree, one after another for each matrix.
+void check_full_sum_rules(const Family& powers, std::size_t degree, const Range& range, Arithmetic& arithmetic);
+
 /// Rejects unless for all values of the range the product of the letters has a real eigenvalue beyond `re`, or two
 /// eigenvalues whose product is above im^2. `family`: the control matrices, or one of their diagonal blocks. Domain:
 /// one of re and im is 0.

@@ -200,6 +200,7 @@ RangeProperty range_property(const Expectation& expectation) {
   if (expectation.property == "convergent") return {Kind::convergent, 0};
   if (expectation.property == "stable") return {Kind::stable, 0};
   if (expectation.property == "holder") return {Kind::holder, expectation.number};
+  if (expectation.property == "sobolev") return {Kind::sobolev, expectation.number};
   return {expectation.number == 0 ? Kind::convergent : Kind::smooth, expectation.number};
 }
 

@@ -12,7 +12,7 @@ const std::vector<PropertyHelp>& known_properties() {
       {"convergent", "true or false", "uniform convergence for all bounded data", true, true},
       {"smoothness", "\">= K\"", "C^K limits", true, true},
       {"holder", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Hoelder exponent", true, true},
-      {"sobolev", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Sobolev exponent"},
+      {"sobolev", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Sobolev exponent", true, true},
       {"sum_rules", "an integer or a comparison", "the number of sum rules"},
       {"generates", "an integer or a comparison", "the largest degree of polynomials that are limits"},
       {"reproduces", "an integer or a comparison", "the largest degree of polynomials that are reproduced"},

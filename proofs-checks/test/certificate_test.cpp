@@ -513,6 +513,8 @@ TEST_CASE("certificates of ranges are accepted, and prove no more than their cla
         Case{"mask:[-1/18+1/6*u,-1/18-1/6*u,0,7/18-1/2*u,13/18+1/2*u,1,13/18+1/2*u,7/18-1/2*u,0,"
              "-1/18-1/6*u,-1/18+1/6*u],arity=3",
              "C2", 0, 1, "nyn"},
+        // Refuted for lack of sum rules, on both sides of 1/16.
+        Case{"four-point:w", "C2", 0, 1, "nn"}, Case{"mask:[1,v,v,1]/(1+v)", "C1", 2, 9, "nn"},
         // A pair of complex eigenvalues leads.
         Case{"mask:[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]", "holder>=1/2", 0, 2, "yn"}}) {
     CAPTURE(c.scheme, c.property);

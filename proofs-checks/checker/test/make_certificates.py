@@ -310,12 +310,22 @@ def main(out):
             f"bounds {'-' if lower is None else lower} {'-' if upper is None else upper}", f"sum-rules {m}",
             *(["stability"] if stable else []), *(line for section in sections for line in section), "end"]))
 
-    corner = "[w,1-w,1-w,w]"  # SPEC.md, section 6.4
+    corner = "[w,1-w,1-w,w]"  # SPEC.md, section 6.5
     over("corner-converges", corner, "w=1/100..49/100", 1, 0, None, False, ["to 49/100", "block 0 norm 1"])
     over("corner-not-smooth", corner, "w=1/10..1/5", 1, None, 1, True, ["to 1/5", "product 0 11/10 0 0"])
     over("corner-diverges", corner, "w=-2..-1/10", 1, None, 0, False, ["to -1", "product 0 5 0 0"],
          ["to -1/10", "product 0 11/5 0 1"])
     over("corner-stable", corner, "w=-1..499/1000", 1, None, None, True)
+    # one sum rule but for w = 1/4
+    over("corner-rough", corner, "w=3/10..2/5", "1 full", None, "C1", True)
+    over("corner-rough-converges", corner, "w=3/10..2/5", "1 full", 0, "C2", True, ["to 2/5", "block 0 norm 1"])
+    over("corner-full", corner, "w=3/10..2/5", "1 full", 0, "1000001/1000000", True, ["to 2/5", "block 0 norm 1"])
+    write("hat-full", (["--mask", "[1,2,1]/2@-1", "--arity", "2", "--lower", "1", "--upper", "2"], [
+        "subcert-certificate 3", "exponent [1,2,1]/2@-1 2", "bounds 1 2", "sum-rules 2 full", "stability", "block 0 norm 1", "end"]))
+    write("hat-rough", (["--mask", "[1,2,1]/2@-1", "--arity", "2", "--upper", "C2"], [
+        "subcert-certificate 3", "exponent [1,2,1]/2@-1 2", "bounds - C2", "sum-rules 2 full", "stability", "end"]))
+    write("chaikin-rough", (["--mask", "[1,3,3,1]/4", "--arity", "2", "--upper", "C3"], [
+        "subcert-certificate 3", "exponent [1,3,3,1]/4 2", "bounds - C3", "sum-rules 3 full", "stability", "end"]))
     ends = [Q(1, 50), Q(1, 10), Q(4, 25)]
     four = [[Q(0), Q(-1)], [Q(0)], [Q(1, 2), Q(1)], [Q(1)], [Q(1, 2), Q(1)], [Q(0)], [Q(0), Q(-1)]]
     over("four-point-range", "[-w,0,1/2+w,1,1/2+w,0,-w]@-3", f"w={ends[0]}..{ends[-1]}", 2, 1, None, False, *(
@@ -329,6 +339,7 @@ def main(out):
     quotient = "[1,v,v,1]/(1+v)"
     over("quotient-converges", quotient, "v=3/2..9", 1, 0, None, False, ["to 9", "block 0 norm 1"])
     over("quotient-not-smooth", quotient, "v=4..9", 1, None, 1, True, ["to 9", "product 0 11/10 0 0"])
+    over("quotient-rough", quotient, "v=7/2..9", "1 full", None, "C1", True)
     over("quotient-diverges", quotient, "v=-9..-3", 1, None, 0, False, ["to -3", "product 0 2 0 1"])
     over("quotient-stable", quotient, "v=-100..-11/10", 1, None, None, True)
     # 1/q and (q - 1)/q for the halves; on both intervals together a coefficient of q = (v - 1)^2 + 1/100 is negative

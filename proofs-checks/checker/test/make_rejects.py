@@ -429,6 +429,23 @@ reject("range-unstable-end", "corner-stable", "the resultant of the polyphase pa
 reject("range-unstable-cyclic", "corner-stable", "modulo Phi_6 is not", replace("-1..499/1000", "3/4..3/2"),
        arguments=stable.replace("-1..499/1000", "3/4..3/2"))
 reject("range-stable-sections", "corner-stable", "expected 'end'", lambda lines: lines[:-1] + ["to 499/1000", "block 0 norm 1", "end"])
+rough = claims["corner-rough"]
+more = "sum-rules full: what one more sum rule would make 0, is not"
+reject("full-not", "corner-rough", more, replace("3/10..2/5", "1/5..2/5"), arguments=rough.replace("3/10", "1/5"))
+reject("full-not-at-end", "corner-rough", more, replace("3/10..2/5", "1/4..2/5"), arguments=rough.replace("3/10", "1/4"))
+reject("full-not-one-mask", "hat-rough", more, replace("sum-rules 2", "sum-rules 1"))
+reject("full-missing", "corner-rough", "needs the full number of sum rules", replace(" full", ""))
+reject("full-misspelt", "corner-rough", "expected 'sum-rules M', or", replace(" full", " fall"))
+reject("full-twice", "corner-rough", "wrong number of fields", replace(" full", " full full"))
+reject("full-unstable", "corner-rough", "the resultant of the polyphase parts is not", replace("2/5", "3/5"),
+       arguments=rough.replace("2/5", "3/5"))
+reject("full-no-stability", "corner-rough", "expected 'stability'", drop("stability"))
+reject("full-order", "hat-rough", "needs the full number of sum rules", arguments=option(claims["hat-rough"], "upper", "C1"))
+reject("full-equal", "corner-full", "expected 'product'", arguments=option(claims["corner-full"], "upper", "1"))
+reject("full-below", "hat-full", "expected 'product'", arguments=option(claims["hat-full"], "upper", "199/100"))
+reject("full-no-section", "corner-rough-converges", "expected 'block 0", drop("block"))
+reject("full-rounded", "rounded-daubechies", "expected 'sum-rules M', or", replace("sum-rules 2", "sum-rules 2 full"))
+reject("full-surface", "hat-by-hand", "wrong number of fields", replace("sum-rules 2", "sum-rules 2 full"))
 reject("range-pair-high", "pair", crossing, replace("0 7/5", "0 8/5"))
 reject("range-pair-real", "pair", crossing, replace("0 7/5", "7/5 0"))
 (out / "claims.txt").write_text("\n".join(index) + "\n")

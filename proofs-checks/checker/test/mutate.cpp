@@ -42,11 +42,15 @@ std::vector<Case> read_cases(const std::string& directory) {
     words >> c.name;
     Claim subject;
     std::optional<mpq_class> lower, upper;
+    std::optional<int> rough;  // no derivatives of this order
     bool exponent = false, is_range = false;
     for (std::string option, value; words >> option >> value;) {
       if (option == "--lower") lower = mpq_class(value);
       is_range = is_range || option == "--for";
-      if (option == "--upper") upper = mpq_class(value);
+      if (option == "--upper" && value[0] == 'C')
+        rough = std::stoi(value.substr(1));
+      else if (option == "--upper")
+        upper = mpq_class(value);
       if (option == "--lower" || option == "--upper") continue;
       exponent = exponent || option == "--mask" || option == "--surface";
       subject.insert(subject.end(), {option, option == "--matrices" ? directory + "/" + value : value});
@@ -57,8 +61,14 @@ std::vector<Case> read_cases(const std::string& directory) {
       if (high) options.insert(options.end(), {"--upper", high->get_str()});
       return options;
     };
-    c.claim = claim(lower, upper);
     const auto none = std::nullopt;
+    const auto rough_claim = [&](int order) {
+      Claim options = claim(lower, none);
+      options.insert(options.end(), {"--upper", "C" + std::to_string(order)});
+      return options;
+    };
+    c.claim = rough ? rough_claim(*rough) : claim(lower, upper);
+    if (rough && *rough > 2) c.false_claims.push_back(rough_claim(*rough - 2));
     for (const char* step : {"1/1000000000000", "1/10", "2"}) {  // false by a hair and by far
       if (lower && upper) {
         c.false_claims.push_back(claim(*upper + mpq_class(step), none));
@@ -69,7 +79,7 @@ std::vector<Case> read_cases(const std::string& directory) {
     }
     if (!upper) {  // the shifts are not stable, so that no upper end can be proved, or it is about a range
       c.false_claims.push_back(claim(lower.value_or(0) + 2, none));
-      if (lower || is_range) c.false_claims.push_back(claim(lower, lower.value_or(0) + 2));
+      if (!rough && (lower || is_range)) c.false_claims.push_back(claim(lower, lower.value_or(0) + 2));
     }
     std::ifstream file(directory + "/" + c.name + ".cert");
     for (std::string text; std::getline(file, text);) c.lines.push_back(text);

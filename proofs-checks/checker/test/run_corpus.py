@@ -42,6 +42,10 @@ if mode == "usage":
             (64, "--mask [1,1] --arity 2 --within 1/9,0 golden.cert"), (64, "--mask [1,1] --arity 2 --within -1,1 golden.cert"),
             (64, "--mask [1,1] --arity 2 --within 1/9,1,1 golden.cert"), (64, "--mask [1,1] --arity 2 --within , golden.cert"),
             (64, "--mask [w,1] --arity 2 --within 1/9,1 --for w=0..1 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --upper C golden.cert"), (64, "--mask [1,1] --arity 2 --upper C0 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --upper C501 golden.cert"), (64, "--mask [1,1] --arity 2 --upper C-1 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --within 1/9,1 --upper C1 golden.cert"), (64, "--matrices golden.mat --upper C1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --lower 1 --upper C1 golden.cert"),
             (64, "--mask [w,1]/(w --arity 2 --for w=0..1 golden.cert"), (64, "--mask [w,1]/() --arity 2 --for w=0..1 golden.cert"),
             (64, "--mask [1,1]/(2) --arity 2 --lower 1 golden.cert"),
             (64, "--surface [[1,1],[1,1]] --lower 1 golden.cert"), (64, "--mask [1,1] --dilation [2] --lower 1 golden.cert"),
@@ -72,8 +76,11 @@ else:
             subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
                                     for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
             relation = "<" if range_ else "<="
+            rough = upper and upper.startswith("C")
+            if rough:
+                what = ("Hoelder exponent and no C^" if lower else "no C^") + upper[1:] + " limits"
             text = "VERIFIED " + (f"{Fraction(lower)} {relation} " if lower else "") + what
-            text += (f" {relation} {Fraction(upper)}" if upper else "") + f" of {subject}"
+            text += (f" {relation} {Fraction(upper)}" if upper and not rough else "") + f" of {subject}"
             text = text.replace("Hoelder exponent < 0", "no convergence") + (f" for all {range_}" if range_ else "")
             text += f" for all masks within={within}" if within else ""
             expect(name, result == (0, text, ""), result)

@@ -3,7 +3,6 @@
 #include "multivariate_regularity_page.hpp"
 #include "regularity_page.hpp"
 
-#include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
@@ -30,18 +29,11 @@ RegularityPage compute(Scheme scheme, const RegularityOptions& options, const Bu
   HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof, scheme.rounding);
   options.end_progress();
   // A bound that is not positive proves nothing, not even convergence.
-  const bool proves = *regularity.exponent.lower > 0;
-  Decision convergence = proves ? Decision{Truth::yes, "the exponent is positive"}
-                                : converges(scheme.mask,
-                                            {options.levels, Deadline::in(std::max(budget.deadline.remaining(), 0.5))});
   Enclosure holder;
-  if (proves)
-    holder = regularity.exponent;
-  else if (convergence.is_yes())
-    holder = {0, regularity.exponent.upper};
-  const bool complete = regularity.radius.is_closed();
-  return {std::move(scheme), std::move(regularity), std::move(sobolev), std::move(convergence), holder,
-          complete,          watch.seconds()};
+  if (regularity.converges.is_yes())
+    holder = {std::max(Rational(0), *regularity.exponent.lower), regularity.exponent.upper};
+  const bool complete = (regularity.reduced ? regularity.reduced->regularity : regularity).radius.is_closed();
+  return {std::move(scheme), std::move(regularity), std::move(sobolev), holder, complete, watch.seconds()};
 }
 
 ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budget) {
@@ -65,8 +57,8 @@ ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budg
   } else {
     options.answer(page.text() + (claim ? certificate_text(page.regularity, *claim) : ""));
   }
-  if (page.convergence.is_no()) return failed;
-  return page.convergence.is_yes() && page.complete ? done : undecided;
+  if (page.regularity.converges.is_no()) return failed;
+  return page.regularity.converges.is_yes() && page.complete ? done : undecided;
 }
 
 ExitCode run(MultivariateScheme scheme, const RegularityOptions& options, const Budget& budget) {

@@ -5,11 +5,6 @@ namespace {
 
 constexpr long most_coefficients = 120;
 
-/// Only with stable shifts does the exponent bound the smoothness from above.
-Enclosure proved(const SobolevRegularity& sobolev, const Decision& stable) {
-  return stable.is_yes() ? sobolev.exponent : Enclosure::at_least(*sobolev.exponent.lower);
-}
-
 }  // namespace
 
 std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadline& deadline) {
@@ -23,15 +18,16 @@ Json bound_json(const HolderBound& bound) {
 
 Json sobolev_json(const std::optional<SobolevRegularity>& sobolev, const Decision& stable) {
   if (!sobolev) return nullptr;
-  return {{"exponent", enclosure_json(proved(*sobolev, stable))},
+  return {{"exponent", enclosure_json(sobolev->exponent)},
           {"spectral_radius", enclosure_json(sobolev->spectral_radius)},
           {"stable", stable.is_yes()}};
 }
 
 std::string sobolev_text(const SobolevRegularity& sobolev, const Decision& stable) {
-  return enclosure_text(proved(sobolev, stable), 14) +
-         (stable.is_yes() ? "  (L2 smoothness, exact as the shifts are stable)"
-                          : "  (L2 smoothness, a lower bound as the shifts are not proved stable)");
+  return enclosure_text(sobolev.exponent, 14) + (!sobolev.exponent.upper
+                                                     ? "  (L2 smoothness, a lower bound as the shifts are not stable)"
+                                                 : stable.is_yes() ? "  (L2 smoothness, exact as the shifts are stable)"
+                                                                   : "  (L2 smoothness, exact by the reduced mask)");
 }
 
 std::string method_text(const JointSpectralRadius& radius) {

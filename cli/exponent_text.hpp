@@ -15,7 +15,7 @@ std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadli
 /// {"levels", "norm", "holder"}.
 Json bound_json(const HolderBound& bound);
 
-/// The exponent and what stability makes of it; null where there is none.
+/// The exponent, with the stability of the shifts of the mask; null where there is none.
 Json sobolev_json(const std::optional<SobolevRegularity>& sobolev, const Decision& stable);
 std::string sobolev_text(const SobolevRegularity& sobolev, const Decision& stable);
 

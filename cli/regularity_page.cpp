@@ -47,7 +47,7 @@ Json RegularityPage::json() const {
           {"sum_rules", bounds.sum_rules},
           {"bound", bound_json(bounds.last())},
           {"bounds_by_level", by_level},
-          {"converges", to_text(convergence.truth)},
+          {"converges", to_text(regularity.converges.truth)},
           {"radius", enclosure_json(radius.radius)},
           {"holder", enclosure_json(holder)},
           {"exact", radius.exact.is_yes()},
@@ -57,7 +57,7 @@ Json RegularityPage::json() const {
           {"product", word_text(radius.product.word)},
           {"vertices", rational.vertices()},
           {"blocks", rational.by_blocks() ? Json(rational.by_blocks()->triangular.sizes) : Json()},
-          {"stable", regularity.stable.is_yes() && holder.upper.has_value()},
+          {"stable", regularity.stable.is_yes()},
           {"stability", regularity.stable.reason},
           {"logarithm",
            {{"at_least", logarithm.at_least},
@@ -65,13 +65,34 @@ Json RegularityPage::json() const {
             {"derivative", optional_json(logarithm.derivative)},
             {"reason", logarithm.reason}}},
           {"single", decision_json(regularity.single.applies)},
+          {"reduced", reduced_json()},
           {"sobolev", sobolev_json(sobolev, regularity.stable)},
           {"seconds", seconds}};
 }
 
+Json RegularityPage::reduced_json() const {
+  if (!regularity.reduced) return nullptr;
+  const auto& [mask, its] = *regularity.reduced;
+  return {{"factor", mask.factor.to_text()},
+          {"mask", mask.mask.symbol().to_mask_text()},
+          {"radius", enclosure_json(its.radius.radius)},
+          {"product", word_text(its.radius.product.word)},
+          {"exact", its.radius.exact.is_yes()}};
+}
+
+std::string RegularityPage::reduced_text() const {
+  if (!regularity.reduced) return "";
+  const auto& [mask, its] = *regularity.reduced;
+  return fmt::format("reduced      {}: b(z) p(z^{}) = a(z) p(z), p = {}; the same smoothness, {} with {}\n",
+                     mask.mask.symbol().to_mask_text(), mask.mask.arity(), mask.factor.to_text(),
+                     its.converges.is_yes() ? "exponent " + enclosure_text(its.exponent, 14) : "no exponent",
+                     sized_method_text(its.radius));
+}
+
 std::string RegularityPage::exponent_text() const {
   if (!holder.lower && !holder.upper)
-    return convergence.is_no() ? "none, as the scheme does not converge" : "unknown, as convergence is not proved";
+    return regularity.converges.is_no() ? "none, as the scheme does not converge"
+                                        : "unknown, as convergence is not proved";
   const std::string text = enclosure_text(holder, 14);
   if (!holder.upper) return text + "  (a proved lower bound)";
   return text + "  (enclosed with proof" +
@@ -86,7 +107,7 @@ std::string RegularityPage::text() const {
   page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
        << (scheme.rounding ? "rounded      " + rounding_text(*scheme.rounding) + "\n" : "")  //
        << "sum rules    " << bounds.sum_rules << "\n"
-       << "converges    " << subcert::to_text(convergence.truth) << ": " << convergence.reason << "\n"
+       << "converges    " << subcert::to_text(regularity.converges.truth) << ": " << regularity.converges.reason << "\n"
        << "bound        >= " << last.exponent.lower_text(12) << " after " << last.levels << " levels; ||S_b^"
        << last.levels << "|| = " << to_decimal(last.norm, 12, Rounding::nearest) << "\n"
        << "radius       " << enclosure_text(radius.radius, 15) << "  (joint spectral radius, "
@@ -98,7 +119,7 @@ std::string RegularityPage::text() const {
          << enclosure_text(radius.product.radius, 15)
          << (radius.exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
   page << "stable       " << subcert::to_text(regularity.stable.truth) << ": " << regularity.stable.reason << "\n"
-       << "exponent     " << exponent_text() << "\n";
+       << reduced_text() << "exponent     " << exponent_text() << "\n";
   if (holder.lower && *regularity.exponent.lower > 0) page << "attained     " << attained_text(regularity) << "\n";
   if (sobolev) page << "Sobolev      " << sobolev_text(*sobolev, regularity.stable) << "\n";
   if (!complete) page << "budget       the polytope did not close; the enclosure reached is printed\n";

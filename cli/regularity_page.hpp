@@ -12,7 +12,6 @@ struct RegularityPage {
   Scheme scheme;
   HolderRegularity regularity;
   std::optional<SobolevRegularity> sobolev;
-  Decision convergence;
   Enclosure holder;  ///< as far as convergence is proved
   bool complete;     ///< the enclosure is as narrow as it gets
   double seconds;
@@ -22,6 +21,8 @@ struct RegularityPage {
 
  private:
   std::string exponent_text() const;
+  std::string reduced_text() const;
+  Json reduced_json() const;
 };
 
 /// A line where the certificate proves less than the answer says.

@@ -2,7 +2,6 @@
 
 #include "family_radius.hpp"
 
-#include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
@@ -203,7 +202,7 @@ Truth is_in_sobolev_space(const Mask& mask, const Rational& order, const Deadlin
   const auto found = sobolev_regularity(mask, deadline.at_most(special_seconds));
   if (!found) return Truth::unknown;
   if (*found->exponent.lower >= order) return Truth::yes;
-  return *found->exponent.upper < order && has_stable_shifts(mask).is_yes() ? Truth::no : Truth::unknown;
+  return found->exponent.upper && *found->exponent.upper < order ? Truth::no : Truth::unknown;
 }
 
 }  // namespace
@@ -245,9 +244,8 @@ Truth holds_at(const Mask& mask, const RangeProperty& property, const Deadline& 
   const HolderRegularity regularity = holder_regularity(mask, levels, {deadline.at_most(special_seconds)});
   const Enclosure& exponent = regularity.exponent;
   if (property.kind == Kind::smooth) return has_derivatives(regularity, property.order);
-  if (*exponent.lower > property.order) return Truth::yes;
-  if (property.kind == Kind::convergent) return converges(mask, {levels, deadline.at_most(5)}).truth;
-  if (*exponent.lower >= property.order) return Truth::yes;
+  if (property.kind == Kind::convergent) return regularity.converges.truth;
+  if (*exponent.lower >= property.order && regularity.converges.is_yes()) return Truth::yes;
   return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
 }
 

@@ -3,11 +3,14 @@
 #include "radius/rounded_family.hpp"
 #include "stability.hpp"
 
+#include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/analysis/transition/transition.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -15,6 +18,7 @@ namespace subcert {
 namespace {
 
 constexpr long most_rows = 256;
+constexpr double unstable_share = 0.3;  // of the time, where another mask tells the exponent
 
 /// Where the exponent stands among the integers.
 struct IntegerExponent {
@@ -116,6 +120,44 @@ LogarithmicFactor logarithmic_factor(const Mask& mask, const HolderRegularity& r
   return result;
 }
 
+/// Whether the product has a real eigenvalue whose modulus is this power of the arity for each letter.
+bool has_eigenvalue(const MatrixFamily& family, const std::vector<int>& word, const Rational& modulus,
+                    const Deadline& deadline) {
+  if (word.empty()) return false;
+  const auto polynomial = characteristic_polynomial(family.product(word), deadline);
+  const Rational value = power(modulus, static_cast<long>(word.size()));
+  return polynomial && ((*polynomial)(value) == 0 || (*polynomial)(-value) == 0);
+}
+
+/// A radius of at least arity^rules, rules the order of the differences, contradicts convergence (docs/families.md).
+Decision decide_convergence(const Mask& mask, const HolderRegularity& regularity, int levels, const Deadline& deadline,
+                            bool rounded) {
+  if (*regularity.exponent.lower > 0) return {Truth::yes, "the exponent is positive"};
+  const int rules = regularity.bounds.sum_rules;
+  const Rational threshold = power(Rational(mask.arity()), rules);
+  const Decision large{Truth::no, fmt::format("the joint spectral radius of the differences of order {} is at least {}",
+                                              rules, to_text(threshold))};
+  const Enclosure& radius = regularity.radius.radius;
+  if (radius.lower && *radius.lower >= threshold) return large;
+  if (rounded) return {Truth::unknown, "no positive exponent is proved of all masks that are meant"};
+  if (radius.contains(threshold) && !regularity.single.applies.is_yes() &&
+      mask.symbol().length() <= most_rows * (mask.arity() - 1) &&
+      has_eigenvalue(transition_matrices(divided_difference_scheme(mask, rules)), regularity.radius.product.word,
+                     threshold, deadline.after(0.5)))
+    return large;
+  return converges(mask, {levels, deadline.after(0.5)});
+}
+
+/// The exponent of a scheme that converges is that of the reduced mask.
+void use_reduced(HolderRegularity& result, ReducedMask mask, HolderRegularity regularity) {
+  if (result.converges.is_yes()) {
+    result.exponent.lower = std::max(*result.exponent.lower, *regularity.exponent.lower);
+    result.exponent.upper = regularity.exponent.upper;
+    if (result.stable.is_no()) result.logarithm = regularity.logarithm;
+  }
+  result.reduced = std::make_shared<const ReducedRegularity>(ReducedRegularity{std::move(mask), std::move(regularity)});
+}
+
 /// What errors of the coefficients make of those of the divided difference scheme of the order of the sum rules.
 Rational entry_error(const Mask& mask, const MaskRounding& rounding) {
   const auto step = static_cast<std::size_t>(mask.arity());
@@ -128,10 +170,9 @@ Rational entry_error(const Mask& mask, const MaskRounding& rounding) {
   return power(Rational(mask.arity()), rounding.sum_rules) * *std::max_element(errors.begin(), errors.end());
 }
 
-}  // namespace
-
-HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof,
-                                   const std::optional<MaskRounding>& rounding) {
+/// Without a look at other masks.
+HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof,
+                                const std::optional<MaskRounding>& rounding) {
   HolderRegularity result;
   result.bounds = holder_bounds(mask, levels, budget.deadline.after(0.5));
   const int rules = result.bounds.sum_rules, arity = mask.arity();
@@ -169,19 +210,44 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
   const Enclosure& radius = result.radius.radius;
   result.exponent = Enclosure::at_least(
       std::max(*best.exponent.lower, Rational(rules - *log_ratio(*radius.upper, arity).upper)));
-  // A radius of 1 says nothing from above; larger ones do (proofs-checks/certificates/SPEC.md).
-  if (result.stable.is_yes() && radius.lower && *radius.lower > 1)
-    result.exponent.upper = rules - *log_ratio(*radius.lower, arity).lower;
+  // A radius of 1 says nothing from above; larger ones do, and so does the number of sum rules
+  // (proofs-checks/certificates/SPEC.md, theorems 3 and 23).
+  if (result.stable.is_yes()) {
+    if (radius.lower && *radius.lower > 1)
+      result.exponent.upper = rules - *log_ratio(*radius.lower, arity).lower;
+    else if (!rounding)
+      result.exponent.upper = rules;
+  }
+  result.converges = decide_convergence(mask, result, levels, budget.deadline, rounding.has_value());
   result.logarithm = logarithmic_factor(mask, result, budget.deadline);
+  return result;
+}
+
+}  // namespace
+
+HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof,
+                                   const std::optional<MaskRounding>& rounding) {
+  if (rounding) return own_regularity(mask, levels, budget, proof, rounding);
+  ReducedMask other = reduced(mask);
+  const bool needed = other.changes() && is_affine(other.mask) &&
+                      (proof == HolderProof::certificate || has_stable_shifts(mask).is_no());
+  if (!needed) return own_regularity(mask, levels, budget, proof, rounding);
+  HolderRegularity result = own_regularity(mask, levels, {budget.deadline.after(unstable_share), budget.memory}, proof,
+                                           rounding);
+  HolderRegularity stable = own_regularity(other.mask, levels, budget, proof, rounding);
+  use_reduced(result, std::move(other), std::move(stable));
   return result;
 }
 
 Truth has_derivatives(const HolderRegularity& regularity, const Rational& order) {
   const Enclosure& exponent = regularity.exponent;
   if (*exponent.lower > order) return Truth::yes;
+  if (regularity.reduced && regularity.converges.is_yes())
+    return has_derivatives(regularity.reduced->regularity, order);
   if (!exponent.upper) return Truth::unknown;
-  const bool equal = exponent.is_exact() && *exponent.lower == order && regularity.stable.is_yes();
-  return *exponent.upper < order || equal ? Truth::no : Truth::unknown;
+  const bool decided = (exponent.is_exact() && *exponent.lower == order) ||
+                       (*exponent.upper == order && order == regularity.bounds.sum_rules);
+  return *exponent.upper < order || (decided && regularity.stable.is_yes()) ? Truth::no : Truth::unknown;
 }
 
 }  // namespace subcert

@@ -3,7 +3,10 @@
 
 #include "holder_bound.hpp"
 #include "radius/joint_spectral_radius.hpp"
+#include "reduced_mask.hpp"
 #include "single_radius.hpp"
+
+#include <memory>
 
 namespace subcert {
 
@@ -18,6 +21,8 @@ struct LogarithmicFactor {
   std::string reason;
 };
 
+struct ReducedRegularity;
+
 struct HolderRegularity {
   HolderBounds bounds;         ///< by norms of the difference scheme, level by level
   SingleRadius single;         ///< whether one spectral radius is enough
@@ -25,13 +30,23 @@ struct HolderRegularity {
   /// The same radius by rational numbers alone, which a certificate can hold, where `radius` is a single spectral
   /// radius.
   std::optional<JointSpectralRadius> rational;
-  Decision stable;  ///< of the integer shifts; the upper end is claimed only where it is yes
+  Decision converges;  ///< by the exponent, by a product that is too large, or as converges() decides
+  Decision stable;     ///< of the integer shifts; the upper end is claimed only where it is yes
   /// Contains the Hoelder exponent of the limits; the lower end holds where it is positive, and then proves
-  /// convergence.
+  /// convergence. With stable shifts the upper end is never absent: it is at most the number of sum rules. With
+  /// others it is that of the reduced mask.
   Enclosure exponent;
   LogarithmicFactor logarithm;
+  /// Where the shifts are not stable, or only a reduced mask has a certificate: what is known of that one, from which
+  /// the exponent is.
+  std::shared_ptr<const ReducedRegularity> reduced;
 
   const JointSpectralRadius& certifiable() const { return rational ? *rational : radius; }
+};
+
+struct ReducedRegularity {
+  ReducedMask mask;
+  HolderRegularity regularity;
 };
 
 /// What is to be proved: the exponent by whichever argument is shortest, or also with rational numbers for a
@@ -47,7 +62,8 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
                                    const std::optional<MaskRounding>& rounding = std::nullopt);
 
 /// Whether the limits have so many continuous derivatives. An exponent above the order says yes, one below it no; and
-/// with stable shifts also one that is equal to it, as a derivative makes the radius smaller (docs/families.md).
+/// with stable shifts also one that is equal to it, as a derivative makes the radius smaller (docs/families.md), and an
+/// order that is the number of sum rules (SPEC.md, theorem 23).
 /// Domain: `regularity` of a mask; an integer order >= 0.
 Truth has_derivatives(const HolderRegularity& regularity, const Rational& order);
 

@@ -265,10 +265,7 @@ MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factor
     regularities.push_back(holder_regularity(factors[k], levels, {share, budget.memory}));
     const HolderRegularity& one = regularities.back();
     if (!one.stable.is_yes() && !result.stable.is_no()) result.stable = one.stable;
-    if (!(*one.exponent.lower > 0)) {
-      const Decision decision = converges(factors[k]);
-      if (!decision.is_yes() && !result.converges.is_no()) result.converges = decision;
-    }
+    if (!one.converges.is_yes() && !result.converges.is_no()) result.converges = one.converges;
     const auto found = one.bounds.sum_rules >= 1 ? sobolev_regularity(factors[k], budget.deadline) : std::nullopt;
     if (found) sobolev.push_back(*found);
   }
@@ -280,7 +277,6 @@ MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factor
   result.exact = roughest->radius.exact;
   if (sobolev.size() == factors.size())
     result.sobolev = std::min_element(sobolev.begin(), sobolev.end(), by_lower_end)->exponent;
-  if (!result.stable.is_yes() && result.sobolev) result.sobolev->upper.reset();
   if (!(*roughest->exponent.lower > 0)) return result;
   result.exponent.lower = roughest->exponent.lower;
   // The smallest exponent is at most the upper end of any.

@@ -1,6 +1,7 @@
 #include "sobolev.hpp"
 
 #include "radius/cost.hpp"
+#include "reduced_mask.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/error.hpp>
@@ -10,7 +11,10 @@ namespace subcert {
 
 SobolevRegularity sobolev_regularity(const Mask& mask) { return *sobolev_regularity(mask, Deadline()); }
 
-std::optional<SobolevRegularity> sobolev_regularity(const Mask& mask, const Deadline& deadline) {
+std::optional<SobolevRegularity> sobolev_regularity(const Mask& given, const Deadline& deadline) {
+  const ReducedMask other = reduced(given);
+  const bool is_exact = sum_rules(other.mask) >= 1;
+  const Mask& mask = is_exact ? other.mask : given;
   const int rules = sum_rules(mask), arity = mask.arity();
   require(rules >= 1, "sobolev_regularity: need at least one sum rule, got 0");
   const LaurentPolynomial b = divided_difference_scheme(mask, rules).symbol();
@@ -21,7 +25,9 @@ std::optional<SobolevRegularity> sobolev_regularity(const Mask& mask, const Dead
   if (!characteristic || !radius::has_time_for_roots(*characteristic, deadline)) return std::nullopt;
   const Enclosure radius = largest_root_modulus(*characteristic).largest;
   const Enclosure low = log_ratio(*radius.lower / arity, arity), high = log_ratio(*radius.upper / arity, arity);
-  return SobolevRegularity{rules, radius, {rules - *high.upper / 2, rules - *low.lower / 2}};
+  SobolevRegularity result{rules, radius, Enclosure::at_least(rules - *high.upper / 2)};
+  if (is_exact) result.exponent.upper = rules - *low.lower / 2;
+  return result;
 }
 
 }  // namespace subcert

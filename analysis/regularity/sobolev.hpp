@@ -9,7 +9,9 @@ namespace subcert {
 /// With m sum rules and b = the divided difference scheme of order m, the matrix C_{jk} = sum over i of
 /// b_i b_{i + arity*j - k}, |j|, |k| <= N/(arity-1), satisfies sum |coefficients of b^[L]|^2 = (C^L)_{00}; with its
 /// spectral radius r the basic limit function lies in H^s for all s < exponent = m - log_arity(r / arity) / 2, and for
-/// no larger s where the shifts are stable. Ref: [Eir92], [Vil92].
+/// no larger s where the shifts are stable. All of this is about the reduced mask (reduced_mask.hpp), which has the
+/// same exponent and stable shifts; where that has no sum rule it is about the mask itself, and the exponent has no
+/// upper end. Ref: [Eir92], [Vil92].
 struct SobolevRegularity {
   int sum_rules;
   Enclosure spectral_radius;

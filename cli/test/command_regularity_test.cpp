@@ -28,11 +28,20 @@ TEST_CASE("regularity: the fields of the contract") {
     const auto sobolev = run_json(std::string(command) + " dd:n=2").at("sobolev");
     CHECK(has_digits(sobolev.at("exponent"), "lower", "2.440765"));
     CHECK(sobolev.at("stable") == true);
-    // Dependent shifts: no upper end.
+    // Dependent shifts: by the reduced mask, that of the quadratic spline.
     const auto unstable = run_json(std::string(command) + " 'mask:[1,2,2,2,1]/4'", -1).at("sobolev");
-    CHECK(unstable.at("exponent").at("upper") == "inf");
+    CHECK(unstable.at("exponent").at("upper") == "2.5");
     CHECK(unstable.at("stable") == false);
   }
+}
+
+TEST_CASE("regularity: reduced masks") {
+  const auto reduced = run_json("regularity 'mask:[1,3,3,2,3,3,1]/8'", -1);
+  CHECK(reduced.at("stable") == false);
+  CHECK(reduced.at("reduced").at("mask") == "[1,4,6,4,1]/8@-3");
+  CHECK(reduced.at("reduced").at("factor") == "1 + z + z^2");
+  CHECK(reduced.at("holder").at("upper") == "3");
+  CHECK(run_json("regularity dd:n=2").at("reduced").is_null());
 }
 
 TEST_CASE("regularity: surfaces") {

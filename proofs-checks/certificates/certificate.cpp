@@ -189,6 +189,9 @@ std::string bounds_text(const CertificateClaim& claim) {
   return "bounds " + claim.lower.value_or("-") + " " + claim.upper.value_or("-") + "\n";
 }
 
+/// On the line of the sum rules: there are no more of them.
+const char* full_text(bool full) { return full ? " full" : ""; }
+
 std::string point_text(const LatticePoint& point) { return fmt::format("{}", fmt::join(point, ",")); }
 
 Integer common_denominator(const std::vector<LatticeSequence>& sequences) {
@@ -225,6 +228,36 @@ std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
   return text;
 }
 
+/// `product`: the lower bound as well.
+std::string radius_text(const Mask& mask, const JointSpectralRadius& radius, bool product) {
+  return blocks_text(radius) + (product ? product_text(radius) : "") +
+         SectionWriter(static_cast<std::size_t>(mask.arity())).text(radius.proof);
+}
+
+/// What the rational numbers prove; the exponent may be known more sharply by other arguments.
+Rational lower_end(const Mask& mask, const HolderRegularity& regularity) {
+  return regularity.bounds.sum_rules - *log_ratio(regularity.certifiable().proved_upper(), mask.arity()).upper;
+}
+
+/// The claim, and the lines from that of the sum rules on.
+Certificate exponent_lines(const Mask& mask, const HolderRegularity& regularity,
+                           const std::optional<MaskRounding>& rounding) {
+  const int rules = regularity.bounds.sum_rules;
+  const JointSpectralRadius& radius = regularity.certifiable();
+  Certificate result;
+  result.claim.lower = outward(lower_end(mask, regularity), Rounding::down);
+  const std::optional<Rational>& product = radius.product.radius.lower;
+  const bool by_product = product && *product > 1;
+  // The checker shows stability only where the sub-symbols have no common zero at all.
+  if (regularity.stable.is_yes() && (by_product || !rounding) && common_factor_of_cosets(mask).length() == 1)
+    result.claim.upper = by_product ? outward(rules - *log_ratio(*product, mask.arity()).lower, Rounding::up)
+                                    : std::to_string(rules);
+  const bool upper = result.claim.upper.has_value();
+  result.text = fmt::format("sum-rules {}{}\n{}", rules, full_text(upper && !by_product), upper ? "stability\n" : "") +
+                radius_text(mask, radius, upper && by_product);
+  return result;
+}
+
 /// What the proofs of intervals that follow each other say of all values from low to high; without proofs, that the
 /// shifts are stable.
 Certificate interval_certificate(const ParametricMask& mask, char letter, const Rational& low, const Rational& high,
@@ -232,7 +265,7 @@ Certificate interval_certificate(const ParametricMask& mask, char letter, const 
   Certificate certificate{claim, {}};
   certificate.text = fmt::format("subcert-certificate 3\nexponent {} {} {}={}..{}\n{}sum-rules {}{}\n",
                                  mask.to_text(letter), mask.arity(), letter, to_text(low), to_text(high),
-                                 bounds_text(claim), sum_rules(mask), claim.says_rough() ? " full" : "");
+                                 bounds_text(claim), sum_rules(mask), full_text(claim.says_rough()));
   if (proofs.empty() || (claim.upper && *claim.upper != "0")) certificate.text += "stability\n";
   const std::size_t matrices = static_cast<std::size_t>(mask.arity()) * mask.powers().size();
   for (const IntervalProof& proof : proofs) {
@@ -259,25 +292,22 @@ std::string gram_text(const LatticeSequence& gram) {
 
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity,
                                  const std::optional<MaskRounding>& rounding) {
-  // What the rational numbers prove; the exponent may be known more sharply by other arguments.
-  const int rules = regularity.bounds.sum_rules, arity = mask.arity();
-  const JointSpectralRadius& radius = regularity.certifiable();
-  const Rational lower = rules - *log_ratio(radius.proved_upper(), arity).upper;
+  const ReducedRegularity* other = regularity.reduced.get();
+  if (other && !(lower_end(other->mask.mask, other->regularity) > 0)) other = nullptr;
+  const int rules = regularity.bounds.sum_rules;
+  const Rational lower = lower_end(mask, regularity);
   require(lower > 0, "exponent_certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(lower, 6, Rounding::nearest));
-  Certificate certificate;
-  certificate.claim.lower = outward(lower, Rounding::down);
-  // The checker shows stability only where the sub-symbols have no common zero at all.
-  if (regularity.stable.is_yes() && radius.product.radius.lower && *radius.product.radius.lower > 1 &&
-      common_factor_of_cosets(mask).length() == 1)
-    certificate.claim.upper = outward(rules - *log_ratio(*radius.product.radius.lower, arity).lower, Rounding::up);
-  const std::string within = rounding ? fmt::format(" within={},{}", to_text(rounding->distance), rules) : "";
-  certificate.text = fmt::format("subcert-certificate 3\nexponent {} {}{}\n{}sum-rules {}\n",
-                                 mask.symbol().to_mask_text(), arity, within, bounds_text(certificate.claim), rules);
-  if (certificate.claim.upper) certificate.text += "stability\n";
-  certificate.text += blocks_text(radius);
-  if (certificate.claim.upper) certificate.text += product_text(radius);
-  certificate.text += SectionWriter(static_cast<std::size_t>(arity)).text(radius.proof) + "end\n";
+  Certificate certificate = other ? exponent_lines(other->mask.mask, other->regularity, std::nullopt)
+                                  : exponent_lines(mask, regularity, rounding);
+  std::string head = fmt::format("subcert-certificate 3\nexponent {} {}", mask.symbol().to_mask_text(), mask.arity());
+  if (rounding) head += fmt::format(" within={},{}", to_text(rounding->distance), rules);
+  head += "\n" + bounds_text(certificate.claim);
+  if (other) {
+    head += fmt::format("reduced {} {}\n", other->mask.factor.to_mask_text(), other->mask.mask.symbol().to_mask_text());
+    certificate.text += fmt::format("sum-rules {}\n", rules) + radius_text(mask, regularity.certifiable(), false);
+  }
+  certificate.text = head + certificate.text + "end\n";
   return certificate;
 }
 

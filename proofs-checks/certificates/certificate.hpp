@@ -25,7 +25,7 @@ struct Certificate {
 };
 
 /// Proves bounds of the Hoelder exponent for this mask, or with `rounding` for all masks that are meant. Domain:
-/// `regularity` is that of the mask and the rounding. Errors: throws
+/// `regularity` is that of the mask and the rounding. Shifts that are not stable: by the reduced mask. Errors: throws
 /// Error where the rational evidence (polytope or norms) proves nothing positive from below; what the
 /// single spectral radius proves beyond that has no certificate.
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity,

@@ -36,15 +36,16 @@ struct Claim {
 class Checker {
  public:
   Checker(const Claim& claim, Reader& reader)
-      : claim_(claim), reader_(reader), lower_(claim.lower), upper_(claim.upper) {}
+      : claim_(claim), reader_(reader), lower_(claim.lower), upper_(claim.upper), strict_(claim.range.has_value()) {}
 
   /// Returns if the certificate proves the claim.
   void run() {
     reader_.take("subcert-certificate 3", 0, 0);
     reader_.take(claim_.head, 0, 0);
     reader_.take("bounds", 2, 2);
-    const Family family = claim_.mask ? read_scheme() : claim_.family;
-    if (claim_.range)
+    if (claim_.arity != 0 && !claim_.range && reader_.at("reduced"))
+      read_reduced();
+    else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
       read_intervals(family);
     else
       read_bounds(family, claim_.arity != 0);
@@ -53,6 +54,35 @@ class Checker {
   }
 
  private:
+  /// Section 4.9: the exponent of another mask, and convergence of the scheme.
+  void read_reduced() {
+    const Mask& mask = *claim_.mask;
+    require(claim_.lower && !claim_.rounding, "a reduced mask tells the exponent of one mask, with a lower end");
+    const Fields fields = reader_.take("reduced", 2, 2);
+    const Mask factor = parse_mask(fields[0], '\0'), other = parse_mask(fields[1], '\0');
+    for (const Mask* one : {&factor, &other})
+      require(one->sizes.size() == 1 && one->points() <= 1000 && one->coefficients.front() != 0 &&
+                  one->coefficients.back() != 0,
+              "a reduced mask and its factor have 1 to 1000 coefficients, the first and the last not zero");
+    const Vector& p = factor.coefficients;
+    require(std::accumulate(p.begin(), p.end(), mpz_class(0)) != 0, "the factor of the reduced mask is 0 at 1");
+    const auto product = [&](const Mask& symbol, std::size_t step, const mpz_class& scale) {
+      Vector result(symbol.points() + step * (p.size() - 1));
+      for (std::size_t i = 0; i < symbol.points(); ++i)
+        for (std::size_t j = 0; j < p.size(); ++j)
+          arithmetic_.add_product(result[i + step * j], symbol.coefficients[i] * scale, p[j]);
+      return result;
+    };
+    require(product(mask, 1, other.denominator) == product(other, claim_.arity, mask.denominator),
+            "the reduced mask is not that of the mask and the factor");
+    read_bounds(read_scheme(other), true);
+    const std::size_t sum_rules = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 500);
+    lower_.reset();
+    upper_ = power(claim_.arity, sum_rules);
+    strict_ = true;
+    read_bounds(transition_family(mask, claim_.arity, sum_rules), true);
+  }
+
   /// Section 6.1: intervals that cover the range, one after another.
   void read_intervals(const Family& powers) {
     const mpq_class& high = claim_.range->high;
@@ -85,9 +115,8 @@ class Checker {
     }
   }
 
-  /// The transition matrices of the mask of the claim, and what is to be shown of them.
-  Family read_scheme() {
-    const Mask& mask = *claim_.mask;
+  /// The transition matrices of the mask, and what is to be shown of them.
+  Family read_scheme(const Mask& mask) {
     const bool of_values = claim_.dilation && reader_.at("differences");
     const Fields order = reader_.take(of_values ? "differences" : "sum-rules", 1, claim_.arity != 0 ? 2 : 1);
     const std::size_t sum_rules = parse_size(order[0], 1, 500);
@@ -404,7 +433,7 @@ class Checker {
   void use_upper_bound(const mpq_class& value, std::size_t exponent) const {
     if (!upper_) return;
     const mpq_class proved = power(value, root_), wanted = power(*upper_, exponent);
-    require(*upper_ >= 0 && (claim_.range ? proved < wanted : proved <= wanted), "the bound does not prove the claim");
+    require(*upper_ >= 0 && (strict_ ? proved < wanted : proved <= wanted), "the bound does not prove the claim");
   }
 
   const Claim& claim_;
@@ -412,9 +441,10 @@ class Checker {
   Arithmetic arithmetic_;
   Vector weights_{1};          // of the control matrices
   mpq_class entry_error_ = 0;  // of the matrices, where the mask is rounded
-  // What is to be shown: lower <= JSR^root <= upper (over a range: <); and JSR^root > above, where there is a lower
+  // What is to be shown: lower <= JSR^root <= upper (`strict`: <); and JSR^root > above, where there is a lower
   // end.
   std::optional<mpq_class> lower_, upper_;
+  bool strict_;
   mpq_class above_ = 0;
   std::size_t root_ = 1;
 };

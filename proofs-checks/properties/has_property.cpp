@@ -47,6 +47,13 @@ Decision compare(const Enclosure& value, const Expectation& expectation, const s
   return {Truth::unknown, found};
 }
 
+/// By contraction, or by the exponent.
+Decision convergence_of(const Mask& mask, double seconds) {
+  Decision decision = converges(mask, {levels, Deadline::in(seconds)});
+  if (decision.truth != Truth::unknown) return decision;
+  return holder_regularity(mask, levels, {Deadline::in(seconds)}).converges;
+}
+
 Decision smoothness(const Mask& mask, const Expectation& expectation, double seconds) {
   const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
   if (convergence.is_no()) return decided(false, "not convergent: " + convergence.reason);
@@ -69,16 +76,15 @@ Decision holder(const Mask& mask, const Expectation& expectation, double seconds
 }
 
 Decision sobolev(const Mask& mask, const Expectation& expectation, double seconds) {
-  const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
+  const Decision convergence = convergence_of(mask, seconds);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   const auto found = sobolev_regularity(mask, Deadline::in(seconds));
   if (!found) return {Truth::unknown, "the spectral radius was not computed in time"};
-  const bool stable = has_stable_shifts(mask).is_yes();
-  return compare(stable ? found->exponent : Enclosure::at_least(*found->exponent.lower), expectation, "the exponent");
+  return compare(found->exponent, expectation, "the exponent");
 }
 
 Decision variance(const Mask& mask, const Expectation& expectation, double seconds) {
-  const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
+  const Decision convergence = convergence_of(mask, seconds);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   try {
     VarianceOptions options;
@@ -168,9 +174,9 @@ Decision property_of(const Scheme& scheme, const Expectation& expectation, doubl
     if (auto decision = property_of_rounded(scheme, expectation, seconds)) return *std::move(decision);
   const Mask& mask = scheme.mask;
   const std::string& property = expectation.property;
-  if (property == "convergent") return matches(converges(mask, {levels, Deadline::in(seconds)}), expectation.yes);
+  if (property == "convergent") return matches(convergence_of(mask, seconds), expectation.yes);
   if (property == "stable") {
-    const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
+    const Decision convergence = convergence_of(mask, seconds);
     if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
     return matches(has_stable_shifts(mask), expectation.yes);
   }

@@ -2,6 +2,7 @@
 #include <subcert/analysis/difference/difference_space.hpp>
 #include <subcert/analysis/regularity/radius/one_block.hpp>
 #include <subcert/analysis/regularity/radius/similarity.hpp>
+#include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -111,10 +112,56 @@ TEST_CASE("known exponents are enclosed to 1e-12") {
   }
 }
 
-TEST_CASE("without stability no upper end is claimed") {
-  const HolderRegularity regularity = regularity_of("mask:[1,2,2,2,1]/4");
-  CHECK(regularity.stable.is_no());
-  CHECK_FALSE(regularity.exponent.upper.has_value());
+TEST_CASE("shifts that are not stable: the exponent and the certificate of the reduced mask") {
+  struct Case {
+    const char *mask, *factor;
+    int exponent;
+  };
+  for (const Case& c : {Case{"mask:[1,1,1,1]/2", "1 + z", 1}, Case{"mask:[1,2,2,2,1]/4", "1 + z", 2},
+                        Case{"mask:[1,3,3,2,3,3,1]/8", "1 + z + z^2", 3}, Case{"mask:[1,1,0,1,1]/2", "1 + z + z^2", 1},
+                        Case{"mask:[1,1,1,1,1,1,1,1,1]/3,arity=3", "1 + z + z^2", 1}}) {
+    CAPTURE(c.mask);
+    const HolderRegularity regularity = regularity_of(c.mask);
+    CHECK(regularity.stable.is_no());
+    REQUIRE(regularity.reduced);
+    const Mask mask = make_scheme(c.mask).mask;
+    const ReducedMask& other = regularity.reduced->mask;
+    CHECK(other.factor.to_text() == c.factor);
+    CHECK(mask.symbol() * other.factor == other.factor.dilated(mask.arity()) * other.mask.symbol());
+    CHECK(has_stable_shifts(other.mask).is_yes());
+    CHECK(regularity.exponent.is_exact());
+    CHECK(*regularity.exponent.lower == c.exponent);
+    CHECK(has_derivatives(regularity, c.exponent) == Truth::no);
+    CHECK(has_derivatives(regularity, c.exponent - 1) == Truth::yes);
+    const Certificate certificate = exponent_certificate(mask, regularity);
+    CHECK(certificate.claim.upper == std::to_string(c.exponent));
+    CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
+    CHECK_FALSE(proves(subject_of(mask), std::to_string(c.exponent) + "1/10", "", certificate.text));
+  }
+  // Continuous, but the scheme does not converge.
+  const HolderRegularity divergent = regularity_of("mask:[1,0,0,2,0,0,1]/2");
+  CHECK(divergent.converges.is_no());
+  CHECK_FALSE(divergent.exponent.upper.has_value());
+}
+
+TEST_CASE("with stable shifts an upper end is never absent, and divergence is proved by products") {
+  // Beside the 4-point scheme: no product with a radius above 1 is found.
+  const std::string w = "1000000000000000000000000000016/16000000000000000000000000000000";
+  const Mask mask = make_scheme("four-point:w=" + w).mask;
+  const HolderRegularity near = holder_regularity(mask, 8, {Deadline::in(2)}, HolderProof::certificate);
+  REQUIRE(near.exponent.upper.has_value());
+  CHECK(*near.exponent.upper == 2);
+  CHECK(has_derivatives(near, 2) == Truth::no);
+  const Certificate certificate = exponent_certificate(mask, near);
+  CHECK(proves(subject_of(mask), *certificate.claim.lower, "2", certificate.text));
+  CHECK(proves(subject_of(mask), "", "C2", certificate.text));
+  CHECK_FALSE(proves(subject_of(mask), "", "C1", certificate.text));
+  const HolderRegularity divergent = regularity_of("mask:[33/50,15709/10000,17/50,-5709/10000]");
+  CHECK(divergent.converges.is_no());
+  CHECK(divergent.stable.is_yes());
+  CHECK(regularity_of("mask:[1,1]").converges.is_no());
+  CHECK(regularity_of("four-point:w=-1/2").converges.is_no());
+  CHECK(regularity_of("four-point:w=1/2").converges.is_no());
 }
 
 TEST_CASE("certificates of the program are proved by the checker, false claims are not") {

@@ -326,6 +326,16 @@ def main(out):
         "subcert-certificate 3", "exponent [1,2,1]/2@-1 2", "bounds - C2", "sum-rules 2 full", "stability", "end"]))
     write("chaikin-rough", (["--mask", "[1,3,3,1]/4", "--arity", "2", "--upper", "C3"], [
         "subcert-certificate 3", "exponent [1,3,3,1]/4 2", "bounds - C3", "sum-rules 3 full", "stability", "end"]))
+    # shifts not stable; SPEC.md, section 4.9
+    def reduced(name, mask, factor, other, exponent, own, *more, upper=None):
+        write(name, (["--mask", mask, "--arity", "2", "--lower", f"{exponent}", "--upper", upper or f"{exponent}"], [
+            "subcert-certificate 3", f"exponent {mask} 2", f"bounds {exponent} {upper or exponent}", f"reduced {factor} {other}",
+            f"sum-rules {exponent + 1}{' full' if upper else ''}", "stability", *([] if upper else ["product 0 2 0 0"]),
+            "block 0 norm 1", f"sum-rules {own}", *more, "end"]))
+
+    reduced("trapezoid-reduced", "[1,1,1,1]/2", "[1,1]", "[1,2,1]/2", 1, 1, "block 0 norm 2")
+    reduced("spline-reduced", "[1,3,3,2,3,3,1]/8@-3", "[1,1,1]", "[1,4,6,4,1]/8", 3, 4, "block 0 norm 1")
+    reduced("trapezoid-rough", "[1,1,1,1]/2", "[1,1]", "[1,2,1]/2", 1, 1, "block 0 norm 2", upper="C2")
     ends = [Q(1, 50), Q(1, 10), Q(4, 25)]
     four = [[Q(0), Q(-1)], [Q(0)], [Q(1, 2), Q(1)], [Q(1)], [Q(1, 2), Q(1)], [Q(0)], [Q(0), Q(-1)]]
     over("four-point-range", "[-w,0,1/2+w,1,1/2+w,0,-w]@-3", f"w={ends[0]}..{ends[-1]}", 2, 1, None, False, *(

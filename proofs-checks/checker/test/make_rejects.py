@@ -446,6 +446,32 @@ reject("full-below", "hat-full", "expected 'product'", arguments=option(claims["
 reject("full-no-section", "corner-rough-converges", "expected 'block 0", drop("block"))
 reject("full-rounded", "rounded-daubechies", "expected 'sum-rules M', or", replace("sum-rules 2", "sum-rules 2 full"))
 reject("full-surface", "hat-by-hand", "wrong number of fields", replace("sum-rules 2", "sum-rules 2 full"))
+trapezoid = claims["trapezoid-reduced"]
+reject("reduced-factor", "trapezoid-reduced", "is not that of the mask and the factor", replace("reduced \\[1,1\\]", "reduced [1,2]"))
+reject("reduced-mask", "trapezoid-reduced", "is not that of the mask and the factor", replace("\\[1,2,1\\]/2", "[1,2,1]/3"))
+reject("reduced-length", "trapezoid-reduced", "is not that of the mask and the factor", replace("\\[1,2,1\\]/2", "[1,1]"))
+reject("reduced-zero-at-1", "trapezoid-reduced", "is 0 at 1", replace("reduced \\[1,1\\]", "reduced [1,-1]"))
+reject("reduced-zero-first", "trapezoid-reduced", "the first and the last not zero", replace("reduced \\[1,1\\]", "reduced [0,1,1]"))
+reject("reduced-by-1", "trapezoid-reduced", "the polyphase parts may have a common zero",
+       lambda lines: replace("reduced .*", "reduced [1] [1,1,1,1]/2")(replace("sum-rules 2", "sum-rules 1")(lines)))
+reject("reduced-fields", "trapezoid-reduced", "wrong number of fields", replace("reduced \\[1,1\\]", "reduced"))
+reject("reduced-text", "trapezoid-reduced", "line 4", replace("reduced \\[1,1\\]", "reduced 1,1"))
+reject("reduced-no-convergence", "trapezoid-reduced", "expected 'sum-rules'",
+       lambda lines: lines[:-3] + ["end"])
+reject("reduced-convergence-open", "trapezoid-reduced", "does not prove the claim", replace("norm 2", "norm 1"))
+# the hat at a third of the scale: continuous, but the scheme does not converge
+reject("reduced-divergent", "trapezoid-reduced", "does not prove the claim",
+       lambda lines: replace("sum-rules 1", "sum-rules 2")(replace("norm 2", "norm 8")(replace("reduced .*", "reduced [1,2,3,2,1] [1,2,1]/2")(
+           replace("\\[1,1,1,1\\]/2", "[1,0,0,2,0,0,1]/2")(lines)))),
+       arguments=trapezoid.replace("[1,1,1,1]", "[1,0,0,2,0,0,1]"))
+reject("reduced-no-stability", "trapezoid-reduced", "expected 'stability'", drop("stability"))
+reject("reduced-product", "trapezoid-reduced", "proves no positive spectral radius", replace("product 0 2", "product 0 1"))
+reject("reduced-stable-claim", "trapezoid-reduced", "with a lower end", arguments=option(option(trapezoid, "lower", None), "upper", None))
+reject("reduced-only-rough", "trapezoid-rough", "with a lower end", arguments=option(claims["trapezoid-rough"], "lower", None))
+reject("reduced-not-rough", "trapezoid-rough", "needs the full number of sum rules", arguments=option(claims["trapezoid-rough"], "upper", "C1"))
+reject("reduced-high", "trapezoid-reduced", "does not prove the claim", arguments=option(trapezoid, "lower", "11/10"))
+reject("reduced-low", "trapezoid-reduced", "does not prove the claim", arguments=option(trapezoid, "upper", "9/10"))
+reject("reduced-range", "corner-rough", "expected 'sum-rules'", replace("^sum-rules", "reduced [1] [1,1]\nsum-rules"))
 reject("range-pair-high", "pair", crossing, replace("0 7/5", "0 8/5"))
 reject("range-pair-real", "pair", crossing, replace("0 7/5", "7/5 0"))
 (out / "claims.txt").write_text("\n".join(index) + "\n")

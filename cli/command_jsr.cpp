@@ -2,13 +2,19 @@
 
 #include "command.hpp"
 #include "exponent_text.hpp"
+#include "matrices.hpp"
+#include "parameter_range.hpp"
 
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
-#include <sstream>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace subcert::cli {
 namespace {
@@ -16,76 +22,116 @@ namespace {
 struct JsrOptions : SearchOptions {
   std::string file;
   std::string certificate;
+  std::string lower, upper;
 };
 
-constexpr std::size_t most_matrices = 64, largest_size = 256, longest_number = 4000;
-
-Rational read_entry(const nlohmann::json& entry, const std::string& where) {
-  const std::string text = entry.is_string()           ? entry.get<std::string>()
-                           : entry.is_number_integer() ? entry.dump()
-                                                       : std::string();
-  const auto value = text.size() > longest_number ? std::nullopt : parse_rational(text);
-  if (!value)
-    fail(ErrorKind::data, "{}: expected an exact number \"p\" or \"p/q\", got {}", where, entry.dump().substr(0, 40));
-  return *value;
+std::optional<Rational> read_bound(const std::string& name, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto value = parse_number(text);
+  if (!value || *value < 0) fail(ErrorKind::usage, "{}: expected a number that is not negative, got '{}'", name, text);
+  return value;
 }
 
-MatrixFamily read_matrices(const std::string& file) {
-  const auto json = nlohmann::json::parse(read_file(file), nullptr, false);
-  if (json.is_discarded()) fail(ErrorKind::data, "{}: not a JSON file", file);
-  if (!json.is_object() || !json.contains("matrices") || !json["matrices"].is_array() || json["matrices"].empty() ||
-      json["matrices"].size() > most_matrices)
-    fail(ErrorKind::data, "{}: expected {{\"matrices\": [...]}} with 1 to 64 matrices", file);
-  std::vector<RationalMatrix> result;
-  const std::size_t size = json["matrices"][0].is_array() ? json["matrices"][0].size() : 0;
-  if (size < 1 || size > largest_size) fail(ErrorKind::data, "{}, matrix 0: expected 1 to 256 rows", file);
-  for (const auto& rows : json["matrices"]) {
-    const std::string name = file + ", matrix " + std::to_string(result.size());
-    if (!rows.is_array() || rows.size() != size) fail(ErrorKind::data, "{}: expected {} rows", name, size);
-    RationalMatrix matrix(size, size);
-    for (std::size_t i = 0; i < size; ++i) {
-      const std::string where = name + ", row " + std::to_string(i);
-      if (!rows[i].is_array() || rows[i].size() != size) fail(ErrorKind::data, "{}: expected {} entries", where, size);
-      for (std::size_t j = 0; j < size; ++j)
-        matrix(i, j) = read_entry(rows[i][j], where + ", entry " + std::to_string(j));
+/// A bound that was asked for, and whether it is proved (yes) or refuted (no).
+struct Bound {
+  std::string name;
+  Rational value;
+  Truth holds;
+};
+
+/// What the enclosure says of both bounds.
+std::vector<Bound> decided(const Enclosure& radius, const std::optional<Rational>& lower,
+                           const std::optional<Rational>& upper) {
+  const auto truth = [](bool proved, bool refuted) {
+    return proved ? Truth::yes : refuted ? Truth::no : Truth::unknown;
+  };
+  std::vector<Bound> result;
+  if (lower) result.push_back({"lower", *lower, truth(*radius.lower >= *lower, *radius.upper < *lower)});
+  if (upper) result.push_back({"upper", *upper, truth(*radius.upper <= *upper, *radius.lower > *upper)});
+  return result;
+}
+
+/// Ends as soon as each bound that was asked for is proved or refuted.
+JointSpectralRadius radius_of(const MatrixFamily& family, const std::optional<Rational>& lower,
+                              const std::optional<Rational>& upper, const Budget& budget) {
+  std::optional<ProductEvidence> product;
+  if (lower) {
+    product = find_product_above(family, *lower, {budget.deadline.after(upper ? 0.3 : 0.5), budget.memory});
+    if (product->exact) product->radius = Enclosure::exactly(*product->exact);
+    if (!upper && *product->radius.lower >= *lower) {
+      const NormProof norms = norm_of_products(family, {budget.deadline.at_most(0.1), budget.memory});
+      return {{product->radius.lower, norms.bound()},
+              *product,
+              {Truth::unknown, "a bound was asked for, and nothing else"},
+              {},
+              norms};
     }
-    result.push_back(std::move(matrix));
+  }
+  // Just below, so that the lower bound is refuted.
+  const auto target = upper || !lower ? upper : std::optional(Rational(*lower * (1 - power(Rational(2), -40))));
+  JointSpectralRadius result = joint_spectral_radius(family, budget, std::nullopt, target);
+  if (product && *product->radius.lower > *result.radius.lower) {
+    result.radius.lower = product->radius.lower;
+    if (!result.by_blocks()) result.product = std::move(*product);
   }
   return result;
 }
 
+Json json_of(const JointSpectralRadius& radius, const std::vector<int>& word, const std::vector<Bound>& bounds,
+             std::size_t size) {
+  const BlockProof* blocks = radius.by_blocks();
+  Json json{{"radius", enclosure_json(radius.radius)},
+            {"exact", radius.exact.is_yes()},
+            {"exactness", radius.exact.reason},
+            {"closed", radius.is_closed()},
+            {"product", word},
+            {"method", method_text(radius)},
+            {"vertices", radius.vertices()},
+            {"blocks", blocks ? Json(blocks->triangular.sizes) : Json({size})}};
+  for (const Bound& bound : bounds)
+    json[bound.name] = {{"value", to_text(bound.value)}, {"verdict", verdict_text(bound.holds)}};
+  return json;
+}
+
+std::string text_of(const JointSpectralRadius& radius, const std::vector<int>& word, const std::vector<Bound>& bounds) {
+  const BlockProof* blocks = radius.by_blocks();
+  std::string text;
+  if (blocks) text += "blocks       " + sizes_text(blocks->triangular.sizes) + "\n";
+  text += fmt::format("radius       {}  ({})\nproduct      {}  (radius {}{})\n", enclosure_text(radius.radius, 14),
+                      sized_method_text(radius), fmt::join(word, " "), enclosure_text(radius.product.radius, 14),
+                      radius.exact.is_yes() ? ", proved to attain the joint spectral radius" : "");
+  for (const Bound& bound : bounds)
+    text += fmt::format("{}{}: {}\n", padded(bound.name, 13), to_text(bound.value), verdict_text(bound.holds));
+  return text;
+}
+
 ExitCode run(const JsrOptions& options) {
-  const MatrixFamily matrices = read_matrices(options.file);
+  const MatricesFile file = read_matrices(options.file);
+  const auto lower = read_bound("--lower", options.lower), upper = read_bound("--upper", options.upper);
+  std::optional<LiftedFamily> lift;
+  if (!file.graph.empty()) lift = lifted(file.family, file.graph);
+  const MatrixFamily& family = lift ? lift->family : file.family;
   options.progress("products and polytopes");
-  const Budget budget = options.limits();
-  const JointSpectralRadius radius = joint_spectral_radius(matrices, budget);
+  const JointSpectralRadius radius = radius_of(family, lower, upper, options.limits());
   options.end_progress();
   if (!options.certificate.empty()) {
-    runtime::write_file(options.certificate, radius_certificate(matrices, radius).text);
-    runtime::write_file(options.certificate + ".matrices", matrices_text(matrices));
+    runtime::write_file(options.certificate, radius_certificate(family, radius).text);
+    runtime::write_file(options.certificate + ".matrices", matrices_text(family));
   }
-  const BlockProof* blocks = radius.by_blocks();
-  if (options.json) {
-    options.answer(Json{{"radius", enclosure_json(radius.radius)},
-                        {"exact", radius.exact.is_yes()},
-                        {"exactness", radius.exact.reason},
-                        {"closed", radius.is_closed()},
-                        {"product", radius.product.word},
-                        {"method", method_text(radius)},
-                        {"vertices", radius.vertices()},
-                        {"blocks", blocks ? Json(blocks->triangular.sizes) : Json({matrices.size()})}});
-  } else {
-    std::ostringstream text;
-    text << "matrices     " << matrices.count() << " of size " << matrices.size() << "\n"
-         << (blocks ? "blocks       " + sizes_text(blocks->triangular.sizes) + "\n" : "") << "radius       "
-         << enclosure_text(radius.radius, 14) << "  (" << sized_method_text(radius) << ")\n"
-         << "product     ";
-    for (int letter : radius.product.word) text << " " << letter;
-    text << "  (radius " << enclosure_text(radius.product.radius, 14)
-         << (radius.exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
-    options.answer(text.str());
-  }
-  return radius.is_closed() ? done : undecided;
+  std::vector<int> word = radius.product.word;
+  if (lift)
+    for (int& letter : word) letter = lift->letters[static_cast<std::size_t>(letter)];
+  const std::vector<Bound> bounds = decided(radius.radius, lower, upper);
+  std::string head = fmt::format("matrices     {} of size {}\n", file.family.count(), file.family.size());
+  if (lift)
+    head += fmt::format("graph        {} successions, {} matrices of size {}\n", file.graph.size(), family.count(),
+                        family.size());
+  options.answer(json_of(radius, word, bounds, family.size()), head + text_of(radius, word, bounds));
+  if (bounds.empty()) return radius.is_closed() ? done : undecided;
+  const auto any = [&](Truth truth) {
+    return std::ranges::any_of(bounds, [=](const Bound& b) { return b.holds == truth; });
+  };
+  return any(Truth::no) ? failed : any(Truth::unknown) ? undecided : done;
 }
 
 }  // namespace
@@ -96,7 +142,14 @@ void add_jsr(Command& app) {
       app, "jsr", "The joint spectral radius of rational matrices, enclosed with proof",
       "subcert jsr pair.json    with {\"matrices\": [[[\"1\",\"1\"],[\"0\",\"1\"]], [[\"1\",\"0\"],[\"1\",\"1\"]]]}",
       options, [=] { return run(*options); });
-  command.option("FILE", options->file, "JSON file").required();
+  command
+      .option(
+          "FILE", options->file,
+          "JSON, {\"matrices\": [...]}, where numbers are integers, decimals or \"p/q\", with \"edges\": [[from, to, "
+          "matrix], ...] if a graph says what may follow what; or lines 'matrices COUNT SIZE' and 'row ...'")
+      .required();
+  command.option("--lower", options->lower, "Ends as soon as the radius is proved to be at least that, or not to be");
+  command.option("--upper", options->upper, "The same for at most");
   add_limits(command, *options);
   command.option("--certificate", options->certificate,
                  "Write a certificate there, and the matrices beside it as FILE.matrices");

@@ -109,8 +109,7 @@ ExitCode run(const ParameterRangeOptions& options) {
   const auto property = parse_range_property(options.property);
   if (!property) fail(ErrorKind::usage, "--property: expected {}, got '{}'", properties, options.property);
   const auto [low, high] = read_over(options.over, scheme.parameter);
-  auto width = parse_rational(options.width);
-  if (const auto decimal = parse_decimal(options.width); !width && decimal) width = decimal->value;
+  const auto width = parse_number(options.width);
   if (!width || !(*width > 0))
     fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
   options.progress("intervals");

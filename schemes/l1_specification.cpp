@@ -15,9 +15,7 @@ constexpr std::string_view family_name = "l1";
 const std::string l1_usage = "l1:points=6,d=1,iterations=6,delta=1e-8";
 
 Rational read_number(const Piece& piece, const std::string& name, bool zero_allowed) {
-  std::optional<Rational> value = parse_rational(piece.text);
-  if (!value)
-    if (const auto decimal = parse_decimal(piece.text)) value = decimal->value;
+  const std::optional<Rational> value = parse_number(piece.text);
   const std::string range = zero_allowed ? "0 or from 1e-300 to 1e300" : "from 1e-300 to 1e300";
   if (!value || (*value == 0 ? !zero_allowed : *value < power(Rational(10), -300) || *value > power(Rational(10), 300)))
     fail(piece, name + " " + range + ", as 1e-8 or p/q");

@@ -3,6 +3,7 @@
 
 #include "specification.hpp"
 
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/term_text.hpp>
 
 #include <algorithm>
@@ -55,8 +56,8 @@ inline std::vector<Piece> read_list(const Piece& piece, char separator) {
 }
 
 inline Rational read_rational(const Piece& piece) {
-  const auto value = parse_rational(piece.text);
-  if (!value) fail(piece, "an exact number p or p/q with q > 0 (for example 1/16)");
+  const auto value = parse_number(piece.text);
+  if (!value) fail(piece, "an exact number p, p/q with q > 0, or a decimal (for example 1/16 or 0.0625)");
   return *value;
 }
 

@@ -64,7 +64,7 @@ std::optional<Decimal> parse_plain_decimal(std::string_view text) {
 
 std::optional<Rational> parse_number(std::string_view text) {
   if (auto rational = parse_rational(text)) return rational;
-  if (const auto decimal = parse_plain_decimal(text)) return decimal->value;
+  if (const auto decimal = parse_decimal(text)) return decimal->value;
   return std::nullopt;
 }
 

@@ -23,7 +23,7 @@ std::optional<Decimal> parse_plain_decimal(std::string_view text);
 /// The same. Errors: throws Error for any other text.
 Decimal read_decimal(std::string_view text);
 
-/// A rational as parse_rational reads it, or a decimal without exponent; nothing for another text.
+/// A rational as parse_rational reads it, or a decimal, with an exponent or without; nothing for another text.
 std::optional<Rational> parse_number(std::string_view text);
 
 /// yes: the enclosure is narrower than one unit of the last printed digit and lies within one unit of the printed

@@ -1,5 +1,6 @@
 #include "term_text.hpp"
 
+#include "decimal.hpp"
 #include "error.hpp"
 #include "parse_error.hpp"
 
@@ -153,8 +154,8 @@ class MaskReader {
       } else {
         if (peek() == '[') fail(text_.substr(at_), at_, form());
         const std::string_view number = until(",]");
-        const auto value = parse_rational(number);
-        if (!value) fail(number, at_, "an exact number p or p/q with q > 0");
+        const auto value = parse_number(number);
+        if (!value) fail(number, at_, "an exact number p, p/q with q > 0, or a decimal");
         result_.coefficients.push_back(*value);
         at_ += number.size();
       }

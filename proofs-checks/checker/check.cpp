@@ -523,7 +523,9 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (matrices) {
     read(*matrices, 65, [&](Reader& reader) {
       const Fields fields = reader.take("matrices", 2, 2);
-      claim.family = read_family(reader, "row", parse_size(fields[0], 1, 64), parse_size(fields[1], 1, 256));
+      const std::size_t count = parse_size(fields[0], 1, 4096), size = parse_size(fields[1], 1, 256);
+      require(count * size * size <= std::size_t{1} << 22, "more entries than 2^22");
+      claim.family = read_family(reader, "row", count, size);
       require(reader.at_end(), "text after the last row");
     });
     claim.head = "radius " + std::to_string(claim.family.count()) + " " + std::to_string(claim.family.size);

@@ -20,7 +20,7 @@ constexpr double first_products = 0.25, later_products = 0.125;
 constexpr double first_race = 0.6, all_races = 0.65, last_race = 0.5;
 // A polytope that closes mostly does so within a small multiple of the first look at the products; one that does not
 // gets a wider look for a better product, and more time each round.
-constexpr double first_patience = 20, later_patience = 60;
+constexpr double first_patience = 20, later_patience = 30;
 constexpr double least_race = 0.1;                        // seconds
 constexpr double least_slice = 0.02, largest_slice = 60;  // seconds of a run before it is the turn of the other one
 constexpr double clearly_ahead = 0.6;                     // ratio of the shares of open images
@@ -77,14 +77,18 @@ class Search {
   }
 
   SearchResult run() {
-    look_for_products(std::min(12, options_.max_product_length), 12, first_products);
+    look_for_products(product_looks[0], first_products);
     const double first_look = elapsed();
     if (candidates_.front().radius == 0) return vanishing();
     if (race(std::min(least_race + first_patience * first_look, first_race * seconds_), 1)) return closed();
-    for (const int width : {32, 200}) {
-      look_for_products(options_.max_product_length, width, later_products);
+    for (std::size_t k = 1; k < product_looks.size(); ++k) {
+      const double before = elapsed();
+      look_for_products(product_looks[k], later_products);
       const double rest = all_races * seconds_ - elapsed();
-      if (race(width == 200 ? rest : std::min(later_patience * elapsed(), rest), 2)) return closed();
+      if (race(
+              k + 1 == product_looks.size() ? rest : std::min(least_race + later_patience * (elapsed() - before), rest),
+              2))
+        return closed();
       if (elapsed() > last_race * seconds_ || full()) break;
     }
     return enclosed();
@@ -100,10 +104,10 @@ class Search {
   bool full() const { return runs_[0] && runs_[1] && runs_[0]->full() && runs_[1]->full(); }
 
   // Looks for products and gives up what is built on a worse one.
-  void look_for_products(int max_length, int width, double share) {
+  void look_for_products(const ProductLook& look, double share) {
     ProductSearchOptions options;
-    options.max_length = max_length;
-    options.width = width;
+    options.max_length = std::min(look.length, options_.max_product_length);
+    options.width = look.width;
     options.budget = {deadline().at_most(share * seconds_), memory_of_products()};
     take(search_products(family_[0], options));
   }

@@ -13,7 +13,7 @@ struct SearchOptions {
   /// Every phase ends soon after the deadline. The memory is that of what grows; a few copies of the family come on
   /// top.
   Budget budget{.deadline = Deadline::in(60)};
-  int max_product_length = 40;
+  int max_product_length = 200;
   std::size_t max_vertices = 40000;
   double tolerance = 1e-9;  ///< an image is inside when its norm is at most 1 - tolerance
 };

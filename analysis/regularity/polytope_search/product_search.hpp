@@ -6,6 +6,7 @@
 
 #include <subcert/analysis/symbol/budget.hpp>
 
+#include <array>
 #include <vector>
 
 namespace subcert::polytope {
@@ -30,6 +31,12 @@ struct ProductSearchOptions {
   double near = 5e-3;  ///< candidates within this relative distance of the best are reported
   Budget budget;
 };
+
+/// Looks of rising cost: with each one better products may be found.
+struct ProductLook {
+  int length, width;
+};
+inline constexpr std::array<ProductLook, 4> product_looks{{{12, 12}, {40, 32}, {80, 200}, {120, 2000}}};
 
 /// The canonical form of a word, see Candidate. Domain: 0 <= letters < letter_count. Cost: O(length^2) per element of
 /// the symmetry.

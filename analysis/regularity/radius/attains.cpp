@@ -74,7 +74,6 @@ class Proof {
   Decision run() {
     const auto unknown = [](const char* reason) { return Decision{Truth::unknown, reason}; };
     if (!candidate_.closed) return unknown("the polytope did not close");
-    if (polytope_.kind == PolytopeKind::nonnegative) return unknown("polytopes of cones are only enclosed");
     if (!bound_vertex_errors())
       return unknown(deadline_.expired() ? no_time : "a root of the polytope is near no leading eigenvector");
     // kappa: norm by the true polytope / norm by the rational one.
@@ -224,8 +223,10 @@ class Proof {
     const ComplexBall quotient = ball_around(rayleigh_quotient(product, v), precision);
     LaurentPolynomial f, others;
     ComplexBall eigenvalue = ComplexBall::indeterminate(precision);
+    std::vector<ComplexBall> zeros;
     for (const PolynomialFactor& factor : irreducible_factors(*characteristic))
-      for (const ComplexBall& zero : complex_roots(factor.polynomial.shifted(-factor.polynomial.lowest()), precision))
+      for (const ComplexBall& zero : complex_roots(factor.polynomial.shifted(-factor.polynomial.lowest()), precision)) {
+        zeros.push_back(zero);
         if (factor.polynomial.lowest() == 0 && !abs(eigenvalue - quotient).is_less(abs(zero - quotient))) {
           eigenvalue = zero;
           f = factor.polynomial;
@@ -233,7 +234,9 @@ class Proof {
           others = *characteristic;
           for (int k = 0; k < factor.multiplicity; ++k) others = *others.exact_quotient(f);
         }
+      }
     if (f.length() < 2) return std::nullopt;
+    if (polytope_.kind == PolytopeKind::nonnegative && !is_perron_root(eigenvalue, zeros)) return std::nullopt;
     cycle.eigenspace = kernel(value_at(f, product));
     const long multiplicity = (characteristic->highest() - others.highest()) / f.highest();
     if (static_cast<long>(cycle.eigenspace.size()) != f.highest() * multiplicity) return std::nullopt;
@@ -245,6 +248,24 @@ class Proof {
     cycle_of_root_.emplace(root, cycles_.size());
     cycles_.push_back(std::move(cycle));
     return *error * polytope_.unit_norm;
+  }
+
+  /// Whether the zero is real and no other real one is as large: then it is the spectral radius of a non-negative
+  /// matrix, and the projection to its eigenvectors keeps vectors non-negative (docs/joint-spectral-radius.md).
+  static bool is_perron_root(const ComplexBall& zero, const std::vector<ComplexBall>& zeros) {
+    const auto is_real = [](const ComplexBall& z) {
+      const Enclosure im = imaginary_part(z).enclosure(256);
+      return im.is_exact() && *im.lower == 0;
+    };
+    const Ball nothing(0L, precision);
+    int equal = 0;  // the zero itself
+    for (const ComplexBall& other : zeros) {
+      if (!nothing.is_less(abs(zero - other)))
+        ++equal;
+      else if (is_real(other) && !other.real().is_less(zero.real()))
+        return false;
+    }
+    return equal == 1 && is_real(zero) && nothing.is_less(zero.real());
   }
 
   /// |v - q(product) v / q(z)|_1 for q(x) = others(x) f(x) / (x - z). Domain: f(z) = 0, f others vanishes at the
@@ -270,22 +291,37 @@ class Proof {
     return sum;
   }
 
-  std::size_t root_of(std::size_t index) const {
-    while (candidate_.vertices[index].parent >= 0) index = static_cast<std::size_t>(candidate_.vertices[index].parent);
-    return index;
-  }
-
-  /// The letters that lead from the base root of its cycle to a true vertex.
-  std::optional<std::vector<int>> path(std::size_t index) const {
+  /// The root or extra vertex that a vertex stems from, and the letters in between.
+  struct Descent {
+    std::size_t first;
+    std::vector<int> letters;
+  };
+  Descent descent(std::size_t index) const {
     std::vector<int> letters;
     for (; candidate_.vertices[index].parent >= 0; index = static_cast<std::size_t>(candidate_.vertices[index].parent))
       letters.push_back(candidate_.vertices[index].letter);
-    if (candidate_.vertices[index].cycle < 0) return std::nullopt;
-    const Cycle& cycle = cycle_of(index);
-    const std::size_t length = cycle.word.size();
-    for (std::size_t k = place_of(index); k != place_of(cycle.base); k = (k + length - 1) % length)
-      letters.push_back(cycle.letter(k + length - 1));
     std::reverse(letters.begin(), letters.end());
+    return {index, std::move(letters)};
+  }
+  bool is_extra(std::size_t first) const { return candidate_.vertices[first].cycle < 0; }
+
+  /// How a true vertex arises from a root.
+  struct Origin {
+    const Cycle* cycle;
+    std::size_t place;         ///< of the root
+    std::vector<int> letters;  ///< that lead from it to the vertex
+    bool operator==(const Origin&) const = default;
+  };
+  std::optional<Origin> origin_of(std::size_t index) const {
+    Descent from = descent(index);
+    if (is_extra(from.first)) return std::nullopt;
+    return Origin{&cycle_of(from.first), place_of(from.first), std::move(from.letters)};
+  }
+
+  /// The letters that lead from the base root of the cycle to that at a place.
+  std::vector<int> turning_to(const Cycle& cycle, std::size_t place) const {
+    std::vector<int> letters;
+    for (std::size_t k = place_of(cycle.base); k % cycle.word.size() != place; ++k) letters.push_back(cycle.letter(k));
     return letters;
   }
 
@@ -300,49 +336,82 @@ class Proof {
     return v;
   }
 
-  /// Whether image = +- radius * target follows from linear equations on the eigenspace. Both sides are brought to the
-  /// same number of letters by turns of the cycle, which multiply the eigenvector by a number of modulus radius^length.
-  bool follows_linearly(std::size_t source, int image_letter, std::size_t target, std::size_t element) const {
-    auto from = path(source);
-    const auto to = path(target);
-    if (!from || !to || &cycle_of(root_of(source)) != &cycle_of(root_of(target))) return false;
-    const Cycle& cycle = cycle_of(root_of(source));
-    from->push_back(image_letter);
-    const std::size_t steps = from->size(), other = to->size(), length = cycle.word.size();
-    if (cycle.eigenspace.empty() || steps % length != other % length) return false;
-    const std::size_t more = (std::max(steps, other) - std::min(steps, other)) / length;
-    bool same = true, opposite = true;
-    for (const RationalVector& v : cycle.eigenspace) {
-      const RationalVector left = along(*from, around(cycle, steps < other ? more : 0, v));
-      RationalVector right = along(*to, around(cycle, steps > other ? more : 0, v));
-      right = polytope_.group[element].map(right);
-      same = same && left == right;
-      opposite = opposite && left == negated(right);
-    }
-    return same || opposite;
-  }
-
-  /// How a true vertex arises: a place of a cycle, then letters that leave it. The letters that follow the word only
-  /// move the place, as the root there is the image of the one before.
-  struct History {
-    const Cycle* cycle;
-    std::size_t place;
-    std::vector<int> letters;
-    bool operator==(const History&) const = default;
+  /// Vectors, as many as the eigenspace has, that are rational combinations of the true image and of radius * the true
+  /// target with the same coefficients, up to one factor for all. Both sides are brought to the same number of letters
+  /// by turns of the cycle, which multiply the eigenvector by a number of modulus radius^length.
+  struct Sides {
+    RationalVector left, right;
   };
-
-  std::optional<History> history(std::size_t index) const {
-    std::vector<int> letters;
-    while (candidate_.vertices[index].parent >= 0) {
-      letters.push_back(candidate_.vertices[index].letter);
-      index = static_cast<std::size_t>(candidate_.vertices[index].parent);
-    }
-    if (candidate_.vertices[index].cycle < 0) return std::nullopt;
-    std::reverse(letters.begin(), letters.end());
-    return normalised({&cycle_of(index), place_of(index), letters});
+  /// `other`: of the group; the root of the target is replaced by the one that this element takes it to.
+  std::vector<Sides> sides(const Origin& from, const Origin& to, std::size_t element, std::size_t other) const {
+    const Cycle& cycle = *from.cycle;
+    const std::size_t length = cycle.word.size();
+    const auto shift = other == 0 ? std::optional<std::size_t>(0) : cycle.shifts[other];
+    if (to.cycle != from.cycle || !shift || (other > 0 && !cycle.simple)) return {};
+    const std::vector<int> turning_from = turning_to(cycle, from.place),
+                           turning_back = turning_to(cycle, (to.place + *shift) % length);
+    const std::size_t left = turning_from.size() + from.letters.size(), right = turning_back.size() + to.letters.size();
+    if (left % length != right % length) return {};
+    const std::size_t more = (std::max(left, right) - std::min(left, right)) / length;
+    const SparseMap back = polytope_.group[other].map.inverse();
+    std::vector<Sides> result;
+    for (const RationalVector& v : cycle.eigenspace)
+      result.push_back({along(from.letters, along(turning_from, around(cycle, left < right ? more : 0, v))),
+                        polytope_.group[element].map(
+                            along(to.letters, back(along(turning_back, around(cycle, left > right ? more : 0, v)))))});
+    return result;
   }
 
-  static History normalised(History h) {
+  /// By whichever element of the group brings both sides to the same number of letters.
+  std::vector<Sides> sides(std::size_t source, int image_letter, std::size_t target, std::size_t element) const {
+    auto from = origin_of(source);
+    const auto to = origin_of(target);
+    if (!from || !to) return {};
+    from->letters.push_back(image_letter);
+    for (std::size_t other = 0; other < polytope_.group.size(); ++other)
+      if (std::vector<Sides> result = sides(*from, *to, element, other); !result.empty()) return result;
+    return {};
+  }
+
+  /// Whether image = +- radius * target follows from linear equations on the eigenspace.
+  bool follows_linearly(std::size_t source, int image_letter, std::size_t target, std::size_t element) const {
+    const std::vector<Sides> all = sides(source, image_letter, target, element);
+    const auto every = [&](auto holds) { return !all.empty() && std::all_of(all.begin(), all.end(), holds); };
+    return every([](const Sides& s) { return s.left == s.right; }) ||
+           every([](const Sides& s) { return s.left == negated(s.right); });
+  }
+
+  /// Cones: whether image <= radius * target, coordinate by coordinate: equal by linear equations, or clearly less.
+  bool lies_below(std::size_t source, int image_letter, std::size_t target, std::size_t element) const {
+    const std::vector<Sides> all = sides(source, image_letter, target, element);
+    const auto real_part = [](const ComplexVector& v) {
+      RationalVector result;
+      for (const RationalComplex& c : v) result.push_back(c.re);
+      return result;
+    };
+    const RationalVector image = matrix(image_letter) * real_part(vertex(source)),
+                         goal = polytope_.group[element].map(real_part(vertex(target)));
+    // A norm of at most error_ says that no coordinate is larger than error_ times the largest of all vertices.
+    const Rational off = error_ * Rational(largest_coordinate(), Integer(1) << polytope_.vertex_bits);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      if (!all.empty() && std::all_of(all.begin(), all.end(), [=](const Sides& s) { return s.left[i] == s.right[i]; }))
+        continue;
+      Rational row_sum = 0;
+      for (std::size_t k = 0; k < image.size(); ++k) row_sum += matrix(image_letter)(i, k);
+      if (!(image[i] + row_sum * off < lower_ * (goal[i] - off))) return false;
+    }
+    return true;
+  }
+
+  Integer largest_coordinate() const {
+    Integer largest = 0;
+    for (const auto& v : polytope_.vertices)
+      for (const Integer& c : v) largest = std::max(largest, c);
+    return largest;
+  }
+
+  /// The letters that follow the word only move the place, as the root there is the image of the one before.
+  static Origin normalised(Origin h) {
     std::size_t used = 0;
     while (used < h.letters.size() && h.letters[used] == h.cycle->letter(h.place)) {
       h.place = (h.place + 1) % h.cycle->word.size();
@@ -353,7 +422,7 @@ class Proof {
   }
 
   /// Whether the true image is radius * (a number of modulus 1) * (the true vertex, moved by the element or conjugated
-  /// as said).
+  /// as said), or, in a cone, below it.
   bool is_same_vertex(const PolytopeCandidate::Image& image) const {
     const auto source = static_cast<std::size_t>(image.vertex),
                target = static_cast<std::size_t>(image.terms.front().vertex);
@@ -363,45 +432,36 @@ class Proof {
     if (element == 0 && !conjugated && aim.parent == image.vertex && aim.letter == image.letter) return true;
     if (follows_from_extra_vertex(source, image.letter, target, element)) return true;
     if (conjugated) return false;
+    if (polytope_.kind == PolytopeKind::nonnegative && lies_below(source, image.letter, target, element)) return true;
     return follows_from_cycle(source, image.letter, target, element) ||
            follows_linearly(source, image.letter, target, element);
-  }
-
-  /// The extra vertex that a true vertex stems from, and the letters in between.
-  std::optional<std::pair<std::size_t, std::vector<int>>> extra_origin(std::size_t index) const {
-    std::vector<int> letters;
-    for (; candidate_.vertices[index].parent >= 0; index = static_cast<std::size_t>(candidate_.vertices[index].parent))
-      letters.push_back(candidate_.vertices[index].letter);
-    if (candidate_.vertices[index].cycle >= 0) return std::nullopt;
-    std::reverse(letters.begin(), letters.end());
-    return std::pair(index, letters);
   }
 
   /// Whether image = +- radius * target because the rational extra vertices behind both are led to the same point, up
   /// to its sign, by equally many letters. Real extra vertices only, for which conjugation changes nothing.
   bool follows_from_extra_vertex(std::size_t source, int image_letter, std::size_t target, std::size_t element) const {
-    auto from = extra_origin(source);
-    const auto to = extra_origin(target);
-    if (!from || !to || from->second.size() + 1 != to->second.size()) return false;
-    from->second.push_back(image_letter);
+    Descent from = descent(source);
+    const Descent to = descent(target);
+    if (!is_extra(from.first) || !is_extra(to.first) || from.letters.size() + 1 != to.letters.size()) return false;
+    from.letters.push_back(image_letter);
     RationalVector left, right;
-    for (const auto& [origin, parts] : {std::pair(from->first, &left), std::pair(to->first, &right)})
+    for (const auto& [origin, parts] : {std::pair(from.first, &left), std::pair(to.first, &right)})
       for (const RationalComplex& c : vertex(origin)) {
         if (c.im != 0) return false;
         parts->push_back(c.re);
       }
-    left = along(from->second, left);
-    right = along(to->second, right);
+    left = along(from.letters, left);
+    right = along(to.letters, right);
     right = polytope_.group[element].map(right);
     return left == right || left == negated(right);
   }
 
   bool follows_from_cycle(std::size_t source, int image_letter, std::size_t target, std::size_t element) const {
-    auto from = history(source);
-    auto to = history(target);
+    auto from = origin_of(source), to = origin_of(target);
     if (!from || !to) return false;
     from->letters.push_back(image_letter);
-    const History moved = normalised(*from);
+    to = normalised(std::move(*to));
+    const Origin moved = normalised(*from);
     const std::optional<std::size_t> shift = to->cycle->shifts[element];
     if (!shift || !to->cycle->simple) return false;
     // The image of the eigenvector at a place is, up to a number of modulus 1, the one a shift further on.

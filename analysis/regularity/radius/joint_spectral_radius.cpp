@@ -4,6 +4,7 @@
 #include "scaling.hpp"
 #include "similarity.hpp"
 
+#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
@@ -12,9 +13,17 @@ namespace subcert {
 namespace {
 
 const Rational rounding = power(Rational(10), -15);
-constexpr std::size_t most_matrices = 64, largest_size = 256;
+constexpr std::size_t most_matrices = 4096, largest_size = 256, most_entries = std::size_t{1} << 22;
+constexpr std::size_t proved_products = 3;  // of each search
 constexpr double triangularising_share = 0.2, symmetries_share = 0.1, first_look_share = 0.02, least_share = 0.05;
 constexpr double first_slice = 0.05;  // seconds for a block that seems smaller
+
+void require_small(const MatrixFamily& family) {
+  require(family.count() <= most_matrices && family.size() <= largest_size &&
+              family.count() * family.size() * family.size() <= most_entries,
+          "joint_spectral_radius: need 1 to {} matrices of size 1 to {} with at most {} entries, got {} of size {}",
+          most_matrices, largest_size, most_entries, family.count(), family.size());
+}
 
 /// The radii of all diagonal blocks, as sharp as the largest needs them.
 class BlockSearch {
@@ -189,12 +198,30 @@ std::size_t JointSpectralRadius::vertices() const { return total(*this, &Polytop
 
 std::size_t JointSpectralRadius::words() const { return total(*this, &QuadraticProof::words); }
 
+ProductEvidence find_product_above(const MatrixFamily& family, const Rational& least, const Budget& budget) {
+  require_small(family);
+  const long exponent = radius::scaling_exponent(family);
+  const MatrixFamily scaled_family = exponent == 0 ? family : power(Rational(2), -exponent) * family;
+  const polytope::SearchFamily search = radius::to_search_family(scaled_family);
+  ProductEvidence best;
+  for (const auto& [length, width] : polytope::product_looks) {
+    const auto found = polytope::search_products(search, {.max_length = length, .width = width, .budget = budget});
+    for (std::size_t k = 0; k < std::min(found.size(), proved_products); ++k) {
+      const std::vector<int> word(found[k].word.rbegin(), found[k].word.rend());
+      ProductEvidence evidence = radius::scaled(prove_product(scaled_family, word, budget.deadline), exponent);
+      const Rational& lower = evidence.exact ? *evidence.exact : *evidence.radius.lower;
+      if (best.word.empty() || lower > *best.radius.lower) best = std::move(evidence);
+      if (*best.radius.lower >= least || (best.exact && *best.exact >= least)) return best;
+    }
+    if (budget.deadline.expired()) break;
+  }
+  return best;
+}
+
 JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budget& budget,
                                           const std::optional<NormProof>& known,
                                           const std::optional<Rational>& target) {
-  require(family.count() <= most_matrices, "joint_spectral_radius: need 1 to 64 matrices, got {}", family.count());
-  require(family.size() <= largest_size, "joint_spectral_radius: need matrices of size 1 to 256, got {}",
-          family.size());
+  require_small(family);
   if (family.size() == 1) return radius::radius_of_numbers(family);
   BlockTriangular triangular = radius::with_symmetries(
       radius::balanced(block_triangularise(family, budget.deadline.after(triangularising_share))),

@@ -60,13 +60,18 @@ struct JointSpectralRadius {
   const BlockProof* by_blocks() const { return std::get_if<BlockProof>(&proof); }
 };
 
-/// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: 1 to 64
-/// matrices of size 1 to 256, numbers of any size. `known`: an upper bound that is known beforehand; `target`: one that
-/// is low enough, where the work ends. Errors: throws Error. Error: none, both ends are proved in exact arithmetic;
-/// where the search for an invariant polytope ends within the budget the width is about 1e-15, otherwise as narrow as
-/// the budget allowed. Cost: one linear program per vertex and matrix. Ref: [GP13, Alg. 1], [Mej20].
+/// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: 1 to
+/// 4096 matrices of size 1 to 256 with at most 2^22 entries together, numbers of any size. `known`: an upper bound that
+/// is known beforehand; `target`: one that is low enough, where the work ends. Errors: throws Error. Error: none, both
+/// ends are proved in exact arithmetic; where the search for an invariant polytope ends within the budget the width is
+/// about 1e-15, otherwise as narrow as the budget allowed. Cost: one linear program per vertex and matrix. Ref: [GP13,
+/// Alg. 1], [Mej20].
 JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budget& budget,
                                           const std::optional<NormProof>& known = std::nullopt,
                                           const std::optional<Rational>& target = std::nullopt);
+
+/// A product whose averaged spectral radius is at least that, with proof; where none is found in time, the best that
+/// was. Domain: as above. Cost: searches among more and more products.
+ProductEvidence find_product_above(const MatrixFamily& family, const Rational& least, const Budget& budget);
 
 }  // namespace subcert

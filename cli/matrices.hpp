@@ -1,0 +1,20 @@
+#pragma once
+/// Files with matrices.
+
+#include <subcert/analysis/regularity/radius/constrained.hpp>
+
+#include <string>
+
+namespace subcert::cli {
+
+struct MatricesFile {
+  MatrixFamily family;
+  std::vector<Succession> graph;  ///< empty where all matrices may follow all
+};
+
+/// Reads JSON, {"matrices": [[["1", "1/2"], [0, 0.5]], ...], "edges": [[from, to, matrix], ...]} with or without edges,
+/// or the text that `verify` reads: a line `matrices COUNT SIZE`, then a line `row ...` for each row. Numbers are
+/// integers, fractions or decimals, all of them exact. Errors: throws Error with the place.
+MatricesFile read_matrices(const std::string& file);
+
+}  // namespace subcert::cli

@@ -29,11 +29,51 @@ TEST_CASE("matrices from a file") {
   CHECK(run("verify " + file + ".cert").code == 0);
   for (const char* text :
        {"", "{", "[]", "{}", R"({"matrices": []})", R"({"matrices": 5})", R"({"matrices": [[]]})",
-        R"({"matrices": [[["1","0"],["1"]]]})", R"({"matrices": [[["1/0"]]]})", R"({"matrices": [[[1.5]]]})",
+        R"({"matrices": [[["1","0"],["1"]]]})", R"({"matrices": [[["1/0"]]]})", R"({"matrices": [[[1.5.2]]]})",
         R"({"matrices": [[["1"]],[["1","0"],["0","1"]]]})", R"({"matrices": [[[null]]]})"}) {
+    CAPTURE(text);
+    CHECK(with(text).code == 65);
+  }
+  for (const char* text :
+       {"matrices", "matrices 1", "matrices 1 1", "matrices 1 1\nrow", "matrices 1 1\nrow x", "matrices 1 1\nrow 1 2",
+        "matrices 0 1\n", "matrices 1 257\n", "matrices 99999 256\n", R"({"matrices": [[[1]]], "edges": 5})",
+        R"({"matrices": [[[1]]], "edges": []})", R"({"matrices": [[[1]]], "edges": [[0,1]]})",
+        R"({"matrices": [[[1]]], "edges": [[0,1,1]]})", R"({"matrices": [[[1]]], "edges": [[0,-1,0]]})",
+        R"({"matrices": [[[1]]], "edges": [[0,1.5,0]]})"}) {
     CAPTURE(text);
     CHECK(with(text).code == 65);
   }
   std::filesystem::remove(file);
   CHECK(run("jsr " + file).code == 66);
+}
+
+TEST_CASE("jsr: exact numbers, lines, graphs and targets") {
+  const Folder folder;
+  const std::string file = folder / "file";
+  const auto with = [&](const std::string& text, const std::string& options = "", int code = 0) {
+    std::ofstream(file, std::ios::binary) << text;
+    const Run done = run("jsr " + file + " --json" + options);
+    CAPTURE(text, done.err);
+    CHECK(done.code == code);
+    return nlohmann::json::parse(done.out);
+  };
+  // 0.1 is no double, and no double holds 23 digits.
+  CHECK(with(R"({"matrices": [[[0.1]]]})").at("radius").at("upper") == "0.1");
+  CHECK(has_digits(with(R"({"matrices": [[[12345678901234567890123]]]})").at("radius"), "lower", "1.234567890123456789"));
+  CHECK(with("matrices 2 1\nrow 1/2\nrow -25e-2\n").at("radius").at("upper") == "0.5");
+  const std::string golden = R"({"matrices": [[[1,1],[0,1]], [[1,0],[1,1]]])";
+  CHECK(with(golden + "}").at("exact") == true);
+  // The matrix 1 never twice in a row; both alternate all the same.
+  const auto graph = with(golden + R"(, "edges": [[0,0,0],[0,1,1],[1,0,0]]})", " --certificate " + file + ".cert");
+  CHECK(has_digits(graph.at("radius"), "lower", "1.6180339887"));
+  CHECK(run("verify " + file + ".cert").code == 0);
+  // Each matrix must be followed by itself: no growth.
+  CHECK(with(golden + R"(, "edges": [[0,0,0],[1,1,1]]})").at("radius").at("upper") == "1");
+  // No cycle: nothing remains.
+  CHECK(with(golden + R"(, "edges": [[0,1,0],[1,2,1]]})").at("radius").at("upper") == "0");
+  CHECK(with(golden + "}", " --lower 1.618").at("lower").at("verdict") == "proved");
+  CHECK(with(golden + "}", " --upper 1.62").at("upper").at("verdict") == "proved");
+  CHECK(with(golden + "}", " --lower 1.619", 1).at("lower").at("verdict") == "refuted");
+  CHECK(with(golden + "}", " --lower 1.6 --upper 1.618", 1).at("upper").at("verdict") == "refuted");
+  CHECK(run("jsr " + file + " --lower x").code == 64);
 }

@@ -39,6 +39,15 @@ void check_refused(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("decimals are exact numbers") {
+  const auto specification = [](const char* text) { return make_scheme(text).specification; };
+  CHECK(specification("four-point:w=0.0625") == specification("four-point:w=1/16"));
+  CHECK(specification("four-point:w=6.25e-2") == specification("four-point:w=1/16"));
+  CHECK(specification("mask:[.25,0.75,75e-2,0.25]") == specification("mask:[1,3,3,1]/4"));
+  CHECK(specification("regression:stencils=[-1..1;-1..2],at=[0;0.5]") ==
+        specification("regression:stencils=[-1..1;-1..2],at=[0;1/2]"));
+}
+
 TEST_CASE("malformed specifications are refused, with position") {
   std::ifstream file(std::string(SUBCERT_TEST_DATA) + "/malformed_specifications.txt");
   REQUIRE(file);

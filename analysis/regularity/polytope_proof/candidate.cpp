@@ -41,8 +41,10 @@ polytope::SearchFamily to_search_family(const MatrixFamily& family) {
   return result;
 }
 
-PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget) {
-  const polytope::SearchResult found = polytope::search_polytope(to_search_family(family), {.budget = budget});
+PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones) {
+  polytope::SearchOptions options{.budget = budget};
+  options.cones = cones;
+  const polytope::SearchResult found = polytope::search_polytope(to_search_family(family), options);
 
   PolytopeCandidate result;
   result.kind = found.kind;

@@ -51,7 +51,7 @@ struct PolytopeCandidate {
 polytope::SearchFamily to_search_family(const MatrixFamily& family);
 
 /// Searches a product and a polytope. Domain: entries whose doubles are finite and not far from 1 in size.
-PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget);
+PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones = true);
 
 /// The word, from left to right, of a product of large averaged radius: a quick look.
 std::vector<int> find_product(const MatrixFamily& family, const Deadline& deadline);

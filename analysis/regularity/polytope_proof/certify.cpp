@@ -21,6 +21,7 @@ using radius::RealVector;
 constexpr int vertex_bits = 112;
 constexpr int weight_bits = 112;
 constexpr int refinements = 4;
+constexpr int tight_bits = 20;  // cones: relatively nearer coordinates are to be met
 
 Integer round_scaled(const Real& value, int bits) {
   return from_boost(boost::multiprecision::mpz_int(round(ldexp(value, bits))));
@@ -72,6 +73,7 @@ class Certifier {
         refine<std::complex<double>>(target, terms);
       else
         refine<double>(target, terms);
+      if (cone()) dominate(target, terms);
       const Integer moduli = finish(terms), rest = residual_size(target, terms);
       largest = std::max(largest, Integer((moduli * denominator_ << vertex_bits) + rest * polytope_.unit_norm));
       polytope_.moduli.emplace_back(moduli, Integer(1) << weight_bits);
@@ -212,19 +214,57 @@ class Certifier {
     return terms;
   }
 
+  /// A coordinate that the combination is to meet, and what it is multiplied by.
+  struct Row {
+    std::size_t index;
+    double factor;
+  };
+
+  /// All coordinates; for the cone those that the combination meets up to rounding, relatively to their size, which
+  /// may be tiny.
+  std::vector<Row> rows_to_meet(const Target& target, const std::vector<WeightedVertex>& terms) const {
+    std::vector<Row> rows;
+    const Target rest = cone() ? residual(target, terms) : Target{};
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (!cone()) {
+        rows.push_back({i, 1});
+      } else if (target.re[i] != 0) {
+        const Integer size = target.re[i] << weight_bits;
+        if (abs(rest.re[i]) << tight_bits > size) continue;
+        rows.push_back(
+            {i, std::ldexp(1 / to_double(target.re[i], -bit_size(target.re[i])),
+                           static_cast<int>(bit_size(denominator_) + vertex_bits - bit_size(target.re[i])))});
+      }
+    }
+    return rows;
+  }
+
+  /// Cones: the least multiple of the weights that is above the target in all coordinates.
+  void dominate(const Target& target, std::vector<WeightedVertex>& terms) const {
+    for (WeightedVertex& term : terms) term.weight = std::max(Integer(0), term.weight);
+    const Target rest = residual(target, terms);
+    Rational factor = 1;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const Integer goal = target.re[i] << weight_bits, reached = goal - rest.re[i];
+      if (rest.re[i] <= 0) continue;
+      // A coordinate that no term has is left to the residual, and so is one that would cost more.
+      if (reached > 0 && (rest.re[i] << tight_bits) < reached) factor = std::max(factor, Rational(goal, reached));
+    }
+    if (factor == 1) return;
+    for (WeightedVertex& term : terms) term.weight = (term.weight * numerator(factor)) / denominator(factor) + 1;
+  }
+
   /// Corrects the weights until the residual is at the level of the rounding, in double precision steps against exact
-  /// residuals. For the cone the weights only need to dominate and are kept.
+  /// residuals.
   template <class Scalar>
   void refine(const Target& target, std::vector<WeightedVertex>& terms) const {
     if (terms.empty()) return;
-    if (cone()) {
-      for (WeightedVertex& term : terms) term.weight = std::max(Integer(0), term.weight);
-      return;
-    }
+    const std::vector<Row> rows = rows_to_meet(target, terms);
+    if (rows.size() < terms.size()) return;
     std::vector<Scalar> basis;
     for (const WeightedVertex& term : terms)
-      for (std::size_t i = 0; i < size_; ++i) basis.push_back(entry<Scalar>(term, i));
-    const polytope::PivotedQr<Scalar> factors(basis, size_, terms.size());
+      for (const Row& row : rows) basis.push_back(row.factor * entry<Scalar>(term, row.index));
+    const polytope::PivotedQr<Scalar> factors(basis, rows.size(), terms.size());
     // Residuals are denominator_ * 2^(vertex_bits + weight_bits) times their value; weights 2^weight_bits times theirs.
     const long size = bit_size(denominator_);
     const double scale = 1 / to_double(denominator_, -size);
@@ -235,12 +275,12 @@ class Certifier {
         for (const Integer& c : *parts)
           if (c != 0) exponent = std::max(exponent, bit_size(c));
       if (exponent == 0) return;
-      std::vector<Scalar> right(size_);
-      for (std::size_t i = 0; i < size_; ++i) {
+      std::vector<Scalar> right;
+      for (const auto& [i, factor] : rows) {
         if constexpr (std::is_same_v<Scalar, double>)
-          right[i] = to_double(rest.re[i], -exponent);
+          right.push_back(factor * to_double(rest.re[i], -exponent));
         else
-          right[i] = {to_double(rest.re[i], -exponent), to_double(rest.im[i], -exponent)};
+          right.emplace_back(factor * to_double(rest.re[i], -exponent), factor * to_double(rest.im[i], -exponent));
       }
       std::vector<Scalar> correction = factors.solve(right);
       for (Scalar& c : correction) c *= scale;

@@ -13,6 +13,7 @@ constexpr double same_symmetry = 1e-10;          // squared distance of a vector
 constexpr int unit_bits = 40;                    // of the whole numbers that extra vertices are made of
 constexpr double same_image = 1e-12;             // images this close to parallel are one
 constexpr double same_point = 1e-8;              // an image this close to a vertex is that vertex
+constexpr double same_in_cone = 1e-12;           // or, in a cone, this little above it
 constexpr double least_gain = 1e-9;              // a product that beats another by less is the same up to rounding
 constexpr double largest_norm = 1e3;             // norms beyond say only that the vertices do not span yet
 constexpr double real_phase = 1e-9;              // an eigenvalue whose phase is this close to real is real
@@ -235,17 +236,18 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
   const double reject = optimum ? std::numeric_limits<double>::max() / 4 : 1.0;
   const Membership m = simplex_.solve(x, 1 - comfortable_depth, reject, optimum ? nullptr : &pending.warm);
   const bool decided = m.answer != Membership::Answer::undecided;
-  if (m.answer != Membership::Answer::inside && (!decided || m.upper > 1 + same_point)) {
+  const double same = kind_ == PolytopeKind::nonnegative ? same_in_cone : same_point;
+  if (m.answer != Membership::Answer::inside && (!decided || m.upper > 1 + same)) {
     pending.key = std::sqrt(std::max(m.lower, 1.0) * std::min(m.upper, largest_norm));
     entry.norm = std::min(entry.norm, m.upper);
     return false;
   }
   std::vector<CombinationTerm> terms = combination();
-  if (m.upper > 1 - same_point) {
+  if (m.upper > 1 - same) {
     const auto largest = std::max_element(terms.begin(), terms.end(), [](const auto& a, const auto& b) {
       return std::abs(a.coefficient) < std::abs(b.coefficient);
     });
-    if (std::abs(std::abs(largest->coefficient) - 1) <= same_point) {
+    if (std::abs(std::abs(largest->coefficient) - 1) <= same) {
       entry.known = entry.identity = true;
       entry.norm = 1;
       set_terms(entry, {*largest});

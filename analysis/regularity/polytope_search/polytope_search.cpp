@@ -140,7 +140,8 @@ class Search {
     const auto is_nonnegative = [](const Matrix& a) {
       return std::all_of(a.entries().begin(), a.entries().end(), [](double entry) { return entry >= 0; });
     };
-    if (!family_[0].symmetry.is_dense() && std::all_of(matrices.begin(), matrices.end(), is_nonnegative))
+    if (options_.cones && !family_[0].symmetry.is_dense() &&
+        std::all_of(matrices.begin(), matrices.end(), is_nonnegative))
       return PolytopeKind::nonnegative;
     for (const RootCycle& cycle : leading_cycles(matrices, maximizing(), 1e-10, deadline())) {
       if (std::abs(cycle.phase.imag()) > 1e-9) return PolytopeKind::complex;

@@ -15,6 +15,7 @@ struct SearchOptions {
   Budget budget{.deadline = Deadline::in(60)};
   int max_product_length = 200;
   std::size_t max_vertices = 40000;
+  bool cones = true;        ///< non-negative families may have polytopes of a cone, with fewer vertices
   double tolerance = 1e-9;  ///< an image is inside when its norm is at most 1 - tolerance
 };
 

@@ -99,19 +99,58 @@ void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
   expand(polytope->group, different);
 }
 
+/// A search for a polytope, and what is proved of it.
+struct Attempt {
+  PolytopeCandidate candidate;
+  ProductEvidence product;
+  std::optional<PolytopeProof> polytope;
+  Decision exact;
+
+  bool is_better_than(const Attempt& other) const {
+    if (exact.is_yes() || other.exact.is_yes()) return exact.is_yes() && !other.exact.is_yes();
+    return polytope && (!other.polytope || polytope->bound < other.polytope->bound);
+  }
+};
+
+/// `target`: of an upper bound, which is all that is asked for.
+Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budget& budget,
+                const std::optional<Rational>& target, bool cones) {
+  Attempt result{find_polytope(family, searching, cones), {}, std::nullopt, {Truth::unknown, "no polytope closed"}};
+  const Budget proving{Deadline::in(budget.deadline.remaining() + grace), budget.memory};
+  result.product = prove_product(family, result.candidate.products.front().word, proving.deadline);
+  result.polytope = certify_polytope(family, result.candidate, proving);
+  if (result.polytope && target && result.polytope->bound <= *target)
+    result.exact.reason = "a bound was asked for, and nothing else";
+  else if (result.polytope && *result.product.radius.lower > 0)
+    result.exact = attains(family, result.candidate, *result.polytope, result.product, proving.deadline);
+  return result;
+}
+
+/// Cones need fewer vertices, but an image that lies only a little below a vertex is beyond them; other polytopes may
+/// have extra vertices.
+Attempt best_attempt(const MatrixFamily& family, const Budget& searching, const Budget& budget,
+                     const std::optional<Rational>& target) {
+  Attempt first = attempt(family, searching, budget, target, true);
+  const bool enough = first.exact.is_yes() || (target && first.polytope && first.polytope->bound <= *target);
+  if (first.candidate.kind != PolytopeKind::nonnegative || enough) return first;
+  Attempt second = attempt(family, searching, budget, target, false);
+  return second.is_better_than(first) ? std::move(second) : std::move(first);
+}
+
 JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget& budget,
                                         const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   const long exponent = scaling_exponent(family);
   const Rational unit = power(Rational(2), exponent);
   const MatrixFamily scaled_family = exponent == 0 ? family : 1 / unit * family;
   const NormProof norms = known ? *known : norm_of_products(family, {budget.deadline.after(norm_share), budget.memory});
-  const PolytopeCandidate candidate = find_polytope(scaled_family,
-                                                    {budget.deadline.after(polytope_share), budget.memory});
-  const Budget proving{Deadline::in(budget.deadline.remaining() + grace), budget.memory};
+  const Deadline searching = budget.deadline.after(polytope_share);
+  Attempt found = best_attempt(scaled_family, {searching, budget.memory}, budget,
+                               target ? std::optional<Rational>(*target / unit) : std::nullopt);
+  const PolytopeCandidate& candidate = found.candidate;
+  std::optional<PolytopeProof>& polytope = found.polytope;
+  ProductEvidence& product = found.product;
 
   JointSpectralRadius result;
-  ProductEvidence product = prove_product(scaled_family, candidate.products.front().word, proving.deadline);
-  auto polytope = certify_polytope(scaled_family, candidate, proving);
   const Rational lower = *product.radius.lower * unit;
   Rational upper = norms.bound();
   // Of two bounds that differ by rounding only, the polytope is the shorter proof.
@@ -131,7 +170,7 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   else if (!by_polytope || lower <= 0)
     result.exact = {Truth::unknown, "no polytope closed"};
   else
-    result.exact = attains(scaled_family, candidate, *polytope, product, proving.deadline);
+    result.exact = found.exact;
   if (by_form)
     result.proof = scaled(std::move(*form), exponent);
   else if (by_polytope)

@@ -124,7 +124,7 @@ TEST_CASE("bad files are refused with line and column") {
                            "mask = 'dd:n=2'\nsmoothness = '<= 1'",
                            "mask = 'dd:n=2'\nsmoothness = '>='",
                            "mask = 'dd:n=2'\nholder = '2'",
-                           "mask = 'dd:n=2'\nholder = '>= 1e3'",
+                           "mask = 'dd:n=2'\nholder = '>= 1e'",
                            "mask = 'dd:n=2'\nsupport = [1]",
                            "mask = 'dd:n=2'\nsupport = [1, 2.5]",
                            "mask = 'dd:n=2'\nsymmetry = 'left'",

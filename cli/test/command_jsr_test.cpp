@@ -59,7 +59,7 @@ TEST_CASE("jsr: exact numbers, lines, graphs and targets") {
   };
   // 0.1 is no double, and no double holds 23 digits.
   CHECK(with(R"({"matrices": [[[0.1]]]})").at("radius").at("upper") == "0.1");
-  CHECK(has_digits(with(R"({"matrices": [[[12345678901234567890123]]]})").at("radius"), "lower", "1.234567890123456789"));
+  CHECK(with(R"({"matrices": [[[12345678901234567890123]]]})").at("radius").at("lower") == "1.234567890123456789e22");
   CHECK(with("matrices 2 1\nrow 1/2\nrow -25e-2\n").at("radius").at("upper") == "0.5");
   const std::string golden = R"({"matrices": [[[1,1],[0,1]], [[1,0],[1,1]]])";
   CHECK(with(golden + "}").at("exact") == true);

@@ -1,5 +1,6 @@
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/difference_space.hpp>
+#include <subcert/analysis/regularity/radius/constrained.hpp>
 #include <subcert/analysis/regularity/radius/one_block.hpp>
 #include <subcert/analysis/regularity/radius/similarity.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
@@ -459,6 +460,49 @@ TEST_CASE("joint spectral radii from the literature") {
   CHECK(joint_spectral_radius({half}, {Deadline::in(5)}).radius.contains(q("1/2")));
   CHECK_THROWS_AS(joint_spectral_radius({}, {Deadline::in(5)}), Error);
   CHECK_THROWS_AS(joint_spectral_radius({RationalMatrix(2, 3)}, {Deadline::in(5)}), Error);
+}
+
+TEST_CASE("cones: exact where images lie below vertices") {
+  // Euler's partition functions: ones where 0 <= 2i + t - j < d.
+  for (const long d : {3L, 5L, 7L, 13L, 21L}) {
+    CAPTURE(d);
+    std::vector<Rational> ones(static_cast<std::size_t>(d), 1);
+    const MatrixFamily family(transition_matrices(Mask(LaurentPolynomial(ones, 0), 2)));
+    const JointSpectralRadius radius = joint_spectral_radius(family, {Deadline::in(30)});
+    CHECK(radius.exact.is_yes());
+    CHECK(*radius.radius.upper - *radius.radius.lower < power(Rational(10), -18));
+    CHECK(radius.radius.contains(Rational(d, 2)) == false);
+    CHECK(proves(family, radius_certificate(family, radius)));
+  }
+  // The capacity of binary words without two ones in a row.
+  RationalMatrix step(2, 2);
+  step(0, 0) = step(0, 1) = step(1, 0) = 1;
+  CHECK(joint_spectral_radius({step}, {Deadline::in(5)}).exact.is_yes());
+}
+
+TEST_CASE("products along a graph") {
+  RationalMatrix up(2, 2), down(2, 2);
+  up(0, 0) = up(0, 1) = up(1, 1) = 1;
+  down(0, 0) = down(1, 0) = down(1, 1) = 1;
+  const MatrixFamily pair{up, down};
+  const auto radius = [&](const std::vector<Succession>& graph) {
+    return joint_spectral_radius(lifted(pair, graph).family, {Deadline::in(20)}).radius;
+  };
+  // All words: two loops at one node, or all edges between two.
+  const Enclosure golden = joint_spectral_radius(pair, {Deadline::in(20)}).radius;
+  CHECK(lifted(pair, {{0, 0, 0}, {0, 0, 1}}).family.matrices() == pair.matrices());
+  CHECK(radius({{0, 0, 0}, {0, 1, 1}, {1, 0, 0}, {1, 1, 1}}).contains(*golden.lower));
+  // One matrix leaves a node twice: two lifted matrices.
+  const LiftedFamily twice = lifted(pair, {{0, 0, 0}, {0, 1, 0}, {1, 0, 1}});
+  CHECK(twice.letters == std::vector<int>{0, 0, 1});
+  // Each first twice, then the other: the fourth root of the radius of up^2 down^2, 3 + 2 sqrt 2.
+  const Enclosure doubled = radius({{0, 1, 0}, {1, 2, 0}, {2, 3, 1}, {3, 0, 1}});
+  const Rational fourth = power(*doubled.lower, 4);
+  CHECK(fourth < q("58285/10000"));
+  CHECK(power(*doubled.upper, 4) > q("58284/10000"));
+  CHECK(radius({{0, 1, 0}, {1, 2, 1}}).upper == Rational(0));
+  CHECK_THROWS_AS(lifted(pair, {}), Error);
+  CHECK_THROWS_AS(lifted(pair, {{0, 0, 2}}), Error);
 }
 
 TEST_CASE("families of numbers that doubles do not hold") {

@@ -27,7 +27,7 @@ struct JsrOptions : SearchOptions {
 
 std::optional<Rational> read_bound(const std::string& name, const std::string& text) {
   if (text.empty()) return std::nullopt;
-  const auto value = parse_number(text);
+  auto value = parse_number(text);
   if (!value || *value < 0) fail(ErrorKind::usage, "{}: expected a number that is not negative, got '{}'", name, text);
   return value;
 }

@@ -171,7 +171,9 @@ void decide_by_neighbours(PropertyRange& range) {
     return is_end;
   });
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const auto holds = [&](std::size_t other) { return other < pieces.size() && pieces[other].holds == Truth::yes; };
+    const auto holds = [&](std::size_t other) {
+      return other < pieces.size() && pieces[other].holds == Truth::yes && pieces[other].low < pieces[other].high;
+    };
     const bool before = k > 0 && holds(k - 1), after = holds(k + 1), single = pieces[k].low == pieces[k].high;
     const auto inside = [&](const SpecialValue& value) {
       return pieces[k].low <= *value.value.lower && *value.value.upper <= pieces[k].high;

@@ -135,8 +135,8 @@ Decision decide_convergence(const Mask& mask, const HolderRegularity& regularity
   if (*regularity.exponent.lower > 0) return {Truth::yes, "the exponent is positive"};
   const int rules = regularity.bounds.sum_rules;
   const Rational threshold = power(Rational(mask.arity()), rules);
-  const Decision large{Truth::no, fmt::format("the joint spectral radius of the differences of order {} is at least {}",
-                                              rules, to_text(threshold))};
+  Decision large{Truth::no, fmt::format("the joint spectral radius of the differences of order {} is at least {}",
+                                        rules, to_text(threshold))};
   const Enclosure& radius = regularity.radius.radius;
   if (radius.lower && *radius.lower >= threshold) return large;
   if (rounded) return {Truth::unknown, "no positive exponent is proved of all masks that are meant"};

@@ -11,13 +11,13 @@ namespace subcert {
 
 SobolevRegularity sobolev_regularity(const Mask& mask) { return *sobolev_regularity(mask, Deadline()); }
 
-std::optional<SobolevRegularity> sobolev_regularity(const Mask& given, const Deadline& deadline) {
-  const ReducedMask other = reduced(given);
+std::optional<SobolevRegularity> sobolev_regularity(const Mask& mask, const Deadline& deadline) {
+  const ReducedMask other = reduced(mask);
   const bool is_exact = sum_rules(other.mask) >= 1;
-  const Mask& mask = is_exact ? other.mask : given;
-  const int rules = sum_rules(mask), arity = mask.arity();
+  const Mask& used = is_exact ? other.mask : mask;
+  const int rules = sum_rules(used), arity = mask.arity();
   require(rules >= 1, "sobolev_regularity: need at least one sum rule, got 0");
-  const LaurentPolynomial b = divided_difference_scheme(mask, rules).symbol();
+  const LaurentPolynomial b = divided_difference_scheme(used, rules).symbol();
   const LaurentPolynomial autocorrelation = b * b.reversed();
   const long reach = (b.length() - 1) / (arity - 1);
   if (reach > 400) fail(ErrorKind::size, "sobolev_regularity: need masks up to length 400, got {}", b.length());

@@ -143,6 +143,14 @@ Enclosure log_ratio(const Rational& argument, int base) {
   return (log(Ball(argument, bits)) / log(Ball(base, bits))).enclosure(256);
 }
 
+std::optional<Rational> exact_root(const Rational& value, unsigned long degree) {
+  Integer top, bottom;
+  const Integer numbers[] = {numerator(value), denominator(value)};
+  if (mpz_root(top.get(), numbers[0].get(), degree) == 0 || mpz_root(bottom.get(), numbers[1].get(), degree) == 0)
+    return std::nullopt;
+  return Rational(top, bottom);
+}
+
 Enclosure root_enclosure(const Rational& value, int degree) {
   if (value < 0 || degree < 1) fail(ErrorKind::domain, "root_enclosure: need value >= 0 and degree >= 1");
   if (degree == 1 || value == 0) return Enclosure::exactly(value);

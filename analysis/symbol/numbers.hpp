@@ -58,6 +58,9 @@ struct Enclosure {
 /// width below 2^-100 times max(1, |value|). Cost: one ball logarithm each. Ref: [Joh17].
 Enclosure log_ratio(const Rational& argument, int base);
 
+/// value^(1/degree), where that is rational. Domain: value >= 0, degree >= 1.
+std::optional<Rational> exact_root(const Rational& value, unsigned long degree);
+
 /// Encloses value^(1/degree). Domain: value >= 0, degree >= 1. Error: relative width below 2^-180.
 Enclosure root_enclosure(const Rational& value, int degree);
 

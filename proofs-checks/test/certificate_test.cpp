@@ -480,6 +480,23 @@ TEST_CASE("cones: exact where images lie below vertices") {
   CHECK(joint_spectral_radius({step}, {Deadline::in(5)}).exact.is_yes());
 }
 
+TEST_CASE("isometries end at once") {
+  const auto matrix = [](const char* a, const char* b, const char* c, const char* d) {
+    return matrix_of(2, {a, b, c, d});
+  };
+  // A rotation and a reflection; two generators of a finite group in skew coordinates; twice
+  // a rotation and a reflection.
+  for (const MatrixFamily& family : {MatrixFamily{matrix("3/5", "-4/5", "4/5", "3/5"), matrix("1", "0", "0", "-1")},
+                                     MatrixFamily{matrix("1", "1", "-1", "0"), matrix("0", "1", "-1", "-1")},
+                                     MatrixFamily{matrix("0", "-2", "2", "0"), matrix("2", "0", "0", "-2")}}) {
+    const JointSpectralRadius radius = joint_spectral_radius(family, {Deadline::in(20)});
+    CHECK(radius.exact.is_yes());
+    CHECK(radius.radius.is_exact());
+    CHECK(radius.method() == JsrMethod::quadratic_form);
+    CHECK(proves(family, radius_certificate(family, radius)));
+  }
+}
+
 TEST_CASE("products along a graph") {
   RationalMatrix up(2, 2), down(2, 2);
   up(0, 0) = up(0, 1) = up(1, 1) = 1;

@@ -20,6 +20,8 @@ constexpr double work_per_second = 5e8;                // of one core, and some 
 constexpr int form_bits = 48;                          // of the coordinates; the form has twice as many
 constexpr int bound_bits = 50;
 constexpr std::size_t guard_bits = 64, pivot_bits = 128;
+constexpr std::size_t most_isometric = 10;  // the size of matrices
+constexpr double isometry_seconds = 0.5;
 constexpr double slacks[] = {1e-11, 1e-9, 1e-7, 1e-5, 1e-3};  // of the bound, relatively
 
 /// A square matrix of integers, row by row.
@@ -148,6 +150,41 @@ class LeafProver {
   std::atomic<bool> failed_ = false;
 };
 
+/// The rational number of which the modulus of each determinant is the power of the size, if there is one.
+std::optional<Rational> common_ratio(const MatrixFamily& family) {
+  const Rational first = abs(determinant(family[0]));
+  for (const RationalMatrix& m : family)
+    if (first == 0 || abs(determinant(m)) != first) return std::nullopt;
+  return exact_root(first, family.size());
+}
+
+/// The symmetric P with A^T P A = ratio^2 P for all matrices, as vectors of the entries on and above the diagonal.
+std::vector<std::vector<Rational>> invariant_forms(const MatrixFamily& family, const Rational& ratio) {
+  const std::size_t n = family.size(), entries = n * (n + 1) / 2;
+  const auto place = [n](std::size_t i, std::size_t j) {
+    const std::size_t low = std::min(i, j), high = std::max(i, j);
+    return low * n - low * (low + 1) / 2 + high;
+  };
+  RationalMatrix equations(family.count() * entries, entries);
+  for (std::size_t t = 0; t < family.count(); ++t)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i; j < n; ++j) {
+        const std::size_t row = t * entries + place(i, j);
+        for (std::size_t k = 0; k < n; ++k)
+          for (std::size_t l = 0; l < n; ++l) equations(row, place(k, l)) += family[t](k, i) * family[t](l, j);
+        equations(row, place(i, j)) -= ratio * ratio;
+      }
+  return kernel(equations);
+}
+
+/// The lower triangle, row by row.
+std::vector<std::vector<Integer>> lower_rows(const Integers& form, std::size_t n) {
+  std::vector<std::vector<Integer>> rows(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) rows[i].push_back(form[j * n + i]);
+  return rows;
+}
+
 double limbs_of(const MatrixFamily& family) {
   long bits = 0;
   for (const RationalMatrix& m : family) {
@@ -181,13 +218,37 @@ std::optional<QuadraticProof> prove_by_quadratic_form(const MatrixFamily& family
   if (!is_positive(form, family.size())) return std::nullopt;
   const auto bound = LeafProver(family, form, tree.bound).prove(tree.words, budget.deadline);
   if (!bound) return std::nullopt;
-  for (std::size_t i = 0; i < family.size(); ++i) {
-    result.form.emplace_back();
-    for (std::size_t j = 0; j <= i; ++j) result.form.back().push_back(form[j * family.size() + i]);
-  }
+  result.form = lower_rows(form, family.size());
   result.group = family.group();
   result.words = tree.words;
   result.bound = *bound;
+  return result;
+}
+
+std::optional<QuadraticProof> prove_isometries(const MatrixFamily& family, const Deadline& deadline) {
+  const std::size_t n = family.size();
+  if (n > most_isometric) return std::nullopt;
+  const auto ratio = common_ratio(family);
+  // The checker rounds powers of the bound times the denominator down: only integers lose nothing.
+  if (!ratio || denominator(*ratio * Rational(common_denominator(family))) != 1) return std::nullopt;
+  const std::vector<std::vector<Rational>> forms = invariant_forms(family, *ratio);
+  if (forms.empty()) return std::nullopt;
+  // That combination of them which is nearest to the form that floating point finds.
+  const std::vector<std::size_t> free = free_columns(forms);
+  const auto guess = quadratic::ellipsoidal_coordinates(radius::to_search_family(family), 0,
+                                                        deadline.at_most(isometry_seconds));
+  const polytope::Matrix near = guess.to.transposed() * guess.to;
+  RationalMatrix form(n, n);
+  for (std::size_t k = 0, column = 0; k < n; ++k)
+    for (std::size_t l = k; l < n; ++l, ++column)
+      for (std::size_t v = 0; v < forms.size(); ++v)
+        if (free[v] == column)
+          for (std::size_t i = 0, at = 0; i < n; ++i)
+            for (std::size_t j = i; j < n; ++j, ++at) form(i, j) += Rational(near(k, l)) * forms[v][at];
+  const Integers integral = integer_multiple(form, common_denominator(form));
+  if (!is_positive(integral, n)) return std::nullopt;
+  QuadraticProof result{lower_rows(integral, n), {family.group().front()}, {}, *ratio};
+  for (std::size_t t = 0; t < family.count(); ++t) result.words.push_back({static_cast<int>(t)});
   return result;
 }
 

@@ -27,4 +27,9 @@ QuadraticProof scaled(QuadraticProof proof, long exponent);
 std::optional<QuadraticProof> prove_by_quadratic_form(const MatrixFamily& family, const Rational& target,
                                                       const Budget& budget);
 
+/// The proof for matrices that are a rational number times isometries of one positive definite form: the bound is that
+/// number, and the joint spectral radius. Nothing where they are not, or where the form was not found. Domain: size up
+/// to 10; others are left out. Cost: the kernel of a system with an unknown for each entry of the form.
+std::optional<QuadraticProof> prove_isometries(const MatrixFamily& family, const Deadline& deadline);
+
 }  // namespace subcert

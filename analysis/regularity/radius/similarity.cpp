@@ -146,12 +146,9 @@ std::optional<RationalMatrix> of_finite_order(const RationalMatrix& j, std::size
   const RationalMatrix power_of_j = power(j, static_cast<long>(order));
   const Rational& factor = power_of_j(0, 0);
   if (factor == 0 || !(power_of_j == factor * RationalMatrix::identity(j.rows()))) return std::nullopt;
-  Integer top, bottom;
-  const Integer size = abs(numerator(factor));
-  const auto degree = static_cast<unsigned long>(order);
-  if (mpz_root(top.get(), size.get(), degree) == 0 || mpz_root(bottom.get(), denominator(factor).get(), degree) == 0)
-    return std::nullopt;
-  return Rational(bottom) / Rational(top) * j;
+  const auto size = exact_root(abs(factor), static_cast<unsigned long>(order));
+  if (!size) return std::nullopt;
+  return 1 / *size * j;
 }
 
 std::size_t order_of(const Letters& letters) {

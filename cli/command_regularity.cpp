@@ -32,7 +32,7 @@ RegularityPage compute(Scheme scheme, const RegularityOptions& options, const Bu
   Enclosure holder;
   if (regularity.converges.is_yes())
     holder = {std::max(Rational(0), *regularity.exponent.lower), regularity.exponent.upper};
-  const bool complete = (regularity.reduced ? regularity.reduced->regularity : regularity).radius.is_closed();
+  const bool complete = regularity.deciding().radius.is_closed();
   return {std::move(scheme), std::move(regularity), std::move(sobolev), holder, complete, watch.seconds()};
 }
 
@@ -55,7 +55,7 @@ ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budg
     if (claim) json["certificate"] = {{"lower", optional_json(claim->lower)}, {"upper", optional_json(claim->upper)}};
     options.answer(json);
   } else {
-    options.answer(page.text() + (claim ? certificate_text(page.regularity, *claim) : ""));
+    options.answer(page.text() + (claim ? certificate_text(page.regularity.deciding(), *claim) : ""));
   }
   if (page.regularity.converges.is_no()) return failed;
   return page.regularity.converges.is_yes() && page.complete ? done : undecided;

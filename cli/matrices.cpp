@@ -2,6 +2,7 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
@@ -11,8 +12,6 @@
 namespace subcert::cli {
 namespace {
 
-// Together at most as many entries as 64 matrices of size 256 have.
-constexpr std::size_t most_matrices = 4096, largest_size = 256, most_entries = std::size_t{1} << 22;
 constexpr std::size_t longest_number = 4000, most_edges = 4096;
 
 Rational read_number(const std::string& text, const std::string& where) {
@@ -23,9 +22,9 @@ Rational read_number(const std::string& text, const std::string& where) {
 }
 
 void check_sizes(const std::string& file, std::size_t count, std::size_t size) {
-  if (count < 1 || count > most_matrices || size < 1 || size > largest_size || count * size * size > most_entries)
+  if (!FamilyLimits::hold(count, size))
     fail(ErrorKind::data, "{}: expected 1 to {} matrices of size 1 to {} with at most {} entries, got {} of size {}",
-         file, most_matrices, largest_size, most_entries, count, size);
+         file, FamilyLimits::matrices, FamilyLimits::size, FamilyLimits::entries, count, size);
 }
 
 /// JSON with its numbers as strings, so that none goes through a double.
@@ -68,10 +67,10 @@ Succession edge_of(const Json& edge, std::size_t matrices, const std::string& wh
   const bool is_list = edge.is_array() && edge.size() == 3;
   for (std::size_t k = 0; is_list && k < 3; ++k) {
     const auto value = edge[k].is_string() ? parse_rational(edge[k].get<std::string>()) : std::nullopt;
-    const std::size_t most = k < 2 ? largest_size : matrices;
+    const std::size_t most = k < 2 ? FamilyLimits::size : matrices;
     if (!value || denominator(*value) != 1 || *value < 0 || *value >= static_cast<long>(most))
       fail(ErrorKind::data, "{}: expected [from, to, matrix], nodes 0 to {} and matrices 0 to {}", where,
-           largest_size - 1, matrices - 1);
+           FamilyLimits::size - 1, matrices - 1);
     numbers[k] = numerator(*value).convert_to<std::size_t>();
   }
   if (!is_list) fail(ErrorKind::data, "{}: expected [from, to, matrix], three numbers", where);

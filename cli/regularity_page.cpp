@@ -96,7 +96,9 @@ std::string RegularityPage::exponent_text() const {
   const std::string text = enclosure_text(holder, 14);
   if (!holder.upper) return text + "  (a proved lower bound)";
   return text + "  (enclosed with proof" +
-         (regularity.radius.is_closed() ? ", " + holder.lower_text(17) + " ... " + holder.upper_text(17) : "") + ")";
+         (regularity.deciding().radius.is_closed() ? ", " + holder.lower_text(17) + " ... " + holder.upper_text(17)
+                                                   : "") +
+         ")";
 }
 
 std::string RegularityPage::text() const {

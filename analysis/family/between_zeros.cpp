@@ -39,20 +39,6 @@ struct Question {
   }
 };
 
-std::vector<RangePiece> merged(const std::vector<RangePiece>& pieces) {
-  std::vector<RangePiece> result;
-  for (const RangePiece& piece : pieces) {
-    // One of two neighbours has the number between them.
-    if (!result.empty() && result.back().holds == piece.holds) {
-      result.back().high = piece.high;
-      result.back().high_included = piece.high_included;
-    } else {
-      result.push_back(piece);
-    }
-  }
-  return result;
-}
-
 /// One verdict between neighbouring zeros of polynomials, which are looked at on their own. `between`: the verdict at a
 /// value there.
 PropertyRange by_verdicts(const Question& question, std::vector<SpecialValue> zeros,
@@ -249,6 +235,20 @@ Truth holds_at(const Mask& mask, const RangeProperty& property, const Deadline& 
   if (property.kind == Kind::convergent) return regularity.converges.truth;
   if (*exponent.lower >= property.order && regularity.converges.is_yes()) return Truth::yes;
   return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
+}
+
+std::vector<RangePiece> merged(const std::vector<RangePiece>& pieces) {
+  std::vector<RangePiece> result;
+  for (const RangePiece& piece : pieces) {
+    // One of two neighbours has the number between them.
+    if (!result.empty() && result.back().holds == piece.holds) {
+      result.back().high = piece.high;
+      result.back().high_included = piece.high_included;
+    } else {
+      result.push_back(piece);
+    }
+  }
+  return result;
 }
 
 bool is_complete(const std::vector<RangePiece>& pieces, const Rational& width) {

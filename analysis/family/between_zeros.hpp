@@ -18,6 +18,9 @@ void sort_values(std::vector<SpecialValue>& values);
 /// Whether the scheme has the property at one value.
 Truth holds_at(const Mask& mask, const RangeProperty& property, const Deadline& deadline);
 
+/// Neighbours with one verdict as one piece.
+std::vector<RangePiece> merged(const std::vector<RangePiece>& pieces);
+
 /// No undecided piece is longer.
 bool is_complete(const std::vector<RangePiece>& pieces, const Rational& width);
 

@@ -178,14 +178,11 @@ class RangeSearch {
   Segment range_;  // what is asked for
 };
 
-std::vector<RangePiece> merged(const std::vector<IntervalProof>& intervals) {
+std::vector<RangePiece> pieces_of(const std::vector<IntervalProof>& intervals) {
   std::vector<RangePiece> result;
-  for (const IntervalProof& proof : intervals) {
-    const Truth holds = proof.above ? Truth::yes : proof.below ? Truth::no : Truth::unknown;
-    if (result.empty() || result.back().holds != holds) result.push_back({proof.low, proof.high, holds});
-    result.back().high = proof.high;
-  }
-  return result;
+  for (const IntervalProof& proof : intervals)
+    result.push_back({proof.low, proof.high, proof.above ? Truth::yes : proof.below ? Truth::no : Truth::unknown});
+  return merged(result);
 }
 
 }  // namespace
@@ -232,7 +229,7 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
   PropertyRange result;
   result.sum_rules = rules;
   std::vector<IntervalProof> intervals = search.intervals();
-  result.pieces = merged(intervals);
+  result.pieces = pieces_of(intervals);
   result.complete = is_complete(result.pieces, options.width);
   for (std::size_t k = 0; k < result.pieces.size(); ++k) {
     const RangePiece& gap = result.pieces[k];

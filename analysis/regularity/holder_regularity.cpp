@@ -242,8 +242,7 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
 Truth has_derivatives(const HolderRegularity& regularity, const Rational& order) {
   const Enclosure& exponent = regularity.exponent;
   if (*exponent.lower > order) return Truth::yes;
-  if (regularity.reduced && regularity.converges.is_yes())
-    return has_derivatives(regularity.reduced->regularity, order);
+  if (regularity.reduced && regularity.converges.is_yes()) return has_derivatives(regularity.deciding(), order);
   if (!exponent.upper) return Truth::unknown;
   const bool decided = (exponent.is_exact() && *exponent.lower == order) ||
                        (*exponent.upper == order && order == regularity.bounds.sum_rules);

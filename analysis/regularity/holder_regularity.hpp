@@ -42,12 +42,16 @@ struct HolderRegularity {
   std::shared_ptr<const ReducedRegularity> reduced;
 
   const JointSpectralRadius& certifiable() const { return rational ? *rational : radius; }
+  /// What the exponent of a scheme that converges is from: this, or that of the reduced mask.
+  const HolderRegularity& deciding() const;
 };
 
 struct ReducedRegularity {
   ReducedMask mask;
   HolderRegularity regularity;
 };
+
+inline const HolderRegularity& HolderRegularity::deciding() const { return reduced ? reduced->regularity : *this; }
 
 /// What is to be proved: the exponent by whichever argument is shortest, or also with rational numbers for a
 /// certificate.

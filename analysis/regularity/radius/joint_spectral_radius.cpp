@@ -13,16 +13,14 @@ namespace subcert {
 namespace {
 
 const Rational rounding = power(Rational(10), -15);
-constexpr std::size_t most_matrices = 4096, largest_size = 256, most_entries = std::size_t{1} << 22;
 constexpr std::size_t proved_products = 3;  // of each search
 constexpr double triangularising_share = 0.2, symmetries_share = 0.1, first_look_share = 0.02, least_share = 0.05;
 constexpr double first_slice = 0.05;  // seconds for a block that seems smaller
 
 void require_small(const MatrixFamily& family) {
-  require(family.count() <= most_matrices && family.size() <= largest_size &&
-              family.count() * family.size() * family.size() <= most_entries,
+  require(FamilyLimits::hold(family.count(), family.size()),
           "joint_spectral_radius: need 1 to {} matrices of size 1 to {} with at most {} entries, got {} of size {}",
-          most_matrices, largest_size, most_entries, family.count(), family.size());
+          FamilyLimits::matrices, FamilyLimits::size, FamilyLimits::entries, family.count(), family.size());
 }
 
 /// The radii of all diagonal blocks, as sharp as the largest needs them.

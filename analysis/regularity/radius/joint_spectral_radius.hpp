@@ -60,8 +60,18 @@ struct JointSpectralRadius {
   const BlockProof* by_blocks() const { return std::get_if<BlockProof>(&proof); }
 };
 
-/// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: 1 to
-/// 4096 matrices of size 1 to 256 with at most 2^22 entries together, numbers of any size. `known`: an upper bound that
+/// The largest families that are looked at. Together 64 matrices of the largest size have so many entries.
+struct FamilyLimits {
+  static constexpr std::size_t matrices = 4096, size = 256, entries = std::size_t{1} << 22;
+  /// Whether so many matrices of a size are within them.
+  static constexpr bool hold(std::size_t count, std::size_t size_of_one) {
+    return count >= 1 && count <= matrices && size_of_one >= 1 && size_of_one <= size &&
+           count * size_of_one * size_of_one <= entries;
+  }
+};
+
+/// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: a
+/// family within FamilyLimits, numbers of any size. `known`: an upper bound that
 /// is known beforehand; `target`: one that is low enough, where the work ends. Errors: throws Error. Error: none, both
 /// ends are proved in exact arithmetic; where the search for an invariant polytope ends within the budget the width is
 /// about 1e-15, otherwise as narrow as the budget allowed. Cost: one linear program per vertex and matrix. Ref: [GP13,

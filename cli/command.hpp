@@ -58,6 +58,7 @@ struct CommonOptions {
 struct SearchOptions : CommonOptions {
   double budget = 60;         ///< seconds
   std::size_t memory = 1024;  ///< MiB
+  std::string width;          ///< of what is exact; empty without a wish
 
   Budget limits() const { return {Deadline::in(budget), memory << 20}; }
 };

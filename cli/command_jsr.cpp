@@ -2,13 +2,13 @@
 
 #include "command.hpp"
 #include "exponent_text.hpp"
-#include "matrices.hpp"
 #include "parameter_range.hpp"
 
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/proofs-checks/certificates/matrices_file.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
@@ -78,9 +78,9 @@ JointSpectralRadius radius_of(const MatrixFamily& family, const std::optional<Ra
 }
 
 Json json_of(const JointSpectralRadius& radius, const std::vector<int>& word, const std::vector<Bound>& bounds,
-             std::size_t size) {
+             std::size_t size, int digits) {
   const BlockProof* blocks = radius.by_blocks();
-  Json json{{"radius", enclosure_json(radius.radius)},
+  Json json{{"radius", enclosure_json(radius.radius, std::max(digits, 20))},
             {"exact", radius.exact.is_yes()},
             {"exactness", radius.exact.reason},
             {"closed", radius.is_closed()},
@@ -93,12 +93,14 @@ Json json_of(const JointSpectralRadius& radius, const std::vector<int>& word, co
   return json;
 }
 
-std::string text_of(const JointSpectralRadius& radius, const std::vector<int>& word, const std::vector<Bound>& bounds) {
+std::string text_of(const JointSpectralRadius& radius, const std::vector<int>& word, const std::vector<Bound>& bounds,
+                    int digits) {
   const BlockProof* blocks = radius.by_blocks();
   std::string text;
   if (blocks) text += "blocks       " + sizes_text(blocks->triangular.sizes) + "\n";
-  text += fmt::format("radius       {}  ({})\nproduct      {}  (radius {}{})\n", enclosure_text(radius.radius, 14),
-                      sized_method_text(radius), fmt::join(word, " "), enclosure_text(radius.product.radius, 14),
+  text += fmt::format("radius       {}  ({})\nproduct      {}  (radius {}{})\n",
+                      enclosure_text(radius.radius, std::max(digits, 14)), sized_method_text(radius),
+                      fmt::join(word, " "), enclosure_text(radius.product.radius, 14),
                       radius.exact.is_yes() ? ", proved to attain the joint spectral radius" : "");
   for (const Bound& bound : bounds)
     text += fmt::format("{}{}: {}\n", padded(bound.name, 13), to_text(bound.value), verdict_text(bound.holds));
@@ -106,13 +108,16 @@ std::string text_of(const JointSpectralRadius& radius, const std::vector<int>& w
 }
 
 ExitCode run(const JsrOptions& options) {
-  const MatricesFile file = read_matrices(options.file);
+  const MatricesFile file = parse_matrices(read_file(options.file), options.file);
+  const WantedWidth wanted = wanted_width(options);
   const auto lower = read_bound("--lower", options.lower), upper = read_bound("--upper", options.upper);
   std::optional<LiftedFamily> lift;
   if (!file.graph.empty()) lift = lifted(file.family, file.graph);
   const MatrixFamily& family = lift ? lift->family : file.family;
   options.progress("products and polytopes");
-  const JointSpectralRadius radius = radius_of(family, lower, upper, options.limits());
+  const Budget budget = options.limits();
+  JointSpectralRadius radius = radius_of(family, lower, upper, budget);
+  sharpen(radius, family, wanted.bits, budget.deadline);
   options.end_progress();
   if (!options.certificate.empty()) {
     runtime::write_file(options.certificate, radius_certificate(family, radius).text);
@@ -126,8 +131,9 @@ ExitCode run(const JsrOptions& options) {
   if (lift)
     head += fmt::format("graph        {} successions, {} matrices of size {}\n", file.graph.size(), family.count(),
                         family.size());
-  options.answer(json_of(radius, word, bounds, family.size()), head + text_of(radius, word, bounds));
-  if (bounds.empty()) return radius.is_closed() ? done : undecided;
+  options.answer(json_of(radius, word, bounds, family.size(), wanted.digits),
+                 head + text_of(radius, word, bounds, wanted.digits));
+  if (bounds.empty()) return radius.is_closed() && wanted.holds(radius.radius) ? done : undecided;
   const auto any = [&](Truth truth) {
     return std::ranges::any_of(bounds, [=](const Bound& b) { return b.holds == truth; });
   };
@@ -151,6 +157,7 @@ void add_jsr(Command& app) {
   command.option("--lower", options->lower, "Ends as soon as the radius is proved to be at least that, or not to be");
   command.option("--upper", options->upper, "The same for at most");
   add_limits(command, *options);
+  add_width(command, *options);
   command.option("--certificate", options->certificate,
                  "Write a certificate there, and the matrices beside it as FILE.matrices");
 }

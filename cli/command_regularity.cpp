@@ -19,25 +19,28 @@ struct RegularityOptions : SearchOptions {
   int levels = 16;
 };
 
-RegularityPage compute(Scheme scheme, const RegularityOptions& options, const Budget& budget) {
+RegularityPage compute(Scheme scheme, const RegularityOptions& options, const WantedWidth& wanted,
+                       const Budget& budget) {
   const Stopwatch watch;
   options.progress("norms, products and polytopes");
   std::optional<SobolevRegularity> sobolev;
   if (is_affine(scheme.mask) && !scheme.rounding)  // otherwise holder_regularity says so
     sobolev = sobolev_if_small(scheme.mask, Deadline::in(sobolev_share * budget.deadline.remaining() + 1));
   const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
-  HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof, scheme.rounding);
+  HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof, scheme.rounding,
+                                                  wanted.bits);
   options.end_progress();
   // A bound that is not positive proves nothing, not even convergence.
   Enclosure holder;
   if (regularity.converges.is_yes())
     holder = {std::max(Rational(0), *regularity.exponent.lower), regularity.exponent.upper};
-  const bool complete = regularity.deciding().radius.is_closed();
-  return {std::move(scheme), std::move(regularity), std::move(sobolev), holder, complete, watch.seconds()};
+  const bool complete = regularity.deciding().radius.is_closed() && wanted.holds(holder);
+  return {std::move(scheme), std::move(regularity), std::move(sobolev), holder,
+          complete,          watch.seconds(),       wanted.digits};
 }
 
 ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budget) {
-  const RegularityPage page = compute(std::move(scheme), options, budget);
+  const RegularityPage page = compute(std::move(scheme), options, wanted_width(options), budget);
   std::optional<CertificateClaim> claim;
   if (!options.certificate.empty()) {
     // Other arguments may prove more than rational numbers do.
@@ -63,14 +66,16 @@ ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budg
 
 ExitCode run(MultivariateScheme scheme, const RegularityOptions& options, const Budget& budget) {
   options.progress("products and polytopes");
-  const MultivariateRegularityPage page = multivariate_regularity_page(std::move(scheme), budget,
+  const WantedWidth wanted = wanted_width(options);
+  const MultivariateRegularityPage page = multivariate_regularity_page(std::move(scheme), budget, wanted,
                                                                        !options.certificate.empty());
   options.end_progress();
   if (!options.certificate.empty())
     runtime::write_file(options.certificate, surface_certificate(page.scheme.mask, page.regularity).text);
   options.json ? options.answer(page.json()) : options.answer(page.text());
   if (page.regularity.converges.is_no()) return failed;
-  return page.regularity.converges.is_yes() && page.regularity.is_closed() ? done : undecided;
+  const bool complete = page.regularity.is_closed() && wanted.holds(page.regularity.exponent);
+  return page.regularity.converges.is_yes() && complete ? done : undecided;
 }
 
 }  // namespace
@@ -86,6 +91,7 @@ void add_regularity(Command& app) {
                                 });
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
   add_limits(command, *options);
+  add_width(command, *options);
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
   add_scheme(command, options->scheme, true);
 }

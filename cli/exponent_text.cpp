@@ -1,11 +1,37 @@
 #include "exponent_text.hpp"
 
+#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+
+#include <algorithm>
+
 namespace subcert::cli {
 namespace {
 
 constexpr long most_coefficients = 120;
+constexpr long most_places = 1000;
 
 }  // namespace
+
+void add_width(Command& command, SearchOptions& options) {
+  command.option("--width", options.width,
+                 "At most so wide, 1e-1000 to 1, where a product is proved to attain the radius; wider is undecided");
+}
+
+WantedWidth wanted_width(const SearchOptions& options) {
+  if (options.width.empty()) return {};
+  const auto width = parse_number(options.width);
+  const Rational least = power(Rational(10), -most_places);
+  if (!width || *width < least || *width > 1)
+    fail(ErrorKind::usage, "--width: expected a number from 1e-{} to 1, got '{}'", most_places, options.width);
+  WantedWidth result{width};
+  int places = 0;
+  for (Rational unit = 1; unit > *width; unit /= 10) ++places;
+  // 10 > 2^3; the rest is for radii beyond 1.
+  result.bits = std::max(result.bits, 10 * places / 3 + 32);
+  result.digits = places + 2;
+  return result;
+}
 
 std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadline& deadline) {
   if (mask.symbol().length() > most_coefficients) return std::nullopt;
@@ -40,12 +66,13 @@ std::string method_text(const JointSpectralRadius& radius) {
 }
 
 std::string sized_method_text(const JointSpectralRadius& radius) {
+  std::string text = method_text(radius);
   const auto counted = [&](std::size_t count, const char* one, const char* several) {
-    return fmt::format("{} with {} {}", method_text(radius), count, count == 1 ? one : several);
+    return fmt::format("{} with {} {}", text, count, count == 1 ? one : several);
   };
-  if (radius.method() == JsrMethod::invariant_polytope) return counted(radius.vertices(), "vertex", "vertices");
-  if (radius.method() == JsrMethod::quadratic_form) return counted(radius.words(), "product", "products");
-  return method_text(radius);
+  if (radius.method() == JsrMethod::invariant_polytope) text = counted(radius.vertices(), "vertex", "vertices");
+  if (radius.method() == JsrMethod::quadratic_form) text = counted(radius.words(), "product", "products");
+  return radius.is_closed() ? text : "lower end by the product, upper end by " + text;
 }
 
 std::string word_text(const std::vector<int>& word) {

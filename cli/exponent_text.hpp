@@ -9,6 +9,20 @@
 
 namespace subcert::cli {
 
+/// --width, and what it means.
+void add_width(Command& command, SearchOptions& options);
+struct WantedWidth {
+  std::optional<Rational> width;
+  int bits = default_bits;  ///< of radii and exponents
+  int digits = 0;           ///< that show them
+
+  bool holds(const Enclosure& enclosure) const {
+    return !width || (enclosure.is_bounded() && *enclosure.upper - *enclosure.lower <= *width);
+  }
+};
+/// Errors: throws a usage error for what is no width.
+WantedWidth wanted_width(const SearchOptions& options);
+
 /// Nothing for masks whose matrices take more than about a second. Domain: at least one sum rule.
 std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadline& deadline = {});
 
@@ -21,7 +35,7 @@ std::string sobolev_text(const SobolevRegularity& sobolev, const Decision& stabl
 
 /// By which kind of argument the upper end of a radius is proved.
 std::string method_text(const JointSpectralRadius& radius);
-/// The same with the size of the proof.
+/// The same with the size of the proof; and, where the ends are apart, by what the lower one is proved.
 std::string sized_method_text(const JointSpectralRadius& radius);
 
 /// The letters of a product, with commas behind letters above 9.

@@ -2,8 +2,9 @@
 
 namespace subcert::cli {
 
-Json enclosure_json(const Enclosure& enclosure) {
-  return {{"lower", enclosure.lower_text()}, {"upper", enclosure.upper_text()}};
+Json enclosure_json(const Enclosure& enclosure, int digits) {
+  digits = enclosure.telling_digits(digits);
+  return {{"lower", enclosure.lower_text(digits)}, {"upper", enclosure.upper_text(digits)}};
 }
 
 Json enclosure_json(const std::optional<Enclosure>& enclosure) {

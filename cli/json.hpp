@@ -13,8 +13,8 @@ namespace subcert::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// {"lower", "upper"}.
-Json enclosure_json(const Enclosure& enclosure);
+/// {"lower", "upper"}, with as many digits as tell it from thresholds (Enclosure::telling_digits).
+Json enclosure_json(const Enclosure& enclosure, int digits = 20);
 Json enclosure_json(const std::optional<Enclosure>& enclosure);  ///< null where there is none
 /// {"lower", "upper"}, exact.
 Json interval_json(const Interval& interval);

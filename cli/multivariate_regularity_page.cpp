@@ -5,12 +5,13 @@
 #include <sstream>
 
 namespace subcert::cli {
-MultivariateRegularityPage multivariate_regularity_page(MultivariateScheme scheme, const Budget& budget, bool by_mask) {
+MultivariateRegularityPage multivariate_regularity_page(MultivariateScheme scheme, const Budget& budget,
+                                                        const WantedWidth& wanted, bool by_mask) {
   const Stopwatch watch;
   MultivariateRegularity regularity = scheme.factors.empty() || by_mask
-                                          ? multivariate_regularity(scheme.mask, budget)
-                                          : tensor_product_regularity(scheme.factors, budget);
-  return {std::move(scheme), std::move(regularity), watch.seconds()};
+                                          ? multivariate_regularity(scheme.mask, budget, wanted.bits)
+                                          : tensor_product_regularity(scheme.factors, budget, wanted.bits);
+  return {std::move(scheme), std::move(regularity), watch.seconds(), wanted.digits};
 }
 
 Json MultivariateRegularityPage::json() const {
@@ -26,7 +27,7 @@ Json MultivariateRegularityPage::json() const {
           {"dimension", regularity.space ? Json(regularity.space->family.size()) : Json()},
           {"blocks", radius && radius->by_blocks() ? Json(radius->by_blocks()->triangular.sizes) : Json()},
           {"radius", radius ? enclosure_json(radius->radius) : Json()},
-          {"holder", enclosure_json(regularity.exponent)},
+          {"holder", enclosure_json(regularity.exponent, std::max(digits, 20))},
           {"exact", regularity.exact.is_yes()},
           {"exactness", regularity.exact.reason},
           {"closed", regularity.is_closed()},
@@ -79,7 +80,7 @@ std::string MultivariateRegularityPage::text() const {
     page << enclosure_text(regularity.exponent, 14) << "  (a proved lower bound"
          << (regularity.stable.is_no() ? "; the shifts are unstable, so the limits may be smoother)" : ")");
   else
-    page << enclosure_text(regularity.exponent, 14) << "  (enclosed with proof"
+    page << enclosure_text(regularity.exponent, std::max(digits, 14)) << "  (enclosed with proof"
          << (scheme.factors.empty() || radius ? ")" : ", by the factors)");
   page << "\n";
   if (regularity.sobolev)

@@ -2,6 +2,7 @@
 /// What `subcert regularity` prints about schemes of two and three variables.
 
 #include "command.hpp"
+#include "exponent_text.hpp"
 
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 
@@ -11,12 +12,14 @@ struct MultivariateRegularityPage {
   MultivariateScheme scheme;
   MultivariateRegularity regularity;
   double seconds = 0;
+  int digits = 0;  ///< of the exponent, at least
 
   Json json() const;
   std::string text() const;
 };
 
 /// By the factors of a tensor product, otherwise, or where `by_mask` asks for it, by the mask.
-MultivariateRegularityPage multivariate_regularity_page(MultivariateScheme scheme, const Budget& budget, bool by_mask);
+MultivariateRegularityPage multivariate_regularity_page(MultivariateScheme scheme, const Budget& budget,
+                                                        const WantedWidth& wanted, bool by_mask);
 
 }  // namespace subcert::cli

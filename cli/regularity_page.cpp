@@ -5,13 +5,23 @@
 namespace subcert::cli {
 namespace {
 
+/// The first digits of what the exponent exceeds this derivative by, never rounded up.
+std::string leading_digits(const Enclosure& exponent, int derivative) {
+  const Rational low = *exponent.lower - derivative;
+  if (exponent.is_exact()) return to_text(low);
+  const Rational high = exponent.upper ? Rational(*exponent.upper - derivative) : low;
+  const int digits = Enclosure{low, high}.telling_digits(6);
+  std::string text = to_decimal(low, digits, Rounding::down);
+  return text == to_decimal(high, digits, Rounding::down) ? text + "..." : text;
+}
+
 /// Whether the exponent is attained: the modulus of continuity of the derivative that decides.
 std::string attained_text(const HolderRegularity& regularity) {
   const LogarithmicFactor& factor = regularity.logarithm;
   if (!factor.derivative) return "unknown: " + factor.reason;
   const auto modulus = [&](int power) {
-    const Rational difference = *regularity.exponent.lower - *factor.derivative;
-    return "h" + (difference == 1 ? "" : "^" + to_decimal(difference, 6, Rounding::nearest)) +
+    const std::string exponent = leading_digits(regularity.exponent, *factor.derivative);
+    return "h" + (exponent == "1" ? "" : "^" + exponent) +
            (power == 0   ? ""
             : power == 1 ? " |log h|"
                          : " |log h|^" + std::to_string(power));
@@ -48,8 +58,8 @@ Json RegularityPage::json() const {
           {"bound", bound_json(bounds.last())},
           {"bounds_by_level", by_level},
           {"converges", to_text(regularity.converges.truth)},
-          {"radius", enclosure_json(radius.radius)},
-          {"holder", enclosure_json(holder)},
+          {"radius", enclosure_json(radius.radius, std::max(digits, 20))},
+          {"holder", enclosure_json(holder, std::max(digits, 20))},
           {"exact", radius.exact.is_yes()},
           {"exactness", radius.exact.reason},
           {"closed", radius.is_closed()},
@@ -93,10 +103,11 @@ std::string RegularityPage::exponent_text() const {
   if (!holder.lower && !holder.upper)
     return regularity.converges.is_no() ? "none, as the scheme does not converge"
                                         : "unknown, as convergence is not proved";
-  const std::string text = enclosure_text(holder, 14);
+  const std::string text = enclosure_text(holder, std::max(digits, 14));
   if (!holder.upper) return text + "  (a proved lower bound)";
+  const int most = holder.telling_digits(std::max(digits, 17));
   return text + "  (enclosed with proof" +
-         (regularity.deciding().radius.is_closed() ? ", " + holder.lower_text(17) + " ... " + holder.upper_text(17)
+         (regularity.deciding().radius.is_closed() ? ", " + holder.lower_text(most) + " ... " + holder.upper_text(most)
                                                    : "") +
          ")";
 }

@@ -15,6 +15,7 @@ struct RegularityPage {
   Enclosure holder;  ///< as far as convergence is proved
   bool complete;     ///< the enclosure is as narrow as it gets
   double seconds;
+  int digits = 0;  ///< of the exponent, at least
 
   Json json() const;
   std::string text() const;

@@ -5,6 +5,7 @@
 #include "dyn_2015.hpp"
 #include "families.hpp"
 #include "formats/html.hpp"
+#include "joint_spectral_radii.hpp"
 #include "least_squares_surfaces.hpp"
 #include "paper_experiments.hpp"
 
@@ -30,7 +31,8 @@ constexpr std::size_t longest_open_table = 12;  // rows; longer ones are folded 
 Json computed_json(const formats::Computed& computed) {
   if (const auto* text = std::get_if<std::string>(&computed)) return {{"lower", *text}, {"upper", *text}};
   const Enclosure& enclosure = std::get<Enclosure>(computed);
-  return {{"lower", enclosure.lower_text()}, {"upper", enclosure.upper_text()}};
+  const int digits = enclosure.telling_digits(20);
+  return {{"lower", enclosure.lower_text(digits)}, {"upper", enclosure.upper_text(digits)}};
 }
 
 Json comparison_json(const formats::ComparisonTable& table, const formats::Comparison& comparison) {
@@ -289,6 +291,7 @@ const SpecialReport* special_report(const std::string& paper) {
       {"bivariate", {bivariate_items, report_bivariate}},
       {"families", {family_items, report_families}},
       {"daubechies", {daubechies_items, report_daubechies}},
+      {"jsr", {joint_spectral_radius_items, report_joint_spectral_radii}},
   };
   const auto found = all.find(paper);
   return found == all.end() ? nullptr : &found->second;

@@ -234,7 +234,8 @@ Truth holds_at(const Mask& mask, const RangeProperty& property, const Deadline& 
   if (property.kind == Kind::smooth) return has_derivatives(regularity, property.order);
   if (property.kind == Kind::convergent) return regularity.converges.truth;
   if (*exponent.lower >= property.order && regularity.converges.is_yes()) return Truth::yes;
-  return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
+  const bool less = exponent.upper && *exponent.upper < property.order;
+  return less || regularity.converges.is_no() ? Truth::no : Truth::unknown;
 }
 
 std::vector<RangePiece> merged(const std::vector<RangePiece>& pieces) {

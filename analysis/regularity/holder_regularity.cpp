@@ -172,7 +172,7 @@ Rational entry_error(const Mask& mask, const MaskRounding& rounding) {
 
 /// Without a look at other masks.
 HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof,
-                                const std::optional<MaskRounding>& rounding) {
+                                const std::optional<MaskRounding>& rounding, int bits) {
   HolderRegularity result;
   result.bounds = holder_bounds(mask, levels, budget.deadline.after(0.5));
   const int rules = result.bounds.sum_rules, arity = mask.arity();
@@ -206,15 +206,18 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
     if (product.word == std::vector<int>{result.single.letter} && !(*product.radius.lower > 0))
       product.radius = growth.radius;
   }
+  // The logarithm doubles a relative width at most.
+  if (derived.symbol().length() <= most_rows * (arity - 1))
+    sharpen(result.radius, transition_matrices(derived), bits + 1, budget.deadline);
   const HolderBound& best = result.bounds.best();
   const Enclosure& radius = result.radius.radius;
   result.exponent = Enclosure::at_least(
-      std::max(*best.exponent.lower, Rational(rules - *log_ratio(*radius.upper, arity).upper)));
+      std::max(*best.exponent.lower, Rational(rules - *log_ratio(*radius.upper, arity, bits + 1).upper)));
   // A radius of 1 says nothing from above; larger ones do, and so does the number of sum rules
   // (proofs-checks/certificates/SPEC.md, theorems 3 and 23).
   if (result.stable.is_yes()) {
     if (radius.lower && *radius.lower > 1)
-      result.exponent.upper = rules - *log_ratio(*radius.lower, arity).lower;
+      result.exponent.upper = rules - *log_ratio(*radius.lower, arity, bits + 1).lower;
     else if (!rounding)
       result.exponent.upper = rules;
   }
@@ -226,15 +229,15 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
 }  // namespace
 
 HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof,
-                                   const std::optional<MaskRounding>& rounding) {
-  if (rounding) return own_regularity(mask, levels, budget, proof, rounding);
+                                   const std::optional<MaskRounding>& rounding, int bits) {
+  if (rounding) return own_regularity(mask, levels, budget, proof, rounding, bits);
   ReducedMask other = reduced(mask);
   const bool needed = other.changes() && is_affine(other.mask) &&
                       (proof == HolderProof::certificate || has_stable_shifts(mask).is_no());
-  if (!needed) return own_regularity(mask, levels, budget, proof, rounding);
+  if (!needed) return own_regularity(mask, levels, budget, proof, rounding, bits);
   HolderRegularity result = own_regularity(mask, levels, {budget.deadline.after(unstable_share), budget.memory}, proof,
-                                           rounding);
-  HolderRegularity stable = own_regularity(other.mask, levels, budget, proof, rounding);
+                                           rounding, bits);
+  HolderRegularity stable = own_regularity(other.mask, levels, budget, proof, rounding, bits);
   use_reduced(result, std::move(other), std::move(stable));
   return result;
 }
@@ -242,6 +245,7 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
 Truth has_derivatives(const HolderRegularity& regularity, const Rational& order) {
   const Enclosure& exponent = regularity.exponent;
   if (*exponent.lower > order) return Truth::yes;
+  if (regularity.converges.is_no()) return Truth::no;
   if (regularity.reduced && regularity.converges.is_yes()) return has_derivatives(regularity.deciding(), order);
   if (!exponent.upper) return Truth::unknown;
   const bool decided = (exponent.is_exact() && *exponent.lower == order) ||

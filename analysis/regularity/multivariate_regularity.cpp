@@ -15,6 +15,7 @@
 namespace subcert {
 namespace {
 
+constexpr int bits_of_powers = 4;                                                // lost by a power and a logarithm
 constexpr double norm_share = 0.05, sobolev_share = 0.3, stability_share = 0.5;  // of the time that is left
 constexpr int levels = 16;                           // of norms, where they decide convergence
 constexpr double least_seconds = 5;                  // for convergence
@@ -134,14 +135,16 @@ struct Along {
   Enclosure exponent;
 };
 std::optional<Along> exponent_along(const MultivariateMask& mask, const IsotropicSubspace& subspace, int first_order,
-                                    const Budget& budget) {
+                                    const Budget& budget, int bits) {
   constexpr int most_orders = 4;
   std::optional<Along> result;
   for (int order = first_order; order < first_order + most_orders; ++order) {
     auto space = value_space(mask, order, subspace.basis);
     if (!space || space->family.size() > largest_space) break;
     JointSpectralRadius radius = joint_spectral_radius(space->family, {budget.deadline.after(0.5), budget.memory});
-    Enclosure exponent = exponent_of_radius(radius.radius, subspace.classes, subspace.basis.size());
+    sharpen(radius, space->family, bits + bits_of_powers, budget.deadline);
+    Enclosure exponent = exponent_of_radius(radius.radius, subspace.classes, subspace.basis.size(),
+                                            bits + bits_of_powers);
     const bool decided = exponent.upper && *exponent.upper < order;
     if (!decided) exponent = Enclosure::at_least(std::min(exponent.lower.value_or(0), Rational(order)));
     result = Along{std::move(*space), std::move(radius), exponent};
@@ -151,13 +154,14 @@ std::optional<Along> exponent_along(const MultivariateMask& mask, const Isotropi
 }
 
 /// Fills in the smallest of the exponents along the subspaces.
-void search_along_subspaces(const MultivariateMask& mask, const Budget& budget, MultivariateRegularity& result) {
+void search_along_subspaces(const MultivariateMask& mask, const Budget& budget, int bits,
+                            MultivariateRegularity& result) {
   result.exact = {Truth::unknown, "no space of differences along a subspace was found"};
   std::optional<Along> roughest;
   Enclosure exponent;
   bool all = true;
   for (const IsotropicSubspace& subspace : mask.dilation().isotropic_subspaces()) {
-    auto along = exponent_along(mask, subspace, std::max(result.sum_rules, 1), budget);
+    auto along = exponent_along(mask, subspace, std::max(result.sum_rules, 1), budget, bits);
     if (!along) {
       all = false;
       continue;
@@ -180,16 +184,16 @@ void search_along_subspaces(const MultivariateMask& mask, const Budget& budget, 
 
 }  // namespace
 
-Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t dimension) {
+Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t dimension, int bits) {
   const auto root = static_cast<long>(dimension);
   const int base = static_cast<int>(classes);
   Enclosure result;
-  if (radius.upper && *radius.upper > 0) result.lower = -*log_ratio(power(*radius.upper, root), base).upper;
-  if (radius.lower && *radius.lower > 0) result.upper = -*log_ratio(power(*radius.lower, root), base).lower;
+  if (radius.upper && *radius.upper > 0) result.lower = -*log_ratio(power(*radius.upper, root), base, bits).upper;
+  if (radius.lower && *radius.lower > 0) result.upper = -*log_ratio(power(*radius.lower, root), base, bits).lower;
   return result;
 }
 
-MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget) {
+MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget, int bits) {
   const Dilation& dilation = mask.dilation();
   require(!dilation.isotropic_subspaces().empty(),
           "regularity: need a dilation without Jordan blocks whose conjugate eigenvalues have one modulus, or a tensor "
@@ -210,14 +214,18 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
       sobolev = decide_sobolev(mask, budget.deadline.after(sobolev_share), result);
       search_radius(mask, sobolev, budget, result);
     } else {
-      search_along_subspaces(mask, budget, result);
+      search_along_subspaces(mask, budget, bits, result);
     }
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::size) throw;
   }
   if (!dilation.is_isotropic()) return result;
   Enclosure exponent;
-  if (result.radius) exponent = exponent_of_radius(result.radius->radius, dilation.classes(), dilation.variables());
+  if (result.radius) {
+    sharpen(*result.radius, result.space->family, bits + bits_of_powers, budget.deadline);
+    exponent = exponent_of_radius(result.radius->radius, dilation.classes(), dilation.variables(),
+                                  bits + bits_of_powers);
+  }
   const bool continuous = exponent.lower && *exponent.lower > 0,
              of_values = result.space && result.space->is_of_values();
   if (continuous && !of_values)
@@ -253,7 +261,7 @@ bool MultivariateRegularity::is_closed() const {
   return exponent.is_bounded() && *exponent.upper - *exponent.lower < power(Rational(10), -12);
 }
 
-MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factors, const Budget& budget) {
+MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factors, const Budget& budget, int bits) {
   require(!factors.empty(), "tensor_product_regularity: need at least one factor, got none");
   MultivariateRegularity result;
   result.converges = {Truth::yes, "every factor converges"};
@@ -262,7 +270,8 @@ MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factor
   std::vector<SobolevRegularity> sobolev;
   for (std::size_t k = 0; k < factors.size(); ++k) {
     const Deadline share = budget.deadline.after(1.0 / static_cast<double>(factors.size() - k));
-    regularities.push_back(holder_regularity(factors[k], levels, {share, budget.memory}));
+    regularities.push_back(
+        holder_regularity(factors[k], levels, {share, budget.memory}, HolderProof::shortest, std::nullopt, bits));
     const HolderRegularity& one = regularities.back();
     if (!one.stable.is_yes() && !result.stable.is_no()) result.stable = one.stable;
     if (!one.converges.is_yes() && !result.converges.is_no()) result.converges = one.converges;

@@ -11,7 +11,7 @@ namespace subcert {
 
 /// -log radius to the base classes^(1/dimension), by which a dilation expands an isotropic subspace; ends at or below 0
 /// give no end. Error: none where the power `dimension` of the radius is one of the classes, otherwise as log_ratio.
-Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t dimension);
+Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t dimension, int bits = default_bits);
 
 struct MultivariateRegularity {
   int sum_rules = 0;
@@ -37,10 +37,12 @@ struct MultivariateRegularity {
 /// radius are given. Domain: any mask with a dilation that has such subspaces. Errors: throws Error otherwise. Error:
 /// none, both ends are proved. Cost: as joint_spectral_radius on the space of differences. Proof: docs/surfaces.md.
 /// Ref: [Jia98], [Jia99], [CP19].
-MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget);
+MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget,
+                                               int bits = default_bits);
 
 /// The same for a tensor product, by its factors, whatever their arities: the exponent is the smallest of theirs.
 /// Without space, radius and inner products. Domain: two or three masks with coset sums 1.
-MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factors, const Budget& budget);
+MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factors, const Budget& budget,
+                                                 int bits = default_bits);
 
 }  // namespace subcert

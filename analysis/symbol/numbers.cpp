@@ -9,6 +9,7 @@ namespace subcert {
 namespace {
 
 constexpr std::size_t max_digits = 10'000;
+constexpr int thresholds_per_unit = 12;
 
 bool all_digits(std::string_view text) {
   return !text.empty() && text.size() <= max_digits &&
@@ -24,6 +25,16 @@ long decimal_exponent(const Rational& value) {
   long exponent = size(numerator(magnitude)) - size(denominator(magnitude)) + 1;
   while (power(Rational(10), exponent) > magnitude) --exponent;
   return exponent;
+}
+
+/// The least integer that the base is a power of, and which power. Domain: base >= 2.
+std::pair<Integer, int> primitive_root(int base) {
+  const Integer power = base;
+  for (int degree = 30; degree > 1; --degree) {
+    Integer root;
+    if (mpz_root(root.get(), power.get(), static_cast<unsigned long>(degree)) != 0) return {root, degree};
+  }
+  return {power, 1};
 }
 
 std::string place_point(std::string digits, long places) {
@@ -128,19 +139,38 @@ std::string Enclosure::lower_text(int digits) const {
 
 std::string Enclosure::upper_text(int digits) const { return upper ? to_decimal(*upper, digits, Rounding::up) : "inf"; }
 
-Enclosure log_ratio(const Rational& argument, int base) {
+int Enclosure::telling_digits(int digits) const {
+  // A digit more brings the printed end ten times nearer.
+  const auto enough = [](const Rational& end, Rounding rounding, int least) {
+    const Rational grain(1, thresholds_per_unit), next = grain * Rational(subcert::to_integer(end / grain, rounding));
+    if (end == next) return least;
+    const Rational gap = abs((end - next) / end);
+    Rational error = power(Rational(10), 1 - least);
+    while (error >= gap && least < static_cast<int>(max_digits)) {
+      error /= 10;
+      ++least;
+    }
+    return least;
+  };
+  if (lower) digits = enough(*lower, Rounding::down, digits);
+  if (upper) digits = enough(*upper, Rounding::up, digits);
+  return digits;
+}
+
+Enclosure log_ratio(const Rational& argument, int base, int bits) {
   if (argument <= 0) fail(ErrorKind::domain, "log_ratio: need argument > 0, got {}", argument);
   require(base >= 2, "log_ratio: need base >= 2, got {}", base);
-  // A power of the base has a rational logarithm.
+  // The logarithm is rational where both are powers of one integer.
+  const auto [primitive, degree] = primitive_root(base);
   for (bool inverted : {false, true}) {
     const Rational value = inverted ? 1 / argument : argument;
     if (denominator(value) != 1) continue;
-    Integer rest = numerator(value), base_integer = base;
-    const auto exponent = mpz_remove(rest.get(), rest.get(), base_integer.get());
-    if (rest == 1) return Enclosure::exactly(inverted ? -Rational(exponent) : Rational(exponent));
+    Integer rest = numerator(value);
+    const Rational exponent(Integer(mpz_remove(rest.get(), rest.get(), primitive.get())), degree);
+    if (rest == 1) return Enclosure::exactly(inverted ? Rational(-exponent) : exponent);
   }
-  constexpr slong bits = 192;
-  return (log(Ball(argument, bits)) / log(Ball(base, bits))).enclosure(256);
+  const slong precision = bits + 92;
+  return (log(Ball(argument, precision)) / log(Ball(base, precision))).enclosure(precision + 64);
 }
 
 std::optional<Rational> exact_root(const Rational& value, unsigned long degree) {
@@ -151,7 +181,7 @@ std::optional<Rational> exact_root(const Rational& value, unsigned long degree) 
   return Rational(top, bottom);
 }
 
-Enclosure root_enclosure(const Rational& value, int degree) {
+Enclosure root_enclosure(const Rational& value, int degree, int bits) {
   if (value < 0 || degree < 1) fail(ErrorKind::domain, "root_enclosure: need value >= 0 and degree >= 1");
   if (degree == 1 || value == 0) return Enclosure::exactly(value);
   // An exact root where there is one.
@@ -159,7 +189,8 @@ Enclosure root_enclosure(const Rational& value, int degree) {
   if (mpz_root(num.get(), numerator(value).get(), static_cast<unsigned long>(degree)) != 0 &&
       mpz_root(den.get(), denominator(value).get(), static_cast<unsigned long>(degree)) != 0)
     return Enclosure::exactly(Rational(num, den));
-  return Ball(value, 256).root(static_cast<ulong>(degree)).enclosure(256);
+  const slong precision = bits + 76;
+  return Ball(value, precision).root(static_cast<ulong>(degree)).enclosure(precision);
 }
 
 std::string to_text(Truth truth) {

@@ -52,17 +52,20 @@ struct Enclosure {
   /// Decimal ends rounded outward, so that the printed set contains this one; `-inf` and `inf` for absent ends.
   std::string lower_text(int digits = 20) const;
   std::string upper_text(int digits = 20) const;
+  /// The least number of digits, from `digits` on, with which the printed ends lie between the same multiples of 1/12
+  /// as the ends themselves: what is proved to lie above 1 is not printed as 1. At most 10,000.
+  int telling_digits(int digits) const;
 };
 
-/// Encloses log(argument) / log(base). Domain: argument > 0, base >= 2. Error: none for powers of the base, else
-/// width below 2^-100 times max(1, |value|). Cost: one ball logarithm each. Ref: [Joh17].
-Enclosure log_ratio(const Rational& argument, int base);
+/// Encloses log(argument) / log(base). Domain: argument > 0, base >= 2. Error: none where it is rational, else
+/// width below 2^-bits times max(1, |value|). Cost: one ball logarithm each. Ref: [Joh17].
+Enclosure log_ratio(const Rational& argument, int base, int bits = 100);
 
 /// value^(1/degree), where that is rational. Domain: value >= 0, degree >= 1.
 std::optional<Rational> exact_root(const Rational& value, unsigned long degree);
 
-/// Encloses value^(1/degree). Domain: value >= 0, degree >= 1. Error: relative width below 2^-180.
-Enclosure root_enclosure(const Rational& value, int degree);
+/// Encloses value^(1/degree). Domain: value >= 0, degree >= 1. Error: relative width below 2^-bits.
+Enclosure root_enclosure(const Rational& value, int degree, int bits = 180);
 
 /// A proof is three-valued; `unknown` says why, `yes` and `no` say by which argument.
 enum class Truth { yes, no, unknown };

@@ -382,6 +382,12 @@ std::vector<std::vector<Integer>> lattice_basis(const std::vector<std::vector<In
   return first_rows(lattice, rank);
 }
 
+Rational simplest_between(const Rational& low, const Rational& high) {
+  flint::Quotient from(low), to(high), between;
+  fmpq_simplest_between(between.get(), from.get(), to.get());
+  return flint::to_rational(between.get());
+}
+
 LaurentPolynomial squarefree_part(const LaurentPolynomial& p) {
   const LaurentPolynomial q = p.shifted(-p.lowest());
   return *q.exact_quotient(gcd(q, q.derivative()));
@@ -395,11 +401,18 @@ RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {
   const LaurentPolynomial squarefree = squarefree_part(p);
   result.has_root_plus_or_minus_one = squarefree(1) == 0 || squarefree(-1) == 0;
   // The radius, not the width, is held to these bits.
+  std::vector<Enclosure> moduli;
   for (const ComplexBall& root : complex_roots(squarefree, bits + 8)) {
-    const Enclosure modulus = abs(ComplexBall(root.get(), bits + 32)).enclosure(256);
-    result.largest.lower = std::max(*result.largest.lower, *modulus.lower);
-    result.largest.upper = std::max(*result.largest.upper, *modulus.upper);
+    moduli.push_back(abs(ComplexBall(root.get(), bits + 32)).enclosure(bits + 192));
+    result.largest.lower = std::max(*result.largest.lower, *moduli.back().lower);
+    result.largest.upper = std::max(*result.largest.upper, *moduli.back().upper);
   }
+  const Rational number = simplest_between(*result.largest.lower, *result.largest.upper);
+  auto others = std::ranges::count_if(
+      moduli, [&](const Enclosure& modulus) { return *modulus.upper >= *result.largest.lower; });
+  for (const Rational& root : {number, Rational(-number)})
+    if (squarefree(root) == 0) --others;
+  if (others == 0) result.largest = Enclosure::exactly(number);
   return result;
 }
 

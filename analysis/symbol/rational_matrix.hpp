@@ -104,12 +104,15 @@ std::vector<std::vector<Integer>> reduced_lattice(const std::vector<std::vector<
 /// form.
 std::vector<std::vector<Integer>> lattice_basis(const std::vector<std::vector<Integer>>& rows);
 
+/// The number with the least denominator, of these the one next to 0. Domain: low <= high.
+Rational simplest_between(const Rational& low, const Rational& high);
+
 /// p without its zero at 0 and with simple zeros only. Domain: p not zero.
 LaurentPolynomial squarefree_part(const LaurentPolynomial& p);
 
 /// Encloses the largest modulus of the roots. Domain: p not zero; 0 for a constant or monomial. Error: relative width
-/// below 2^-bits, as the roots of the squarefree part are isolated by balls. Whether 1 or -1 is a root is
-/// decided exactly.
+/// below 2^-bits, as the roots of the squarefree part are isolated by balls; none where only one rational number and
+/// its negative are that large. Whether 1 or -1 is a root is decided exactly.
 struct RootModulus {
   Enclosure largest;
   bool has_root_plus_or_minus_one = false;

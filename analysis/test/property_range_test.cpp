@@ -115,6 +115,9 @@ TEST_CASE("single values in gaps are looked at on their own") {
   CHECK(*range.special[0].value.lower == 0);
   CHECK(range.special[0].why == SpecialValue::Why::threshold);
   CHECK(range.special[0].holds == Truth::no);
+  // A hat of three times the width at -1/2: a continuous function, but the scheme does not converge.
+  const PropertyRange at_half = range_of("four-point:w", "C1", "-3/4", "-1/4");
+  CHECK(std::ranges::all_of(at_half.special, [](const SpecialValue& one) { return one.holds == Truth::no; }));
   // Corner cutting: the quadratic spline at 1/4; shifts that are not stable at 1/2, where the reduced mask decides.
   const PropertyRange corner = range_of("mask:[w,1-w,1-w,w]", "C1", "1/8", "3/4");
   CHECK(verdicts(corner) == "nyn");

@@ -76,4 +76,9 @@ TEST_CASE("jsr: exact numbers, lines, graphs and targets") {
   CHECK(with(golden + "}", " --lower 1.619", 1).at("lower").at("verdict") == "refuted");
   CHECK(with(golden + "}", " --lower 1.6 --upper 1.618", 1).at("upper").at("verdict") == "refuted");
   CHECK(run("jsr " + file + " --lower x").code == 64);
+  const auto fine = with(golden + "}", " --width 1e-60").at("radius");
+  CHECK(has_digits(fine, "lower", "1.618033988749894848204586834365638117720309179805762862135448"));
+  CHECK(has_digits(fine, "upper", "1.618033988749894848204586834365638117720309179805762862135448"));
+  for (const char* width : {"0", "-1", "x", "2", "1e-1001", "1/0"})
+    CHECK(run("jsr " + file + " --width " + width).code == 64);
 }

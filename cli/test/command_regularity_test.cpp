@@ -44,6 +44,26 @@ TEST_CASE("regularity: reduced masks") {
   CHECK(run_json("regularity dd:n=2").at("reduced").is_null());
 }
 
+TEST_CASE("regularity: width on demand") {
+  const auto fine = run_json("regularity primal:n=5 --width 1e-60");
+  const std::string digits = "1.99014395938625596641873752702416512012704326974351205988261";
+  CHECK(has_digits(fine.at("holder"), "lower", digits));
+  CHECK(has_digits(fine.at("holder"), "upper", digits));
+  CHECK(has_digits(run_json("regularity quincunx: --width 1e-40").at("holder"), "upper",
+                   "0.611516172738765396522419466202809553072"));
+  CHECK(run("regularity primal:n=5 --width 0").code == 64);
+  // 1e-30 below and above the zero of 32 w^3 + 4 w - 1, where the 4-point scheme ceases to be C^1.
+  const std::string w = "0.19272924926481202520628659232";
+  const auto below = run_json("regularity four-point:w=" + w + "5"),
+             above = run_json("regularity four-point:w=" + w + "7");
+  CHECK(below.at("holder").at("lower").get<std::string>().starts_with("1.00000000000000000000000000000"));
+  CHECK(above.at("holder").at("upper").get<std::string>().starts_with("0.99999999999999999999999999999"));
+  CHECK(run("regularity four-point:w=" + w + "5").out.find("exponent     1.000000000000000000000000000") !=
+        std::string::npos);
+  // No product attains the radius within that time.
+  CHECK(run("regularity primal:n=6,d=3 --budget 1 --width 1e-3").code == 2);
+}
+
 TEST_CASE("regularity: surfaces") {
   const auto quincunx = run_json("regularity quincunx:");
   CHECK(quincunx.at("dilation") == nlohmann::json::parse("[[1,-1],[1,1]]"));

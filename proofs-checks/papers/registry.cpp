@@ -33,6 +33,7 @@ const std::vector<Registered>& registered() {
       {"bivariate", nullptr},
       {"families", nullptr},
       {"daubechies", nullptr},
+      {"jsr", nullptr},
   };
   return all;
 }

@@ -494,6 +494,12 @@ TEST_CASE("isometries end at once") {
     CHECK(radius.radius.is_exact());
     CHECK(radius.method() == JsrMethod::quadratic_form);
     CHECK(proves(family, radius_certificate(family, radius)));
+    // What is true of a family is true of its multiples, however small.
+    const MatrixFamily tiny = power(Rational(10), -100) * family;
+    const JointSpectralRadius small = joint_spectral_radius(tiny, {Deadline::in(20)});
+    CHECK(small.exact.is_yes());
+    CHECK(*small.radius.lower == *radius.radius.lower * power(Rational(10), -100));
+    CHECK(proves(tiny, radius_certificate(tiny, small)));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "joint_spectral_radius.hpp"
 
+#include "cost.hpp"
 #include "one_block.hpp"
 #include "scaling.hpp"
 #include "similarity.hpp"
@@ -195,6 +196,19 @@ JsrMethod JointSpectralRadius::method() const {
 std::size_t JointSpectralRadius::vertices() const { return total(*this, &PolytopeProof::vertices); }
 
 std::size_t JointSpectralRadius::words() const { return total(*this, &QuadraticProof::words); }
+
+void sharpen(JointSpectralRadius& radius, const MatrixFamily& family, int bits, const Deadline& deadline) {
+  Enclosure& ends = radius.radius;
+  const std::vector<int>& word = radius.product.word;
+  if (!radius.exact.is_yes() || word.empty() || *ends.upper - *ends.lower <= *ends.lower * power(Rational(2), -bits))
+    return;
+  const auto characteristic = characteristic_polynomial(family.product(word), deadline);
+  if (!characteristic || !radius::has_time_for_roots(*characteristic, deadline)) return;
+  const Enclosure modulus = largest_root_modulus(*characteristic, bits).largest;
+  const int length = static_cast<int>(word.size());
+  ends.lower = std::max(*ends.lower, *root_enclosure(*modulus.lower, length, bits).lower);
+  ends.upper = std::min(*ends.upper, *root_enclosure(*modulus.upper, length, bits).upper);
+}
 
 ProductEvidence find_product_above(const MatrixFamily& family, const Rational& least, const Budget& budget) {
   require_small(family);

@@ -84,4 +84,12 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
 /// was. Domain: as above. Cost: searches among more and more products.
 ProductEvidence find_product_above(const MatrixFamily& family, const Rational& least, const Budget& budget);
 
+/// Of radii that a product attains, and of exponents from them.
+constexpr int default_bits = 160;
+
+/// Narrows the enclosure of a radius that a product attains to a relative width below 2^-bits. Domain: `radius` is of
+/// this family; bits >= 1. Leaves it as it is where that is not proved (`exact`), or where the deadline comes first.
+/// Cost: one characteristic polynomial and the balls of its zeros.
+void sharpen(JointSpectralRadius& radius, const MatrixFamily& family, int bits, const Deadline& deadline);
+
 }  // namespace subcert

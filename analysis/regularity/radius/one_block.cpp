@@ -137,15 +137,17 @@ Attempt best_attempt(const MatrixFamily& family, const Budget& searching, const 
   return second.is_better_than(first) ? std::move(second) : std::move(first);
 }
 
-/// Of a number times isometries: no polytope has finitely many vertices there.
-JointSpectralRadius radius_of_isometries(const MatrixFamily& family, QuadraticProof proof, const Deadline& deadline) {
+/// Of 2^exponent times matrices that are a number times isometries: no polytope has finitely many vertices there.
+JointSpectralRadius radius_of_isometries(const MatrixFamily& family, QuadraticProof proof, long exponent,
+                                         const Deadline& deadline) {
   JointSpectralRadius result;
-  result.radius = Enclosure::exactly(proof.bound);
   result.product = prove_product(family, {0}, deadline);
   result.product.exact = proof.bound;
+  result.product = scaled(std::move(result.product), exponent);
+  result.radius = Enclosure::exactly(*result.product.exact);
   result.exact = {Truth::yes, "the matrices are isometries of a quadratic form, times the radius"};
   result.growth.at_most = 0;
-  result.proof = std::move(proof);
+  result.proof = scaled(std::move(proof), exponent);
   return result;
 }
 
@@ -154,9 +156,8 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   const long exponent = scaling_exponent(family);
   const Rational unit = power(Rational(2), exponent);
   const MatrixFamily scaled_family = exponent == 0 ? family : 1 / unit * family;
-  if (exponent == 0)
-    if (auto isometries = prove_isometries(family, budget.deadline))
-      return radius_of_isometries(family, std::move(*isometries), budget.deadline);
+  if (auto isometries = prove_isometries(scaled_family, budget.deadline))
+    return radius_of_isometries(scaled_family, std::move(*isometries), exponent, budget.deadline);
   const NormProof norms = known ? *known : norm_of_products(family, {budget.deadline.after(norm_share), budget.memory});
   const Deadline searching = budget.deadline.after(polytope_share);
   Attempt found = best_attempt(scaled_family, {searching, budget.memory}, budget,

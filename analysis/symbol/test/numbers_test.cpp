@@ -84,7 +84,14 @@ TEST_CASE("logarithms are enclosed") {
   CHECK(log_ratio(Rational(1, 8), 2).is_exact());
   CHECK(*log_ratio(Rational(1, 8), 2).lower == -3);
   CHECK(*log_ratio(Rational(81), 3).upper == 4);
-  CHECK(log_ratio(Rational(2), 4).contains(Rational(1, 2)));
+  CHECK(*log_ratio(Rational(1, 8), 4).lower == Rational(-3, 2));
+  CHECK(log_ratio(Rational(2), 4).is_exact());
+  const Enclosure fine = log_ratio(3, 2, 1000);
+  CHECK(*fine.upper - *fine.lower < power(Rational(2), -1000));
+  const Enclosure root = root_enclosure(2, 2, 1000);
+  CHECK(power(*root.lower, 2) <= 2);
+  CHECK(power(*root.upper, 2) >= 2);
+  CHECK(*root.upper - *root.lower < power(Rational(2), -999));
   CHECK_THROWS_AS(log_ratio(0, 2), Error);
   CHECK_THROWS_AS(log_ratio(2, 1), Error);
 }
@@ -97,4 +104,12 @@ TEST_CASE("an enclosure prints a set that contains it") {
   CHECK(Enclosure{}.lower_text() == "-inf");
   CHECK(Enclosure::at_least(2).contains(5));
   CHECK_FALSE(Enclosure::at_least(2).contains(1));
+  // What is above 1 is not printed as 1.
+  const Rational above = 1 + power(Rational(10), -40);
+  CHECK(Enclosure::exactly(above).telling_digits(20) == 42);
+  CHECK(Enclosure::at_least(above).lower_text(42) == "1." + std::string(39, '0') + "1");
+  CHECK(Enclosure{1 - power(Rational(10), -30), 1}.telling_digits(20) == 20);
+  CHECK(Enclosure{Rational(1, 3), Rational(3, 5)}.telling_digits(5) == 5);
+  CHECK(Enclosure::exactly(0).telling_digits(3) == 3);
+  CHECK(Enclosure{}.telling_digits(3) == 3);
 }

@@ -1,15 +1,16 @@
-#include "matrices.hpp"
-
-#include "command.hpp"
+#include "matrices_file.hpp"
 
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <sstream>
 
-namespace subcert::cli {
+namespace subcert {
 namespace {
 
 constexpr std::size_t longest_number = 4000, most_edges = 4096;
@@ -47,7 +48,7 @@ std::string with_quoted_numbers(const std::string& text) {
   return in_number ? result + '"' : result;
 }
 
-RationalMatrix matrix_of(const Json& rows, std::size_t size, const std::string& name) {
+RationalMatrix matrix_of(const nlohmann::json& rows, std::size_t size, const std::string& name) {
   if (!rows.is_array() || rows.size() != size) fail(ErrorKind::data, "{}: expected {} rows", name, size);
   RationalMatrix matrix(size, size);
   for (std::size_t i = 0; i < size; ++i) {
@@ -62,7 +63,7 @@ RationalMatrix matrix_of(const Json& rows, std::size_t size, const std::string& 
 }
 
 /// From and to which node, and by which matrix.
-Succession edge_of(const Json& edge, std::size_t matrices, const std::string& where) {
+Succession edge_of(const nlohmann::json& edge, std::size_t matrices, const std::string& where) {
   std::size_t numbers[3] = {};
   const bool is_list = edge.is_array() && edge.size() == 3;
   for (std::size_t k = 0; is_list && k < 3; ++k) {
@@ -131,11 +132,10 @@ MatricesFile from_lines(const std::string& text, const std::string& file) {
 
 }  // namespace
 
-MatricesFile read_matrices(const std::string& file) {
-  const std::string text = read_file(file);
+MatricesFile parse_matrices(const std::string& text, const std::string& file) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   return begin != std::string::npos && text.compare(begin, 8, "matrices") == 0 ? from_lines(text, file)
                                                                                : from_json(text, file);
 }
 
-}  // namespace subcert::cli
+}  // namespace subcert

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace subcert::cli {
+namespace subcert {
 
 struct MatricesFile {
   MatrixFamily family;
@@ -14,7 +14,8 @@ struct MatricesFile {
 
 /// Reads JSON, {"matrices": [[["1", "1/2"], [0, 0.5]], ...], "edges": [[from, to, matrix], ...]} with or without edges,
 /// or the text that `verify` reads: a line `matrices COUNT SIZE`, then a line `row ...` for each row. Numbers are
-/// integers, fractions or decimals, all of them exact. Errors: throws Error with the place.
-MatricesFile read_matrices(const std::string& file);
+/// integers, fractions or decimals, all of them exact. Domain: `file` is what errors call the text. Errors: throws
+/// Error with the place.
+MatricesFile parse_matrices(const std::string& text, const std::string& file);
 
-}  // namespace subcert::cli
+}  // namespace subcert

@@ -1,0 +1,106 @@
+#include "joint_spectral_radii.hpp"
+
+#include "computed_quantities.hpp"
+
+#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/proofs-checks/certificates/matrices_file.hpp>
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace subcert {
+// Made by the build: the files of proofs-checks/papers/jsr/families.
+extern const std::map<std::string, std::string_view> matrix_files;
+}  // namespace subcert
+
+namespace subcert::reports {
+namespace {
+
+constexpr double radius_seconds = 5;
+
+struct Family {
+  std::size_t count, size;  ///< as given
+  MatrixFamily family;      ///< lifted, where a graph says what may follow what
+  JointSpectralRadius radius;
+};
+
+Family computed_family(const std::string& name, std::string_view text) {
+  const MatricesFile file = parse_matrices(std::string(text), name + ".json");
+  MatrixFamily family = file.graph.empty() ? file.family : lifted(file.family, file.graph).family;
+  const Budget budget{Deadline::in(radius_seconds)};
+  JointSpectralRadius radius = joint_spectral_radius(family, budget);
+  sharpen(radius, family, default_bits, budget.deadline);
+  return {file.family.count(), file.family.size(), std::move(family), std::move(radius)};
+}
+
+std::vector<std::string> row_of(const std::string& name, const Family& one) {
+  const JointSpectralRadius& radius = one.radius;
+  const Enclosure& ends = radius.radius;
+  return {name,
+          fmt::format("{} of size {}", one.count, one.size),
+          formats::fixed_text(ends, 14),
+          radius.exact.is_yes() ? "exact" : to_decimal(*ends.upper - *ends.lower, 2, Rounding::up),
+          std::to_string(radius.product.word.size()),
+          radius.vertices() > 0 ? std::to_string(radius.vertices()) : "",
+          name + ".cert"};
+}
+
+}  // namespace
+
+const std::vector<std::string>& joint_spectral_radius_items() {
+  static const std::vector<std::string> items{"published", "families"};
+  return items;
+}
+
+Report report_joint_spectral_radii(const ReportOptions& options) {
+  const statements::PublishedTable& published = statements::paper("jsr").table("published");
+  std::map<std::string, std::optional<Family>> families;
+  if (options.wants("families"))
+    for (const auto& [name, text] : matrix_files) families.try_emplace(name);
+  else
+    for (const std::string& name : schemes_of(published)) families.try_emplace(name);
+  std::vector<std::string> names;
+  for (const auto& [name, family] : families) names.push_back(name);
+  parallel_for_each(names.size(), options.jobs, [&](std::size_t k) {
+    const auto text = matrix_files.find(names[k]);
+    require(text != matrix_files.end(), "jsr: need a file of matrices for '{}'", names[k]);
+    families.at(names[k]) = computed_family(names[k], text->second);
+  });
+
+  formats::Section section{"jsr", "Joint spectral radii of the literature", {}};
+  section.paragraphs.push_back(
+      "Exact means that the product is proved to attain the radius; otherwise the width of the enclosure is given. The "
+      "matrices are those of the certificates, and of the folder proofs-checks/papers/jsr/families.");
+  Report report{"jsr", statements::citation("jsr"), {}};
+  report.listed = true;
+  if (options.wants("published")) {
+    formats::ComparisonTable table{"jsr", published.id, published.title, published.place, published.grid, {}};
+    for (const statements::PublishedCell& cell : published.cells) {
+      formats::Comparison comparison = compare_number(cell, families.at(cell.scheme)->radius.radius);
+      comparison.source = fmt::format("[{}] {}", cell.source, statements::reference(cell.source));
+      table.comparisons.push_back(std::move(comparison));
+    }
+    section.paragraphs.push_back(verdict_sentence(table));
+    section.comparisons.push_back(std::move(table));
+  }
+  if (options.wants("families")) {
+    formats::PlainTable table{
+        "families",
+        "Families of the literature",
+        {"family", "matrices", "joint spectral radius", "width", "letters", "vertices", "certificate"},
+        {}};
+    for (const auto& [name, family] : families) {
+      table.rows.push_back(row_of(name, *family));
+      report.files.emplace(name + ".cert", radius_certificate(family->family, family->radius).text);
+      report.files.emplace(name + ".cert.matrices", matrices_text(family->family));
+    }
+    section.tables.push_back(std::move(table));
+  }
+  report.sections.push_back(std::move(section));
+  return report;
+}
+
+}  // namespace subcert::reports

@@ -1,0 +1,30 @@
+// The published joint spectral radii and their verdicts.
+#include <subcert/cmake/catch.hpp>
+#include <subcert/reports/report.hpp>
+
+#include <algorithm>
+
+using namespace subcert;
+using namespace subcert::reports;
+
+TEST_CASE("published joint spectral radii") {
+  ReportOptions options;
+  options.jobs = 2;
+  const Report report = make_report("jsr", options);
+  CHECK(report.as_recorded());
+  const auto tables = report.comparison_tables();
+  REQUIRE(tables.size() == 1);
+  CHECK(tables.front()->comparisons.size() >= 17);
+  // One last digit is wrong in print.
+  CHECK(tables.front()->count(Verdict::mismatch) == 1);
+  CHECK(tables.front()->count(Verdict::open) == 0);
+  const auto& rows = report.sections.front().tables.front().rows;
+  CHECK(rows.size() >= 31);
+  // All but the pair at the end of its plateau, the one without a best product, and one whose product has 274 letters.
+  CHECK(std::ranges::count_if(rows, [](const auto& row) { return row[3] != "exact"; }) == 3);
+  for (const auto& row : rows) {
+    CAPTURE(row.front());
+    CHECK(report.files.contains(row.back()));
+    CHECK(report.files.contains(row.back() + ".matrices"));
+  }
+}

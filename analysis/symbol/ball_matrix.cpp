@@ -61,4 +61,21 @@ std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix
   return result;
 }
 
+std::optional<std::vector<ComplexVector>> inverse_columns(const RationalMatrix& matrix, const RationalComplex& point,
+                                                          slong bits) {
+  const std::size_t n = matrix.rows();
+  ComplexBallMatrix balls(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const Rational entry = -matrix(i, j);
+      const RationalComplex shifted = i == j ? RationalComplex{entry + point.re, point.im} : RationalComplex{entry, 0};
+      acb_set(balls.entry(i, j), ball_around(shifted, bits).get());
+    }
+  if (acb_mat_inv(balls.get(), balls.get(), bits) == 0) return std::nullopt;
+  std::vector<ComplexVector> columns(n, ComplexVector(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) columns[j][i] = exact_middle(ComplexBall(balls.entry(i, j), bits));
+  return columns;
+}
+
 }  // namespace subcert

@@ -19,4 +19,9 @@ struct EigenpairEnclosure {
 std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const ComplexVector& approximation,
                                                     slong bits);
 
+/// The columns of (point - matrix)^(-1), the middles of balls. Domain: a square matrix. Nothing where balls of `bits`
+/// bits do not show that there is an inverse. Cost: one inverse of balls.
+std::optional<std::vector<ComplexVector>> inverse_columns(const RationalMatrix& matrix, const RationalComplex& point,
+                                                          slong bits);
+
 }  // namespace subcert

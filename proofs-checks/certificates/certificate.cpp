@@ -1,12 +1,16 @@
 #include "certificate.hpp"
 
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
 
 namespace subcert {
 namespace {
+
+constexpr std::size_t least_inverted = 24;  // the size from which on an inverse proves a product
 
 /// A decimal of 15 places as a fraction in lowest terms; of 15 more than the zeros after the point for tiny numbers.
 std::string outward(const Rational& value, Rounding rounding) {
@@ -101,11 +105,30 @@ std::string properties_text(const PolytopeProof& polytope, const GroupWords& gro
   return text + group_text(group);
 }
 
-std::string product_text(const JointSpectralRadius& radius) {
+std::string product_text(std::size_t block, const RationalComplex& eigenvalue, const std::vector<int>& word) {
+  return fmt::format("product {} {} {} {}\n", block, to_text(eigenvalue.re), to_text(eigenvalue.im),
+                     fmt::join(word, " "));
+}
+
+/// The lines `inverse` and `column`.
+std::string inverse_text(const ApproximateInverse& inverse) {
+  std::string text = fmt::format("inverse {}\n", inverse.bits);
+  for (std::size_t k = 0; k < inverse.columns.size(); ++k)
+    text += fmt::format("column {}{}\n", k, numbers_text(inverse.columns[k]));
+  return text;
+}
+
+/// Large products are proved by an inverse, which is checked by d^3 operations; eigenvalues that are rational numbers
+/// by polynomials, exactly. Domain: `family` has the radius.
+std::string product_text(const MatrixFamily& family, const JointSpectralRadius& radius) {
   const ProductEvidence& product = radius.product;
   const BlockProof* blocks = radius.by_blocks();
-  return fmt::format("product {} {} {} {}\n", blocks ? blocks->leading : 0, to_text(product.eigenvalue.re),
-                     to_text(product.eigenvalue.im), fmt::join(product.word, " "));
+  const std::size_t block = blocks ? blocks->leading : 0;
+  const MatrixFamily its = blocks ? blocks->triangular.block(block) : family;
+  if (its.size() >= least_inverted && !product.exact)
+    if (const auto inverse = approximate_inverse(its, product))
+      return product_text(block, inverse->point, product.word) + inverse_text(*inverse);
+  return product_text(block, product.eigenvalue, product.word);
 }
 
 /// A line for each row, after the head.
@@ -229,8 +252,10 @@ std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
 }
 
 /// `product`: the lower bound as well.
-std::string radius_text(const Mask& mask, const JointSpectralRadius& radius, bool product) {
-  return blocks_text(radius) + (product ? product_text(radius) : "") +
+std::string radius_text(const Mask& mask, const HolderRegularity& regularity, bool product) {
+  const JointSpectralRadius& radius = regularity.certifiable();
+  const auto family = [&] { return transition_matrices(divided_difference_scheme(mask, regularity.bounds.sum_rules)); };
+  return blocks_text(radius) + (product ? product_text(family(), radius) : "") +
          SectionWriter(static_cast<std::size_t>(mask.arity())).text(radius.proof);
 }
 
@@ -254,7 +279,7 @@ Certificate exponent_lines(const Mask& mask, const HolderRegularity& regularity,
                                     : std::to_string(rules);
   const bool upper = result.claim.upper.has_value();
   result.text = fmt::format("sum-rules {}{}\n{}", rules, full_text(upper && !by_product), upper ? "stability\n" : "") +
-                radius_text(mask, radius, upper && by_product);
+                radius_text(mask, regularity, upper && by_product);
   return result;
 }
 
@@ -305,7 +330,7 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
   head += "\n" + bounds_text(certificate.claim);
   if (other) {
     head += fmt::format("reduced {} {}\n", other->mask.factor.to_mask_text(), other->mask.mask.symbol().to_mask_text());
-    certificate.text += fmt::format("sum-rules {}\n", rules) + radius_text(mask, regularity.certifiable(), false);
+    certificate.text += fmt::format("sum-rules {}\n", rules) + radius_text(mask, regularity, false);
   }
   certificate.text = head + certificate.text + "end\n";
   return certificate;
@@ -332,7 +357,7 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
                      space_text(space, dilation);
   if (certificate.claim.upper && !space.is_of_values()) certificate.text += gram_text(*regularity.gram);
   certificate.text += blocks_text(radius);
-  if (certificate.claim.upper) certificate.text += product_text(radius);
+  if (certificate.claim.upper) certificate.text += product_text(space.family, radius);
   certificate.text += SectionWriter(space.family.count()).text(radius.proof) + "end\n";
   return certificate;
 }
@@ -411,7 +436,7 @@ Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRa
   certificate.text = fmt::format("subcert-certificate 3\nradius {} {}\n{}", family.count(), family.size(),
                                  bounds_text(certificate.claim));
   certificate.text += blocks_text(radius);
-  if (certificate.claim.lower) certificate.text += product_text(radius);
+  if (certificate.claim.lower) certificate.text += product_text(family, radius);
   certificate.text += SectionWriter(family.count()).text(radius.proof) + "end\n";
   return certificate;
 }

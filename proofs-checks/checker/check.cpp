@@ -233,8 +233,9 @@ class Checker {
     for (std::size_t i = 0; i < n; ++i) product[i * n + i] = q;
     for (std::size_t i = length; i-- > 0;) product = arithmetic_.multiply(family.matrix(letters[i]), product, n);
     mpq_class error = change_of(family, length) * scale;
-    if (entry_error_ > 0) {
-      // Section 7: with fewer digits, which is one more error.
+    const bool by_inverse = reader_.at("inverse");
+    if (entry_error_ > 0 || by_inverse) {
+      // With fewer digits, which is one more error.
       std::size_t most = 0;
       for (const mpz_class& entry : product) most = std::max(most, bits(entry));
       const std::size_t cut = most - std::min(most, 256 + 40 * n);
@@ -244,6 +245,7 @@ class Checker {
       scale /= mpz_class(1) << cut;
       if (cut > 0) error = error / (mpz_class(1) << cut) + mpz_class(n);
     }
+    if (by_inverse) return bound_by_inverse({n, product, 1}, im == 0 ? 1 : 2, x, y, scale, error);
     // The characteristic polynomial, highest coefficient first; by Horner's scheme its value and derivative at c.
     mpz_class coefficient = 1;
     const Vector times_c{x, y, -y, x};
@@ -278,6 +280,44 @@ class Checker {
     const mpz_class bound = modulus - distance;
     require(bound > 0, "the product proves no positive spectral radius");
     return bound / (scale * (mpz_class(1) << 320));
+  }
+
+  /// The same by an approximate inverse X of c - P, where P is within `error` of the product over `scale`, in the norm
+  /// of the largest column sum, |re| + |im|.
+  mpq_class bound_by_inverse(const Family& product, std::size_t parts, const mpz_class& x, const mpz_class& y,
+                             const mpq_class& scale, const mpq_class& error) {
+    const std::size_t n = product.size;
+    const mpz_class unit = mpz_class(1) << parse_size(reader_.take("inverse", 1, 1)[0], 0, 4096);
+    // (c - P) X is a part of 1/(scale * unit) of the integers below.
+    const mpq_class whole = scale * unit;
+    mpz_class largest = 0, farthest = 0, traces[2];
+    for (std::size_t k = 0; k < n; ++k) {
+      const Fields fields = reader_.take("column " + std::to_string(k), parts * n, parts * n);
+      Vector re(n), im(n);
+      for (std::size_t i = 0; i < n; ++i) re[i] = parse_integer(fields[i]);
+      for (std::size_t i = 0; parts == 2 && i < n; ++i) im[i] = parse_integer(fields[n + i]);
+      const Vector moved_re = arithmetic_.multiply(product.entries, re, n),
+                   moved_im = arithmetic_.multiply(product.entries, im, n);
+      mpz_class size = 0, away = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        const mpz_class real = x * re[i] - y * im[i] - moved_re[i], imaginary = x * im[i] + y * re[i] - moved_im[i];
+        away += abs(mpz_class((i == k ? whole.get_num() : mpz_class(0)) - whole.get_den() * real)) +
+                abs(mpz_class(whole.get_den() * imaginary));
+        size += abs(re[i]) + abs(im[i]);
+      }
+      traces[0] += re[k], traces[1] += im[k];
+      largest = std::max(largest, size), farthest = std::max(farthest, away);
+    }
+    const mpq_class size = ratio(largest, unit), off = ratio(farthest, whole.get_num()) + error / scale * size;
+    require(off < 1, "the inverse is none of the product less the given eigenvalue");
+    const auto modulus = [](const mpz_class& a, const mpz_class& b) {
+      return ratio(sqrt(mpz_class((a * a + b * b) << 640)), mpz_class(1) << 320);
+    };
+    const mpq_class steep = modulus(traces[0], traces[1]) / unit - mpz_class(n) * size * off / (1 - off);
+    require(steep > 0, "the inverse proves no eigenvalue near the given one");
+    const mpq_class bound = modulus(x, y) / scale - mpz_class(n) / steep;
+    require(bound > 0, "the product proves no positive spectral radius");
+    return bound;
   }
 
   /// Section 4.6, with the first columns of the products.

@@ -4,7 +4,7 @@
 #include "cost.hpp"
 #include "rounded_family.hpp"
 
-#include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/ball_matrix.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
@@ -20,11 +20,19 @@ constexpr int newton_steps = 16;
 constexpr int dyadic_bits = 200;
 constexpr int smallest_exponent = 40;  // smaller eigenvalues than 2^-40 get as many bits more
 constexpr std::size_t longest_common_power = 64;
+// Of approximate inverses, in bits.
+constexpr long inverse_distance = 72, inverse_accuracy = 60, longest_entry = 4000;
 
 RationalComplex value_at(const LaurentPolynomial& p, const RationalComplex& z) {
   RationalComplex value;
   for (long k = p.is_zero() ? -1 : p.highest(); k >= 0; --k) value = value * z + RationalComplex{p.coefficient(k), 0};
   return value;
+}
+
+/// The least k with |x| < 2^k, or one more. Domain: x not 0.
+long bits_before_point(const Rational& x) {
+  const auto size = [](const Integer& k) { return static_cast<long>(mpz_sizeinbase(k.get(), 2)); };
+  return size(numerator(x)) - size(denominator(x)) + 1;
 }
 
 /// Towards the zero of p near a start, by Newton's method.
@@ -132,6 +140,31 @@ ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>
     if (exact.is_exact() && is_largest_root(p, *centre->rational, deadline)) evidence.exact = exact.lower;
   }
   return evidence;
+}
+
+std::optional<ApproximateInverse> approximate_inverse(const MatrixFamily& family, const ProductEvidence& evidence) {
+  const RationalMatrix product = family.product(evidence.word);
+  const auto n = static_cast<long>(product.rows());
+  const RationalComplex& near = evidence.eigenvalue;
+  if (near.squared_modulus() == 0) return std::nullopt;
+  const long place = (bits_before_point(near.squared_modulus()) + 1) / 2 - inverse_distance;
+  const Rational unit = power(Rational(2), place);
+  const auto rounded = [&](const Rational& x) { return unit * Rational(to_integer(x / unit, Rounding::nearest)); };
+  ApproximateInverse result{{rounded(near.re) + unit, rounded(near.im)}, 0, {}};
+  const Rational column = one_norm(product) + abs(near.re) + abs(near.im);
+  const long bits = std::max(inverse_accuracy + bits_before_point(column * n * n), 0L);
+  if (bits + std::abs(place) > longest_entry) return std::nullopt;
+  result.bits = static_cast<int>(bits);
+  const auto columns = inverse_columns(product, result.point, bits + std::abs(place) + 2 * precision);
+  if (!columns) return std::nullopt;
+  const Rational scale = power(Rational(2), bits);
+  for (const ComplexVector& exact : *columns) {
+    std::vector<Integer>& numbers = result.columns.emplace_back();
+    for (const RationalComplex& entry : exact) numbers.push_back(to_integer(scale * entry.re, Rounding::nearest));
+    for (std::size_t i = 0; result.point.im != 0 && i < exact.size(); ++i)
+      numbers.push_back(to_integer(scale * exact[i].im, Rounding::nearest));
+  }
+  return result;
 }
 
 namespace radius {

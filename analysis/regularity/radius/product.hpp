@@ -22,6 +22,17 @@ struct ProductEvidence {
 ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline = {},
                               const Rational& distance = 0);
 
+/// An inverse of c - P, P a product and c a number near its leading eigenvalue, good to about 2^-60. Ref: SPEC.md, 4.5.
+struct ApproximateInverse {
+  RationalComplex point;  ///< c, about 2^-72 away from the eigenvalue, relatively
+  int bits;
+  std::vector<std::vector<Integer>> columns;  ///< over 2^bits; real parts, then, if c is not real, imaginary parts
+};
+
+/// Domain: evidence of a product of this family. Nothing where its numbers would be too long for a certificate. Cost:
+/// the product and one inverse of balls.
+std::optional<ApproximateInverse> approximate_inverse(const MatrixFamily& family, const ProductEvidence& evidence);
+
 namespace radius {
 
 /// The evidence for 2^exponent times the matrices.

@@ -148,6 +148,33 @@ def polytope(family, word, symmetric, limit=14):
     return lines, newton(product, value), rho
 
 
+def inverse_lines(matrix, re, im=Q(0), bits=160):
+    """The columns of the inverse of re + i im - matrix over 2^bits, by elimination in Fractions, with the line `inverse`."""
+    n = len(matrix)
+    real = [[(re if i == j else 0) - matrix[i][j] for j in range(n)] for i in range(n)]
+    whole = [[*row, *(-im if i == j else Q(0) for j in range(n))] for i, row in enumerate(real)]
+    whole += [[*(im if i == j else Q(0) for j in range(n)), *row] for i, row in enumerate(real)]
+    m = [[*row, *(Q(i == k) for k in range(n))] for i, row in enumerate(whole)]
+    for c in range(2 * n):
+        pivot = next(i for i in range(c, 2 * n) if m[i][c] != 0)
+        m[c], m[pivot] = m[pivot], m[c]
+        m[c] = [x / m[c][c] for x in m[c]]
+        for i in range(2 * n):
+            if i != c and m[i][c] != 0:
+                m[i] = [x - m[i][c] * y for x, y in zip(m[i], m[c])]
+    rows = range(2 * n if im else n)
+    return [f"inverse {bits}"] + [f"column {k} " + " ".join(str(round(m[i][2 * n + k] * (1 << bits))) for i in rows)
+                                  for k in range(n)]
+
+
+def with_inverse(case, matrix, re, im=Q(0)):
+    """The case with a product line for the eigenvalue re + i im and the inverse for it."""
+    arguments, lines = case
+    place = next(i for i, line in enumerate(lines) if line.startswith("product"))
+    letters = lines[place].split(" ", 4)[4]
+    return arguments, [*lines[:place], f"product 0 {re} {im} {letters}", *inverse_lines(matrix, re, im), *lines[place + 1:]]
+
+
 def exponent(mask_text, mask, arity, m, word, symmetric, stability=True, section=None):
     family = transition(mask, arity, m)
     lines, value, rho = polytope(family, word, symmetric)
@@ -359,6 +386,14 @@ def main(out):
     over("pair", "[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]", "w=1..2", 1, None, Q(13, 25), True, ["to 2", "product 0 0 7/5 0"])
 
     # rounded masks
+    # products by inverses: of a real eigenvalue, of a complex one, of all matrices near one
+    near = Q(1, 1 << 60)
+    eigenvalue = newton(multiply(*golden), 2.618)
+    eigenvalue = Q(round(eigenvalue * (1 << 64)), 1 << 64)
+    write("golden-inverse", with_inverse(golden_case, multiply(*golden), eigenvalue + near))
+    turns_case = (["--matrices", "rotation.mat", "--lower", str(1 - width), "--upper", str(1 + width)], rotation)
+    write("rotation-inverse", with_inverse(turns_case, turn[0], Q(3, 5) + near, Q(4, 5)))
+
     def rounded(name, mask, within, lower, upper, *lines):
         bounds = [f"--{end} {value}" for end, value in (("lower", lower), ("upper", upper)) if value is not None]
         write(name, (["--mask", mask, "--arity", "2", "--within", within, *bounds], [
@@ -372,6 +407,10 @@ def main(out):
     rounded("rounded-stable", daubechies, "1/100,2", None, None, "stability")
     by_polytope = exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True)[1][4:-1]
     rounded("rounded-four-point", "[-1,0,9,16,9,0,-1]/16@-3", "1/1000000000,4", "19999/10000", "20001/10000", *by_polytope)
+    coarse = Q(1, 1 << 15)
+    first = transition(dd4, 2, 4)[0]
+    rounded("rounded-four-point-inverse", "[-1,0,9,16,9,0,-1]/16@-3", "1/1000000000,4", "19999/10000", "20001/10000",
+            *with_inverse(([], by_polytope), first, 4 + coarse)[1])
     rounded("rounded-four-point-norm", "[-1,0,9,16,9,0,-1]/16@-3", "1/1000000000,4", "19/10", None, "block 0 norm 8")
 
     hat = ["subcert-certificate 3", "surface [1,2,1]/2@-1 [2]", "bounds 1 1", "sum-rules 2", "digits 0 1", "space 1",

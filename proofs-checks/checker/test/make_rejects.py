@@ -6,8 +6,10 @@ Each line of OUTPUT_DIRECTORY/claims.txt: name, options of the claim, '|', a par
 """
 import re
 import sys
+from fractions import Fraction as Q
 from pathlib import Path
 
+import make_certificates
 import make_surfaces
 
 accept, out = map(Path, sys.argv[1:3])
@@ -109,6 +111,25 @@ mask_case("quaternary-cyclic-zeros", "[1,0,0,2,0,0,3,0,0,4,0,0,3,0,0,2,0,0,1]/4"
 reject("beyond-sum-rules", "four-point", "does not prove the claim", arguments=option(claims["four-point"], "lower", "5"))
 reject("crossed-bounds", "bspline-3", "does not prove the claim",
        arguments=option(option(claims["bspline-3"], "lower", "31/10"), "upper", "29/10"))
+# inverse
+reject("inverse-off", "golden-inverse", "none of the product", replace("^column 0 (\\d)", r"column 0 1\1"))
+reject("inverse-sign", "golden-inverse", "none of the product", replace("^column 1 ", "column 1 -"))
+reject("inverse-bits", "golden-inverse", "number outside 0..4096", replace("^inverse 160", "inverse 4097"))
+reject("inverse-coarse", "golden-inverse", "none of the product", replace("^inverse 160", "inverse 159"))
+reject("inverse-short", "golden-inverse", "wrong number of fields", replace("^(column 1 \\S+) .*", r"\1"))
+reject("inverse-half", "rotation-inverse", "wrong number of fields", replace("^(column 1 \\S+ \\S+) .*", r"\1"))
+reject("inverse-missing", "golden-inverse", "expected 'column 1'", drop("column 1"))
+reject("inverse-further", "golden-inverse", "expected 'block 0'", replace("^(column 1 .*)", "\\1\ncolumn 2 0 0"))
+reject("inverse-of-real", "rotation-inverse", "wrong number of fields", replace("^product 0 (\\S+) 4/5", r"product 0 \1 0"))
+reject("inverse-in-range", "corner-not-smooth", "expected 'end'", replace("^(product .*)", "\\1\ninverse 4\ncolumn 0 1"))
+reject("inverse-rounded", "rounded-four-point-inverse", "none of the product", replace("within=1/1000000000", "within=1/1000000"),
+       option(claims["rounded-four-point-inverse"], "within", "1/1000000,4"))
+pair = [[Q(2), Q(1)], [Q(1), Q(1)]]  # [1, 1; 0, 1] [1, 0; 1, 1], eigenvalues (3 +- sqrt 5)/2
+for name, point, reason in (("flat", Q(3, 2), "no eigenvalue near"), ("far", Q(5, 2), "does not prove the claim"),
+                            ("small", Q(1, 10), "no positive spectral radius")):
+    text = "\n".join((f"product 0 {point} 0 0 1", *make_certificates.inverse_lines(pair, point)))
+    reject(f"inverse-{name}", "golden", reason, replace("^product .*", text))
+
 # product
 reject("product-far", "golden", "does not prove the claim", replace("^product 0 \\S+", "product 0 1" + "0" * 1000))
 reject("product-turned", "golden", "does not prove the claim", replace("^(product 0 \\S+) 0", r"\1 1/2"))

@@ -5,6 +5,7 @@
 #include "parameter_range.hpp"
 
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
+#include <subcert/analysis/regularity/radius/p_radius.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
@@ -23,6 +24,7 @@ struct JsrOptions : SearchOptions {
   std::string file;
   std::string certificate;
   std::string lower, upper;
+  int power = 0;  ///< of the averaged growth; 0 for the joint spectral radius
 };
 
 std::optional<Rational> read_bound(const std::string& name, const std::string& text) {
@@ -107,9 +109,28 @@ std::string text_of(const JointSpectralRadius& radius, const std::vector<int>& w
   return text;
 }
 
+ExitCode run_averaged(const JsrOptions& options, const MatricesFile& file, const WantedWidth& wanted) {
+  if (!file.graph.empty()) fail(ErrorKind::usage, "--p: expected matrices without a graph, got \"edges\"");
+  if (!options.lower.empty() || !options.upper.empty() || !options.certificate.empty())
+    fail(ErrorKind::usage, "--p: expected none of --lower, --upper and --certificate beside it");
+  if (!has_p_radius(file.family, options.power))
+    fail(ErrorKind::usage, "--p: expected an even number where entries are negative, got {}", options.power);
+  const auto found = p_radius(file.family, options.power, wanted.bits, options.limits().deadline);
+  if (!found) fail(ErrorKind::undecided, "--budget: the p-radius takes more than {} seconds", options.budget);
+  const Json json{{"p", options.power},
+                  {"radius", enclosure_json(found->radius, std::max(wanted.digits, 20))},
+                  {"size", found->size}};
+  options.answer(json,
+                 fmt::format("matrices     {} of size {}\np-radius     {}  (p = {}, by a matrix of size {})\n",
+                             file.family.count(), file.family.size(),
+                             enclosure_text(found->radius, std::max(wanted.digits, 14)), options.power, found->size));
+  return wanted.holds(found->radius) ? done : undecided;
+}
+
 ExitCode run(const JsrOptions& options) {
   const MatricesFile file = parse_matrices(read_file(options.file), options.file);
   const WantedWidth wanted = wanted_width(options);
+  if (options.power > 0) return run_averaged(options, file, wanted);
   const auto lower = read_bound("--lower", options.lower), upper = read_bound("--upper", options.upper);
   std::optional<LiftedFamily> lift;
   if (!file.graph.empty()) lift = lifted(file.family, file.graph);
@@ -156,6 +177,12 @@ void add_jsr(Command& app) {
       .required();
   command.option("--lower", options->lower, "Ends as soon as the radius is proved to be at least that, or not to be");
   command.option("--upper", options->upper, "The same for at most");
+  command
+      .option("--p", options->power,
+              "The p-radius instead: the growth of the average of the p-th powers of norms; p even, or any p where no "
+              "entry "
+              "is negative")
+      .within(1, 64);
   add_limits(command, *options);
   add_width(command, *options);
   command.option("--certificate", options->certificate,

@@ -79,6 +79,15 @@ TEST_CASE("jsr: exact numbers, lines, graphs and targets") {
   const auto fine = with(golden + "}", " --width 1e-60").at("radius");
   CHECK(has_digits(fine, "lower", "1.618033988749894848204586834365638117720309179805762862135448"));
   CHECK(has_digits(fine, "upper", "1.618033988749894848204586834365638117720309179805762862135448"));
+  // Twice its square is (5 + sqrt 17)/2.
+  // 2)...
+  const auto square = with(golden + "}", " --p 2");
+  CHECK(square.at("size") == 3);
+  CHECK(has_digits(square.at("radius"), "lower", "1.510"));
+  // Averages: of the matrices themselves for p = 1.
+  CHECK(with(golden + "}", " --p 1").at("radius").at("upper") == "1.5");
+  CHECK(run("jsr " + file + " --p 2 --lower 1").code == 64);
+  CHECK(run("jsr " + file + " --p 65").code == 64);
   for (const char* width : {"0", "-1", "x", "2", "1e-1001", "1/0"})
     CHECK(run("jsr " + file + " --width " + width).code == 64);
 }

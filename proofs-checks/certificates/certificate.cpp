@@ -272,11 +272,15 @@ Certificate exponent_lines(const Mask& mask, const HolderRegularity& regularity,
   Certificate result;
   result.claim.lower = outward(lower_end(mask, regularity), Rounding::down);
   const std::optional<Rational>& product = radius.product.radius.lower;
-  const bool by_product = product && *product > 1;
+  const std::string whole = std::to_string(rules),
+                    decimal = product && *product > 1
+                                  ? outward(rules - *log_ratio(*product, mask.arity()).lower, Rounding::up)
+                                  : whole;
+  // A product that proves no more than the number of sum rules is not needed.
+  const bool by_product = decimal != whole;
   // The checker shows stability only where the sub-symbols have no common zero at all.
   if (regularity.stable.is_yes() && (by_product || !rounding) && common_factor_of_cosets(mask).length() == 1)
-    result.claim.upper = by_product ? outward(rules - *log_ratio(*product, mask.arity()).lower, Rounding::up)
-                                    : std::to_string(rules);
+    result.claim.upper = decimal;
   const bool upper = result.claim.upper.has_value();
   result.text = fmt::format("sum-rules {}{}\n{}", rules, full_text(upper && !by_product), upper ? "stability\n" : "") +
                 radius_text(mask, regularity, upper && by_product);

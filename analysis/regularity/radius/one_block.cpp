@@ -10,6 +10,7 @@ namespace subcert::radius {
 namespace {
 
 const Rational rounding = power(Rational(10), -15);
+constexpr std::size_t proved_products = 12;
 constexpr double norm_share = 0.05;     // of the time
 constexpr double polytope_share = 0.7;  // of the time that is left; the rest is for its proof and quadratic forms
 constexpr double grace = 0.5;           // seconds that a proof may take in any case
@@ -166,6 +167,13 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   std::optional<PolytopeProof>& polytope = found.polytope;
   ProductEvidence& product = found.product;
 
+  // Doubles may not tell which of these products is the largest.
+  if (!found.exact.is_yes())
+    for (std::size_t k = 1; k < std::min(candidate.products.size(), proved_products); ++k) {
+      ProductEvidence other = prove_product(scaled_family, candidate.products[k].word, budget.deadline);
+      if (*other.radius.lower > *product.radius.lower) product = std::move(other);
+    }
+
   JointSpectralRadius result;
   const Rational lower = *product.radius.lower * unit;
   Rational upper = norms.bound();
@@ -174,8 +182,9 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   if (by_polytope) upper = polytope->bound * unit;
   std::optional<QuadraticProof> form;
   const bool enough = target && upper <= *target;
-  if (!candidate.closed && lower < upper && !enough)
-    form = prove_by_quadratic_form(scaled_family, lower / unit, budget);
+  // A polytope that closed in floating point may have no proof.
+  const bool closed = candidate.closed && by_polytope;
+  if (!closed && lower < upper && !enough) form = prove_by_quadratic_form(scaled_family, lower / unit, budget);
   const bool by_form = form && form->bound * unit < upper;
   if (by_form) upper = form->bound * unit;
   result.radius = {lower, upper};

@@ -206,18 +206,18 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
     if (product.word == std::vector<int>{result.single.letter} && !(*product.radius.lower > 0))
       product.radius = growth.radius;
   }
-  // The logarithm doubles a relative width at most.
-  if (derived.symbol().length() <= most_rows * (arity - 1))
-    sharpen(result.radius, transition_matrices(derived), bits + 1, budget.deadline);
+  // Two bits are lost by the logarithm and by both ends.
+  if (result.radius.exact.is_yes() && derived.symbol().length() <= most_rows * (arity - 1))
+    sharpen(result.radius, transition_matrices(derived), bits + 2, budget.deadline);
   const HolderBound& best = result.bounds.best();
   const Enclosure& radius = result.radius.radius;
   result.exponent = Enclosure::at_least(
-      std::max(*best.exponent.lower, Rational(rules - *log_ratio(*radius.upper, arity, bits + 1).upper)));
+      std::max(*best.exponent.lower, Rational(rules - *log_ratio(*radius.upper, arity, bits + 2).upper)));
   // A radius of 1 says nothing from above; larger ones do, and so does the number of sum rules
   // (proofs-checks/certificates/SPEC.md, theorems 3 and 23).
   if (result.stable.is_yes()) {
     if (radius.lower && *radius.lower > 1)
-      result.exponent.upper = rules - *log_ratio(*radius.lower, arity, bits + 1).lower;
+      result.exponent.upper = rules - *log_ratio(*radius.lower, arity, bits + 2).lower;
     else if (!rounding)
       result.exponent.upper = rules;
   }

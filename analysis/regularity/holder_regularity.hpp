@@ -58,10 +58,10 @@ inline const HolderRegularity& HolderRegularity::deciding() const { return reduc
 enum class HolderProof { shortest, certificate };
 
 /// Domain: coset sums 1; levels >= 1; at most 256 rows in the transition matrices (larger masks keep the bounds by
-/// norms). `bits`: the exponent is narrower than 2^-bits where a
-/// product is proved to attain the radius. `rounding`: what is proved holds for all masks that are meant, and nothing
-/// is exact; larger masks are refused. Errors: throws Error. Error: none, both ends are proved; see
-/// joint_spectral_radius for the width. Ref: [Rio92], [FM13], [JW93], [GP13].
+/// norms). `bits`: the exponent is narrower than 2^-bits where a product is proved to attain the radius. `rounding`:
+/// what is proved holds for all masks that are meant, and nothing is exact; larger masks are refused. Errors: throws
+/// Error. Error: none, both ends are proved; see joint_spectral_radius for the width. Ref: [Rio92], [FM13], [JW93],
+/// [GP13].
 HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget,
                                    HolderProof proof = HolderProof::shortest,
                                    const std::optional<MaskRounding>& rounding = std::nullopt, int bits = default_bits);

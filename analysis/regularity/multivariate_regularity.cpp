@@ -15,7 +15,8 @@
 namespace subcert {
 namespace {
 
-constexpr int bits_of_powers = 4;                                                // lost by a power and a logarithm
+constexpr int bits_of_powers = 4;  // lost by a power and a logarithm
+
 constexpr double norm_share = 0.05, sobolev_share = 0.3, stability_share = 0.5;  // of the time that is left
 constexpr int levels = 16;                           // of norms, where they decide convergence
 constexpr double least_seconds = 5;                  // for convergence

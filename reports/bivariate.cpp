@@ -34,8 +34,6 @@ formats::Comparison compare_published(const statements::PublishedCell& cell, con
   const Enclosure exponent = cell.quantity.starts_with("Sobolev") ? regularity.sobolev.value_or(Enclosure{})
                                                                   : regularity.exponent;
   const Verdict verdict = formats::compare_exponent(cell.printed, exponent);
-  // What was open may be decided by another part of the program.
-  const bool decided = cell.recorded == Verdict::open && verdict == Verdict::match;
   std::string note;
   if (verdict == Verdict::open)
     note = exponent.is_bounded() ? fmt::format("enclosed with a width of {}, which does not decide",
@@ -51,9 +49,9 @@ formats::Comparison compare_published(const statements::PublishedCell& cell, con
           cell.printed,
           exponent,
           verdict,
-          decided ? verdict : cell.recorded,
+          recorded_verdict(cell, verdict),
           note,
-          fmt::format("[{}] {}", cell.source, statements::reference(cell.source)),
+          source_text(cell),
           to_text(regularity.stable.truth)};
 }
 

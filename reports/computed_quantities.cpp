@@ -85,10 +85,20 @@ formats::ComparisonTable empty_table(const statements::PublishedTable& table) {
   return {"dyn-2015", table.id, table.title, table.place, table.grid, {}};
 }
 
+std::string source_text(const statements::PublishedCell& cell) {
+  return cell.source.empty() ? "" : fmt::format("[{}] {}", cell.source, statements::reference(cell.source));
+}
+
+Verdict recorded_verdict(const statements::PublishedCell& cell, Verdict found) {
+  const bool decided = !cell.source.empty() && cell.recorded == Verdict::open && found == Verdict::match;
+  return decided ? found : cell.recorded;
+}
+
 formats::Comparison compare_number(const statements::PublishedCell& cell, const Enclosure& computed,
                                    const std::string& note) {
-  return {cell.row,      cell.column, cell.scheme, cell.printed, computed, formats::compare(cell.printed, computed),
-          cell.recorded, note};
+  const Verdict verdict = formats::compare(cell.printed, computed);
+  return {cell.row, cell.column,      cell.scheme, cell.printed, computed, verdict, recorded_verdict(cell, verdict),
+          note,     source_text(cell)};
 }
 
 formats::Comparison compare_text(const statements::PublishedCell& cell, const std::string& computed, Truth equal) {

@@ -84,6 +84,13 @@ class ComputedQuantities {
 
 formats::ComparisonTable empty_table(const statements::PublishedTable& table);
 
+/// `[KEY] reference`; empty where the cell is of a paper's own table.
+std::string source_text(const statements::PublishedCell& cell);
+
+/// What is on record, given what was found: in a collection an open value may be decided by more time or a faster
+/// machine (docs/comparison.md).
+Verdict recorded_verdict(const statements::PublishedCell& cell, Verdict found);
+
 formats::Comparison compare_number(const statements::PublishedCell& cell, const Enclosure& computed,
                                    const std::string& note = "");
 

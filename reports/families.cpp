@@ -105,7 +105,7 @@ formats::Comparison compare_range(const statements::PublishedCell& cell, int job
   formats::Comparison comparison{
       cell.row, cell.column, family.specification, cell.printed, std::string("nothing"), Verdict::open, cell.recorded,
       "",       ""};
-  comparison.source = fmt::format("[{}] {}", cell.source, statements::reference(cell.source));
+  comparison.source = source_text(cell);
   const auto proved = proved_about(found, (printed->low + printed->high) / 2, width);
   if (proved) comparison.computed = fmt::format("{} < {} < {}", proved->low.text(), letter, proved->high.text());
   const std::size_t at = cell.printed.find(letter);

@@ -78,11 +78,8 @@ Report report_joint_spectral_radii(const ReportOptions& options) {
   report.listed = true;
   if (options.wants("published")) {
     formats::ComparisonTable table{"jsr", published.id, published.title, published.place, published.grid, {}};
-    for (const statements::PublishedCell& cell : published.cells) {
-      formats::Comparison comparison = compare_number(cell, families.at(cell.scheme)->radius.radius);
-      comparison.source = fmt::format("[{}] {}", cell.source, statements::reference(cell.source));
-      table.comparisons.push_back(std::move(comparison));
-    }
+    for (const statements::PublishedCell& cell : published.cells)
+      table.comparisons.push_back(compare_number(cell, families.at(cell.scheme)->radius.radius));
     section.paragraphs.push_back(verdict_sentence(table));
     section.comparisons.push_back(std::move(table));
   }

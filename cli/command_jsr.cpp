@@ -179,9 +179,7 @@ void add_jsr(Command& app) {
   command.option("--upper", options->upper, "The same for at most");
   command
       .option("--p", options->power,
-              "The p-radius instead: the growth of the average of the p-th powers of norms; p even, or any p where no "
-              "entry "
-              "is negative")
+              "The p-radius instead: how averages of p-th powers of norms grow; p even, or no entry negative")
       .within(1, 64);
   add_limits(command, *options);
   add_width(command, *options);

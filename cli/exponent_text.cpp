@@ -27,7 +27,7 @@ WantedWidth wanted_width(const SearchOptions& options) {
   WantedWidth result{width};
   int places = 0;
   for (Rational unit = 1; unit > *width; unit /= 10) ++places;
-  // 10 > 2^3; the rest is for radii beyond 1.
+  // 10 < 2^(10/3); the rest is for radii up to 2^32.
   result.bits = std::max(result.bits, 10 * places / 3 + 32);
   result.digits = places + 2;
   return result;

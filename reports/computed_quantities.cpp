@@ -53,11 +53,12 @@ ComputedQuantities::ComputedQuantities(const ReportOptions& options)
     : options_(options), paper_(statements::paper("dyn-2015")) {}
 
 void ComputedQuantities::need_bounds(const std::vector<std::string>& specifications) {
-  need(bounds_, specifications, [](const auto& s) { return holder_bounds(make_scheme(s).mask, holder_levels); });
+  make_missing(bounds_, specifications, options_,
+               [](const auto& s) { return holder_bounds(make_scheme(s).mask, holder_levels); });
 }
 
 void ComputedQuantities::need_exponents(const std::vector<std::string>& specifications) {
-  need(exponents_, specifications, [](const auto& s) {
+  make_missing(exponents_, specifications, options_, [](const auto& s) {
     const Scheme scheme = make_scheme(s);
     return holder_regularity(scheme.mask, holder_levels, {Deadline::in(exponent_seconds)}, HolderProof::shortest,
                              scheme.rounding);
@@ -65,7 +66,7 @@ void ComputedQuantities::need_exponents(const std::vector<std::string>& specific
 }
 
 void ComputedQuantities::need_variance(const std::vector<std::string>& specifications) {
-  need(variance_, specifications, variance_facts);
+  make_missing(variance_, specifications, options_, variance_facts);
 }
 
 const statements::dyn_2015::NumericalRecipeSearch& ComputedQuantities::recipes() {
@@ -75,7 +76,7 @@ const statements::dyn_2015::NumericalRecipeSearch& ComputedQuantities::recipes()
   statements::dyn_2015::NumericalRecipeSearch::Values values;
   std::map<std::string, int> sizes;
   for (const statements::PublishedCell& cell : table.cells) sizes[cell.scheme] = cell.n.value();
-  need(values, schemes_of(table), [&](const std::string& scheme) {
+  make_missing(values, schemes_of(table), options_, [&](const std::string& scheme) {
     return statements::dyn_2015::evaluate_numerical_recipes(make_scheme(scheme).mask, sizes.at(scheme));
   });
   return recipes_.emplace(table, std::move(values));

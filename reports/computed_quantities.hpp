@@ -34,6 +34,20 @@ struct VarianceFacts {
 
 VarianceFacts variance_facts(const std::string& specification);
 
+/// Makes what the map does not have yet of these names, in parallel, and says which.
+template <class Map, class Make>
+void make_missing(Map& map, const std::vector<std::string>& names, const ReportOptions& options, const Make& make) {
+  std::vector<typename Map::value_type*> missing;
+  for (const std::string& name : names) {
+    const auto [entry, fresh] = map.try_emplace(name);
+    if (fresh) missing.push_back(&*entry);
+  }
+  parallel_for_each(missing.size(), options.jobs, [&](std::size_t i) {
+    if (options.progress) options.progress(missing[i]->first);
+    missing[i]->second = make(missing[i]->first);
+  });
+}
+
 /// Certified numbers, each computed once.
 class ComputedQuantities {
  public:
@@ -61,19 +75,6 @@ class ComputedQuantities {
   const statements::dyn_2015::NumericalRecipeSearch& recipes();
 
  private:
-  template <class Map, class Make>
-  void need(Map& map, const std::vector<std::string>& names, const Make& make) {
-    std::vector<typename Map::value_type*> missing;
-    for (const std::string& name : names) {
-      const auto [entry, fresh] = map.try_emplace(name);
-      if (fresh) missing.push_back(&*entry);
-    }
-    parallel_for_each(missing.size(), options_.jobs, [&](std::size_t i) {
-      say(missing[i]->first);
-      missing[i]->second = make(missing[i]->first);
-    });
-  }
-
   const ReportOptions& options_;
   const statements::Paper& paper_;
   std::map<std::string, std::optional<HolderBounds>> bounds_;

@@ -27,8 +27,10 @@ struct Family {
   JointSpectralRadius radius;
 };
 
-Family computed_family(const std::string& name, std::string_view text) {
-  const MatricesFile file = parse_matrices(std::string(text), name + ".json");
+Family computed_family(const std::string& name) {
+  const auto text = matrix_files.find(name);
+  require(text != matrix_files.end(), "jsr: need a file of matrices for '{}'", name);
+  const MatricesFile file = parse_matrices(std::string(text->second), name + ".json");
   MatrixFamily family = file.graph.empty() ? file.family : lifted(file.family, file.graph).family;
   const Budget budget{Deadline::in(radius_seconds)};
   JointSpectralRadius radius = joint_spectral_radius(family, budget);
@@ -57,18 +59,11 @@ const std::vector<std::string>& joint_spectral_radius_items() {
 
 Report report_joint_spectral_radii(const ReportOptions& options) {
   const statements::PublishedTable& published = statements::paper("jsr").table("published");
-  std::map<std::string, std::optional<Family>> families;
+  std::vector<std::string> names = schemes_of(published);
   if (options.wants("families"))
-    for (const auto& [name, text] : matrix_files) families.try_emplace(name);
-  else
-    for (const std::string& name : schemes_of(published)) families.try_emplace(name);
-  std::vector<std::string> names;
-  for (const auto& [name, family] : families) names.push_back(name);
-  parallel_for_each(names.size(), options.jobs, [&](std::size_t k) {
-    const auto text = matrix_files.find(names[k]);
-    require(text != matrix_files.end(), "jsr: need a file of matrices for '{}'", names[k]);
-    families.at(names[k]) = computed_family(names[k], text->second);
-  });
+    for (const auto& [name, text] : matrix_files) names.push_back(name);
+  std::map<std::string, std::optional<Family>> families;
+  make_missing(families, names, options, computed_family);
 
   formats::Section section{"jsr", "Joint spectral radii of the literature", {}};
   section.paragraphs.push_back(

@@ -100,6 +100,14 @@ Integer common_denominator(const MatrixFamily& family) {
   return result;
 }
 
+bool is_nonnegative(const MatrixFamily& family) {
+  for (const RationalMatrix& matrix : family)
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+      for (std::size_t j = 0; j < matrix.columns(); ++j)
+        if (matrix(i, j) < 0) return false;
+  return true;
+}
+
 MatrixFamily transposed(const MatrixFamily& family) {
   std::vector<RationalMatrix> matrices;
   for (const RationalMatrix& m : family) matrices.push_back(transposed(m));

@@ -76,6 +76,9 @@ class MatrixFamily {
 /// The least positive integer that makes every entry of every matrix an integer by multiplication.
 Integer common_denominator(const MatrixFamily& family);
 
+/// No entry is negative.
+bool is_nonnegative(const MatrixFamily& family);
+
 /// The transposed matrices, with the maps J^-T; factor times the matrices.
 MatrixFamily transposed(const MatrixFamily& family);
 MatrixFamily operator*(const Rational& factor, const MatrixFamily& family);

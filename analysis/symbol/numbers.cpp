@@ -173,6 +173,12 @@ Enclosure log_ratio(const Rational& argument, int base, int bits) {
   return (log(Ball(argument, precision)) / log(Ball(base, precision))).enclosure(precision + 64);
 }
 
+Rational simplest_between(const Rational& low, const Rational& high) {
+  flint::Quotient from(low), to(high), between;
+  fmpq_simplest_between(between.get(), from.get(), to.get());
+  return flint::to_rational(between.get());
+}
+
 std::optional<Rational> exact_root(const Rational& value, unsigned long degree) {
   Integer top, bottom;
   const Integer numbers[] = {numerator(value), denominator(value)};

@@ -61,6 +61,9 @@ struct Enclosure {
 /// width below 2^-bits times max(1, |value|). Cost: one ball logarithm each. Ref: [Joh17].
 Enclosure log_ratio(const Rational& argument, int base, int bits = 100);
 
+/// The number with the least denominator, of these the one next to 0. Domain: low <= high.
+Rational simplest_between(const Rational& low, const Rational& high);
+
 /// value^(1/degree), where that is rational. Domain: value >= 0, degree >= 1.
 std::optional<Rational> exact_root(const Rational& value, unsigned long degree);
 

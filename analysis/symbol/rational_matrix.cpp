@@ -382,12 +382,6 @@ std::vector<std::vector<Integer>> lattice_basis(const std::vector<std::vector<In
   return first_rows(lattice, rank);
 }
 
-Rational simplest_between(const Rational& low, const Rational& high) {
-  flint::Quotient from(low), to(high), between;
-  fmpq_simplest_between(between.get(), from.get(), to.get());
-  return flint::to_rational(between.get());
-}
-
 LaurentPolynomial squarefree_part(const LaurentPolynomial& p) {
   const LaurentPolynomial q = p.shifted(-p.lowest());
   return *q.exact_quotient(gcd(q, q.derivative()));

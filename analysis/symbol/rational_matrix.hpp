@@ -104,9 +104,6 @@ std::vector<std::vector<Integer>> reduced_lattice(const std::vector<std::vector<
 /// form.
 std::vector<std::vector<Integer>> lattice_basis(const std::vector<std::vector<Integer>>& rows);
 
-/// The number with the least denominator, of these the one next to 0. Domain: low <= high.
-Rational simplest_between(const Rational& low, const Rational& high);
-
 /// p without its zero at 0 and with simple zeros only. Domain: p not zero.
 LaurentPolynomial squarefree_part(const LaurentPolynomial& p);
 

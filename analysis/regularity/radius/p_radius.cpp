@@ -66,14 +66,7 @@ std::optional<RationalMatrix> operator_on_forms(const MatrixFamily& family, int 
 
 }  // namespace
 
-bool has_p_radius(const MatrixFamily& family, int p) {
-  if (p % 2 == 0) return true;
-  for (const RationalMatrix& matrix : family)
-    for (std::size_t i = 0; i < matrix.rows(); ++i)
-      for (std::size_t j = 0; j < matrix.columns(); ++j)
-        if (matrix(i, j) < 0) return false;
-  return true;
-}
+bool has_p_radius(const MatrixFamily& family, int p) { return p % 2 == 0 || is_nonnegative(family); }
 
 std::optional<PRadius> p_radius(const MatrixFamily& family, int p, int bits, const Deadline& deadline) {
   require(p >= 1 && p <= largest_power, "p_radius: need 1 <= p <= {}, got {}", largest_power, p);

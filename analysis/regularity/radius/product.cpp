@@ -29,12 +29,6 @@ RationalComplex value_at(const LaurentPolynomial& p, const RationalComplex& z) {
   return value;
 }
 
-/// The least k with |x| < 2^k, or one more. Domain: x not 0.
-long bits_before_point(const Rational& x) {
-  const auto size = [](const Integer& k) { return static_cast<long>(mpz_sizeinbase(k.get(), 2)); };
-  return size(numerator(x)) - size(denominator(x)) + 1;
-}
-
 /// Towards the zero of p near a start, by Newton's method.
 ComplexBall newton(const LaurentPolynomial& p, ComplexBall z) {
   const LaurentPolynomial derivative = p.derivative();
@@ -147,12 +141,12 @@ std::optional<ApproximateInverse> approximate_inverse(const MatrixFamily& family
   const auto n = static_cast<long>(product.rows());
   const RationalComplex& near = evidence.eigenvalue;
   if (near.squared_modulus() == 0) return std::nullopt;
-  const long place = (bits_before_point(near.squared_modulus()) + 1) / 2 - inverse_distance;
+  const long place = (binary_exponent(near.squared_modulus()) + 1) / 2 - inverse_distance;
   const Rational unit = power(Rational(2), place);
   const auto rounded = [&](const Rational& x) { return unit * Rational(to_integer(x / unit, Rounding::nearest)); };
   ApproximateInverse result{{rounded(near.re) + unit, rounded(near.im)}, 0, {}};
   const Rational column = one_norm(product) + abs(near.re) + abs(near.im);
-  const long bits = std::max(inverse_accuracy + bits_before_point(column * n * n), 0L);
+  const long bits = std::max(inverse_accuracy + binary_exponent(Rational(column * n * n)), 0L);
   if (bits + std::abs(place) > longest_entry) return std::nullopt;
   result.bits = static_cast<int>(bits);
   const auto columns = inverse_columns(product, result.point, bits + std::abs(place) + 2 * precision);

@@ -194,14 +194,6 @@ std::vector<Element> symmetry_group(const MatrixFamily& family, const Deadline& 
   return group;
 }
 
-bool is_nonnegative(const MatrixFamily& family) {
-  for (const RationalMatrix& matrix : family)
-    for (std::size_t i = 0; i < matrix.rows(); ++i)
-      for (std::size_t j = 0; j < matrix.columns(); ++j)
-        if (matrix(i, j) < 0) return false;
-  return true;
-}
-
 /// Columns: a basis of the lattice that the images of the unit vectors span.
 RationalMatrix invariant_lattice(const std::vector<Element>& group) {
   const std::size_t n = group.front().map.rows();

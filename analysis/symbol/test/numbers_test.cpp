@@ -96,6 +96,11 @@ TEST_CASE("logarithms are enclosed") {
   CHECK_THROWS_AS(log_ratio(2, 1), Error);
 }
 
+TEST_CASE("the simplest number between two") {
+  CHECK(simplest_between(Rational(1, 3), Rational(3, 5)) == Rational(1, 2));
+  CHECK(simplest_between(Rational(-7, 3), Rational(-7, 3)) == Rational(-7, 3));
+}
+
 TEST_CASE("an enclosure prints a set that contains it") {
   const Enclosure third = Enclosure::exactly(Rational(1, 3));
   CHECK(read_decimal(third.lower_text(5)) < Rational(1, 3));

@@ -102,14 +102,4 @@ ExitCode refuse_unproved(const std::string& scheme, const std::string& lack, con
   return convergence.is_no() ? failed : undecided;
 }
 
-std::string enclosure_text(const Enclosure& enclosure, int digits) {
-  if (!enclosure.lower && !enclosure.upper) return "unknown";
-  digits = enclosure.telling_digits(digits);
-  if (!enclosure.upper) return ">= " + enclosure.lower_text(digits);
-  if (!enclosure.lower) return "<= " + enclosure.upper_text(digits);
-  std::string low = to_decimal(*enclosure.lower, digits, Rounding::nearest);
-  if (low == to_decimal(*enclosure.upper, digits, Rounding::nearest)) return low;
-  return enclosure.lower_text(digits) + " ... " + enclosure.upper_text(digits);
-}
-
 }  // namespace subcert::cli

@@ -73,9 +73,6 @@ Command add_command(Command& app, const std::string& name, const std::string& de
 /// The positional argument SCHEME; `any` names the families of two and three variables in the help too.
 void add_scheme(Command& command, std::string& target, bool any = false);
 
-/// Exact decimal ends for people: `1.2345`, or `1.2345 ... 1.2346`, `>= 1.2345`.
-std::string enclosure_text(const Enclosure& enclosure, int digits = 12);
-
 /// `2 + 3 + 1`: the sizes of diagonal blocks.
 std::string sizes_text(const std::vector<std::size_t>& sizes);
 

@@ -30,10 +30,7 @@ RegularityPage compute(Scheme scheme, const RegularityOptions& options, const Wa
   HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof, scheme.rounding,
                                                   wanted.bits);
   options.end_progress();
-  // A bound that is not positive proves nothing, not even convergence.
-  Enclosure holder;
-  if (regularity.converges.is_yes())
-    holder = {std::max(Rational(0), *regularity.exponent.lower), regularity.exponent.upper};
+  const Enclosure holder = regularity.proved_exponent();
   const bool complete = regularity.deciding().radius.is_closed() && wanted.holds(holder);
   return {std::move(scheme), std::move(regularity), std::move(sobolev), holder,
           complete,          watch.seconds(),       wanted.digits};

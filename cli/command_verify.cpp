@@ -3,6 +3,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <system_error>
 
 extern char** environ;
@@ -67,40 +67,6 @@ CheckerAnswer run_checker(const std::vector<std::string>& arguments) {
   return answer;
 }
 
-/// The claim that the certificate says it proves. The checker proves that claim or rejects; which claim it was is part
-/// of the answer.
-std::vector<std::string> claim_of(const std::string& file, const std::string& text) {
-  std::istringstream lines(text.substr(0, text.size() > 2'000'000 ? 2'000'000 : text.size()));
-  std::string version, subject, bounds;
-  std::getline(lines, version);
-  std::getline(lines, subject);
-  std::getline(lines, bounds);
-  std::istringstream subject_words(subject), bound_words(bounds);
-  std::string kind, first, second, range, word, lower, upper;
-  subject_words >> kind >> first >> second >> range;
-  bound_words >> word >> lower >> upper;
-  if (version.rfind("subcert-certificate", 0) != 0 || word != "bounds" || upper.empty() || second.empty())
-    fail(ErrorKind::data, "{}: not a certificate", file);
-  std::vector<std::string> arguments;
-  if (kind == "exponent")
-    arguments = {"--mask", first, "--arity", second};
-  else if (kind == "surface")
-    arguments = {"--surface", first, "--dilation", second};
-  else if (kind == "radius")
-    arguments = {"--matrices", file + ".matrices"};
-  else
-    fail(ErrorKind::data, "{}, line 2: expected exponent, surface or radius", file);
-  constexpr std::string_view within = "within=";
-  if (kind == "exponent" && range.starts_with(within))
-    arguments.insert(arguments.end(), {"--within", range.substr(within.size())});
-  else if (kind == "exponent" && !range.empty())
-    arguments.insert(arguments.end(), {"--for", range});
-  if (lower != "-") arguments.insert(arguments.end(), {"--lower", lower});
-  if (upper != "-") arguments.insert(arguments.end(), {"--upper", upper});
-  arguments.push_back(file);
-  return arguments;
-}
-
 /// The files, and those named .cert in folders, in the order of their names.
 std::vector<std::string> certificates_of(const std::vector<std::string>& paths) {
   namespace fs = std::filesystem;
@@ -125,7 +91,7 @@ ExitCode run(const VerifyOptions& options) {
   std::string text;
   ExitCode worst = done;
   for (const std::string& file : certificates_of(options.files)) {
-    const CheckerAnswer answer = run_checker(claim_of(file, read_file(file)));
+    const CheckerAnswer answer = run_checker(checker_arguments(read_file(file), file));
     if (answer.code != 0) worst = std::max(worst, static_cast<ExitCode>(answer.code));
     list.push_back({{"file", file}, {"verified", answer.code == 0}, {"answer", answer.line}});
     text += file + ": " + answer.line + "\n";

@@ -56,14 +56,7 @@ std::string sobolev_text(const SobolevRegularity& sobolev, const Decision& stabl
                                                                    : "  (L2 smoothness, exact by the reduced mask)");
 }
 
-std::string method_text(const JointSpectralRadius& radius) {
-  switch (radius.method()) {
-    case JsrMethod::invariant_polytope: return "invariant polytope";
-    case JsrMethod::quadratic_form: return "quadratic form";
-    case JsrMethod::single_spectral_radius: return "single spectral radius";
-    default: return "norms of products";
-  }
-}
+std::string method_text(const JointSpectralRadius& radius) { return to_text(radius.method()); }
 
 std::string sized_method_text(const JointSpectralRadius& radius) {
   std::string text = method_text(radius);

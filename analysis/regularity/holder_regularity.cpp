@@ -242,6 +242,11 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
   return result;
 }
 
+Enclosure HolderRegularity::proved_exponent() const {
+  if (!converges.is_yes()) return {};
+  return {std::max(Rational(0), *exponent.lower), exponent.upper};
+}
+
 Truth has_derivatives(const HolderRegularity& regularity, const Rational& order) {
   const Enclosure& exponent = regularity.exponent;
   if (*exponent.lower > order) return Truth::yes;

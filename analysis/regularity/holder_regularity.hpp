@@ -41,6 +41,9 @@ struct HolderRegularity {
   /// the exponent is.
   std::shared_ptr<const ReducedRegularity> reduced;
 
+  /// Of a scheme that is proved to converge, `exponent` without what is negative; else no ends: a bound that is not
+  /// positive proves nothing, not even convergence.
+  Enclosure proved_exponent() const;
   const JointSpectralRadius& certifiable() const { return rational ? *rational : radius; }
   /// What the exponent of a scheme that converges is from: this, or that of the reduced mask.
   const HolderRegularity& deciding() const;

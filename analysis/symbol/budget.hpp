@@ -2,17 +2,35 @@
 /// How long work may take and how much memory it may hold.
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <limits>
 
 namespace subcert {
 
+/// Lets another thread end what this one computes: deadlines that are made on this thread as long as the scope lives
+/// expire once the flag is set. Scopes may be nested; the innermost counts. Domain: the flag outlives those deadlines.
+class StopScope {
+ public:
+  explicit StopScope(const std::atomic<bool>* flag) : outer_(current_) { current_ = flag; }
+  StopScope(const StopScope&) = delete;
+  StopScope& operator=(const StopScope&) = delete;
+  ~StopScope() { current_ = outer_; }
+
+  /// The flag of the innermost scope of this thread, or null.
+  static const std::atomic<bool>* current() { return current_; }
+
+ private:
+  const std::atomic<bool>* outer_;
+  static inline thread_local const std::atomic<bool>* current_ = nullptr;
+};
+
 /// The moment at which work ends with what it has. Seconds are of wall clock.
 class Deadline {
  public:
   /// Work without end of its own.
-  Deadline() : end_(Clock::time_point::max()) {}
+  Deadline() : end_(Clock::time_point::max()), stop_(StopScope::current()) {}
   /// Domain: seconds >= 0; more than 10^9 is as good as no end.
   static Deadline in(double seconds) {
     Deadline result;
@@ -20,9 +38,10 @@ class Deadline {
     return result;
   }
 
-  bool expired() const { return end_ != Clock::time_point::max() && Clock::now() >= end_; }
+  bool expired() const { return is_stopped() || (end_ != Clock::time_point::max() && Clock::now() >= end_); }
   /// Seconds left: 0 once expired, infinite without an end.
   double remaining() const {
+    if (is_stopped()) return 0;
     if (end_ == Clock::time_point::max()) return std::numeric_limits<double>::infinity();
     return std::max(0.0, std::chrono::duration<double>(end_ - Clock::now()).count());
   }
@@ -36,7 +55,10 @@ class Deadline {
   static Clock::duration duration(double seconds) {
     return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   }
+  bool is_stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+
   Clock::time_point end_;
+  const std::atomic<bool>* stop_;
 };
 
 /// Seconds of wall clock since it was made.

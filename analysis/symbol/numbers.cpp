@@ -157,6 +157,16 @@ int Enclosure::telling_digits(int digits) const {
   return digits;
 }
 
+std::string enclosure_text(const Enclosure& enclosure, int digits) {
+  if (!enclosure.lower && !enclosure.upper) return "unknown";
+  digits = enclosure.telling_digits(digits);
+  if (!enclosure.upper) return ">= " + enclosure.lower_text(digits);
+  if (!enclosure.lower) return "<= " + enclosure.upper_text(digits);
+  std::string low = to_decimal(*enclosure.lower, digits, Rounding::nearest);
+  if (low == to_decimal(*enclosure.upper, digits, Rounding::nearest)) return low;
+  return enclosure.lower_text(digits) + " ... " + enclosure.upper_text(digits);
+}
+
 Enclosure log_ratio(const Rational& argument, int base, int bits) {
   if (argument <= 0) fail(ErrorKind::domain, "log_ratio: need argument > 0, got {}", argument);
   require(base >= 2, "log_ratio: need base >= 2, got {}", base);

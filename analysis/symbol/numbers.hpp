@@ -57,6 +57,10 @@ struct Enclosure {
   int telling_digits(int digits) const;
 };
 
+/// Exact decimal ends for people: `1.2345` where both ends round to it, or `1.2345 ... 1.2346`, `>= 1.2345`, `unknown`.
+/// Domain: digits >= 1, more where they tell it from thresholds.
+std::string enclosure_text(const Enclosure& enclosure, int digits = 12);
+
 /// Encloses log(argument) / log(base). Domain: argument > 0, base >= 2. Error: none where it is rational, else
 /// width below 2^-bits times max(1, |value|). Cost: one ball logarithm each. Ref: [Joh17].
 Enclosure log_ratio(const Rational& argument, int base, int bits = 100);

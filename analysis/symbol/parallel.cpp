@@ -1,5 +1,7 @@
 #include "parallel.hpp"
 
+#include "budget.hpp"
+
 #include <flint/flint.h>
 
 #include <algorithm>
@@ -14,7 +16,8 @@ namespace subcert {
 int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 std::jthread on_own_thread(std::function<void()> work) {
-  return std::jthread([work = std::move(work)] {
+  return std::jthread([work = std::move(work), flag = StopScope::current()] {
+    const StopScope scope(flag);
     work();
     flint_cleanup();  // FLINT keeps numbers for each thread and gives them back on request only
   });

@@ -11,7 +11,7 @@ namespace subcert {
 /// As many as the machine runs at a time, at least 1.
 int all_cores();
 
-/// Runs the work on a thread of its own. Domain: work that does not throw.
+/// Runs the work on a thread of its own, within the StopScope of this one. Domain: work that does not throw.
 std::jthread on_own_thread(std::function<void()> work);
 
 /// Calls work(0), ..., work(count - 1) on at most `jobs` threads, begun in this order. Domain: jobs >= 1. Errors: the

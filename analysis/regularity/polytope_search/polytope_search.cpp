@@ -89,7 +89,7 @@ class Search {
               k + 1 == product_looks.size() ? rest : std::min(least_race + later_patience * (elapsed() - before), rest),
               2))
         return closed();
-      if (elapsed() > last_race * seconds_ || full()) break;
+      if (elapsed() > last_race * seconds_ || deadline().expired() || full()) break;
     }
     return enclosed();
   }
@@ -168,7 +168,7 @@ class Search {
   // Advances the family, or the family and its transpose in turn, by slices that grow; true when one closes.
   bool race(double seconds, std::size_t sides) {
     const Stopwatch race_watch;
-    const auto left = [&] { return seconds - race_watch.seconds(); };
+    const auto left = [&] { return std::min(seconds - race_watch.seconds(), deadline().remaining()); };
     const auto first_slice = [&] { return std::clamp(left() / 64, least_slice, largest_slice); };
     double slice = sides == 1 ? seconds : first_slice();
     for (int round = 0; left() > 0 && !full(); ++round) {

@@ -186,6 +186,15 @@ Rational JointSpectralRadius::proved_upper() const {
   return most;
 }
 
+std::string to_text(JsrMethod method) {
+  switch (method) {
+    case JsrMethod::invariant_polytope: return "invariant polytope";
+    case JsrMethod::quadratic_form: return "quadratic form";
+    case JsrMethod::single_spectral_radius: return "single spectral radius";
+    default: return "norms of products";
+  }
+}
+
 JsrMethod JointSpectralRadius::method() const {
   if (const BlockProof* blocks = by_blocks()) return blocks->blocks[blocks->leading].method();
   if (std::holds_alternative<PolytopeProof>(proof)) return JsrMethod::invariant_polytope;

@@ -30,6 +30,9 @@ using RadiusProof = std::variant<NormProof, PolytopeProof, QuadraticProof, Block
 
 enum class JsrMethod { invariant_polytope, quadratic_form, norm_of_products, single_spectral_radius };
 
+/// `invariant polytope`, and so on.
+std::string to_text(JsrMethod method);
+
 /// The largest norm of a product of n matrices lies between positive multiples of n^at_least radius^n and n^at_most
 /// radius^n; an absent end is not known.
 struct GrowthPower {

@@ -1,6 +1,8 @@
+#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/cmake/catch.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <string>
@@ -37,4 +39,26 @@ TEST_CASE("the first exception comes out, and no work is begun after it") {
     CHECK(message == "five");
     CHECK(begun < 100'000);
   }
+}
+
+TEST_CASE("a flag ends the deadlines of its scope, on other threads too, and no others") {
+  const Deadline before = Deadline::in(1000), endless;
+  std::atomic<bool> flag = false;
+  {
+    const StopScope scope(&flag);
+    const Deadline inside = Deadline::in(1000), unlimited, later = inside.after(0.5);
+    std::vector<Deadline> elsewhere(3);
+    parallel_for_each(3, 3, [&](std::size_t i) { elsewhere[i] = Deadline::in(1000); });
+    CHECK_FALSE(inside.expired());
+    flag = true;
+    CHECK(inside.expired());
+    CHECK(inside.remaining() == 0);
+    CHECK(unlimited.expired());
+    CHECK(later.expired());
+    CHECK(Deadline::in(1000).expired());
+    CHECK(std::all_of(elsewhere.begin(), elsewhere.end(), [](const Deadline& d) { return d.expired(); }));
+  }
+  CHECK_FALSE(before.expired());
+  CHECK_FALSE(endless.expired());
+  CHECK_FALSE(Deadline::in(1000).expired());
 }

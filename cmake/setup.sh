@@ -8,7 +8,8 @@ readonly packages_to_run="g++ cmake ninja-build libboost-dev libboost-filesystem
   libboost-system-dev libeigen3-dev libgmp-dev libmpfr-dev libflint-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libtomlplusplus-dev libgnuplot-iostream-dev gnuplot-nox libopenmpi-dev openmpi-bin fonts-dejavu-core"
 # What tests and benchmarks need beside.
-readonly packages_to_check="catch2 libbenchmark-dev python3 git clang-format clang-tidy"
+readonly packages_to_check="catch2 libbenchmark-dev python3 git clang-format clang-tidy
+  pybind11-dev python3-dev python3-numpy python3-sympy python3-pytest python3-hypothesis mypy"
 # Beside FLINT 2 the library Arb is a package of its own; FLINT 3 contains it.
 readonly packages_where_they_exist="libflint-arb-dev"
 packages=$packages_to_run
@@ -58,4 +59,17 @@ build() {
   else
     ninja -C "$build" --quiet "$1"
   fi
+}
+
+# Lets `import subcert` find the package in the build tree: a line in a file of its own among the user's packages.
+offer_python() {
+  if ! PYTHONPATH="$build/python" python3 -c "import subcert" 2>/dev/null; then
+    [ -d "$build/python" ] && echo "python3 on the PATH is not the one that $build/python was built for" >&2
+    return 0
+  fi
+  file=$(python3 -c "import site, sysconfig
+print(site.getusersitepackages() if site.ENABLE_USER_SITE else sysconfig.get_path('purelib'))")/subcert.pth
+  mkdir -p "$(dirname "$file")"
+  printf '%s\n' "$PWD/$build/python" >"$file"
+  echo "import subcert: by $file"
 }

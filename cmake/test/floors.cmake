@@ -32,11 +32,13 @@ may_use(schemes/data analysis schemes)
 may_use(reports analysis schemes proofs-checks)
 may_use(proofs-checks analysis schemes)
 may_use(cli analysis schemes proofs-checks reports)
+may_use(python analysis schemes proofs-checks reports)
 
 # Folders include each other in one direction only, tests aside: where some are in a cycle, none of them can be read,
 # changed or moved alone.
 file(GLOB_RECURSE files RELATIVE "${SOURCE}" "${SOURCE}/analysis/*.[hc]pp" "${SOURCE}/schemes/*.[hc]pp"
-  "${SOURCE}/proofs-checks/*.[hc]pp" "${SOURCE}/reports/*.[hc]pp" "${SOURCE}/cli/*.[hc]pp" "${SOURCE}/bench/*.[hc]pp")
+  "${SOURCE}/proofs-checks/*.[hc]pp" "${SOURCE}/reports/*.[hc]pp" "${SOURCE}/cli/*.[hc]pp" "${SOURCE}/bench/*.[hc]pp"
+  "${SOURCE}/python/*.[hc]pp")
 set(folders "")
 foreach(file IN LISTS files)
   if(file MATCHES "/(test|fuzz|checker)/")
@@ -89,8 +91,8 @@ endforeach()
 
 # Nothing at the top but what the design names.
 file(GLOB entries RELATIVE "${SOURCE}" "${SOURCE}/*")
-set(known analysis schemes proofs-checks reports cli bench docs cmake CMakeLists.txt CMakePresets.json README.md
-  CHANGELOG.md LICENSE reproduce check build out)
+set(known analysis schemes proofs-checks reports cli python bench docs cmake CMakeLists.txt CMakePresets.json README.md
+  CHANGELOG.md LICENSE pyproject.toml reproduce check build out)
 foreach(entry IN LISTS entries)
   if(NOT entry IN_LIST known AND NOT entry MATCHES "^[.]")
     message(SEND_ERROR "the top level has no place for ${entry}")

@@ -1,0 +1,45 @@
+"""Builds the wheel: setuptools, with the extension module built and put in its place by CMake."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+from setuptools.build_meta import *  # noqa: F403  (the hooks that pip calls)
+from setuptools.command.build_py import build_py
+from wheel.bdist_wheel import bdist_wheel
+
+project = pathlib.Path(__file__).resolve().parent.parent
+version = re.search(r"^project\(subcert VERSION ([0-9.]+)", (project / "CMakeLists.txt").read_text(), re.M)[1]
+
+
+class BuildByCMake(build_py):
+    """Instead of copying modules: configures, builds and installs the component `python`."""
+
+    def run(self) -> None:
+        target = pathlib.Path(self.build_lib).resolve()
+        with tempfile.TemporaryDirectory() as build:
+            switches = {
+                "CMAKE_BUILD_TYPE": "Release",
+                "CMAKE_INSTALL_PREFIX": str(target),
+                "Python_EXECUTABLE": sys.executable,
+                "SUBCERT_BUILD_TESTS": "OFF",
+                "SUBCERT_BUILD_BENCH": "OFF",
+                "SUBCERT_BUILD_PYTHON": "ON",
+                "SUBCERT_USE_MPI": "OFF",
+            }
+            given = [f"-D{name}={value}" for name, value in switches.items()]
+            subprocess.run(["cmake", "-S", str(project), "-B", build, *given], check=True)
+            jobs = str(os.cpu_count() or 1)
+            subprocess.run(["cmake", "--build", build, "--target", "subcert_python", "-j", jobs], check=True)
+            subprocess.run(["cmake", "--install", build, "--component", "python"], check=True)
+
+
+class PlatformWheel(bdist_wheel):
+    """Not for any machine: it contains compiled code."""
+
+    def finalize_options(self) -> None:
+        super().finalize_options()
+        self.root_is_pure = False

@@ -1,0 +1,137 @@
+#include "arrays.hpp"
+#include "work.hpp"
+
+#include <subcert/analysis/difference/multivariate_convergence.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/data/refine/limit_of_data.hpp>
+#include <subcert/schemes/data/scheme_refinement.hpp>
+#include <subcert/schemes/data/smooth/smooth.hpp>
+
+#include <cmath>
+
+namespace subcert::python {
+namespace {
+
+data::Boundary boundary_of(const std::string& name) {
+  const auto boundary = data::parse_boundary(name);
+  if (!boundary) fail(ErrorKind::usage, "boundary: '{}' is not known", name);
+  return *boundary;
+}
+
+/// Nothing beyond the numbers that a refinement takes.
+void require_finite(const std::vector<double>& numbers, const char* what) {
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!std::isfinite(numbers[i]))
+      fail(ErrorKind::data, "{}: need finite numbers, got {} at index {}", what, numbers[i], i);
+}
+
+/// Points in the order of numpy's rows: the last index of the points runs along the first axis of the scheme.
+py::tuple refine(const std::string& specification, const DoubleArray& values, const std::vector<bool>& closed,
+                 int levels, const std::string& boundary_name, bool limit, int jobs, const py::object& progress) {
+  const AnyScheme scheme = make_any_scheme(specification);
+  const data::Boundary boundary = boundary_of(boundary_name);
+  const std::vector<std::size_t> fewest = fewest_points(scheme, boundary);
+  const std::size_t axes = fewest.size(), given = static_cast<std::size_t>(values.ndim());
+  if (given != axes && given != axes + 1)
+    fail(ErrorKind::domain, "refine: need an array of {} or {} dimensions for a scheme of {}, got {}", axes, axes + 1,
+         axes == 1   ? "one variable"
+         : axes == 2 ? "two variables"
+                     : "three variables",
+         given);
+  data::GridData<double> grid{
+      numbers_of(values),
+      given == axes ? 1 : static_cast<std::size_t>(values.shape(static_cast<py::ssize_t>(axes))),
+      {}};
+  require_finite(grid.values, "refine");
+  for (std::size_t k = 0; k < axes; ++k) {
+    const auto count = static_cast<std::size_t>(values.shape(static_cast<py::ssize_t>(axes - 1 - k)));
+    if (count < fewest[k])
+      fail(ErrorKind::domain, "refine: {} needs at least {} points along axis {}, got {}", specification, fewest[k],
+           axes - 1 - k, count);
+    grid.axes.push_back(data::Axis::of(count, closed[axes - 1 - k] || boundary == data::Boundary::periodic));
+  }
+  if (grid.dimension == 0) fail(ErrorKind::domain, "refine: need at least one coordinate, got none");
+  const data::RefineOptions options{levels, boundary, jobs};
+  data::GridData<double> refined = interruptible(progress, [&] {
+    if (!limit) return data::refine(grid, scheme, options);
+    const std::vector<Mask> masks = axis_masks(scheme);
+    if (masks.empty())
+      fail(ErrorKind::domain, "limit: {}: limits are of schemes of one variable and their tensor products",
+           specification);
+    const Decision decision = tensor_product_converges(masks);
+    if (!decision.is_yes())
+      fail(ErrorKind::undecided, "limit: {}: no limit to evaluate; convergence: {} ({})", specification,
+           to_text(decision.truth), decision.reason);
+    return data::limit_of_data(grid, masks, options);
+  });
+  std::vector<std::size_t> shape;
+  py::list parameters;
+  for (std::size_t k = axes; k-- > 0;) {
+    shape.push_back(refined.axes[k].count);
+    parameters.append(py::make_tuple(refined.axes[k].first, refined.axes[k].step));
+  }
+  if (given > axes) shape.push_back(refined.dimension);
+  return py::make_tuple(array_of(std::move(refined.values)).reshape(shape), parameters);
+}
+
+py::dict column_dict(data::SmoothedColumn column, double bands) {
+  py::dict result;
+  const bool has_bands = bands > 0 && !column.deviations.empty();
+  if (has_bands) {
+    std::vector<double> lower = column.half_widths(bands), upper = lower;
+    for (std::size_t i = 0; i < lower.size(); ++i) {
+      upper[i] = column.values[i] + lower[i];
+      lower[i] = column.values[i] - lower[i];
+    }
+    result["lower"] = array_of(std::move(lower));
+    result["upper"] = array_of(std::move(upper));
+  }
+  if (column.noise && column.noise->terms > 0) result["noise_variance"] = column.noise->variance;
+  if (!column.deviations.empty()) result["deviation"] = array_of(std::move(column.deviations));
+  result["values"] = array_of(std::move(column.values));
+  return result;
+}
+
+/// `scheme`: a specification, or empty for the choice by estimated error.
+py::dict smooth(const DoubleArray& y, const std::vector<Rational>& weights, const Rational& origin,
+                const Rational& spacing, const std::string& scheme, const std::string& boundary, double constant,
+                int level, int derivative, double bands, int jobs, const py::object& progress) {
+  if (y.ndim() != 1) fail(ErrorKind::domain, "smooth: need an array of one dimension, got {}", y.ndim());
+  require(level >= 0 && level <= 12, "smooth: need 0 <= level <= 12, got {}", level);
+  require(derivative >= 0 && derivative <= 20, "smooth: need 0 <= derivative <= 20, got {}", derivative);
+  require(bands >= 0 && bands < 1, "smooth: need 0 <= bands < 1, got {}", bands);
+  data::Samples samples{{numbers_of(y)}, weights, origin, spacing};
+  require_finite(samples.columns.front(), "smooth");
+  const data::SmoothingOptions options{boundary_of(boundary), level, derivative, constant};
+  std::string chosen = scheme;
+  std::vector<std::pair<std::string, double>> candidates;
+  data::SmoothedSamples result = interruptible(progress, [&] {
+    if (is_l1_specification(scheme)) return data::smooth(samples, make_l1_scheme(scheme), options, jobs);
+    if (!scheme.empty()) return data::smooth(samples, make_scheme(scheme), options);
+    const data::SchemeChoice choice = choose_scheme(samples, options);
+    chosen = choice.scheme.specification;
+    for (const data::SmoothingCandidate& one : choice.candidates)
+      candidates.emplace_back(one.specification, one.risk.total());
+    return data::smooth(samples, choice.scheme, options);
+  });
+  std::vector<double> x;
+  for (const Rational& position : result.positions)
+    x.push_back(Rational(origin + spacing * position).convert_to<double>());
+  py::dict answer = column_dict(std::move(result.columns.front()), bands);
+  answer["x"] = array_of(std::move(x));
+  answer["scheme"] = chosen;
+  answer["candidates"] = candidates;
+  return answer;
+}
+
+}  // namespace
+
+void add_data(py::module_& module) {
+  module.def("refine", &refine);
+  module.def("smooth", &smooth);
+  module.def("refinement_boundaries", &data::refinement_boundary_names);
+  module.def("smoothing_boundaries", &data::smoothing_boundary_names);
+  module.def("all_cores", &all_cores);
+}
+
+}  // namespace subcert::python

@@ -1,0 +1,123 @@
+#include "work.hpp"
+
+#include <subcert/analysis/family/exponent_curve.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
+
+#include <memory>
+
+namespace subcert::python {
+namespace {
+
+py::list certificates_list(const std::vector<RangeCertificate>& certificates) {
+  py::list result;
+  for (const RangeCertificate& one : certificates)
+    result.append(py::make_tuple(one.low, one.high, one.holds, one.certificate.text, one.certificate.claim.lower,
+                                 one.certificate.claim.upper));
+  return result;
+}
+
+const char* why_of(SpecialValue::Why why) {
+  switch (why) {
+    case SpecialValue::Why::sum_rules: return "sum rules";
+    case SpecialValue::Why::unstable: return "stability";
+    case SpecialValue::Why::sign: return "sign";
+    default: return "threshold";
+  }
+}
+
+py::dict special_dict(const SpecialValue& value) {
+  return py::dict("value"_a = value.value, "polynomial"_a = value.polynomial, "why"_a = why_of(value.why),
+                  "holds"_a = value.holds);
+}
+
+struct RangeEvidence {
+  ParametricScheme scheme;
+  RangeProperty property;
+  PropertyRange range;
+  Rational width;
+};
+
+py::dict range_dict(const RangeEvidence& evidence) {
+  py::list pieces, ends, special;
+  for (const RangePiece& piece : evidence.range.pieces)
+    pieces.append(py::make_tuple(piece.low, piece.high, piece.low_included, piece.high_included, piece.holds));
+  for (const RangeEnd& end : evidence.range.ends)
+    ends.append(py::make_tuple(Enclosure{end.low, end.high}, end.polynomial, end.word, end.holds));
+  for (const SpecialValue& value : evidence.range.special) special.append(special_dict(value));
+  return py::dict("sum_rules"_a = evidence.range.sum_rules, "pieces"_a = pieces, "ends"_a = ends, "special"_a = special,
+                  "complete"_a = evidence.range.complete);
+}
+
+std::shared_ptr<RangeEvidence> range(const ParametricScheme& scheme, const std::string& text, const Rational& low,
+                                     const Rational& high, const Rational& width, double seconds, int jobs,
+                                     const py::object& progress) {
+  const auto property = parse_range_property(text);
+  if (!property)
+    fail(ErrorKind::usage,
+         "property: expected convergent, C1, holder>=3/2, sobolev>=1, stable, positive, monotone or convex, got '{}'",
+         text);
+  return interruptible(progress, [&] {
+    return std::make_shared<RangeEvidence>(RangeEvidence{
+        scheme, *property, property_range(scheme.mask, *property, low, high, {width, jobs, {Deadline::in(seconds)}}),
+        width});
+  });
+}
+
+struct CurveEvidence {
+  ParametricScheme scheme;
+  ExponentCurve curve;
+};
+
+py::dict curve_dict(const CurveEvidence& evidence) {
+  py::list pieces, special;
+  for (const CurvePiece& piece : evidence.curve.pieces)
+    pieces.append(py::make_tuple(piece.proof.low, piece.proof.high, piece.exponent,
+                                 piece.proof.below ? piece.proof.below->word : std::vector<int>{}));
+  for (const CurvePoint& point : evidence.curve.special) {
+    py::dict one = special_dict(point.at);
+    one["exponent"] = point.exponent;
+    special.append(one);
+  }
+  return py::dict("sum_rules"_a = evidence.curve.sum_rules, "pieces"_a = pieces, "special"_a = special);
+}
+
+}  // namespace
+
+void add_families(py::module_& module) {
+  py::class_<ParametricScheme>(module, "ParametricScheme")
+      .def_readonly("specification", &ParametricScheme::specification)
+      .def_readonly("title", &ParametricScheme::title)
+      .def_property_readonly("parameter",
+                             [](const ParametricScheme& scheme) { return std::string(1, scheme.parameter); })
+      .def_property_readonly("sum_rules", [](const ParametricScheme& scheme) { return sum_rules(scheme.mask); })
+      .def("at", [](const ParametricScheme& scheme, const Rational& value) {
+        const Mask mask = scheme.mask.at(value);
+        return py::make_tuple(mask.symbol(), mask.arity());
+      });
+  module.def("make_parametric_scheme",
+             [](const std::string& specification) { return make_parametric_scheme(specification); });
+  py::class_<RangeEvidence, std::shared_ptr<RangeEvidence>>(module, "RangeEvidence")
+      .def_property_readonly("facts", &range_dict)
+      .def("certificates", [](const RangeEvidence& evidence) {
+        return certificates_list(range_certificates(evidence.scheme.mask, evidence.scheme.parameter, evidence.property,
+                                                    evidence.range, evidence.width));
+      });
+  module.def("property_range", &range);
+  py::class_<CurveEvidence, std::shared_ptr<CurveEvidence>>(module, "CurveEvidence")
+      .def_property_readonly("facts", &curve_dict)
+      .def("certificates", [](const CurveEvidence& evidence) {
+        return certificates_list(curve_certificates(evidence.scheme.mask, evidence.scheme.parameter, evidence.curve));
+      });
+  module.def("exponent_curve", [](const ParametricScheme& scheme, const Rational& low, const Rational& high, int pieces,
+                                  double seconds, int jobs, const py::object& progress) {
+    require(pieces >= 1 && pieces <= 100'000, "curve: need 1 <= pieces <= 100000, got {}", pieces);
+    return interruptible(progress, [&] {
+      return std::make_shared<CurveEvidence>(
+          CurveEvidence{scheme, exponent_curve(scheme.mask, low, high, {pieces, jobs, {Deadline::in(seconds)}})});
+    });
+  });
+}
+
+}  // namespace subcert::python

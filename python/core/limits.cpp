@@ -1,0 +1,80 @@
+#include "arrays.hpp"
+#include "work.hpp"
+
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/limit/limit_range.hpp>
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/variance/variance.hpp>
+#include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/schemes/specification.hpp>
+
+namespace subcert::python {
+namespace {
+
+/// Refuses what has no proof: values of a limit that may not exist.
+void require_derivatives(const Scheme& scheme, int order) {
+  const Decision convergence = converges(scheme.mask);
+  if (!convergence.is_yes())
+    fail(convergence.is_no() ? ErrorKind::domain : ErrorKind::undecided, "{}: no limit function; convergence: {} ({})",
+         scheme.specification, to_text(convergence.truth), convergence.reason);
+  if (order == 0) return;
+  const SmoothnessProof smoothness = proved_smoothness(scheme.mask);
+  if (smoothness.order < order)
+    fail(ErrorKind::undecided, "{}: derivative {} is not proved to be continuous; {}", scheme.specification, order,
+         smoothness.obstacle);
+}
+
+LimitValues values_of(const Scheme& scheme, int level, int order, const py::object& progress) {
+  require(level >= 0 && order >= 0, "limit: need level >= 0 and derivative >= 0, got {} and {}", level, order);
+  return interruptible(progress, [&] {
+    require_derivatives(scheme, order);
+    return limit_values(scheme.mask, level, order);
+  });
+}
+
+}  // namespace
+
+void add_limits(py::module_& module) {
+  module.def("limit_values", [](const Scheme& scheme, int level, int order, const py::object& progress) {
+    const LimitValues found = values_of(scheme, level, order, progress);
+    return py::make_tuple(found.first_index, found.values);
+  });
+  module.def("rounded_limit_values", [](const Scheme& scheme, int level, int order, const py::object& progress) {
+    const LimitValues found = values_of(scheme, level, order, progress);
+    std::vector<double> x, y;
+    for (std::size_t i = 0; i < found.values.size(); ++i) {
+      x.push_back(found.point(i).convert_to<double>());
+      y.push_back(found.values[i].convert_to<double>());
+    }
+    return py::make_tuple(array_of(std::move(x)), array_of(std::move(y)));
+  });
+  module.def("limit_range", [](const Scheme& scheme, const Rational& width, double budget, const py::object& progress) {
+    const LimitRange range = interruptible(progress, [&] {
+      require_derivatives(scheme, 0);
+      return limit_range(scheme.mask, {width, {Deadline::in(budget)}});
+    });
+    return py::dict("maximum"_a = range.maximum, "minimum"_a = range.minimum, "sup_norm"_a = range.sup_norm,
+                    "slope"_a = range.slope, "slope_reason"_a = range.slope_reason, "l1_norm"_a = range.l1_norm,
+                    "complete"_a = range.complete);
+  });
+  module.def("variance_grid", [](const Scheme& scheme, int level, const py::object& progress) {
+    require(level >= 0, "variance: need level >= 0, got {}", level);
+    const VarianceGrid grid = interruptible(progress, [&] {
+      require_derivatives(scheme, 0);
+      return variance_grid(scheme.mask, level, false);
+    });
+    return grid.values;
+  });
+  module.def(
+      "variance_range", [](const Scheme& scheme, const Rational& width, double budget, const py::object& progress) {
+        const VarianceRange range = interruptible(progress, [&] {
+          require_derivatives(scheme, 0);
+          return variance_range(scheme.mask, {width, {Deadline::in(budget)}});
+        });
+        return py::dict("maximum"_a = range.maximum, "minimum"_a = range.minimum, "slope"_a = range.slope,
+                        "slope_reason"_a = range.slope_reason, "mean"_a = range.mean, "complete"_a = range.complete);
+      });
+}
+
+}  // namespace subcert::python

@@ -1,0 +1,50 @@
+// The extension module subcert._core: what the modules in ../subcert call. Its functions take and give plain values;
+// their meaning, domain and errors are those of the functions of the library of the same name.
+
+#include "casters.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+
+#include <exception>
+
+namespace subcert::python {
+namespace {
+
+const char* exception_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::usage: return "UsageError";
+    case ErrorKind::domain: return "DomainError";
+    case ErrorKind::size: return "SizeError";
+    case ErrorKind::data: return "DataError";
+    case ErrorKind::missing_file: return "MissingFileError";
+    default: return "UndecidedError";
+  }
+}
+
+void translate(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const Error& error) {
+    const py::object type = py::module_::import("subcert._errors").attr(exception_of(error.kind()));
+    PyErr_SetString(type.ptr(), error.what());
+  }
+}
+
+}  // namespace
+}  // namespace subcert::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace subcert::python;
+  py::register_exception_translator(&translate);
+  module.attr("version") = SUBCERT_VERSION;
+  module.def("to_decimal", [](const subcert::Rational& value, int digits) {
+    return to_decimal(value, digits, subcert::Rounding::nearest);
+  });
+  module.def("enclosure_text", &subcert::enclosure_text);
+  add_schemes(module);
+  add_regularity(module);
+  add_limits(module);
+  add_families(module);
+  add_data(module);
+  add_proofs(module);
+}

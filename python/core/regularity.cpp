@@ -1,0 +1,188 @@
+#include "work.hpp"
+
+#include <subcert/analysis/regularity/radius/constrained.hpp>
+#include <subcert/analysis/regularity/radius/p_radius.hpp>
+#include <subcert/analysis/regularity/sobolev.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <memory>
+
+namespace subcert::python {
+namespace {
+
+Budget budget_of(double seconds, std::size_t mebibytes) { return {Deadline::in(seconds), mebibytes << 20}; }
+
+py::tuple to_tuple(const Certificate& certificate) {
+  return py::make_tuple(certificate.text, certificate.claim.lower, certificate.claim.upper);
+}
+
+/// What an answer about a radius holds. `word`: of the product, in the letters of the caller.
+py::dict radius_dict(const JointSpectralRadius& radius, const std::vector<int>& word) {
+  return py::dict("radius"_a = radius.radius, "product"_a = word, "exact"_a = radius.exact.is_yes(),
+                  "exactness"_a = radius.exact.reason, "closed"_a = radius.is_closed(),
+                  "method"_a = to_text(radius.method()), "vertices"_a = radius.vertices());
+}
+
+struct HolderEvidence {
+  Scheme scheme;
+  HolderRegularity regularity;
+};
+
+std::shared_ptr<HolderEvidence> holder(const Scheme& scheme, int levels, double seconds, std::size_t memory, int bits,
+                                       bool certificate, const py::object& progress) {
+  return interruptible(progress, [&] {
+    return std::make_shared<HolderEvidence>(HolderEvidence{
+        scheme,
+        holder_regularity(scheme.mask, levels, budget_of(seconds, memory),
+                          certificate ? HolderProof::certificate : HolderProof::shortest, scheme.rounding, bits)});
+  });
+}
+
+py::dict holder_dict(const HolderEvidence& evidence) {
+  const HolderRegularity& regularity = evidence.regularity;
+  const HolderBound& bound = regularity.bounds.last();
+  py::dict result = radius_dict(regularity.radius, regularity.radius.product.word);
+  result["exponent"] = regularity.proved_exponent();
+  result["converges"] = regularity.converges;
+  result["stable"] = regularity.stable;
+  result["sum_rules"] = regularity.bounds.sum_rules;
+  result["bound"] = py::make_tuple(bound.levels, bound.norm, bound.exponent);
+  result["logarithm"] = py::make_tuple(regularity.logarithm.at_least, regularity.logarithm.at_most);
+  result["reduced"] = regularity.reduced ? py::cast(regularity.reduced->mask.mask.symbol()) : py::none();
+  // What the exponent is from, where the shifts are not stable.
+  result["closed"] = regularity.deciding().radius.is_closed();
+  return result;
+}
+
+/// Nothing where no rational evidence was looked for, or it proves nothing.
+py::object holder_certificate(const HolderEvidence& evidence) {
+  const HolderRegularity& regularity = evidence.regularity;
+  if (regularity.certifiable().method() == JsrMethod::single_spectral_radius && !regularity.reduced) return py::none();
+  return to_tuple(exponent_certificate(evidence.scheme.mask, regularity, evidence.scheme.rounding));
+}
+
+struct SurfaceEvidence {
+  MultivariateScheme scheme;
+  MultivariateRegularity regularity;
+};
+
+std::shared_ptr<SurfaceEvidence> surface_holder(const MultivariateScheme& scheme, double seconds, std::size_t memory,
+                                                int bits, bool certificate, const py::object& progress) {
+  return interruptible(progress, [&] {
+    const Budget budget = budget_of(seconds, memory);
+    return std::make_shared<SurfaceEvidence>(SurfaceEvidence{
+        scheme, scheme.factors.empty() || certificate ? multivariate_regularity(scheme.mask, budget, bits)
+                                                      : tensor_product_regularity(scheme.factors, budget, bits)});
+  });
+}
+
+py::dict surface_dict(const SurfaceEvidence& evidence) {
+  const MultivariateRegularity& regularity = evidence.regularity;
+  py::dict result = regularity.radius ? radius_dict(*regularity.radius, regularity.radius->product.word)
+                                      : py::dict("radius"_a = Enclosure{}, "product"_a = std::vector<int>{},
+                                                 "exact"_a = regularity.exact.is_yes(), "method"_a = "by its factors",
+                                                 "vertices"_a = 0);
+  result["exact"] = regularity.exact.is_yes();
+  result["exactness"] = regularity.exact.reason;
+  result["exponent"] = regularity.exponent;
+  result["converges"] = regularity.converges;
+  result["stable"] = regularity.stable;
+  result["sum_rules"] = regularity.sum_rules;
+  result["sobolev"] = regularity.sobolev;
+  result["closed"] = regularity.is_closed();
+  return result;
+}
+
+/// A family with the graph that restricts its products, if there is one.
+struct RadiusEvidence {
+  MatrixFamily family;  ///< lifted where there is a graph
+  std::vector<int> letters;
+  JointSpectralRadius radius;
+};
+
+MatrixFamily family_of(const std::vector<std::vector<std::vector<Rational>>>& lists) {
+  std::vector<RationalMatrix> matrices;
+  const auto require_size = [&](std::size_t count, std::size_t size) {
+    require(FamilyLimits::hold(count, size),
+            "matrices: need 1 to {} of size 1 to {} with at most {} entries together, got {} of size {}",
+            FamilyLimits::matrices, FamilyLimits::size, FamilyLimits::entries, count, size);
+  };
+  require_size(lists.size(), lists.empty() ? 0 : lists.front().size());
+  for (const auto& rows : lists) {
+    require_size(1, rows.size());
+    RationalMatrix matrix(rows.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      require(rows[i].size() == rows.size(), "matrix {}: need {} entries in each of {} rows, got {} in row {}",
+              matrices.size(), rows.size(), rows.size(), rows[i].size(), i);
+      for (std::size_t j = 0; j < rows.size(); ++j) matrix(i, j) = rows[i][j];
+    }
+    matrices.push_back(std::move(matrix));
+  }
+  return matrices;
+}
+
+std::shared_ptr<RadiusEvidence> jsr(const std::vector<std::vector<std::vector<Rational>>>& matrices,
+                                    const std::vector<std::tuple<std::size_t, std::size_t, std::size_t>>& edges,
+                                    double seconds, std::size_t memory, int bits, const py::object& progress) {
+  MatrixFamily family = family_of(matrices);
+  std::vector<int> letters;
+  if (!edges.empty()) {
+    std::vector<Succession> graph;
+    for (const auto& [from, to, matrix] : edges) graph.push_back({from, to, matrix});
+    LiftedFamily lift = lifted(family, graph);
+    family = std::move(lift.family);
+    letters = std::move(lift.letters);
+  }
+  return interruptible(progress, [&] {
+    const Budget budget = budget_of(seconds, memory);
+    JointSpectralRadius radius = joint_spectral_radius(family, budget);
+    sharpen(radius, family, bits, budget.deadline);
+    return std::make_shared<RadiusEvidence>(RadiusEvidence{std::move(family), std::move(letters), std::move(radius)});
+  });
+}
+
+py::dict jsr_dict(const RadiusEvidence& evidence) {
+  std::vector<int> word = evidence.radius.product.word;
+  if (!evidence.letters.empty())
+    for (int& letter : word) letter = evidence.letters[static_cast<std::size_t>(letter)];
+  return radius_dict(evidence.radius, word);
+}
+
+}  // namespace
+
+void add_regularity(py::module_& module) {
+  py::class_<HolderEvidence, std::shared_ptr<HolderEvidence>>(module, "HolderEvidence")
+      .def_property_readonly("facts", &holder_dict)
+      .def("certificate", &holder_certificate);
+  module.def("holder", &holder);
+  py::class_<SurfaceEvidence, std::shared_ptr<SurfaceEvidence>>(module, "SurfaceEvidence")
+      .def_property_readonly("facts", &surface_dict)
+      .def("certificate", [](const SurfaceEvidence& evidence) -> py::object {
+        if (!evidence.regularity.space) return py::none();
+        return to_tuple(surface_certificate(evidence.scheme.mask, evidence.regularity));
+      });
+  module.def("surface_holder", &surface_holder);
+  module.def("sobolev", [](const Scheme& scheme, double seconds, const py::object& progress) {
+    const auto found = interruptible(progress, [&] { return sobolev_regularity(scheme.mask, Deadline::in(seconds)); });
+    return found ? std::optional(found->exponent) : std::nullopt;
+  });
+  py::class_<RadiusEvidence, std::shared_ptr<RadiusEvidence>>(module, "RadiusEvidence")
+      .def_property_readonly("facts", &jsr_dict)
+      .def("certificate", [](const RadiusEvidence& evidence) {
+        return to_tuple(radius_certificate(evidence.family, evidence.radius)) +
+               py::make_tuple(matrices_text(evidence.family));
+      });
+  module.def("jsr", &jsr);
+  module.def("p_radius", [](const std::vector<std::vector<std::vector<Rational>>>& matrices, int p, int bits,
+                            double seconds, const py::object& progress) {
+    const MatrixFamily family = family_of(matrices);
+    require(has_p_radius(family, p), "p: need an even number where entries are negative, got {}", p);
+    const auto found = interruptible(progress, [&] { return p_radius(family, p, bits, Deadline::in(seconds)); });
+    if (!found) fail(ErrorKind::undecided, "budget: the p-radius takes more than {} seconds", seconds);
+    return found->radius;
+  });
+}
+
+}  // namespace subcert::python

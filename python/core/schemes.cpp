@@ -1,0 +1,90 @@
+#include "work.hpp"
+
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/difference/multivariate_convergence.hpp>
+#include <subcert/analysis/regularity/stability.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/schemes/specification.hpp>
+
+namespace subcert::python {
+namespace {
+
+py::dict facts(const Scheme& scheme) {
+  const Mask& mask = scheme.mask;
+  const int rules = sum_rules(mask);
+  const PolynomialReproduction polynomials = polynomial_reproduction(mask);
+  const SymmetryReport report = symmetry(mask);
+  return py::dict("sum_rules"_a = rules,
+                  "rest"_a = *mask.symbol().exact_quotient(LaurentPolynomial::all_ones(mask.arity()).pow(rules)),
+                  "limit_support"_a = limit_support(mask).enclosure(),
+                  "symmetry"_a = report.kind == Symmetry::none  ? "none"
+                                 : report.kind == Symmetry::odd ? "odd"
+                                                                : "even",
+                  "centre"_a = report.centre, "generation_degree"_a = polynomials.generation_degree,
+                  "reproduction_degree"_a = polynomials.reproduction_degree,
+                  "parametrization"_a = polynomials.parametrization);
+}
+
+std::vector<std::pair<LatticePoint, Rational>> terms_of(const MultivariateScheme& scheme) {
+  std::vector<std::pair<LatticePoint, Rational>> result;
+  for (const Monomial& term : scheme.mask.symbol().terms()) result.emplace_back(term.exponents, term.coefficient);
+  return result;
+}
+
+std::vector<std::tuple<std::string, std::string, std::string>> help_of(const std::vector<FamilyHelp>& families) {
+  std::vector<std::tuple<std::string, std::string, std::string>> result;
+  for (const FamilyHelp& one : families) result.emplace_back(one.family, one.usage, one.meaning);
+  return result;
+}
+
+/// Schemes are what their specification says.
+template <class Kind>
+auto by_specification() {
+  return py::pickle(
+      [](const Kind& scheme) { return py::make_tuple(scheme.specification); },
+      [](const py::tuple& state) { return std::get<Kind>(make_any_scheme(state[0].cast<std::string>())); });
+}
+
+}  // namespace
+
+void add_schemes(py::module_& module) {
+  py::class_<Scheme>(module, "Scheme")
+      .def(by_specification<Scheme>())
+      .def_readonly("specification", &Scheme::specification)
+      .def_readonly("title", &Scheme::title)
+      .def_property_readonly("arity", [](const Scheme& scheme) { return scheme.mask.arity(); })
+      .def_property_readonly("symbol", [](const Scheme& scheme) { return scheme.mask.symbol(); })
+      .def_property_readonly("rounding", [](const Scheme& scheme) {
+        return scheme.rounding ? std::optional(scheme.rounding->distance) : std::nullopt;
+      });
+  py::class_<MultivariateScheme>(module, "MultivariateScheme")
+      .def(by_specification<MultivariateScheme>())
+      .def_readonly("specification", &MultivariateScheme::specification)
+      .def_readonly("title", &MultivariateScheme::title)
+      .def_property_readonly("dimension", [](const MultivariateScheme& scheme) { return scheme.mask.dimension(); })
+      .def_property_readonly("dilation", [](const MultivariateScheme& scheme) { return scheme.mask.dilation().rows(); })
+      .def_property_readonly("terms", &terms_of);
+  py::class_<DataDependentScheme>(module, "DataDependentScheme")
+      .def_readonly("specification", &DataDependentScheme::specification)
+      .def_readonly("title", &DataDependentScheme::title)
+      .def_property_readonly("dimension", [](const DataDependentScheme& scheme) { return scheme.rules.points.size(); });
+  module.def("make_any_scheme", [](const std::string& specification) { return make_any_scheme(specification); });
+  module.def("families", [] { return help_of(families()); });
+  module.def("multivariate_families", [] { return help_of(multivariate_families()); });
+  module.def("facts", &facts);
+  module.def("symbol_text", [](const LaurentPolynomial& symbol) { return symbol.to_text(); });
+  module.def("symbol_latex", [](const LaurentPolynomial& symbol) { return symbol.to_latex(); });
+  module.def("stable", [](const Scheme& scheme) { return has_stable_shifts(scheme.mask); });
+  module.def("converges", [](const Scheme& scheme, int levels, double budget, const py::object& progress) {
+    return interruptible(progress, [&] { return converges(scheme.mask, {levels, Deadline::in(budget)}); });
+  });
+  module.def("smoothness", [](const Scheme& scheme, int levels, double budget, const py::object& progress) {
+    const SmoothnessProof proof = interruptible(progress, [&] {
+      return proved_smoothness(scheme.mask, {levels, Deadline::in(budget)});
+    });
+    return py::make_tuple(proof.order, proof.evidence, proof.obstacle);
+  });
+}
+
+}  // namespace subcert::python

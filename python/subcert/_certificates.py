@@ -1,0 +1,100 @@
+"""Certificates, and the independent checker that reads them."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+from typing import Optional, Union
+
+from . import _core
+from ._errors import CertificateError, MissingFileError
+
+Path = Union[str, "os.PathLike[str]"]
+
+
+def checker() -> str:
+    """The program subcert-check that verifies: the one in the package, or else on the PATH."""
+    beside = pathlib.Path(_core.__file__).with_name("subcert-check")
+    found = str(beside) if beside.exists() else shutil.which("subcert-check")
+    if not found:
+        raise MissingFileError("verify: the checker subcert-check is not installed")
+    return found
+
+
+@dataclasses.dataclass(frozen=True)
+class Verification:
+    """What the checker answered: the claim that it proved, or why it rejects."""
+
+    accepted: bool
+    answer: str
+
+    def __str__(self) -> str:
+        return self.answer
+
+
+@dataclasses.dataclass(frozen=True)
+class Certificate:
+    """A proof that a small program of its own can follow. `lower` and `upper` are the bounds that it proves, as decimal
+    texts; None where it proves none. `matrices`: what a certificate of a joint spectral radius is about."""
+
+    text: str
+    lower: Optional[str]
+    upper: Optional[str]
+    matrices: Optional[str] = None
+
+    def save(self, path: Path) -> None:
+        """Writes it, and the matrices beside it as PATH.matrices: under another name first, then renamed."""
+        _write(path, self.text)
+        if self.matrices is not None:
+            _write(os.fspath(path) + ".matrices", self.matrices)
+
+    def verify(self) -> Verification:
+        """Asks the independent checker.
+
+        >>> import subcert
+        >>> subcert.scheme("four-point:w=1/16").holder().certificate.verify().accepted
+        True
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "certificate")
+            self.save(path)
+            found = verify(path)
+            return dataclasses.replace(found, answer=found.answer.replace(path + ": ", ""))
+
+
+def verify(path: Path) -> Verification:
+    """Checks a certificate in a file with the independent checker, a program that shares no line with this package.
+    Raises DataError for a file that is no certificate, MissingFileError where it cannot be read."""
+    try:
+        with open(path, encoding="ascii", errors="replace") as file:
+            head = file.read(2_000_000)
+    except OSError as error:
+        raise MissingFileError(f"{os.fspath(path)}: {error.strerror}") from None
+    arguments = _core.checker_arguments(head, os.fspath(path))
+    run = subprocess.run([checker(), *arguments], capture_output=True, text=True, check=False)
+    return Verification(run.returncode == 0, (run.stdout + run.stderr).strip())
+
+
+def certificate_of(evidence: object, what: str) -> Certificate:
+    found = evidence.certificate()  # type: ignore[attr-defined]
+    if found is None:
+        raise CertificateError(f"{what}: no evidence that a certificate can hold; ask with certificate=True")
+    return Certificate(*found)
+
+
+def _write(path: Path, text: str) -> None:
+    target = os.path.abspath(os.fspath(path))
+    try:
+        handle, name = tempfile.mkstemp(dir=os.path.dirname(target))
+        with os.fdopen(handle, "w", encoding="ascii") as file:
+            file.write(text)
+        umask = os.umask(0)
+        os.umask(umask)
+        os.chmod(name, 0o666 & ~umask)
+        os.replace(name, target)
+    except OSError as error:
+        raise MissingFileError(f"{os.fspath(path)}: {error.strerror}") from None

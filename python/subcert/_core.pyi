@@ -1,0 +1,144 @@
+# The extension module, which takes and gives plain values: pairs of ends for enclosures, of a word and a reason for
+# answers, of coefficients and the lowest exponent for polynomials. What users call stands in the other modules.
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import Any, Optional
+
+import numpy
+
+_Ends = tuple[Optional[Fraction], Optional[Fraction]]
+_Answer = tuple[str, str]
+_Polynomial = tuple[list[Fraction], int]
+_Progress = Optional[Callable[[float], Any]]
+_Array = numpy.ndarray[Any, numpy.dtype[numpy.float64]]
+
+version: str
+
+def to_decimal(value: Fraction, digits: int) -> str: ...
+def enclosure_text(enclosure: _Ends, digits: int) -> str: ...
+
+class Scheme:
+    specification: str
+    title: str
+    arity: int
+    symbol: _Polynomial
+    rounding: Optional[Fraction]
+
+class MultivariateScheme:
+    specification: str
+    title: str
+    dimension: int
+    dilation: list[list[int]]
+    terms: list[tuple[list[int], Fraction]]
+
+class DataDependentScheme:
+    specification: str
+    title: str
+    dimension: int
+
+class ParametricScheme:
+    specification: str
+    title: str
+    parameter: str
+    sum_rules: int
+    def at(self, value: Fraction) -> tuple[_Polynomial, int]: ...
+
+class HolderEvidence:
+    facts: dict[str, Any]
+    def certificate(self) -> Optional[tuple[str, Optional[str], Optional[str]]]: ...
+
+class SurfaceEvidence:
+    facts: dict[str, Any]
+    def certificate(self) -> Optional[tuple[str, Optional[str], Optional[str]]]: ...
+
+class RadiusEvidence:
+    facts: dict[str, Any]
+    def certificate(self) -> tuple[str, Optional[str], Optional[str], str]: ...
+
+class RangeEvidence:
+    facts: dict[str, Any]
+    def certificates(self) -> list[tuple[Fraction, Fraction, str, str, Optional[str], Optional[str]]]: ...
+
+class CurveEvidence:
+    facts: dict[str, Any]
+    def certificates(self) -> list[tuple[Fraction, Fraction, str, str, Optional[str], Optional[str]]]: ...
+
+def make_any_scheme(specification: str) -> Scheme | MultivariateScheme | DataDependentScheme: ...
+def make_parametric_scheme(specification: str) -> ParametricScheme: ...
+def families() -> list[tuple[str, str, str]]: ...
+def multivariate_families() -> list[tuple[str, str, str]]: ...
+def facts(scheme: Scheme) -> dict[str, Any]: ...
+def symbol_text(symbol: _Polynomial) -> str: ...
+def symbol_latex(symbol: _Polynomial) -> str: ...
+def stable(scheme: Scheme) -> _Answer: ...
+def converges(scheme: Scheme, levels: int, budget: float, progress: _Progress) -> _Answer: ...
+def smoothness(scheme: Scheme, levels: int, budget: float, progress: _Progress) -> tuple[int, str, str]: ...
+def holder(
+    scheme: Scheme, levels: int, budget: float, memory: int, bits: int, certificate: bool, progress: _Progress
+) -> HolderEvidence: ...
+def surface_holder(
+    scheme: MultivariateScheme, budget: float, memory: int, bits: int, certificate: bool, progress: _Progress
+) -> SurfaceEvidence: ...
+def sobolev(scheme: Scheme, budget: float, progress: _Progress) -> Optional[_Ends]: ...
+def jsr(
+    matrices: Sequence[Sequence[Sequence[Fraction]]],
+    edges: Sequence[tuple[int, int, int]],
+    budget: float,
+    memory: int,
+    bits: int,
+    progress: _Progress,
+) -> RadiusEvidence: ...
+def p_radius(
+    matrices: Sequence[Sequence[Sequence[Fraction]]], p: int, bits: int, budget: float, progress: _Progress
+) -> _Ends: ...
+def limit_values(scheme: Scheme, level: int, order: int, progress: _Progress) -> tuple[int, list[Fraction]]: ...
+def rounded_limit_values(scheme: Scheme, level: int, order: int, progress: _Progress) -> tuple[_Array, _Array]: ...
+def limit_range(scheme: Scheme, width: Fraction, budget: float, progress: _Progress) -> dict[str, Any]: ...
+def variance_grid(scheme: Scheme, level: int, progress: _Progress) -> list[Fraction]: ...
+def variance_range(scheme: Scheme, width: Fraction, budget: float, progress: _Progress) -> dict[str, Any]: ...
+def property_range(
+    scheme: ParametricScheme,
+    property: str,
+    low: Fraction,
+    high: Fraction,
+    width: Fraction,
+    budget: float,
+    jobs: int,
+    progress: _Progress,
+) -> RangeEvidence: ...
+def exponent_curve(
+    scheme: ParametricScheme, low: Fraction, high: Fraction, pieces: int, budget: float, jobs: int, progress: _Progress
+) -> CurveEvidence: ...
+def refine(
+    specification: str,
+    values: _Array,
+    closed: Sequence[bool],
+    levels: int,
+    boundary: str,
+    limit: bool,
+    jobs: int,
+    progress: _Progress,
+) -> tuple[_Array, list[tuple[Fraction, Fraction]]]: ...
+def smooth(
+    y: _Array,
+    weights: Sequence[Fraction],
+    origin: Fraction,
+    spacing: Fraction,
+    scheme: str,
+    boundary: str,
+    constant: float,
+    level: int,
+    derivative: int,
+    bands: float,
+    jobs: int,
+    progress: _Progress,
+) -> dict[str, Any]: ...
+def refinement_boundaries() -> list[str]: ...
+def smoothing_boundaries() -> list[str]: ...
+def all_cores() -> int: ...
+def checker_arguments(text: str, file: str) -> list[str]: ...
+def statements(wanted: Sequence[str]) -> list[dict[str, Any]]: ...
+def check_statements(wanted: Sequence[str], wide: bool, jobs: int, progress: _Progress) -> list[dict[str, Any]]: ...
+def check_properties(text: str, budget: float, jobs: int, progress: _Progress) -> list[dict[str, Any]]: ...
+def papers() -> dict[str, list[str]]: ...
+def reproduce(paper: str, only: Sequence[str], jobs: int, progress: _Progress) -> str: ...

@@ -1,0 +1,132 @@
+"""Refinement and smoothing of data in arrays of numpy."""
+
+from __future__ import annotations
+
+import dataclasses
+from fractions import Fraction
+from typing import Any, Optional, Sequence, Union
+
+from . import _core
+from ._errors import DataError, DomainError
+from ._exact import Exact, fraction
+from ._regularity import Progress
+
+
+def _jobs(jobs: Optional[int]) -> int:
+    return _core.all_cores() if jobs is None else jobs
+
+
+def refine(
+    scheme: Any,
+    data: Any,
+    levels: int = 1,
+    *,
+    closed: Union[bool, Sequence[bool]] = False,
+    boundary: str = "regression",
+    limit: bool = False,
+    parameters: bool = False,
+    jobs: Optional[int] = None,
+    progress: Progress = None,
+) -> Any:
+    """Applies a scheme to data, `levels` times.
+
+    `data`: shape (n,) or (n, coordinates) for curves, (n, m) or (n, m, coordinates) for schemes of two variables, and
+    so on. `closed`: the first point follows the last, for all axes or one by one. `boundary`: what rules at the ends
+    read: regression, reflect, periodic or shrink. `limit`: the values of the limit at the new parameters. The new
+    array owns what the library computed. With `parameters` also the pair (first, step) of each axis, in spacings of
+    the data. Raises DomainError for arrays of other shapes or with too few points, DataError for numbers that are not
+    finite.
+
+    >>> import numpy, subcert
+    >>> subcert.refine("four-point:w=1/16", numpy.arange(5.0) ** 3)
+    array([ 0.   ,  0.125,  1.   ,  3.375,  8.   , 15.625, 27.   , 42.875,
+           64.   ])
+    """
+    import numpy
+
+    array = numpy.ascontiguousarray(data, dtype=numpy.float64)
+    ends = [bool(closed)] * 3 if isinstance(closed, (bool, int)) else [bool(c) for c in closed]
+    if len(ends) < array.ndim - 1:
+        raise DomainError(f"closed: need a bool, or one for each axis, got {len(ends)}")
+    ends += [False] * (3 - len(ends))
+    refined, axes = _core.refine(str(scheme), array, ends, levels, boundary, limit, _jobs(jobs), progress)
+    return (refined, axes) if parameters else refined
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Smoothed:
+    """The limit of a scheme from samples, at the positions x. Deviations are standard deviations, lower and upper the
+    ends of the confidence band for the expected value of the limit at each point; None where there are none."""
+
+    x: Any
+    values: Any
+    scheme: str
+    deviation: Any = None
+    lower: Any = None
+    upper: Any = None
+    noise_variance: Optional[float] = None
+    candidates: tuple[tuple[str, float], ...] = ()
+    """Of the choice by estimated error: schemes with their expected squared error, the smallest first."""
+
+
+def smooth(
+    y: Any,
+    x: Optional[Sequence[Exact]] = None,
+    *,
+    scheme: Any = "",
+    weights: Optional[Sequence[Exact]] = None,
+    bands: float = 0.95,
+    level: int = 0,
+    derivative: int = 0,
+    boundary: str = "interp",
+    constant: float = 0.0,
+    origin: Exact = 0,
+    spacing: Exact = 1,
+    jobs: Optional[int] = None,
+    progress: Progress = None,
+) -> Smoothed:
+    """Smooths samples of a function on a uniform grid by the limit of a scheme.
+
+    `y`: shape (n,). `x`: the positions, uniform up to rounding; or `origin` and `spacing`. `scheme`: a scheme or its
+    specification; by default the one with the smallest estimated error. `weights`: prior weights, inverse to the
+    variance of the noise; 0: missing. `bands`: level of the confidence band, 0 for none. `level`: values at the
+    multiples of arity^-level of the spacing. `boundary`: interp, mirror, nearest, constant or wrap. Raises DataError
+    for samples that cannot be smoothed, DomainError for a scheme without proof of convergence.
+
+    >>> import numpy, subcert
+    >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")
+    >>> bool(abs(s.values - numpy.arange(12.0)).max() < 1e-12)
+    True
+    """
+    import numpy
+
+    array = numpy.ascontiguousarray(y, dtype=numpy.float64)
+    first, step = fraction(origin), fraction(spacing)
+    if x is not None:
+        first, step = _grid(numpy.asarray(x, dtype=numpy.float64), array)
+    prior = [] if weights is None else [fraction(w) if not isinstance(w, float) else Fraction(w) for w in weights]
+    if prior and len(prior) != array.size:
+        raise DomainError(f"weights: need as many as samples, {array.size}, got {len(prior)}")
+    facts = _core.smooth(
+        array, prior, first, step, str(scheme), boundary, constant, level, derivative, bands, _jobs(jobs), progress
+    )
+    facts["candidates"] = tuple(facts["candidates"])
+    return Smoothed(**facts)
+
+
+def _grid(x: Any, y: Any) -> tuple[Fraction, Fraction]:
+    import numpy
+
+    if x.shape != y.shape or x.ndim != 1 or x.size < 2:
+        raise DomainError(f"x: need two positions or more, as many as samples, got shape {x.shape} for {y.shape}")
+    steps = numpy.diff(x)
+    mean = (x[-1] - x[0]) / (x.size - 1)
+    if not numpy.isfinite(x).all() or mean <= 0:
+        raise DataError("x: need finite positions that grow")
+    off = numpy.abs(x - (x[0] + mean * numpy.arange(x.size))).max()
+    if off > 1e-6 * mean:
+        worst = int(numpy.abs(steps - mean).argmax())
+        raise DataError(
+            f"x: need a uniform grid, got the spacing {steps[worst]:g} after index {worst} where the mean is {mean:g}"
+        )
+    return Fraction(float(x[0])), Fraction(float(mean))

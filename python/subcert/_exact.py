@@ -1,0 +1,218 @@
+"""Exact numbers, enclosures and three-valued answers."""
+
+from __future__ import annotations
+
+import dataclasses
+import decimal
+import enum
+import numbers
+from fractions import Fraction
+from typing import Any, Optional, Union
+
+from . import _core
+from ._errors import DomainError, UsageError
+
+Exact = Union[int, Fraction, str, decimal.Decimal, numbers.Rational]
+"""What is read as an exact number: int, Fraction, Decimal, the integers of numpy and rationals of sympy, and texts as
+``"1/16"`` or ``"0.1"``. A float is none: write ``Fraction(0.1)`` where its exact binary value is meant."""
+
+
+def fraction(value: Exact) -> Fraction:
+    """The exact number.
+
+    >>> fraction("1/16"), fraction("0.1"), fraction(3)
+    (Fraction(1, 16), Fraction(1, 10), Fraction(3, 1))
+    """
+    if isinstance(value, (str, decimal.Decimal)):
+        try:
+            return Fraction(value)
+        except (ValueError, OverflowError, ZeroDivisionError):
+            raise UsageError(f"expected an exact number as 3, 1/16 or 0.1, got {str(value)[:40]!r}") from None
+    if isinstance(value, numbers.Rational) or (
+        hasattr(value, "numerator") and hasattr(value, "denominator") and not isinstance(value, float)
+    ):
+        try:
+            return Fraction(int(value.numerator), int(value.denominator))
+        except (TypeError, ValueError):
+            pass
+    hint = "; a float is exact only as Fraction(x)" if isinstance(value, (float, numbers.Real)) else ""
+    raise TypeError(f"expected an exact number (int, Fraction, Decimal or text), got {type(value).__name__}{hint}")
+
+
+class Truth(enum.Enum):
+    """A proof says yes or no, or none was found. It is no bool: ``if truth:`` raises, as `unknown` is neither.
+
+    >>> Truth.yes.is_yes, Truth.unknown.is_no
+    (True, False)
+    >>> bool(Truth.unknown)
+    Traceback (most recent call last):
+    ...
+    TypeError: a three-valued answer is no bool; ask .is_yes, .is_no or .is_unknown
+    """
+
+    yes = "yes"
+    no = "no"
+    unknown = "unknown"
+
+    @property
+    def is_yes(self) -> bool:
+        return self is Truth.yes
+
+    @property
+    def is_no(self) -> bool:
+        return self is Truth.no
+
+    @property
+    def is_unknown(self) -> bool:
+        return self is Truth.unknown
+
+    def __bool__(self) -> bool:
+        raise TypeError("a three-valued answer is no bool; ask .is_yes, .is_no or .is_unknown")
+
+    def __str__(self) -> str:
+        return self.value
+
+
+@dataclasses.dataclass(frozen=True)
+class Decision:
+    """A three-valued answer with the argument for it, or with what is missing."""
+
+    truth: Truth
+    reason: str
+
+    @classmethod
+    def _of(cls, pair: tuple[str, str]) -> Decision:
+        return cls(Truth(pair[0]), pair[1])
+
+    @property
+    def is_yes(self) -> bool:
+        return self.truth.is_yes
+
+    @property
+    def is_no(self) -> bool:
+        return self.truth.is_no
+
+    @property
+    def is_unknown(self) -> bool:
+        return self.truth.is_unknown
+
+    def __bool__(self) -> bool:
+        return bool(self.truth)
+
+    def __str__(self) -> str:
+        return f"{self.truth}: {self.reason}" if self.reason else str(self.truth)
+
+
+Ends = tuple[Optional[Fraction], Optional[Fraction]]
+
+
+@dataclasses.dataclass(frozen=True, eq=True)
+class Enclosure:
+    """A set lower <= x <= upper that contains the true value. None: no end is proved.
+
+    Comparisons with numbers are three-valued, and proved where they say yes or no.
+
+    >>> from fractions import Fraction
+    >>> e = Enclosure(Fraction(3, 2), Fraction(8, 5))
+    >>> e > 1, e < Fraction(3, 2), e >= Fraction(31, 20)
+    (<Truth.yes: 'yes'>, <Truth.no: 'no'>, <Truth.unknown: 'unknown'>)
+    >>> print(e)
+    1.5 ... 1.6
+    """
+
+    lower: Optional[Fraction]
+    upper: Optional[Fraction]
+
+    @classmethod
+    def _of(cls, ends: Ends) -> Enclosure:
+        return cls(ends[0], ends[1])
+
+    @property
+    def is_bounded(self) -> bool:
+        """Whether both ends are proved."""
+        return self.lower is not None and self.upper is not None
+
+    @property
+    def is_point(self) -> bool:
+        """Whether the enclosure is one number."""
+        return self.lower is not None and self.lower == self.upper
+
+    @property
+    def width(self) -> Fraction:
+        """The distance of the ends. Raises DomainError where one is absent."""
+        if self.lower is None or self.upper is None:
+            raise DomainError("width: need both ends of the enclosure")
+        return self.upper - self.lower
+
+    def __contains__(self, value: Exact) -> bool:
+        x = fraction(value)
+        return (self.lower is None or self.lower <= x) and (self.upper is None or x <= self.upper)
+
+    def __float__(self) -> float:
+        """The middle. Raises DomainError where an end is absent."""
+        if self.lower is None or self.upper is None:
+            raise DomainError("float: need both ends of the enclosure")
+        return float((self.lower + self.upper) / 2)
+
+    def __gt__(self, other: Exact) -> Truth:  # type: ignore[misc]
+        x = fraction(other)
+        if self.lower is not None and self.lower > x:
+            return Truth.yes
+        return Truth.no if self.upper is not None and self.upper <= x else Truth.unknown
+
+    def __ge__(self, other: Exact) -> Truth:  # type: ignore[misc]
+        x = fraction(other)
+        if self.lower is not None and self.lower >= x:
+            return Truth.yes
+        return Truth.no if self.upper is not None and self.upper < x else Truth.unknown
+
+    def __lt__(self, other: Exact) -> Truth:
+        return _negation(self >= other)
+
+    def __le__(self, other: Exact) -> Truth:
+        return _negation(self > other)
+
+    def text(self, digits: int = 14) -> str:
+        """Decimal ends, rounded outward, or one number where both round to it."""
+        return _core.enclosure_text((self.lower, self.upper), digits)
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        text = self.text()
+        if not self.is_bounded:
+            return f"${text.replace('>=', chr(92) + 'ge').replace('<=', chr(92) + 'le')}$"
+        low, _, high = text.partition(" ... ")
+        return f"$[{low},\\,{high}]$" if high else f"${low}$"
+
+
+def _negation(truth: Truth) -> Truth:
+    return {Truth.yes: Truth.no, Truth.no: Truth.yes, Truth.unknown: Truth.unknown}[truth]
+
+
+def optional_enclosure(ends: Optional[Ends]) -> Optional[Enclosure]:
+    return None if ends is None else Enclosure._of(ends)
+
+
+def bits_of(width: Optional[Exact]) -> int:
+    """Of enclosures that are to be at most so wide: as the command line's --width."""
+    if width is None:
+        return 160
+    w = fraction(width)
+    if not Fraction(1, 10**1000) <= w <= 1:
+        raise DomainError(f"width: need 1e-1000 <= width <= 1, got {width}")
+    places = 0
+    unit = Fraction(1)
+    while unit > w:
+        places += 1
+        unit /= 10
+    return max(160, 10 * places // 3 + 32)
+
+
+def any_to_word(word: Any) -> str:
+    """The letters of a product in a row, with commas behind letters above 9."""
+    text = ""
+    for letter in word:
+        text += ("," if letter > 9 and text else "") + str(letter)
+    return text

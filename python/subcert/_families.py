@@ -1,0 +1,227 @@
+"""Families with a parameter: for which values a property holds, and the exponent as a function of it."""
+
+from __future__ import annotations
+
+import dataclasses
+from fractions import Fraction
+from typing import Any, Iterable, Optional
+
+from . import _core
+from ._certificates import Certificate
+from ._data import _jobs
+from ._exact import Enclosure, Exact, Truth, fraction, optional_enclosure
+from ._regularity import Progress
+from ._schemes import Scheme, Symbol, _symbol, scheme
+
+
+@dataclasses.dataclass(frozen=True)
+class Piece:
+    """Values of the parameter from low to high, and whether the property holds for all (yes) or none (no) of them."""
+
+    low: Fraction
+    high: Fraction
+    low_included: bool
+    high_included: bool
+    holds: Truth
+
+
+@dataclasses.dataclass(frozen=True)
+class RangeEnd:
+    """An end between a proved and a refuted piece: the zero of the polynomial in the enclosure, where the radius of the
+    product crosses the threshold."""
+
+    value: Enclosure
+    polynomial: Symbol
+    product: tuple[int, ...]
+    holds: Truth
+
+
+@dataclasses.dataclass(frozen=True)
+class SpecialValue:
+    """A single value, why it stands apart, and what holds there."""
+
+    value: Enclosure
+    polynomial: Symbol
+    why: str
+    holds: Truth
+    exponent: Optional[Enclosure] = None
+
+
+@dataclasses.dataclass(frozen=True)
+class IntervalCertificate:
+    """For all values from low to high."""
+
+    low: Fraction
+    high: Fraction
+    holds: Truth
+    certificate: Certificate
+
+
+@dataclasses.dataclass(frozen=True)
+class PropertyRange:
+    """For which values a property is proved, refuted, or not decided."""
+
+    pieces: tuple[Piece, ...]
+    ends: tuple[RangeEnd, ...]
+    special: tuple[SpecialValue, ...]
+    sum_rules: int
+    complete: bool
+    """No undecided piece is longer than the width asked for."""
+    _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
+
+    def proved(self) -> tuple[Piece, ...]:
+        """The pieces on which the property holds."""
+        return tuple(piece for piece in self.pieces if piece.holds.is_yes)
+
+    def certificates(self) -> list[IntervalCertificate]:
+        """One for each decided interval."""
+        return _certificates(self._evidence)
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td>{float(p.low):.12g}</td><td>{float(p.high):.12g}</td><td>{_verdict(p.holds)}</td></tr>"
+            for p in self.pieces
+        )
+        return f"<table><tr><th>from</th><th>to</th><th>verdict</th></tr>{rows}</table>"
+
+
+@dataclasses.dataclass(frozen=True)
+class CurvePiece:
+    """For all values from low to high the exponent lies in the enclosure."""
+
+    low: Fraction
+    high: Fraction
+    exponent: Enclosure
+    product: tuple[int, ...]
+
+
+@dataclasses.dataclass(frozen=True)
+class ExponentCurve:
+    """The exponent over the parameter, between certified envelopes."""
+
+    pieces: tuple[CurvePiece, ...]
+    special: tuple[SpecialValue, ...]
+    sum_rules: int
+    _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
+
+    def certificates(self) -> list[IntervalCertificate]:
+        return _certificates(self._evidence)
+
+
+class Family:
+    """A scheme of one variable whose coefficients depend on a parameter.
+
+    >>> import subcert
+    >>> f = subcert.family("four-point:w")
+    >>> f.at("1/16").specification
+    'mask:[-1,0,9,16,9,0,-1]/16@-3'
+    >>> found = f.range("C1", -1, 1)
+    >>> print(found.ends[-1].value.text(9), "zero of", found.ends[-1].polynomial)
+    0.192729249 zero of -1 + 4*z + 32*z^3
+    """
+
+    def __init__(self, handle: Any) -> None:
+        self._handle = handle
+
+    @property
+    def specification(self) -> str:
+        return self._handle.specification
+
+    @property
+    def parameter(self) -> str:
+        return self._handle.parameter
+
+    @property
+    def sum_rules(self) -> int:
+        """Those that hold for all values."""
+        return self._handle.sum_rules
+
+    def __repr__(self) -> str:
+        return f"<subcert family {self.specification} over {self.parameter}>"
+
+    def __reduce__(self) -> Any:
+        return family, (self.specification,)
+
+    def at(self, value: Exact) -> Scheme:
+        """The scheme at one value of the parameter."""
+        (coefficients, first), arity = self._handle.at(fraction(value))
+        numbers = ",".join(str(c) for c in coefficients)
+        return scheme(f"mask:[{numbers}]@{first}" + ("" if arity == 2 else f",arity={arity}"))
+
+    def range(
+        self,
+        property: str,
+        low: Exact,
+        high: Exact,
+        *,
+        width: Exact = "1e-9",
+        budget: float = 60,
+        jobs: Optional[int] = None,
+        progress: Progress = None,
+    ) -> PropertyRange:
+        """For which values between low and high a property holds: convergent, C1, C2, ..., holder>=3/2, sobolev>=1,
+        stable, positive, monotone or convex."""
+        evidence = _core.property_range(
+            self._handle, property, fraction(low), fraction(high), fraction(width), budget, _jobs(jobs), progress
+        )
+        facts = evidence.facts
+        return PropertyRange(
+            pieces=tuple(Piece(p[0], p[1], p[2], p[3], Truth(p[4])) for p in facts["pieces"]),
+            ends=tuple(RangeEnd(Enclosure._of(e[0]), _symbol(e[1]), tuple(e[2]), Truth(e[3])) for e in facts["ends"]),
+            special=_special(facts["special"]),
+            sum_rules=facts["sum_rules"],
+            complete=facts["complete"],
+            _evidence=evidence,
+        )
+
+    def curve(
+        self,
+        low: Exact,
+        high: Exact,
+        *,
+        pieces: int = 200,
+        budget: float = 60,
+        jobs: Optional[int] = None,
+        progress: Progress = None,
+    ) -> ExponentCurve:
+        """The Hoelder exponent between low and high, piece by piece."""
+        evidence = _core.exponent_curve(
+            self._handle, fraction(low), fraction(high), pieces, budget, _jobs(jobs), progress
+        )
+        facts = evidence.facts
+        return ExponentCurve(
+            pieces=tuple(CurvePiece(p[0], p[1], Enclosure._of(p[2]), tuple(p[3])) for p in facts["pieces"]),
+            special=_special(facts["special"]),
+            sum_rules=facts["sum_rules"],
+            _evidence=evidence,
+        )
+
+
+def family(specification: str) -> Family:
+    """The family of this specification, with a letter where a number may stand: ``four-point:w``,
+    ``mask:[-w,0,1/2+w,1,1/2+w,0,-w]``. Raises UsageError for a text that names none."""
+    return Family(_core.make_parametric_scheme(specification))
+
+
+def _verdict(truth: Truth) -> str:
+    return {Truth.yes: "proved", Truth.no: "refuted", Truth.unknown: "undecided"}[truth]
+
+
+def _special(values: Iterable[dict[str, Any]]) -> tuple[SpecialValue, ...]:
+    return tuple(
+        SpecialValue(
+            Enclosure._of(v["value"]),
+            _symbol(v["polynomial"]),
+            v["why"],
+            Truth(v["holds"]),
+            optional_enclosure(v.get("exponent")),
+        )
+        for v in values
+    )
+
+
+def _certificates(evidence: Any) -> list[IntervalCertificate]:
+    return [
+        IntervalCertificate(low, high, Truth(holds), Certificate(text, lower, upper))
+        for low, high, holds, text, lower, upper in evidence.certificates()
+    ]

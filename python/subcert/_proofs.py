@@ -1,0 +1,160 @@
+"""The papers: their statements as checks, their tables recomputed; expected properties of schemes."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+from typing import Any, Optional, Sequence
+
+from . import _core
+from ._data import _jobs
+from ._errors import DataError, Error, MissingFileError
+from ._exact import Decision
+from ._regularity import Progress
+
+
+@dataclasses.dataclass(frozen=True)
+class Statement:
+    """A numbered statement of a paper. `printed` and `corrected` are LaTeX."""
+
+    id: str
+    place: str
+    paraphrase: str
+    checked: str
+    printed: str
+    recorded: str
+
+    def _repr_markdown_(self) -> str:
+        return f"**{self.id}** ({self.place}): {self.paraphrase}. *{self.recorded}*\n\n{self.printed}"
+
+
+@dataclasses.dataclass(frozen=True)
+class CheckedStatement(Statement):
+    """A statement and what its check found."""
+
+    verdict: str
+    range: str
+    witness: str
+    argument: str
+    corrected: str
+
+    @property
+    def as_recorded(self) -> bool:
+        return self.verdict == self.recorded
+
+
+@dataclasses.dataclass(frozen=True)
+class PropertyAnswer:
+    """Whether a scheme has an expected property."""
+
+    line: int
+    scheme: str
+    name: str
+    property: str
+    expected: str
+    answer: Decision
+
+
+@dataclasses.dataclass(frozen=True)
+class Comparison:
+    """A printed value beside the certified one."""
+
+    paper: str
+    table: str
+    cell: str
+    printed: str
+    computed: Any
+    verdict: str
+    note: str
+
+
+class Comparisons(tuple):  # type: ignore[type-arg]
+    """The comparisons of a report; a table in notebooks."""
+
+    def _repr_html_(self) -> str:
+        head = "".join(f"<th>{name}</th>" for name in ("table", "cell", "printed", "computed", "verdict"))
+        rows = "".join(
+            f"<tr><td>{c.table}</td><td>{c.cell}</td><td>{c.printed}</td><td>{_computed_text(c.computed)}</td>"
+            f"<td>{c.verdict}</td></tr>"
+            for c in self
+        )
+        return f"<table><tr>{head}</tr>{rows}</table>"
+
+
+def _computed_text(computed: Any) -> str:
+    if isinstance(computed, dict) and "lower" in computed:
+        low, high = computed["lower"], computed["upper"]
+        return f"{low} ... {high}" if low != high else low
+    return "" if computed is None else str(computed)
+
+
+def statements(*wanted: str) -> list[Statement]:
+    """The statements with these ids, or of these papers; all where none is named.
+
+    >>> import subcert
+    >>> subcert.statements("dyn-2015/eq-2")[0].recorded
+    'holds-for-all-n'
+    """
+    return [Statement(**one) for one in _core.statements(list(wanted))]
+
+
+def check_statements(
+    *wanted: str, wide: bool = False, jobs: Optional[int] = None, progress: Progress = None
+) -> list[CheckedStatement]:
+    """Checks statements: holds, holds-for-all-n, misprint (with witness and correction), false or not-checkable.
+    `wide`: larger ranges."""
+    return [CheckedStatement(**one) for one in _core.check_statements(list(wanted), wide, _jobs(jobs), progress)]
+
+
+def check(
+    expectations: str, *, budget: float = 20, jobs: Optional[int] = None, progress: Progress = None
+) -> list[PropertyAnswer]:
+    """Checks expected properties of schemes, given as TOML: the text, or the name of a file. `budget`: seconds for each
+    search. Raises DataError for a text that is not of that form.
+
+    >>> import subcert
+    >>> [answer] = subcert.check('''
+    ... [[scheme]]
+    ... mask = "four-point:w=1/16"
+    ... sum_rules = 4
+    ... ''')
+    >>> answer.answer.is_yes
+    True
+    """
+    text, name = expectations, ""
+    if "\n" not in expectations:
+        name = f"{expectations}, "
+        try:
+            with open(expectations, encoding="utf-8") as file:
+                text = file.read()
+        except OSError as error:
+            raise MissingFileError(f"{expectations}: {error.strerror}") from None
+    try:
+        found = _core.check_properties(text, budget, _jobs(jobs), progress)
+    except DataError as error:
+        raise DataError(f"{name}{error}") from None
+    return [PropertyAnswer(answer=Decision._of(one.pop("answer")), **one) for one in found]
+
+
+def papers() -> dict[str, list[str]]:
+    """The papers and collections that can be reproduced, with the items of each."""
+    return _core.papers()
+
+
+def reproduce(
+    paper: str, only: Sequence[str] = (), *, jobs: Optional[int] = None, progress: Progress = None
+) -> Comparisons:
+    """Recomputes the tables of a paper, or some items of it, and compares with what it prints.
+
+    >>> import subcert
+    >>> {c.verdict for c in subcert.reproduce("dyn-2015", ["table1"])}
+    {'match'}
+    """
+    found = json.loads(_core.reproduce(paper, list(only), _jobs(jobs), progress))
+    return Comparisons(
+        Comparison(
+            c["paper"], c["table"], c["cell"], c["printed"], c.get("computed"), c["verdict"], c.get("note") or ""
+        )
+        for c in found["comparisons"]
+    )

@@ -1,0 +1,269 @@
+"""Exponents and radii, enclosed with proof."""
+
+from __future__ import annotations
+
+import dataclasses
+from fractions import Fraction
+from typing import Any, Callable, Iterable, Optional, Sequence
+
+from . import _core
+from ._certificates import Certificate, Verification, certificate_of
+from ._exact import Decision, Enclosure, Exact, any_to_word, bits_of, fraction, optional_enclosure
+
+Progress = Optional[Callable[[float], Any]]
+"""Called ten times a second with the seconds that have passed. An exception that it raises ends the work."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Bound:
+    """What norms of so many levels of the difference scheme prove."""
+
+    levels: int
+    norm: Fraction
+    exponent: Enclosure
+
+
+@dataclasses.dataclass(frozen=True)
+class Computation:
+    """A function of the library with its arguments, to be called again; it can be pickled."""
+
+    function: str
+    arguments: tuple[Any, ...]
+
+    def __call__(self) -> Any:
+        return getattr(_core, self.function)(*self.arguments)
+
+
+class _Certified:
+    """Answers that remember their evidence until they are pickled or copied; after that a certificate is computed
+    anew."""
+
+    _evidence: Any
+    _again: Computation
+
+    @property
+    def certificate(self) -> Certificate:
+        """A proof for the independent checker. Computes anew, with the same budget, where the evidence at hand is
+        none that a certificate can hold. Raises CertificateError, or the error of the library, where nothing is to be
+        had."""
+        evidence = self._evidence
+        if evidence is None or evidence.certificate() is None:
+            evidence = self._again()
+            object.__setattr__(self, "_evidence", evidence)
+        return certificate_of(evidence, type(self).__name__)
+
+    def verify(self) -> Verification:
+        """Asks the independent checker about the certificate."""
+        return self.certificate.verify()
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_evidence": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+
+def _hidden() -> Any:
+    return dataclasses.field(default=None, repr=False, compare=False)
+
+
+@dataclasses.dataclass(frozen=True)
+class JointSpectralRadius(_Certified):
+    """A joint spectral radius between two rational numbers.
+
+    >>> import subcert
+    >>> golden = subcert.jsr([[[1, 1], [0, 1]], [[1, 0], [1, 1]]])
+    >>> print(golden)
+    1.6180339887499
+    >>> golden.exact, golden.product
+    (True, (1, 0))
+    >>> golden.verify().accepted
+    True
+    """
+
+    enclosure: Enclosure
+    exact: bool
+    """Whether the product is proved to attain the radius, which is then an algebraic number that the ends isolate."""
+    exactness: str
+    product: tuple[int, ...]
+    method: str
+    vertices: int
+    closed: bool
+    """Whether the ends are within 1e-12 of each other."""
+    _evidence: Any = _hidden()
+    _again: Any = _hidden()
+
+    @property
+    def lower(self) -> Optional[Fraction]:
+        return self.enclosure.lower
+
+    @property
+    def upper(self) -> Optional[Fraction]:
+        return self.enclosure.upper
+
+    def __float__(self) -> float:
+        return float(self.enclosure)
+
+    def __str__(self) -> str:
+        return str(self.enclosure)
+
+    def _repr_latex_(self) -> str:
+        return self.enclosure._repr_latex_()
+
+
+@dataclasses.dataclass(frozen=True)
+class HolderExponent(_Certified):
+    """The Hoelder exponent of the limits between two rational numbers. No ends where convergence is not proved.
+
+    >>> import subcert
+    >>> s = subcert.scheme("primal:n=5").holder()
+    >>> print(s)
+    1.9901439593863
+    >>> s.exact, s.product, s > 1
+    (True, (1, 0), <Truth.yes: 'yes'>)
+    """
+
+    enclosure: Enclosure
+    exact: bool
+    """Whether the product is proved to attain the joint spectral radius."""
+    exactness: str
+    product: tuple[int, ...]
+    radius: Enclosure
+    method: str
+    vertices: int
+    closed: bool
+    converges: Decision
+    stable: Decision
+    """Of the integer shifts. Only with stable shifts is the upper end that of this mask."""
+    sum_rules: int
+    bound: Optional[Bound] = None
+    logarithm: tuple[int, Optional[int]] = (0, None)
+    """Between which powers of |log h| the modulus of continuity lies; (0, 0): the exponent is attained."""
+    sobolev: Optional[Enclosure] = None
+    """Of surfaces: the Sobolev exponent."""
+    _evidence: Any = _hidden()
+    _again: Any = _hidden()
+
+    @property
+    def lower(self) -> Optional[Fraction]:
+        return self.enclosure.lower
+
+    @property
+    def upper(self) -> Optional[Fraction]:
+        return self.enclosure.upper
+
+    def __float__(self) -> float:
+        return float(self.enclosure)
+
+    def __gt__(self, other: Exact) -> Any:
+        return self.enclosure > other
+
+    def __ge__(self, other: Exact) -> Any:
+        return self.enclosure >= other
+
+    def __lt__(self, other: Exact) -> Any:
+        return self.enclosure < other
+
+    def __le__(self, other: Exact) -> Any:
+        return self.enclosure <= other
+
+    def __str__(self) -> str:
+        return str(self.enclosure)
+
+    def _repr_latex_(self) -> str:
+        return self.enclosure._repr_latex_()
+
+    def _repr_html_(self) -> str:
+        rows = {
+            "Hölder exponent": str(self),
+            "exact": f"yes, by the product {any_to_word(self.product)}" if self.exact else f"no: {self.exactness}",
+            "method": self.method,
+            "converges": str(self.converges),
+            "stable": str(self.stable),
+        }
+        cells = "".join(
+            f"<tr><th style='text-align:left'>{k}</th><td style='text-align:left'>{v}</td></tr>"
+            for k, v in rows.items()
+        )
+        return f"<table>{cells}</table>"
+
+
+def _radius_fields(facts: dict[str, Any]) -> dict[str, Any]:
+    return {
+        "exact": facts["exact"],
+        "exactness": facts["exactness"],
+        "product": tuple(facts["product"]),
+        "method": facts["method"],
+        "vertices": facts["vertices"],
+        "closed": facts["closed"],
+    }
+
+
+def exponent_of(evidence: Any, again: Computation) -> HolderExponent:
+    facts = evidence.facts
+    bound = facts.get("bound")
+    return HolderExponent(
+        enclosure=Enclosure._of(facts["exponent"]),
+        radius=Enclosure._of(facts["radius"]),
+        converges=Decision._of(facts["converges"]),
+        stable=Decision._of(facts["stable"]),
+        sum_rules=facts["sum_rules"],
+        bound=Bound(bound[0], bound[1], Enclosure._of(bound[2])) if bound else None,
+        logarithm=facts.get("logarithm", (0, None)),
+        sobolev=optional_enclosure(facts.get("sobolev")),
+        _evidence=evidence,
+        _again=again,
+        **_radius_fields(facts),
+    )
+
+
+def _lists(matrices: Iterable[Any]) -> list[list[list[Fraction]]]:
+    """Nested lists, integer or object arrays, and matrices of sympy, as Fractions."""
+    result = []
+    for matrix in matrices:
+        if hasattr(matrix, "tolist"):  # arrays of numpy, matrices of sympy
+            matrix = matrix.tolist()
+        result.append([[fraction(entry) for entry in row] for row in matrix])
+    return result
+
+
+def jsr(
+    matrices: Iterable[Any],
+    *,
+    edges: Sequence[tuple[int, int, int]] = (),
+    budget: float = 60,
+    memory: int = 1024,
+    width: Optional[Exact] = None,
+    progress: Progress = None,
+) -> JointSpectralRadius:
+    """The joint spectral radius of rational matrices, enclosed with proof.
+
+    `matrices`: square, of one size, with exact entries: nested lists, integer or object arrays of numpy, matrices of
+    sympy. `edges`: (from, to, matrix) where a graph says which matrix may follow which. `budget`: seconds. `memory`:
+    MiB. `width`: at most so wide, where a product is proved to attain the radius. Raises DomainError for matrices of
+    other shapes, TypeError for floats."""
+    arguments = (_lists(matrices), list(edges), budget, memory, bits_of(width))
+    evidence = _core.jsr(*arguments, progress)
+    return JointSpectralRadius(
+        enclosure=Enclosure._of(evidence.facts["radius"]),
+        _evidence=evidence,
+        _again=Computation("jsr", (*arguments, None)),
+        **_radius_fields(evidence.facts),
+    )
+
+
+def p_radius(
+    matrices: Iterable[Any],
+    p: int,
+    *,
+    budget: float = 60,
+    width: Optional[Exact] = None,
+    progress: Progress = None,
+) -> Enclosure:
+    """The p-radius: how averages of p-th powers of norms of products grow; p even, or no entry negative.
+
+    >>> import subcert
+    >>> print(subcert.p_radius([[[1, 1], [0, 1]], [[1, 0], [1, 1]]], 2))
+    1.5102239590221
+    """
+    return Enclosure._of(_core.p_radius(_lists(matrices), p, bits_of(width), budget, progress))

@@ -1,0 +1,384 @@
+"""Schemes: their masks and symbols, and what is proved about them."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Iterable, Optional, Union
+
+from . import _core, _display
+from ._exact import Decision, Enclosure, Exact, bits_of, fraction, optional_enclosure
+from ._regularity import Computation, HolderExponent, Progress, exponent_of
+
+if TYPE_CHECKING:
+    import numpy
+
+
+@dataclasses.dataclass(frozen=True)
+class Symbol:
+    """The Laurent polynomial sum of coefficients[k] z^(lowest + k) with exact coefficients.
+
+    >>> import subcert
+    >>> a = subcert.mask([1, 3, 3, 1], 4).symbol
+    >>> a(1), a(-1), str(a)
+    (Fraction(2, 1), Fraction(0, 1), '1/4*z^-2 + 3/4*z^-1 + 3/4 + 1/4*z')
+    """
+
+    coefficients: tuple[Fraction, ...]
+    lowest: int
+
+    def __call__(self, z: Exact) -> Fraction:
+        """The exact value at z, not 0 where an exponent is negative."""
+        x = fraction(z)
+        value = Fraction(0)
+        for c in reversed(self.coefficients):
+            value = value * x + c
+        return value * x**self.lowest
+
+    def __str__(self) -> str:
+        return _core.symbol_text((list(self.coefficients), self.lowest))
+
+    def _repr_latex_(self) -> str:
+        return f"${_core.symbol_latex((list(self.coefficients), self.lowest))}$"
+
+    def to_sympy(self, z: Any = None) -> Any:
+        """The same for sympy; `z`: the symbol to use, named z where none is given."""
+        import sympy
+
+        z = sympy.Symbol("z") if z is None else z  # type: ignore[no-untyped-call]
+        return sum(
+            (
+                sympy.Rational(c.numerator, c.denominator) * z ** (self.lowest + k)
+                for k, c in enumerate(self.coefficients)
+            ),
+            sympy.Integer(0),
+        )
+
+
+def _symbol(pair: tuple[list[Fraction], int]) -> Symbol:
+    return Symbol(tuple(pair[0]), pair[1])
+
+
+@dataclasses.dataclass(frozen=True)
+class LimitRange:
+    """Bounds of the basic limit function phi over the line, each with its width."""
+
+    maximum: Enclosure
+    minimum: Enclosure
+    sup_norm: Enclosure
+    slope: Optional[Enclosure]
+    """Of |phi'|; None where nothing is proved, and slope_reason says why."""
+    slope_reason: str
+    l1_norm: Enclosure
+    complete: bool
+    """All enclosures are as narrow as was asked for."""
+
+
+@dataclasses.dataclass(frozen=True)
+class VarianceRange:
+    """Bounds of the variance curve psi over a period."""
+
+    maximum: Enclosure
+    minimum: Enclosure
+    slope: Optional[Enclosure]
+    slope_reason: str
+    mean: Fraction
+    complete: bool
+
+
+class _Named:
+    """What all schemes share: they are equal, hashed, printed and pickled by their specification."""
+
+    _handle: Any
+
+    def __init__(self, handle: Any) -> None:
+        self._handle = handle
+
+    @property
+    def specification(self) -> str:
+        """The canonical text that names the scheme."""
+        return self._handle.specification
+
+    @property
+    def title(self) -> str:
+        """A name for people."""
+        return self._handle.title
+
+    def __repr__(self) -> str:
+        return f"<subcert {self.specification}: {self.title}>"
+
+    def __str__(self) -> str:
+        return self.specification
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Named) and self.specification == other.specification
+
+    def __hash__(self) -> int:
+        return hash(self.specification)
+
+    def __reduce__(self) -> Any:
+        return scheme, (self.specification,)
+
+    def refine(self, data: Any, levels: int = 1, **options: Any) -> Any:
+        """Applies the scheme to data: see subcert.refine."""
+        from ._data import refine
+
+        return refine(self, data, levels, **options)
+
+
+class Scheme(_Named):
+    """A linear scheme of one variable.
+
+    >>> import subcert
+    >>> s = subcert.scheme("primal:n=2")
+    >>> s.mask
+    (Fraction(1, 4), Fraction(1, 3), Fraction(1, 4), Fraction(1, 3), Fraction(1, 4), Fraction(1, 3), Fraction(1, 4))
+    """
+
+    @property
+    def arity(self) -> int:
+        return self._handle.arity
+
+    @functools.cached_property
+    def symbol(self) -> Symbol:
+        return _symbol(self._handle.symbol)
+
+    @property
+    def mask(self) -> tuple[Fraction, ...]:
+        """The coefficients a_i of f'_i = sum over j of a_(i - arity j) f_j, from `first_index` on."""
+        return self.symbol.coefficients
+
+    @property
+    def first_index(self) -> int:
+        return self.symbol.lowest
+
+    @property
+    def rounding(self) -> Optional[Fraction]:
+        """Where the coefficients that are meant are not rational: how far the rational ones are from them at most."""
+        return self._handle.rounding
+
+    @functools.cached_property
+    def _facts(self) -> dict[str, Any]:
+        return _core.facts(self._handle)
+
+    @property
+    def sum_rules(self) -> int:
+        """The multiplicity of 1 + z + ... + z^(arity-1) in the symbol."""
+        return self._facts["sum_rules"]
+
+    @property
+    def remaining_factor(self) -> Symbol:
+        """The symbol divided by all of these factors."""
+        return _symbol(self._facts["rest"])
+
+    @property
+    def support(self) -> tuple[Fraction, Fraction]:
+        """Of the basic limit function."""
+        return self._facts["limit_support"]
+
+    @property
+    def symmetry(self) -> str:
+        """``odd`` about an integer, ``even`` about a half-integer, or ``none``."""
+        return self._facts["symmetry"]
+
+    @property
+    def generation_degree(self) -> int:
+        return self._facts["generation_degree"]
+
+    @property
+    def reproduction_degree(self) -> int:
+        """Polynomials of this degree are reproduced, the datum f_j attached to j + parametrization; -1: not even
+        constants."""
+        return self._facts["reproduction_degree"]
+
+    @property
+    def parametrization(self) -> Fraction:
+        return self._facts["parametrization"]
+
+    def converges(self, levels: int = 16, budget: float = 20, progress: Progress = None) -> Decision:
+        """Whether the scheme converges uniformly for all bounded data."""
+        return Decision._of(_core.converges(self._handle, levels, budget, progress))
+
+    def stable(self) -> Decision:
+        """Whether the integer shifts of the basic limit function are stable. Domain: schemes that converge."""
+        return Decision._of(_core.stable(self._handle))
+
+    def smoothness(self, levels: int = 16, budget: float = 20, progress: Progress = None) -> tuple[int, str, str]:
+        """The largest k for which C^k limits are proved by contraction (-1: none), the evidence, and what stops k +
+        1. For the true order ask holder()."""
+        return _core.smoothness(self._handle, levels, budget, progress)
+
+    def holder(
+        self,
+        budget: float = 60,
+        *,
+        levels: int = 16,
+        memory: int = 1024,
+        width: Optional[Exact] = None,
+        certificate: bool = False,
+        progress: Progress = None,
+    ) -> HolderExponent:
+        """The Hoelder exponent, enclosed with proof.
+
+        `budget`: seconds. `memory`: MiB. `width`: at most so wide, where a product is proved to attain the radius.
+        `certificate`: look at once for evidence that a certificate can hold, also where a shorter argument exists.
+        Raises DomainError for coset sums other than 1."""
+        arguments = (self._handle, levels, budget, memory, bits_of(width))
+        again = Computation("holder", (*arguments, True, None))
+        return exponent_of(_core.holder(*arguments, certificate, progress), again)
+
+    def sobolev(self, budget: float = 60, progress: Progress = None) -> Optional[Enclosure]:
+        """The Sobolev (L2) exponent; None where it takes longer than that. No upper end: a lower bound."""
+        return optional_enclosure(_core.sobolev(self._handle, budget, progress))
+
+    def limit(
+        self, level: int = 8, *, derivative: int = 0, exact: bool = False, progress: Progress = None
+    ) -> tuple[Any, Any]:
+        """x and y: the basic limit function, or a derivative, at the points i / arity^level of its support.
+
+        Arrays of numpy, rounded from the exact values; with `exact` lists of Fractions. Raises DomainError for a
+        scheme that does not converge, UndecidedError where convergence, or that the derivative is continuous, is not
+        proved.
+
+        >>> import subcert
+        >>> x, y = subcert.scheme("four-point:w=1/16").limit(1, exact=True)
+        >>> y[5], x[5]
+        (Fraction(9, 16), Fraction(-1, 2))
+        """
+        if not exact:
+            return _core.rounded_limit_values(self._handle, level, derivative, progress)
+        first, values = _core.limit_values(self._handle, level, derivative, progress)
+        return [Fraction(first + i, self.arity**level) for i in range(len(values))], values
+
+    def limit_range(self, width: Exact = "1e-6", budget: float = 60, progress: Progress = None) -> LimitRange:
+        """Bounds of the basic limit function between all points. `width`: relative."""
+        facts = _core.limit_range(self._handle, fraction(width), budget, progress)
+        return LimitRange(**{k: _ends(v) for k, v in facts.items()})
+
+    def variance(self, level: int = 8, progress: Progress = None) -> list[Fraction]:
+        """psi(i / arity^level), i = 0, ..., arity^level: the variance of the limit for data with independent noise of
+        variance 1, exact."""
+        return _core.variance_grid(self._handle, level, progress)
+
+    def variance_range(self, width: Exact = "1e-6", budget: float = 60, progress: Progress = None) -> VarianceRange:
+        """The certified maximum, minimum and largest slope of psi.
+
+        >>> import subcert
+        >>> print(subcert.scheme("primal:n=2").variance_range().maximum.text(6))
+        0.548387
+        """
+        facts = _core.variance_range(self._handle, fraction(width), budget, progress)
+        return VarianceRange(**{k: _ends(v) for k, v in facts.items()})
+
+    def smooth(self, y: Any, **options: Any) -> Any:
+        """Smooths samples by the limit of this scheme: see subcert.smooth."""
+        from ._data import smooth
+
+        return smooth(y, scheme=self, **options)
+
+    def _repr_latex_(self) -> str:
+        return f"$a(z) = {_core.symbol_latex(self._handle.symbol)}$"
+
+    def _repr_html_(self) -> str:
+        """The mask, and the basic limit function as a picture where convergence is proved."""
+        return _display.scheme_html(self)
+
+
+def _ends(value: Any) -> Any:
+    return Enclosure(*value) if isinstance(value, tuple) else value
+
+
+class MultivariateScheme(_Named):
+    """A linear scheme of two or three variables.
+
+    >>> import subcert
+    >>> loop = subcert.scheme("loop")
+    >>> loop.dimension, loop.dilation
+    (2, ((2, 0), (0, 2)))
+    >>> print(loop.holder())
+    3
+    """
+
+    @property
+    def dimension(self) -> int:
+        return self._handle.dimension
+
+    @property
+    def dilation(self) -> tuple[tuple[int, ...], ...]:
+        return tuple(tuple(row) for row in self._handle.dilation)
+
+    @functools.cached_property
+    def mask(self) -> dict[tuple[int, ...], Fraction]:
+        """The coefficients by their multi-indices."""
+        return {tuple(index): value for index, value in self._handle.terms}
+
+    def holder(
+        self,
+        budget: float = 60,
+        *,
+        memory: int = 1024,
+        width: Optional[Exact] = None,
+        certificate: bool = False,
+        progress: Progress = None,
+    ) -> HolderExponent:
+        """The Hoelder exponent, enclosed with proof; the smallest over the directions of the dilation."""
+        arguments = (self._handle, budget, memory, bits_of(width))
+        again = Computation("surface_holder", (*arguments, True, None))
+        return exponent_of(_core.surface_holder(*arguments, certificate, progress), again)
+
+    def _repr_html_(self) -> str:
+        return _display.surface_html(self)
+
+
+class DataDependentScheme(_Named):
+    """A scheme without a mask, which only acts on data, as ``l1:points=6``."""
+
+    @property
+    def dimension(self) -> int:
+        return self._handle.dimension
+
+
+AnyScheme = Union[Scheme, MultivariateScheme, DataDependentScheme]
+
+
+def scheme(specification: Union[str, _Named]) -> Any:
+    """The scheme of this specification: a Scheme, MultivariateScheme or DataDependentScheme.
+
+    Raises UsageError for a text that names none; the line says which part, and what would be right.
+
+    >>> import subcert
+    >>> subcert.scheme("primal:n=5").holder().product
+    (1, 0)
+    >>> subcert.scheme("primal:k=5")
+    Traceback (most recent call last):
+    ...
+    subcert.UsageError: scheme specification, position 11: 'primal'; expected the key 'n', as in primal:n=3,d=1
+    """
+    if isinstance(specification, _Named):
+        return specification
+    core = _core.make_any_scheme(specification)
+    kinds = {_core.Scheme: Scheme, _core.MultivariateScheme: MultivariateScheme}
+    return kinds.get(type(core), DataDependentScheme)(core)
+
+
+def mask(
+    coefficients: Iterable[Exact], denominator: Exact = 1, *, first: Optional[int] = None, arity: int = 2
+) -> Scheme:
+    """The scheme with these coefficients over a common denominator, from the index `first` on (default: centred).
+
+    >>> import subcert
+    >>> subcert.mask([1, 3, 3, 1], 4).specification
+    'mask:[1,3,3,1]/4@-2'
+    """
+    below = fraction(denominator)
+    if below == 0:
+        raise ZeroDivisionError("mask: need a denominator other than 0")
+    numbers = ",".join(str(fraction(c) / below) for c in coefficients)
+    place = "" if first is None else f"@{int(first)}"
+    return scheme(f"mask:[{numbers}]{place}" + ("" if arity == 2 else f",arity={int(arity)}"))
+
+
+def families() -> dict[str, str]:
+    """How each named family of schemes is written, and what it is."""
+    return {usage: meaning for _, usage, meaning in [*_core.families(), *_core.multivariate_families()]}

@@ -1,0 +1,198 @@
+"""Answers with proof: three-valued, comparable, picklable; and what is raised where there is none."""
+
+import copy
+import pickle
+from fractions import Fraction
+
+import numpy
+import pytest
+import subcert
+import sympy
+
+
+def test_three_valued_answers_are_no_bools():
+    decision = subcert.scheme("primal:n=2").converges()
+    assert decision.is_yes
+    for answer in (decision, decision.truth, subcert.scheme("primal:n=2").holder() > 1):
+        with pytest.raises(TypeError, match="no bool"):
+            bool(answer)
+        with pytest.raises(TypeError, match="no bool"):
+            if answer:
+                pass
+        with pytest.raises(TypeError, match="no bool"):
+            not answer
+
+
+def test_an_exponent():
+    h = subcert.scheme("four-point:w=1/16").holder()
+    assert h.lower <= h.upper and h.exact and h.closed and h.stable.is_yes
+    assert float(h) == pytest.approx(2)
+    assert (h > 1).is_yes and (h > 3).is_no and (h < 3).is_yes and (h <= 1).is_no
+    narrow = subcert.scheme("primal:n=4").holder(width="1e-60")
+    assert narrow.enclosure.width <= Fraction(1, 10**60)
+
+
+def test_divergence_has_no_exponent():
+    h = subcert.scheme("four-point:w=1/2").holder()
+    assert h.converges.is_no and h.lower is None and h.upper is None
+    with pytest.raises(subcert.DomainError):
+        float(h)
+    with pytest.raises(subcert.DomainError, match="no limit function"):
+        subcert.scheme("four-point:w=1/2").limit(2)
+
+
+def test_certificates(tmp_path):
+    h = subcert.scheme("primal:n=5").holder()
+    certificate = h.certificate
+    assert certificate.verify().accepted
+    certificate.save(tmp_path / "s5.cert")
+    found = subcert.verify(tmp_path / "s5.cert")
+    assert found.accepted and "exponent" in found.answer
+    text = (tmp_path / "s5.cert").read_text()
+    lines = text.splitlines()
+    lines[2] = f"bounds 3 {lines[2].split()[2]}"
+    (tmp_path / "wrong.cert").write_text("\n".join(lines) + "\n")
+    assert not subcert.verify(tmp_path / "wrong.cert").accepted
+    (tmp_path / "none.cert").write_text("hello\n")
+    with pytest.raises(subcert.DataError, match="not a certificate"):
+        subcert.verify(tmp_path / "none.cert")
+    with pytest.raises(subcert.MissingFileError):
+        subcert.verify(tmp_path / "absent.cert")
+    with pytest.raises(subcert.MissingFileError):
+        certificate.save(tmp_path / "no folder" / "s5.cert")
+
+
+def test_a_single_spectral_radius_gets_a_certificate_too():
+    h = subcert.scheme("dd:n=2").holder()
+    assert h.method == "single spectral radius"
+    assert h.verify().accepted
+
+
+def test_surfaces():
+    h = subcert.scheme("butterfly:w=1/16").holder()
+    assert h.converges.is_yes and h.verify().accepted
+    tensor = subcert.scheme("tensor:(primal:n=3)x(primal:n=3)")
+    assert tensor.holder().enclosure.lower == subcert.scheme("primal:n=3").holder().enclosure.lower
+    assert sum(tensor.mask.values()) == 4
+
+
+@pytest.mark.parametrize(
+    "matrices",
+    [
+        [[[1, 1], [0, 1]], [[1, 0], [1, 1]]],
+        [numpy.array([[1, 1], [0, 1]]), numpy.array([[1, 0], [1, 1]])],
+        numpy.array([[[1, 1], [0, 1]], [[1, 0], [1, 1]]]),
+        [sympy.Matrix([[1, 1], [0, 1]]), sympy.Matrix([[1, 0], [1, 1]])],
+        [[[Fraction(1), "1"], ["0", 1]], [[1, 0], [1, 1]]],
+    ],
+)
+def test_radii_of_matrices_of_all_kinds(matrices):
+    radius = subcert.jsr(matrices)
+    assert radius.exact and float(radius) == pytest.approx((1 + 5**0.5) / 2)
+
+
+def test_radii():
+    pair = [[[1, 1], [0, 1]], [[1, 0], [1, 1]]]
+    with pytest.raises(TypeError, match="exact"):
+        subcert.jsr([[[0.5]]])
+    with pytest.raises(subcert.DomainError, match="entries"):
+        subcert.jsr([[[1, 2], [3]]])
+    with pytest.raises(subcert.DomainError):
+        subcert.jsr([])
+    # After each other only: the radius of the product.
+    alternating = subcert.jsr(pair, edges=[(0, 1, 0), (1, 0, 1)])
+    assert float(alternating) == pytest.approx((1 + 5**0.5) / 2)
+    alone = subcert.jsr(pair, edges=[(0, 0, 0)])
+    assert alone.lower == alone.upper == 1
+    assert alone.verify().accepted
+    assert subcert.p_radius(pair, 2).lower > Fraction(3, 2)
+    with pytest.raises(subcert.DomainError, match="even"):
+        subcert.p_radius([[[1, -1], [0, 1]]], 3)
+
+
+def test_families():
+    family = subcert.family("four-point:w")
+    found = family.range("C1", "1/100", "1/4")
+    assert found.complete and [p.holds.value for p in found.pieces] == ["yes", "unknown", "no"]
+    [end] = found.ends
+    w = end.value.lower
+    assert end.polynomial(w) * end.polynomial(end.value.upper) <= 0  # the zero of 32 w^3 + 4 w - 1
+    assert end.value.width <= Fraction(1, 10**9) and abs(32 * w**3 + 4 * w - 1) < Fraction(1, 10**7)
+    assert all(c.certificate.verify().accepted for c in found.certificates()[:3])
+    curve = family.curve("1/10", "1/5", pieces=8)
+    assert len(curve.pieces) == 8
+    here = family.at("3/20").holder()
+    piece = next(p for p in curve.pieces if p.low <= Fraction(3, 20) <= p.high)
+    assert piece.exponent.lower <= here.lower and here.upper <= piece.exponent.upper
+    with pytest.raises(subcert.UsageError):
+        family.range("smooth", 0, 1)
+    with pytest.raises(subcert.Error):
+        family.range("C1", 1, 0)
+
+
+def test_everything_can_be_pickled():
+    scheme = subcert.scheme("primal:n=5")
+    h = scheme.holder()
+    for value in (
+        scheme,
+        h,
+        subcert.scheme("loop"),
+        subcert.scheme("l1:points=6"),
+        subcert.family("four-point:w"),
+        scheme.symbol,
+        scheme.variance_range(),
+        subcert.Truth.yes,
+        h.converges,
+        h.enclosure,
+        subcert.jsr([[[2]]]),
+        h.certificate,
+    ):
+        for again in (pickle.loads(pickle.dumps(value)), copy.deepcopy(value)):
+            assert (
+                again == value if not isinstance(value, subcert.Family) else again.specification == value.specification
+            )
+    assert pickle.loads(pickle.dumps(h)).verify().accepted
+    assert pickle.loads(pickle.dumps(subcert.jsr([[[2]]]))).verify().accepted
+
+
+@pytest.mark.parametrize(
+    "call, kind, base",
+    [
+        (lambda: subcert.scheme("primal:n=0"), subcert.UsageError, ValueError),
+        (lambda: subcert.scheme("nothing"), subcert.UsageError, ValueError),
+        (lambda: subcert.mask([1, 1, 1], 2).holder(), subcert.Error, Exception),
+        (lambda: subcert.scheme("primal:n=2").limit(-1), subcert.DomainError, ValueError),
+        (lambda: subcert.scheme("primal:n=2").limit(40), subcert.SizeError, ValueError),
+        (lambda: subcert.scheme("primal:n=2").limit(2, derivative=3), subcert.UndecidedError, RuntimeError),
+        (lambda: subcert.check("absent.toml"), subcert.MissingFileError, OSError),
+        (lambda: subcert.check("x = \n"), subcert.DataError, ValueError),
+        (lambda: subcert.statements("none/at-all"), subcert.UsageError, ValueError),
+        (lambda: subcert.reproduce("no-paper"), subcert.UsageError, ValueError),
+        (lambda: subcert.scheme("primal:n=2").holder(width=0), subcert.DomainError, ValueError),
+    ],
+)
+def test_errors_have_one_line_and_the_right_type(call, kind, base):
+    with pytest.raises(kind) as caught:
+        call()
+    assert isinstance(caught.value, base) and isinstance(caught.value, subcert.Error)
+    assert str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_papers():
+    assert "table1" in subcert.papers()["dyn-2015"]
+    found = subcert.reproduce("dyn-2015", ["table1"])
+    assert len(found) > 5 and {c.verdict for c in found} == {"match"}
+    assert "<table>" in found._repr_html_()
+    [checked] = subcert.check_statements("dyn-2015/eq-2")
+    assert checked.as_recorded
+    answers = subcert.check('[[scheme]]\nmask = "primal:n=3"\nsum_rules = 3\n')
+    assert [a.answer.is_no for a in answers] == [True]
+
+
+def test_pictures():
+    assert "<svg" in subcert.scheme("primal:n=3")._repr_html_()
+    assert "no limit function" in subcert.scheme("four-point:w=1/2")._repr_html_()
+    assert "<td>1/" in subcert.scheme("loop")._repr_html_()
+    assert subcert.scheme("primal:n=2")._repr_latex_().startswith("$a(z) = ")
+    assert subcert.scheme("primal:n=2").holder()._repr_latex_().startswith("$")
+    assert "exact" in subcert.scheme("primal:n=2").holder()._repr_html_()

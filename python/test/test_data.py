@@ -1,0 +1,106 @@
+"""Data in arrays."""
+
+import numpy
+import pytest
+import subcert
+
+numbers = numpy.random.default_rng(7)
+
+
+def test_refined_curves_have_the_shape_of_their_data():
+    points = numbers.normal(size=(11, 2))
+    curve = subcert.scheme("primal:n=3").refine(points, 3, closed=True)
+    assert curve.shape == (88, 2)
+    assert curve.flags.c_contiguous and curve.dtype == numpy.float64
+    for k in range(2):
+        assert numpy.array_equal(curve[:, k], subcert.scheme("primal:n=3").refine(points[:, k], 3, closed=True))
+
+
+def test_polynomials_are_reproduced():
+    x = numpy.arange(20.0)
+    s = subcert.scheme("dd:n=2")
+    refined, [(first, step)] = s.refine(x**3 - x, 2, parameters=True)
+    at = float(first) + float(step) * numpy.arange(len(refined))
+    assert numpy.allclose(refined, at**3 - at, rtol=1e-12, atol=1e-9)
+
+
+def test_surfaces_run_along_the_axes_of_the_array():
+    heights = numbers.normal(size=(9, 13))
+    tensor = subcert.scheme("tensor:(dd:n=2)x(bspline:degree=3)")
+    refined = tensor.refine(heights, 1)
+    rows = subcert.scheme("bspline:degree=3").refine(heights, 1)  # points with 13 coordinates, along axis 0
+    both = subcert.scheme("dd:n=2").refine(rows.T.copy(), 1).T
+    assert refined.shape == both.shape and numpy.allclose(refined, both, atol=1e-12)
+
+
+def test_views_and_integers_are_taken():
+    data = numpy.arange(40).reshape(20, 2)
+    s = subcert.scheme("primal:n=2")
+    assert numpy.array_equal(s.refine(data[:, 0]), s.refine(data[:, 0].astype(float).copy()))
+
+
+@pytest.mark.parametrize(
+    "data, kind, text",
+    [
+        (numpy.zeros((3, 3, 3)), subcert.DomainError, "dimensions"),
+        (numpy.zeros(2), subcert.DomainError, "at least"),
+        ([1, 2, 3, float("nan"), 4, 5, 6], subcert.DataError, "finite"),
+    ],
+)
+def test_bad_data(data, kind, text):
+    with pytest.raises(kind, match=text):
+        subcert.scheme("primal:n=2").refine(data)
+
+
+def test_bad_options():
+    s, data = subcert.scheme("primal:n=2"), numpy.zeros(20)
+    with pytest.raises(subcert.UsageError, match="boundary"):
+        s.refine(data, boundary="glue")
+    with pytest.raises(subcert.SizeError):
+        s.refine(data, 60)
+    with pytest.raises(subcert.DomainError):
+        s.refine(data, -1)
+    with pytest.raises(subcert.UndecidedError, match="no limit"):
+        subcert.scheme("four-point:w=1/2").refine(data, limit=True)
+
+
+def test_smoothing():
+    x = numpy.linspace(0, 1, 200)
+    y = numpy.sin(6 * x) + 0.1 * numbers.normal(size=200)
+    found = subcert.smooth(y, x)
+    assert found.scheme.startswith("primal:n=") and found.candidates[0][0] == found.scheme
+    assert found.values.shape == found.lower.shape == (200,)
+    assert (found.lower < found.values).all() and (found.values < found.upper).all()
+    assert abs(found.values - numpy.sin(6 * x)).max() < 0.15
+    assert numpy.allclose(found.x, x)
+    assert 0.005 < found.noise_variance < 0.02
+    plain = subcert.scheme("primal:n=4").smooth(y, bands=0, level=2)
+    assert plain.lower is None and plain.values.size == 199 * 4 + 1
+    slope = subcert.smooth(y, x, scheme="primal:n=8,d=3", derivative=1)
+    off = abs(slope.values - 6 * numpy.cos(6 * x)) / slope.deviation
+    assert off.max() < 6  # standard deviations, at 200 points
+    weights = [1] * 200
+    weights[77] = 0
+    gap = subcert.smooth(numpy.where(numpy.arange(200) == 77, 1e6, y), weights=weights, scheme="primal:n=4")
+    assert abs(gap.values[77]) < 2
+
+
+def test_smoothing_refuses():
+    y = numpy.zeros(50)
+    with pytest.raises(subcert.DataError, match="uniform"):
+        subcert.smooth(y, numpy.arange(50.0) ** 2)
+    with pytest.raises(subcert.DataError, match="finite"):
+        subcert.smooth(numpy.full(50, numpy.inf))
+    with pytest.raises(subcert.DomainError, match="as many"):
+        subcert.smooth(y, weights=[1, 2])
+    with pytest.raises(subcert.UsageError):
+        subcert.smooth(y, scheme="primal:q=1")
+    with pytest.raises(subcert.DomainError):
+        subcert.smooth(y.reshape(5, 10))
+
+
+def test_outliers():
+    y = numpy.arange(30.0)
+    y[12] = 500
+    found = subcert.smooth(y, scheme="l1:points=8,iterations=30")
+    assert abs(found.values[12] - 12) < 1 and found.deviation is None

@@ -11,7 +11,7 @@ import tempfile
 from typing import Optional, Union
 
 from . import _core
-from ._errors import CertificateError, MissingFileError
+from ._errors import MissingFileError
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -77,13 +77,6 @@ def verify(path: Path) -> Verification:
     arguments = _core.checker_arguments(head, os.fspath(path))
     run = subprocess.run([checker(), *arguments], capture_output=True, text=True, check=False)
     return Verification(run.returncode == 0, (run.stdout + run.stderr).strip())
-
-
-def certificate_of(evidence: object, what: str) -> Certificate:
-    found = evidence.certificate()  # type: ignore[attr-defined]
-    if found is None:
-        raise CertificateError(f"{what}: no evidence that a certificate can hold; ask with certificate=True")
-    return Certificate(*found)
 
 
 def _write(path: Path, text: str) -> None:

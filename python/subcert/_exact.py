@@ -106,7 +106,7 @@ class Decision:
 Ends = tuple[Optional[Fraction], Optional[Fraction]]
 
 
-@dataclasses.dataclass(frozen=True, eq=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class Enclosure:
     """A set lower <= x <= upper that contains the true value. None: no end is proved.
 
@@ -178,6 +178,9 @@ class Enclosure:
 
     def __str__(self) -> str:
         return self.text()
+
+    def __repr__(self) -> str:
+        return f"<Enclosure {self}>"
 
     def _repr_latex_(self) -> str:
         text = self.text()

@@ -26,7 +26,8 @@ class Statement:
     recorded: str
 
     def _repr_markdown_(self) -> str:
-        return f"**{self.id}** ({self.place}): {self.paraphrase}. *{self.recorded}*\n\n{self.printed}"
+        formula = f"\n\n$${self.printed}$$" if self.printed and "$" not in self.printed else f"\n\n{self.printed}"
+        return f"**{self.id}** ({self.place}): {self.paraphrase} *{self.recorded}*{formula}"
 
 
 @dataclasses.dataclass(frozen=True)

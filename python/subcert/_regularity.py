@@ -7,8 +7,9 @@ from fractions import Fraction
 from typing import Any, Callable, Iterable, Optional, Sequence
 
 from . import _core
-from ._certificates import Certificate, Verification, certificate_of
-from ._exact import Decision, Enclosure, Exact, any_to_word, bits_of, fraction, optional_enclosure
+from ._certificates import Certificate, Verification
+from ._errors import CertificateError
+from ._exact import Decision, Enclosure, Exact, Truth, any_to_word, bits_of, fraction, optional_enclosure
 
 Progress = Optional[Callable[[float], Any]]
 """Called ten times a second with the seconds that have passed. An exception that it raises ends the work."""
@@ -35,22 +36,58 @@ class Computation:
 
 
 class _Certified:
-    """Answers that remember their evidence until they are pickled or copied; after that a certificate is computed
-    anew."""
+    """An enclosure with what is known of it. It remembers its evidence until it is pickled or copied; after that a
+    certificate is computed anew."""
 
+    enclosure: Enclosure
+    exact: bool
     _evidence: Any
     _again: Computation
+
+    @property
+    def lower(self) -> Optional[Fraction]:
+        return self.enclosure.lower
+
+    @property
+    def upper(self) -> Optional[Fraction]:
+        return self.enclosure.upper
+
+    def __float__(self) -> float:
+        return float(self.enclosure)
+
+    def __gt__(self, other: Exact) -> Truth:  # type: ignore[misc]
+        return self.enclosure > other
+
+    def __ge__(self, other: Exact) -> Truth:  # type: ignore[misc]
+        return self.enclosure >= other
+
+    def __lt__(self, other: Exact) -> Truth:
+        return self.enclosure < other
+
+    def __le__(self, other: Exact) -> Truth:
+        return self.enclosure <= other
+
+    def __str__(self) -> str:
+        return str(self.enclosure)
+
+    def _repr_latex_(self) -> str:
+        return self.enclosure._repr_latex_()
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self}{', exact' if self.exact else ''}>"
 
     @property
     def certificate(self) -> Certificate:
         """A proof for the independent checker. Computes anew, with the same budget, where the evidence at hand is
         none that a certificate can hold. Raises CertificateError, or the error of the library, where nothing is to be
         had."""
-        evidence = self._evidence
-        if evidence is None or evidence.certificate() is None:
-            evidence = self._again()
-            object.__setattr__(self, "_evidence", evidence)
-        return certificate_of(evidence, type(self).__name__)
+        found = self._evidence.certificate() if self._evidence is not None else None
+        if found is None:
+            object.__setattr__(self, "_evidence", self._again())
+            found = self._evidence.certificate()
+        if found is None:
+            raise CertificateError(f"{self!r}: no evidence that a certificate can hold")
+        return Certificate(*found)
 
     def verify(self) -> Verification:
         """Asks the independent checker about the certificate."""
@@ -67,7 +104,7 @@ def _hidden() -> Any:
     return dataclasses.field(default=None, repr=False, compare=False)
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class JointSpectralRadius(_Certified):
     """A joint spectral radius between two rational numbers.
 
@@ -93,25 +130,8 @@ class JointSpectralRadius(_Certified):
     _evidence: Any = _hidden()
     _again: Any = _hidden()
 
-    @property
-    def lower(self) -> Optional[Fraction]:
-        return self.enclosure.lower
 
-    @property
-    def upper(self) -> Optional[Fraction]:
-        return self.enclosure.upper
-
-    def __float__(self) -> float:
-        return float(self.enclosure)
-
-    def __str__(self) -> str:
-        return str(self.enclosure)
-
-    def _repr_latex_(self) -> str:
-        return self.enclosure._repr_latex_()
-
-
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class HolderExponent(_Certified):
     """The Hoelder exponent of the limits between two rational numbers. No ends where convergence is not proved.
 
@@ -143,35 +163,6 @@ class HolderExponent(_Certified):
     """Of surfaces: the Sobolev exponent."""
     _evidence: Any = _hidden()
     _again: Any = _hidden()
-
-    @property
-    def lower(self) -> Optional[Fraction]:
-        return self.enclosure.lower
-
-    @property
-    def upper(self) -> Optional[Fraction]:
-        return self.enclosure.upper
-
-    def __float__(self) -> float:
-        return float(self.enclosure)
-
-    def __gt__(self, other: Exact) -> Any:
-        return self.enclosure > other
-
-    def __ge__(self, other: Exact) -> Any:
-        return self.enclosure >= other
-
-    def __lt__(self, other: Exact) -> Any:
-        return self.enclosure < other
-
-    def __le__(self, other: Exact) -> Any:
-        return self.enclosure <= other
-
-    def __str__(self) -> str:
-        return str(self.enclosure)
-
-    def _repr_latex_(self) -> str:
-        return self.enclosure._repr_latex_()
 
     def _repr_html_(self) -> str:
         rows = {

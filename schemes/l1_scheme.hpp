@@ -14,7 +14,8 @@ struct L1Options {
   bool joint_residuals = false;  ///< r is the Euclidean norm over the coordinates of a point, else each has its own
 };
 
-/// points = {p}: windows of p consecutive data; points = {p, q}: p columns times q rows of a grid. Along each axis an
+/// points = {p}: windows of p consecutive data; {p, q}: p columns times q rows of a grid; {p, q, r}: the same in r
+/// layers. Along each axis an
 /// even number 2n takes the data -n+1, ..., n and gives the outputs at 1/4 and 3/4, an odd number 2n+1 takes -n, ..., n
 /// and gives -1/4 and 1/4. Ref: [MLZD15, eq. (4), (10), App. A.2, Lemma 1], [MH, sec. 2].
 struct L1Scheme {

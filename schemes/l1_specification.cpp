@@ -4,6 +4,8 @@
 
 #include <subcert/analysis/symbol/decimal.hpp>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace subcert {
@@ -12,6 +14,7 @@ namespace {
 using namespace specification_text;
 
 constexpr std::string_view family_name = "l1";
+constexpr long most_points[] = {64, 16, 8};  // along an axis of a curve, a grid, a volume
 const std::string l1_usage = "l1:points=6,d=1,iterations=6,delta=1e-8";
 
 Rational read_number(const Piece& piece, const std::string& name, bool zero_allowed) {
@@ -24,16 +27,14 @@ Rational read_number(const Piece& piece, const std::string& name, bool zero_allo
 
 std::vector<int> read_points(const Piece& piece) {
   const std::vector<Piece> axes = split(piece, 'x');
-  if (axes.size() > 2) fail(piece, "points of a curve, as 6, or of a grid, as 6x6");
+  if (axes.size() > 3) fail(piece, "points of a curve, as 6, of a grid, as 6x6, or of a volume, as 4x4x4");
   std::vector<int> points;
   for (const Piece& axis : axes)
-    points.push_back(static_cast<int>(read_integer(axis, "points", 2, axes.size() == 1 ? 64 : 16)));
+    points.push_back(static_cast<int>(read_integer(axis, "points", 2, most_points[axes.size() - 1])));
   return points;
 }
 
-std::string points_text(const std::vector<int>& points) {
-  return std::to_string(points[0]) + (points.size() == 2 ? "x" + std::to_string(points[1]) : "");
-}
+std::string points_text(const std::vector<int>& points) { return fmt::format("{}", fmt::join(points, "x")); }
 
 }  // namespace
 

@@ -39,7 +39,7 @@ struct MultivariateScheme {
   std::vector<Mask> factors = {};  ///< of a tensor product, first variable first; else none
 };
 
-/// A data-dependent scheme of one or two variables. It has no mask and only acts on data.
+/// A data-dependent scheme of one to three variables. It has no mask and only acts on data.
 struct DataDependentScheme {
   std::string specification;
   std::string title;
@@ -60,9 +60,10 @@ LinearScheme make_linear_scheme(std::string_view specification);
 /// Whether the text names the family l1.
 bool is_l1_specification(std::string_view specification);
 
-/// Reads `l1:points=P[xQ]` with the optional keys d (1), iterations (6), delta (1e-8, decimal or p/q), tolerance (0,
-/// the same) and residuals (separate or joint). Domain: 2, ..., 64 points on curves, 2, ..., 16 along each axis of a
-/// grid; d < points, at most 3; at most 10^6 iterations; delta from 1e-300 to 1e300. Errors: throws SpecificationError.
+/// Reads `l1:points=P[xQ[xR]]` with the optional keys d (1), iterations (6), delta (1e-8, decimal or p/q), tolerance
+/// (0, the same) and residuals (separate or joint). Domain: 2, ..., 64 points on curves, 2, ..., 16 along each axis of
+/// a grid; d < points, at most 3; at most 10^6 iterations; delta from 1e-300 to 1e300. Errors: throws
+/// SpecificationError.
 DataDependentScheme make_l1_scheme(std::string_view specification);
 
 /// Reads any specification: make_l1_scheme or make_linear_scheme.

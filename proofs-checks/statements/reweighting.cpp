@@ -68,7 +68,7 @@ void add_sums(Values& to, const std::string& name, const std::vector<Formula>& t
 }
 
 Rational library_value(const WeightedWindow& window, int degree, const Rational& x, const Rational& y) {
-  std::vector<data::LatticePoint> nodes;
+  std::vector<data::Position> nodes;
   for (const auto& [r, s] : window.nodes) nodes.push_back({r, s});
   return data::weighted_fit(data::RegressionWindow(nodes, degree, {{x, y}}), window.weights, window.data).front();
 }

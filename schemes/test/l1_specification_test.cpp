@@ -38,7 +38,8 @@ TEST_CASE("bad l1 specifications name the token, its position and what would be 
   CHECK_THAT(message("l1:d=1"), contains("expected the key 'points'"));
   CHECK_THAT(message("l1:points=1"), contains("position 11: '1'; expected points as an integer from 2 to 64"));
   CHECK_THAT(message("l1:points=6x17"), contains("position 13: '17'; expected points as an integer from 2 to 16"));
-  CHECK_THAT(message("l1:points=6x6x6"), contains("points of a curve, as 6, or of a grid, as 6x6"));
+  CHECK_THAT(message("l1:points=6x6x6x6"), contains("of a grid, as 6x6, or of a volume, as 4x4x4"));
+  CHECK_THAT(message("l1:points=4x9x4"), contains("position 13: '9'; expected points as an integer from 2 to 8"));
   CHECK_THAT(message("l1:points=6,d=4"), contains("position 15: '4'; expected d as an integer from 0 to 3"));
   CHECK_THAT(message("l1:points=2,d=2"), contains("expected d as an integer from 0 to 1"));
   CHECK_THAT(message("l1:points=6,delta=0"), contains("position 19: '0'; expected delta from 1e-300 to 1e300"));

@@ -100,9 +100,9 @@ bool weights_do_not_matter(const Method& method) {
       weights.push_back(power(Rational(1 + (5 * i + 3 * trial) % 11, 1 + (7 * i + trial) % 13), 3));
     for (int k = 0; k <= scheme.degree; ++k) {
       std::vector<Rational> data, wanted;
-      for (const data::LatticePoint& node : window.node_points())
-        data.push_back(k == 0 ? Rational(1) : node.x == 0 ? Rational(0) : power(node.x, k));
-      for (const data::LatticePoint& output : window.output_points()) wanted.push_back(power(output.x, k));
+      for (const data::Position& node : window.node_points())
+        data.push_back(k == 0 ? Rational(1) : node[0] == 0 ? Rational(0) : power(node[0], k));
+      for (const data::Position& output : window.output_points()) wanted.push_back(power(output[0], k));
       if (data::weighted_fit(window, weights, data) != wanted) return false;
     }
   }

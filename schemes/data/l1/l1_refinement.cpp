@@ -5,13 +5,16 @@
 #include <subcert/analysis/symbol/parallel.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace subcert::data {
 namespace {
 
+constexpr std::size_t most_axes = 3;
+
 void require_sizes(const L1Scheme& scheme) {
-  if (scheme.points.empty() || scheme.points.size() > 2)
-    fail(ErrorKind::domain, "l1 scheme: need one or two numbers of points, got {}", scheme.points.size());
+  require(!scheme.points.empty() && scheme.points.size() <= most_axes,
+          "l1 scheme: need one to three numbers of points, got {}", scheme.points.size());
   for (const int points : scheme.points)
     if (points < 2 || points <= scheme.degree)
       fail(ErrorKind::domain, "l1 scheme: need points >= 2 and points > degree = {}, got {}", scheme.degree, points);
@@ -25,10 +28,18 @@ Rational output_at(int points, long phase) {
   return (points % 2 == 0 ? Rational(1, 4) : Rational(-1, 4)) + Rational(phase, 2);
 }
 
-std::vector<LatticePoint> product(const std::vector<Rational>& xs, const std::vector<Rational>& ys) {
-  std::vector<LatticePoint> points;
-  for (const Rational& y : ys)
-    for (const Rational& x : xs) points.push_back({x, y});
+/// All points with these coordinates, the first running fastest.
+std::vector<Position> product(const std::vector<std::vector<Rational>>& coordinates) {
+  std::vector<Position> points{{}};
+  for (std::size_t k = coordinates.size(); k-- > 0;) {
+    std::vector<Position> longer;
+    for (const Position& rest : points)
+      for (const Rational& x : coordinates[k]) {
+        Position& point = longer.emplace_back(Position{x});
+        point.insert(point.end(), rest.begin(), rest.end());
+      }
+    points = std::move(longer);
+  }
   return points;
 }
 
@@ -112,20 +123,34 @@ AxisPlan plan_axis(Axis axis, int points, Boundary boundary) {
   return plan;
 }
 
+/// One for each of three axes.
+template <class T>
+using PerAxis = std::array<T, most_axes>;
+
 /// One window class along each axis, and where its parts lie in the padded data and in the output.
 struct Job {
   L1Fitter fitter;
-  const WindowClass* x;
-  const WindowClass* y;
+  PerAxis<const WindowClass*> classes;
   std::vector<std::size_t> node_offsets;
   std::vector<std::size_t> output_offsets;
+  std::size_t windows;
 };
 
-struct Sizes {
-  std::size_t columns;  ///< of the padded data
-  std::size_t out_columns;
+/// How far apart neighbours along an axis are, in the padded data and in the output.
+struct Strides {
+  PerAxis<std::size_t> source;
+  PerAxis<std::size_t> out;
   std::size_t dimension;
 };
+
+/// Where the points of a box lie, the first axis running fastest.
+std::vector<std::size_t> offsets(const PerAxis<std::size_t>& counts, const PerAxis<std::size_t>& strides) {
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < counts[2]; ++k)
+    for (std::size_t j = 0; j < counts[1]; ++j)
+      for (std::size_t i = 0; i < counts[0]; ++i) result.push_back(k * strides[2] + j * strides[1] + i * strides[0]);
+  return result;
+}
 
 std::vector<Rational> integers(std::size_t count) {
   std::vector<Rational> result;
@@ -141,26 +166,27 @@ std::vector<Rational> positions(const WindowClass& windows, int points) {
   return result;
 }
 
-Job make_job(const L1Scheme& scheme, const WindowClass& x, const WindowClass& y, const Sizes& sizes) {
-  const bool grid = scheme.points.size() == 2;
-  const auto p = static_cast<std::size_t>(scheme.points[0]), q = grid ? static_cast<std::size_t>(scheme.points[1]) : 1;
-  const RegressionWindow window(
-      product(integers(p), integers(q)), scheme.degree,
-      product(positions(x, scheme.points[0]), grid ? positions(y, scheme.points[1]) : integers(1)));
-  Job job{L1Fitter(window, scheme.options), &x, &y, {}, {}};
-  for (std::size_t j = 0; j < q; ++j)
-    for (std::size_t i = 0; i < p; ++i) job.node_offsets.push_back((j * sizes.columns + i) * sizes.dimension);
-  for (std::size_t j = 0; j < y.outputs; ++j)
-    for (std::size_t i = 0; i < x.outputs; ++i)
-      job.output_offsets.push_back((j * sizes.out_columns + i) * sizes.dimension);
-  return job;
+Job make_job(const L1Scheme& scheme, const PerAxis<const WindowClass*>& classes, const Strides& strides) {
+  std::vector<std::vector<Rational>> nodes, outputs;
+  PerAxis<std::size_t> node_counts{1, 1, 1}, output_counts{1, 1, 1};
+  std::size_t windows = 1;
+  for (std::size_t k = 0; k < scheme.points.size(); ++k) {
+    node_counts[k] = static_cast<std::size_t>(scheme.points[k]);
+    output_counts[k] = classes[k]->outputs;
+    windows *= classes[k]->windows;
+    nodes.push_back(integers(node_counts[k]));
+    outputs.push_back(positions(*classes[k], scheme.points[k]));
+  }
+  const RegressionWindow window(product(nodes), scheme.degree, product(outputs));
+  return {L1Fitter(window, scheme.options), classes, offsets(node_counts, strides.source),
+          offsets(output_counts, strides.out), windows};
 }
 
 /// Fits the windows begin, ..., end - 1 of a job.
-void fit_range(const Job& job, const Sizes& sizes, const std::vector<double>& data, std::size_t begin, std::size_t end,
-               std::vector<double>& out) {
+void fit_range(const Job& job, const Strides& strides, const std::vector<double>& data, std::size_t begin,
+               std::size_t end, std::vector<double>& out) {
   constexpr std::size_t lanes = L1Fitter::lanes;
-  const std::size_t joint = job.fitter.options().joint_residuals ? sizes.dimension : 1;  // coordinates in one call
+  const std::size_t joint = job.fitter.options().joint_residuals ? strides.dimension : 1;  // coordinates in one call
   const std::size_t nodes = job.node_offsets.size(), outputs = job.output_offsets.size();
   std::vector<double> in(nodes * joint * lanes), fits(outputs * joint * lanes);
   L1Fitter::Workspace workspace;
@@ -168,15 +194,17 @@ void fit_range(const Job& job, const Sizes& sizes, const std::vector<double>& da
     const std::size_t used = std::min(lanes, end - window);
     std::size_t from[lanes], to[lanes];
     for (std::size_t l = 0; l < lanes; ++l) {
-      const std::size_t w = window + std::min(l, used - 1);
-      const std::size_t x = w % job.x->windows, y = w / job.x->windows;
-      from[l] = ((static_cast<std::size_t>(job.y->start) + y) * sizes.columns + static_cast<std::size_t>(job.x->start) +
-                 x) *
-                sizes.dimension;
-      to[l] = ((job.y->out + y * job.y->outputs) * sizes.out_columns + job.x->out + x * job.x->outputs) *
-              sizes.dimension;
+      std::size_t w = window + std::min(l, used - 1);
+      from[l] = to[l] = 0;
+      for (std::size_t k = 0; k < most_axes; ++k) {
+        const WindowClass& along = *job.classes[k];
+        const std::size_t step = w % along.windows;
+        w /= along.windows;
+        from[l] += (static_cast<std::size_t>(along.start) + step) * strides.source[k];
+        to[l] += (along.out + step * along.outputs) * strides.out[k];
+      }
     }
-    for (std::size_t first = 0; first < sizes.dimension; first += joint) {
+    for (std::size_t first = 0; first < strides.dimension; first += joint) {
       for (std::size_t c = 0; c < joint; ++c)
         for (std::size_t i = 0; i < nodes; ++i)
           for (std::size_t l = 0; l < lanes; ++l)
@@ -192,43 +220,51 @@ void fit_range(const Job& job, const Sizes& sizes, const std::vector<double>& da
 
 constexpr std::size_t windows_per_thread = 4096;
 
-void run_job(const Job& job, const Sizes& sizes, const std::vector<double>& data, int threads,
+void run_job(const Job& job, const Strides& strides, const std::vector<double>& data, int threads,
              std::vector<double>& out) {
-  const std::size_t windows = job.x->windows * job.y->windows;
   constexpr std::size_t lanes = L1Fitter::lanes;
-  parallel_ranges((windows + lanes - 1) / lanes, windows / windows_per_thread, threads,
+  parallel_ranges((job.windows + lanes - 1) / lanes, job.windows / windows_per_thread, threads,
                   [&](std::size_t begin, std::size_t end) {
-                    fit_range(job, sizes, data, begin * lanes, std::min(end * lanes, windows), out);
+                    fit_range(job, strides, data, begin * lanes, std::min(end * lanes, job.windows), out);
                   });
 }
 
 /// The data with the places that windows read beyond the ends.
-std::vector<double> padded(const GridData<double>& data, const AxisPlan& x, const AxisPlan& y) {
+std::vector<double> padded(const GridData<double>& data, const PerAxis<AxisPlan>& plans) {
+  const std::size_t columns = data.axes[0].count, rows = data.axes.size() > 1 ? data.axes[1].count : 1;
   std::vector<double> result;
-  result.reserve(x.sources.size() * y.sources.size() * data.dimension);
-  for (const std::size_t j : y.sources)
-    for (const std::size_t i : x.sources) {
-      const double* point = data.values.data() + (j * data.axes[0].count + i) * data.dimension;
-      result.insert(result.end(), point, point + data.dimension);
-    }
+  result.reserve(plans[0].sources.size() * plans[1].sources.size() * plans[2].sources.size() * data.dimension);
+  for (const std::size_t k : plans[2].sources)
+    for (const std::size_t j : plans[1].sources)
+      for (const std::size_t i : plans[0].sources) {
+        const double* point = data.values.data() + ((k * rows + j) * columns + i) * data.dimension;
+        result.insert(result.end(), point, point + data.dimension);
+      }
   return result;
 }
 
-/// A curve is a grid with one row that no window passes.
+/// A curve is a grid with one row, and a grid a volume with one layer, that no window passes.
 const AxisPlan single_row{Axis::of(1), {0}, {{0, 1, 0, 1, 0}}};
 
 GridData<double> refine_once(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options) {
-  const AxisPlan x = plan_axis(data.axes[0], scheme.points[0], options.boundary);
-  const bool grid = scheme.points.size() == 2;
-  const AxisPlan y = grid ? plan_axis(data.axes[1], scheme.points[1], options.boundary) : single_row;
-  GridData<double> result{{}, data.dimension, {x.output}};
-  if (grid) result.axes.push_back(y.output);
+  PerAxis<AxisPlan> plans{single_row, single_row, single_row};
+  GridData<double> result{{}, data.dimension, {}};
+  Strides strides{{data.dimension}, {data.dimension}, data.dimension};
+  for (std::size_t k = 0; k < most_axes; ++k) {
+    if (k < scheme.points.size()) {
+      plans[k] = plan_axis(data.axes[k], scheme.points[k], options.boundary);
+      result.axes.push_back(plans[k].output);
+    }
+    if (k + 1 == most_axes) break;
+    strides.source[k + 1] = strides.source[k] * plans[k].sources.size();
+    strides.out[k + 1] = strides.out[k] * plans[k].output.count;
+  }
   result.values.resize(result.points() * result.dimension);
-  const std::vector<double> source = padded(data, x, y);
-  const Sizes sizes{x.sources.size(), x.output.count, data.dimension};
-  for (const WindowClass& cy : y.classes)
-    for (const WindowClass& cx : x.classes)
-      run_job(make_job(scheme, cx, cy, sizes), sizes, source, options.threads, result.values);
+  const std::vector<double> source = padded(data, plans);
+  for (const WindowClass& cz : plans[2].classes)
+    for (const WindowClass& cy : plans[1].classes)
+      for (const WindowClass& cx : plans[0].classes)
+        run_job(make_job(scheme, {&cx, &cy, &cz}, strides), strides, source, options.threads, result.values);
   return result;
 }
 
@@ -236,17 +272,13 @@ GridData<double> refine_once(const GridData<double>& data, const L1Scheme& schem
 
 RegressionWindow l1_window(const L1Scheme& scheme) {
   require_sizes(scheme);
-  const auto nodes = [](int points) {
-    std::vector<Rational> result;
-    for (int i = 0; i < points; ++i) result.emplace_back(first_node(points) + i);
-    return result;
-  };
-  const auto outputs = [](int points) { return std::vector<Rational>{output_at(points, 0), output_at(points, 1)}; };
-  const std::vector<Rational> zero{0};
-  const int p = scheme.points[0];
-  if (scheme.points.size() == 1) return {product(nodes(p), zero), scheme.degree, product(outputs(p), zero)};
-  const int q = scheme.points[1];
-  return {product(nodes(p), nodes(q)), scheme.degree, product(outputs(p), outputs(q))};
+  std::vector<std::vector<Rational>> nodes, outputs;
+  for (const int points : scheme.points) {
+    std::vector<Rational>& along = nodes.emplace_back();
+    for (int i = 0; i < points; ++i) along.emplace_back(first_node(points) + i);
+    outputs.push_back({output_at(points, 0), output_at(points, 1)});
+  }
+  return {product(nodes), scheme.degree, product(outputs)};
 }
 
 LocalRegression l1_linear_part(const L1Scheme& scheme) {
@@ -262,7 +294,7 @@ GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, co
           scheme.points.size(), data.axes.size());
   require(data.is_canonical(), "refine: need points * dimension values");
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
-  require_refinable(data.values.size(), scheme.points.size() == 2 ? 4 : 2, options.levels);
+  require_refinable(data.values.size(), 1L << scheme.points.size(), options.levels);
   GridData<double> result = data;
   for (int level = 0; level < options.levels; ++level) result = refine_once(result, scheme, options);
   return result;

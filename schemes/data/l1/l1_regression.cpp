@@ -2,6 +2,7 @@
 
 #include "reweighted_step.hpp"
 
+#include <subcert/analysis/symbol/dilation.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
@@ -12,20 +13,35 @@ namespace {
 
 constexpr int max_degree = 3;
 
-bool is_line(const std::vector<LatticePoint>& nodes) {
-  return std::all_of(nodes.begin(), nodes.end(), [](const LatticePoint& node) { return node.y == 0; });
+/// The coordinates in which the nodes differ.
+std::vector<std::size_t> free_coordinates(const std::vector<Position>& nodes) {
+  std::vector<std::size_t> result;
+  for (std::size_t v = 0; v < nodes.front().size(); ++v)
+    if (std::any_of(nodes.begin(), nodes.end(), [&](const Position& node) { return node[v] != nodes.front()[v]; }))
+      result.push_back(v);
+  return result;
 }
 
-/// The monomials of total degree at most `degree` at the points, lower degrees first; about the centre `c`.
-std::vector<std::vector<Rational>> monomials(const std::vector<LatticePoint>& points, int degree, bool line,
-                                             const LatticePoint& c) {
+/// The monomials of total degree at most `degree` in these coordinates at the points, lower degrees first; about the
+/// centre.
+std::vector<std::vector<Rational>> monomials(const std::vector<Position>& points, int degree,
+                                             const std::vector<std::size_t>& coordinates, const Position& centre) {
   std::vector<std::vector<Rational>> result;
-  for (int total = 0; total <= degree; ++total)
-    for (int b = 0; b <= (line ? 0 : total); ++b) {
+  for (int total = 0; total <= (coordinates.empty() ? 0 : degree); ++total) {
+    std::vector<LatticePoint> exponents{{}};
+    if (!coordinates.empty()) exponents = exponents_of_degree(coordinates.size(), total);
+    std::reverse(exponents.begin(), exponents.end());
+    for (const LatticePoint& powers : exponents) {
       std::vector<Rational> values;
-      for (const LatticePoint& p : points) values.push_back(power(p.x - c.x, total - b) * power(p.y - c.y, b));
-      result.push_back(values);
+      for (const Position& p : points) {
+        Rational value = 1;
+        for (std::size_t k = 0; k < coordinates.size(); ++k)
+          value *= power(p[coordinates[k]] - centre[coordinates[k]], powers[k]);
+        values.push_back(value);
+      }
+      result.push_back(std::move(values));
     }
+  }
   return result;
 }
 
@@ -39,27 +55,29 @@ void subtract(std::vector<Rational>& a, const Rational& factor, const std::vecto
   for (std::size_t i = 0; i < a.size(); ++i) a[i] -= factor * b[i];
 }
 
-LatticePoint centre(const std::vector<LatticePoint>& nodes) {
-  LatticePoint sum{0, 0};
-  for (const LatticePoint& node : nodes) {
-    sum.x += node.x;
-    sum.y += node.y;
-  }
-  return {sum.x / Rational(nodes.size()), sum.y / Rational(nodes.size())};
+Position centre(const std::vector<Position>& nodes) {
+  Position sum(nodes.front().size(), 0);
+  for (const Position& node : nodes)
+    for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += node[v] / Rational(nodes.size());
+  return sum;
 }
 
 }  // namespace
 
-RegressionWindow::RegressionWindow(std::vector<LatticePoint> nodes, int degree, std::vector<LatticePoint> outputs)
+RegressionWindow::RegressionWindow(std::vector<Position> nodes, int degree, std::vector<Position> outputs)
     : nodes_(std::move(nodes)), outputs_(std::move(outputs)), degree_(degree) {
   if (degree < 0 || degree > max_degree)
     fail(ErrorKind::domain, "RegressionWindow: need 0 <= degree <= 3, got {}", degree);
   if (nodes_.empty() || outputs_.empty())
     fail(ErrorKind::domain, "RegressionWindow: need at least one node and one output");
-  const bool line = is_line(nodes_);
-  const LatticePoint c = centre(nodes_);
-  at_nodes_ = monomials(nodes_, degree, line, c);
-  at_outputs_ = monomials(outputs_, degree, line, c);
+  for (const auto* points : {&nodes_, &outputs_})
+    for (const Position& point : *points)
+      require(point.size() == nodes_.front().size(), "RegressionWindow: need {} coordinates everywhere, got {}",
+              nodes_.front().size(), point.size());
+  const std::vector<std::size_t> coordinates = free_coordinates(nodes_);
+  const Position c = centre(nodes_);
+  at_nodes_ = monomials(nodes_, degree, coordinates, c);
+  at_outputs_ = monomials(outputs_, degree, coordinates, c);
   for (std::size_t k = 0; k < at_nodes_.size(); ++k) {
     for (std::size_t l = 0; l < k; ++l) {
       const Rational factor = dot(at_nodes_[k], at_nodes_[l]) / dot(at_nodes_[l], at_nodes_[l]);

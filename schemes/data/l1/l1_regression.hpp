@@ -9,36 +9,33 @@
 
 namespace subcert::data {
 
-/// A point of the lattice of the data, in one variable (y = 0) or two.
-struct LatticePoint {
-  Rational x;
-  Rational y = 0;
-};
+/// Where a datum or an output stands: a coordinate for each variable, in spacings of the data.
+using Position = std::vector<Rational>;
 
 /// Data positions, polynomials and the positions at which a fit is evaluated, with a basis of the polynomials that is
 /// orthogonal on the data positions. Canonical: the first basis polynomial is 1, each has largest modulus 1 on `nodes`.
 class RegressionWindow {
  public:
-  /// Polynomials of total degree at most `degree`, in x alone where all nodes have y = 0.
-  /// Domain: degree 0, ..., 3; at least one output; the nodes determine the polynomials. Errors: throws
-  /// a domain error that names the broken inequality.
-  RegressionWindow(std::vector<LatticePoint> nodes, int degree, std::vector<LatticePoint> outputs);
+  /// Polynomials of total degree at most `degree` in the coordinates that are not the same for all nodes.
+  /// Domain: degree 0, ..., 3; at least one output; as many coordinates everywhere; the nodes determine the
+  /// polynomials. Errors: throws a domain error that names the broken inequality.
+  RegressionWindow(std::vector<Position> nodes, int degree, std::vector<Position> outputs);
 
   std::size_t nodes() const { return nodes_.size(); }
   std::size_t outputs() const { return outputs_.size(); }
   /// The number of basis polynomials.
   std::size_t terms() const { return at_nodes_.size(); }
   int degree() const { return degree_; }
-  const std::vector<LatticePoint>& node_points() const { return nodes_; }
-  const std::vector<LatticePoint>& output_points() const { return outputs_; }
+  const std::vector<Position>& node_points() const { return nodes_; }
+  const std::vector<Position>& output_points() const { return outputs_; }
 
   /// [k][i]: the k-th basis polynomial at node i, at output i.
   const std::vector<std::vector<Rational>>& at_nodes() const { return at_nodes_; }
   const std::vector<std::vector<Rational>>& at_outputs() const { return at_outputs_; }
 
  private:
-  std::vector<LatticePoint> nodes_;
-  std::vector<LatticePoint> outputs_;
+  std::vector<Position> nodes_;
+  std::vector<Position> outputs_;
   int degree_;
   std::vector<std::vector<Rational>> at_nodes_;
   std::vector<std::vector<Rational>> at_outputs_;

@@ -122,6 +122,41 @@ TEST_CASE("grids reproduce polynomials of total degree up to the ends and keep r
       }
 }
 
+TEST_CASE("volumes reproduce polynomials of total degree, and are grids where nothing depends on a variable") {
+  const std::vector<int> points{4, 5, 3};
+  for (const Boundary boundary : reproducing)
+    for (int degree = 0; degree <= 2; ++degree) {
+      const auto p = [&](double x, double y, double z) {
+        return degree == 0 ? 1 : std::pow(x - 2 * y + z / 2, degree) + x - z;
+      };
+      GridData<double> data{{}, 1, {Axis::of(6), Axis::of(7), Axis::of(5)}};
+      for (int k = 0; k < 5; ++k)
+        for (int j = 0; j < 7; ++j)
+          for (int i = 0; i < 6; ++i) data.values.push_back(p(i, j, k));
+      const GridData<double> fine = refine(data, {points, degree}, {1, boundary, 2});
+      REQUIRE(fine.is_canonical());
+      std::size_t at = 0;
+      for (std::size_t k = 0; k < fine.axes[2].count; ++k)
+        for (std::size_t j = 0; j < fine.axes[1].count; ++j)
+          for (std::size_t i = 0; i < fine.axes[0].count; ++i)
+            CHECK(fine.values[at++] ==
+                  Approx(p(parameter(fine, 0, i), parameter(fine, 1, j), parameter(fine, 2, k))).margin(1e-9));
+    }
+  Random random;
+  std::vector<double> values;
+  for (int i = 0; i < 7 * 6; ++i) values.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
+  for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::periodic}) {
+    const GridData<double> grid{values, 1, {Axis::of(7), Axis::of(6)}};
+    const GridData<double> flat = refine(grid, {{5, 4}, 1}, {1, boundary});
+    GridData<double> volume{{}, 1, {Axis::of(7), Axis::of(6), Axis::of(4)}};
+    for (int k = 0; k < 4; ++k) volume.values.insert(volume.values.end(), values.begin(), values.end());
+    const GridData<double> fine = refine(volume, {{5, 4, 3}, 1}, {1, boundary});
+    REQUIRE(fine.values.size() == fine.axes[2].count * flat.values.size());
+    for (std::size_t i = 0; i < fine.values.size(); ++i)
+      CHECK(fine.values[i] == Approx(flat.values[i % flat.values.size()]).margin(1e-9));
+  }
+}
+
 TEST_CASE("without reweighting the schemes refine as the linear ones, with every boundary") {
   Random random;
   for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::periodic, Boundary::shrink})
@@ -222,6 +257,6 @@ TEST_CASE("sizes of the schemes on data are checked") {
   CHECK_THROWS_WITH(refine(curve({1, 2, 3, 4, 5}), L1Scheme{{4, 4}, 1}, {}), contains("got 2 for 1"));
   CHECK_THROWS_WITH(refine(curve({1, 2, 3}), L1Scheme{{2}, 1}, {-1}), contains("levels >= 0, got -1"));
   CHECK_FAILS(refine(curve({1, 2, 3}), L1Scheme{{2}, 1}, {100'000'000}), size);
-  CHECK_THROWS_WITH(l1_window({{}, 1}), contains("one or two"));
+  CHECK_THROWS_WITH(l1_window({{}, 1}), contains("one to three"));
   CHECK_THROWS_WITH(l1_impulse_response({{6}, 1}, 17), contains("level <= 16"));
 }

@@ -4,6 +4,8 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/limit/multivariate_limit_values.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
@@ -13,11 +15,14 @@ namespace subcert::python {
 namespace {
 
 /// Refuses what has no proof: values of a limit that may not exist.
-void require_derivatives(const Scheme& scheme, int order) {
-  const Decision convergence = converges(scheme.mask);
+void require_convergence(const std::string& scheme, const Decision& convergence) {
   if (!convergence.is_yes())
     fail(convergence.is_no() ? ErrorKind::domain : ErrorKind::undecided, "{}: no limit function; convergence: {} ({})",
-         scheme.specification, to_text(convergence.truth), convergence.reason);
+         scheme, to_text(convergence.truth), convergence.reason);
+}
+
+void require_derivatives(const Scheme& scheme, int order) {
+  require_convergence(scheme.specification, converges(scheme.mask));
   if (order == 0) return;
   const SmoothnessProof smoothness = proved_smoothness(scheme.mask);
   if (smoothness.order < order)
@@ -31,6 +36,25 @@ LimitValues values_of(const Scheme& scheme, int level, int order, const py::obje
     require_derivatives(scheme, order);
     return limit_values(scheme.mask, level, order);
   });
+}
+
+/// The points M^-level i and the values there, where they are not 0.
+std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> surface_values_of(const MultivariateScheme& scheme,
+                                                                                       int level, double budget) {
+  require(level >= 0, "limit: need level >= 0, got {}", level);
+  const Budget limits{Deadline::in(budget)};
+  const Decision convergence = (scheme.factors.empty() ? multivariate_regularity(scheme.mask, limits)
+                                                       : tensor_product_regularity(scheme.factors, limits))
+                                   .converges;
+  require_convergence(scheme.specification, convergence);
+  std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> result;
+  for (const auto& [index, value] :
+       scheme.factors.empty() ? limit_values(scheme.mask, level) : tensor_product_limit_values(scheme.factors, level)) {
+    std::vector<Rational>& point = result.first.emplace_back(index.begin(), index.end());
+    for (int n = 0; n < level; ++n) point = scheme.mask.dilation().inverse_times(point);
+    result.second.push_back(value);
+  }
+  return result;
 }
 
 }  // namespace
@@ -49,6 +73,10 @@ void add_limits(py::module_& module) {
     }
     return py::make_tuple(array_of(std::move(x)), array_of(std::move(y)));
   });
+  module.def("surface_limit_values",
+             [](const MultivariateScheme& scheme, int level, double budget, const py::object& progress) {
+               return interruptible(progress, [&] { return surface_values_of(scheme, level, budget); });
+             });
   module.def("limit_range", [](const Scheme& scheme, const Rational& width, double budget, const py::object& progress) {
     const LimitRange range = interruptible(progress, [&] {
       require_derivatives(scheme, 0);

@@ -327,6 +327,29 @@ class MultivariateScheme(_Named):
         again = Computation("surface_holder", (*arguments, True, None))
         return exponent_of(_core.surface_holder(*arguments, certificate, progress), again)
 
+    def converges(self, budget: float = 60, progress: Progress = None) -> Decision:
+        """Whether the scheme converges uniformly for all bounded data."""
+        return self.holder(budget, progress=progress).converges
+
+    def limit(
+        self, level: int = 2, *, exact: bool = False, budget: float = 60, progress: Progress = None
+    ) -> tuple[Any, Any]:
+        """The points M^-level i, i with integer coordinates, at which the basic limit function is not 0, and its values
+        there: arrays of numpy of shape (n, dimension) and (n,), or with `exact` lists of Fractions. Errors: as those of
+        Scheme.limit.
+
+        >>> import subcert
+        >>> points, values = subcert.scheme("loop").limit(0, exact=True)
+        >>> sum(values), max(values)
+        (Fraction(1, 1), Fraction(1, 2))
+        """
+        points, values = _core.surface_limit_values(self._handle, level, budget, progress)
+        if exact:
+            return [tuple(point) for point in points], values
+        import numpy
+
+        return numpy.array(points, dtype=float), numpy.array(values, dtype=float)
+
     def _repr_html_(self) -> str:
         return _display.surface_html(self)
 

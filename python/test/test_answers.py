@@ -74,6 +74,10 @@ def test_surfaces():
     tensor = subcert.scheme("tensor:(primal:n=3)x(primal:n=3)")
     assert tensor.holder().enclosure.lower == subcert.scheme("primal:n=3").holder().enclosure.lower
     assert sum(tensor.mask.values()) == 4
+    points, values = tensor.limit(2)
+    assert points.shape == (values.size, 2) and abs(values.sum() - 16) < 1e-9
+    exact = subcert.scheme("quincunx").limit(3, exact=True)
+    assert sum(exact[1]) == 8 and len(exact[0]) == len(exact[1])
 
 
 @pytest.mark.parametrize(

@@ -13,17 +13,17 @@ namespace subcert {
 /// expire once the flag is set. Scopes may be nested; the innermost counts. Domain: the flag outlives those deadlines.
 class StopScope {
  public:
-  explicit StopScope(const std::atomic<bool>* flag) : outer_(current_) { current_ = flag; }
+  explicit StopScope(const std::atomic<bool>* flag) : outer_(innermost) { innermost = flag; }
   StopScope(const StopScope&) = delete;
   StopScope& operator=(const StopScope&) = delete;
-  ~StopScope() { current_ = outer_; }
+  ~StopScope() { innermost = outer_; }
 
   /// The flag of the innermost scope of this thread, or null.
-  static const std::atomic<bool>* current() { return current_; }
+  static const std::atomic<bool>* current() { return innermost; }
 
  private:
   const std::atomic<bool>* outer_;
-  static inline thread_local const std::atomic<bool>* current_ = nullptr;
+  static inline thread_local const std::atomic<bool>* innermost = nullptr;
 };
 
 /// The moment at which work ends with what it has. Seconds are of wall clock.

@@ -21,6 +21,7 @@ const char* exception_of(ErrorKind kind) {
   }
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 asks for this signature
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);

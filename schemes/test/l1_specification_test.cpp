@@ -5,7 +5,7 @@ using namespace subcert;
 
 TEST_CASE("l1 specifications are read and printed back in canonical form") {
   const auto canonical = [](const char* text) {
-    const std::string once = make_l1_scheme(text).specification;
+    std::string once = make_l1_scheme(text).specification;
     CHECK(make_l1_scheme(once).specification == once);
     return once;
   };

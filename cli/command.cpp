@@ -28,6 +28,17 @@ ExitCode exit_code(ErrorKind kind) {
   return usage;
 }
 
+std::string exit_code_help() {
+  return "\nExit status:\n"
+         "  0   done and as expected\n"
+         "  1   a claim, a certificate or a comparison failed\n"
+         "  2   undecided; what is proved is printed\n"
+         "  64  wrong usage\n"
+         "  65  a data file that cannot be used\n"
+         "  66  a file that is missing or cannot be written\n"
+         "  70  internal error";
+}
+
 std::string read_file(const std::string& path) {
   if (!std::filesystem::exists(path)) fail(ErrorKind::missing_file, "{}: no such file", path);
   std::ifstream stream(path, std::ios::binary);
@@ -76,12 +87,19 @@ void add_limits(Command& command, SearchOptions& options) {
       .with_default();
 }
 
+std::vector<Suggestion> suggested_schemes() {
+  std::vector<Suggestion> result;
+  for (const auto* help : {&families(), &multivariate_families()})
+    for (const FamilyHelp& family : *help) result.push_back({family.family + ":", family.meaning});
+  return result;
+}
+
 void add_scheme(Command& command, std::string& target, bool any) {
   std::vector<FamilyHelp> help = families();
   if (any) help.insert(help.end(), multivariate_families().begin(), multivariate_families().end());
   std::string known;
   for (const FamilyHelp& family : help) known += "\n  " + family.usage + "\n      " + family.meaning;
-  command.option("SCHEME", target, "Scheme specification").required();
+  command.option("SCHEME", target, "Scheme specification").required().suggest(suggested_schemes);
   command.add_to_footer("\n\nSchemes:" + known);
 }
 

@@ -32,6 +32,9 @@ ExitCode exit_code(Truth answer);
 /// Whose matter the error is.
 ExitCode exit_code(ErrorKind kind);
 
+/// The meanings, as help prints them.
+std::string exit_code_help();
+
 /// The content of a file. Errors: throws a data error, or missing_file.
 std::string read_file(const std::string& path);
 
@@ -70,6 +73,9 @@ void add_limits(Command& command, SearchOptions& options);
 Command add_command(Command& app, const std::string& name, const std::string& description, const std::string& example,
                     const std::shared_ptr<CommonOptions>& options, const std::function<ExitCode()>& run);
 
+/// The names of all families, for options whose value is a scheme.
+std::vector<Suggestion> suggested_schemes();
+
 /// The positional argument SCHEME; `any` names the families of two and three variables in the help too.
 void add_scheme(Command& command, std::string& target, bool any = false);
 
@@ -101,5 +107,7 @@ void add_smooth(Command& app);
 void add_experiment(Command& app);
 void add_statements(Command& app);
 void add_check(Command& app);
+void add_completion(Command& app);
+void add_manual(Command& app);
 
 }  // namespace subcert::cli

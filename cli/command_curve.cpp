@@ -175,7 +175,8 @@ void add_curve(Command& app) {
       "subcert curve four-point:w --over w=0..1/4 --plot curve.svg", options, [=] { return run(*options); });
   command
       .option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w and other families, any letter")
-      .required();
+      .required()
+      .suggest(suggested_schemes);
   command.option("--over", options->over, "The values: w=LOW..HIGH").required();
   command.option("--pieces", options->pieces, "Intervals, more of them where the envelopes are far apart")
       .within(1, 100'000)

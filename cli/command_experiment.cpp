@@ -80,7 +80,11 @@ void add_experiment(Command& app) {
   auto options = std::make_shared<ExperimentCommand>();
   Command command = add_command(app, "experiment", "Runs an experiment of a paper on seeded random data",
                                 "subcert experiment fig5 --seed 7", options, [=] { return run(*options); });
-  command.option("ID", options->id, "An experiment, or 'list' (default)");
+  command.option("ID", options->id, "An experiment, or 'list' (default)").suggest([] {
+    std::vector<Suggestion> ids{{"list", "all experiments"}};
+    for (const experiments::Experiment& one : experiments::experiments()) ids.push_back({one.id, one.title});
+    return ids;
+  });
   command.option("--runs", options->runs, "Samples of the noise").within(2, 100000).with_default();
   command.existing("--out").describe("Folder for index.html, tables and figures");
 }

@@ -116,7 +116,8 @@ void add_map(Command& app) {
       "--property C1 --plot map.svg",
       options, [=] { return run(*options); });
   command.option("SCHEME", options->scheme, "mask:[...] with coefficients that are polynomials in two letters")
-      .required();
+      .required()
+      .suggest(suggested_schemes);
   command.option("--over", options->over, "The values, twice: w=LOW..HIGH, the first one from left to right")
       .required()
       .one_each();

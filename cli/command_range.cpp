@@ -134,7 +134,8 @@ void add_range(Command& app) {
                                 [=] { return run(*options); });
   command
       .option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w and other families, any letter")
-      .required();
+      .required()
+      .suggest(suggested_schemes);
   command.option("--over", options->over, "The values: w=LOW..HIGH").required();
   command.option("--property", options->property, properties).required();
   command.option("--width", options->width, "Of what is left open about an end").with_default();

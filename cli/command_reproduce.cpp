@@ -96,10 +96,16 @@ void add_reproduce(Command& app) {
   Command command = add_command(
       app, "reproduce", "Recomputes tables, figures and experiments of papers beside what they print",
       "subcert reproduce dyn-2015 --only table1,table2 --out out", options, [=] { return run(*options); });
-  command.option(
-      "PAPER", options->papers,
-      fmt::format("Papers and collections: {} (default: all but {})", fmt::join(reports::reproducible_papers(), ", "),
-                  fmt::join(statements::collection_keys(), ", ")));
+  command
+      .option(
+          "PAPER", options->papers,
+          fmt::format("Papers and collections: {} (default: all but {})",
+                      fmt::join(reports::reproducible_papers(), ", "), fmt::join(statements::collection_keys(), ", ")))
+      .suggest([] {
+        std::vector<Suggestion> words;
+        for (const std::string& paper : reports::reproducible_papers()) words.push_back({paper, ""});
+        return words;
+      });
   command.option("--only", options->only, "Items, separated by commas").separated_by_commas();
   command.option("--budget", options->budget, "Seconds for the exponent of each surface (default: those of the page)")
       .within(0.001, 1e6);

@@ -57,7 +57,7 @@ void add_smooth(Command& app) {
                                 "subcert smooth samples.csv --bands 0.95 --plot smooth.svg", options,
                                 [=] { return run(*options); });
   command.option("DATA", options->samples.file, "CSV: a column of positions, then one or more of values").required();
-  command.option("--scheme", options->scheme, "Scheme specification, also l1:...");
+  command.option("--scheme", options->scheme, "Scheme specification, also l1:...").suggest(suggested_schemes);
   command.flag("--auto", options->automatic, "Choose the scheme from noise and bias (the default)");
   command.option("--x", options->samples.x, "Column of positions, by name or number; none: 0, 1, 2, ...");
   command.option("--y", options->samples.y, "Columns of values, by name or number").separated_by_commas();

@@ -136,11 +136,18 @@ void add_statements(Command& app) {
   for (const auto& paper : statements::paper_keys()) known += (known.empty() ? "" : ", ") + paper;
   const std::string meaning = "Statements or papers (" + known + "; default: all)";
 
+  const auto suggestions = [] {
+    std::vector<Suggestion> words;
+    for (const std::string& paper : statements::paper_keys()) words.push_back({paper, "all statements of the paper"});
+    for (const Statement& one : statements::statements()) words.push_back({one.id, one.paraphrase});
+    return words;
+  };
+
   auto list_options = std::make_shared<StatementsOptions>();
   Command list_command = add_command(group, "list", "Lists the statements with the verdicts on record",
                                      "subcert statements list dyn-2015", list_options,
                                      [=] { return list(*list_options); });
-  list_command.option("ID", list_options->wanted, meaning);
+  list_command.option("ID", list_options->wanted, meaning).suggest(suggestions);
   list_command.flag("--ids", list_options->ids, "Only the ids, one a line");
 
   group.run_without_subcommand([=] { return static_cast<int>(list(*list_options)); });
@@ -149,7 +156,7 @@ void add_statements(Command& app) {
   Command check_command = add_command(group, "check", "Checks statements and compares with the verdicts on record",
                                       "subcert statements check dyn-2015/eq-2", check_options,
                                       [=] { return run_checks(*check_options); });
-  check_command.option("ID", check_options->wanted, meaning);
+  check_command.option("ID", check_options->wanted, meaning).suggest(suggestions);
   check_command.flag("--wide", check_options->wide, "Larger ranges");
   check_command.option("--page", check_options->page, "Write the page 'errata and confirmations' there");
 }

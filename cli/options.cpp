@@ -4,7 +4,44 @@
 
 #include <CLI/CLI.hpp>
 
+#include <map>
+
 namespace subcert::cli {
+namespace {
+
+/// CLI11's options have no room for words.
+std::map<const CLI::Option*, Suggestions>& suggestions_of_options() {
+  static std::map<const CLI::Option*, Suggestions> suggestions;
+  return suggestions;
+}
+
+OptionHelp help_of(const CLI::Option& option) {
+  const CLI::Formatter formatter;
+  OptionHelp help;
+  help.names = CLI::detail::split(formatter.make_option_name(&option, option.get_positional()), ',');
+  help.value = CLI::detail::trim_copy(formatter.make_option_opts(&option));
+  help.meaning = option.get_description();
+  help.many = option.get_expected_max() == CLI::detail::expected_max_vector_size;
+  if (const auto found = suggestions_of_options().find(&option); found != suggestions_of_options().end())
+    help.suggestions = found->second;
+  return help;
+}
+
+CommandHelp help_of(const CLI::App& app, const std::string& name) {
+  const std::string program = "subcert";
+  const std::string usage = CLI::Formatter().make_usage(&app, name.empty() ? program : program + " " + name);
+  CommandHelp help{name, app.get_description(), CLI::detail::trim_copy(usage.substr(usage.find(':') + 1)),
+                   app.get_footer()};
+  for (const CLI::Option* option : app.get_options())
+    if (!option->get_group().empty())
+      (option->get_positional() ? help.arguments : help.options).push_back(help_of(*option));
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (!command->get_group().empty())
+      help.commands.push_back(help_of(*command, name.empty() ? command->get_name() : name + " " + command->get_name()));
+  return help;
+}
+
+}  // namespace
 
 Option& Option::required() {
   option_->required();
@@ -23,7 +60,11 @@ Option& Option::within(double low, double high) {
 
 Option& Option::one_of(const std::vector<std::string>& words) {
   option_->check(CLI::IsMember(words));
-  return *this;
+  return suggest([words] {
+    std::vector<Suggestion> suggestions;
+    for (const std::string& word : words) suggestions.push_back({word, ""});
+    return suggestions;
+  });
 }
 
 Option& Option::with_default() {
@@ -43,6 +84,11 @@ Option& Option::separated_by_commas() {
 
 Option& Option::describe(const std::string& text) {
   option_->description(text);
+  return *this;
+}
+
+Option& Option::suggest(const Suggestions& suggestions) {
+  suggestions_of_options()[option_] = suggestions;
   return *this;
 }
 
@@ -97,13 +143,18 @@ void Command::run_without_subcommand(const std::function<int()>& action) {
   });
 }
 
-int run_program(const std::string& description, const std::vector<void (*)(Command&)>& add_commands, int argc,
-                char** argv) {
+void Command::hide() { app_->group(""); }
+
+CommandHelp Command::help() const { return help_of(*app_, ""); }
+
+int run_program(const std::string& description, const std::string& footer,
+                const std::vector<void (*)(Command&)>& add_commands, int argc, char** argv) {
   CLI::App app{description, "subcert"};
   app.set_version_flag("--version", std::string("subcert ") + SUBCERT_VERSION);
   app.require_subcommand(1);
   Command program(&app);
   for (const auto add : add_commands) add(program);
+  app.footer(footer);  // last, as commands inherit it
   try {
     app.parse(argc, argv);
     return 0;

@@ -13,6 +13,33 @@ class Option;
 
 namespace subcert::cli {
 
+/// A word that may stand for the value of an option, with its meaning or none.
+struct Suggestion {
+  std::string word;
+  std::string meaning;
+};
+using Suggestions = std::function<std::vector<Suggestion>()>;
+
+/// What help says of an option or argument.
+struct OptionHelp {
+  std::vector<std::string> names;  ///< `-h` and `--help`; of an argument its one name
+  std::string value;               ///< type, range and default, as help prints them; empty for flags
+  std::string meaning;
+  bool many = false;        ///< whether one value may follow another
+  Suggestions suggestions;  ///< none: any value
+};
+
+/// What help says of a command, without what is hidden from it.
+struct CommandHelp {
+  std::string name;  ///< `range`; `statements check` of a command in a group; empty for the program
+  std::string meaning;
+  std::string usage;
+  std::string footer;
+  std::vector<OptionHelp> arguments = {};
+  std::vector<OptionHelp> options = {};
+  std::vector<CommandHelp> commands = {};
+};
+
 /// An option or argument that may be restricted further.
 class Option {
  public:
@@ -28,6 +55,8 @@ class Option {
   /// A value each time the option is named; what follows is an argument of its own.
   Option& one_each();
   Option& describe(const std::string& text);
+  /// Words that a shell offers for the value; others are as good. They are asked for when a completion is made.
+  Option& suggest(const Suggestions& suggestions);
 
  private:
   CLI::Option* option_;
@@ -55,6 +84,10 @@ class Command {
   void run(const std::function<int()>& action);
   /// The same for a command that has subcommands and was given none of them.
   void run_without_subcommand(const std::function<int()>& action);
+  /// Help, pages and completions do not name the command.
+  void hide();
+  /// All that help says of this command and those below it.
+  CommandHelp help() const;
 
  private:
   CLI::App* app_;
@@ -62,7 +95,7 @@ class Command {
 
 /// Reads the command line, runs the command that it names and returns the exit code. Errors: throws a usage error for a
 /// command line that cannot be read, and whatever the command throws.
-int run_program(const std::string& description, const std::vector<void (*)(Command&)>& add_commands, int argc,
-                char** argv);
+int run_program(const std::string& description, const std::string& footer,
+                const std::vector<void (*)(Command&)>& add_commands, int argc, char** argv);
 
 }  // namespace subcert::cli

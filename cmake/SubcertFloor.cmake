@@ -23,6 +23,7 @@ function(subcert_floor name)
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS "${SUBCERT_INCLUDE}" FILES ${headers})
   install(TARGETS ${target} EXPORT subcertTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  set_property(GLOBAL APPEND PROPERTY SUBCERT_FLOORS ${target})
   subcert_warnings(${target})
   if(floor_QUICK)
     subcert_precompiled(${target} quick)

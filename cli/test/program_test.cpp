@@ -95,13 +95,21 @@ TEST_CASE("verdicts have exit codes of their own") {
 
 TEST_CASE("help names an example in every subcommand") {
   for (const char* command : {"reproduce", "analyze", "mask", "regularity", "range", "jsr", "verify", "limit",
-                              "variance", "refine", "smooth", "experiment"}) {
+                              "variance", "refine", "smooth", "experiment", "completion"}) {
     const Run result = run(std::string(command) + " --help");
     CAPTURE(command);
     CHECK(result.code == 0);
     CHECK(result.out.find("Example:\n  subcert " + std::string(command)) != std::string::npos);
   }
   CHECK(run("--version").out.starts_with("subcert "));
+}
+
+TEST_CASE("help of the program has the exit codes, and hides what only the build calls") {
+  const std::string help = run("--help").out;
+  CHECK(help.find("\nExit status:\n  0   done") != std::string::npos);
+  CHECK(help.find("manual") == std::string::npos);
+  CHECK(run("mask --help").out.find("Exit status") == std::string::npos);
+  check_fails(run("completion csh"), 64, "SHELL: csh not in {bash,zsh,fish}; see 'subcert --help'");
 }
 
 TEST_CASE("answers go to a file when asked") {

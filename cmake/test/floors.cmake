@@ -92,7 +92,7 @@ endforeach()
 # Nothing at the top but what the design names.
 file(GLOB entries RELATIVE "${SOURCE}" "${SOURCE}/*")
 set(known analysis schemes proofs-checks reports cli python bench docs cmake CMakeLists.txt CMakePresets.json README.md
-  CHANGELOG.md LICENSE pyproject.toml reproduce check build out)
+  CHANGELOG.md LICENSE CITATION.cff CONTRIBUTING.md SECURITY.md pyproject.toml reproduce check build out)
 foreach(entry IN LISTS entries)
   if(NOT entry IN_LIST known AND NOT entry MATCHES "^[.]")
     message(SEND_ERROR "the top level has no place for ${entry}")

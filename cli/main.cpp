@@ -25,10 +25,10 @@ int main(int argc, char** argv) {
   try {
     return cli::run_program(
         "Certifies what is claimed about subdivision schemes",
-        {cli::add_reproduce, cli::add_analyze, cli::add_mask, cli::add_regularity, cli::add_range, cli::add_curve,
-         cli::add_map, cli::add_jsr, cli::add_verify, cli::add_limit, cli::add_variance, cli::add_refine,
-         cli::add_smooth, cli::add_experiment, cli::add_conjecture, cli::add_merge, cli::add_theorem,
-         cli::add_statements, cli::add_check},
+        {cli::add_reproduce,  cli::add_analyze, cli::add_mask,    cli::add_regularity, cli::add_range,
+         cli::add_curve,      cli::add_map,     cli::add_jsr,     cli::add_verify,     cli::add_limit,
+         cli::add_variance,   cli::add_refine,  cli::add_smooth,  cli::add_gallery,    cli::add_experiment,
+         cli::add_conjecture, cli::add_merge,   cli::add_theorem, cli::add_statements, cli::add_check},
         argc, argv);
   } catch (const Error& error) {
     return complain(error.what(), cli::exit_code(error.kind()));

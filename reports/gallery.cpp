@@ -23,8 +23,9 @@ namespace subcert::reports {
 namespace {
 
 constexpr int levels_of_norms = 16, most_derivatives = 4;
+constexpr long most_coefficients = 250;  // of masks with a variance curve
 constexpr double points_of_variance = 600, points_of_polygon = 1500;
-constexpr double sobolev_share = 0.3, variance_seconds = 2;
+constexpr double sobolev_share = 0.3, smoothness_share = 0.5, variance_seconds = 2;
 
 /// Corners of the sample polygons: a cross, and a meander.
 constexpr std::array<std::pair<int, int>, 12> closed_corners{
@@ -60,10 +61,8 @@ PlatePicture polygon_picture(const Scheme& scheme, bool open) {
   const data::GridData<double> refined = data::refine(polygon, AnyScheme(scheme), {levels});
   formats::Curve corners = formats::data_curve(polygon, "polygon", true);
   corners.marked = true;
-  if (!open) corners.points.pop_back();
   formats::Panel panel{
       "A polygon and its refinement", "", "", {formats::data_curve(refined, "refined", true), corners}};
-  if (!open) panel.curves[1].points.push_back(panel.curves[1].points.front());
   panel.equal_units = true;
   return {"polygon",
           fmt::format("{} polygon with {} points, refined {} times", open ? "An open" : "A closed", polygon.points(),
@@ -81,9 +80,13 @@ PlatePicture variance_picture(const Mask& mask) {
           {"The variance curve", "x", "", {curve}}};
 }
 
-/// Runs a part of the plate; what it cannot have becomes a note.
+/// Runs a part of the plate, unless time is up; what it cannot have becomes a note.
 template <class Part>
-void try_part(Plate& plate, const char* name, Part part) {
+void try_part(Plate& plate, const Deadline& deadline, const std::string& name, Part part) {
+  if (deadline.expired()) {
+    plate.notes.push_back(fmt::format("No {}: the budget ran out.", name));
+    return;
+  }
   try {
     part();
   } catch (const Error& error) {
@@ -97,11 +100,11 @@ void add_exponents(Plate& plate, const Scheme& scheme, const Budget& budget) {
   plate.convergence = converges(scheme.mask, {levels_of_norms, budget.deadline.after(sobolev_share)});
   if (plate.convergence.is_no()) return;
   if (!scheme.rounding)
-    try_part(plate, "Sobolev exponent", [&] {
+    try_part(plate, {}, "Sobolev exponent", [&] {
       const auto sobolev = sobolev_if_small(scheme.mask, budget.deadline.after(sobolev_share));
       if (sobolev) plate.sobolev = sobolev->exponent;
     });
-  try_part(plate, "Hölder exponent", [&] {
+  try_part(plate, {}, "Hölder exponent", [&] {
     const HolderRegularity regularity = holder_regularity(scheme.mask, levels_of_norms, budget, HolderProof::shortest,
                                                           scheme.rounding);
     if (regularity.converges.truth != Truth::unknown) plate.convergence = regularity.converges;
@@ -114,14 +117,16 @@ void add_exponents(Plate& plate, const Scheme& scheme, const Budget& budget) {
 
 void add_pictures(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
   const Mask& mask = scheme.mask;
-  try_part(plate, "picture of the basic limit function", [&] {
+  const Deadline deadline = Deadline::in(options.budget);
+  try_part(plate, {}, "picture of the basic limit function", [&] {
     formats::Panel panel = formats::limit_panel(mask, "", formats::DrawnLimit::values);
+    const std::string caption = "<i>φ</i>, the basic limit function" + panel.title;  // : unit sequence, for long masks
     panel.title = "The basic limit function" + panel.title;
-    plate.pictures.push_back({"limit", "<i>φ</i>, the basic limit function", std::move(panel)});
+    plate.pictures.push_back({"limit", caption, std::move(panel)});
   });
-  plate.derivatives = proved_smoothness(mask, {levels_of_norms, Deadline::in(options.budget)}).order;
+  plate.derivatives = proved_smoothness(mask, {levels_of_norms, deadline.after(smoothness_share)}).order;
   for (int order = 1; order <= std::min(plate.derivatives, most_derivatives); ++order)
-    try_part(plate, "picture of a derivative", [&] {
+    try_part(plate, deadline, fmt::format("picture of derivative {}", order), [&] {
       formats::Panel panel = formats::limit_panel(mask, "", formats::DrawnLimit::values, order);
       panel.title = fmt::format("Derivative {} of the basic limit function", order);
       plate.pictures.push_back({fmt::format("derivative-{}", order),
@@ -137,14 +142,17 @@ void add_pictures(Plate& plate, const Scheme& scheme, const PlateOptions& option
         "The coefficients that are meant are not rational; the mask and the pictures are those of rounded ones, the "
         "Hölder "
         "exponent holds for the ones that are meant. Sobolev exponent and variance are not claimed for them.");
+  else if (mask.symbol().length() > most_coefficients)
+    plate.notes.push_back(fmt::format("No variance curve: the mask has more than {} coefficients.", most_coefficients));
   else
-    try_part(plate, "variance curve", [&] {
+    try_part(plate, deadline, "variance curve", [&] {
       plate.pictures.push_back(variance_picture(mask));
       const VarianceRange range = variance_range(mask, {Rational(1, 1'000'000), {Deadline::in(variance_seconds)}});
       plate.largest_variance = range.maximum;
       plate.mean_variance = range.mean;
     });
-  try_part(plate, "refined polygon", [&] { plate.pictures.push_back(polygon_picture(scheme, options.open)); });
+  try_part(plate, deadline, "refined polygon",
+           [&] { plate.pictures.push_back(polygon_picture(scheme, options.open)); });
 }
 
 void fill(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
@@ -177,7 +185,7 @@ void fill(Plate& plate, const MultivariateScheme& scheme, const PlateOptions& op
   else if (scheme.mask.dimension() > 2)
     plate.notes.emplace_back("Limit functions of three variables are not drawn.");
   else
-    try_part(plate, "picture of the basic limit function",
+    try_part(plate, {}, "picture of the basic limit function",
              [&] { plate.surface = formats::limit_surface(scheme.mask, "The basic limit function"); });
 }
 

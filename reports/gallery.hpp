@@ -52,7 +52,8 @@ struct Plate {
 };
 
 /// Domain: a scheme of one variable, or of two or three. Errors: throws SpecificationError for what is no linear
-/// scheme; what a proof or a picture cannot have becomes a note. Cost: the budget, and a second for pictures.
+/// scheme; what a proof or a picture cannot have becomes a note. Cost: the
+/// budget, the budget once more for pictures, and for long masks the first picture beside.
 Plate make_plate(const GalleryScheme& scheme, const PlateOptions& options);
 
 /// One page, all in one file: an index of pictures where there are several plates, then the plates.

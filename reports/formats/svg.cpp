@@ -19,6 +19,7 @@ using Point = std::pair<double, double>;
 
 constexpr double width = 420, height = 260, left = 56, right = 12, top = 12, bottom = 30;
 constexpr double invisible = 1.0 / 6;  // pixels
+constexpr double flat = 1e-4;          // relative heights below this are drawn as nothing
 constexpr int positive_levels = 10, negative_levels = 3;
 
 /// The part of the plane that is drawn, and where it stands in the picture.
@@ -38,9 +39,11 @@ struct Frame {
   }
   void widen(double share_x, double share_y) {
     const auto grow = [](double& low, double& high, double share) {
-      const double size = high > low ? high - low : std::max(1.0, std::abs(high));
-      low -= share * size;
-      high += share * size;
+      const double least = std::max(std::abs(low), std::abs(high)) * flat;
+      const double size = high - low > least ? high - low : least > 0 ? least : 1;
+      const double more = share * size + std::max(0.0, size - (high - low)) / 2;
+      low -= more;
+      high += more;
     };
     grow(x_low, x_high, share_x);
     grow(y_low, y_high, share_y);
@@ -245,7 +248,7 @@ std::string svg(const DrawnSurface& surface, const std::string& id) {
       for (std::vector<Point>& line : LevelLines{surface, sign}.at(extreme * k / count)) {
         std::ranges::transform(line, line.begin(), frame);
         // From a point far from the first one on, so that the line does not close to nothing.
-        std::ranges::rotate(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(line.size() / 2), line.end());
+        std::rotate(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(line.size() / 2), line.end());
         path += steps(line) + "Z";
       }
       if (!path.empty()) levels += fmt::format("<path class=\"level {}\" d=\"{}\"/>", colour, path);

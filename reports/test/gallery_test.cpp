@@ -49,6 +49,15 @@ TEST_CASE("svg: only the points that a line needs") {
   CHECK_THROWS_AS(formats::svg(formats::Panel{"hole", "", "", {hat}}), Error);
 }
 
+TEST_CASE("svg: a curve that is nearly constant has axes with few numbers") {
+  const formats::Curve flat{"", {{0, 0.2}, {0.5, 0.2 + 1e-17}, {1, 0.2 - 3e-17}}};
+  const std::string picture = formats::svg(formats::Panel{"flat", "", "", {flat}});
+  CHECK(picture.size() < 3000);
+  CHECK(points_of_path(picture, "curve") == 2);
+  CHECK(formats::svg(formats::Panel{"zero", "", "", {{"", {{0, 0}, {1, 0}}}}}).size() < 3000);
+  CHECK(formats::svg(formats::Panel{"point", "", "", {{"", {{3, 5}}}}}).size() < 3000);
+}
+
 TEST_CASE("svg: level lines of a pyramid are squares") {
   formats::DrawnSurface pyramid{"pyramid", 21, 21, false, false, {}, true};
   for (int j = -10; j <= 10; ++j)

@@ -1,6 +1,6 @@
 """Pages of Markdown from public headers: what the comments say of each declaration, and the declaration.
 
-The headers keep a small grammar (docs/extending.md): `///` before what it is about, `///<` behind, no macros. This reads
+The headers keep a small grammar: `///` before what it is about, `///<` behind, no macros. This reads
 that grammar and nothing else; a header that it cannot read to its end is an error.
 """
 import pathlib

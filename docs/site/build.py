@@ -91,6 +91,7 @@ class Tree:
         title = re.sub(r"\\\\|\$|\s+", " ", re.search(r"\\title\{(.*)\}", tex)[1])
         body = re.sub(r"\\[bB]igg?[lr]?(?![a-zA-Z])", "", tex)  # MathML stretches brackets by itself
         body = re.sub(r"\\tag\{(.*?)\}", r"\\qquad\\text{(\1)}", body)
+        body = re.sub(r"\\qed(?![a-zA-Z])", "◻", body)  # pandoc 2 makes other signs of it
         html = subprocess.run(["pandoc", "-f", "latex", "-t", "html", "--mathml", "--number-sections"],
                               input=body, capture_output=True, text=True, check=True)
         sys.stderr.write(html.stderr)
@@ -109,7 +110,7 @@ class Tree:
                    f"<div class=\"theorem\">\n{below_title}</div>\n```\n")
 
     def gallery(self, subcert):
-        run([subcert, "gallery", "--quiet", "--out", self.tree / "_extra/gallery.html"])
+        run([subcert, "gallery", "--quiet", "--budget", "20", "--out", self.tree / "_extra/gallery.html"])
         page = self.tree / "docs/gallery.md"
         page.write_text(page.read_text(encoding="utf-8") + "\n```{raw} html\n<p><a href=\"../gallery.html\">The gallery of "
                         "forty schemes</a></p>\n```\n", encoding="utf-8")

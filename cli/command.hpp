@@ -96,6 +96,7 @@ void add_variance(Command& app);
 void add_reproduce(Command& app);
 void add_range(Command& app);
 void add_curve(Command& app);
+void add_gallery(Command& app);
 void add_map(Command& app);
 void add_jsr(Command& app);
 void add_verify(Command& app);

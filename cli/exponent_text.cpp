@@ -8,7 +8,6 @@
 namespace subcert::cli {
 namespace {
 
-constexpr long most_coefficients = 120;
 constexpr long most_places = 1000;
 
 }  // namespace
@@ -31,11 +30,6 @@ WantedWidth wanted_width(const SearchOptions& options) {
   result.bits = std::max(result.bits, 10 * places / 3 + 32);
   result.digits = places + 2;
   return result;
-}
-
-std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadline& deadline) {
-  if (mask.symbol().length() > most_coefficients) return std::nullopt;
-  return sobolev_regularity(mask, deadline);
 }
 
 Json bound_json(const HolderBound& bound) {

@@ -23,9 +23,6 @@ struct WantedWidth {
 /// Errors: throws a usage error for what is no width.
 WantedWidth wanted_width(const SearchOptions& options);
 
-/// Nothing for masks whose matrices take more than about a second. Domain: at least one sum rule.
-std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadline& deadline = {});
-
 /// {"levels", "norm", "holder"}.
 Json bound_json(const HolderBound& bound);
 

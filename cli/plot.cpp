@@ -1,24 +1,12 @@
 #include "plot.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/formats/data_figure.hpp>
 #include <subcert/reports/formats/limit_figure.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 
 namespace subcert::cli {
 namespace {
-
-formats::Curve drawn(const data::GridData<double>& curve, const std::string& label, bool joined) {
-  const std::size_t k = curve.dimension, count = curve.points();
-  formats::Curve result{label, {}, !joined, joined};
-  for (std::size_t i = 0; i < count + (joined && curve.axes[0].closed && k > 1 ? 1 : 0); ++i) {
-    const double* point = curve.values.data() + (i % count) * k;
-    if (k == 1)
-      result.points.emplace_back(data::nearest_double(curve.axes[0].parameter(i)), point[0]);
-    else
-      result.points.emplace_back(point[0], point[1]);
-  }
-  return result;
-}
 
 formats::DrawnSurface drawn_surface(const data::GridData<double>& data, const std::string& title) {
   formats::DrawnSurface result{title, data.axes[0].count, data.axes[1].count, false, false, {}, data.dimension == 1};
@@ -61,7 +49,7 @@ void draw_refined(const std::string& plot, const std::string& scheme, const data
   formats::Panel panel{scheme,
                        plane ? (named ? table.header[0] : "x") : "parameter",
                        plane ? (named ? table.header[1] : "y") : (named ? table.header[0] : "value"),
-                       {drawn(data, "data", false), drawn(refined, "refined", true)}};
+                       {formats::data_curve(data, "data", false), formats::data_curve(refined, "refined", true)}};
   panel.equal_units = plane;
   formats::draw_file({"refined", scheme, "", 1, {panel}}, plot);
 }

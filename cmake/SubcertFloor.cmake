@@ -20,6 +20,7 @@ function(subcert_floor name)
     cmake_path(RELATIVE_PATH header BASE_DIRECTORY "${PROJECT_SOURCE_DIR}")
     list(APPEND headers "${SUBCERT_INCLUDE}/subcert/${header}")
   endforeach()
+  set_property(GLOBAL APPEND PROPERTY SUBCERT_PUBLIC_HEADERS ${headers})
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS "${SUBCERT_INCLUDE}" FILES ${headers})
   install(TARGETS ${target} EXPORT subcertTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")

@@ -8,6 +8,11 @@
 #include <subcert/analysis/transition/transition.hpp>
 
 namespace subcert {
+namespace {
+
+constexpr long most_small_coefficients = 120;
+
+}  // namespace
 
 SobolevRegularity sobolev_regularity(const Mask& mask) { return *sobolev_regularity(mask, Deadline()); }
 
@@ -28,6 +33,11 @@ std::optional<SobolevRegularity> sobolev_regularity(const Mask& mask, const Dead
   SobolevRegularity result{rules, radius, Enclosure::at_least(rules - *high.upper / 2)};
   if (is_exact) result.exponent.upper = rules - *low.lower / 2;
   return result;
+}
+
+std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadline& deadline) {
+  if (mask.symbol().length() > most_small_coefficients) return std::nullopt;
+  return sobolev_regularity(mask, deadline);
 }
 
 }  // namespace subcert

@@ -23,5 +23,7 @@ struct SobolevRegularity {
 SobolevRegularity sobolev_regularity(const Mask& mask);
 /// Nothing where it would take longer than that.
 std::optional<SobolevRegularity> sobolev_regularity(const Mask& mask, const Deadline& deadline);
+/// Nothing either for masks whose matrices take more than about a second.
+std::optional<SobolevRegularity> sobolev_if_small(const Mask& mask, const Deadline& deadline = {});
 
 }  // namespace subcert

@@ -7,35 +7,43 @@ namespace {
 
 const std::string& page_style() {
   static const std::string style = R"css(
-:root { color-scheme: light; }
+:root { color-scheme: light dark; --ink: #1c2733; --page: #fff; --quiet: #5a6773; --line: #d9dfe5; --link: #0b559f;
+        --band: #eef3f7; --good: #1e7a43; --bad: #b3261e; --bad-band: #fdecea; --open: #8a5a00; --open-band: #fff7e0;
+        --curve-1: #0b559f; --curve-2: #c0392b; --curve-3: #1e8449; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e3e8ee; --page: #12171d; --quiet: #9aa7b4; --line: #323c47; --link: #7fb8f0; --band: #1b232c;
+          --good: #6fce95; --bad: #ff8f85; --bad-band: #3a1f1d; --open: #e7b75a; --open-band: #33290f;
+          --curve-1: #7fb8f0; --curve-2: #ff8f7a; --curve-3: #6fce95; }
+  figure img { background: #fff; }
+}
 * { box-sizing: border-box; }
-body { font: 16px/1.55 system-ui, "DejaVu Sans", sans-serif; color: #1c2733; background: #fff; margin: 0 auto;
+body { font: 16px/1.55 system-ui, "DejaVu Sans", sans-serif; color: var(--ink); background: var(--page); margin: 0 auto;
        padding: 2rem 1.25rem 5rem; max-width: 64rem; }
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .5rem; }
-h1.paper { font-size: 1.25rem; margin: 4rem 0 1rem; padding: .9rem 1rem; background: #eef3f7; }
-h2 { font-size: 1.4rem; margin: 3rem 0 .75rem; padding-top: .75rem; border-top: 2px solid #1c2733; }
+h1.paper { font-size: 1.25rem; margin: 4rem 0 1rem; padding: .9rem 1rem; background: var(--band); }
+h2 { font-size: 1.4rem; margin: 3rem 0 .75rem; padding-top: .75rem; border-top: 2px solid var(--ink); }
 h3 { font-size: 1.05rem; margin: 2rem 0 .1rem; }
 p { max-width: 46rem; }
-.place, figcaption, .citation { color: #5a6773; font-size: .9rem; margin-top: 0; }
+.place, figcaption, .citation { color: var(--quiet); font-size: .9rem; margin-top: 0; }
 .citation { margin-top: 1rem; }
 nav a { margin-right: 1.2rem; }
-a { color: #0b559f; }
+a { color: var(--link); }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .92rem; margin: .5rem 0 1rem; }
-th, td { padding: .35rem .7rem; border-bottom: 1px solid #d9dfe5; text-align: right; vertical-align: top;
+th, td { padding: .35rem .7rem; border-bottom: 1px solid var(--line); text-align: right; vertical-align: top;
          white-space: nowrap; }
 th:first-child, th.left { text-align: left; }
 th { font-weight: 600; }
 td.wide { white-space: normal; text-align: left; overflow-wrap: anywhere; font-family: "DejaVu Sans Mono", monospace;
           font-size: .82rem; min-width: 14rem; }
 td span { display: block; }
-.computed { color: #5a6773; font-size: .82rem; }
+.computed { color: var(--quiet); font-size: .82rem; }
 .verdict { font-size: .75rem; font-weight: 600; letter-spacing: .02em; }
-.match .verdict { color: #1e7a43; }
-.mismatch { background: #fdecea; }
-.mismatch .verdict { color: #b3261e; }
-.open { background: #fff7e0; }
-.open .verdict { color: #8a5a00; }
+.match .verdict { color: var(--good); }
+.mismatch { background: var(--bad-band); }
+.mismatch .verdict { color: var(--bad); }
+.open { background: var(--open-band); }
+.open .verdict { color: var(--open); }
 figure { margin: 1.5rem 0; }
 figure img { max-width: 100%; height: auto; display: block; }
 details { margin: .5rem 0 1rem; }
@@ -48,15 +56,15 @@ details li { margin: .2rem 0; }
 .statements th:nth-child(2) { width: 44%; }
 .statements th:nth-child(3) { width: 14%; }
 @media print { body { max-width: none; } .scroll { overflow: visible; } }
-.claim { margin: 1.5rem 0; padding: .2rem 0 .2rem 1rem; border-left: 4px solid #b3261e; }
+.claim { margin: 1.5rem 0; padding: .2rem 0 .2rem 1rem; border-left: 4px solid var(--bad); }
 .claim p { margin: .25rem 0; max-width: none; }
 .claim .head { font-weight: 600; }
 .claim code, td code { font-family: "DejaVu Sans Mono", monospace; font-size: .82rem; overflow-wrap: anywhere; }
-.label { color: #5a6773; font-size: .82rem; display: inline-block; min-width: 6rem; }
+.label { color: var(--quiet); font-size: .82rem; display: inline-block; min-width: 6rem; }
 td.text, th.text { white-space: normal; text-align: left; min-width: 12rem; }
-.holds .verdict, .holds-for-all-n .verdict { color: #1e7a43; }
-.misprint .verdict, .false .verdict { color: #b3261e; }
-.not-checkable .verdict, .undecided .verdict { color: #8a5a00; }
+.holds .verdict, .holds-for-all-n .verdict { color: var(--good); }
+.misprint .verdict, .false .verdict { color: var(--bad); }
+.not-checkable .verdict, .undecided .verdict { color: var(--open); }
 )css";
   return style;
 }

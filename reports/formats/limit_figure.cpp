@@ -109,11 +109,13 @@ DrawnSurface limit_surface(const MultivariateMask& mask, const std::string& titl
   return surface;
 }
 
-Panel limit_panel(const Mask& mask, const std::string& title, DrawnLimit what) {
+Panel limit_panel(const Mask& mask, const std::string& title, DrawnLimit what, int order) {
   const Interval support = limit_support(mask);
   const int level = largest_level(support.width().convert_to<double>(), mask.arity(), points_of_curve);
-  const LimitValues values = drawn_values(
-      what, [&] { return limit_values(mask, level); }, [&] { return refined_delta(mask, level); });
+  const LimitValues values = order > 0 ? limit_values(mask, level, order)
+                                       : drawn_values(
+                                             what, [&] { return limit_values(mask, level); },
+                                             [&] { return refined_delta(mask, level); });
   Curve curve{"", {}};
   for (std::size_t i = 0; i < values.values.size(); ++i)
     curve.points.emplace_back(values.point(i).convert_to<double>(), values.values[i].convert_to<double>());

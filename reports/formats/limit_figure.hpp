@@ -19,7 +19,7 @@ enum class DrawnLimit { values, refined_delta };
 DrawnSurface limit_surface(const MultivariateMask& mask, const std::string& title,
                            DrawnLimit what = DrawnLimit::values);
 
-/// The same for a curve, with some 2,000 points.
-Panel limit_panel(const Mask& mask, const std::string& title, DrawnLimit what = DrawnLimit::values);
+/// The same for a curve, with some 2,000 points; or its derivative of this order, where that is continuous.
+Panel limit_panel(const Mask& mask, const std::string& title, DrawnLimit what = DrawnLimit::values, int order = 0);
 
 }  // namespace subcert::formats

@@ -1,0 +1,55 @@
+#include "program.hpp"
+
+#include <filesystem>
+
+using namespace subcert::testing;
+
+TEST_CASE("gallery: one page in one file") {
+  const Folder folder;
+  const std::string page = (folder.path / "page.html").string();
+  const Run made = run("gallery primal:n=2 four-point:w=1/2 loop: --out " + page);
+  CAPTURE(made.err);
+  CHECK(made.code == 0);
+  CHECK(made.out == page + ": 3 schemes\n");
+  const std::string text = content(page);
+  CHECK(text.find("[3,<wbr>4,<wbr>3,<wbr>4,<wbr>3,<wbr>4,<wbr>3]/12@-3") != std::string::npos);
+  CHECK(text.find("id=\"primal-n-2-d-1-limit\"") != std::string::npos);
+  CHECK(text.find("id=\"loop-limit\"") != std::string::npos);
+  // Nothing is drawn of what does not exist, and nothing is loaded.
+  CHECK(text.find("The scheme diverges") != std::string::npos);
+  CHECK(text.find("four-point-w-1-2-limit") == std::string::npos);
+  CHECK(text.find("http") == std::string::npos);
+  CHECK(text.find("<script") == std::string::npos);
+  CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);  // no temporary file is left
+}
+
+TEST_CASE("gallery: the data") {
+  const auto data = run_json("gallery primal:n=1 bspline:degree=3 'mask:[1,1,2,2,1,1]/4' daubechies:n=2 --json")
+                        .at("schemes");
+  REQUIRE(data.size() == 4);
+  CHECK(data[0].at("mask").at("coefficients") == nlohmann::json::array({"1/2", "1", "1/2"}));
+  CHECK(data[0].at("derivatives") == 0);
+  CHECK(data[1].at("holder").at("lower") == "3");
+  CHECK(data[1].at("derivatives") == 2);
+  CHECK(data[1].at("variance_mean") == "151/315");
+  std::vector<std::string> pictures;
+  for (const auto& curve : data[1].at("curves")) pictures.push_back(curve.at("picture"));
+  CHECK(pictures ==
+        std::vector<std::string>{"limit", "derivative-1", "derivative-2", "variance", "polygon", "polygon"});
+  CHECK(data[2].at("stable").at("verdict") == "no");
+  CHECK(data[2].at("holder").at("upper") == "2");
+  // Of rounded coefficients neither variance nor Sobolev exponent is claimed.
+  CHECK(data[3].at("variance_sup").is_null());
+  CHECK(data[3].at("sobolev").is_null());
+  const auto open = run_json("gallery primal:n=1 --open --json").at("schemes")[0].at("curves");
+  CHECK(open.back().at("points").front() != open.back().at("points").back());
+}
+
+TEST_CASE("gallery: wrong usage") {
+  check_fails(run("gallery loop: primal:n=0"), 64,
+              "scheme specification, position 10: '0'; expected n as an integer from 1 to 2047");
+  CHECK(run("gallery l1:points=4").code == 64);
+  check_fails(run("gallery primal:n=2 --all"), 64, "--all: takes no schemes, got 'primal:n=2'");
+  check_fails(run("gallery primal:n=2 --out /dev/null/page.html"), 66,
+              "cannot make the folder /dev/null: Not a directory");
+}

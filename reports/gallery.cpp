@@ -1,0 +1,208 @@
+#include "gallery.hpp"
+
+#include "formats/data_figure.hpp"
+#include "formats/limit_figure.hpp"
+
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/sobolev.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/variance/variance.hpp>
+#include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/schemes/data/scheme_refinement.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace subcert::reports {
+namespace {
+
+constexpr int levels_of_norms = 16, most_derivatives = 4;
+constexpr long most_coefficients = 250;  // of masks with a variance curve
+constexpr double points_of_variance = 600, points_of_polygon = 1500;
+constexpr double sobolev_share = 0.3, smoothness_share = 0.5, variance_seconds = 2;
+
+/// Corners of the sample polygons: a cross, and a meander.
+constexpr std::array<std::pair<int, int>, 12> closed_corners{
+    {{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}}};
+constexpr std::array<std::pair<int, int>, 13> open_corners{
+    {{0, 0}, {0, 1}, {0, 2}, {1, 2}, {1, 1}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {3, 2}, {3, 1}, {3, 0}, {4, 0}}};
+
+/// Every edge in so many parts that the polygon has three times the points that rules read at once.
+data::GridData<double> sample_polygon(std::size_t window, bool open) {
+  const std::vector<std::pair<int, int>> corners = open ? std::vector(open_corners.begin(), open_corners.end())
+                                                        : std::vector(closed_corners.begin(), closed_corners.end());
+  const std::size_t edges = corners.size() - (open ? 1 : 0), parts = (3 * window + edges - 1) / edges;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < edges * parts + (open ? 1 : 0); ++i) {
+    const auto& [x, y] = corners[i / parts];
+    const auto& [next_x, next_y] = corners[(i / parts + 1) % corners.size()];
+    const double t = static_cast<double>(i % parts) / static_cast<double>(parts);
+    values.push_back(x + t * (next_x - x));
+    values.push_back(y + t * (next_y - y));
+  }
+  return data::curve_data(std::move(values), 2, !open);
+}
+
+/// How many steps of this factor lead from one number to at most another.
+int steps_between(double from, double to, int factor) {
+  return std::max(1, static_cast<int>(std::log(to / from) / std::log(factor)));
+}
+
+PlatePicture polygon_picture(const Scheme& scheme, bool open) {
+  const std::size_t window = data::fewest_points(scheme, data::Boundary::regression).front();
+  const data::GridData<double> polygon = sample_polygon(window, open);
+  const int levels = steps_between(static_cast<double>(polygon.points()), points_of_polygon, scheme.mask.arity());
+  const data::GridData<double> refined = data::refine(polygon, AnyScheme(scheme), {levels});
+  formats::Curve corners = formats::data_curve(polygon, "polygon", true);
+  corners.marked = true;
+  formats::Panel panel{
+      "A polygon and its refinement", "", "", {formats::data_curve(refined, "refined", true), corners}};
+  panel.equal_units = true;
+  return {"polygon",
+          fmt::format("{} polygon with {} points, refined {} times", open ? "An open" : "A closed", polygon.points(),
+                      levels),
+          std::move(panel)};
+}
+
+PlatePicture variance_picture(const Mask& mask) {
+  const VarianceGrid grid = variance_grid(mask, steps_between(1, points_of_variance, mask.arity()), false);
+  formats::Curve curve{"", {}};
+  for (std::size_t i = 0; i < grid.values.size(); ++i)
+    curve.points.emplace_back((grid.step() * Rational(i)).convert_to<double>(), grid.values[i].convert_to<double>());
+  return {"variance",
+          "<i>ψ</i>, the variance of the limit for data with noise of variance 1",
+          {"The variance curve", "x", "", {curve}}};
+}
+
+/// Runs a part of the plate, unless time is up; what it cannot have becomes a note.
+template <class Part>
+void try_part(Plate& plate, const Deadline& deadline, const std::string& name, Part part) {
+  if (deadline.expired()) {
+    plate.notes.push_back(fmt::format("No {}: the budget ran out.", name));
+    return;
+  }
+  try {
+    part();
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::missing_file || error.kind() == ErrorKind::data) throw;
+    plate.notes.push_back(fmt::format("No {}: {}.", name, error.what()));
+  }
+}
+
+void add_exponents(Plate& plate, const Scheme& scheme, const Budget& budget) {
+  plate.sum_rules = sum_rules(scheme.mask);
+  plate.convergence = converges(scheme.mask, {levels_of_norms, budget.deadline.after(sobolev_share)});
+  if (plate.convergence.is_no()) return;
+  if (!scheme.rounding)
+    try_part(plate, {}, "Sobolev exponent", [&] {
+      const auto sobolev = sobolev_if_small(scheme.mask, budget.deadline.after(sobolev_share));
+      if (sobolev) plate.sobolev = sobolev->exponent;
+    });
+  try_part(plate, {}, "Hölder exponent", [&] {
+    const HolderRegularity regularity = holder_regularity(scheme.mask, levels_of_norms, budget, HolderProof::shortest,
+                                                          scheme.rounding);
+    if (regularity.converges.truth != Truth::unknown) plate.convergence = regularity.converges;
+    plate.stable = regularity.stable;
+    plate.exact = regularity.deciding().radius.exact;
+    if (plate.convergence.is_yes())
+      plate.holder = {std::max(Rational(0), *regularity.exponent.lower), regularity.exponent.upper};
+  });
+}
+
+void add_pictures(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
+  const Mask& mask = scheme.mask;
+  const Deadline deadline = Deadline::in(options.budget);
+  try_part(plate, {}, "picture of the basic limit function", [&] {
+    formats::Panel panel = formats::limit_panel(mask, "", formats::DrawnLimit::values);
+    const std::string caption = "<i>φ</i>, the basic limit function" + panel.title;  // : unit sequence, for long masks
+    panel.title = "The basic limit function" + panel.title;
+    plate.pictures.push_back({"limit", caption, std::move(panel)});
+  });
+  plate.derivatives = proved_smoothness(mask, {levels_of_norms, deadline.after(smoothness_share)}).order;
+  for (int order = 1; order <= std::min(plate.derivatives, most_derivatives); ++order)
+    try_part(plate, deadline, fmt::format("picture of derivative {}", order), [&] {
+      formats::Panel panel = formats::limit_panel(mask, "", formats::DrawnLimit::values, order);
+      panel.title = fmt::format("Derivative {} of the basic limit function", order);
+      plate.pictures.push_back({fmt::format("derivative-{}", order),
+                                order <= 3 ? "<i>φ</i>" + std::string(static_cast<std::size_t>(order), '\'')
+                                           : fmt::format("<i>φ</i><sup>({})</sup>", order),
+                                std::move(panel)});
+    });
+  if (plate.derivatives > most_derivatives)
+    plate.notes.push_back(
+        fmt::format("Of {} continuous derivatives the first {} are drawn.", plate.derivatives, most_derivatives));
+  if (scheme.rounding)
+    plate.notes.push_back(
+        "The coefficients that are meant are not rational; the mask and the pictures are those of rounded ones, the "
+        "Hölder "
+        "exponent holds for the ones that are meant. Sobolev exponent and variance are not claimed for them.");
+  else if (mask.symbol().length() > most_coefficients)
+    plate.notes.push_back(fmt::format("No variance curve: the mask has more than {} coefficients.", most_coefficients));
+  else
+    try_part(plate, deadline, "variance curve", [&] {
+      plate.pictures.push_back(variance_picture(mask));
+      const VarianceRange range = variance_range(mask, {Rational(1, 1'000'000), {Deadline::in(variance_seconds)}});
+      plate.largest_variance = range.maximum;
+      plate.mean_variance = range.mean;
+    });
+  try_part(plate, deadline, "refined polygon",
+           [&] { plate.pictures.push_back(polygon_picture(scheme, options.open)); });
+}
+
+void fill(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
+  add_exponents(plate, scheme, {Deadline::in(options.budget), options.memory});
+  if (plate.convergence.is_yes())
+    add_pictures(plate, scheme, options);
+  else
+    plate.notes.emplace_back(plate.convergence.is_no()
+                                 ? "The scheme diverges: there is no limit function, no variance curve and no limit of "
+                                   "the polygon to draw."
+                                 : "Convergence is not decided within the budget: nothing is drawn.");
+}
+
+void fill(Plate& plate, const MultivariateScheme& scheme, const PlateOptions& options) {
+  const Budget budget{Deadline::in(options.budget), options.memory};
+  const MultivariateRegularity regularity = scheme.factors.empty() ? multivariate_regularity(scheme.mask, budget)
+                                                                   : tensor_product_regularity(scheme.factors, budget);
+  plate.sum_rules = regularity.sum_rules;
+  plate.convergence = regularity.converges;
+  plate.stable = regularity.stable;
+  plate.exact = regularity.exact;
+  if (plate.convergence.is_yes()) {
+    plate.holder = regularity.exponent;
+    plate.sobolev = regularity.sobolev;
+  }
+  if (plate.convergence.is_no())
+    plate.notes.emplace_back("The scheme diverges: there is no limit function to draw.");
+  else if (!plate.convergence.is_yes())
+    plate.notes.emplace_back("Convergence is not decided within the budget: nothing is drawn.");
+  else if (scheme.mask.dimension() > 2)
+    plate.notes.emplace_back("Limit functions of three variables are not drawn.");
+  else
+    try_part(plate, {}, "picture of the basic limit function",
+             [&] { plate.surface = formats::limit_surface(scheme.mask, "The basic limit function"); });
+}
+
+}  // namespace
+
+const std::string& Plate::specification() const {
+  return std::visit([](const auto& one) -> const std::string& { return one.specification; }, scheme);
+}
+
+const std::string& Plate::title() const {
+  return std::visit([](const auto& one) -> const std::string& { return one.title; }, scheme);
+}
+
+Plate make_plate(const GalleryScheme& scheme, const PlateOptions& options) {
+  Plate plate(scheme);
+  std::visit([&](const auto& one) { fill(plate, one, options); }, plate.scheme);
+  return plate;
+}
+
+}  // namespace subcert::reports

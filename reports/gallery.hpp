@@ -1,0 +1,62 @@
+#pragma once
+/// What the gallery knows of a scheme, and its pages.
+
+#include "gallery_schemes.hpp"
+
+#include "formats/figure.hpp"
+#include "formats/surface_figure.hpp"
+
+#include <subcert/schemes/specification.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace subcert::reports {
+
+struct PlateOptions {
+  double budget = 5;                          ///< seconds for the proofs about each scheme
+  std::size_t memory = std::size_t{1} << 30;  ///< bytes
+  bool open = false;                          ///< the polygon that is refined
+};
+
+/// A picture of a plate.
+struct PlatePicture {
+  std::string name;     ///< `limit`, `derivative-1`, `variance`, `polygon`
+  std::string caption;  ///< HTML
+  formats::Panel panel;
+};
+
+/// A scheme, what is proved about it, and its pictures. What does not exist, or is not proved to, is absent, and a note
+/// says why.
+struct Plate {
+  explicit Plate(const GalleryScheme& drawn) : scheme(make_linear_scheme(drawn.specification)), key(drawn.key) {}
+
+  LinearScheme scheme;
+  std::string key;  ///< of the reference, or empty
+  int sum_rules = 0;
+  Decision convergence;
+  Decision stable;
+  Enclosure holder;
+  Decision exact;  ///< whether a product attains the radius behind the exponent
+  std::optional<Enclosure> sobolev;
+  int derivatives = -1;  ///< continuous ones that are proved, without the budget of the exponent; -1: not asked
+  std::optional<Enclosure> largest_variance;
+  std::optional<Rational> mean_variance;
+  std::vector<PlatePicture> pictures;
+  std::optional<formats::DrawnSurface> surface;
+  std::vector<std::string> notes;
+
+  const std::string& specification() const;
+  const std::string& title() const;
+};
+
+/// Domain: a scheme of one variable, or of two or three. Errors: throws SpecificationError for what is no linear
+/// scheme; what a proof or a picture cannot have becomes a note. Cost: the
+/// budget, the budget once more for pictures, and for long masks the first picture beside.
+Plate make_plate(const GalleryScheme& scheme, const PlateOptions& options);
+
+/// One page, all in one file: an index of pictures where there are several plates, then the plates.
+std::string gallery_html(const std::vector<Plate>& plates);
+
+}  // namespace subcert::reports

@@ -29,6 +29,11 @@ struct SmoothedSamples {
 /// proof; else as LinearSmoother. Cost: as LinearSmoother::apply.
 SmoothedSamples smooth(const Samples& samples, const Scheme& scheme, const SmoothingOptions& options);
 
+/// The columns of smooth(); the value o belongs to the position o / arity^level, which is not stored. Errors and cost:
+/// as there.
+std::vector<SmoothedColumn> smoothed_columns(const Samples& samples, const Scheme& scheme,
+                                             const SmoothingOptions& options);
+
 /// Levels below the output grid at which data-dependent schemes, whose limits are not known, are interpolated.
 constexpr int finer_levels = 6;
 

@@ -72,4 +72,13 @@ TEST_CASE("data are smoothed") {
   CHECK(run("smooth " + folder / "nowhere.csv").code == 66);
   CHECK(run("smooth " + data + " --boundary other").code == 64);
   CHECK(run("smooth " + data + " --auto --scheme primal:n=2").code == 64);
+
+  // Standard input and output, and the name of the input in errors.
+  std::ofstream(data, std::ios::binary) << wave;
+  const std::string plain = run("smooth " + data + " --scheme primal:n=3").out;
+  CHECK(run("smooth - --scheme primal:n=3 --out - < " + data).out == plain);
+  CHECK_FALSE(plain.empty());
+  CHECK(run("smooth " + data + " --scheme primal:n=3 --jobs 3").out == plain);
+  std::ofstream(data, std::ios::binary) << "0,1\n1,x\n";
+  check_fails(run("smooth - < " + data), 65, "standard input, line 2, column 2: expected a number; found 'x'");
 }

@@ -35,6 +35,10 @@ SmoothPage smoothed(const SmoothOptions& options, const NamedSamples& samples) {
 ExitCode run(const SmoothOptions& options) {
   if (options.automatic && !options.scheme.empty())
     fail(ErrorKind::usage, "--auto and --scheme: expected one of the two");
+  if (options.predicts() && options.derivative > 0)
+    fail(ErrorKind::usage, "--bands-kind prediction: a new datum has no derivative; leave out --derivative");
+  if (options.predicts() && is_l1_specification(options.scheme))
+    fail(ErrorKind::usage, "--bands-kind prediction needs a linear scheme; {} is none", options.scheme);
   require_picture_name(options.plot);
   const NamedSamples samples = read_samples(options.samples);
   try {
@@ -79,6 +83,11 @@ void add_smooth(Command& app) {
   command
       .option("--bands", options->requested_bands, "Level of the pointwise confidence bands, 0 for none (default 0.95)")
       .within(0.0, 0.999999);
+  command
+      .option("--bands-kind", options->bands_kind,
+              "Bands for the expected value of the limit, or for a new datum of weight 1, each point by itself")
+      .one_of({"pointwise", "prediction"})
+      .with_default();
   command.option("--level", options->level, "Values at the multiples of arity^-LEVEL of the spacing")
       .within(0, 12)
       .with_default();

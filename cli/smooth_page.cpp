@@ -78,7 +78,8 @@ SmoothPage::SmoothPage(const SmoothOptions& how, const NamedSamples& what, std::
     add(samples.names[c], column.values);
     if (!column.deviations.empty()) add(prefix + "sd", column.deviations);
     if (!bands) continue;
-    std::vector<double>& lower = columns.emplace_back(column.half_widths(options.bands()));
+    std::vector<double>& lower = columns.emplace_back(
+        options.predicts() ? column.prediction_half_widths(options.bands()) : column.half_widths(options.bands()));
     std::vector<double>& upper = columns.emplace_back(lower);
     for (std::size_t o = 0; o < outputs; ++o) {
       lower[o] = column.values[o] - lower[o];
@@ -111,6 +112,7 @@ Json SmoothPage::json() const {
           {"derivative", options.derivative},
           {"noise", noise},
           {"bands", bands ? Json(options.bands()) : Json()},
+          {"bands_kind", bands ? Json(options.bands_kind) : Json()},
           {"columns", header},
           {"rows", rows}};
 }
@@ -124,8 +126,8 @@ void SmoothPage::write(std::ostream& stream) const {
       if (const auto& estimate = result[c].noise) stream << noise_line(samples.names[c], *estimate);
     if (bands)
       stream << fmt::format(
-          "# bands: {:.6g} % pointwise, for the expected value of the limit; the bias is not in them\n",
-          100 * options.bands());
+          "# bands: {:.6g} % pointwise, for {}; the bias is not in them\n", 100 * options.bands(),
+          options.predicts() ? "a new datum of weight 1 with normal noise" : "the expected value of the limit");
     if (!result.front().noise)
       stream << fmt::format(
           "# values {} levels below the output grid, interpolated; no bands, as the scheme is not linear\n",

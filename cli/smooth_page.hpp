@@ -17,6 +17,8 @@ struct SmoothOptions : CommonOptions {
   double constant = 0;
   std::optional<double> requested_bands;
   double bands() const { return requested_bands.value_or(0.95); }
+  std::string bands_kind = "pointwise";
+  bool predicts() const { return bands_kind == "prediction"; }
   int level = 2;
   int derivative = 0;
   std::string plot;

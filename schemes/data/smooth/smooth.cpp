@@ -52,6 +52,14 @@ std::vector<SmoothedColumn> smoothed_columns(const Samples& samples, const Schem
   return result;
 }
 
+std::vector<double> SmoothedColumn::prediction_half_widths(double level) const {
+  std::vector<double> widths = deviations;
+  if (widths.empty()) return widths;
+  const double factor = band_factor(level, *noise);
+  for (double& width : widths) width = factor * std::sqrt(width * width + noise->variance);
+  return widths;
+}
+
 SmoothedSamples smooth(const Samples& samples, const Scheme& scheme, const SmoothingOptions& options) {
   SmoothedSamples result{{}, smoothed_columns(samples, scheme, options)};
   const Rational scale = power(Rational(scheme.mask.arity()), options.level);

@@ -17,6 +17,9 @@ struct SmoothedColumn {
   /// Half the widths of the pointwise confidence bands for the expected value of the limit; none without deviations.
   /// Domain: 0 < level < 1. Errors: throws a domain error.
   std::vector<double> half_widths(double level) const;
+  /// The same of bands for a new datum with prior weight 1 at each position: t sqrt(sd^2 + the variance of the noise).
+  /// Domain: also derivative 0.
+  std::vector<double> prediction_half_widths(double level) const;
 };
 
 struct SmoothedSamples {

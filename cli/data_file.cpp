@@ -109,11 +109,12 @@ void write_data(std::ostream& stream, const DataFile& file, const data::GridData
     case DataKind::curve:
     case DataKind::matrix: break;
   }
-  const std::size_t width = file.kind == DataKind::matrix ? data.axes[0].count : file.table.columns;
+  const bool matrix = file.kind == DataKind::matrix;
+  const std::size_t width = matrix ? data.axes[0].count : data.dimension;
   std::vector<data::TableColumn> columns;
   for (std::size_t c = 0; c < width; ++c) columns.push_back({data.values.data() + c, width});
   stream << data::header_text(file.table.header, file.table.separator);
-  data::write_rows(stream, columns, data.values.size() / width, file.table.separator, threads);
+  data::write_rows(stream, columns, matrix ? data.axes[1].count : data.points(), file.table.separator, threads);
 }
 
 }  // namespace subcert::cli

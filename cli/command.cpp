@@ -13,6 +13,21 @@
 #include <sstream>
 
 namespace subcert::cli {
+namespace {
+
+std::string read_to_the_end(std::istream& stream, const std::string& name) {
+  std::string text;
+  for (std::size_t block = std::size_t{1} << 16; stream; block = std::min(2 * block, std::size_t{1} << 24)) {
+    const std::size_t old = text.size();
+    text.resize(old + block);
+    stream.read(text.data() + old, static_cast<std::streamsize>(block));
+    text.resize(old + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream.eof()) fail(ErrorKind::data, "{}: cannot be read", name);
+  return text;
+}
+
+}  // namespace
 
 ExitCode exit_code(Truth answer) { return answer == Truth::yes ? done : answer == Truth::no ? failed : undecided; }
 
@@ -41,11 +56,15 @@ std::string exit_code_help() {
 
 std::string read_file(const std::string& path) {
   if (!std::filesystem::exists(path)) fail(ErrorKind::missing_file, "{}: no such file", path);
+  if (std::filesystem::is_directory(path)) fail(ErrorKind::data, "{}: cannot be read", path);
   std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream || std::filesystem::is_directory(path)) fail(ErrorKind::data, "{}: cannot be read", path);
-  return text.str();
+  return read_to_the_end(stream, path);
+}
+
+std::string input_name(const std::string& path) { return path == standard_stream ? "standard input" : path; }
+
+std::string read_input(const std::string& path) {
+  return path == standard_stream ? read_to_the_end(std::cin, input_name(path)) : read_file(path);
 }
 
 int CommonOptions::threads() const { return jobs > 0 ? jobs : all_cores(); }
@@ -59,11 +78,16 @@ void CommonOptions::end_progress() const {
 }
 
 void CommonOptions::answer(const std::string& text) const {
-  if (!out.empty()) {
-    runtime::write_file(out, text);
+  answer([&](std::ostream& stream) { stream << text; });
+}
+
+void CommonOptions::answer(const std::function<void(std::ostream&)>& write) const {
+  if (!out.empty() && out != standard_stream) {
+    runtime::write_stream(out, write);
     return;
   }
-  std::cout << text << std::flush;
+  write(std::cout);
+  std::cout << std::flush;
   if (!std::cout) fail(ErrorKind::missing_file, "cannot write to standard output");
 }
 
@@ -75,7 +99,7 @@ Command add_command(Command& app, const std::string& name, const std::string& de
   command.flag("--quiet", options->quiet, "No progress");
   command.option("--jobs", options->jobs, "Threads (default: all cores)").within(1, 1024);
   command.option("--seed", options->seed, "Seed for whatever is random");
-  command.option("--out", options->out, "Write the answer there");
+  command.option("--out", options->out, "Write the answer there; - is standard output");
   command.run([run] { return static_cast<int>(run()); });
   return command;
 }

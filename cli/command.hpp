@@ -10,6 +10,7 @@
 #include <subcert/schemes/specification.hpp>
 
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <string>
 
@@ -35,8 +36,17 @@ ExitCode exit_code(ErrorKind kind);
 /// The meanings, as help prints them.
 std::string exit_code_help();
 
+/// The name that means standard input where data are read, and standard output where answers are written.
+constexpr const char* standard_stream = "-";
+
 /// The content of a file. Errors: throws a data error, or missing_file.
 std::string read_file(const std::string& path);
+
+/// The same, or the content of standard input.
+std::string read_input(const std::string& path);
+
+/// What errors call an input: the path, or `standard input`.
+std::string input_name(const std::string& path);
 
 /// Options that every subcommand takes.
 struct CommonOptions {
@@ -52,6 +62,8 @@ struct CommonOptions {
   void end_progress() const;
   /// Sends the answer to standard output or, with --out, to that file (written whole, then renamed).
   void answer(const std::string& text) const;
+  /// The same for an answer that is written piece by piece.
+  void answer(const std::function<void(std::ostream&)>& write) const;
   void answer(const Json& json_object) const { answer(json_object.dump(2) + "\n"); }
   /// The one that --json asks for.
   void answer(const Json& json_object, const std::string& text) const { json ? answer(json_object) : answer(text); }

@@ -102,7 +102,7 @@ ExitCode run(const RefineCommand& options) {
                                fewest.size() == 1 && file.data.axes[0].closed ? data::Boundary::periodic : boundary,
                                refined));
   else
-    options.answer(file_text(file, refined));
+    options.answer([&](std::ostream& stream) { write_data(stream, file, refined, options.threads()); });
   return done;
 }
 
@@ -117,7 +117,7 @@ void add_refine(Command& app) {
   command
       .option("DATA", options->data,
               "CSV: points in rows, or a matrix of heights for a scheme of two variables; .obj, .ply: a mesh of "
-              "quadrilaterals; .vtk: a regular volume")
+              "quadrilaterals; .vtk: a regular volume; - is standard input, read as CSV")
       .required();
   command.option("--levels", options->levels, "How often the scheme is applied").within(0, 1000000000).with_default();
   command.flag("--limit", options->limit, "Values of the limit at the parameters i / arity^LEVELS, at the data for 0");

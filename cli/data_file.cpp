@@ -17,7 +17,7 @@ constexpr const char* variables_text[] = {"", "one variable", "two variables", "
 
 DataFile read_csv(const std::string& path, std::size_t variables) {
   if (variables > 2) fail(ErrorKind::usage, "{}: a scheme of three variables needs a volume in a .vtk file", path);
-  data::Table table = data::parse_table(read_file(path), path);
+  data::Table table = data::parse_table(read_input(path), input_name(path));
   data::GridData<double> data;
   if (variables == 1) {
     data = data::curve_data(std::move(table.values), table.columns);
@@ -35,10 +35,10 @@ DataFile read_any(const std::string& path, std::size_t variables) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".obj") return {DataKind::obj, data::parse_obj(read_file(path), path)};
-  if (ending == ".ply") return {DataKind::ply, data::parse_ply(read_file(path), path)};
+  if (ending == ".obj") return {DataKind::obj, data::parse_obj(read_input(path), input_name(path))};
+  if (ending == ".ply") return {DataKind::ply, data::parse_ply(read_input(path), input_name(path))};
   if (ending != ".vtk") return read_csv(path, variables);
-  data::Volume volume = data::parse_vtk(read_file(path), path);
+  data::Volume volume = data::parse_vtk(read_input(path), input_name(path));
   data::GridData<double> data = std::move(volume.data);
   return {DataKind::vtk, std::move(data), {}, std::move(volume)};
 }
@@ -84,10 +84,10 @@ void check_data(const DataFile& file, const std::string& path, const std::string
                                       ? "rows"
                                       : std::string("points in direction ") + direction_names.at(v);
     if (axis.count < fewest[v])
-      fail(ErrorKind::data, "{}: expected at least {} {} for {}; found {}", path, fewest[v], direction, scheme,
-           axis.count);
+      fail(ErrorKind::data, "{}: expected at least {} {} for {}; found {}", input_name(path), fewest[v], direction,
+           scheme, axis.count);
     if (axis.closed && repeats_first(file.data, v))
-      fail(ErrorKind::data, "{}{}: expected each point of a closed {} once; found the first {} again", path,
+      fail(ErrorKind::data, "{}{}: expected each point of a closed {} once; found the first {} again", input_name(path),
            (file.kind == DataKind::curve ? ", line " + std::to_string(file.table.lines.back()) : ""),
            (axes == 1   ? "curve"
             : axes == 2 ? "surface"
@@ -96,18 +96,25 @@ void check_data(const DataFile& file, const std::string& path, const std::string
   }
 }
 
-std::string file_text(const DataFile& file, const data::GridData<double>& data) {
-  if (file.kind == DataKind::obj) return to_obj(data);
-  if (file.kind == DataKind::ply) return to_ply(data);
-  if (file.kind == DataKind::vtk) {
-    data::Volume volume = file.volume;
-    volume.data = data;
-    return to_vtk(volume);
+void write_data(std::ostream& stream, const DataFile& file, const data::GridData<double>& data, int threads) {
+  switch (file.kind) {
+    case DataKind::obj: stream << to_obj(data); return;
+    case DataKind::ply: stream << to_ply(data); return;
+    case DataKind::vtk: {
+      data::Volume volume = file.volume;
+      volume.data = data;
+      stream << to_vtk(volume);
+      return;
+    }
+    case DataKind::curve:
+    case DataKind::matrix: break;
   }
-  data::Table table = file.table;
-  table.values = data.values;
-  if (file.kind == DataKind::matrix) table.columns = data.axes[0].count;
-  return to_text(table);
+  const bool matrix = file.kind == DataKind::matrix;
+  const std::size_t width = matrix ? data.axes[0].count : data.dimension;
+  std::vector<data::TableColumn> columns;
+  for (std::size_t c = 0; c < width; ++c) columns.push_back({data.values.data() + c, width});
+  stream << data::header_text(file.table.header, file.table.separator);
+  data::write_rows(stream, columns, matrix ? data.axes[1].count : data.points(), file.table.separator, threads);
 }
 
 }  // namespace subcert::cli

@@ -20,15 +20,16 @@ struct DataFile {
 };
 
 /// Reads a file for a scheme of this many variables: `.obj`, `.ply` and `.vtk` by their endings, else CSV, one point in
-/// a row for one variable and a matrix of heights for two. `closed` says which directions are; a mesh says so itself.
-/// Errors: throws a data error, or missing_file, for the file, a usage error where it does not fit the variables.
+/// a row for one variable and a matrix of heights for two; `-` is standard input. `closed` says which directions are; a
+/// mesh says so itself. Errors: throws a data error, or missing_file, for the file, a usage error where it does not fit
+/// the variables.
 DataFile read_data_file(const std::string& path, std::size_t variables, const std::array<bool, 3>& closed);
 
 /// Throws a data error where a direction has fewer points, or is closed and repeats its first points at the end.
 void check_data(const DataFile& file, const std::string& path, const std::string& scheme,
                 const std::vector<std::size_t>& fewest);
 
-/// The text of a file of the same kind with these data.
-std::string file_text(const DataFile& file, const data::GridData<double>& data);
+/// Writes a file of the same kind with these data.
+void write_data(std::ostream& stream, const DataFile& file, const data::GridData<double>& data, int threads);
 
 }  // namespace subcert::cli

@@ -15,6 +15,9 @@ struct SampleOptions {
   std::vector<std::string> y;  ///< columns by name or number; empty: all that are left
   std::string weights;         ///< column by name or number, or empty
   std::string missing = "raise";
+
+  /// What errors call the file.
+  std::string name() const;
 };
 
 /// Samples with the names of their columns in the file.

@@ -1,10 +1,12 @@
 #include "smooth_page.hpp"
 
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
+#include <subcert/schemes/data/smooth/uniform_grid.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <ostream>
 
 namespace subcert::cli {
 namespace {
@@ -52,52 +54,54 @@ std::string noise_line(const std::string& column, const data::NoiseEstimate& noi
 }  // namespace
 
 SmoothPage::SmoothPage(const SmoothOptions& how, const NamedSamples& what, std::string scheme,
-                       std::optional<data::SchemeChoice> chosen, data::SmoothedSamples smoothed)
+                       std::optional<data::SchemeChoice> chosen, std::vector<data::SmoothedColumn> smoothed)
     : options(how),
       samples(what),
       specification(std::move(scheme)),
       choice(std::move(chosen)),
       result(std::move(smoothed)),
-      bands(how.bands() != 0 && !result.columns.front().deviations.empty()) {
-  std::vector<std::vector<double>> columns{{}};
-  for (const Rational& position : result.positions)
-    columns[0].push_back(data::nearest_double(samples.origin + samples.spacing * position));
-  table.separator = samples.separator;
-  table.header = {samples.x_name};
+      bands(how.bands() != 0 && !result.front().deviations.empty()) {
+  const std::size_t outputs = result.front().values.size();
+  const std::size_t scale = samples.count() == 1 ? 1 : (outputs - 1) / (samples.count() - 1);
+  const data::GridPositions grid(samples.origin, samples.spacing, scale);
+  columns.reserve(1 + 2 * result.size());  // what `table` points to stays
   const auto add = [&](const std::string& name, const std::vector<double>& values) {
-    table.header.push_back(name);
-    columns.push_back(values);
+    header.push_back(name);
+    table.push_back(&values);
   };
-  for (std::size_t c = 0; c < result.columns.size(); ++c) {
-    const data::SmoothedColumn& column = result.columns[c];
-    const std::string prefix = result.columns.size() == 1 ? "" : samples.names[c] + "_";
+  std::vector<double>& positions = columns.emplace_back(outputs);
+  for (std::size_t o = 0; o < outputs; ++o) positions[o] = grid.at(o);
+  add(samples.x_name, positions);
+  for (std::size_t c = 0; c < result.size(); ++c) {
+    const data::SmoothedColumn& column = result[c];
+    const std::string prefix = result.size() == 1 ? "" : samples.names[c] + "_";
     add(samples.names[c], column.values);
     if (!column.deviations.empty()) add(prefix + "sd", column.deviations);
     if (!bands) continue;
-    const std::vector<double> widths = column.half_widths(options.bands());
-    std::vector<double> lower = column.values, upper = column.values;
-    for (std::size_t o = 0; o < widths.size(); ++o) {
-      lower[o] -= widths[o];
-      upper[o] += widths[o];
+    std::vector<double>& lower = columns.emplace_back(
+        options.predicts() ? column.prediction_half_widths(options.bands()) : column.half_widths(options.bands()));
+    std::vector<double>& upper = columns.emplace_back(lower);
+    for (std::size_t o = 0; o < outputs; ++o) {
+      lower[o] = column.values[o] - lower[o];
+      upper[o] = column.values[o] + upper[o];
     }
     add(prefix + "lower", lower);
     add(prefix + "upper", upper);
   }
-  table.columns = columns.size();
-  for (std::size_t o = 0; o < columns[0].size(); ++o)
-    for (const auto& column : columns) table.values.push_back(column[o]);
 }
 
 Json SmoothPage::json() const {
   Json noise = Json::array(), rows = Json::array();
-  for (std::size_t c = 0; c < result.columns.size(); ++c)
-    if (const auto& estimate = result.columns[c].noise)
+  for (std::size_t c = 0; c < result.size(); ++c)
+    if (const auto& estimate = result[c].noise)
       noise.push_back({{"column", samples.names[c]},
                        {"sigma", std::sqrt(estimate->variance)},
                        {"degrees_of_freedom", estimate->degrees_of_freedom},
                        {"terms", estimate->terms}});
-  for (auto row = table.values.begin(); row != table.values.end(); row += static_cast<long>(table.columns))
-    rows.push_back(std::vector<double>(row, row + static_cast<long>(table.columns)));
+  for (std::size_t o = 0; o < table.front()->size(); ++o) {
+    Json& row = rows.emplace_back(Json::array());
+    for (const auto* column : table) row.push_back((*column)[o]);
+  }
   return {{"scheme", specification},
           {"auto", choice.has_value()},
           {"choice", choice_json(choice)},
@@ -108,37 +112,42 @@ Json SmoothPage::json() const {
           {"derivative", options.derivative},
           {"noise", noise},
           {"bands", bands ? Json(options.bands()) : Json()},
-          {"columns", table.header},
+          {"bands_kind", bands ? Json(options.bands_kind) : Json()},
+          {"columns", header},
           {"rows", rows}};
 }
 
-std::string SmoothPage::text() const {
-  if (options.quiet) return to_text(table);
-  std::string text = "# scheme " + specification + ", boundary " + options.boundary +
-                     (options.derivative > 0 ? ", derivative " + std::to_string(options.derivative) : "") + "\n";
-  if (choice) text += choice_text(*choice);
-  for (std::size_t c = 0; c < result.columns.size(); ++c)
-    if (const auto& estimate = result.columns[c].noise) text += noise_line(samples.names[c], *estimate);
-  if (bands)
-    text += fmt::format("# bands: {:.6g} % pointwise, for the expected value of the limit; the bias is not in them\n",
-                        100 * options.bands());
-  if (!result.columns.front().noise)
-    text += fmt::format(
-        "# values {} levels below the output grid, interpolated; no bands, as the scheme is not linear\n",
-        data::finer_levels);
-  return text + to_text(table);
+void SmoothPage::write(std::ostream& stream) const {
+  if (!options.quiet) {
+    stream << "# scheme " << specification << ", boundary " << options.boundary
+           << (options.derivative > 0 ? ", derivative " + std::to_string(options.derivative) : "") << "\n";
+    if (choice) stream << choice_text(*choice);
+    for (std::size_t c = 0; c < result.size(); ++c)
+      if (const auto& estimate = result[c].noise) stream << noise_line(samples.names[c], *estimate);
+    if (bands)
+      stream << fmt::format(
+          "# bands: {:.6g} % pointwise, for {}; the bias is not in them\n", 100 * options.bands(),
+          options.predicts() ? "a new datum of weight 1 with normal noise" : "the expected value of the limit");
+    if (!result.front().noise)
+      stream << fmt::format(
+          "# values {} levels below the output grid, interpolated; no bands, as the scheme is not linear\n",
+          data::finer_levels);
+  }
+  std::vector<data::TableColumn> views;
+  for (const auto* column : table) views.push_back({column->data()});
+  stream << data::header_text(header, samples.separator);
+  data::write_rows(stream, views, table.front()->size(), samples.separator, options.threads());
 }
 
 formats::Figure SmoothPage::figure() const {
   formats::Figure figure{"smooth", specification, "", 1, {}};
   const auto drawn = [&](const std::string& label, std::size_t column) {
     formats::Curve curve{label, {}};
-    for (std::size_t i = 0; i < table.values.size(); i += table.columns)
-      curve.points.emplace_back(table.values[i], table.values[i + column]);
+    for (std::size_t o = 0; o < table[0]->size(); ++o) curve.points.emplace_back((*table[0])[o], (*table[column])[o]);
     return curve;
   };
   std::size_t next = 1;  // column of the table
-  for (std::size_t c = 0; c < result.columns.size(); ++c) {
+  for (std::size_t c = 0; c < result.size(); ++c) {
     formats::Panel panel{specification, samples.x_name, samples.names[c], {}, false, "below"};
     if (options.derivative == 0) {
       formats::Curve dots{"data", {}, true, false};
@@ -149,7 +158,7 @@ formats::Figure SmoothPage::figure() const {
       panel.curves.push_back(dots);
     }
     panel.curves.push_back(drawn("limit", next++));
-    if (!result.columns[c].deviations.empty()) ++next;
+    if (!result[c].deviations.empty()) ++next;
     if (bands) {
       panel.curves.push_back(drawn("lower", next++));
       panel.curves.push_back(drawn("upper", next++));

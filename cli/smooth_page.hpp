@@ -17,6 +17,8 @@ struct SmoothOptions : CommonOptions {
   double constant = 0;
   std::optional<double> requested_bands;
   double bands() const { return requested_bands.value_or(0.95); }
+  std::string bands_kind = "pointwise";
+  bool predicts() const { return bands_kind == "prediction"; }
   int level = 2;
   int derivative = 0;
   std::string plot;
@@ -26,19 +28,23 @@ struct SmoothOptions : CommonOptions {
 /// the band for each column, as far as there are such.
 struct SmoothPage {
   /// `how` and `what` must outlive the page.
+  SmoothPage(const SmoothPage&) = delete;
+  SmoothPage& operator=(const SmoothPage&) = delete;
   SmoothPage(const SmoothOptions& how, const NamedSamples& what, std::string scheme,
-             std::optional<data::SchemeChoice> chosen, data::SmoothedSamples smoothed);
+             std::optional<data::SchemeChoice> chosen, std::vector<data::SmoothedColumn> smoothed);
 
   const SmoothOptions& options;
   const NamedSamples& samples;
   std::string specification;
   std::optional<data::SchemeChoice> choice;  ///< where none was named
-  data::SmoothedSamples result;
-  bool bands;  ///< whether there are any
-  data::Table table;
+  std::vector<data::SmoothedColumn> result;
+  bool bands;                                ///< whether there are any
+  std::vector<std::string> header;           ///< of the columns
+  std::vector<std::vector<double>> columns;  ///< those that are not in `result`
+  std::vector<const std::vector<double>*> table;
 
   Json json() const;
-  std::string text() const;
+  void write(std::ostream& stream) const;
   formats::Figure figure() const;
 };
 

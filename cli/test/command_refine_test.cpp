@@ -18,6 +18,9 @@ TEST_CASE("data are refined") {
   CHECK(with("1\n0\n0\n0\n", "dual:n=1 " + data + " --closed --levels 1").out ==
         "0.75\n0.25\n0\n0\n0\n0\n0.25\n0.75\n");
   std::ofstream(data, std::ios::binary) << line;
+  CHECK(run("refine primal:n=1 - --levels 1 --out - < " + data).out ==
+        run("refine primal:n=1 " + data + " --levels 1").out);
+  check_fails(run("refine primal:n=2 - < /dev/null"), 65, "standard input: expected rows of numbers; found none");
   const auto json = run_json("refine dual:n=1 " + data + " --levels 3");
   CHECK(json.at("scheme") == "dual:n=1,d=1");
   CHECK(json.at("count") == 32);

@@ -72,4 +72,29 @@ TEST_CASE("data are smoothed") {
   CHECK(run("smooth " + folder / "nowhere.csv").code == 66);
   CHECK(run("smooth " + data + " --boundary other").code == 64);
   CHECK(run("smooth " + data + " --auto --scheme primal:n=2").code == 64);
+
+  // A prediction band has the noise in it, too.
+  std::ofstream(data, std::ios::binary) << wave;
+  const auto predicted = run_json("smooth " + data + " --scheme primal:n=3 --bands-kind prediction");
+  const auto expected = run_json("smooth " + data + " --scheme primal:n=3");
+  CHECK(predicted.at("bands_kind") == "prediction");
+  const double sigma = predicted.at("noise")[0].at("sigma");
+  for (std::size_t i = 0; i < predicted.at("rows").size(); ++i) {
+    const auto wide = predicted.at("rows")[i].get<std::vector<double>>();
+    const auto narrow = expected.at("rows")[i].get<std::vector<double>>();
+    CHECK(wide[1] == narrow[1]);
+    CHECK((wide[4] - wide[1]) / (narrow[4] - narrow[1]) ==
+          Approx(std::sqrt(wide[2] * wide[2] + sigma * sigma) / wide[2]).epsilon(1e-9));
+  }
+  fails(wave, "--scheme primal:n=5 --bands-kind prediction --derivative 1", 64,
+        "--bands-kind prediction: a new datum has no derivative; leave out --derivative");
+
+  // Standard input and output, and the name of the input in errors.
+  std::ofstream(data, std::ios::binary) << wave;
+  const std::string plain = run("smooth " + data + " --scheme primal:n=3").out;
+  CHECK(run("smooth - --scheme primal:n=3 --out - < " + data).out == plain);
+  CHECK_FALSE(plain.empty());
+  CHECK(run("smooth " + data + " --scheme primal:n=3 --jobs 3").out == plain);
+  std::ofstream(data, std::ios::binary) << "0,1\n1,x\n";
+  check_fails(run("smooth - < " + data), 65, "standard input, line 2, column 2: expected a number; found 'x'");
 }

@@ -1,11 +1,18 @@
 #include "table.hpp"
 
+#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
+#include <ostream>
 
 namespace subcert::data {
 namespace {
@@ -96,8 +103,11 @@ class Reader {
 
   bool next_line() {
     if (text_.empty()) return false;
-    std::size_t end = text_.find_first_of("\n\r");
-    line_ = text_.substr(0, end);
+    // Where lines end with a carriage return alone, the next line feed is far away: it is looked for once.
+    if (line_feed_ < text_.data()) line_feed_ = text_.data() + std::min(text_.find('\n'), text_.size());
+    line_ = text_.substr(0, static_cast<std::size_t>(line_feed_ - text_.data()));
+    line_ = line_.substr(0, line_.find('\r'));
+    std::size_t end = line_.size() == text_.size() ? std::string_view::npos : line_.size();
     if (end == std::string_view::npos) {
       text_ = {};
     } else {
@@ -121,7 +131,7 @@ class Reader {
   void split() {
     fields_.clear();
     unquoted_.clear();
-    unquoted_.reserve(line_.size());  // views into it stay valid
+    if (unquoted_.capacity() < line_.size()) unquoted_.reserve(line_.size());  // views into it stay valid
     const bool blanks = table_.separator == ' ';
     std::string_view rest = blanks ? trimmed(line_) : line_;
     for (bool more = true; more;) {
@@ -187,6 +197,7 @@ class Reader {
   Missing missing_;
   Table table_;
   std::string_view line_;
+  const char* line_feed_ = nullptr;  // the next one, or the end
   std::size_t number_ = 0;
   std::size_t empty_line_ = 0;
   bool started_ = false;
@@ -201,6 +212,54 @@ std::string quoted_where_needed(const std::string& name, char separator) {
   return result + "\"";
 }
 
+/// Appends rows to a text. Numbers that come again soon, as standard deviations do, are converted once.
+class RowText {
+ public:
+  RowText(const std::vector<TableColumn>& columns, char separator) : columns_(columns), separator_(separator) {}
+
+  void append(std::size_t begin, std::size_t end, std::string& text) {
+    const std::size_t old = text.size();
+    text.resize(old + (end - begin) * columns_.size() * most_characters);
+    char* to = text.data() + old;
+    for (std::size_t row = begin; row < end; ++row)
+      for (std::size_t c = 0; c < columns_.size(); ++c) {
+        to = write(columns_[c].values[row * columns_[c].stride], to);
+        *to++ = c + 1 == columns_.size() ? '\n' : separator_;
+      }
+    text.resize(static_cast<std::size_t>(to - text.data()));
+  }
+
+ private:
+  static constexpr std::size_t most_characters = 32;  // of a number and its separator
+  struct Known {
+    std::uint64_t bits = 0;
+    std::uint8_t length = 0;  // 0: none
+    char text[most_characters - 1];
+  };
+
+  char* write(double value, char* to) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    Known& known = known_[(bits * 0x9e3779b97f4a7c15U) >> 58U];
+    if (known.length == 0 || known.bits != bits) {
+      known.bits = bits;
+      known.length = static_cast<std::uint8_t>(std::to_chars(known.text, known.text + sizeof known.text, value).ptr -
+                                               known.text);
+    }
+    std::memcpy(to, known.text, sizeof known.text);
+    return to + known.length;
+  }
+
+  const std::vector<TableColumn>& columns_;
+  char separator_;
+  std::array<Known, 64> known_ = {};
+};
+
+std::vector<TableColumn> columns_of(const Table& table) {
+  std::vector<TableColumn> columns;
+  for (std::size_t c = 0; c < table.columns; ++c) columns.push_back({table.values.data() + c, table.columns});
+  return columns;
+}
+
 }  // namespace
 
 Table parse_table(std::string_view text, const std::string& file, Missing missing) {
@@ -213,18 +272,35 @@ std::string shortest_text(double value) {
   return std::string(buffer, error == std::errc() ? end : buffer);
 }
 
-std::string to_text(const Table& table) {
+std::string header_text(const std::vector<std::string>& header, char separator) {
   std::string text;
-  for (std::size_t c = 0; c < table.header.size(); ++c)
-    text += (c ? std::string(1, table.separator) : "") + quoted_where_needed(table.header[c], table.separator);
-  if (!table.header.empty()) text += '\n';
-  char buffer[32];
-  for (std::size_t i = 0; i < table.values.size(); ++i) {
-    const auto written = std::to_chars(buffer, buffer + sizeof buffer, table.values[i]);
-    text.append(buffer, written.ptr);
-    text += (i + 1) % table.columns == 0 ? '\n' : table.separator;
-  }
+  for (std::size_t c = 0; c < header.size(); ++c)
+    text += (c ? std::string(1, separator) : "") + quoted_where_needed(header[c], separator);
+  if (!header.empty()) text += '\n';
   return text;
+}
+
+std::string to_text(const Table& table) {
+  std::string text = header_text(table.header, table.separator);
+  const std::vector<TableColumn> columns = columns_of(table);
+  RowText(columns, table.separator).append(0, table.rows(), text);
+  return text;
+}
+
+void write_rows(std::ostream& stream, const std::vector<TableColumn>& columns, std::size_t rows, char separator,
+                int threads) {
+  constexpr std::size_t block = 8192;
+  std::vector<std::string> blocks(static_cast<std::size_t>(threads) * 4);
+  for (std::size_t begin = 0; begin < rows && stream; begin += blocks.size() * block) {
+    const std::size_t used = std::min(blocks.size(), (rows - begin + block - 1) / block);
+    parallel_for_each(used, threads, [&](std::size_t b) {
+      const std::size_t first = begin + b * block;
+      blocks[b].clear();
+      RowText(columns, separator).append(first, std::min(first + block, rows), blocks[b]);
+    });
+    for (std::size_t b = 0; b < used; ++b)
+      stream.write(blocks[b].data(), static_cast<std::streamsize>(blocks[b].size()));
+  }
 }
 
 }  // namespace subcert::data

@@ -2,6 +2,7 @@
 /// Tables of numbers as text: comma, semicolon, tab or blank between the columns, with or without a header line.
 
 #include <cstddef>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,20 @@ Table parse_table(std::string_view text, const std::string& file, Missing missin
 
 /// The text of a table: shortest decimal numbers that read back as the same doubles, lines end with a line feed.
 std::string to_text(const Table& table);
+
+/// values[row * stride], row = 0, 1, ...
+struct TableColumn {
+  const double* values;
+  std::size_t stride = 1;
+};
+
+/// The header line of a table, nothing for an empty header.
+std::string header_text(const std::vector<std::string>& header, char separator);
+
+/// Writes rows as to_text does, block by block: memory does not grow with their number. Domain: one column or more, of
+/// `rows` values, threads >= 1. Errors: those of the stream.
+void write_rows(std::ostream& stream, const std::vector<TableColumn>& columns, std::size_t rows, char separator,
+                int threads);
 
 /// The shortest decimal text that reads back as `value`.
 std::string shortest_text(double value);

@@ -27,13 +27,17 @@ void write_file_with(const std::filesystem::path& path,
   }
 }
 
-void write_file(const std::filesystem::path& path, const std::string& content) {
+void write_stream(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
   write_file_with(path, [&](const std::filesystem::path& temporary) {
     std::ofstream stream(temporary, std::ios::binary);
-    stream << content;
+    write(stream);
     stream.close();
     if (!stream) fail(ErrorKind::missing_file, "cannot write {}", path.string());
   });
+}
+
+void write_file(const std::filesystem::path& path, const std::string& content) {
+  write_stream(path, [&](std::ostream& stream) { stream << content; });
 }
 
 }  // namespace subcert::runtime

@@ -78,7 +78,8 @@ RoundedCombination rounded(const Combination& combination) {
 }
 
 RoundedCombination ExtendedData::rounded_at(long index) const {
-  if (!weighted() || is_inside(index) || rule_.kind != Boundary::regression) return rounded(at(index));
+  if (is_inside(index)) return {{{static_cast<std::size_t>(index), 1}}};
+  if (!weighted() || rule_.kind != Boundary::regression) return rounded(at(index));
   std::vector<double> nodes, weights;
   const std::vector<std::size_t> data = fitted_data(index);
   for (const std::size_t i : data) {

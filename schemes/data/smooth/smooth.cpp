@@ -34,21 +34,37 @@ std::vector<double> SmoothedColumn::half_widths(double level) const {
   return widths;
 }
 
-SmoothedSamples smooth(const Samples& samples, const Scheme& scheme, const SmoothingOptions& options) {
+std::vector<SmoothedColumn> smoothed_columns(const Samples& samples, const Scheme& scheme,
+                                             const SmoothingOptions& options) {
   require_limits(scheme, options.derivative);
   const LinearSmoother smoother(scheme.mask, samples.count(), options, scheme.rules, samples.weights);
   const double unit = std::pow(nearest_double(samples.spacing), -options.derivative);
-  SmoothedSamples result;
-  for (std::size_t o = 0; o < smoother.outputs(); ++o) result.positions.push_back(smoother.position(o));
+  std::vector<SmoothedColumn> result;
   const std::vector<NoiseEstimate> noise = estimate_noise(samples);
   for (std::size_t c = 0; c < samples.columns.size(); ++c) {
-    const auto smoothed = smoother.apply(samples.columns[c]);
-    SmoothedColumn& column = result.columns.emplace_back(SmoothedColumn{smoothed.values, noise[c]});
+    auto smoothed = smoother.apply(samples.columns[c]);
+    SmoothedColumn& column = result.emplace_back(SmoothedColumn{std::move(smoothed.values), noise[c]});
     for (double& value : column.values) value *= unit;
     if (noise[c].terms == 0) continue;
-    for (const double variance : smoothed.variances)
-      column.deviations.push_back(unit * std::sqrt(noise[c].variance * variance));
+    column.deviations = std::move(smoothed.variances);
+    for (double& deviation : column.deviations) deviation = unit * std::sqrt(noise[c].variance * deviation);
   }
+  return result;
+}
+
+std::vector<double> SmoothedColumn::prediction_half_widths(double level) const {
+  std::vector<double> widths = deviations;
+  if (widths.empty()) return widths;
+  const double factor = band_factor(level, *noise);
+  for (double& width : widths) width = factor * std::sqrt(width * width + noise->variance);
+  return widths;
+}
+
+SmoothedSamples smooth(const Samples& samples, const Scheme& scheme, const SmoothingOptions& options) {
+  SmoothedSamples result{{}, smoothed_columns(samples, scheme, options)};
+  const Rational scale = power(Rational(scheme.mask.arity()), options.level);
+  for (std::size_t o = 0; o < result.columns.front().values.size(); ++o)
+    result.positions.push_back(Rational(o) / scale);
   return result;
 }
 

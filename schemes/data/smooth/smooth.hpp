@@ -17,6 +17,9 @@ struct SmoothedColumn {
   /// Half the widths of the pointwise confidence bands for the expected value of the limit; none without deviations.
   /// Domain: 0 < level < 1. Errors: throws a domain error.
   std::vector<double> half_widths(double level) const;
+  /// The same of bands for a new datum with prior weight 1 at each position: t sqrt(sd^2 + the variance of the noise).
+  /// Domain: also derivative 0.
+  std::vector<double> prediction_half_widths(double level) const;
 };
 
 struct SmoothedSamples {
@@ -28,6 +31,11 @@ struct SmoothedSamples {
 /// their indices. Errors: throws a domain error where convergence, or the smoothness that a derivative needs, has no
 /// proof; else as LinearSmoother. Cost: as LinearSmoother::apply.
 SmoothedSamples smooth(const Samples& samples, const Scheme& scheme, const SmoothingOptions& options);
+
+/// The columns of smooth(); the value o belongs to the position o / arity^level, which is not stored. Errors and cost:
+/// as there.
+std::vector<SmoothedColumn> smoothed_columns(const Samples& samples, const Scheme& scheme,
+                                             const SmoothingOptions& options);
 
 /// Levels below the output grid at which data-dependent schemes, whose limits are not known, are interpolated.
 constexpr int finer_levels = 6;

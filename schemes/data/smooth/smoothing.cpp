@@ -5,13 +5,19 @@
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/schemes/data/refine/weighted_sum.hpp>
 
 #include <algorithm>
+#include <deque>
+#include <limits>
+#include <type_traits>
 
 namespace subcert::data {
 namespace {
 
 constexpr int max_shift_level = 12;
+constexpr std::size_t most_block_positions = 512;
+constexpr std::size_t most_block_values = 8192;
 
 /// The smallest level on whose grid x lies.
 int adic_level(const Rational& x, int arity) {
@@ -58,8 +64,41 @@ LinearSmoother::LinearSmoother(const Mask& mask, std::size_t count, const Smooth
   require_smoothable(count, scale_);
   if (data_.weighted() && !rules_)
     fail(ErrorKind::domain, "smoothing: prior weights and missing data need a scheme of local regressions");
-  for (std::size_t i = 0; i < count; ++i)
-    prior_weights_.push_back(static_cast<double>(data_.weight(static_cast<long>(i))));
+  prior_weights_.assign(count, 1);
+  if (data_.weighted())
+    for (std::size_t i = 0; i < count; ++i) prior_weights_[i] = static_cast<double>(data_.weight(static_cast<long>(i)));
+  prepare_rounded_rows();
+}
+
+/// What rounded_row() and interior_end() need of the exact numbers.
+void LinearSmoother::prepare_rounded_rows() {
+  for (const Rational& value : phi_.values) phi_rounded_.push_back(static_cast<double>(value));
+  const long arity = mask_.arity();
+  const Rational scale = data_.weighted() ? arity : 1, grid = power(Rational(arity), phi_.level);
+  for (std::size_t p = 0; p < std::min(scale_, outputs()); ++p) {
+    const auto [first, last] = reach(p, scale);
+    phases_.push_back({first, last, numerator(Rational(scale * (position(p) + shift_) * grid)).convert_to<long>()});
+    long low = first, high = last;
+    if (data_.weighted()) {
+      low = std::numeric_limits<long>::max();
+      high = std::numeric_limits<long>::min();
+      for (long m = first; m <= last; ++m) {
+        const auto [rule, group] = rule_of(m);
+        low = std::min(low, group + rules_->rules[rule].first);
+        high = std::max(high, group + rules_->rules[rule].last);
+      }
+    }
+    lowest_ = p == 0 ? low : std::min(lowest_, low);
+    highest_ = p == 0 ? high : std::max(highest_, high);
+  }
+  if (!data_.weighted()) return;
+  for (const RegressionRule& rule : rules_->rules) {
+    auto& nodes = nodes_.emplace_back();
+    for (long k = rule.first; k <= rule.last; ++k) nodes.push_back(static_cast<double>(Rational(k - rule.position)));
+  }
+  same_weight_until_.assign(data_.count(), data_.count());
+  for (std::size_t i = data_.count() - 1; i-- > 0;)
+    same_weight_until_[i] = prior_weights_[i] == prior_weights_[i + 1] ? same_weight_until_[i + 1] : i + 1;
 }
 
 std::size_t LinearSmoother::outputs() const { return (data_.count() - 1) * scale_ + 1; }
@@ -73,9 +112,15 @@ std::pair<long, long> LinearSmoother::reach(std::size_t output, const Rational& 
   return {ceil_index(x - range.upper), floor_index(x - range.lower)};
 }
 
-bool LinearSmoother::is_interior(std::size_t output) const {
-  const auto [first, last] = reach(output, 1);
-  return data_.is_inside(first) && data_.is_inside(last);
+/// The first position from `whole` on whose outputs are not all composed from data inside of one weight; `whole` itself
+/// where its own are not. The last position, which has one output alone, never counts as such.
+std::size_t LinearSmoother::interior_end(std::size_t whole) const {
+  const auto count = static_cast<long>(data_.count()), at = static_cast<long>(whole);
+  if (at + lowest_ < 0 || at + highest_ >= count) return whole;
+  const long end = same_weight_until_.empty()
+                       ? count
+                       : static_cast<long>(same_weight_until_[static_cast<std::size_t>(at + lowest_)]);
+  return static_cast<std::size_t>(std::clamp(end - highest_, at, std::max(at, count - 1)));
 }
 
 SmoothingRow LinearSmoother::to_row(const Combination& combination) const {
@@ -101,18 +146,26 @@ SmoothingRow LinearSmoother::limit_row(std::size_t output) const {
   return to_row(sum);
 }
 
-LinearSmoother::Window LinearSmoother::window_of(long index) const {
+/// Which rule makes the datum of level 1 with this index, and the datum from which its window counts.
+std::pair<std::size_t, long> LinearSmoother::rule_of(long index) const {
   const long arity = mask_.arity();
   const long offset = index - rules_->first_output;
-  const long residue = modulo(offset, arity);
-  const auto rule = static_cast<std::size_t>(residue);
+  return {static_cast<std::size_t>(modulo(offset, arity)), floor_divide(offset, arity)};
+}
+
+template <class Number>
+LinearSmoother::Window<Number> LinearSmoother::window_of(long index) const {
+  const auto [rule, group] = rule_of(index);
   const RegressionRule& r = rules_->rules[rule];
   const auto points = static_cast<std::size_t>(r.last - r.first + 1);
-  const long group = floor_divide(offset, arity);
-  Window window{rule, group + r.first, group, std::vector<Rational>(points, 0), {}};
+  Window<Number> window{rule, group + r.first, std::vector<Number>(points), {}};
   for (std::size_t k = 0; k < points; ++k) {
-    window.weights[k] = data_.weight(window.first + static_cast<long>(k)) *
-                        (r.weights.empty() ? Rational(1) : r.weights[k]);
+    const long datum = window.first + static_cast<long>(k);
+    if (std::is_same_v<Number, double> && r.weights.empty() && data_.is_inside(datum))
+      window.weights[k] = static_cast<Number>(prior_weights_[static_cast<std::size_t>(datum)]);
+    else
+      window.weights[k] = static_cast<Number>(
+          Rational(data_.weight(datum) * (r.weights.empty() ? Rational(1) : r.weights[k])));
     if (window.weights[k] > 0) window.kept.push_back(k);
   }
   const std::size_t needed = std::min(points, static_cast<std::size_t>(rules_->degree) + 1);
@@ -122,7 +175,7 @@ LinearSmoother::Window LinearSmoother::window_of(long index) const {
   return window;
 }
 
-const std::vector<Rational>& LinearSmoother::fit_of(const Window& window) const {
+const std::vector<Rational>& LinearSmoother::fit_of(const Window<Rational>& window) const {
   const auto found = fits_.find({window.rule, window.weights});
   if (found != fits_.end()) return found->second;
   const RegressionRule& r = rules_->rules[window.rule];
@@ -136,7 +189,7 @@ const std::vector<Rational>& LinearSmoother::fit_of(const Window& window) const 
 
 /// The datum of level 1 with this index, from a fit with the prior weights.
 Combination LinearSmoother::refined_datum(long index) const {
-  const Window window = window_of(index);
+  const auto window = window_of<Rational>(index);
   const std::vector<Rational>& fit = fit_of(window);
   Combination sum;
   for (std::size_t k = 0; k < window.kept.size(); ++k)
@@ -146,17 +199,21 @@ Combination LinearSmoother::refined_datum(long index) const {
 
 /// refined_datum() in double precision.
 RoundedCombination LinearSmoother::rounded_refined_datum(long index) const {
-  const Window window = window_of(index);
-  const RegressionRule& r = rules_->rules[window.rule];
+  const auto window = window_of<double>(index);
   std::vector<double> nodes, weights;
   for (const std::size_t k : window.kept) {
-    nodes.push_back(static_cast<double>(Rational(r.first + static_cast<long>(k) - r.position)));
-    weights.push_back(static_cast<double>(window.weights[k]));
+    nodes.push_back(nodes_[window.rule][k]);
+    weights.push_back(window.weights[k]);
   }
   const std::vector<double> fit = rounded_regression_weights(nodes, weights, rules_->degree, 0);
   RoundedCombination sum;
   for (std::size_t k = 0; k < fit.size(); ++k) {
-    const RoundedCombination datum = data_.rounded_at(window.first + static_cast<long>(window.kept[k]));
+    const long at = window.first + static_cast<long>(window.kept[k]);
+    if (data_.is_inside(at)) {
+      sum.terms.emplace_back(static_cast<std::size_t>(at), fit[k]);
+      continue;
+    }
+    const RoundedCombination datum = data_.rounded_at(at);
     sum.outside += fit[k] * datum.outside;
     for (const auto& [i, weight] : datum.terms) sum.terms.emplace_back(i, fit[k] * weight);
   }
@@ -177,26 +234,45 @@ SmoothingRow LinearSmoother::row(std::size_t output) const {
   return to_row(sum);
 }
 
-/// The datum of level 0 or, with prior weights, of level 1, in double precision; made once.
-const RoundedCombination& LinearSmoother::rounded_datum(long index) const {
-  if (const auto found = rounded_.find(index); found != rounded_.end()) return found->second;
-  return rounded_[index] = data_.weighted() ? rounded_refined_datum(index) : data_.rounded_at(index);
-}
+/// The data of level 0 or, with prior weights, of level 1 in double precision, for positions that go up.
+class LinearSmoother::RoundedData {
+ public:
+  explicit RoundedData(const LinearSmoother& smoother) : smoother_(smoother) {}
+
+  /// Makes those from first to last and forgets those before.
+  void reach(long first, long last) {
+    while (!data_.empty() && first_ < first) {
+      data_.pop_front();
+      ++first_;
+    }
+    if (data_.empty()) first_ = first;
+    for (long j = first_ + static_cast<long>(data_.size()); j <= last; ++j)
+      data_.push_back(smoother_.data_.weighted() ? smoother_.rounded_refined_datum(j) : smoother_.data_.rounded_at(j));
+  }
+  const RoundedCombination& operator[](long index) const { return data_[static_cast<std::size_t>(index - first_)]; }
+
+ private:
+  const LinearSmoother& smoother_;
+  std::deque<RoundedCombination> data_;
+  long first_ = 0;
+};
 
 /// row(), composed in double precision.
-LinearSmoother::RoundedRow LinearSmoother::rounded_row(std::size_t output) const {
-  const Rational scale = data_.weighted() ? mask_.arity() : 1;
-  const double factor = data_.weighted() ? static_cast<double>(power(scale, options_.derivative)) : 1;
-  const Rational origin = scale * (position(output) + shift_) * power(Rational(mask_.arity()), phi_.level);
-  const auto [first, last] = reach(output, scale);
-  const long grid = numerator(power(Rational(mask_.arity()), phi_.level)).convert_to<long>();
-  const long base = numerator(origin).convert_to<long>();
+LinearSmoother::RoundedRow LinearSmoother::rounded_row(std::size_t output, RoundedData& data) const {
+  const long arity = mask_.arity(), scale = data_.weighted() ? arity : 1;
+  const double factor = data_.weighted() ? static_cast<double>(power(Rational(arity), options_.derivative)) : 1;
+  const long grid = numerator(power(Rational(arity), phi_.level)).convert_to<long>();
+  const Phase& phase = phases_[output % scale_];
+  const long whole = scale * static_cast<long>(output / scale_);
+  data.reach(whole + phase.first, whole + phase.last);
   std::vector<std::pair<const RoundedCombination*, double>> parts;
   std::size_t low = data_.count(), high = 0;
-  for (long j = first; j <= last; ++j) {
-    const Rational value = phi_.at(base - j * grid);
+  for (long j = phase.first; j <= phase.last; ++j) {
+    const long index = phase.base - j * grid - phi_.first_index;
+    if (index < 0 || index >= static_cast<long>(phi_rounded_.size())) continue;
+    const double value = phi_rounded_[static_cast<std::size_t>(index)];
     if (value == 0) continue;
-    parts.emplace_back(&rounded_datum(j), factor * static_cast<double>(value));
+    parts.emplace_back(&data[whole + j], factor * value);
     for (const auto& [datum, weight] : parts.back().first->terms) {
       low = std::min(low, datum);
       high = std::max(high, datum);
@@ -214,49 +290,84 @@ LinearSmoother::RoundedRow LinearSmoother::rounded_row(std::size_t output) const
   return row;
 }
 
-template <class Visit>
-void LinearSmoother::visit_rounded_rows(const Visit& visit) const {
-  std::vector<std::optional<RoundedRow>> interior(scale_);
-  std::optional<std::size_t> period;  // the whole position at which the interior rows were made
-  for (std::size_t o = 0; o < outputs(); ++o) {
-    if (data_.weighted() || !is_interior(o)) {
-      visit(rounded_row(o), o, 0);
+template <class One, class Many>
+void LinearSmoother::visit_rounded_rows(const One& one, const Many& many) const {
+  RoundedData data(*this);
+  std::vector<RoundedRow> interior;  // of one position
+  std::size_t made_at = 0;
+  for (std::size_t whole = 0; whole < data_.count();) {
+    const std::size_t end = interior_end(whole);
+    if (end == whole) {
+      for (std::size_t o = whole * scale_; o < std::min((whole + 1) * scale_, outputs()); ++o)
+        one(rounded_row(o, data), o);
+      ++whole;
       continue;
     }
-    auto& row = interior[o % scale_];
-    if (!row) {
-      if (!period) period = o / scale_;
-      row = rounded_row(o);
-      row->first -= o / scale_ - *period;  // as if it were made at `period`
+    const auto weight_at = [&](std::size_t at) {
+      return prior_weights_[static_cast<std::size_t>(static_cast<long>(at) + lowest_)];
+    };
+    if (interior.empty() || weight_at(whole) != weight_at(made_at)) {
+      interior.clear();
+      made_at = whole;
+      for (std::size_t p = 0; p < scale_; ++p) interior.push_back(rounded_row(whole * scale_ + p, data));
     }
-    visit(*row, o, o / scale_ - *period);
+    many(interior, whole - made_at, whole, end);
+    whole = end;
   }
 }
 
 std::vector<LinearSmoother::RoundedRow> LinearSmoother::rounded_rows() const {
   std::vector<RoundedRow> result;
   result.reserve(outputs());
-  visit_rounded_rows([&](const RoundedRow& row, std::size_t, std::size_t shift) {
-    result.push_back(row);
-    result.back().first += shift;
-  });
+  visit_rounded_rows([&](RoundedRow row, std::size_t) { result.push_back(std::move(row)); },
+                     [&](const std::vector<RoundedRow>& rows, std::size_t shift, std::size_t begin, std::size_t end) {
+                       for (std::size_t whole = begin; whole < end; ++whole)
+                         for (const RoundedRow& row : rows) {
+                           result.push_back(row);
+                           result.back().first += shift + whole - begin;
+                         }
+                     });
   return result;
 }
 
 LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data) const {
   require(data.size() == data_.count(), "smoothing: need {} data, got {}", data_.count(), data.size());
-  Smoothed result;
-  result.values.reserve(outputs());
-  result.variances.reserve(outputs());
-  visit_rounded_rows([&](const RoundedRow& row, std::size_t output, std::size_t shift) {
+  Smoothed result{std::vector<double>(outputs()), std::vector<double>(outputs()), std::vector<double>(data.size())};
+  const auto leverage = [](const RoundedRow& row, std::size_t datum, std::size_t shift) {
+    const std::size_t own = datum - shift - row.first;  // wraps around where the datum lies before the row
+    return own < row.weights.size() ? row.weights[own] : 0;
+  };
+  const auto one = [&](const RoundedRow& row, std::size_t output) {
     double sum = row.outside * options_.constant;
     for (std::size_t k = 0; k < row.weights.size(); ++k)
-      if (row.weights[k] != 0) sum += row.weights[k] * data[row.first + shift + k];
-    result.values.push_back(sum);
-    result.variances.push_back(row.variance);
-    const std::size_t own = output / scale_ - shift - row.first;  // wraps around where the datum lies before the row
-    if (output % scale_ == 0) result.leverages.push_back(own < row.weights.size() ? row.weights[own] : 0);
-  });
+      if (row.weights[k] != 0) sum += row.weights[k] * data[row.first + k];
+    result.values[output] = sum;
+    result.variances[output] = row.variance;
+    if (output % scale_ == 0) result.leverages[output / scale_] = leverage(row, output / scale_, 0);
+  };
+  // Positions that are computed phase by phase, so that sums and rows stay in the nearest cache.
+  const std::size_t block = std::clamp<std::size_t>(most_block_values / scale_, 1, most_block_positions);
+  std::vector<double> parts(scale_ <= outputs() ? scale_ * block : 0);
+  const auto many = [&](const std::vector<RoundedRow>& rows, std::size_t shift, std::size_t begin, std::size_t end) {
+    for (std::size_t first = begin; first < end; first += block) {
+      const std::size_t size = std::min(block, end - first);
+      for (std::size_t p = 0; p < scale_; ++p) {
+        const RoundedRow& row = rows[p];
+        double* const sums = parts.data() + p * block;
+        std::fill_n(sums, size, row.outside * options_.constant);
+        if (!row.weights.empty())
+          weighted_sum(data.data() + row.first + shift + (first - begin), 1, row.weights.data(), row.weights.size(),
+                       size, sums, true);
+      }
+      interleave(parts.data(), block, scale_, size, 1, result.values.data() + first * scale_);
+    }
+    double* variance = result.variances.data() + begin * scale_;
+    for (std::size_t whole = begin; whole < end; ++whole) {
+      for (const RoundedRow& row : rows) *variance++ = row.variance;
+      result.leverages[whole] = leverage(rows.front(), begin, shift);
+    }
+  };
+  visit_rounded_rows(one, many);
   return result;
 }
 

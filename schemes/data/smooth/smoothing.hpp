@@ -61,33 +61,44 @@ class LinearSmoother {
     std::vector<double> variances;  ///< as SmoothingRow::variance
     std::vector<double> leverages;  ///< [i]: the weight of datum i in the value at i
   };
-  /// All rows on the data, composed and applied in double precision; equal rows are made once. Errors: as row().
-  /// Cost: outputs times the width of a row.
+  /// All rows on the data, composed and applied in double precision; rows that are translates of each other are made
+  /// once. Errors: as row(). Cost: outputs times the width of a row.
   Smoothed apply(const std::vector<double>& data) const;
 
  private:
   /// Where the window of a datum of level 1 lies, and which of its data have weight.
+  template <class Number>
   struct Window {
     std::size_t rule;
     long first;                     ///< datum
-    long group;                     ///< the rule's position counts from this datum
-    std::vector<Rational> weights;  ///< of all points of the rule
+    std::vector<Number> weights;    ///< of all points of the rule
     std::vector<std::size_t> kept;  ///< the points with weight
   };
-  Window window_of(long index) const;
+  template <class Number>
+  Window<Number> window_of(long index) const;
+  std::pair<std::size_t, long> rule_of(long index) const;
   SmoothingRow limit_row(std::size_t output) const;
   Combination refined_datum(long index) const;
-  const std::vector<Rational>& fit_of(const Window& window) const;
-  bool is_interior(std::size_t output) const;
+  const std::vector<Rational>& fit_of(const Window<Rational>& window) const;
   std::pair<long, long> reach(std::size_t output, const Rational& scale) const;
   SmoothingRow to_row(const Combination& combination) const;
 
-  /// Calls visit(row, output, shift) for all rows in order; the row acts on the data from row.first + shift on.
-  template <class Visit>
-  void visit_rounded_rows(const Visit& visit) const;
+  /// The output whole * scale_ + phase combines, with f = 1 or, with prior weights, arity, the data of level 0 or 1
+  /// from f * whole + first to f * whole + last; the datum f * whole + j with phi at base - j arity^(its level).
+  struct Phase {
+    long first;
+    long last;
+    long base;
+  };
+  class RoundedData;
+  void prepare_rounded_rows();
+  std::size_t interior_end(std::size_t whole) const;
+  /// Calls one(row, output), or many(rows, shift, begin, end) for the outputs of the positions begin, ..., end - 1:
+  /// rows[phase] acts on the data from its `first` + shift on at `begin`, and one further for each position; in order.
+  template <class One, class Many>
+  void visit_rounded_rows(const One& one, const Many& many) const;
   RoundedCombination rounded_refined_datum(long index) const;
-  const RoundedCombination& rounded_datum(long index) const;
-  RoundedRow rounded_row(std::size_t output) const;
+  RoundedRow rounded_row(std::size_t output, RoundedData& data) const;
 
   Mask mask_;
   SmoothingOptions options_;
@@ -97,8 +108,13 @@ class LinearSmoother {
   ExtendedData data_;
   std::size_t scale_;                  // arity^level
   std::vector<double> prior_weights_;  // of all data, 1 where none are given
+  std::vector<double> phi_rounded_;
+  std::vector<Phase> phases_;
+  long lowest_ = 0;                             // of the data that the outputs of the position 0 combine
+  long highest_ = 0;                            // likewise
+  std::vector<std::vector<double>> nodes_;      // of each rule, from its position; with prior weights alone
+  std::vector<std::size_t> same_weight_until_;  // [i]: the first after i with another weight; likewise
   mutable std::map<std::pair<std::size_t, std::vector<Rational>>, std::vector<Rational>> fits_;
-  mutable std::map<long, RoundedCombination> rounded_;
 };
 
 /// The data that one rule of the scheme combines at most, and the degree it reproduces: what Boundary::regression fits.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <sstream>
 
 using namespace subcert;
 using namespace subcert::data;
@@ -83,5 +84,26 @@ TEST_CASE("what is written reads back the same") {
     const Table back = parse_table(to_text(table), "f");
     CHECK(back.values == table.values);
     CHECK(back.separator == separator);
+  }
+}
+
+TEST_CASE("rows that are written block by block are those of the whole table") {
+  std::mt19937_64 engine(5);
+  Table table;
+  table.columns = 3;
+  for (int row = 0; row < 20000; ++row) {
+    table.values.push_back(row * 0.25);
+    table.values.push_back(std::ldexp(static_cast<double>(engine()), static_cast<int>(engine() % 2000) - 1060));
+    table.values.push_back(row % 4 == 0 ? -0.0 : 1.0 / (row % 4));
+  }
+  std::string plain;
+  for (std::size_t i = 0; i < table.values.size(); ++i)
+    plain += shortest_text(table.values[i]) + (i % 3 == 2 ? "\n" : ",");
+  CHECK(to_text(table) == plain);
+  for (const int threads : {1, 3}) {
+    std::ostringstream stream;
+    write_rows(stream, {{table.values.data(), 3}, {table.values.data() + 1, 3}, {table.values.data() + 2, 3}}, 20000,
+               ',', threads);
+    CHECK(stream.str() == plain);
   }
 }

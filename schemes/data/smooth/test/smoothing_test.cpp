@@ -223,6 +223,47 @@ TEST_CASE("fits with prior weights in double precision agree with the exact ones
   }
 }
 
+TEST_CASE("rows that are translates of each other are the exact ones, in every run of equal weights") {
+  Random random;
+  for (const char* text : {"primal:n=2", "dual-odd:n=2", "ary:a=3,points=3,d=1"}) {
+    const Scheme scheme = make_scheme(text);
+    constexpr std::size_t count = 90;
+    std::vector<Rational> weights(count, 1), exact;
+    weights[30] = 0;
+    for (std::size_t i = 60; i < count; ++i) weights[i] = 3;
+    std::vector<double> data;
+    for (std::size_t i = 0; i < count; ++i) {
+      data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
+      exact.emplace_back(data.back());
+    }
+    const LinearSmoother smoother(scheme.mask, count, {Boundary::regression, 1, 0}, scheme.rules, weights);
+    const auto smoothed = smoother.apply(data);
+    const auto rows = smoother.rounded_rows();
+    for (std::size_t o = 0; o < smoother.outputs(); ++o) {
+      const SmoothingRow row = smoother.row(o);
+      CHECK(smoothed.values[o] == Approx(static_cast<double>(apply_exactly(row, exact))).margin(1e-12));
+      CHECK(smoothed.variances[o] == Approx(static_cast<double>(row.variance)).epsilon(1e-12));
+      double sum = 0;
+      for (std::size_t k = 0; k < rows[o].weights.size(); ++k) sum += rows[o].weights[k] * data[rows[o].first + k];
+      CHECK(sum == Approx(smoothed.values[o]).margin(1e-12));
+    }
+  }
+  // More positions than one block has.
+  const Scheme scheme = make_scheme("primal:n=4,d=3");
+  constexpr std::size_t count = 1300;
+  std::vector<double> data;
+  for (std::size_t i = 0; i < count; ++i) data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
+  const LinearSmoother smoother(scheme.mask, count, {Boundary::reflect, 1, 0});
+  const auto smoothed = smoother.apply(data);
+  for (std::size_t o = 0; o < smoother.outputs(); o += 7) {
+    const SmoothingRow row = smoother.row(o);
+    double sum = 0;
+    for (std::size_t k = 0; k < row.weights.size(); ++k)
+      sum += static_cast<double>(row.weights[k]) * data[row.first + k];
+    CHECK(smoothed.values[o] == Approx(sum).margin(1e-12));
+  }
+}
+
 TEST_CASE("smoothers that do not exist say why") {
   const auto contains = [](const std::string& part) { return Catch::Matchers::Contains(part); };
   const Scheme scheme = make_scheme("primal:n=3"), spline = make_scheme("bspline:degree=3");

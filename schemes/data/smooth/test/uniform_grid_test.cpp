@@ -1,0 +1,46 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/random.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
+#include <subcert/schemes/data/smooth/uniform_grid.hpp>
+
+#include <cmath>
+
+using namespace subcert;
+using namespace subcert::data;
+using subcert::testing::Random;
+
+TEST_CASE("positions on a grid are the nearest doubles of the exact ones") {
+  Random random;
+  for (int run = 0; run < 40; ++run) {
+    const Rational origin = random.rational(), spacing = abs(random.rational()) + Rational(1, 1000);
+    const std::size_t scale = 1U << (run % 5);
+    const GridPositions grid(origin, spacing, scale);
+    for (std::size_t o = 0; o < 300; ++o)
+      CHECK(grid.at(o) == nearest_double(Rational(origin + spacing * Rational(o) / Rational(scale))));
+  }
+  // Cancellation, and a position half way between two doubles.
+  const GridPositions through_zero(Rational(-1, 10), Rational(1, 30), 1);
+  CHECK(through_zero.at(3) == 0);
+  const GridPositions between(Rational(1), power(Rational(2), -53), 1);
+  CHECK(between.at(1) == nearest_double(Rational(1) + power(Rational(2), -53)));
+}
+
+TEST_CASE("a grid is judged as by exact arithmetic") {
+  std::vector<double> rounded, broken;
+  for (int i = 0; i < 1000; ++i) rounded.push_back(std::round(100.0 * i / 3) / 100);
+  const UniformGrid grid = uniform_grid(rounded);
+  CHECK(grid.uniform);
+  CHECK(grid.origin == 0);
+  CHECK(grid.spacing == Rational(333) / 999);
+  broken = rounded;
+  broken[500] += 0.02;
+  const UniformGrid other = uniform_grid(broken);
+  CHECK_FALSE(other.uniform);
+  CHECK(other.worst == 499);
+  // Each at the edge of what is allowed: one unit of the last place.
+  CHECK(uniform_grid({0, 1.01, 2, 3}).uniform);
+  CHECK_FALSE(uniform_grid({0, 1.0101, 2.02, 3}).uniform);
+  CHECK(decimal_value(0.1) == Rational(1, 10));
+  CHECK(decimal_value(-2.5e-7) == Rational(-25, 100000000));
+  CHECK(uniform_grid({1e-300, 2e-300, 3e-300}).uniform);
+}

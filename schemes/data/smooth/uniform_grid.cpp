@@ -1,0 +1,90 @@
+#include "uniform_grid.hpp"
+
+#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/data/formats/table.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace subcert::data {
+namespace {
+
+/// The power of ten of the last digit of the shortest text.
+long last_place(double value) {
+  char text[32];
+  const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
+  const char* const power = std::find(static_cast<const char*>(text), end, 'e');
+  const char* const point = std::find(static_cast<const char*>(text), power, '.');
+  long exponent = point == power ? 0 : -(power - point - 1);
+  if (power != end) {
+    long shift = 0;
+    const char* const digits = power + (power[1] == '+' ? 2 : 1);
+    std::from_chars(digits, end, shift);
+    exponent += shift;
+  }
+  return exponent;
+}
+
+long double rounded_twice(const Rational& value) {
+  const double high = nearest_double(value);
+  return static_cast<long double>(high) + nearest_double(Rational(value - Rational(high)));
+}
+
+}  // namespace
+
+Rational decimal_value(double value) {
+  const auto decimal = parse_decimal(shortest_text(value));
+  return decimal ? decimal->value : Rational(value);
+}
+
+UniformGrid uniform_grid(const std::vector<double>& positions) {
+  require(!positions.empty(), "uniform_grid: need a position");
+  UniformGrid grid{decimal_value(positions.front())};
+  const std::size_t count = positions.size();
+  if (count == 1) return grid;
+  const Rational mean = (decimal_value(positions.back()) - grid.origin) / Rational(count - 1);
+  grid.spacing = mean;
+  long place = std::numeric_limits<long>::max();
+  for (const double x : positions) place = std::min(place, last_place(x));
+  const double largest = std::max(std::abs(positions.front()), std::abs(positions.back()));
+  const Rational allowed = std::min(power(Rational(10), place), Rational(mean / 20)) +
+                           decimal_value(largest) * power(Rational(2), -48);
+  // The deviations in double precision are off by less than 8 units of 2^-53 of the largest position.
+  const double origin = positions.front(), spacing = nearest_double(mean);
+  const double surely = nearest_double(allowed) * (1 - 0x1p-50) - largest * 0x1p-50;
+  const auto off = [&](std::size_t i) { return std::abs(positions[i] - origin - spacing * static_cast<double>(i)); };
+  std::size_t i = 0;
+  while (i < count && off(i) <= surely) ++i;
+  if (i == count) return grid;
+  std::vector<Rational> x;
+  for (const double position : positions) x.push_back(decimal_value(position));
+  for (i = 0; i < count; ++i) {
+    grid.uniform = grid.uniform && abs(x[i] - x.front() - mean * Rational(i)) <= allowed;
+    if (i > 0 && abs(x[i] - x[i - 1] - mean) > abs(x[grid.worst + 1] - x[grid.worst] - mean)) grid.worst = i - 1;
+  }
+  return grid;
+}
+
+GridPositions::GridPositions(Rational origin, const Rational& spacing, std::size_t scale)
+    : origin_(std::move(origin)),
+      step_(spacing / Rational(scale)),
+      rounded_origin_(rounded_twice(origin_)),
+      rounded_step_(rounded_twice(step_)) {
+  require(scale >= 1, "GridPositions: need scale >= 1, got 0");
+}
+
+double GridPositions::at(std::size_t index) const {
+  // Five roundings, each of at most half a unit in the last place of a number not above `size`.
+  const long double part = rounded_step_ * static_cast<long double>(index), sum = rounded_origin_ + part;
+  const long double size = std::abs(rounded_origin_) + std::abs(part);
+  const long double error = 4 * std::numeric_limits<long double>::epsilon() * size;
+  const auto low = static_cast<double>(sum - error), high = static_cast<double>(sum + error);
+  if (low == high && size > 0x1p-900L) return low;
+  return nearest_double(Rational(origin_ + step_ * Rational(index)));
+}
+
+}  // namespace subcert::data

@@ -1,0 +1,41 @@
+#pragma once
+/// Positions read as decimal numbers, and the uniform grid they stand for.
+
+#include <subcert/analysis/symbol/numbers.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace subcert::data {
+
+/// The shortest decimal number that reads as this double, exactly. Domain: finite.
+Rational decimal_value(double value);
+
+/// The grid through the first and the last of some positions, and how they fit it.
+struct UniformGrid {
+  Rational origin;
+  Rational spacing = 1;   ///< the mean one
+  bool uniform = true;    ///< each position is within one unit of the finest decimal place among them, and within a
+                          ///< twentieth of the spacing, of its place
+  std::size_t worst = 0;  ///< where not: positions[worst + 1] - positions[worst] is farthest from the mean
+};
+
+/// Domain: finite positions that increase, one or more. The answer is that of exact arithmetic on the shortest decimal
+/// numbers; double precision decides where it certainly can. Cost: one pass.
+UniformGrid uniform_grid(const std::vector<double>& positions);
+
+/// nearest_double(origin + spacing * index / scale) for many indices.
+class GridPositions {
+ public:
+  /// Domain: scale >= 1.
+  GridPositions(Rational origin, const Rational& spacing, std::size_t scale);
+  double at(std::size_t index) const;
+
+ private:
+  Rational origin_;
+  Rational step_;
+  long double rounded_origin_;
+  long double rounded_step_;
+};
+
+}  // namespace subcert::data

@@ -35,10 +35,10 @@ SmoothPage smoothed(const SmoothOptions& options, const NamedSamples& samples) {
 ExitCode run(const SmoothOptions& options) {
   if (options.automatic && !options.scheme.empty())
     fail(ErrorKind::usage, "--auto and --scheme: expected one of the two");
-  if (options.predicts() && options.derivative > 0)
+  if (options.kind() == data::BandKind::prediction && options.derivative > 0)
     fail(ErrorKind::usage, "--bands-kind prediction: a new datum has no derivative; leave out --derivative");
-  if (options.predicts() && is_l1_specification(options.scheme))
-    fail(ErrorKind::usage, "--bands-kind prediction needs a linear scheme; {} is none", options.scheme);
+  if (options.kind() != data::BandKind::pointwise && is_l1_specification(options.scheme))
+    fail(ErrorKind::usage, "--bands-kind {} needs a linear scheme; {} is none", options.bands_kind, options.scheme);
   require_picture_name(options.plot);
   const NamedSamples samples = read_samples(options.samples);
   try {
@@ -85,8 +85,10 @@ void add_smooth(Command& app) {
       .within(0.0, 0.999999);
   command
       .option("--bands-kind", options->bands_kind,
-              "Bands for the expected value of the limit, or for a new datum of weight 1, each point by itself")
-      .one_of({"pointwise", "prediction"})
+              "Bands for the expected value of the limit at each point by itself, or at all points at once; or for a "
+              "new datum "
+              "of weight 1")
+      .one_of(data::band_kind_names())
       .with_default();
   command.option("--level", options->level, "Values at the multiples of arity^-LEVEL of the spacing")
       .within(0, 12)

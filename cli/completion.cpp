@@ -30,7 +30,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
+std::string in_a_row(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
 /// A word of bash and zsh.
 std::string quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
@@ -175,14 +175,14 @@ std::string bash_completion(const CommandHelp& program) {
     for (std::size_t i = 0; i < command->arguments.size(); ++i)
       line(command->arguments[i].many ? quoted(begin) + "[0-9]*" : quoted(begin + std::to_string(i)),
            command->arguments[i]);
-    commands += fmt::format("    {}) commands={} options={} valued={} ;;\n", quoted(begin), quoted(joined(below)),
-                            quoted(joined(options)), quoted(joined(valued)));
+    commands += fmt::format("    {}) commands={} options={} valued={} ;;\n", quoted(begin), quoted(in_a_row(below)),
+                            quoted(in_a_row(options)), quoted(in_a_row(valued)));
   }
   std::string variables;
   for (std::size_t i = 0; i < lists.all().size(); ++i) {
     std::vector<std::string> list;
     for (const Suggestion& one : lists.all()[i]) list.push_back(one.word);
-    variables += fmt::format("  local list{}={}\n", i, quoted(joined(list)));
+    variables += fmt::format("  local list{}={}\n", i, quoted(in_a_row(list)));
   }
   return "# Completion of subcert in bash. Printed by 'subcert completion bash'.\n\n"
          "# What a command has.\n_subcert_command() {\n  case $1 in\n" +

@@ -45,6 +45,14 @@ std::string choice_text(const data::SchemeChoice& choice) {
   return text;
 }
 
+std::string covered_text(data::BandKind kind) {
+  switch (kind) {
+    case data::BandKind::prediction: return "pointwise, for a new datum of weight 1 with normal noise";
+    case data::BandKind::simultaneous: return "at all positions at once, for the expected value of the limit";
+    default: return "pointwise, for the expected value of the limit";
+  }
+}
+
 std::string noise_line(const std::string& column, const data::NoiseEstimate& noise) {
   if (noise.terms == 0) return "# noise of " + column + ": not estimated, there are no three neighbouring data\n";
   return fmt::format("# noise of {}: standard deviation {:.6g} from {} second differences, {:.6g} degrees of freedom\n",
@@ -78,8 +86,7 @@ SmoothPage::SmoothPage(const SmoothOptions& how, const NamedSamples& what, std::
     add(samples.names[c], column.values);
     if (!column.deviations.empty()) add(prefix + "sd", column.deviations);
     if (!bands) continue;
-    std::vector<double>& lower = columns.emplace_back(
-        options.predicts() ? column.prediction_half_widths(options.bands()) : column.half_widths(options.bands()));
+    std::vector<double>& lower = columns.emplace_back(column.half_widths(options.bands(), options.kind()));
     std::vector<double>& upper = columns.emplace_back(lower);
     for (std::size_t o = 0; o < outputs; ++o) {
       lower[o] = column.values[o] - lower[o];
@@ -125,9 +132,8 @@ void SmoothPage::write(std::ostream& stream) const {
     for (std::size_t c = 0; c < result.size(); ++c)
       if (const auto& estimate = result[c].noise) stream << noise_line(samples.names[c], *estimate);
     if (bands)
-      stream << fmt::format(
-          "# bands: {:.6g} % pointwise, for {}; the bias is not in them\n", 100 * options.bands(),
-          options.predicts() ? "a new datum of weight 1 with normal noise" : "the expected value of the limit");
+      stream << fmt::format("# bands: {:.6g} % {}; the bias is not in them\n", 100 * options.bands(),
+                            covered_text(options.kind()));
     if (!result.front().noise)
       stream << fmt::format(
           "# values {} levels below the output grid, interpolated; no bands, as the scheme is not linear\n",

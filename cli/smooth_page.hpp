@@ -18,7 +18,7 @@ struct SmoothOptions : CommonOptions {
   std::optional<double> requested_bands;
   double bands() const { return requested_bands.value_or(0.95); }
   std::string bands_kind = "pointwise";
-  bool predicts() const { return bands_kind == "prediction"; }
+  data::BandKind kind() const { return *data::parse_band_kind(bands_kind); }
   int level = 2;
   int derivative = 0;
   std::string plot;

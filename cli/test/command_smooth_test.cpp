@@ -86,6 +86,17 @@ TEST_CASE("data are smoothed") {
     CHECK((wide[4] - wide[1]) / (narrow[4] - narrow[1]) ==
           Approx(std::sqrt(wide[2] * wide[2] + sigma * sigma) / wide[2]).epsilon(1e-9));
   }
+  // A simultaneous band is wider by one factor.
+  const auto together = run_json("smooth " + data + " --scheme primal:n=3 --bands-kind simultaneous");
+  std::vector<double> factors;
+  for (std::size_t i = 0; i < together.at("rows").size(); ++i) {
+    const auto wide = together.at("rows")[i].get<std::vector<double>>();
+    const auto narrow = expected.at("rows")[i].get<std::vector<double>>();
+    factors.push_back((wide[4] - wide[1]) / (narrow[4] - narrow[1]));
+  }
+  CHECK(factors.front() > 1.2);
+  CHECK(factors.front() < 3);
+  for (const double factor : factors) CHECK(factor == Approx(factors.front()).epsilon(1e-9));
   fails(wave, "--scheme primal:n=5 --bands-kind prediction --derivative 1", 64,
         "--bands-kind prediction: a new datum has no derivative; leave out --derivative");
 

@@ -6,6 +6,9 @@
 #include <subcert/schemes/data/refine/limit_of_data.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>
+#include <subcert/schemes/data/smooth/uniform_grid.hpp>
+
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -74,11 +77,11 @@ py::tuple refine(const std::string& specification, const DoubleArray& values, co
   return py::make_tuple(array_of(std::move(refined.values)).reshape(shape), parameters);
 }
 
-py::dict column_dict(data::SmoothedColumn column, double bands) {
+py::dict column_dict(data::SmoothedColumn column, double bands, data::BandKind kind) {
   py::dict result;
   const bool has_bands = bands > 0 && !column.deviations.empty();
   if (has_bands) {
-    std::vector<double> lower = column.half_widths(bands), upper = lower;
+    std::vector<double> lower = column.half_widths(bands, kind), upper = lower;
     for (std::size_t i = 0; i < lower.size(); ++i) {
       upper[i] = column.values[i] + lower[i];
       lower[i] = column.values[i] - lower[i];
@@ -95,29 +98,40 @@ py::dict column_dict(data::SmoothedColumn column, double bands) {
 /// `scheme`: a specification, or empty for the choice by estimated error.
 py::dict smooth(const DoubleArray& y, const std::vector<Rational>& weights, const Rational& origin,
                 const Rational& spacing, const std::string& scheme, const std::string& boundary, double constant,
-                int level, int derivative, double bands, int jobs, const py::object& progress) {
+                int level, int derivative, double bands, const std::string& kind_name, int jobs,
+                const py::object& progress) {
   if (y.ndim() != 1) fail(ErrorKind::domain, "smooth: need an array of one dimension, got {}", y.ndim());
   require(level >= 0 && level <= 12, "smooth: need 0 <= level <= 12, got {}", level);
   require(derivative >= 0 && derivative <= 20, "smooth: need 0 <= derivative <= 20, got {}", derivative);
   require(bands >= 0 && bands < 1, "smooth: need 0 <= bands < 1, got {}", bands);
+  const auto kind = data::parse_band_kind(kind_name);
+  if (!kind) fail(ErrorKind::usage, "kind: expected {}, got '{}'", fmt::join(data::band_kind_names(), ", "), kind_name);
+  require(*kind != data::BandKind::prediction || derivative == 0, "smooth: a new datum has no derivative");
   data::Samples samples{{numbers_of(y)}, weights, origin, spacing};
   require_finite(samples.columns.front(), "smooth");
   const data::SmoothingOptions options{boundary_of(boundary), level, derivative, constant};
   std::string chosen = scheme;
   std::vector<std::pair<std::string, double>> candidates;
-  data::SmoothedSamples result = interruptible(progress, [&] {
-    if (is_l1_specification(scheme)) return data::smooth(samples, make_l1_scheme(scheme), options, jobs);
-    if (!scheme.empty()) return data::smooth(samples, make_scheme(scheme), options);
+  long arity = 2;
+  data::SmoothedColumn column = interruptible(progress, [&] {
+    if (is_l1_specification(scheme))
+      return data::smooth(samples, make_l1_scheme(scheme), options, jobs).columns.front();
+    const auto by = [&](const Scheme& one) {
+      arity = one.mask.arity();
+      return data::smoothed_columns(samples, one, options).front();
+    };
+    if (!scheme.empty()) return by(make_scheme(scheme));
     const data::SchemeChoice choice = choose_scheme(samples, options);
     chosen = choice.scheme.specification;
     for (const data::SmoothingCandidate& one : choice.candidates)
       candidates.emplace_back(one.specification, one.risk.total());
-    return data::smooth(samples, choice.scheme, options);
+    return by(choice.scheme);
   });
-  std::vector<double> x;
-  for (const Rational& position : result.positions)
-    x.push_back(Rational(origin + spacing * position).convert_to<double>());
-  py::dict answer = column_dict(std::move(result.columns.front()), bands);
+  const auto scale = power(Rational(arity), level).convert_to<std::size_t>();
+  const data::GridPositions positions(origin, spacing, scale);
+  std::vector<double> x(column.values.size());
+  for (std::size_t o = 0; o < x.size(); ++o) x[o] = positions.at(o);
+  py::dict answer = column_dict(std::move(column), bands, *kind);
   answer["x"] = array_of(std::move(x));
   answer["scheme"] = chosen;
   answer["candidates"] = candidates;

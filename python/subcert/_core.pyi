@@ -133,6 +133,7 @@ def smooth(
     level: int,
     derivative: int,
     bands: float,
+    kind: str,
     jobs: int,
     progress: _Progress,
 ) -> dict[str, Any]: ...

@@ -76,6 +76,7 @@ def smooth(
     scheme: Any = "",
     weights: Optional[Sequence[Exact]] = None,
     bands: float = 0.95,
+    kind: str = "pointwise",
     level: int = 0,
     derivative: int = 0,
     boundary: str = "interp",
@@ -89,7 +90,8 @@ def smooth(
 
     `y`: shape (n,). `x`: the positions, uniform up to rounding; or `origin` and `spacing`. `scheme`: a scheme or its
     specification; by default the one with the smallest estimated error. `weights`: prior weights, inverse to the
-    variance of the noise; 0: missing. `bands`: level of the confidence band, 0 for none. `level`: values at the
+    variance of the noise; 0: missing. `bands`: level of the confidence band, 0 for none. `kind`: pointwise or
+    simultaneous, for the expected value of the limit, or prediction, for a new datum. `level`: values at the
     multiples of arity^-level of the spacing. `boundary`: interp, mirror, nearest, constant or wrap. Raises DataError
     for samples that cannot be smoothed, DomainError for a scheme without proof of convergence.
 
@@ -108,7 +110,19 @@ def smooth(
     if prior and len(prior) != array.size:
         raise DomainError(f"weights: need as many as samples, {array.size}, got {len(prior)}")
     facts = _core.smooth(
-        array, prior, first, step, str(scheme), boundary, constant, level, derivative, bands, _jobs(jobs), progress
+        array,
+        prior,
+        first,
+        step,
+        str(scheme),
+        boundary,
+        constant,
+        level,
+        derivative,
+        bands,
+        kind,
+        _jobs(jobs),
+        progress,
     )
     facts["candidates"] = tuple(facts["candidates"])
     return Smoothed(**facts)

@@ -79,6 +79,10 @@ def test_smoothing():
     slope = subcert.smooth(y, x, scheme="primal:n=8,d=3", derivative=1)
     off = abs(slope.values - 6 * numpy.cos(6 * x)) / slope.deviation
     assert off.max() < 6  # standard deviations, at 200 points
+    together = subcert.smooth(y, x, kind="simultaneous")
+    assert (together.upper - together.lower > 1.2 * (found.upper - found.lower)).all()
+    with pytest.raises(subcert.UsageError, match="pointwise, prediction, simultaneous"):
+        subcert.smooth(y, kind="wide")
     weights = [1] * 200
     weights[77] = 0
     gap = subcert.smooth(numpy.where(numpy.arange(200) == 77, 1e6, y), weights=weights, scheme="primal:n=4")

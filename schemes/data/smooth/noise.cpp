@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace subcert::data {
 namespace {
@@ -70,10 +71,36 @@ std::vector<NoiseEstimate> estimate_noise(const Samples& samples) {
   return noise;
 }
 
-double band_factor(double level, const NoiseEstimate& noise) {
+namespace {
+
+void require_band(double level, const NoiseEstimate& noise) {
   require(level > 0 && level < 1, "band_factor: need 0 < level < 1, got {}", level);
   require(noise.terms > 0, "band_factor: need an estimate of the noise from at least one second difference");
+}
+
+}  // namespace
+
+double band_factor(double level, const NoiseEstimate& noise) {
+  require_band(level, noise);
   return boost::math::quantile(boost::math::students_t(noise.degrees_of_freedom), 0.5 + level / 2);
+}
+
+double simultaneous_band_factor(double level, const NoiseEstimate& noise, double path) {
+  require_band(level, noise);
+  require(path >= 0, "simultaneous_band_factor: need path >= 0, got {}", path);
+  const double nu = noise.degrees_of_freedom;
+  const boost::math::students_t student(nu);
+  const auto outside = [&](double c) {
+    return path / std::numbers::pi * std::pow(1 + c * c / nu, -nu / 2) +
+           2 * boost::math::cdf(boost::math::complement(student, c));
+  };
+  double low = 0, high = 1;
+  while (outside(high) > 1 - level && high < 1e300) high *= 2;
+  for (int step = 0; step < 100; ++step) {
+    const double middle = (low + high) / 2;
+    (outside(middle) > 1 - level ? low : high) = middle;
+  }
+  return high;
 }
 
 }  // namespace subcert::data

@@ -29,4 +29,9 @@ std::vector<NoiseEstimate> estimate_noise(const Samples& samples);
 /// with terms. Errors: throws a domain error.
 double band_factor(double level, const NoiseEstimate& noise);
 
+/// The same for bands that hold at all positions at once with at least this probability, the estimate taken as
+/// independent of the values: `path` is the length of the path on the unit sphere through the coefficients of the
+/// values, one after another. Domain: as above; path >= 0. Ref: [Nai86], [SL94]; docs/smoothing.md, section 3.
+double simultaneous_band_factor(double level, const NoiseEstimate& noise, double path);
+
 }  // namespace subcert::data

@@ -26,11 +26,26 @@ void require_limits(const Scheme& scheme, int derivative) {
 
 }  // namespace
 
-std::vector<double> SmoothedColumn::half_widths(double level) const {
+const std::vector<std::string>& band_kind_names() {
+  static const std::vector<std::string> names{"pointwise", "prediction", "simultaneous"};
+  return names;
+}
+
+std::string to_text(BandKind kind) { return band_kind_names()[static_cast<std::size_t>(kind)]; }
+
+std::optional<BandKind> parse_band_kind(std::string_view name) {
+  for (const BandKind kind : {BandKind::pointwise, BandKind::prediction, BandKind::simultaneous})
+    if (name == to_text(kind)) return kind;
+  return std::nullopt;
+}
+
+std::vector<double> SmoothedColumn::half_widths(double level, BandKind kind) const {
   std::vector<double> widths = deviations;
   if (widths.empty()) return widths;
-  const double factor = band_factor(level, *noise);
-  for (double& width : widths) width *= factor;
+  const double factor = kind == BandKind::simultaneous ? simultaneous_band_factor(level, *noise, path)
+                                                       : band_factor(level, *noise);
+  const double added = kind == BandKind::prediction ? noise->variance : 0;
+  for (double& width : widths) width = factor * (added == 0 ? width : std::sqrt(width * width + added));
   return widths;
 }
 
@@ -46,18 +61,11 @@ std::vector<SmoothedColumn> smoothed_columns(const Samples& samples, const Schem
     SmoothedColumn& column = result.emplace_back(SmoothedColumn{std::move(smoothed.values), noise[c]});
     for (double& value : column.values) value *= unit;
     if (noise[c].terms == 0) continue;
+    column.path = smoothed.path;
     column.deviations = std::move(smoothed.variances);
     for (double& deviation : column.deviations) deviation = unit * std::sqrt(noise[c].variance * deviation);
   }
   return result;
-}
-
-std::vector<double> SmoothedColumn::prediction_half_widths(double level) const {
-  std::vector<double> widths = deviations;
-  if (widths.empty()) return widths;
-  const double factor = band_factor(level, *noise);
-  for (double& width : widths) width = factor * std::sqrt(width * width + noise->variance);
-  return widths;
 }
 
 SmoothedSamples smooth(const Samples& samples, const Scheme& scheme, const SmoothingOptions& options) {

@@ -4,22 +4,31 @@
 #include "scheme_choice.hpp"
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace subcert::data {
+
+/// What a band covers with its probability: the expected value of the limit, at each position by itself; a new datum of
+/// prior weight 1 there; the expected value at all positions of the output at once.
+enum class BandKind { pointwise, prediction, simultaneous };
+
+/// `pointwise` and so on, and the kinds by these names, the default first.
+std::string to_text(BandKind kind);
+std::optional<BandKind> parse_band_kind(std::string_view name);
+const std::vector<std::string>& band_kind_names();
 
 /// What smoothing makes of one column.
 struct SmoothedColumn {
   std::vector<double> values;               ///< of the limit or its derivative
   std::optional<NoiseEstimate> noise = {};  ///< nothing for a scheme that is not linear
   std::vector<double> deviations = {};      ///< standard deviations; none where the noise has no estimate
+  double path = 0;                          ///< LinearSmoother::Smoothed::path
 
-  /// Half the widths of the pointwise confidence bands for the expected value of the limit; none without deviations.
-  /// Domain: 0 < level < 1. Errors: throws a domain error.
-  std::vector<double> half_widths(double level) const;
-  /// The same of bands for a new datum with prior weight 1 at each position: t sqrt(sd^2 + the variance of the noise).
-  /// Domain: also derivative 0.
-  std::vector<double> prediction_half_widths(double level) const;
+  /// Half the widths of the bands; none without deviations. Domain: 0 < level < 1; prediction with derivative 0.
+  /// Errors: throws a domain error.
+  std::vector<double> half_widths(double level, BandKind kind = BandKind::pointwise) const;
 };
 
 struct SmoothedSamples {

@@ -8,6 +8,7 @@
 #include <subcert/schemes/data/refine/weighted_sum.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <type_traits>
@@ -330,9 +331,60 @@ std::vector<LinearSmoother::RoundedRow> LinearSmoother::rounded_rows() const {
   return result;
 }
 
+/// Smoothed::path, row by row.
+class LinearSmoother::PathLength {
+ public:
+  explicit PathLength(const std::vector<double>& prior_weights) : prior_weights_(prior_weights) {}
+
+  void go_to(const RoundedRow& row, std::size_t shift) {
+    if (row.variance == 0) return;
+    if (last_.variance > 0) length_ += angle(last_, last_shift_, row, shift);
+    last_ = row;
+    last_shift_ = shift;
+  }
+  /// Through all rows, and again `times` - 1 times, each time one datum further: all of these data have one weight.
+  void go_through(const std::vector<RoundedRow>& rows, std::size_t shift, std::size_t times) {
+    for (const RoundedRow& row : rows) go_to(row, shift);
+    if (times < 2) return;
+    const auto first = std::find_if(rows.begin(), rows.end(), [](const RoundedRow& row) { return row.variance > 0; });
+    if (first == rows.end()) return;
+    PathLength once(prior_weights_);
+    for (const RoundedRow& row : rows) once.go_to(row, shift);
+    once.go_to(*first, shift + 1);
+    length_ += static_cast<double>(times - 1) * once.length_;
+    last_shift_ = shift + times - 1;
+  }
+  double length() const { return length_; }
+
+ private:
+  /// Between two rows as lines, from the distance of unit vectors, which does not cancel where they are near.
+  double angle(const RoundedRow& a, std::size_t a_shift, const RoundedRow& b, std::size_t b_shift) const {
+    const std::size_t low = std::min(a.first + a_shift, b.first + b_shift);
+    const std::size_t high = std::max(a.first + a_shift + a.weights.size(), b.first + b_shift + b.weights.size());
+    const double a_norm = 1 / std::sqrt(a.variance), b_norm = 1 / std::sqrt(b.variance);
+    const auto at = [](const RoundedRow& row, std::size_t datum) {
+      return datum < row.weights.size() ? row.weights[datum] : 0;  // wraps around before the row
+    };
+    double apart = 0, opposite = 0;
+    for (std::size_t i = low; i < high; ++i) {
+      const double x = at(a, i - a_shift - a.first) * a_norm, y = at(b, i - b_shift - b.first) * b_norm;
+      if (x == 0 && y == 0) continue;
+      apart += (x - y) * (x - y) / prior_weights_[i];
+      opposite += (x + y) * (x + y) / prior_weights_[i];
+    }
+    return 2 * std::asin(std::min(1.0, std::sqrt(std::min(apart, opposite)) / 2));
+  }
+
+  const std::vector<double>& prior_weights_;
+  double length_ = 0;
+  RoundedRow last_;
+  std::size_t last_shift_ = 0;
+};
+
 LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data) const {
   require(data.size() == data_.count(), "smoothing: need {} data, got {}", data_.count(), data.size());
   Smoothed result{std::vector<double>(outputs()), std::vector<double>(outputs()), std::vector<double>(data.size())};
+  PathLength path(prior_weights_);
   const auto leverage = [](const RoundedRow& row, std::size_t datum, std::size_t shift) {
     const std::size_t own = datum - shift - row.first;  // wraps around where the datum lies before the row
     return own < row.weights.size() ? row.weights[own] : 0;
@@ -343,6 +395,7 @@ LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data) 
       if (row.weights[k] != 0) sum += row.weights[k] * data[row.first + k];
     result.values[output] = sum;
     result.variances[output] = row.variance;
+    path.go_to(row, 0);
     if (output % scale_ == 0) result.leverages[output / scale_] = leverage(row, output / scale_, 0);
   };
   // Positions that are computed phase by phase, so that sums and rows stay in the nearest cache.
@@ -361,6 +414,7 @@ LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data) 
       }
       interleave(parts.data(), block, scale_, size, 1, result.values.data() + first * scale_);
     }
+    path.go_through(rows, shift, end - begin);
     double* variance = result.variances.data() + begin * scale_;
     for (std::size_t whole = begin; whole < end; ++whole) {
       for (const RoundedRow& row : rows) *variance++ = row.variance;
@@ -368,6 +422,7 @@ LinearSmoother::Smoothed LinearSmoother::apply(const std::vector<double>& data) 
     }
   };
   visit_rounded_rows(one, many);
+  result.path = path.length();
   return result;
 }
 

@@ -60,6 +60,9 @@ class LinearSmoother {
     std::vector<double> values;
     std::vector<double> variances;  ///< as SmoothingRow::variance
     std::vector<double> leverages;  ///< [i]: the weight of datum i in the value at i
+    /// Of the path of great arcs through the rows, each divided by its norm, with its data in units of their noise; up
+    /// to signs. Rows of zeros are left out.
+    double path = 0;
   };
   /// All rows on the data, composed and applied in double precision; rows that are translates of each other are made
   /// once. Errors: as row(). Cost: outputs times the width of a row.
@@ -91,6 +94,7 @@ class LinearSmoother {
     long base;
   };
   class RoundedData;
+  class PathLength;
   void prepare_rounded_rows();
   std::size_t interior_end(std::size_t whole) const;
   /// Calls one(row, output), or many(rows, shift, begin, end) for the outputs of the positions begin, ..., end - 1:

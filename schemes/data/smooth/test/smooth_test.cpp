@@ -2,7 +2,9 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace subcert;
 using namespace subcert::data;
@@ -38,6 +40,69 @@ TEST_CASE("columns are smoothed with deviations, bands and derivatives in units 
   const SmoothedSamples single = smooth({{{7}}}, scheme, {});
   CHECK(single.columns[0].values == std::vector<double>{7});
   CHECK(single.columns[0].half_widths(0.9).empty());
+}
+
+TEST_CASE("the path of simultaneous bands is that of the rows, one after another") {
+  const auto angles = [](const LinearSmoother& smoother, const std::vector<double>& weights) {
+    double sum = 0;
+    const LinearSmoother::RoundedRow* last = nullptr;
+    const auto rows = smoother.rounded_rows();
+    for (const auto& row : rows) {
+      if (row.variance == 0) continue;
+      double product = 0;
+      for (std::size_t k = 0; last && k < row.weights.size(); ++k) {
+        const std::size_t i = row.first + k;
+        if (i >= last->first && i < last->first + last->weights.size() && row.weights[k] != 0)
+          product += row.weights[k] * last->weights[i - last->first] / weights[i];
+      }
+      if (last) sum += std::acos(std::min(1.0, std::abs(product) / std::sqrt(row.variance * last->variance)));
+      last = &row;
+    }
+    return sum;
+  };
+  for (const char* name : {"primal:n=3", "dual:n=4", "primal:n=4,d=3"})
+    for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::constant, Boundary::periodic})
+      for (const int level : {0, 2})
+        for (const int kind : {0, 1, 2}) {  // equal weights, two runs of weights, a gap
+          CAPTURE(name, to_text(boundary), level, kind);
+          const Scheme scheme = make_scheme(name);
+          std::vector<Rational> prior;
+          std::vector<double> rounded(60, 1);
+          if (kind > 0)
+            for (int i = 0; i < 60; ++i) prior.push_back(kind == 1 ? (i < 25 ? 1 : 3) : i == 20 ? 0 : 1);
+          for (std::size_t i = 0; i < prior.size(); ++i) rounded[i] = static_cast<double>(prior[i]);
+          const LinearSmoother smoother(scheme.mask, 60, {boundary, level}, scheme.rules, prior);
+          CHECK(smoother.apply(std::vector<double>(60, 1)).path == Approx(angles(smoother, rounded)).epsilon(1e-6));
+        }
+}
+
+TEST_CASE("simultaneous bands cover all expected values at once at least as often as they say, and not much more") {
+  NoiseEstimate known{1, 1e9, 1};
+  CHECK(simultaneous_band_factor(0.95, known, 0) == Approx(band_factor(0.95, known)));
+  CHECK(simultaneous_band_factor(0.99, known, 50) > simultaneous_band_factor(0.95, known, 50));
+  CHECK(simultaneous_band_factor(0.95, {1, 10, 5}, 50) > simultaneous_band_factor(0.95, known, 50));
+  CHECK_FAILS(simultaneous_band_factor(0, known, 1), domain);
+  CHECK_FAILS(simultaneous_band_factor(0.9, known, -1), domain);
+
+  const Scheme scheme = make_scheme("primal:n=4");
+  const LinearSmoother smoother(scheme.mask, 80, {Boundary::regression, 2});
+  std::mt19937_64 generator(1986);
+  std::normal_distribution<double> normal;
+  std::vector<double> data(80);
+  const double factor = simultaneous_band_factor(0.9, known, smoother.apply(data).path);
+  constexpr int runs = 4000;
+  int outside = 0;
+  for (int run = 0; run < runs; ++run) {
+    for (double& value : data) value = normal(generator);
+    const auto smoothed = smoother.apply(data);
+    bool left = false;
+    for (std::size_t o = 0; o < smoothed.values.size(); ++o)
+      left = left || std::abs(smoothed.values[o]) > factor * std::sqrt(smoothed.variances[o]);
+    outside += left ? 1 : 0;
+  }
+  // Four standard deviations of the count above a tenth; no less than half of it.
+  CHECK(outside < runs / 10 + 4 * std::sqrt(runs * 0.09));
+  CHECK(outside > runs / 20);
 }
 
 TEST_CASE("samples are smoothed by l1 regression too, without bands") {

@@ -16,10 +16,6 @@ import sys
 import api
 import links
 
-# Modules whose docstrings become pages by autodoc, as "subcert", and the folders to import them from, as "python".
-PYTHON_MODULES = []
-PYTHON_FOLDERS = []
-
 PAGES = ["README.md", "CHANGELOG.md", "docs/**/*.md", "proofs-checks/*/*.md"]
 THEOREMS = "docs/theorems/variance-curves.tex"
 NEEDED = {"sphinx-build": "python3-sphinx", "pandoc": "pandoc"}
@@ -115,28 +111,31 @@ class Tree:
         page.write_text(page.read_text(encoding="utf-8") + "\n```{raw} html\n<p><a href=\"../gallery.html\">The gallery of "
                         "forty schemes</a></p>\n```\n", encoding="utf-8")
 
-    def python(self):
-        for module in PYTHON_MODULES:
-            self.write(pathlib.Path(f"python/{module}.md"), f"# Python: {module}\n\n```{{eval-rst}}\n"
-                       f".. automodule:: {module}\n   :members:\n   :show-inheritance:\n```\n")
+    def python(self, folder):
+        """The reference of the package in that folder, from its docstrings; nothing where there is none."""
+        if folder:
+            self.write(pathlib.Path("python/subcert.md"), "# Reference: Python\n\n```{eval-rst}\n"
+                       ".. automodule:: subcert\n   :members:\n   :show-inheritance:\n   :member-order: groupwise\n"
+                       "```\n")
 
-    def index(self):
+    def index(self, python):
         """The first page; pages that none of its lists names stand in a list of their own."""
         text = (self.source / "docs/site/index.md").read_text(encoding="utf-8")
         further = sorted(str(name.with_suffix("")) for name in self.pages
                          if not re.search(rf"^(.*<)?{re.escape(str(name.with_suffix('')))}>?$", text, re.M))
-        further += [f"python/{module}" for module in PYTHON_MODULES]
+        further += ["python/subcert"] if python else []
         if further:
             text += "\n".join(["", "```{toctree}", ":caption: Further pages", ":hidden:", "", *further, "```", ""])
         self.write(pathlib.Path("index.md"), text)
 
 
 def main(arguments):
-    if len(arguments) != 6:
-        print("usage: build.py SOURCE TREE SITE SUBCERT VERSION HEADERS", file=sys.stderr)
+    if len(arguments) not in (6, 7):
+        print("usage: build.py SOURCE TREE SITE SUBCERT VERSION HEADERS [PYTHON]", file=sys.stderr)
         return 64
     source, tree, site = (pathlib.Path(argument).resolve() for argument in arguments[:3])
-    subcert, version, headers = arguments[3:]
+    subcert, version, headers = arguments[3:6]
+    python = arguments[6] if len(arguments) == 7 else ""  # the folder to import the package from
     if missing := missing_packages():
         print(f"site: not built, packages are missing: {' '.join(missing)}")
         return 77
@@ -145,15 +144,14 @@ def main(arguments):
     made = Tree(source, tree)
     made.theorems()
     made.gallery(subcert)
-    made.python()
-    made.index()
+    made.python(python)
+    made.index(python)
     listed = pathlib.Path(headers).read_text(encoding="utf-8").split()
     api.write(source, [pathlib.Path(header).resolve() for header in listed], tree / "api")
     (tree / "_static").mkdir()
     shutil.copyfile(source / "docs/site/site.css", tree / "_static/site.css")
     conf = (source / "docs/site/conf.py").read_text(encoding="utf-8").replace("@VERSION@", version)
-    folders = [str(source / folder) for folder in PYTHON_FOLDERS]
-    (tree / "conf.py").write_text(conf + f"import sys\nsys.path[:0] = {folders!r}\n", encoding="utf-8")
+    (tree / "conf.py").write_text(conf + f"import sys\nsys.path[:0] = {[python] if python else []!r}\n", encoding="utf-8")
     try:
         run(["sphinx-build", "-q", "-W", "--keep-going", "-b", "html", "-d", tree / ".doctrees", tree, site])
     except subprocess.CalledProcessError:

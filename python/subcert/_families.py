@@ -11,7 +11,7 @@ from ._certificates import Certificate
 from ._data import _jobs
 from ._exact import Enclosure, Exact, Truth, fraction, optional_enclosure
 from ._regularity import Progress
-from ._schemes import Scheme, Symbol, _symbol, scheme
+from ._schemes import Named, Scheme, Symbol, _symbol, scheme
 
 
 @dataclasses.dataclass(frozen=True)
@@ -108,7 +108,7 @@ class ExponentCurve:
         return _certificates(self._evidence)
 
 
-class Family:
+class Family(Named):
     """A scheme of one variable whose coefficients depend on a parameter.
 
     >>> import subcert
@@ -119,13 +119,6 @@ class Family:
     >>> print(found.ends[-1].value.text(9), "zero of", found.ends[-1].polynomial)
     0.192729249 zero of -1 + 4*z + 32*z^3
     """
-
-    def __init__(self, handle: Any) -> None:
-        self._handle = handle
-
-    @property
-    def specification(self) -> str:
-        return self._handle.specification
 
     @property
     def parameter(self) -> str:

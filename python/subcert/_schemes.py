@@ -87,8 +87,8 @@ class VarianceRange:
     complete: bool
 
 
-class _Named:
-    """What all schemes share: they are equal, hashed, printed and pickled by their specification."""
+class Named:
+    """What schemes and families share: they are equal, hashed, printed and pickled by their specification."""
 
     _handle: Any
 
@@ -112,7 +112,7 @@ class _Named:
         return self.specification
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Named) and self.specification == other.specification
+        return isinstance(other, Named) and type(other) is type(self) and self.specification == other.specification
 
     def __hash__(self) -> int:
         return hash(self.specification)
@@ -127,7 +127,7 @@ class _Named:
         return refine(self, data, levels, **options)
 
 
-class Scheme(_Named):
+class Scheme(Named):
     """A linear scheme of one variable.
 
     >>> import subcert
@@ -289,7 +289,7 @@ def _ends(value: Any) -> Any:
     return Enclosure(*value) if isinstance(value, tuple) else value
 
 
-class MultivariateScheme(_Named):
+class MultivariateScheme(Named):
     """A linear scheme of two or three variables.
 
     >>> import subcert
@@ -354,7 +354,7 @@ class MultivariateScheme(_Named):
         return _display.surface_html(self)
 
 
-class DataDependentScheme(_Named):
+class DataDependentScheme(Named):
     """A scheme without a mask, which only acts on data, as ``l1:points=6``."""
 
     @property
@@ -365,7 +365,7 @@ class DataDependentScheme(_Named):
 AnyScheme = Union[Scheme, MultivariateScheme, DataDependentScheme]
 
 
-def scheme(specification: Union[str, _Named]) -> Any:
+def scheme(specification: Union[str, Named]) -> Any:
     """The scheme of this specification: a Scheme, MultivariateScheme or DataDependentScheme.
 
     Raises UsageError for a text that names none; the line says which part, and what would be right.
@@ -378,7 +378,7 @@ def scheme(specification: Union[str, _Named]) -> Any:
     ...
     subcert.UsageError: scheme specification, position 11: 'primal'; expected the key 'n', as in primal:n=3,d=1
     """
-    if isinstance(specification, _Named):
+    if isinstance(specification, Named):
         return specification
     core = _core.make_any_scheme(specification)
     kinds = {_core.Scheme: Scheme, _core.MultivariateScheme: MultivariateScheme}

@@ -23,13 +23,7 @@ WantedWidth wanted_width(const SearchOptions& options) {
   const Rational least = power(Rational(10), -most_places);
   if (!width || *width < least || *width > 1)
     fail(ErrorKind::usage, "--width: expected a number from 1e-{} to 1, got '{}'", most_places, options.width);
-  WantedWidth result{width};
-  int places = 0;
-  for (Rational unit = 1; unit > *width; unit /= 10) ++places;
-  // 10 < 2^(10/3); the rest is for radii up to 2^32.
-  result.bits = std::max(result.bits, 10 * places / 3 + 32);
-  result.digits = places + 2;
-  return result;
+  return {width, bits_for_width(*width), decimal_places(*width) + 2};
 }
 
 Json bound_json(const HolderBound& bound) {
@@ -60,12 +54,6 @@ std::string sized_method_text(const JointSpectralRadius& radius) {
   if (radius.method() == JsrMethod::invariant_polytope) text = counted(radius.vertices(), "vertex", "vertices");
   if (radius.method() == JsrMethod::quadratic_form) text = counted(radius.words(), "product", "products");
   return radius.is_closed() ? text : "lower end by the product, upper end by " + text;
-}
-
-std::string word_text(const std::vector<int>& word) {
-  std::string text;
-  for (int letter : word) text += (letter > 9 && !text.empty() ? "," : "") + std::to_string(letter);
-  return text;
 }
 
 }  // namespace subcert::cli

@@ -35,7 +35,4 @@ std::string method_text(const JointSpectralRadius& radius);
 /// The same with the size of the proof; and, where the ends are apart, by what the lower one is proved.
 std::string sized_method_text(const JointSpectralRadius& radius);
 
-/// The letters of a product, with commas behind letters above 9.
-std::string word_text(const std::vector<int>& word);
-
 }  // namespace subcert::cli

@@ -110,8 +110,7 @@ void add_exponents(Plate& plate, const Scheme& scheme, const Budget& budget) {
     if (regularity.converges.truth != Truth::unknown) plate.convergence = regularity.converges;
     plate.stable = regularity.stable;
     plate.exact = regularity.deciding().radius.exact;
-    if (plate.convergence.is_yes())
-      plate.holder = {std::max(Rational(0), *regularity.exponent.lower), regularity.exponent.upper};
+    plate.holder = regularity.proved_exponent();
   });
 }
 

@@ -157,6 +157,13 @@ int Enclosure::telling_digits(int digits) const {
   return digits;
 }
 
+int decimal_places(const Rational& width) {
+  require(width > 0, "decimal_places: need width > 0, got {}", width);
+  int places = 0;
+  for (Rational unit = 1; unit > width; unit /= 10) ++places;
+  return places;
+}
+
 std::string enclosure_text(const Enclosure& enclosure, int digits) {
   if (!enclosure.lower && !enclosure.upper) return "unknown";
   digits = enclosure.telling_digits(digits);

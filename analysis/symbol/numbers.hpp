@@ -19,6 +19,9 @@ std::string to_text(const Rational& value);
 /// base^exponent, exact. Domain: base != 0 when exponent < 0.
 Rational power(const Rational& base, long exponent);
 
+/// The least k >= 0 with 10^-k <= width. Domain: width > 0.
+int decimal_places(const Rational& width);
+
 enum class Rounding { down, up, nearest };
 
 /// The floor, the ceiling, or the nearest integer (ties away from zero).

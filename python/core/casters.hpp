@@ -49,19 +49,10 @@ struct type_caster<subcert::Rational> {
     return true;
   }
   static handle cast(const subcert::Rational& number, return_value_policy, handle) {
-    static FractionClass fraction;
-    return fraction.type()(numerator(number), denominator(number)).release();
+    static PyObject* type = nullptr;  // looked up once; it lives as long as the process
+    if (!type) type = object(module_::import("fractions").attr("Fraction")).release().ptr();
+    return reinterpret_borrow<object>(type)(numerator(number), denominator(number)).release();
   }
-
- private:
-  // The class, looked up once; it lives as long as the process.
-  struct FractionClass {
-    PyObject* found = nullptr;
-    object type() {
-      if (!found) found = object(module_::import("fractions").attr("Fraction")).release().ptr();
-      return reinterpret_borrow<object>(found);
-    }
-  };
 };
 
 template <>

@@ -95,6 +95,20 @@ py::dict column_dict(data::SmoothedColumn column, double bands, data::BandKind k
   return result;
 }
 
+/// Origin and spacing of the grid that positions stand for.
+std::pair<Rational, Rational> grid_of(const DoubleArray& positions) {
+  const std::vector<double> x = numbers_of(positions);
+  require_finite(x, "x");
+  for (std::size_t i = 1; i < x.size(); ++i)
+    if (x[i] <= x[i - 1])
+      fail(ErrorKind::data, "x: need positions that grow, got {} after {} at index {}", x[i], x[i - 1], i);
+  const data::UniformGrid grid = data::uniform_grid(x);
+  if (!grid.uniform)
+    fail(ErrorKind::data, "x: need a uniform grid, got the spacing {:g} after index {} where the mean is {:g}",
+         x[grid.worst + 1] - x[grid.worst], grid.worst, grid.spacing.convert_to<double>());
+  return {grid.origin, grid.spacing};
+}
+
 /// `scheme`: a specification, or empty for the choice by estimated error.
 py::dict smooth(const DoubleArray& y, const std::vector<Rational>& weights, const Rational& origin,
                 const Rational& spacing, const std::string& scheme, const std::string& boundary, double constant,
@@ -143,8 +157,7 @@ py::dict smooth(const DoubleArray& y, const std::vector<Rational>& weights, cons
 void add_data(py::module_& module) {
   module.def("refine", &refine);
   module.def("smooth", &smooth);
-  module.def("refinement_boundaries", &data::refinement_boundary_names);
-  module.def("smoothing_boundaries", &data::smoothing_boundary_names);
+  module.def("uniform_grid", &grid_of);
   module.def("all_cores", &all_cores);
 }
 

@@ -38,9 +38,6 @@ PYBIND11_MODULE(_core, module) {
   using namespace subcert::python;
   py::register_exception_translator(&translate);
   module.attr("version") = SUBCERT_VERSION;
-  module.def("to_decimal", [](const subcert::Rational& value, int digits) {
-    return to_decimal(value, digits, subcert::Rounding::nearest);
-  });
   module.def("enclosure_text", &subcert::enclosure_text);
   add_schemes(module);
   add_regularity(module);

@@ -50,7 +50,6 @@ py::dict holder_dict(const HolderEvidence& evidence) {
   result["sum_rules"] = regularity.bounds.sum_rules;
   result["bound"] = py::make_tuple(bound.levels, bound.norm, bound.exponent);
   result["logarithm"] = py::make_tuple(regularity.logarithm.at_least, regularity.logarithm.at_most);
-  result["reduced"] = regularity.reduced ? py::cast(regularity.reduced->mask.mask.symbol()) : py::none();
   // What the exponent is from, where the shifts are not stable.
   result["closed"] = regularity.deciding().radius.is_closed();
   return result;
@@ -153,6 +152,9 @@ py::dict jsr_dict(const RadiusEvidence& evidence) {
 }  // namespace
 
 void add_regularity(py::module_& module) {
+  module.attr("default_bits") = default_bits;
+  module.def("bits_for_width", &bits_for_width);
+  module.def("word_text", &word_text);
   py::class_<HolderEvidence, std::shared_ptr<HolderEvidence>>(module, "HolderEvidence")
       .def_property_readonly("facts", &holder_dict)
       .def("certificate", &holder_certificate);

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any, Optional, Sequence, Union
 
 from . import _core
-from ._errors import DataError, DomainError
+from ._errors import DomainError
 from ._exact import Exact, fraction
 from ._regularity import Progress
 
@@ -88,12 +88,12 @@ def smooth(
 ) -> Smoothed:
     """Smooths samples of a function on a uniform grid by the limit of a scheme.
 
-    `y`: shape (n,). `x`: the positions, uniform up to rounding; or `origin` and `spacing`. `scheme`: a scheme or its
-    specification; by default the one with the smallest estimated error. `weights`: prior weights, inverse to the
-    variance of the noise; 0: missing. `bands`: level of the confidence band, 0 for none. `kind`: pointwise or
-    simultaneous, for the expected value of the limit, or prediction, for a new datum. `level`: values at the
-    multiples of arity^-level of the spacing. `boundary`: interp, mirror, nearest, constant or wrap. Raises DataError
-    for samples that cannot be smoothed, DomainError for a scheme without proof of convergence.
+    `y`: shape (n,). `x`: the positions, uniform up to their last decimal place; or `origin` and `spacing`. `scheme`:
+    a scheme or its specification; by default the one with the smallest estimated error. `weights`: prior weights,
+    inverse to the variance of the noise; 0: missing. `bands`: level of the confidence band, 0 for none. `kind`:
+    pointwise or simultaneous, for the expected value of the limit, or prediction, for a new datum. `level`: values at
+    the multiples of arity^-level of the spacing. `boundary`: interp, mirror, nearest, constant or wrap. Raises
+    DataError for samples that cannot be smoothed, DomainError for a scheme without proof of convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")
@@ -105,7 +105,10 @@ def smooth(
     array = numpy.ascontiguousarray(y, dtype=numpy.float64)
     first, step = fraction(origin), fraction(spacing)
     if x is not None:
-        first, step = _grid(numpy.asarray(x, dtype=numpy.float64), array)
+        positions = numpy.ascontiguousarray(x, dtype=numpy.float64)
+        if positions.shape != array.shape or positions.ndim != 1 or positions.size < 2:
+            raise DomainError(f"x: need two positions or more, as many as samples, got shape {positions.shape}")
+        first, step = _core.uniform_grid(positions)
     prior = [] if weights is None else [fraction(w) if not isinstance(w, float) else Fraction(w) for w in weights]
     if prior and len(prior) != array.size:
         raise DomainError(f"weights: need as many as samples, {array.size}, got {len(prior)}")
@@ -126,21 +129,3 @@ def smooth(
     )
     facts["candidates"] = tuple(facts["candidates"])
     return Smoothed(**facts)
-
-
-def _grid(x: Any, y: Any) -> tuple[Fraction, Fraction]:
-    import numpy
-
-    if x.shape != y.shape or x.ndim != 1 or x.size < 2:
-        raise DomainError(f"x: need two positions or more, as many as samples, got shape {x.shape} for {y.shape}")
-    steps = numpy.diff(x)
-    mean = (x[-1] - x[0]) / (x.size - 1)
-    if not numpy.isfinite(x).all() or mean <= 0:
-        raise DataError("x: need finite positions that grow")
-    off = numpy.abs(x - (x[0] + mean * numpy.arange(x.size))).max()
-    if off > 1e-6 * mean:
-        worst = int(numpy.abs(steps - mean).argmax())
-        raise DataError(
-            f"x: need a uniform grid, got the spacing {steps[worst]:g} after index {worst} where the mean is {mean:g}"
-        )
-    return Fraction(float(x[0])), Fraction(float(mean))

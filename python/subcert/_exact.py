@@ -199,23 +199,5 @@ def optional_enclosure(ends: Optional[Ends]) -> Optional[Enclosure]:
 
 
 def bits_of(width: Optional[Exact]) -> int:
-    """Of enclosures that are to be at most so wide: as the command line's --width."""
-    if width is None:
-        return 160
-    w = fraction(width)
-    if not Fraction(1, 10**1000) <= w <= 1:
-        raise DomainError(f"width: need 1e-1000 <= width <= 1, got {width}")
-    places = 0
-    unit = Fraction(1)
-    while unit > w:
-        places += 1
-        unit /= 10
-    return max(160, 10 * places // 3 + 32)
-
-
-def any_to_word(word: Any) -> str:
-    """The letters of a product in a row, with commas behind letters above 9."""
-    text = ""
-    for letter in word:
-        text += ("," if letter > 9 and text else "") + str(letter)
-    return text
+    """Of enclosures that are to be at most so wide."""
+    return _core.default_bits if width is None else _core.bits_for_width(fraction(width))

@@ -9,7 +9,7 @@ from typing import Any, Callable, Iterable, Optional, Sequence
 from . import _core
 from ._certificates import Certificate, Verification
 from ._errors import CertificateError
-from ._exact import Decision, Enclosure, Exact, Truth, any_to_word, bits_of, fraction, optional_enclosure
+from ._exact import Decision, Enclosure, Exact, Truth, bits_of, fraction, optional_enclosure
 
 Progress = Optional[Callable[[float], Any]]
 """Called ten times a second with the seconds that have passed. An exception that it raises ends the work."""
@@ -167,7 +167,7 @@ class HolderExponent(_Certified):
     def _repr_html_(self) -> str:
         rows = {
             "Hölder exponent": str(self),
-            "exact": f"yes, by the product {any_to_word(self.product)}" if self.exact else f"no: {self.exactness}",
+            "exact": f"yes, by the product {_core.word_text(self.product)}" if self.exact else f"no: {self.exactness}",
             "method": self.method,
             "converges": str(self.converges),
             "stable": str(self.stable),

@@ -206,6 +206,14 @@ std::size_t JointSpectralRadius::vertices() const { return total(*this, &Polytop
 
 std::size_t JointSpectralRadius::words() const { return total(*this, &QuadraticProof::words); }
 
+int bits_for_width(const Rational& width) {
+  constexpr int most_places = 1000;
+  require(width <= 1 && width >= power(Rational(10), -most_places), "width: need 1e-{} <= width <= 1, got {}",
+          most_places, width);
+  // 10 < 2^(10/3); the rest is for radii up to 2^32.
+  return std::max(default_bits, 10 * decimal_places(width) / 3 + 32);
+}
+
 void sharpen(JointSpectralRadius& radius, const MatrixFamily& family, int bits, const Deadline& deadline) {
   Enclosure& ends = radius.radius;
   const std::vector<int>& word = radius.product.word;

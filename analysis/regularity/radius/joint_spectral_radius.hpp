@@ -89,6 +89,9 @@ ProductEvidence find_product_above(const MatrixFamily& family, const Rational& l
 
 /// Of radii that a product attains, and of exponents from them.
 constexpr int default_bits = 160;
+/// With which they are at most so wide, radii up to 2^32, and not wider than by default. Domain: 10^-1000 <= width
+/// <= 1. Errors: throws Error.
+int bits_for_width(const Rational& width);
 
 /// Narrows the enclosure of a radius that a product attains to a relative width below 2^-bits. Domain: `radius` is of
 /// this family; bits >= 1. Leaves it as it is where that is not proved (`exact`), or where the deadline comes first.

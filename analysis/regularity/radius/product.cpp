@@ -94,6 +94,12 @@ std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPoly
 
 }  // namespace
 
+std::string word_text(const std::vector<int>& word) {
+  std::string text;
+  for (int letter : word) text += (letter > 9 && !text.empty() ? "," : "") + std::to_string(letter);
+  return text;
+}
+
 ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline,
                               const Rational& distance) {
   ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};

@@ -15,6 +15,9 @@ struct ProductEvidence {
   std::optional<Rational> exact;  ///< rho(product)^(1/length), where that is proved to be a rational number
 };
 
+/// The letters of a product in a row, with commas before letters above 9.
+std::string word_text(const std::vector<int>& word);
+
 /// Encloses the leading eigenvalue of a product. `distance`: for all families whose entries differ from these by at
 /// most that. Domain: a word of at least one letter; distance >= 0. Error: about 2^-190, relatively; the lower end is 0
 /// where no eigenvalue is isolated or the deadline passes. Cost: one characteristic polynomial. Ref: SPEC.md, 4.5

@@ -73,9 +73,7 @@ GridPositions::GridPositions(Rational origin, const Rational& spacing, std::size
     : origin_(std::move(origin)),
       step_(spacing / Rational(scale)),
       rounded_origin_(rounded_twice(origin_)),
-      rounded_step_(rounded_twice(step_)) {
-  require(scale >= 1, "GridPositions: need scale >= 1, got 0");
-}
+      rounded_step_(rounded_twice(step_)) {}
 
 double GridPositions::at(std::size_t index) const {
   // Five roundings, each of at most half a unit in the last place of a number not above `size`.

@@ -27,7 +27,7 @@ UniformGrid uniform_grid(const std::vector<double>& positions);
 /// nearest_double(origin + spacing * index / scale) for many indices.
 class GridPositions {
  public:
-  /// Domain: scale >= 1.
+  /// Domain: scale >= 1. Errors: throws Error.
   GridPositions(Rational origin, const Rational& spacing, std::size_t scale);
   double at(std::size_t index) const;
 

@@ -7,11 +7,12 @@ open Text
 
 let usage =
   "usage: subcert-check-verified --matrices MATRICES [--lower P/Q] [--upper P/Q] [--show] FILE    (at least one bound)\n\
+  \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): claims about\n\
    exponents and surfaces, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
-let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper" ]
+let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper"; "--theorem" ]
 
 let rec options given = function
   | [] -> given
@@ -160,12 +161,14 @@ let read_certificate family lower upper r =
     else
       List.mapi
         (fun i block ->
-          let section = Sections.read_section r i block in
+          let own, section = Sections.read_section r i block upper in
+          (match (own, upper) with
+          | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
+          | _ -> ());
           (match upper with
-          | Some u ->
-              require
-                (Q.sign u >= 0 && check_section block (bound_of u) section)
-                (Printf.sprintf "block %d does not prove the upper end" i)
+          | Some u when Q.sign u >= 0 ->
+              require (check_section block (bound_of u) section) (Printf.sprintf "block %d does not prove the upper end" i)
+          | Some _ -> reject "the upper end is negative"
           | None -> ());
           (block.size, section))
         blocks
@@ -195,6 +198,7 @@ let check arguments =
   if not (has "--matrices") then
     raise (Sections.Undecided "claims about exponents and surfaces are not decided here, but by subcert-check");
   let other name = List.mem name [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation" ] in
+  require (match find "--theorem" with Some name -> name <> "" && String.for_all (fun c -> (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')) name && not (name.[0] >= '0' && name.[0] <= '9') | None -> true) "--theorem needs a name of letters and digits";
   require ((not (List.exists (fun (name, _) -> other name) given)) && (has "--lower" || has "--upper")) usage;
   let matrices = Option.get (find "--matrices") in
   let lower = Option.map rational (find "--lower") and upper = Option.map rational (find "--upper") in
@@ -204,14 +208,19 @@ let check arguments =
   let text =
     side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices
   in
-  read (Option.get (find "FILE")) 1 (fun r ->
+  let certificate = read (Option.get (find "FILE")) 1 (fun r ->
       let certificate =
         try read_certificate family lower upper r
         with Sections.Undecided what -> raise (Sections.Undecided (what ^ " are not decided here, but by subcert-check"))
       in
-      require (check_radius claim certificate) "the certificate does not prove the claim");
-  print_endline ("VERIFIED " ^ text);
-  if has "--show" then show claim
+      require (check_radius claim certificate) "the certificate does not prove the claim";
+      certificate)
+  in
+  match find "--theorem" with
+  | Some name -> Theorem.print name claim certificate
+  | None ->
+      print_endline ("VERIFIED " ^ text);
+      if has "--show" then show claim
 
 let () =
   let finish code = exit code in

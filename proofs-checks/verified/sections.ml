@@ -6,7 +6,7 @@ open Text
 
 exception Undecided of string
 
-let max_work = 400_000_000 (* multiplications *)
+let max_work = 500_000_000 (* multiplications *)
 let spent = ref 0
 
 let spend work =
@@ -238,7 +238,120 @@ let read_polytope r family fields =
     ( nonnegative, transposed, scale, Z.shift_left scale vertex_bits,
       List.map halves (Array.to_list points), List.map numbered unit_lines, List.map (List.map numbered) image_lines )
 
-let read_section r number family =
+(* ---- quadratic forms ---- *)
+
+(* The rows of L where factor * S - L L^T is small against the diagonal, and the factor; None if S is not positive. *)
+let root_of s =
+  let n = Array.length s in
+  let most = Array.fold_left (Array.fold_left (fun m x -> Z.max m (Z.abs x))) Z.zero s in
+  if Z.equal most Z.zero then Some { root_rows = []; root_factor = Z.one }
+  else begin
+    let shift = 256 - Z.numbits most in
+    let half = if shift >= 0 then 0 else (1 - shift) / 2 in
+    let factor = if shift >= 0 then Z.shift_left Z.one shift else if -shift mod 2 = 0 then Z.one else Z.of_int 2 in
+    let margin = Z.add (Z.shift_left (Z.of_int n) 128) (Z.of_int n) in
+    let rest = Array.map (Array.map (fun x -> Z.shift_right (Z.mul factor x) (2 * half))) s in
+    Array.iteri (fun i row -> row.(i) <- Z.sub row.(i) margin) rest;
+    spend (n * n * n / 3);
+    try
+      for k = 0 to n - 1 do
+        if Z.sign rest.(k).(k) <= 0 then raise Exit;
+        let pivot = Z.sqrt rest.(k).(k) in
+        rest.(k).(k) <- pivot;
+        for j = k + 1 to n - 1 do rest.(k).(j) <- Z.fdiv rest.(k).(j) pivot done;
+        for i = k + 1 to n - 1 do
+          for j = i to n - 1 do rest.(i).(j) <- Z.sub rest.(i).(j) (Z.mul rest.(k).(i) rest.(k).(j)) done
+        done
+      done;
+      let row i = List.init (i + 1) (fun k -> Z.shift_left rest.(k).(i) half) in
+      Some { root_rows = List.init n row; root_factor = factor }
+    with Exit -> None
+  end
+
+let transposed_array m = Array.init (Array.length m) (fun i -> Array.init (Array.length m) (fun j -> m.(j).(i)))
+let congruent m form = multiply (transposed_array m) (multiply form m)
+let longest_word = 1000
+
+(* The words as a tree in which every node has a child for each letter, or none. *)
+let rec tree_of count first words leaf prefix =
+  match words with
+  | [ [] ] -> leaf (List.rev prefix)
+  | _ ->
+      require (words <> [] && not (List.mem [] words)) "the words are not those of a complete tree";
+      let child t =
+        let rest = List.filter_map (function s :: rest when s = t -> Some rest | _ -> None) words in
+        tree_of count first rest leaf (t :: prefix)
+      in
+      let children = Array.make count None in
+      Words
+        (List.init count (fun t ->
+             if first.(t) = t then children.(t) <- Some (child t);
+             Option.get children.(first.(t))))
+
+let read_quadratic r family upper fields =
+  let n = family.size and count = List.length family.matrices in
+  let length = List.length fields in
+  let groups = if length = 4 then group_size (List.nth fields 3) else 0 in
+  require (length = 3 || (length = 4 && groups > 0)) "expected 'quadratic', a number of words, a bound and perhaps a group";
+  let words = size (List.nth fields 1) 1 max_bytes and bound = rational (List.nth fields 2) in
+  require (Q.sign bound >= 0) "the bound of a quadratic form is negative";
+  let generators = read_generators r family groups in
+  ignore (elements n count generators);
+  let rows = Array.init n (fun i -> Array.of_list (List.map integer (take r "form" (i + 1) (i + 1)))) in
+  let form = Array.init n (fun i -> Array.init n (fun j -> rows.(max i j).(min i j))) in
+  let definite =
+    match root_of form with
+    | Some root when Z.sign form.(0).(0) <> 0 -> root
+    | _ -> reject "the form is not positive definite"
+  in
+  List.iter (fun g -> require (congruent g.map form = form) "a generator does not keep the form") generators;
+  let matrices = Array.of_list (List.map array_of family.matrices) in
+  let first =
+    Array.map (fun m -> let rec search t = if matrices.(t) = m then t else search (t + 1) in search 0) matrices
+  in
+  let known = Hashtbl.create 997 in
+  let given =
+    List.init words (fun _ ->
+        let word = List.map (fun f -> first.(size f 0 (count - 1))) (take r "word" 1 longest_word) in
+        require (not (Hashtbl.mem known word)) "a word occurs twice";
+        Hashtbl.add known word ();
+        word)
+  in
+  let all = ref given in
+  let rec close word =
+    List.iter
+      (fun g ->
+        let image = List.map (fun t -> first.(g.letters.(t))) word in
+        spend (1000 + List.length word);
+        if not (Hashtbl.mem known image) then begin
+          Hashtbl.add known image ();
+          all := image :: !all;
+          close image
+        end)
+      generators
+  in
+  List.iter close given;
+  (* each product has to be below the bound of the certificate; the hint is for that of the claim *)
+  let wanted = match upper with Some u when Q.gt u bound -> u | _ -> bound in
+  let leaf word =
+    let k = List.length word in
+    require (word <> []) "the words are not those of a complete tree";
+    spend (k * n * n * n);
+    let product = List.fold_left (fun p t -> match p with None -> Some matrices.(t) | Some p -> Some (multiply p matrices.(t))) None word in
+    let moved = congruent (Option.get product) form in
+    let root g =
+      let a = Z.pow (Z.mul (Q.num g) family.denominator) (2 * k) and b = Z.pow (Q.den g) (2 * k) in
+      root_of (Array.mapi (fun i row -> Array.mapi (fun j x -> Z.sub (Z.mul a x) (Z.mul b moved.(i).(j))) row) form)
+    in
+    match (root bound, root wanted) with
+    | Some _, Some hint -> Word hint
+    | _ -> reject "a product is not below the bound in the quadratic form"
+  in
+  let words = tree_of count first !all leaf [] in
+  (bound, Quadratic (Array.to_list (Array.map Array.to_list form), definite, words))
+
+(* The section, and the bound that it shows if it says so itself. *)
+let read_section r number family upper =
   let fields = take r (Printf.sprintf "block %d" number) 2 8 in
   let count = List.length family.matrices and n = family.size in
   match List.hd fields with
@@ -248,7 +361,9 @@ let read_section r number family =
       let work = (float_of_int count ** float_of_int level) *. float_of_int (n * n * n) in
       require (work <= float_of_int max_work) "more work than this checker allows";
       spend (int_of_float work);
-      Norm level
-  | "quadratic" -> raise (Undecided "quadratic forms")
-  | "polytope" when List.length fields >= 4 -> read_polytope r family fields
+      (None, Norm level)
+  | "quadratic" ->
+      let bound, section = read_quadratic r family upper fields in
+      (Some bound, section)
+  | "polytope" when List.length fields >= 4 -> (None, read_polytope r family fields)
   | _ -> reject "expected 'norm', 'polytope' or 'quadratic' and its numbers"

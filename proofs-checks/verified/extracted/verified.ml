@@ -963,15 +963,85 @@ let eigenvalue f e =
         (Number.power l.qden (Number.mul (Number.twice Number.one) k))
         (Number.add (Number.mul a a) (Number.mul b b)))))
 
-type square_root = zmat
+type square_root = { root_rows : zmat; root_factor : Number.t }
 
-type word_tree = bool
+type word_tree =
+| Word of square_root
+| Words of word_tree list
+
+(** val root_rest :
+    (int -> int -> Number.t) -> square_root -> int -> int -> Number.t **)
+
+let root_rest s h i j =
+  Number.sub (Number.mul h.root_factor (s i j))
+    (dot (nth i h.root_rows []) (nth j h.root_rows []))
+
+(** val others : int -> int -> zmat -> Number.t **)
+
+let others n i e =
+  fold_right Number.add Number.zero
+    (map (fun j ->
+      if Nat.eqb i j
+      then Number.zero
+      else Number.add (Number.abs (entry e i j)) (Number.abs (entry e j i)))
+      (seq 0 n))
+
+(** val positive_form :
+    int -> Number.t -> (int -> int -> Number.t) -> square_root -> bool **)
+
+let positive_form n margin s h =
+  let e = table n (root_rest s h) in
+  (&&)
+    ((&&) (Number.less Number.zero h.root_factor)
+      (forallb (fun row -> Nat.leb (length row) n) h.root_rows))
+    (forallb (fun i ->
+      Number.less_equal
+        (Number.add (Number.mul (Number.twice Number.one) margin)
+          (others n i e)) (Number.mul (Number.twice Number.one) (entry e i i)))
+      (seq 0 n))
+
+(** val below_bound :
+    family -> q -> zmat -> int list -> square_root -> bool **)
+
+let below_bound f u p =
+  let n = f.size in
+  (fun w h ->
+  let k = Number.mul (Number.twice Number.one) (Number.of_natural (length w))
+  in
+  let cs = map (fun j -> zrun f.matrices w (unit_at Number.one j)) (seq 0 n)
+  in
+  let pcs = map (mv p) cs in
+  let a = Number.power (Number.mul u.qnum f.denominator) k in
+  let b = Number.power u.qden k in
+  (match w with
+   | [] -> false
+   | _::_ ->
+     positive_form n Number.zero (fun i j ->
+       Number.sub (Number.mul a (entry p i j))
+         (Number.mul b (dot (nth i cs []) (nth j pcs [])))) h))
+
+(** val check_tree : family -> q -> zmat -> int list -> word_tree -> bool **)
+
+let rec check_tree f u p w = function
+| Word h -> below_bound f u p w h
+| Words children ->
+  (&&) (Nat.eqb (length children) (count f))
+    (let rec each k = function
+     | [] -> true
+     | c::l' ->
+       (&&) (check_tree f u p (app w (k::[])) c) (each (Stdlib.succ k) l')
+     in each 0 children)
 
 (** val quadratic :
     family -> q -> zmat -> square_root -> word_tree -> bool **)
 
-let quadratic _ _ _ _ _ =
-  false
+let quadratic f u p =
+  let n = f.size in
+  (fun definite words ->
+  (&&)
+    ((&&) ((&&) (Number.less_equal Number.zero u.qnum) (square n p))
+      (positive_form n Number.one (entry p) definite))
+    (check_tree f u p [] words))
 
 (** val largest_norm : zmat list -> int -> zvec -> Number.t **)
 

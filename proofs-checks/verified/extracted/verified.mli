@@ -230,9 +230,23 @@ val contracts : family -> eigen -> zvec -> bool
 
 val eigenvalue : family -> eigen -> q -> bool
 
-type square_root = zmat
+type square_root = { root_rows : zmat; root_factor : Number.t }
 
-type word_tree = bool
+type word_tree =
+| Word of square_root
+| Words of word_tree list
+
+val root_rest :
+  (int -> int -> Number.t) -> square_root -> int -> int -> Number.t
+
+val others : int -> int -> zmat -> Number.t
+
+val positive_form :
+  int -> Number.t -> (int -> int -> Number.t) -> square_root -> bool
+
+val below_bound : family -> q -> zmat -> int list -> square_root -> bool
+
+val check_tree : family -> q -> zmat -> int list -> word_tree -> bool
 
 val quadratic : family -> q -> zmat -> square_root -> word_tree -> bool
 

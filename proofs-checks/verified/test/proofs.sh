@@ -1,6 +1,7 @@
 #!/bin/sh
-# Compiles the proofs anew, lets coqchk check what was compiled, extracts the checker and compares it with the source that
-# is checked in, and compares the axioms of the theorems with assumptions.txt. Usage: proofs.sh DIRECTORY (emptied)
+# Compiles the proofs anew, lets coqchk check what was compiled, extracts the checker and compares it with the source
+# that is checked in, and compares the axioms of the theorems with assumptions.txt. coqchk has no fast evaluation: it
+# leaves out the files that prove by computation, which the kernel of coqc has checked. Usage: proofs.sh DIRECTORY
 set -eu
 if ! command -v coqc >/dev/null; then
   echo "no Coq: skipped"
@@ -18,7 +19,10 @@ fi
 modules=
 for file in $(sed 1d _CoqProject); do
   coqc -Q . Subcert "$file" >"${file%.v}.out"
-  modules="$modules Subcert.${file%.v}"
+  case $file in
+    S5.v | Scheme.v | Assumptions.v | Extract.v) ;;
+    *) modules="$modules Subcert.${file%.v}" ;;
+  esac
 done
 for file in verified.ml verified.mli; do
   diff "$here/extracted/$file" $file

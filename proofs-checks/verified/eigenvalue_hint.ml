@@ -53,7 +53,6 @@ let make family word re im =
   let size = (2 * n) + 2 in
   let length = List.length word in
   let whole = Z.pow family.denominator length in
-  let largest = Z.to_int (Z.max Z.one (Z.of_int (bits (Q.to_bigint (Q.abs re)) + bits (Q.to_bigint (Q.abs im))))) in
   (* integers of at least so many bits, and a multiple of the denominators if these are small *)
   let small = Z.lcm (Q.den re) (Q.den im) in
   let exact = bits small <= 64 in
@@ -63,7 +62,6 @@ let make family word re im =
   let rounded x = divide_floor (Q.num (Q.mul x scale)) (Q.den (Q.mul x scale)) in
   let er = rounded re and ei = rounded im in
   let level = max (bits er) (max (bits ei) (bits (Z.mul whole multiplier))) + 1 in
-  ignore largest;
   let matrix = product_of family word multiplier in
   let precision = 448 in
   let fixed x = if level <= precision then Z.shift_left x (precision - level) else Z.shift_right x (level - precision) in

@@ -41,7 +41,10 @@ let clear_denominators size rows =
   in
   require (List.length rows * size * Z.numbits denominator <= 1 lsl 32) "matrices too large";
   let cleared = List.map (List.map (fun x -> Z.mul (Q.num x) (Z.divexact denominator (Q.den x)))) rows in
-  let rec cut rows = if rows = [] then [] else List.filteri (fun i _ -> i < size) rows :: cut (List.filteri (fun i _ -> i >= size) rows) in
+  let rec split k taken rows =
+    match rows with row :: rest when k > 0 -> split (k - 1) (row :: taken) rest | _ -> (List.rev taken, rows)
+  in
+  let rec cut rows = match split size [] rows with [], _ -> [] | matrix, rest -> matrix :: cut rest in
   { size; denominator; matrices = cut cleared }
 
 let read_rows r head count size = List.init (count * size) (fun _ -> List.map rational (take r head size size))
@@ -147,7 +150,7 @@ let read_certificate family lower upper r =
           let block = List.nth blocks chosen in
           let re = rational re and im = rational im in
           let word = List.map (fun f -> size f 0 (List.length family.matrices - 1)) letters in
-          Sections.spend (List.length word * block.size * block.size * block.size);
+          Sections.spend_product block (List.length word);
           if at r "inverse" then check_inverse r block word re im lower;
           let hint = Eigenvalue_hint.make block word re im in
           let proves l = match hint with Some e -> eigenvalue block e (bound_of l) | None -> false in
@@ -198,7 +201,9 @@ let check arguments =
   if not (has "--matrices") then
     raise (Sections.Undecided "claims about exponents and surfaces are not decided here, but by subcert-check");
   let other name = List.mem name [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation" ] in
-  require (match find "--theorem" with Some name -> name <> "" && String.for_all (fun c -> (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')) name && not (name.[0] >= '0' && name.[0] <= '9') | None -> true) "--theorem needs a name of letters and digits";
+  let letter c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') and digit c = c >= '0' && c <= '9' in
+  let is_name name = name <> "" && letter name.[0] && String.for_all (fun c -> letter c || digit c) name in
+  require (Option.fold ~none:true ~some:is_name (find "--theorem")) "--theorem needs a name of letters and digits";
   require ((not (List.exists (fun (name, _) -> other name) given)) && (has "--lower" || has "--upper")) usage;
   let matrices = Option.get (find "--matrices") in
   let lower = Option.map rational (find "--lower") and upper = Option.map rational (find "--upper") in
@@ -208,13 +213,11 @@ let check arguments =
   let text =
     side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices
   in
-  let certificate = read (Option.get (find "FILE")) 1 (fun r ->
-      let certificate =
-        try read_certificate family lower upper r
-        with Sections.Undecided what -> raise (Sections.Undecided (what ^ " are not decided here, but by subcert-check"))
-      in
-      require (check_radius claim certificate) "the certificate does not prove the claim";
-      certificate)
+  let certificate =
+    read (Option.get (find "FILE")) 1 (fun r ->
+        let certificate = read_certificate family lower upper r in
+        require (check_radius claim certificate) "the certificate does not prove the claim";
+        certificate)
   in
   match find "--theorem" with
   | Some name -> Theorem.print name claim certificate

@@ -6,12 +6,17 @@ open Text
 
 exception Undecided of string
 
-let max_work = 500_000_000 (* multiplications *)
+let max_work = 1_000_000_000 (* multiplications: about a minute *)
 let spent = ref 0
 
 let spend work =
   spent := !spent + work;
   require (work >= 0 && !spent <= max_work) "more work than this checker allows"
+
+(* The product of so many matrices, whose entries grow. *)
+let spend_product family length =
+  let n = family.size in
+  spend (length * n * n * n * (1 + (length * Z.numbits family.denominator / 640)))
 
 (* Vectors are the real parts of coordinates and then, if complex, the imaginary ones. *)
 type vector = Z.t array
@@ -230,7 +235,8 @@ let read_polytope r family fields =
       origins
   in
   let terms = List.fold_left (fun s l -> List.fold_left (fun s t -> s + List.length t) s l) 0 image_lines in
-  spend (((terms * parts * parts) + (Array.length points * parts * count * n)) * n);
+  let long = 1 + (Z.numbits family.denominator / 640) in
+  spend (((terms * parts * parts) + (Array.length points * parts * count * n)) * n * long);
   let halves x = (Array.to_list (Array.sub x 0 n), if complex then Array.to_list (Array.sub x n n) else []) in
   let scale = Z.shift_left Z.one weight_bits in
   let numbered = List.map (fun (number, weight) -> (Z.of_int number, weight)) in
@@ -240,11 +246,11 @@ let read_polytope r family fields =
 
 (* ---- quadratic forms ---- *)
 
-(* The rows of L where factor * S - L L^T is small against the diagonal, and the factor; None if S is not positive. *)
+(* The rows of L where factor * S - scale * L L^T is small against the diagonal; None if S is not positive. *)
 let root_of s =
   let n = Array.length s in
   let most = Array.fold_left (Array.fold_left (fun m x -> Z.max m (Z.abs x))) Z.zero s in
-  if Z.equal most Z.zero then Some { root_rows = []; root_factor = Z.one }
+  if Z.equal most Z.zero then Some { root_rows = []; root_factor = Z.one; root_scale = Z.zero }
   else begin
     let shift = 256 - Z.numbits most in
     let half = if shift >= 0 then 0 else (1 - shift) / 2 in
@@ -263,8 +269,8 @@ let root_of s =
           for j = i to n - 1 do rest.(i).(j) <- Z.sub rest.(i).(j) (Z.mul rest.(k).(i) rest.(k).(j)) done
         done
       done;
-      let row i = List.init (i + 1) (fun k -> Z.shift_left rest.(k).(i) half) in
-      Some { root_rows = List.init n row; root_factor = factor }
+      let row i = List.init (i + 1) (fun k -> rest.(k).(i)) in
+      Some { root_rows = List.init n row; root_factor = factor; root_scale = Z.shift_left Z.one (2 * half) }
     with Exit -> None
   end
 
@@ -272,15 +278,15 @@ let transposed_array m = Array.init (Array.length m) (fun i -> Array.init (Array
 let congruent m form = multiply (transposed_array m) (multiply form m)
 let longest_word = 1000
 
-(* The words as a tree in which every node has a child for each letter, or none. *)
-let rec tree_of count first words leaf prefix =
+(* The words as a tree in which every node has a child for each letter, or none; with the products of the words. *)
+let rec tree_of count first words leaf longer product =
   match words with
-  | [ [] ] -> leaf (List.rev prefix)
+  | [ [] ] -> leaf product
   | _ ->
       require (words <> [] && not (List.mem [] words)) "the words are not those of a complete tree";
       let child t =
         let rest = List.filter_map (function s :: rest when s = t -> Some rest | _ -> None) words in
-        tree_of count first rest leaf (t :: prefix)
+        tree_of count first rest leaf longer (longer product t)
       in
       let children = Array.make count None in
       Words
@@ -333,21 +339,21 @@ let read_quadratic r family upper fields =
   List.iter close given;
   (* each product has to be below the bound of the certificate; the hint is for that of the claim *)
   let wanted = match upper with Some u when Q.gt u bound -> u | _ -> bound in
-  let leaf word =
-    let k = List.length word in
-    require (word <> []) "the words are not those of a complete tree";
-    spend (k * n * n * n);
-    let product = List.fold_left (fun p t -> match p with None -> Some matrices.(t) | Some p -> Some (multiply p matrices.(t))) None word in
-    let moved = congruent (Option.get product) form in
+  let longer (k, product) t = (k + 1, if k = 0 then matrices.(t) else multiply product matrices.(t)) in
+  let leaf (k, product) =
+    require (k > 0) "the words are not those of a complete tree";
+    spend_product family k;
+    spend (5 * n * n * n);
+    let moved = congruent product form in
     let root g =
       let a = Z.pow (Z.mul (Q.num g) family.denominator) (2 * k) and b = Z.pow (Q.den g) (2 * k) in
       root_of (Array.mapi (fun i row -> Array.mapi (fun j x -> Z.sub (Z.mul a x) (Z.mul b moved.(i).(j))) row) form)
     in
-    match (root bound, root wanted) with
+    match (if Q.equal bound wanted then Some definite else root bound), root wanted with
     | Some _, Some hint -> Word hint
     | _ -> reject "a product is not below the bound in the quadratic form"
   in
-  let words = tree_of count first !all leaf [] in
+  let words = tree_of count first !all leaf longer (0, [||]) in
   (bound, Quadratic (Array.to_list (Array.map Array.to_list form), definite, words))
 
 (* The section, and the bound that it shows if it says so itself. *)
@@ -360,7 +366,7 @@ let read_section r number family upper =
       let level = size (List.nth fields 1) 1 64 in
       let work = (float_of_int count ** float_of_int level) *. float_of_int (n * n * n) in
       require (work <= float_of_int max_work) "more work than this checker allows";
-      spend (int_of_float work);
+      spend (int_of_float work * (1 + (level * Z.numbits family.denominator / 640)));
       (None, Norm level)
   | "quadratic" ->
       let bound, section = read_quadratic r family upper fields in

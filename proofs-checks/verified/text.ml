@@ -1,6 +1,6 @@
 (* Text: numbers, and files line by line. Nothing here is proved. *)
 
-(* The reason, and the exit code: 1 the certificate does not prove the claim, 2 not decided here, 64 wrong arguments,
+(* The reason, and the exit code: 1 the certificate does not prove the claim, 64 wrong arguments,
    65 malformed matrices, 66 a missing file. *)
 exception Rejected of string * int
 
@@ -34,7 +34,7 @@ let rational text =
       Q.make (integer top) below
   | _ -> reject "not a rational"
 
-let rec power base exponent = if exponent = 0 then Q.one else Q.mul base (power base (exponent - 1))
+let power base k = Q.make (Z.pow (Q.num base) k) (Z.pow (Q.den base) k)
 
 type reader = { text : string; mutable position : int; mutable line : int; mutable current : string option; mutable taken : bool }
 

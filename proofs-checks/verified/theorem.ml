@@ -14,7 +14,7 @@ let fraction q = Printf.sprintf "(%s # %s)" (integer q.qnum) (Z.to_string q.qden
 
 let family f = Printf.sprintf "(Family %s %s %s)" (natural f.size) (integer f.denominator) (list matrix f.matrices)
 let term = pair (fun i -> Z.to_string i ^ "%positive") (pair integer integer)
-let root r = Printf.sprintf "(Root %s %s)" (matrix r.root_rows) (integer r.root_factor)
+let root r = Printf.sprintf "(Root %s %s %s)" (matrix r.root_rows) (integer r.root_factor) (integer r.root_scale)
 
 let rec words = function
   | Word r -> "(Word " ^ root r ^ ")"

@@ -963,7 +963,8 @@ let eigenvalue f e =
         (Number.power l.qden (Number.mul (Number.twice Number.one) k))
         (Number.add (Number.mul a a) (Number.mul b b)))))
 
-type square_root = { root_rows : zmat; root_factor : Number.t }
+type square_root = { root_rows : zmat; root_factor : Number.t;
+                     root_scale : Number.t }
 
 type word_tree =
 | Word of square_root
@@ -974,7 +975,8 @@ type word_tree =
 
 let root_rest s h i j =
   Number.sub (Number.mul h.root_factor (s i j))
-    (dot (nth i h.root_rows []) (nth j h.root_rows []))
+    (Number.mul h.root_scale
+      (dot (nth i h.root_rows []) (nth j h.root_rows [])))
 
 (** val others : int -> int -> zmat -> Number.t **)
 
@@ -992,7 +994,9 @@ let others n i e =
 let positive_form n margin s h =
   let e = table n (root_rest s h) in
   (&&)
-    ((&&) (Number.less Number.zero h.root_factor)
+    ((&&)
+      ((&&) (Number.less Number.zero h.root_factor)
+        (Number.less_equal Number.zero h.root_scale))
       (forallb (fun row -> Nat.leb (length row) n) h.root_rows))
     (forallb (fun i ->
       Number.less_equal
@@ -1000,16 +1004,22 @@ let positive_form n margin s h =
           (others n i e)) (Number.mul (Number.twice Number.one) (entry e i i)))
       (seq 0 n))
 
+(** val extended : family -> zmat -> int -> zmat **)
+
+let extended f =
+  let n = f.size in
+  let transposes = map (columns n) f.matrices in
+  (fun rows t0 -> map (mv (nth t0 transposes [])) rows)
+
 (** val below_bound :
-    family -> q -> zmat -> int list -> square_root -> bool **)
+    family -> q -> zmat -> int list -> zmat -> square_root -> bool **)
 
 let below_bound f u p =
   let n = f.size in
-  (fun w h ->
+  (fun w rows h ->
   let k = Number.mul (Number.twice Number.one) (Number.of_natural (length w))
   in
-  let cs = map (fun j -> zrun f.matrices w (unit_at Number.one j)) (seq 0 n)
-  in
+  let cs = columns n rows in
   let pcs = map (mv p) cs in
   let a = Number.power (Number.mul u.qnum f.denominator) k in
   let b = Number.power u.qden k in
@@ -1020,16 +1030,18 @@ let below_bound f u p =
        Number.sub (Number.mul a (entry p i j))
          (Number.mul b (dot (nth i cs []) (nth j pcs [])))) h))
 
-(** val check_tree : family -> q -> zmat -> int list -> word_tree -> bool **)
+(** val check_tree :
+    family -> q -> zmat -> int list -> zmat -> word_tree -> bool **)
 
-let rec check_tree f u p w = function
-| Word h -> below_bound f u p w h
+let rec check_tree f u p w rows = function
+| Word h -> below_bound f u p w rows h
 | Words children ->
   (&&) (Nat.eqb (length children) (count f))
     (let rec each k = function
      | [] -> true
      | c::l' ->
-       (&&) (check_tree f u p (app w (k::[])) c) (each (Stdlib.succ k) l')
+       (&&) (check_tree f u p (app w (k::[])) (extended f rows k) c)
+         (each (Stdlib.succ k) l')
      in each 0 children)
 
 (** val quadratic :
@@ -1041,7 +1053,7 @@ let quadratic f u p =
   (&&)
     ((&&) ((&&) (Number.less_equal Number.zero u.qnum) (square n p))
       (positive_form n Number.one (entry p) definite))
-    (check_tree f u p [] words))
+    (check_tree f u p [] (table n (fun i j -> if_equal i j Number.one)) words))
 
 (** val largest_norm : zmat list -> int -> zvec -> Number.t **)
 

@@ -230,7 +230,8 @@ val contracts : family -> eigen -> zvec -> bool
 
 val eigenvalue : family -> eigen -> q -> bool
 
-type square_root = { root_rows : zmat; root_factor : Number.t }
+type square_root = { root_rows : zmat; root_factor : Number.t;
+                     root_scale : Number.t }
 
 type word_tree =
 | Word of square_root
@@ -244,9 +245,12 @@ val others : int -> int -> zmat -> Number.t
 val positive_form :
   int -> Number.t -> (int -> int -> Number.t) -> square_root -> bool
 
-val below_bound : family -> q -> zmat -> int list -> square_root -> bool
+val extended : family -> zmat -> int -> zmat
 
-val check_tree : family -> q -> zmat -> int list -> word_tree -> bool
+val below_bound :
+  family -> q -> zmat -> int list -> zmat -> square_root -> bool
+
+val check_tree : family -> q -> zmat -> int list -> zmat -> word_tree -> bool
 
 val quadratic : family -> q -> zmat -> square_root -> word_tree -> bool
 

@@ -1,32 +1,37 @@
 (* Upper bounds by quadratic forms on trees of words, checked with integers. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Upper Integers Sections.
+From Subcert Require Import Radius Upper Blocks Integers Sections Eigenvalue.
 Import ListNotations.
 Open Scope Z_scope.
 
-(* A symmetric S is positive as factor * S - L L^T is nearly diagonal; the rows of L and the factor are hints. *)
-Record square_root := Root { root_rows : zmat; root_factor : Z }.
+(* A symmetric S is positive as factor * S - scale * L L^T is nearly diagonal; the rows of L and these are hints. *)
+Record square_root := Root { root_rows : zmat; root_factor : Z; root_scale : Z }.
 
 Inductive word_tree := Word (root : square_root) | Words (children : list word_tree).
 
 (* The rest of S after the square root, and what its diagonal exceeds all else by, twice, in row and column i. *)
 Definition root_rest (S : nat -> nat -> Z) (h : square_root) (i j : nat) : Z :=
-  root_factor h * S i j - dot (nth i (root_rows h) []) (nth j (root_rows h) []).
+  root_factor h * S i j - root_scale h * dot (nth i (root_rows h) []) (nth j (root_rows h) []).
 Definition others (n i : nat) (E : zmat) : Z :=
   fold_right Z.add 0 (map (fun j => if Nat.eqb i j then 0 else Z.abs (entry E i j) + Z.abs (entry E j i)) (seq 0 n)).
 Definition positive_form (n : nat) (margin : Z) (S : nat -> nat -> Z) (h : square_root) : bool :=
   let E := table n (root_rest S h) in
-  (0 <? root_factor h) && forallb (fun row => (length row <=? n)%nat) (root_rows h) &&
+  (0 <? root_factor h) && (0 <=? root_scale h) && forallb (fun row => (length row <=? n)%nat) (root_rows h) &&
   forallb (fun i => 2 * margin + others n i E <=? 2 * entry E i i) (seq 0 n).
 
 Section Check.
 Variables (F : family) (u : Q) (P : zmat).
 Let n := size F.
 
-Definition below_bound (w : list nat) (h : square_root) : bool :=
+Let transposes := map (columns n) (matrices F).
+
+(* The rows of the product of a word, times one more letter. *)
+Definition extended (rows : zmat) (t : nat) : zmat := map (mv (nth t transposes [])) rows.
+
+Definition below_bound (w : list nat) (rows : zmat) (h : square_root) : bool :=
   let k := 2 * Z.of_nat (length w) in
-  let cs := map (fun j => zrun (matrices F) w (unit_at 1 j)) (seq 0 n) in
+  let cs := columns n rows in
   let pcs := map (mv P) cs in
   let a := (Qnum u * denominator F) ^ k in
   let b := Zpos (Qden u) ^ k in
@@ -35,17 +40,18 @@ Definition below_bound (w : list nat) (h : square_root) : bool :=
   | _ => positive_form n 0 (fun i j => a * entry P i j - b * dot (nth i cs []) (nth j pcs [])) h
   end.
 
-Fixpoint check_tree (w : list nat) (t : word_tree) : bool :=
+Fixpoint check_tree (w : list nat) (rows : zmat) (t : word_tree) : bool :=
   match t with
-  | Word h => below_bound w h
+  | Word h => below_bound w rows h
   | Words children =>
       Nat.eqb (length children) (count F) &&
       (fix each (k : nat) (l : list word_tree) : bool :=
-         match l with [] => true | c :: l' => check_tree (w ++ [k]) c && each (S k) l' end) 0%nat children
+         match l with [] => true | c :: l' => check_tree (w ++ [k]) (extended rows k) c && each (S k) l' end) 0%nat children
   end.
 
 Definition quadratic (definite : square_root) (words : word_tree) : bool :=
-  (0 <=? Qnum u) && square n P && positive_form n 1 (entry P) definite && check_tree [] words.
+  (0 <=? Qnum u) && square n P && positive_form n 1 (entry P) definite &&
+  check_tree [] (table n (fun i j => if_equal i j 1)) words.
 End Check.
 
 (* ---- why that proves the bound --------------------------------------------------------------------------------- *)
@@ -137,17 +143,17 @@ Lemma positive_form_sound n margin S h x : positive_form n margin S h = true ->
   0 < IZR (root_factor h) /\
   IZR margin * sum n (fun i => x i * x i) <= IZR (root_factor h) * form n (fun i j => IZR (S i j)) x.
 Proof.
-  intros H. unfold positive_form in H. repeat rewrite andb_true_iff in H. destruct H as [[H1 H2] H3].
-  apply Z.ltb_lt in H1. rewrite forallb_forall in H2, H3.
+  intros H. unfold positive_form in H. repeat rewrite andb_true_iff in H. destruct H as [[[H1 H0] H2] H3].
+  apply Z.ltb_lt in H1. apply Z.leb_le, IZR_le in H0. rewrite forallb_forall in H2, H3.
   split. apply IZR_lt; auto.
   rewrite <- form_scal.
-  rewrite (form_ext n _ (fun i j => mr (table n (root_rest S h)) i j + IZR (dot (nth i (root_rows h) []) (nth j (root_rows h) [])))).
-  2:{ intros i j Hi Hj. unfold mr. rewrite entry_table by auto. unfold root_rest. rewrite minus_IZR, mult_IZR. ring. }
-  rewrite form_plus.
+  rewrite (form_ext n _ (fun i j => mr (table n (root_rest S h)) i j + IZR (root_scale h) * IZR (dot (nth i (root_rows h) []) (nth j (root_rows h) [])))).
+  2:{ intros i j Hi Hj. unfold mr. rewrite entry_table by auto. unfold root_rest. rewrite minus_IZR, !mult_IZR. ring. }
+  rewrite form_plus, (form_scal n (IZR (root_scale h))).
   assert (G := gram_nonneg n (root_rows h) x ltac:(intros row I; apply Nat.leb_le, H2, I)).
   assert (D := dominant n (mr (table n (root_rest S h))) (IZR margin) x).
   change (form n (fun i j => mr (table n (root_rest S h)) i j) x) with (form n (mr (table n (root_rest S h))) x).
-  eapply Rle_trans. apply D. 2: { rewrite <- (Rplus_0_r (form n (mr (table n (root_rest S h))) x)) at 1. apply Rplus_le_compat_l. exact G. }
+  eapply Rle_trans. apply D. 2: { rewrite <- (Rplus_0_r (form n (mr (table n (root_rest S h))) x)) at 1. apply Rplus_le_compat_l. apply Rmult_le_pos; [exact H0 | exact G]. }
   intros i Hi. specialize (H3 i ltac:(apply in_seq; lia)). apply Z.leb_le, IZR_le in H3.
   rewrite plus_IZR, !mult_IZR, others_sum in H3. exact H3.
 Qed.
@@ -178,23 +184,40 @@ Let n := size F.
 Let T := real F.
 Let N (x : vec) : R := sqrt (form n (mr P) x).
 
-Lemma below_bound_sound w h : letters (count F) w -> below_bound F u P w h = true ->
+Definition rows_of (w : list nat) (rows : zmat) : Prop := forall i j, (i < n)%nat -> (j < n)%nat ->
+  IZR (entry rows i j) = IZR (denominator F) ^ length w * product n T w i j.
+
+Lemma rows_of_extended w rows t : (t < count F)%nat -> rows_of w rows -> rows_of (w ++ [t]) (extended F rows t).
+Proof.
+  intros Ht H i j Hi Hj. unfold entry, extended. rewrite nth_map_nil by reflexivity.
+  assert (E : nth t (map (columns (size F)) (matrices F)) [] = columns n (letter F t)).
+  { rewrite nth_indep with (d' := columns (size F) []) by (rewrite map_length; auto). apply map_nth. }
+  rewrite E. change (IZR (nth j (mv (columns n (letter F t)) (nth i rows [])) 0%Z))
+    with (vr (mv (columns n (letter F t)) (nth i rows [])) j).
+  rewrite (vr_mv n) by apply square_table. unfold apply. rewrite product_app, app_length, pow_add by auto.
+  rewrite <- sum_scal. apply sum_ext; intros k Hk. rewrite product_letter by auto.
+  unfold mr, columns. rewrite entry_table by auto. change (vr (nth i rows []) k) with (IZR (entry rows i k)).
+  rewrite H by auto. assert (D := denominator_positive F WF). unfold T, real, mr. simpl. field. lra.
+Qed.
+
+Lemma rows_of_nothing : rows_of [] (table n (fun i j => if_equal i j 1)).
+Proof.
+  intros i j Hi Hj. rewrite entry_table by auto. simpl. unfold identity, if_equal. destruct (Nat.eqb i j); lra.
+Qed.
+
+Lemma below_bound_sound w rows h : letters (count F) w -> rows_of w rows -> below_bound F u P w rows h = true ->
   w <> [] /\ forall x, N (run n T w x) <= real_of u ^ length w * N x.
 Proof.
-  intros Hw H. unfold below_bound in H. destruct w as [|t w']; [discriminate|]. set (w := t :: w') in *.
+  intros Hw HR H. unfold below_bound in H. destruct w as [|t w']; [discriminate|]. set (w := t :: w') in *.
   split. discriminate. intros x. fold n in H.
-  set (cs := map (fun j => zrun (matrices F) w (unit_at 1 j)) (seq 0 n)) in *.
+  set (cs := columns n rows) in *.
   set (k := length w) in *.
   assert (D := denominator_positive F WF).
   destruct (positive_form_sound n 0 _ h x H) as [Hf H']. rewrite Rmult_0_l in H'.
   set (a := ((Qnum u * denominator F) ^ (2 * Z.of_nat k))%Z) in *. set (b := (Zpos (Qden u) ^ (2 * Z.of_nat k))%Z) in *.
   rewrite (form_ext n _ (fun i j => IZR a * mr P i j + (- IZR b) * sum n (fun p => mr cs i p * sum n (fun q => mr P p q * mr cs j q)))) in H'.
   2:{ intros i j Hi Hj. rewrite minus_IZR, !mult_IZR. unfold Rminus. rewrite Ropp_mult_distr_l. f_equal. f_equal.
-      assert (Lc : (length (nth i cs []) <= n)%nat).
-      { unfold cs. rewrite nth_map_seq by auto. unfold w. simpl zrun. unfold mv.
-        destruct (zrun (matrices F) w' (unit_at 1 i)); [simpl; lia|]. rewrite map_length.
-        inversion Hw; subst. assert (S := letter_square F WF t H2). unfold square in S. apply andb_prop in S.
-        destruct S as [S _]. apply Nat.eqb_eq in S. unfold letter in S. unfold n. apply Nat.eq_le_incl. exact S. }
+      assert (Lc : (length (nth i cs []) <= n)%nat) by (apply row_length, square_table).
       rewrite (dot_sum n) by auto. apply sum_ext; intros p Hp. unfold mr at 1, entry. f_equal.
       rewrite (nth_map_nil (mv P)) by reflexivity.
       change (IZR (nth p (mv P (nth j cs [])) 0%Z)) with (vr (mv P (nth j cs [])) p).
@@ -202,9 +225,7 @@ Proof.
   rewrite form_plus, !form_scal, form_image in H'.
   assert (E : forall i, (i < n)%nat -> sum n (fun j => mr cs j i * x j) = IZR (denominator F) ^ k * run n T w x i).
   { intros i Hi. rewrite run_product, <- sum_scal by auto. apply sum_ext; intros j Hj.
-    unfold mr, entry, cs. rewrite nth_map_seq by auto.
-    change (IZR (nth i (zrun (matrices F) w (unit_at 1 j)) 0%Z)) with (vr (zrun (matrices F) w (unit_at 1 j)) i).
-    rewrite vr_zrun, vr_unit, run_scal by auto. fold n T. unfold scal. rewrite run_unit by auto. fold k. ring. }
+    unfold mr, cs, columns. rewrite entry_table, HR by auto. fold k. ring. }
   set (d := IZR (denominator F)) in *.
   replace (form n (mr P) (fun a0 => sum n (fun i => mr cs i a0 * x i))) with (d ^ k * d ^ k * form n (mr P) (run n T w x)) in H'.
   2:{ rewrite <- form_scal. unfold form. apply sum_ext; intros i Hi. apply sum_ext; intros j Hj. rewrite !E by auto. ring. }
@@ -236,21 +257,21 @@ Qed.
 
 Fixpoint shape (t : word_tree) : tree := match t with Word _ => Leaf | Words l => Node (map shape l) end.
 
-Lemma check_tree_sound : forall t w, letters (count F) w -> check_tree F u P w t = true ->
+Lemma check_tree_sound : forall t w rows, letters (count F) w -> rows_of w rows -> check_tree F u P w rows t = true ->
   good n (count F) T N (real_of u) w (shape t).
 Proof.
-  fix IH 1. intros t w Hw H. destruct t as [h|children]; simpl.
+  fix IH 1. intros t w rows Hw HR H. destruct t as [h|children]; simpl.
   - simpl in H. apply below_bound_sound in H; auto. destruct H. constructor; auto.
   - simpl in H. apply andb_prop in H. destruct H as [H1 H2]. apply Nat.eqb_eq in H1.
     constructor. rewrite map_length; auto.
     assert (G : forall l off, (off + length l <= count F)%nat ->
       (fix each (k : nat) (l : list word_tree) : bool :=
-         match l with [] => true | c :: l' => check_tree F u P (w ++ [k]) c && each (S k) l' end) off l = true ->
+         match l with [] => true | c :: l' => check_tree F u P (w ++ [k]) (extended F rows k) c && each (S k) l' end) off l = true ->
       forall t child, nth_error (map shape l) t = Some child -> good n (count F) T N (real_of u) (w ++ [(off + t)%nat]) child).
     { clear H1 H2 children. fix IHl 1. intros l off Hl H t child E. destruct l as [|c l]; [destruct t; discriminate|].
       apply andb_prop in H. destruct H as [H1 H2]. destruct t as [|t]; simpl in E.
-      - inversion E; subst. rewrite Nat.add_0_r. apply IH; auto. apply letters_app; split; auto.
-        constructor; [simpl in Hl; lia|constructor].
+      - inversion E; subst. rewrite Nat.add_0_r. simpl in Hl. apply (IH c (w ++ [off]) (extended F rows off)); auto.
+        apply letters_app; split; auto. constructor; [lia|constructor]. apply rows_of_extended; auto. lia.
       - replace (off + S t)%nat with (S off + t)%nat by lia. apply (IHl l (S off)); auto. simpl in Hl; lia. }
     apply (G children 0%nat); auto. lia.
 Qed.
@@ -287,5 +308,6 @@ Proof.
     rewrite Rmult_comm, <- sum_scal. apply sum_le; intros i Hi. rewrite <- sum_scal. apply sum_le; intros j Hj.
     eapply Rle_trans. apply Rle_abs. rewrite !Rabs_mult. rewrite Rmult_comm. apply Rmult_le_compat_r. apply Rabs_pos.
     apply Rmult_le_compat; try apply Rabs_pos; apply norm_term; auto.
-  - apply (check_tree_sound F u P WF H1 H2); auto. constructor.
+  - apply (check_tree_sound F u P WF H1 H2) with (rows := table (size F) (fun i j => if_equal i j 1)); auto.
+    constructor. apply rows_of_nothing.
 Qed.

@@ -1,7 +1,7 @@
 // Smoothing of data, and the text of its answer.
 
 #include <subcert/schemes/data/formats/table.hpp>
-#include <subcert/schemes/data/smooth/scheme_choice.hpp>
+#include <subcert/schemes/data/smooth/method_choice.hpp>
 #include <subcert/schemes/data/smooth/uniform_grid.hpp>
 
 #include <benchmark/benchmark.h>
@@ -36,8 +36,8 @@ void BM_smooth(benchmark::State& state) {
   std::vector<Rational> weights;
   if (state.range(1) == 1) weights.assign(count, 1);
   for (std::size_t i = 25; i < weights.size(); i += 50) weights[i] = 0;
-  const data::LinearSmoother smoother(
-      scheme.mask, count, {data::Boundary::regression, static_cast<int>(state.range(0)), 0}, scheme.rules, weights);
+  const data::SchemeSmoother smoother(scheme.mask, {count, weights},
+                                      {data::Boundary::regression, static_cast<int>(state.range(0)), 0}, scheme.rules);
   for (auto _ : state) benchmark::DoNotOptimize(smoother.apply(data));
   count_outputs(state, smoother.outputs());
 }
@@ -46,7 +46,7 @@ BENCHMARK(BM_smooth)->ArgsProduct({{0, 2}, {0}})->Args({0, 1})->Unit(benchmark::
 /// The choice among the schemes, range(0) data.
 void BM_choose_scheme(benchmark::State& state) {
   const data::Samples samples{{noisy_wave(static_cast<std::size_t>(state.range(0)))}};
-  for (auto _ : state) benchmark::DoNotOptimize(choose_scheme(samples, {}));
+  for (auto _ : state) benchmark::DoNotOptimize(choose_method(samples, {}));
 }
 BENCHMARK(BM_choose_scheme)->Arg(1000)->Arg(100'000)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -45,7 +45,7 @@ std::string place(const SampleOptions& options, const data::Table& table, std::s
 /// --spacing, where it is given.
 std::optional<Rational> given_spacing(const SampleOptions& options) {
   if (options.spacing.empty()) return std::nullopt;
-  const auto spacing = parse_number(options.spacing);
+  auto spacing = parse_number(options.spacing);
   if (!spacing || *spacing <= 0) fail(ErrorKind::usage, "--spacing {}: expected a number > 0", options.spacing);
   return spacing;
 }

@@ -97,13 +97,13 @@ RoundedRow LinearSmoother::to_row(const std::vector<std::pair<const RoundedCombi
 }
 
 template <class One, class Many>
-void LinearSmoother::visit_rounded_rows(std::size_t begin, std::size_t stop, const One& one, const Many& many) const {
+void LinearSmoother::visit_rounded_rows(std::size_t begin, std::size_t end, const One& one, const Many& many) const {
   const std::unique_ptr<RowMaker> maker = row_maker();
   std::vector<RoundedRow> interior;  // of one spacing
   std::size_t made_at = 0;
-  for (std::size_t whole = begin; whole < stop;) {
-    const std::size_t end = std::min(interior_end(whole), stop);
-    if (end == whole) {
+  for (std::size_t whole = begin; whole < end;) {
+    const std::size_t next = std::min(interior_end(whole), end);
+    if (next == whole) {
       for (std::size_t o = whole * scale_; o < std::min((whole + 1) * scale_, outputs()); ++o) one(maker->row(o), o);
       ++whole;
       continue;
@@ -116,8 +116,8 @@ void LinearSmoother::visit_rounded_rows(std::size_t begin, std::size_t stop, con
       made_at = whole;
       for (std::size_t p = 0; p < scale_; ++p) interior.push_back(maker->row(whole * scale_ + p));
     }
-    many(interior, whole - made_at, whole, end);
-    whole = end;
+    many(interior, whole - made_at, whole, next);
+    whole = next;
   }
 }
 

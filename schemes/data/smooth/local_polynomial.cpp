@@ -39,7 +39,7 @@ std::string usage() {
 
 template <class Number>
 Number weight_at(LocalWeight weight, const Number& u) {
-  const Number one = 1;
+  Number one = 1;
   switch (weight) {
     case LocalWeight::box: return one;
     case LocalWeight::triangle: return one - u;

@@ -104,7 +104,7 @@ Rational SmoothingKernel::value(const Rational& position, long index) const {
   return factor_ * phi_.at(numerator(Rational((x - index) * grid_)).convert_to<long>());
 }
 
-SchemeSmoother::SchemeSmoother(const Mask& mask, DataSites sites, const SmoothingOptions& options,
+SchemeSmoother::SchemeSmoother(const Mask& mask, const DataSites& sites, const SmoothingOptions& options,
                                const std::optional<LocalRegression>& rules)
     : SchemeSmoother(std::make_shared<SmoothingKernel>(mask, rules, options, needs_fit(sites)), sites, options) {}
 
@@ -121,7 +121,11 @@ template <class Number>
 SchemeSmoother::Window<Number> SchemeSmoother::window_of(long index) const {
   auto [rule, group] = kernel_->rule_of(index);
   const RegressionRule& r = kernel_->rules_->rules[rule];
-  Rational place = group + r.position;
+  Number place;
+  if constexpr (std::is_same_v<Number, double>)
+    place = static_cast<double>(group + r.first) - kernel_->nodes_[rule].front();
+  else
+    place = group + r.position;
   if (!data().uniform())
     group = static_cast<long>(
         std::floor(data().index_at(static_cast<double>(place)) - static_cast<double>(r.position) + 0.5));
@@ -172,11 +176,10 @@ Combination SchemeSmoother::level_datum(long index) const {
 RoundedCombination SchemeSmoother::rounded_level_datum(long index) const {
   if (!kernel_->rules_) return data().rounded_at(index);
   const auto window = window_of<double>(index);
-  const auto place = static_cast<double>(window.place);
   std::vector<double> nodes, weights;
   for (const std::size_t k : window.kept) {
     nodes.push_back(data().uniform() ? kernel_->nodes_[window.rule][k]
-                                     : data().position(window.first + static_cast<long>(k)) - place);
+                                     : data().position(window.first + static_cast<long>(k)) - window.place);
     weights.push_back(window.weights[k]);
   }
   const std::vector<double> fit = rounded_regression_weights(nodes, weights, kernel_->rules_->degree, 0);

@@ -60,7 +60,7 @@ class SchemeSmoother : public LinearSmoother {
  public:
   /// Domain and errors: as SmoothingKernel, with a first fit where the sites have weights or positions; as
   /// LinearSmoother.
-  SchemeSmoother(const Mask& mask, DataSites sites, const SmoothingOptions& options,
+  SchemeSmoother(const Mask& mask, const DataSites& sites, const SmoothingOptions& options,
                  const std::optional<LocalRegression>& rules = std::nullopt);
   /// With a kernel that was made with the same level and derivative, and with a first fit where these sites need one.
   SchemeSmoother(std::shared_ptr<const SmoothingKernel> kernel, DataSites sites, const SmoothingOptions& options);
@@ -72,7 +72,7 @@ class SchemeSmoother : public LinearSmoother {
   template <class Number>
   struct Window {
     std::size_t rule;
-    Rational place;                 ///< of the fit
+    Number place;                   ///< of the fit
     long first;                     ///< datum
     std::vector<Number> weights;    ///< of all points of the rule
     std::vector<std::size_t> kept;  ///< the points with weight

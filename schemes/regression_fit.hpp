@@ -46,7 +46,7 @@ std::vector<std::vector<Number>> terms(const std::vector<Rational>& nodes, const
     }
     for (std::size_t r = order + 1; r-- > 0;) {
       previous_x[r] = (x - alpha) * current_x[r] - beta * previous_x[r];
-      if (r > 0) previous_x[r] += Number(static_cast<long>(r)) * current_x[r - 1];
+      if (r > 0) previous_x[r] += Number(static_cast<int>(r)) * current_x[r - 1];
     }
     std::swap(previous_x, current_x);
     previous_norm = norm;

@@ -497,6 +497,10 @@ reject("range-pair-high", "pair", crossing, replace("0 7/5", "0 8/5"))
 reject("range-pair-real", "pair", crossing, replace("0 7/5", "7/5 0"))
 # what only one check refuses
 hat = claims["hat-by-hand"]
+reject("bounds-text", "golden", "not a rational", replace("^bounds .*", "bounds foo bar"))
+reject("bounds-order", "golden", "line 3", replace("^bounds .*", "bounds C1 2"))
+reject("bounds-code", "golden", "line 3", replace("^bounds .*", "bounds 1 \x1b[31m"))
+reject("property-twice", "four-point-by-hand", "a polytope property twice", replace("symmetric", "symmetric symmetric"))
 reject("norm-fields", "four-point-norm", "wrong number of fields", replace("^(block 0 norm .*)$", "\\1 1"))
 reject("term-fields", "hat-by-hand", "a term is POINT:INTEGER", replace("-1:1 ", "-1:1:1 "))
 reject("far-mask", "hat-by-hand", "a coordinate is too large", replace("@-1", "@2000000000"), arguments=hat.replace("@-1", "@2000000000"))

@@ -497,7 +497,7 @@ reject("range-pair-high", "pair", crossing, replace("0 7/5", "0 8/5"))
 reject("range-pair-real", "pair", crossing, replace("0 7/5", "7/5 0"))
 # what only one check refuses
 hat = claims["hat-by-hand"]
-reject("bounds-text", "golden", "not a rational", replace("^bounds .*", "bounds foo bar"))
+reject("bounds-text", "golden", "line 3", replace("^bounds .*", "bounds foo bar"))
 reject("bounds-order", "golden", "line 3", replace("^bounds .*", "bounds C1 2"))
 reject("bounds-code", "golden", "line 3", replace("^bounds .*", "bounds 1 \x1b[31m"))
 reject("property-twice", "four-point-by-hand", "a polytope property twice", replace("symmetric", "symmetric symmetric"))

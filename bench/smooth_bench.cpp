@@ -1,11 +1,12 @@
 // Smoothing of data, and the text of its answer.
 
 #include <subcert/schemes/data/formats/table.hpp>
-#include <subcert/schemes/data/smooth/scheme_choice.hpp>
+#include <subcert/schemes/data/smooth/smoothing_stream.hpp>
 #include <subcert/schemes/data/smooth/uniform_grid.hpp>
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
@@ -36,17 +37,57 @@ void BM_smooth(benchmark::State& state) {
   std::vector<Rational> weights;
   if (state.range(1) == 1) weights.assign(count, 1);
   for (std::size_t i = 25; i < weights.size(); i += 50) weights[i] = 0;
-  const data::LinearSmoother smoother(
-      scheme.mask, count, {data::Boundary::regression, static_cast<int>(state.range(0)), 0}, scheme.rules, weights);
+  const data::SchemeSmoother smoother(scheme.mask, {count, weights},
+                                      {data::Boundary::regression, static_cast<int>(state.range(0)), 0}, scheme.rules);
   for (auto _ : state) benchmark::DoNotOptimize(smoother.apply(data));
   count_outputs(state, smoother.outputs());
 }
 BENCHMARK(BM_smooth)->ArgsProduct({{0, 2}, {0}})->Args({0, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
 
+/// 10^5 data, local polynomials of 21 points; range(0): 0 uniform, 1 scattered, values at the data.
+void BM_local(benchmark::State& state) {
+  constexpr std::size_t count = 100'000;
+  data::Samples samples{{noisy_wave(count)}};
+  std::mt19937_64 engine(2);
+  std::exponential_distribution<double> gap(1);
+  if (state.range(0) == 1)
+    for (double x = 0; samples.positions.size() < count; x += gap(engine)) samples.positions.push_back(x);
+  data::SmoothingOptions options;
+  options.at_data = true;
+  const data::LocalPolynomial method = data::make_local_polynomial("local:points=21,d=1");
+  const data::LocalSmoother smoother(method, samples.sites(), options);
+  for (auto _ : state) benchmark::DoNotOptimize(smoother.apply(samples.columns.front()));
+  count_outputs(state, count);
+}
+BENCHMARK(BM_local)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// 10^5 data, primal:n=10 at level 0: at once, or range(0) at a time.
+void BM_smooth_stream(benchmark::State& state) {
+  constexpr std::size_t count = 100'000;
+  const auto part = static_cast<std::size_t>(state.range(0));
+  const data::SmoothingMethod scheme = make_scheme("primal:n=10");
+  const data::Samples all{{noisy_wave(count)}}, head{{{}}};
+  for (auto _ : state) {
+    if (part == count) {
+      benchmark::DoNotOptimize(smooth(all, scheme, {}));
+      continue;
+    }
+    data::SmoothingStream stream(head, scheme, {}, false);
+    for (std::size_t begin = 0; begin < count; begin += part) {
+      const auto* const first = all.columns[0].data() + begin;
+      stream.add({{first, first + std::min(part, count - begin)}});
+      benchmark::DoNotOptimize(stream.take());
+    }
+    benchmark::DoNotOptimize(stream.finish());
+  }
+  count_outputs(state, count);
+}
+BENCHMARK(BM_smooth_stream)->Arg(100)->Arg(4000)->Arg(100'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 /// The choice among the schemes, range(0) data.
 void BM_choose_scheme(benchmark::State& state) {
   const data::Samples samples{{noisy_wave(static_cast<std::size_t>(state.range(0)))}};
-  for (auto _ : state) benchmark::DoNotOptimize(choose_scheme(samples, {}));
+  for (auto _ : state) benchmark::DoNotOptimize(choose_method(samples, {}));
 }
 BENCHMARK(BM_choose_scheme)->Arg(1000)->Arg(100'000)->Unit(benchmark::kMillisecond)->UseRealTime();
 

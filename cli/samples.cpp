@@ -1,6 +1,7 @@
 #include "samples.hpp"
 
 #include "command.hpp"
+#include "line_input.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
@@ -8,8 +9,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace subcert::cli {
+/// Which columns of a table hold what.
+struct ColumnUse {
+  std::optional<std::size_t> x;
+  std::optional<std::size_t> weights;
+  std::vector<std::size_t> values;
+};
+
 namespace {
 
 constexpr double largest_value = 1e150;  // squares stay finite
@@ -33,29 +42,50 @@ std::string place(const SampleOptions& options, const data::Table& table, std::s
   return options.name() + ", line " + std::to_string(table.lines[row]) + ", column " + std::to_string(column + 1);
 }
 
-/// Sets origin and spacing, or names the spacing that is farthest from the mean.
-void set_grid(const SampleOptions& options, const data::Table& table, std::size_t column, data::Samples& samples) {
+/// --spacing, where it is given.
+std::optional<Rational> given_spacing(const SampleOptions& options) {
+  if (options.spacing.empty()) return std::nullopt;
+  auto spacing = parse_number(options.spacing);
+  if (!spacing || *spacing <= 0) fail(ErrorKind::usage, "--spacing {}: expected a number > 0", options.spacing);
+  return spacing;
+}
+
+/// The positions in a column, which increase, also from the one before these rows.
+std::vector<double> read_positions(const SampleOptions& options, const data::Table& table, std::size_t column,
+                                   std::optional<double> before = std::nullopt) {
   std::vector<double> x;
   x.reserve(table.rows());
+  const auto shown = [](double value) { return to_decimal(data::decimal_value(value), 9, Rounding::nearest); };
   for (std::size_t i = 0; i < table.rows(); ++i) {
     x.push_back(table.values[i * table.columns + column]);
     if (std::isnan(x.back()))
       fail(ErrorKind::data, "{}: expected a position; found a missing value", place(options, table, i, column));
+    if (before && x.back() <= *before)
+      fail(ErrorKind::data, "{}: expected increasing positions; found {} after {}", place(options, table, i, column),
+           shown(x.back()), shown(*before));
+    before = x.back();
   }
+  return x;
+}
+
+/// Sets origin and spacing, or names the spacing that is farthest from the mean.
+void set_grid(const SampleOptions& options, const data::Table& table, std::size_t column, data::Samples& samples) {
+  std::vector<double> x = read_positions(options, table, column);
   const auto shown = [](const Rational& value) { return to_decimal(value, 9, Rounding::nearest); };
   const auto decimal = [&](std::size_t i) { return data::decimal_value(x[i]); };
-  for (std::size_t i = 0; i + 1 < x.size(); ++i)
-    if (x[i + 1] <= x[i])
-      fail(ErrorKind::data, "{}: expected increasing positions; found {} after {}",
-           place(options, table, i + 1, column), shown(decimal(i + 1)), shown(decimal(i)));
   const data::UniformGrid grid = data::uniform_grid(x);
-  if (const std::size_t worst = grid.worst; !grid.uniform)
+  if (!grid.uniform && options.irregular == "fit") {
+    samples.positions = std::move(x);
+  } else if (const std::size_t worst = grid.worst; !grid.uniform) {
     fail(ErrorKind::data,
-         "{}, lines {} and {}: expected a uniform grid, the mean spacing is {}; found the spacing {} between {} and {}",
+         "{}, lines {} and {}: expected a uniform grid, the mean spacing is {}; found the spacing {} between {} and {} "
+         "(--irregular fit takes positions as they are)",
          options.name(), table.lines[worst], table.lines[worst + 1], shown(grid.spacing),
          shown(decimal(worst + 1) - decimal(worst)), shown(decimal(worst)), shown(decimal(worst + 1)));
+  }
   samples.origin = grid.origin;
   samples.spacing = grid.spacing;
+  if (const auto spacing = given_spacing(options); spacing && !samples.uniform()) samples.spacing = *spacing;
 }
 
 /// Prior weights, with 0 for rows that lack a value.
@@ -80,9 +110,54 @@ void set_weights(const SampleOptions& options, const data::Table& table, const s
       result[i] = 0;
     }
   }
-  if (!result.empty() && std::all_of(result.begin(), result.end(), [](const Rational& weight) { return weight == 0; }))
-    fail(ErrorKind::data, "{}: expected a row that is neither missing nor of weight 0; found none", options.name());
   samples.weights = std::move(result);
+}
+
+ColumnUse find_columns(const SampleOptions& options, const data::Table& table) {
+  ColumnUse use;
+  if (!options.weights.empty()) use.weights = find_column(table, "--weights", options.weights);
+  const bool none = options.x == "none";
+  if (!options.x.empty() && !none) use.x = find_column(table, "--x", options.x);
+  for (const std::string& text : options.y) use.values.push_back(find_column(table, "--y", text));
+  std::vector<std::size_t> left;
+  for (std::size_t c = 0; c < table.columns; ++c)
+    if (c != use.weights && c != use.x && std::find(use.values.begin(), use.values.end(), c) == use.values.end())
+      left.push_back(c);
+  if (options.x.empty() && (use.values.empty() ? left.size() > 1 : !left.empty())) {
+    use.x = left.front();
+    left.erase(left.begin());
+  }
+  if (use.values.empty()) use.values = left;
+  if (use.values.empty()) fail(ErrorKind::data, "{}: expected a column of values; found none", options.name());
+  for (const std::size_t c : use.values)
+    if (c == use.weights || c == use.x) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
+  return use;
+}
+
+NamedSamples named_columns(const data::Table& table, const ColumnUse& use) {
+  NamedSamples samples;
+  samples.separator = table.columns == 1 ? ',' : table.separator;
+  samples.x_name = use.x ? column_name(table, *use.x) : "x";
+  for (const std::size_t c : use.values) samples.names.push_back(column_name(table, c));
+  samples.columns.resize(use.values.size());
+  return samples;
+}
+
+/// Sets values and weights to those of the rows.
+void set_rows(const SampleOptions& options, const data::Table& table, const ColumnUse& use, data::Samples& samples) {
+  set_weights(options, table, use.values, use.weights, samples);
+  for (std::size_t k = 0; k < use.values.size(); ++k) {
+    auto& column = samples.columns[k];
+    column.clear();
+    column.reserve(table.rows());
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+      const double value = table.values[i * table.columns + use.values[k]];
+      if (std::abs(value) > largest_value)
+        fail(ErrorKind::data, "{}: expected at most 1e150 in modulus; found {}",
+             place(options, table, i, use.values[k]), data::shortest_text(value));
+      column.push_back(std::isnan(value) ? 0 : value);
+    }
+  }
 }
 
 }  // namespace
@@ -91,42 +166,95 @@ std::string SampleOptions::name() const { return input_name(file); }
 
 NamedSamples read_samples(const SampleOptions& options) {
   const data::Table table = data::parse_table(read_input(options.file), options.name(), data::Missing::keep);
-  std::optional<std::size_t> weights, x;
-  if (!options.weights.empty()) weights = find_column(table, "--weights", options.weights);
-  const bool none = options.x == "none";
-  if (!options.x.empty() && !none) x = find_column(table, "--x", options.x);
-  std::vector<std::size_t> values;
-  for (const std::string& text : options.y) values.push_back(find_column(table, "--y", text));
-  std::vector<std::size_t> left;
-  for (std::size_t c = 0; c < table.columns; ++c)
-    if (c != weights && c != x && std::find(values.begin(), values.end(), c) == values.end()) left.push_back(c);
-  if (options.x.empty() && (values.empty() ? left.size() > 1 : !left.empty())) {
-    x = left.front();
-    left.erase(left.begin());
-  }
-  if (values.empty()) values = left;
-  if (values.empty()) fail(ErrorKind::data, "{}: expected a column of values; found none", options.name());
-  for (const std::size_t c : values)
-    if (c == weights || c == x) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
-
-  NamedSamples samples;
-  samples.separator = table.columns == 1 ? ',' : table.separator;
-  samples.x_name = x ? column_name(table, *x) : "x";
-  if (x) set_grid(options, table, *x, samples);
-  set_weights(options, table, values, weights, samples);
-  for (const std::size_t c : values) {
-    samples.names.push_back(column_name(table, c));
-    auto& column = samples.columns.emplace_back();
-    column.reserve(table.rows());
-    for (std::size_t i = 0; i < table.rows(); ++i) {
-      const double value = table.values[i * table.columns + c];
-      if (std::abs(value) > largest_value)
-        fail(ErrorKind::data, "{}: expected at most 1e150 in modulus; found {}", place(options, table, i, c),
-             data::shortest_text(value));
-      column.push_back(std::isnan(value) ? 0 : value);
-    }
-  }
+  const ColumnUse use = find_columns(options, table);
+  NamedSamples samples = named_columns(table, use);
+  if (use.x) set_grid(options, table, *use.x, samples);
+  set_rows(options, table, use, samples);
+  if (!samples.weights.empty() &&
+      std::all_of(samples.weights.begin(), samples.weights.end(), [](const Rational& weight) { return weight == 0; }))
+    fail(ErrorKind::data, "{}: expected a row that is neither missing nor of weight 0; found none", options.name());
+  if (!samples.uniform()) samples.drop_missing();
   return samples;
 }
+
+class SampleStream::State {
+ public:
+  explicit State(const SampleOptions& options)
+      : options_(options), input_(options.file), reader_(options.name(), data::Missing::keep) {
+    const auto spacing = given_spacing(options);
+    while (!head_ || (use_.x && !spacing && positions_.size() < 2))
+      if (!read()) break;
+    reader_.finish();
+    if (use_.x) {
+      head_->origin = data::decimal_value(positions_.front());
+      if (positions_.size() > 1) head_->spacing = data::decimal_value(positions_[1]) - head_->origin;
+    }
+    if (spacing) head_->spacing = *spacing;
+    grid_.emplace(head_->origin, head_->spacing);
+  }
+
+  const NamedSamples& head() const { return *head_; }
+  bool weighted() const { return options_.missing == "drop" || use_.weights; }
+
+  std::optional<NamedSamples> next() {
+    while (rows_.count() == 0)
+      if (!read()) return std::nullopt;
+    for (std::size_t i = 0; i < positions_.size(); ++i)
+      if (!grid_->accepts(positions_[i]))
+        fail(ErrorKind::data,
+             "{}, line {}: expected {}, on the grid of spacing {}; found the position {} (--spacing sets it)",
+             options_.name(), lines_[i], to_decimal(grid_->expected(), 9, Rounding::nearest),
+             to_decimal(head_->spacing, 9, Rounding::nearest), data::shortest_text(positions_[i]));
+    positions_.clear();
+    lines_.clear();
+    return std::exchange(rows_, NamedSamples{});
+  }
+
+ private:
+  /// Adds the rows of the lines that have come; false at the end.
+  bool read() {
+    std::string text;
+    if (!input_.read_lines(text)) return false;
+    const data::Table& table = reader_.read(text);
+    if (table.rows() == 0) return true;
+    if (!head_) {
+      use_ = find_columns(options_, table);
+      head_ = named_columns(table, use_);
+    }
+    NamedSamples rows = *head_;
+    set_rows(options_, table, use_, rows);
+    if (rows.weights.empty() && weighted()) rows.weights.assign(rows.count(), 1);
+    if (rows_.count() == 0) {
+      rows_ = std::move(rows);
+    } else {
+      for (std::size_t c = 0; c < rows.columns.size(); ++c)
+        rows_.columns[c].insert(rows_.columns[c].end(), rows.columns[c].begin(), rows.columns[c].end());
+      rows_.weights.insert(rows_.weights.end(), rows.weights.begin(), rows.weights.end());
+    }
+    if (!use_.x) return true;
+    const std::vector<double> x = read_positions(options_, table, *use_.x, last_);
+    last_ = x.back();
+    positions_.insert(positions_.end(), x.begin(), x.end());
+    lines_.insert(lines_.end(), table.lines.begin(), table.lines.end());
+    return true;
+  }
+
+  SampleOptions options_;
+  LineInput input_;
+  data::TableReader reader_;
+  ColumnUse use_;
+  std::optional<NamedSamples> head_;
+  std::optional<data::GridCheck> grid_;
+  NamedSamples rows_;              // that were read and not taken
+  std::vector<double> positions_;  // of these
+  std::vector<std::size_t> lines_;
+  std::optional<double> last_;
+};
+
+SampleStream::SampleStream(const SampleOptions& options) : state_(std::make_unique<State>(options)) {}
+SampleStream::~SampleStream() = default;
+const NamedSamples& SampleStream::head() const { return state_->head(); }
+bool SampleStream::weighted() const { return state_->weighted(); }
+std::optional<NamedSamples> SampleStream::next() { return state_->next(); }
 
 }  // namespace subcert::cli

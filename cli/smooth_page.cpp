@@ -23,7 +23,7 @@ std::string risk_line(const data::SmoothingCandidate& candidate) {
                      candidate.risk.total(), candidate.risk.bias_squared, candidate.risk.variance);
 }
 
-Json choice_json(const std::optional<data::SchemeChoice>& choice) {
+Json choice_json(const std::optional<data::MethodChoice>& choice) {
   if (!choice) return nullptr;
   Json candidates = Json::array();
   for (const data::SmoothingCandidate& candidate : choice->candidates) candidates.push_back(risk_json(candidate));
@@ -31,7 +31,7 @@ Json choice_json(const std::optional<data::SchemeChoice>& choice) {
 }
 
 /// The scheme chosen, and the two best others.
-std::string choice_text(const data::SchemeChoice& choice) {
+std::string choice_text(const data::MethodChoice& choice) {
   std::string text = fmt::format(
       "# chosen for the smallest estimated mean squared error at the data, of {} schemes{}\n", choice.candidates.size(),
       choice.chosen == 0 ? "" : ", among those with continuous derivatives of this order");
@@ -54,35 +54,30 @@ std::string covered_text(data::BandKind kind) {
 }
 
 std::string noise_line(const std::string& column, const data::NoiseEstimate& noise) {
-  if (noise.terms == 0) return "# noise of " + column + ": not estimated, there are no three neighbouring data\n";
+  if (std::isinf(noise.degrees_of_freedom))
+    return fmt::format("# noise of {}: standard deviation {:.6g}, as given\n", column, std::sqrt(noise.variance));
+  if (!noise.exists()) return "# noise of " + column + ": not estimated, there are no three neighbouring data\n";
   return fmt::format("# noise of {}: standard deviation {:.6g} from {} second differences, {:.6g} degrees of freedom\n",
                      column, std::sqrt(noise.variance), noise.terms, noise.degrees_of_freedom);
 }
 
 }  // namespace
 
-SmoothPage::SmoothPage(const SmoothOptions& how, const NamedSamples& what, std::string scheme,
-                       std::optional<data::SchemeChoice> chosen, std::vector<data::SmoothedColumn> smoothed)
+SmoothPage::SmoothPage(const SmoothOptions& how, const NamedSamples& what, data::SmoothedSamples smoothed)
     : options(how),
       samples(what),
-      specification(std::move(scheme)),
-      choice(std::move(chosen)),
       result(std::move(smoothed)),
-      bands(how.bands() != 0 && !result.front().deviations.empty()) {
-  const std::size_t outputs = result.front().values.size();
-  const std::size_t scale = samples.count() == 1 ? 1 : (outputs - 1) / (samples.count() - 1);
-  const data::GridPositions grid(samples.origin, samples.spacing, scale);
-  columns.reserve(1 + 2 * result.size());  // what `table` points to stays
+      bands(how.bands() != 0 && !result.columns.front().deviations.empty()) {
+  const std::size_t outputs = result.positions.size();
+  columns.reserve(2 * result.columns.size());  // what `table` points to stays
   const auto add = [&](const std::string& name, const std::vector<double>& values) {
     header.push_back(name);
     table.push_back(&values);
   };
-  std::vector<double>& positions = columns.emplace_back(outputs);
-  for (std::size_t o = 0; o < outputs; ++o) positions[o] = grid.at(o);
-  add(samples.x_name, positions);
-  for (std::size_t c = 0; c < result.size(); ++c) {
-    const data::SmoothedColumn& column = result[c];
-    const std::string prefix = result.size() == 1 ? "" : samples.names[c] + "_";
+  add(samples.x_name, result.positions);
+  for (std::size_t c = 0; c < result.columns.size(); ++c) {
+    const data::SmoothedColumn& column = result.columns[c];
+    const std::string prefix = result.columns.size() == 1 ? "" : samples.names[c] + "_";
     add(samples.names[c], column.values);
     if (!column.deviations.empty()) add(prefix + "sd", column.deviations);
     if (!bands) continue;
@@ -99,22 +94,24 @@ SmoothPage::SmoothPage(const SmoothOptions& how, const NamedSamples& what, std::
 
 Json SmoothPage::json() const {
   Json noise = Json::array(), rows = Json::array();
-  for (std::size_t c = 0; c < result.size(); ++c)
-    if (const auto& estimate = result[c].noise)
+  for (std::size_t c = 0; c < result.columns.size(); ++c)
+    if (const auto& estimate = result.columns[c].noise)
       noise.push_back({{"column", samples.names[c]},
                        {"sigma", std::sqrt(estimate->variance)},
-                       {"degrees_of_freedom", estimate->degrees_of_freedom},
+                       {"degrees_of_freedom",
+                        std::isinf(estimate->degrees_of_freedom) ? Json() : Json(estimate->degrees_of_freedom)},
                        {"terms", estimate->terms}});
   for (std::size_t o = 0; o < table.front()->size(); ++o) {
     Json& row = rows.emplace_back(Json::array());
     for (const auto* column : table) row.push_back((*column)[o]);
   }
-  return {{"scheme", specification},
-          {"auto", choice.has_value()},
-          {"choice", choice_json(choice)},
+  return {{"scheme", result.method},
+          {"auto", result.choice.has_value()},
+          {"choice", choice_json(result.choice)},
           {"boundary", options.boundary},
           {"origin", to_text(samples.origin)},
           {"spacing", to_text(samples.spacing)},
+          {"at", options.at},
           {"level", options.level},
           {"derivative", options.derivative},
           {"noise", noise},
@@ -125,46 +122,57 @@ Json SmoothPage::json() const {
 }
 
 void SmoothPage::write(std::ostream& stream) const {
+  write_head(stream);
+  write_rows(stream);
+}
+
+void SmoothPage::write_head(std::ostream& stream) const {
   if (!options.quiet) {
-    stream << "# scheme " << specification << ", boundary " << options.boundary
+    stream << "# scheme " << result.method << ", boundary " << options.boundary
            << (options.derivative > 0 ? ", derivative " + std::to_string(options.derivative) : "") << "\n";
-    if (choice) stream << choice_text(*choice);
-    for (std::size_t c = 0; c < result.size(); ++c)
-      if (const auto& estimate = result[c].noise) stream << noise_line(samples.names[c], *estimate);
+    if (result.choice) stream << choice_text(*result.choice);
+    for (std::size_t c = 0; c < result.columns.size(); ++c)
+      if (const auto& estimate = result.columns[c].noise; estimate && (estimate->exists() || !options.stream))
+        stream << noise_line(samples.names[c], *estimate);
     if (bands)
       stream << fmt::format("# bands: {:.6g} % {}; the bias is not in them\n", 100 * options.bands(),
                             covered_text(options.kind()));
-    if (!result.front().noise)
+    if (!result.columns.front().noise)
       stream << fmt::format(
           "# values {} levels below the output grid, interpolated; no bands, as the scheme is not linear\n",
           data::finer_levels);
   }
+  stream << data::header_text(header, samples.separator);
+}
+
+void SmoothPage::write_rows(std::ostream& stream) const {
   std::vector<data::TableColumn> views;
   for (const auto* column : table) views.push_back({column->data()});
-  stream << data::header_text(header, samples.separator);
   data::write_rows(stream, views, table.front()->size(), samples.separator, options.threads());
 }
 
 formats::Figure SmoothPage::figure() const {
-  formats::Figure figure{"smooth", specification, "", 1, {}};
+  formats::Figure figure{"smooth", result.method, "", 1, {}};
   const auto drawn = [&](const std::string& label, std::size_t column) {
     formats::Curve curve{label, {}};
     for (std::size_t o = 0; o < table[0]->size(); ++o) curve.points.emplace_back((*table[0])[o], (*table[column])[o]);
     return curve;
   };
   std::size_t next = 1;  // column of the table
-  for (std::size_t c = 0; c < result.size(); ++c) {
-    formats::Panel panel{specification, samples.x_name, samples.names[c], {}, false, "below"};
+  for (std::size_t c = 0; c < result.columns.size(); ++c) {
+    formats::Panel panel{result.method, samples.x_name, samples.names[c], {}, false, "below"};
     if (options.derivative == 0) {
       formats::Curve dots{"data", {}, true, false};
       for (std::size_t i = 0; i < samples.count(); ++i)
         if (samples.weights.empty() || samples.weights[i] > 0)
-          dots.points.emplace_back(data::nearest_double(samples.origin + samples.spacing * Rational(i)),
+          dots.points.emplace_back(samples.uniform()
+                                       ? data::nearest_double(samples.origin + samples.spacing * Rational(i))
+                                       : samples.positions[i],
                                    samples.columns[c][i]);
       panel.curves.push_back(dots);
     }
     panel.curves.push_back(drawn("limit", next++));
-    if (!result[c].deviations.empty()) ++next;
+    if (!result.columns[c].deviations.empty()) ++next;
     if (bands) {
       panel.curves.push_back(drawn("lower", next++));
       panel.curves.push_back(drawn("upper", next++));

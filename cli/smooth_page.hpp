@@ -11,6 +11,7 @@ namespace subcert::cli {
 
 struct SmoothOptions : CommonOptions {
   SampleOptions samples;
+  std::string noise;  ///< its standard deviation, where it is known
   std::string scheme;
   bool automatic = false;
   std::string boundary = data::smoothing_boundary_names().front();
@@ -19,8 +20,10 @@ struct SmoothOptions : CommonOptions {
   double bands() const { return requested_bands.value_or(0.95); }
   std::string bands_kind = "pointwise";
   data::BandKind kind() const { return *data::parse_band_kind(bands_kind); }
+  std::string at = "grid";
   int level = 2;
   int derivative = 0;
+  bool stream = false;
   std::string plot;
 };
 
@@ -30,14 +33,11 @@ struct SmoothPage {
   /// `how` and `what` must outlive the page.
   SmoothPage(const SmoothPage&) = delete;
   SmoothPage& operator=(const SmoothPage&) = delete;
-  SmoothPage(const SmoothOptions& how, const NamedSamples& what, std::string scheme,
-             std::optional<data::SchemeChoice> chosen, std::vector<data::SmoothedColumn> smoothed);
+  SmoothPage(const SmoothOptions& how, const NamedSamples& what, data::SmoothedSamples smoothed);
 
   const SmoothOptions& options;
   const NamedSamples& samples;
-  std::string specification;
-  std::optional<data::SchemeChoice> choice;  ///< where none was named
-  std::vector<data::SmoothedColumn> result;
+  data::SmoothedSamples result;
   bool bands;                                ///< whether there are any
   std::vector<std::string> header;           ///< of the columns
   std::vector<std::vector<double>> columns;  ///< those that are not in `result`
@@ -45,6 +45,9 @@ struct SmoothPage {
 
   Json json() const;
   void write(std::ostream& stream) const;
+  /// What was done, and the names of the columns.
+  void write_head(std::ostream& stream) const;
+  void write_rows(std::ostream& stream) const;
   formats::Figure figure() const;
 };
 

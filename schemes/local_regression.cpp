@@ -31,18 +31,25 @@ std::vector<std::vector<Rational>> regression_terms(const std::vector<Rational>&
 }
 
 std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
-                                         int degree, const Rational& x) {
+                                         int degree, const Rational& x, int derivative) {
   require_fit(nodes, weights, degree);
-  return regression_fit::weights(nodes, weights, degree, x);
+  require(derivative >= 0, "regression_weights: need derivative >= 0, got {}", derivative);
+  return regression_fit::weights(nodes, weights, degree, x, derivative);
 }
 
 Mask regression_mask(const LocalRegression& scheme) {
-  const auto [values, first] = regression_fit::coefficients(scheme, regression_weights);
+  const auto [values, first] = regression_fit::coefficients(
+      scheme, [](const auto& nodes, const auto& weights, int degree, const Rational& x) {
+        return regression_weights(nodes, weights, degree, x);
+      });
   return {LaurentPolynomial(values, first), static_cast<int>(scheme.rules.size())};
 }
 
 ParametricMask parametric_regression_mask(const LocalRegressionOf<RationalFunction>& scheme) {
-  const auto [values, first] = regression_fit::coefficients(scheme, regression_fit::weights<RationalFunction>);
+  const auto [values, first] = regression_fit::coefficients(
+      scheme, [](const auto& nodes, const auto& weights, int degree, const RationalFunction& x) {
+        return regression_fit::weights(nodes, weights, degree, x);
+      });
   return {values, first, static_cast<int>(scheme.rules.size())};
 }
 

@@ -10,14 +10,16 @@ namespace subcert {
 
 /// The weights c with p(x) = sum of c[i] y[i], where p is the polynomial of degree at most `degree` that minimises
 /// sum of weights[i] (p(nodes[i]) - y[i])^2. With degree >= nodes.size() - 1 it interpolates, and among the
-/// interpolating polynomials the one of smallest degree is taken ([DHHS15, Rem. 9] leaves the choice open).
-/// Domain: nodes distinct and not empty, weights positive and as many as the nodes (none: all one), degree >= 0.
+/// interpolating polynomials the one of smallest degree is taken ([DHHS15, Rem. 9] leaves the choice open). With
+/// `derivative` they give that derivative of p at x.
+/// Domain: nodes distinct and not empty, weights positive and as many as the nodes (none: all one), degree >= 0,
+/// derivative >= 0.
 /// Errors: throws a domain error that names the broken inequality.
 /// Cost: nodes * degree rational operations (three-term recurrence of the discrete orthogonal polynomials, which for
 /// equally spaced nodes are Gram's); interpolation nodes^2.
 /// Ref: [DHHS15, App. A], [EF07].
 std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
-                                         int degree, const Rational& x);
+                                         int degree, const Rational& x, int derivative = 0);
 
 /// [k][i] = P_k(x) P_k(nodes[i]) / <P_k, P_k> for k = 0, ..., min(degree, nodes.size() - 1), with the polynomials P_k
 /// of degree k that are orthogonal for <g, h> = sum of weights[i] g(nodes[i]) h(nodes[i]): the sum of the first rows

@@ -14,14 +14,17 @@ namespace subcert::regression_fit {
 /// As regression_terms() in local_regression.hpp. Domain: distinct nodes, norms that are not zero.
 template <class Number>
 std::vector<std::vector<Number>> terms(const std::vector<Rational>& nodes, const std::vector<Number>& weights,
-                                       int degree, const Number& x) {
+                                       int degree, const Number& x, int derivative = 0) {
   const std::size_t m = nodes.size();
+  const auto order = static_cast<std::size_t>(derivative);
   const int last = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(degree), m - 1));
   // Monic orthogonal polynomials by Stieltjes' recurrence P_{k+1} = (t - alpha) P_k - beta P_{k-1}, carried as their
-  // values at the nodes and at x.
+  // values at the nodes, and at x with their derivatives up to `order`.
   std::vector<Number> previous(m, Number(0)), current(m, Number(1));
   std::vector<std::vector<Number>> result;
-  Number previous_x = 0, current_x = 1, previous_norm = 1;
+  std::vector<Number> previous_x(order + 1, Number(0)), current_x = previous_x;
+  current_x[0] = 1;
+  Number previous_norm = 1;
   for (int k = 0;; ++k) {
     Number norm = 0, moment = 0;
     for (std::size_t i = 0; i < m; ++i) {
@@ -31,7 +34,7 @@ std::vector<std::vector<Number>> terms(const std::vector<Rational>& nodes, const
       moment += square * Number(nodes[i]);
     }
     result.emplace_back(m, Number(0));
-    const Number scale = current_x / norm;
+    const Number scale = current_x[order] / norm;
     if (!(scale == Number(0)))
       for (std::size_t i = 0; i < m; ++i) result.back()[i] = scale * current[i];
     if (k == last) return result;
@@ -41,7 +44,10 @@ std::vector<std::vector<Number>> terms(const std::vector<Rational>& nodes, const
       previous[i] = (Number(nodes[i]) - alpha) * current[i] - beta * previous[i];
       std::swap(previous[i], current[i]);
     }
-    previous_x = (x - alpha) * current_x - beta * previous_x;
+    for (std::size_t r = order + 1; r-- > 0;) {
+      previous_x[r] = (x - alpha) * current_x[r] - beta * previous_x[r];
+      if (r > 0) previous_x[r] += Number(static_cast<int>(r)) * current_x[r - 1];
+    }
     std::swap(previous_x, current_x);
     previous_norm = norm;
   }
@@ -70,10 +76,10 @@ std::vector<Number> interpolation(const std::vector<Rational>& nodes, const Numb
 /// As regression_weights() in local_regression.hpp.
 template <class Number>
 std::vector<Number> weights(const std::vector<Rational>& nodes, const std::vector<Number>& prior, int degree,
-                            const Number& x) {
-  if (static_cast<std::size_t>(degree) + 1 >= nodes.size()) return interpolation(nodes, x);
+                            const Number& x, int derivative = 0) {
+  if (static_cast<std::size_t>(degree) + 1 >= nodes.size() && derivative == 0) return interpolation(nodes, x);
   std::vector<Number> result(nodes.size(), Number(0));
-  for (const std::vector<Number>& term : terms(nodes, prior, degree, x))
+  for (const std::vector<Number>& term : terms(nodes, prior, degree, x, derivative))
     for (std::size_t i = 0; i < nodes.size(); ++i) result[i] += term[i];
   if (!prior.empty())
     for (std::size_t i = 0; i < nodes.size(); ++i) result[i] *= prior[i];

@@ -51,7 +51,7 @@ TEST_CASE("data are smoothed") {
   fails("0,1\n1,2\n3,3\n4,5\n", "", 65,
         data +
             ", lines 2 and 3: expected a uniform grid, the mean spacing is 1.33333333; found the spacing 2 between 1 "
-            "and 3");
+            "and 3 (--irregular fit takes positions as they are)");
   fails("0,1\n2,2\n1,3\n", "", 65, data + ", line 3, column 1: expected increasing positions; found 1 after 2");
   fails("0,1\n1,\n2,3\n", "", 65,
         data + ", line 2, column 2: expected a number; found a missing value (--missing drop leaves it out)");
@@ -64,7 +64,7 @@ TEST_CASE("data are smoothed") {
         "derivative 3: primal:n=2,d=1 is not proved to have continuous "
         "derivatives of that order; the mask has only 2 sum rules");
   fails(line, "--y v --weights w --scheme bspline:degree=3", 64,
-        "smoothing: prior weights and missing data need a scheme of local regressions");
+        "smoothing: prior weights, missing data and given positions need a scheme of local regressions");
   fails(line, "--y v --scheme l1:points=6 --bands 0.9", 64,
         "--bands needs a linear scheme; l1:points=6,d=1,iterations=6,delta=1e-8 is none");
   fails("", "", 65, data + ": expected rows of numbers; found none");
@@ -108,4 +108,67 @@ TEST_CASE("data are smoothed") {
   CHECK(run("smooth " + data + " --scheme primal:n=3 --jobs 3").out == plain);
   std::ofstream(data, std::ios::binary) << "0,1\n1,x\n";
   check_fails(run("smooth - < " + data), 65, "standard input, line 2, column 2: expected a number; found 'x'");
+}
+
+TEST_CASE("data at scattered positions are smoothed, by local polynomials and by schemes") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  std::ofstream(data, std::ios::binary) << "t,v\n0,1\n0.5,2\n2,\n2.25,5.5\n4,9\n4.5,10\n7,15\n8,17\n";
+  const auto smoothed = [&](const std::string& arguments) {
+    return run_json("smooth " + data + " --irregular fit --missing drop " + arguments);
+  };
+  for (const char* scheme : {"local:points=4", "local:width=3,weight=box", "primal:n=2", "local:d=1"}) {
+    CAPTURE(scheme);
+    const auto json = smoothed(std::string("--spacing 1/2 --level 1 --scheme ") + scheme);
+    REQUIRE(json.at("rows").size() == 33);
+    for (const auto& row : json.at("rows")) CHECK(row[1].get<double>() == Approx(1 + 2 * row[0].get<double>()));
+  }
+  const auto there = smoothed("--at data --scheme local:points=5,d=2,weight=biweight --noise 0.25");
+  CHECK(there.at("rows").size() == 7);
+  CHECK(there.at("rows")[2][0] == 2.25);
+  CHECK(there.at("noise")[0].at("sigma") == 0.25);
+  CHECK(there.at("noise")[0].at("degrees_of_freedom").is_null());
+  CHECK(smoothed("").at("scheme").get<std::string>().substr(0, 13) == "local:points=");
+  const std::string command = "smooth " + data + " --irregular fit --missing drop ";
+  check_fails(run(command + "--at data --scheme primal:n=2"), 64,
+              "smoothing: the limit of a scheme is known on a grid alone; at the data need local polynomials");
+  check_fails(run(command + "--spacing 0"), 64, "--spacing 0: expected a number > 0");
+  check_fails(run(command + "--noise -1"), 64, "--noise -1: expected a standard deviation > 0");
+  check_fails(run(command + "--scheme local:points=9"), 65,
+              data + ": expected at least 9 data for local:points=9,d=1,weight=tricube; found 7");
+  check_fails(run(command + "--scheme local:width=0.1"), 65,
+              data + ": smoothing: 1 data count at 0 spacings from the first, a fit of degree 1 needs 2");
+}
+
+TEST_CASE("a stream is smoothed as the whole is") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  std::string table = "t,v,w\n";
+  for (int i = 0; i < 30000; ++i)
+    table += std::to_string(i / 4) + "." + std::to_string(25 * (i % 4)) + "," + std::to_string((i * 7919) % 101) + "," +
+             std::to_string(1 + i / 20000) + "\n";
+  std::ofstream(data, std::ios::binary) << table;
+  for (const char* arguments : {" --scheme primal:n=4 --y v", " --scheme dual:n=3 --y v --weights w --boundary mirror",
+                                " --scheme local:points=9 --bands-kind prediction --level 0"}) {
+    CAPTURE(arguments);
+    const std::string whole = run("smooth " + data + " --noise 30" + arguments).out;
+    CHECK(run("smooth - --stream --noise 30" + std::string(arguments) + " < " + data).out == whole);
+    CHECK(whole.size() > 1'000'000);
+  }
+  const auto fails = [&](const std::string& arguments, int code, const std::string& message) {
+    CAPTURE(arguments);
+    check_fails(run("smooth " + data + " --stream --y v " + arguments), code, message);
+  };
+  fails("", 64, "--stream needs --scheme: the choice needs all data");
+  fails("--scheme primal:n=2 --json", 64, "--stream: expected none of --json, --plot, --at data, --irregular fit");
+  fails("--scheme primal:n=2 --bands 0.9", 64, "--stream: --bands needs --noise, as its estimate needs all data");
+  fails("--scheme primal:n=2 --boundary wrap", 64, "a stream has no end that its beginning could follow");
+  fails("--scheme l1:points=4", 64, "a stream needs a linear method; l1:points=4,d=1,iterations=6,delta=1e-8 is none");
+  fails("--scheme primal:n=2 --spacing 1", 65,
+        data + ", line 3: expected 1, on the grid of spacing 1; found the position 0.25 (--spacing sets it)");
+  std::ofstream(data, std::ios::binary) << "1,2\n2,3\n2,4\n";
+  check_fails(run("smooth " + data + " --stream --scheme primal:n=2"), 65,
+              data + ", line 3, column 1: expected increasing positions; found 2 after 2");
+  check_fails(run("smooth - --stream --scheme primal:n=2 < /dev/null"), 65,
+              "standard input: expected rows of numbers; found none");
 }

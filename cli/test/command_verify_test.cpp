@@ -43,3 +43,35 @@ TEST_CASE("the certificate of a surface is verified by its claim line") {
   std::ofstream(file, std::ios::binary) << text.substr(0, text.find("gram")) + text.substr(text.find("product"));
   CHECK(run("verify " + file).code == 1);
 }
+
+TEST_CASE("a certificate is asked for the claim that is stated") {
+  const Folder folder;
+  const std::string file = folder / "file.cert";
+  const auto asked = [&](const std::string& claim) { return run("verify " + file + " --claim '" + claim + "'"); };
+  CHECK(run("regularity four-point:w=1/16 --certificate " + file).code == 0);
+  CHECK(asked("2 <= four-point:w=1/16 <= 2").out ==
+        file + ": VERIFIED 2 <= Hoelder exponent <= 2 of " + "[-1,0,9,16,9,0,-1]/16@-3 with arity 2\n");
+  CHECK(asked("1.5 <= dd:n=2").code == 0);
+  CHECK(asked("2.1 <= dd:n=2").code == 1);
+  CHECK(asked("1 <= primal:n=2").code == 1);
+  CHECK(asked("3/2<=dd:n=2<=5/2").code == 0);
+  for (const char* bad : {"", "1 <= ", "x <= dd:n=2 <= 3", "1 <= dd:n=2 <= 2 <= 3", "dd:n=2 <= D2", "1 <= dd:n=", "1",
+                          "1 <= daubechies:n=2", "1 <= four-point:w for w"}) {
+    CAPTURE(bad);
+    CHECK(asked(bad).code == (*bad ? 64 : 0));  // an empty one is none
+  }
+  CHECK(run("regularity 'tensor:(dd:n=2)x(dd:n=2)' --certificate " + file).code == 0);
+  CHECK(asked("3/2 <= tensor:(dd:n=2)x(dd:n=2)").code == 0);
+  const std::string bundle = folder / "bundle";
+  CHECK(run("range four-point:w --over w=1/20..1/10 --property C1 --certificate " + bundle).code == 0);
+  const auto proved = [&](const std::string& claim) {
+    return run("verify " + bundle + " --claim '" + claim + "'").code == 0;
+  };
+  CHECK(proved("1 <= four-point:w for w=1/20..1/10"));
+  CHECK_FALSE(proved("1 <= four-point:w for w=1/20..1/9"));
+  const std::string matrices = folder / "golden.mat";
+  std::ofstream(matrices, std::ios::binary) << "matrices 2 2\nrow 1 1\nrow 0 1\nrow 1 0\nrow 1 1\n";
+  CHECK(run("jsr " + matrices + " --certificate " + file).code == 0);
+  CHECK(asked("1.618 <= radius " + matrices + " <= 1.6181").code == 0);
+  CHECK(asked("radius " + matrices + " <= 1.618").code == 1);
+}

@@ -1,5 +1,6 @@
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/smooth/expected_error.hpp>
+#include <subcert/schemes/data/smooth/scheme_smoother.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <cmath>
@@ -8,7 +9,7 @@
 int main() {
   using namespace subcert;
   const Scheme scheme = make_scheme("primal:n=2");
-  const data::LinearSmoother smoother(scheme.mask, 9, {data::Boundary::regression});
+  const data::SchemeSmoother smoother(scheme.mask, 9, {data::Boundary::regression});
   for (const std::size_t i : {0, 4}) {
     const data::SmoothingRow row = smoother.row(i);
     std::cout << "s(" << i << ") =";

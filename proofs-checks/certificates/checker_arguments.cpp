@@ -1,6 +1,8 @@
 #include "checker_arguments.hpp"
 
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
 
 #include <sstream>
 #include <string_view>
@@ -10,7 +12,68 @@ namespace {
 
 constexpr std::size_t longest_head = 2'000'000;  // characters in which the first three lines end
 
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
+/// The parts between `<=`.
+std::vector<std::string> parts_of(const std::string& claim) {
+  constexpr std::string_view sign = "<=";
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t at = 0; (at = claim.find(sign, begin)) != std::string::npos; begin = at + sign.size())
+    parts.push_back(trimmed(claim.substr(begin, at - begin)));
+  parts.push_back(trimmed(claim.substr(begin)));
+  return parts;
+}
+
+[[noreturn]] void refuse(const std::string& claim) {
+  fail(ErrorKind::usage,
+       "--claim '{}': expected [NUMBER <=] SUBJECT [<= NUMBER or C2], where SUBJECT is a scheme, 'FAMILY for "
+       "w=LOW..HIGH', or 'radius FILE'",
+       claim);
+}
+
+std::vector<std::string> subject_arguments(const std::string& subject) {
+  constexpr std::string_view radius = "radius ", range = " for ";
+  if (subject.starts_with(radius)) return {"--matrices", trimmed(subject.substr(radius.size()))};
+  if (const std::size_t at = subject.find(range); at != std::string::npos) {
+    const std::string values = trimmed(subject.substr(at + range.size()));
+    const ParametricScheme family = make_parametric_scheme(trimmed(subject.substr(0, at)));
+    return {"--mask", family.mask.to_text(family.parameter), "--arity", std::to_string(family.mask.arity()), "--for",
+            values};
+  }
+  const LinearScheme scheme = make_linear_scheme(subject);
+  if (const auto* surface = std::get_if<MultivariateScheme>(&scheme))
+    return {"--surface", to_mask_text(surface->mask), "--dilation", surface->mask.dilation().to_text()};
+  const Scheme& one = std::get<Scheme>(scheme);
+  if (one.rounding)
+    fail(ErrorKind::usage, "--claim: {} has rounded coefficients; state it to subcert-check, with --within", subject);
+  return {"--mask", one.mask.symbol().to_mask_text(), "--arity", std::to_string(one.mask.arity())};
+}
+
 }  // namespace
+
+std::vector<std::string> stated_checker_arguments(const std::string& claim, const std::string& file) {
+  const std::vector<std::string> parts = parts_of(claim);
+  // One part is the subject; of two, the first is a number or the second is.
+  const auto number = [](const std::string& text) { return parse_number(text); };
+  const bool lower = parts.size() == 3 || (parts.size() == 2 && number(parts[0]));
+  const std::size_t subject = lower ? 1 : 0;
+  if (parts.size() > 3 || parts[subject].empty()) refuse(claim);
+  std::vector<std::string> arguments = subject_arguments(parts[subject]);
+  const auto add = [&](const char* name, const std::string& text, bool roughness) {
+    const auto value = number(text);
+    const bool order = roughness && text.size() > 1 && text[0] == 'C';
+    if (!value && !order) refuse(claim);
+    arguments.insert(arguments.end(), {name, order ? text : to_text(*value)});
+  };
+  if (lower) add("--lower", parts[0], false);
+  if (parts.size() > subject + 1) add("--upper", parts[subject + 1], true);
+  arguments.push_back(file);
+  return arguments;
+}
 
 std::vector<std::string> checker_arguments(const std::string& text, const std::string& file) {
   std::istringstream lines(text.substr(0, longest_head));

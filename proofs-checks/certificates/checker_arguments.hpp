@@ -12,4 +12,11 @@ namespace subcert {
 /// throws a data error for a text that is no certificate. Cost: the first three lines are read.
 std::vector<std::string> checker_arguments(const std::string& text, const std::string& file);
 
+/// The same for a claim that is stated from outside: `[LOWER <=] SUBJECT [<= UPPER]`, blanks anywhere. SUBJECT is a
+/// scheme, whose exponent is meant; a family with a parameter, as `four-point:w for w=1/100..19/100`; or `radius FILE`,
+/// of the matrices in that file. LOWER and UPPER are exact numbers, UPPER also `C2`, for limits that are not C^2;
+/// without both the integer shifts are stable. Errors: throws a usage error for another text, and for a scheme with
+/// rounded coefficients, of which a claim needs the distance.
+std::vector<std::string> stated_checker_arguments(const std::string& claim, const std::string& file);
+
 }  // namespace subcert

@@ -42,7 +42,12 @@ class Checker {
   void run() {
     reader_.take("subcert-certificate 3", 0, 0);
     reader_.take(claim_.head, 0, 0);
-    reader_.take("bounds", 2, 2);
+    const Fields bounds = reader_.take("bounds", 2, 2);  // for people: any claim may be asked
+    if (bounds[0] != "-") parse_rational(bounds[0]);
+    if (bounds[1].starts_with('C'))
+      parse_size(bounds[1].substr(1), 1, 500);
+    else if (bounds[1] != "-")
+      parse_rational(bounds[1]);
     if (claim_.arity != 0 && !claim_.range && reader_.at("reduced"))
       read_reduced();
     else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
@@ -378,6 +383,7 @@ class Checker {
     const std::size_t n = family.size, vertices = parse_size(fields[1], 1, max_bytes);
     const std::size_t vertex_bits = parse_size(fields[2], 0, 4096), weight_bits = parse_size(fields[3], 0, 4096);
     std::set<std::string_view> properties(fields.begin() + 4, fields.end());
+    require(properties.size() + 4 == fields.size(), "a polytope property twice");
     if (properties.erase("transposed") != 0) family.transpose();
     const bool complex = properties.erase("complex") != 0, nonnegative = properties.erase("nonnegative") != 0;
     const bool symmetric = properties.erase("symmetric") != 0;

@@ -89,65 +89,64 @@ py::dict column_dict(data::SmoothedColumn column, double bands, data::BandKind k
     result["lower"] = array_of(std::move(lower));
     result["upper"] = array_of(std::move(upper));
   }
-  if (column.noise && column.noise->terms > 0) result["noise_variance"] = column.noise->variance;
+  if (column.noise && column.noise->exists()) result["noise_variance"] = column.noise->variance;
   if (!column.deviations.empty()) result["deviation"] = array_of(std::move(column.deviations));
   result["values"] = array_of(std::move(column.values));
   return result;
 }
 
-/// Origin and spacing of the grid that positions stand for.
-std::pair<Rational, Rational> grid_of(const DoubleArray& positions) {
-  const std::vector<double> x = numbers_of(positions);
+/// Sets the positions of the samples; other than uniform ones only where `irregular`.
+void set_positions(data::Samples& samples, const DoubleArray& positions, bool irregular) {
+  std::vector<double> x = numbers_of(positions);
   require_finite(x, "x");
   for (std::size_t i = 1; i < x.size(); ++i)
     if (x[i] <= x[i - 1])
       fail(ErrorKind::data, "x: need positions that grow, got {} after {} at index {}", x[i], x[i - 1], i);
   const data::UniformGrid grid = data::uniform_grid(x);
-  if (!grid.uniform)
-    fail(ErrorKind::data, "x: need a uniform grid, got the spacing {:g} after index {} where the mean is {:g}",
+  if (!grid.uniform && !irregular)
+    fail(ErrorKind::data,
+         "x: need a uniform grid, got the spacing {:g} after index {} where the mean is {:g}; irregular=True takes "
+         "positions as they are",
          x[grid.worst + 1] - x[grid.worst], grid.worst, grid.spacing.convert_to<double>());
-  return {grid.origin, grid.spacing};
+  samples.origin = grid.origin;
+  samples.spacing = grid.spacing;
+  if (!grid.uniform) samples.positions = std::move(x);
 }
 
 /// `scheme`: a specification, or empty for the choice by estimated error.
-py::dict smooth(const DoubleArray& y, const std::vector<Rational>& weights, const Rational& origin,
-                const Rational& spacing, const std::string& scheme, const std::string& boundary, double constant,
-                int level, int derivative, double bands, const std::string& kind_name, int jobs,
-                const py::object& progress) {
+py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const std::vector<Rational>& weights,
+                const Rational& origin, const std::optional<Rational>& spacing, const std::string& scheme,
+                const std::string& boundary, double constant, int level, int derivative, double bands,
+                const std::string& kind_name, bool irregular, const std::string& at, const std::optional<double>& noise,
+                int jobs, const py::object& progress) {
   if (y.ndim() != 1) fail(ErrorKind::domain, "smooth: need an array of one dimension, got {}", y.ndim());
   require(level >= 0 && level <= 12, "smooth: need 0 <= level <= 12, got {}", level);
   require(derivative >= 0 && derivative <= 20, "smooth: need 0 <= derivative <= 20, got {}", derivative);
   require(bands >= 0 && bands < 1, "smooth: need 0 <= bands < 1, got {}", bands);
+  require(!noise || (std::isfinite(*noise) && *noise > 0), "smooth: need noise > 0, got {}", noise.value_or(0));
+  require(!spacing || *spacing > 0, "smooth: need spacing > 0");
   const auto kind = data::parse_band_kind(kind_name);
   if (!kind) fail(ErrorKind::usage, "kind: expected {}, got '{}'", fmt::join(data::band_kind_names(), ", "), kind_name);
+  if (at != "grid" && at != "data") fail(ErrorKind::usage, "at: expected grid or data, got '{}'", at);
   require(*kind != data::BandKind::prediction || derivative == 0, "smooth: a new datum has no derivative");
-  data::Samples samples{{numbers_of(y)}, weights, origin, spacing};
+  data::Samples samples{{numbers_of(y)}, weights, origin, spacing.value_or(1)};
   require_finite(samples.columns.front(), "smooth");
-  const data::SmoothingOptions options{boundary_of(boundary), level, derivative, constant};
-  std::string chosen = scheme;
+  samples.noise = noise;
+  if (x) set_positions(samples, *x, irregular);
+  if (!samples.uniform()) {
+    if (spacing) samples.spacing = *spacing;
+    samples.drop_missing();
+  }
+  const data::SmoothingOptions options{boundary_of(boundary), level, derivative, constant, at == "data"};
+  data::SmoothedSamples smoothed = interruptible(
+      progress, [&] { return data::smooth(samples, std::string_view(scheme), options, jobs); });
+  py::dict answer = column_dict(std::move(smoothed.columns.front()), bands, *kind);
+  answer["x"] = array_of(std::move(smoothed.positions));
+  answer["scheme"] = smoothed.method;
   std::vector<std::pair<std::string, double>> candidates;
-  long arity = 2;
-  data::SmoothedColumn column = interruptible(progress, [&] {
-    if (is_l1_specification(scheme))
-      return data::smooth(samples, make_l1_scheme(scheme), options, jobs).columns.front();
-    const auto by = [&](const Scheme& one) {
-      arity = one.mask.arity();
-      return data::smoothed_columns(samples, one, options).front();
-    };
-    if (!scheme.empty()) return by(make_scheme(scheme));
-    const data::SchemeChoice choice = choose_scheme(samples, options);
-    chosen = choice.scheme.specification;
-    for (const data::SmoothingCandidate& one : choice.candidates)
+  if (smoothed.choice)
+    for (const data::SmoothingCandidate& one : smoothed.choice->candidates)
       candidates.emplace_back(one.specification, one.risk.total());
-    return by(choice.scheme);
-  });
-  const auto scale = power(Rational(arity), level).convert_to<std::size_t>();
-  const data::GridPositions positions(origin, spacing, scale);
-  std::vector<double> x(column.values.size());
-  for (std::size_t o = 0; o < x.size(); ++o) x[o] = positions.at(o);
-  py::dict answer = column_dict(std::move(column), bands, *kind);
-  answer["x"] = array_of(std::move(x));
-  answer["scheme"] = chosen;
   answer["candidates"] = candidates;
   return answer;
 }
@@ -157,7 +156,6 @@ py::dict smooth(const DoubleArray& y, const std::vector<Rational>& weights, cons
 void add_data(py::module_& module) {
   module.def("refine", &refine);
   module.def("smooth", &smooth);
-  module.def("uniform_grid", &grid_of);
   module.def("all_cores", &all_cores);
 }
 

@@ -126,9 +126,10 @@ def refine(
 ) -> tuple[_Array, list[tuple[Fraction, Fraction]]]: ...
 def smooth(
     y: _Array,
+    x: Optional[_Array],
     weights: Sequence[Fraction],
     origin: Fraction,
-    spacing: Fraction,
+    spacing: Optional[Fraction],
     scheme: str,
     boundary: str,
     constant: float,
@@ -136,10 +137,12 @@ def smooth(
     derivative: int,
     bands: float,
     kind: str,
+    irregular: bool,
+    at: str,
+    noise: Optional[float],
     jobs: int,
     progress: _Progress,
 ) -> dict[str, Any]: ...
-def uniform_grid(positions: _Array) -> tuple[Fraction, Fraction]: ...
 def all_cores() -> int: ...
 def checker_arguments(text: str, file: str) -> list[str]: ...
 def statements(wanted: Sequence[str]) -> list[dict[str, Any]]: ...

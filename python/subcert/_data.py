@@ -71,7 +71,7 @@ class Smoothed:
 
 def smooth(
     y: Any,
-    x: Optional[Sequence[Exact]] = None,
+    x: Optional[Sequence[float]] = None,
     *,
     scheme: Any = "",
     weights: Optional[Sequence[Exact]] = None,
@@ -82,18 +82,24 @@ def smooth(
     boundary: str = "interp",
     constant: float = 0.0,
     origin: Exact = 0,
-    spacing: Exact = 1,
+    spacing: Optional[Exact] = None,
+    irregular: bool = False,
+    at: str = "grid",
+    noise: Optional[float] = None,
     jobs: Optional[int] = None,
     progress: Progress = None,
 ) -> Smoothed:
-    """Smooths samples of a function on a uniform grid by the limit of a scheme.
+    """Smooths samples of a function by the limit of a scheme or by local polynomials.
 
-    `y`: shape (n,). `x`: the positions, uniform up to their last decimal place; or `origin` and `spacing`. `scheme`:
-    a scheme or its specification; by default the one with the smallest estimated error. `weights`: prior weights,
-    inverse to the variance of the noise; 0: missing. `bands`: level of the confidence band, 0 for none. `kind`:
-    pointwise or simultaneous, for the expected value of the limit, or prediction, for a new datum. `level`: values at
-    the multiples of arity^-level of the spacing. `boundary`: interp, mirror, nearest, constant or wrap. Raises
-    DataError for samples that cannot be smoothed, DomainError for a scheme without proof of convergence.
+    `y`: shape (n,). `x`: the positions, uniform up to their last decimal place; or `origin` and `spacing`, 1 by
+    default. With `irregular` other positions are taken as they are, and `spacing`, by default the mean, is that of the
+    answer. `scheme`: a scheme or a specification, also "local:points=21,d=1" and its like; by default the one with the
+    smallest estimated error. `weights`: prior weights, inverse to the variance of the noise; 0: missing. `bands`: level
+    of the confidence band, 0 for none. `kind`: pointwise or simultaneous, for the expected value of the limit, or
+    prediction, for a new datum. `level`: values at the multiples of arity^-level of the spacing; `at`: on this grid,
+    or at the data ("data"). `noise`: its standard deviation, where it is known. `boundary`: interp, mirror, nearest,
+    constant or wrap. Raises DataError for samples that cannot be smoothed, DomainError for a scheme without proof of
+    convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")
@@ -103,20 +109,20 @@ def smooth(
     import numpy
 
     array = numpy.ascontiguousarray(y, dtype=numpy.float64)
-    first, step = fraction(origin), fraction(spacing)
+    positions = None
     if x is not None:
         positions = numpy.ascontiguousarray(x, dtype=numpy.float64)
         if positions.shape != array.shape or positions.ndim != 1 or positions.size < 2:
             raise DomainError(f"x: need two positions or more, as many as samples, got shape {positions.shape}")
-        first, step = _core.uniform_grid(positions)
     prior = [] if weights is None else [fraction(w) if not isinstance(w, float) else Fraction(w) for w in weights]
     if prior and len(prior) != array.size:
         raise DomainError(f"weights: need as many as samples, {array.size}, got {len(prior)}")
     facts = _core.smooth(
         array,
+        positions,
         prior,
-        first,
-        step,
+        fraction(origin),
+        None if spacing is None else fraction(spacing),
         str(scheme),
         boundary,
         constant,
@@ -124,6 +130,9 @@ def smooth(
         derivative,
         bands,
         kind,
+        irregular,
+        at,
+        noise,
         _jobs(jobs),
         progress,
     )

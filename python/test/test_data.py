@@ -89,6 +89,37 @@ def test_smoothing():
     assert abs(gap.values[77]) < 2
 
 
+def test_smoothing_at_scattered_positions():
+    generator = numpy.random.default_rng(1)
+    x = numpy.sort(generator.uniform(0, 10, 300))
+    y = numpy.sin(x) + generator.normal(0, 0.1, 300)
+    found = subcert.smooth(y, x, irregular=True)
+    assert found.scheme.startswith("local:points=") and found.candidates
+    assert abs(found.values - numpy.sin(found.x)).max() < 0.15
+    there = subcert.smooth(y, x, irregular=True, at="data", scheme="local:width=1/2,d=2", noise=0.1)
+    assert (there.x == x).all() and there.noise_variance == pytest.approx(0.01)
+    line = subcert.smooth(3 - x, x, irregular=True, scheme="primal:n=6", level=1, spacing="1/16", bands=0)
+    assert abs(line.values - (3 - line.x)).max() < 1e-9
+    assert line.x[1] - line.x[0] == pytest.approx(1 / 32)
+    weights = [0] + [1] * 299
+    kept = subcert.smooth(y, x, irregular=True, at="data", scheme="local:points=20", weights=weights)
+    assert (kept.x == x[1:]).all()
+    filtered = subcert.smooth(y, scheme="local:points=7,d=2,weight=box", bands=0)
+    assert abs(filtered.values - savitzky_golay(y, 3, 2)).max() < 1e-12
+    for bad in ({"at": "there"}, {"scheme": "local:points=0"}):
+        with pytest.raises(subcert.Error):
+            subcert.smooth(y, **bad)
+    with pytest.raises(subcert.DomainError):
+        subcert.smooth(y, noise=-1.0)
+
+
+def savitzky_golay(y, half, degree):
+    """Fits to 2 half + 1 data, by least squares of numpy."""
+    centres = numpy.clip(numpy.arange(y.size), half, y.size - 1 - half)
+    fits = [numpy.polyfit(numpy.arange(-half, half + 1), y[c - half : c + half + 1], degree) for c in centres]
+    return numpy.array([numpy.polyval(fit, i - c) for i, (fit, c) in enumerate(zip(fits, centres))])
+
+
 def test_smoothing_refuses():
     y = numpy.zeros(50)
     with pytest.raises(subcert.DataError, match="uniform"):

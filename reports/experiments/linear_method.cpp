@@ -1,6 +1,6 @@
 #include "linear_method.hpp"
 
-#include <subcert/schemes/data/smooth/smoothing.hpp>
+#include <subcert/schemes/data/smooth/scheme_smoother.hpp>
 #include <subcert/schemes/specification.hpp>
 
 namespace subcert::experiments {
@@ -18,7 +18,7 @@ std::vector<double> DenseMatrix::operator*(const std::vector<double>& data) cons
 
 DenseMatrix limit_matrix(const std::string& specification, std::size_t count, data::Boundary extension, int level) {
   const Scheme scheme = make_scheme(specification);
-  const data::LinearSmoother smoother(scheme.mask, count, {extension, level, 0});
+  const data::SchemeSmoother smoother(scheme.mask, count, {extension, level, 0});
   // Wrapped data: the outputs past the last datum are those before datum 1 of the data turned by one place.
   std::size_t scale = 1;
   for (int l = 0; l < level; ++l) scale *= static_cast<std::size_t>(scheme.mask.arity());

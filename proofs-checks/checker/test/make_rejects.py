@@ -495,4 +495,18 @@ reject("reduced-low", "trapezoid-reduced", "does not prove the claim", arguments
 reject("reduced-range", "corner-rough", "expected 'sum-rules'", replace("^sum-rules", "reduced [1] [1,1]\nsum-rules"))
 reject("range-pair-high", "pair", crossing, replace("0 7/5", "0 8/5"))
 reject("range-pair-real", "pair", crossing, replace("0 7/5", "7/5 0"))
+# what only one check refuses
+hat = claims["hat-by-hand"]
+reject("bounds-text", "golden", "line 3", replace("^bounds .*", "bounds foo bar"))
+reject("bounds-order", "golden", "line 3", replace("^bounds .*", "bounds C1 2"))
+reject("bounds-code", "golden", "line 3", replace("^bounds .*", "bounds 1 \x1b[31m"))
+reject("property-twice", "four-point-by-hand", "a polytope property twice", replace("symmetric", "symmetric symmetric"))
+reject("norm-fields", "four-point-norm", "wrong number of fields", replace("^(block 0 norm .*)$", "\\1 1"))
+reject("term-fields", "hat-by-hand", "a term is POINT:INTEGER", replace("-1:1 ", "-1:1:1 "))
+reject("far-mask", "hat-by-hand", "a coordinate is too large", replace("@-1", "@2000000000"), arguments=hat.replace("@-1", "@2000000000"))
+reject("range-pair-size", "corner-diverges", "a pair of eigenvalues needs matrices of size 2",
+       lambda lines: replace("^exponent.*", "exponent [w,1,1-w] 2 w=3/2..2")(replace("^to .*", "to 2")(
+           replace("product .*", "product 0 0 1 0")(lines))),
+       arguments="--mask [w,1,1-w] --arity 2 --for w=3/2..2 --upper 0")
+reject("far-exponent", "four-point-norm", "too large", arguments=option(claims["four-point-norm"], "lower", "1000000000"))
 (out / "claims.txt").write_text("\n".join(index) + "\n")

@@ -2,6 +2,7 @@
 """Runs subcert-check on the corpus and on wrong command lines. Usage: run_corpus.py CHECKER accept|reject|usage DIRECTORY"""
 import subprocess
 import sys
+import tempfile
 from fractions import Fraction
 from pathlib import Path
 
@@ -21,6 +22,10 @@ def expect(name, condition, result):
 
 count = 0
 if mode == "usage":
+    folder = tempfile.TemporaryDirectory()
+    more, many = Path(folder.name) / "more.mat", Path(folder.name) / "many.mat"
+    more.write_text((directory / "golden.mat").read_text() + "row 1 1\n")
+    many.write_text("matrices 4096 256\n")
     golden = "--matrices golden.mat --upper 2"
     for code, arguments in [
             (64, ""), (64, "golden.cert"), (64, f"{golden}"), (64, f"{golden} golden.cert golden.cert"),
@@ -56,6 +61,18 @@ if mode == "usage":
             (64, "--surface [[1,1],[1,1]] --dilation [2,0;0] --lower 1 golden.cert"),
             (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,65] --lower 1 golden.cert"),
             (64, "--surface [1] --mask [1] --dilation [2] --arity 2 --lower 1 golden.cert"),
+            (64, "--matrices golden.mat --upper 2/1/1 golden.cert"), (64, "--mask [3.w,1] --arity 2 --for w=0..1 golden.cert"),
+            (64, "--mask [2+wx2,1] --arity 2 --for w=0..1 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --for 1=0..1 --lower 1 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --for w:0..1 --lower 1 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --for w=..1 --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --dilation 2,0;0,2 --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2} --lower 1 golden.cert"),
+            (64, "--surface [1,2,1]/2@0@0 --dilation [2] --lower 1 golden.cert"),
+            (64, "--surface [[[[1,1],[1,1]]]] --dilation [2] --lower 1 golden.cert"),
+            (64, "--surface 1,2,1 --dilation [2] --lower 1 golden.cert"),
+            (64, "--surface [1,2,1]]/2 --dilation [2] --lower 1 golden.cert"),
+            (65, f"--matrices {more} --upper 2 golden.cert"), (65, f"--matrices {many} --upper 2 golden.cert"),
             (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
             (66, f"{golden} none.cert"), (66, f"{golden} ."), (0, "--help"), (0, f"{golden} golden.cert")]:
         result = run(arguments.split())

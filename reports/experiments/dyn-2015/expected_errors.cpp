@@ -5,6 +5,7 @@
 #include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/expected_error.hpp>
+#include <subcert/schemes/data/smooth/scheme_smoother.hpp>
 #include <subcert/schemes/specification.hpp>
 
 namespace subcert::experiments::dyn_2015 {
@@ -28,7 +29,7 @@ Rational value(const Case& c, const Rational& position) { return runge((position
 
 void evaluate(Case& c, const Run& run, std::uint64_t salt) {
   const Scheme scheme = make_scheme(c.scheme);
-  const data::LinearSmoother smoother(scheme.mask, data_points, {data::Boundary::regression, 2, 0});
+  const data::SchemeSmoother smoother(scheme.mask, data_points, {data::Boundary::regression, 2, 0});
   std::vector<Rational> samples;
   std::vector<double> rounded;
   for (std::size_t i = 0; i < data_points; ++i) {

@@ -61,13 +61,17 @@ Field read_field(std::string_view text) {
   return {Kind::text, nan};
 }
 
-class Reader {
- public:
-  Reader(std::string_view text, const std::string& file, Missing missing)
-      : text_(text), file_(file), missing_(missing) {}
+}  // namespace
 
-  Table read() {
-    if (text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);
+/// The state of a reader between lines.
+class TableReader::Lines {
+ public:
+  Lines(std::string file, Missing missing) : file_(std::move(file)), missing_(missing) {}
+
+  void read(std::string_view text) {
+    text_ = text;
+    line_feed_ = nullptr;
+    if (number_ == 0 && text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);
     while (next_line()) {
       if (line_.find('\0') != std::string_view::npos) fail(0, "a text file; found a zero byte");
       if (trimmed(line_).empty()) {
@@ -89,10 +93,13 @@ class Reader {
       }
       add_row();
     }
-    if (table_.values.empty())
+  }
+
+  Table& table() { return table_; }
+  void require_rows() const {
+    if (rows_ == 0)
       subcert::fail(ErrorKind::data, "{}: expected rows of numbers; found {}", file_,
                     started_ ? "a header alone" : "none");
-    return std::move(table_);
   }
 
  private:
@@ -190,6 +197,7 @@ class Reader {
       table_.values.push_back(field.value);
     }
     table_.lines.push_back(number_);
+    ++rows_;
   }
 
   std::string_view text_;
@@ -199,11 +207,27 @@ class Reader {
   std::string_view line_;
   const char* line_feed_ = nullptr;  // the next one, or the end
   std::size_t number_ = 0;
+  std::size_t rows_ = 0;
   std::size_t empty_line_ = 0;
   bool started_ = false;
   std::vector<std::string_view> fields_;
   std::string unquoted_;
 };
+
+TableReader::TableReader(const std::string& file, Missing missing) : lines_(std::make_unique<Lines>(file, missing)) {}
+
+TableReader::~TableReader() = default;
+
+Table& TableReader::read(std::string_view lines) {
+  lines_->table().values.clear();
+  lines_->table().lines.clear();
+  lines_->read(lines);
+  return lines_->table();
+}
+
+void TableReader::finish() const { lines_->require_rows(); }
+
+namespace {
 
 std::string quoted_where_needed(const std::string& name, char separator) {
   if (name.find_first_of(std::string("\"\n\r") + separator) == std::string::npos && !name.empty()) return name;
@@ -263,7 +287,10 @@ std::vector<TableColumn> columns_of(const Table& table) {
 }  // namespace
 
 Table parse_table(std::string_view text, const std::string& file, Missing missing) {
-  return Reader(text, file, missing).read();
+  TableReader reader(file, missing);
+  Table& table = reader.read(text);
+  reader.finish();
+  return std::move(table);
 }
 
 std::string shortest_text(double value) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,26 @@ enum class Missing { refuse, keep };
 /// for errors. Errors: throws a data error for no rows, rows of different lengths, text where a number belongs,
 /// values that are not finite. Cost: linear.
 Table parse_table(std::string_view text, const std::string& file, Missing missing = Missing::refuse);
+
+/// Reads a table piece by piece.
+class TableReader {
+ public:
+  /// As parse_table().
+  explicit TableReader(const std::string& file, Missing missing = Missing::refuse);
+  ~TableReader();
+  TableReader(const TableReader&) = delete;
+  TableReader& operator=(const TableReader&) = delete;
+
+  /// The rows of these lines, which are whole; header and separator as soon as a line had them. It stands until the
+  /// next call; rows may be moved from it. Errors: as parse_table(), but for no rows. Cost: linear.
+  Table& read(std::string_view lines);
+  /// Throws a data error where no row came.
+  void finish() const;
+
+ private:
+  class Lines;
+  std::unique_ptr<Lines> lines_;
+};
 
 /// The text of a table: shortest decimal numbers that read back as the same doubles, lines end with a line feed.
 std::string to_text(const Table& table);

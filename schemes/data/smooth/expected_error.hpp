@@ -1,7 +1,7 @@
 #pragma once
 /// The expected squared error of a smoothed value, exact, and the same by simulation.
 
-#include "smoothing.hpp"
+#include "linear_smoother.hpp"
 
 #include <cstdint>
 

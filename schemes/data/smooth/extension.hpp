@@ -1,9 +1,10 @@
 #pragma once
-/// Data on a uniform grid, continued past their ends for smoothing.
+/// Data continued past their ends for smoothing.
 
 #include <subcert/schemes/data/refine/boundary.hpp>
 
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace subcert::data {
@@ -16,10 +17,15 @@ struct Combination {
   void add(const Combination& other, const Rational& factor);
 };
 
-/// A combination in double precision.
+class ExtendedData;
+
+/// A combination in double precision; data may come more than once.
 struct RoundedCombination {
   std::vector<std::pair<std::size_t, double>> terms = {};
   double outside = 0;
+
+  /// Adds the datum with this index, inside or outside, times `factor`.
+  void add(const ExtendedData& data, long index, double factor);
 };
 
 RoundedCombination rounded(const Combination& combination);
@@ -31,22 +37,45 @@ struct ExtensionRule {
   int degree = 0;          ///< of the polynomial of `regression`
 };
 
-/// The data 0, ..., count - 1 with prior weights (none: all 1; 0: missing) at every integer.
+/// Where data stand, and how much they count.
+struct DataSites {
+  std::size_t count = 0;
+  std::vector<Rational> weights = {};  ///< prior; none: all 1; 0: missing
+  std::vector<double> positions = {};  ///< increasing from 0, taken as exact; none: 0, 1, 2, ...
+  std::size_t before = 0;              ///< data that came before these, for messages
+
+  DataSites(std::size_t number, std::vector<Rational> prior = {}, std::vector<double> at = {})
+      : count(number), weights(std::move(prior)), positions(std::move(at)) {}
+};
+
+/// The data at their sites, continued to every integer index: past the ends by reflection or periodically with period
+/// last position + 1, else with spacing 1.
 class ExtendedData {
  public:
-  /// Domain: count >= 1, no `shrink`, weights >= 0, as many as data or none, not all 0. Errors: throws a domain error.
-  ExtendedData(const ExtensionRule& rule, std::size_t count, std::vector<Rational> weights = {});
+  /// Domain: count >= 1, no `shrink`, weights >= 0, not all 0; as many weights and positions as data, or none. Errors:
+  /// throws a domain error.
+  ExtendedData(const ExtensionRule& rule, DataSites sites);
 
-  std::size_t count() const { return count_; }
-  bool weighted() const { return !weights_.empty(); }
-  bool is_inside(long index) const { return index >= 0 && index < static_cast<long>(count_); }
+  std::size_t count() const { return sites_.count; }
+  const DataSites& sites() const { return sites_; }
+  bool weighted() const { return !sites_.weights.empty(); }
+  /// Whether the data stand at 0, 1, 2, ...
+  bool uniform() const { return sites_.positions.empty(); }
+  bool is_inside(long index) const { return index >= 0 && index < static_cast<long>(count()); }
+  /// Of the datum with this index.
+  double position(long index) const;
+  /// The index of which this is the position, linear between data.
+  double index_at(double position) const;
   /// The datum at `index`. Missing data that lie outside or next to the ends are replaced by the rule, those inside are
   /// not to be asked for.
   Combination at(long index) const;
-  /// at() in double precision; fits with prior weights are computed in it.
+  /// at() in double precision; fits with prior weights or at given positions are computed in it.
   RoundedCombination rounded_at(long index) const;
-  /// The prior weight there: that of the datum which is repeated, the mean of the weights for regression and constant.
-  Rational weight(long index) const;
+  /// The prior weight there: that of the datum which is repeated; for regression and constant the mean of the data that
+  /// regression fits past this end.
+  const Rational& weight(long index) const;
+  /// Whether the datum there is no missing one.
+  bool is_present(long index) const { return !weighted() || weight(index) > 0; }
 
  private:
   /// The datum whose copy stands at an outside index, for reflect, nearest and periodic.
@@ -54,12 +83,13 @@ class ExtendedData {
   const Combination& fitted(long index) const;
   /// The data that `regression` fits beyond the end next to `index`.
   std::vector<std::size_t> fitted_data(long index) const;
+  Rational mean_weight(long index) const;
 
   ExtensionRule rule_;
-  std::size_t count_;
-  std::vector<Rational> weights_;
-  std::vector<std::size_t> present_;  // data with positive weight, empty where none is given
-  Rational mean_weight_ = 1;
+  DataSites sites_;
+  std::vector<std::size_t> present_;            // data with positive weight, empty where none is given
+  Rational mean_before_ = 1;                    // weight() before the first datum
+  Rational mean_after_ = 1;                     // and past the last
   mutable std::map<long, Combination> fitted_;  // made so far
 };
 

@@ -6,51 +6,67 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace subcert::data {
 namespace {
 
-/// A second difference y[i-1]/2 - y[i] + y[i+1]/2, normed to the variance of a datum of weight 1.
+double at_or_one(const std::vector<double>& values, std::size_t i) { return values.empty() ? 1 : values[i]; }
+
+/// A datum less the chord of its neighbours, normed to the variance of a datum of weight 1.
 struct SecondDifference {
   std::size_t middle;
+  std::array<double, 3> coefficients;  // before norming
   double scale;
+
+  /// For three neighbouring data, of coefficients 1/2, -1, 1/2 where they are uniform.
+  SecondDifference(std::size_t at, const std::vector<double>& weights, const std::vector<double>& positions)
+      : middle(at), coefficients{0.5, -1, 0.5}, scale(1) {
+    if (!positions.empty()) {
+      coefficients[0] = (positions[at + 1] - positions[at]) / (positions[at + 1] - positions[at - 1]);
+      coefficients[2] = 1 - coefficients[0];
+    }
+    double variance = 0;
+    for (std::size_t k = 0; k < 3; ++k) variance += coefficients[k] * coefficients[k] / at_or_one(weights, at - 1 + k);
+    scale = 1 / std::sqrt(variance);
+  }
+
+  double of(const std::vector<double>& data) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += coefficients[k] * data[middle - 1 + k];
+    return sum * scale;
+  }
 };
 
-constexpr std::array<double, 3> difference{0.5, -1, 0.5};
-
-double weight_at(const std::vector<double>& weights, std::size_t i) { return weights.empty() ? 1 : weights[i]; }
-
-/// The covariance of two normed second differences for noise of variance 1 / weight.
+/// The covariance of two second differences for noise of variance 1 / weight.
 double covariance(const SecondDifference& a, const SecondDifference& b, const std::vector<double>& weights) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = a.middle - 1 + k;
     if (i + 1 < b.middle || i > b.middle + 1) continue;
-    sum += difference[k] * difference[i + 1 - b.middle] / weight_at(weights, i);
+    sum += a.coefficients[k] * b.coefficients[i + 1 - b.middle] / at_or_one(weights, i);
   }
   return sum * a.scale * b.scale;
 }
 
 }  // namespace
 
-NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<double>& prior_weights) {
-  if (!prior_weights.empty() && prior_weights.size() != data.size())
-    fail(ErrorKind::domain, "estimate_noise: need as many weights as data, got {} for {}", prior_weights.size(),
-         data.size());
+NoiseEstimate known_noise(double deviation) {
+  return {deviation * deviation, std::numeric_limits<double>::infinity(), 0};
+}
+
+NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<double>& prior_weights,
+                             const std::vector<double>& positions) {
+  for (const auto* other : {&prior_weights, &positions})
+    require(other->empty() || other->size() == data.size(),
+            "estimate_noise: need as many weights and positions as data, got {} for {}", other->size(), data.size());
   std::vector<SecondDifference> terms;
   double sum = 0;
+  const auto is_present = [&](std::size_t i) { return at_or_one(prior_weights, i) > 0; };
   for (std::size_t i = 1; i + 1 < data.size(); ++i) {
-    double variance = 0;
-    bool present = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double w = weight_at(prior_weights, i - 1 + k);
-      present = present && w > 0;
-      variance += difference[k] * difference[k] / w;
-    }
-    if (!present) continue;
-    terms.push_back({i, 1 / std::sqrt(variance)});
-    const double residual = (0.5 * data[i - 1] - data[i] + 0.5 * data[i + 1]) * terms.back().scale;
+    if (!is_present(i - 1) || !is_present(i) || !is_present(i + 1)) continue;
+    const double residual = terms.emplace_back(i, prior_weights, positions).of(data);
     sum += residual * residual;
   }
   if (terms.empty()) return {};
@@ -66,8 +82,10 @@ NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<
 }
 
 std::vector<NoiseEstimate> estimate_noise(const Samples& samples) {
+  if (samples.noise) return std::vector<NoiseEstimate>(samples.columns.size(), known_noise(*samples.noise));
   std::vector<NoiseEstimate> noise;
-  for (const auto& column : samples.columns) noise.push_back(estimate_noise(column, samples.rounded_weights()));
+  const std::vector<double> weights = samples.rounded_weights();
+  for (const auto& column : samples.columns) noise.push_back(estimate_noise(column, weights, samples.positions));
   return noise;
 }
 
@@ -75,7 +93,7 @@ namespace {
 
 void require_band(double level, const NoiseEstimate& noise) {
   require(level > 0 && level < 1, "band_factor: need 0 < level < 1, got {}", level);
-  require(noise.terms > 0, "band_factor: need an estimate of the noise from at least one second difference");
+  require(noise.exists(), "band_factor: need an estimate of the noise from at least one second difference");
 }
 
 }  // namespace
@@ -91,8 +109,8 @@ double simultaneous_band_factor(double level, const NoiseEstimate& noise, double
   const double nu = noise.degrees_of_freedom;
   const boost::math::students_t student(nu);
   const auto outside = [&](double c) {
-    return path / std::numbers::pi * std::pow(1 + c * c / nu, -nu / 2) +
-           2 * boost::math::cdf(boost::math::complement(student, c));
+    const double radial = std::isinf(nu) ? std::exp(-c * c / 2) : std::pow(1 + c * c / nu, -nu / 2);
+    return path / std::numbers::pi * radial + 2 * boost::math::cdf(boost::math::complement(student, c));
   };
   double low = 0, high = 1;
   while (outside(high) > 1 - level && high < 1e300) high *= 2;

@@ -10,23 +10,30 @@ namespace subcert::data {
 
 /// Variance of the noise of data with prior weight 1. Computed from sums of squares in `terms` second differences,
 /// which linear trends do not enter; distributed nearly as chi squared with `degrees_of_freedom` where the noise is
-/// normal.
+/// normal. Infinitely many degrees where it is known, none where data have no estimate.
 struct NoiseEstimate {
   double variance = 0;
   double degrees_of_freedom = 0;
   std::size_t terms = 0;
+
+  bool exists() const { return degrees_of_freedom > 0; }
 };
 
-/// Domain: as many prior weights as data, or none; a weight 0 means missing. Without three neighbouring data the
-/// estimate has no terms. Ref: [GSJ86].
-NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<double>& prior_weights = {});
+/// The noise of this standard deviation.
+NoiseEstimate known_noise(double deviation);
 
-/// That of each column, with the weights of the samples.
+/// From the distances of data to the chords of their neighbours. Domain: as many prior weights, and positions, as data,
+/// or none; positions increase; a weight 0 means missing. Without three neighbouring data there is no estimate. Ref:
+/// [GSJ86].
+NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<double>& prior_weights = {},
+                             const std::vector<double>& positions = {});
+
+/// That of each column, with the weights and positions of the samples; the known one where they have it.
 std::vector<NoiseEstimate> estimate_noise(const Samples& samples);
 
 /// The factor between the standard deviation of a value and half the width of its confidence band of this level:
 /// a quantile of Student's distribution with the degrees of freedom of the noise. Domain: 0 < level < 1, an estimate
-/// with terms. Errors: throws a domain error.
+/// that exists. Errors: throws a domain error.
 double band_factor(double level, const NoiseEstimate& noise);
 
 /// The same for bands that hold at all positions at once with at least this probability, the estimate taken as

@@ -9,6 +9,6 @@ namespace subcert::data {
 /// Error: a small multiple of 2^-53 times the largest weight for degrees up to 5, not bounded here; the tests compare
 /// with exact weights. Cost: nodes * degree operations.
 std::vector<double> rounded_regression_weights(const std::vector<double>& nodes, const std::vector<double>& weights,
-                                               int degree, double x);
+                                               int degree, double x, int derivative = 0);
 
 }  // namespace subcert::data

@@ -1,5 +1,8 @@
 #include "smooth.hpp"
 
+#include "smoothed_columns.hpp"
+#include "uniform_grid.hpp"
+
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
@@ -9,8 +12,6 @@
 #include <cmath>
 
 namespace subcert::data {
-namespace {
-
 void require_limits(const Scheme& scheme, int derivative) {
   if (derivative == 0) {
     const Decision convergence = converges(scheme.mask);
@@ -23,8 +24,6 @@ void require_limits(const Scheme& scheme, int derivative) {
           "derivative {}: {} is not proved to have continuous derivatives of that order; {}", derivative,
           scheme.specification, smoothness.obstacle);
 }
-
-}  // namespace
 
 const std::vector<std::string>& band_kind_names() {
   static const std::vector<std::string> names{"pointwise", "prediction", "simultaneous"};
@@ -49,18 +48,81 @@ std::vector<double> SmoothedColumn::half_widths(double level, BandKind kind) con
   return widths;
 }
 
-std::vector<SmoothedColumn> smoothed_columns(const Samples& samples, const Scheme& scheme,
-                                             const SmoothingOptions& options) {
-  require_limits(scheme, options.derivative);
-  const LinearSmoother smoother(scheme.mask, samples.count(), options, scheme.rules, samples.weights);
-  const double unit = std::pow(nearest_double(samples.spacing), -options.derivative);
-  std::vector<SmoothedColumn> result;
-  const std::vector<NoiseEstimate> noise = estimate_noise(samples);
+std::unique_ptr<LinearSmoother> make_smoother(const Samples& samples, const SmoothingMethod& method,
+                                              const SmoothingOptions& options) {
+  if (const auto* scheme = std::get_if<Scheme>(&method)) {
+    require_limits(*scheme, options.derivative);
+    return std::make_unique<SchemeSmoother>(scheme->mask, samples.sites(), options, scheme->rules);
+  }
+  const auto* local = std::get_if<LocalPolynomial>(&method);
+  require(local != nullptr, "smoothing: {} is not linear", to_text(method));
+  LocalPolynomial in_spacings = *local;
+  in_spacings.width /= nearest_double(samples.spacing);
+  return std::make_unique<LocalSmoother>(in_spacings, samples.sites(), options);
+}
+
+namespace {
+
+/// Of the outputs begin, ..., end - 1.
+std::vector<double> output_positions(const Samples& samples, std::size_t scale, std::size_t begin, std::size_t end) {
+  const GridPositions grid(samples.origin, samples.spacing, scale);
+  std::vector<double> positions;
+  positions.reserve(end - begin);
+  for (std::size_t o = begin; o < end; ++o) positions.push_back(grid.at(o));
+  return positions;
+}
+
+SmoothedSamples smooth_by(const DataDependentScheme& scheme, const Samples& samples, const SmoothingOptions& options,
+                          int threads) {
+  const auto require_linear = [&](bool satisfied, const char* what) {
+    require(satisfied, "{} needs a linear scheme; {} is none", what, scheme.specification);
+  };
+  require(scheme.rules.points.size() == 1, "{}: expected a scheme for curves", scheme.specification);
+  require_linear(options.derivative == 0, "a derivative");
+  require_linear(samples.weights.empty(), "a fit with prior weights or missing data");
+  require_linear(samples.uniform(), "a fit at given positions");
+  if (samples.count() < static_cast<std::size_t>(scheme.rules.points[0]))
+    fail(ErrorKind::data, "expected at least {} rows for {}; found {}", scheme.rules.points[0], scheme.specification,
+         samples.count());
+  const int level = options.at_data ? 0 : options.level;
+  const auto scale = static_cast<std::size_t>(1) << level;
+  const std::size_t outputs = count_outputs(static_cast<double>(samples.count() - 1), scale);
+  std::vector<Rational> places;
+  for (std::size_t o = 0; o < outputs; ++o) places.push_back(Rational(o) / Rational(scale));
+  SmoothedSamples result{scheme.specification, {}, output_positions(samples, scale, 0, outputs), {}};
+  for (const auto& column : samples.columns)
+    result.columns.push_back({interpolate(
+        refine(curve_data(column), scheme.rules, {level + finer_levels, options.boundary, threads}), places)});
+  return result;
+}
+
+}  // namespace
+
+SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, const SmoothingOptions& options,
+                       int threads) {
+  if (const auto* scheme = std::get_if<DataDependentScheme>(&method))
+    return smooth_by(*scheme, samples, options, threads);
+  const std::unique_ptr<LinearSmoother> smoother = make_smoother(samples, method, options);
+  SmoothedSamples result = smoothed_columns(samples, estimate_noise(samples), *smoother, options.derivative, 0,
+                                            smoother->spacings(), 0);
+  result.method = to_text(method);
+  if (options.at_data && !samples.uniform()) result.positions = samples.positions;
+  return result;
+}
+
+SmoothedSamples smoothed_columns(const Samples& samples, const std::vector<NoiseEstimate>& noise,
+                                 const LinearSmoother& smoother, int derivative, std::size_t begin, std::size_t end,
+                                 std::size_t before) {
+  const std::size_t scale = smoother.scale(), shift = before * scale;
+  SmoothedSamples result;
+  result.positions = output_positions(samples, scale, shift + begin * scale,
+                                      shift + std::min(end * scale, smoother.outputs()));
+  const double unit = std::pow(nearest_double(samples.spacing), -derivative);
   for (std::size_t c = 0; c < samples.columns.size(); ++c) {
-    auto smoothed = smoother.apply(samples.columns[c]);
-    SmoothedColumn& column = result.emplace_back(SmoothedColumn{std::move(smoothed.values), noise[c]});
+    SmoothedData smoothed = smoother.apply(samples.columns[c], begin, end);
+    SmoothedColumn& column = result.columns.emplace_back(SmoothedColumn{std::move(smoothed.values), noise[c]});
     for (double& value : column.values) value *= unit;
-    if (noise[c].terms == 0) continue;
+    if (!noise[c].exists()) continue;
     column.path = smoothed.path;
     column.deviations = std::move(smoothed.variances);
     for (double& deviation : column.deviations) deviation = unit * std::sqrt(noise[c].variance * deviation);
@@ -68,34 +130,18 @@ std::vector<SmoothedColumn> smoothed_columns(const Samples& samples, const Schem
   return result;
 }
 
-SmoothedSamples smooth(const Samples& samples, const Scheme& scheme, const SmoothingOptions& options) {
-  SmoothedSamples result{{}, smoothed_columns(samples, scheme, options)};
-  const Rational scale = power(Rational(scheme.mask.arity()), options.level);
-  for (std::size_t o = 0; o < result.columns.front().values.size(); ++o)
-    result.positions.push_back(Rational(o) / scale);
-  return result;
-}
-
-SmoothedSamples smooth(const Samples& samples, const DataDependentScheme& scheme, const SmoothingOptions& options,
+SmoothedSamples smooth(const Samples& samples, std::string_view specification, const SmoothingOptions& options,
                        int threads) {
-  const auto require_linear = [&](bool satisfied, const char* what) {
-    require(satisfied, "{} needs a linear scheme; {} is none", what, scheme.specification);
-  };
-  require(scheme.rules.points.size() == 1, "{}: expected a scheme for curves", scheme.specification);
-  require_linear(options.derivative == 0, "a derivative");
-  require_linear(samples.weights.empty(), "a fit with prior weights or missing data");
-  if (samples.count() < static_cast<std::size_t>(scheme.rules.points[0]))
-    fail(ErrorKind::data, "expected at least {} rows for {}; found {}", scheme.rules.points[0], scheme.specification,
-         samples.count());
-  const auto scale = static_cast<std::size_t>(1) << options.level;
-  require_smoothable(samples.count(), scale);
-  SmoothedSamples result;
-  for (std::size_t o = 0; o <= (samples.count() - 1) * scale; ++o)
-    result.positions.push_back(Rational(o) / Rational(scale));
-  for (const auto& column : samples.columns)
-    result.columns.push_back({interpolate(
-        refine(curve_data(column), scheme.rules, {options.level + finer_levels, options.boundary, threads}),
-        result.positions)});
+  std::optional<LocalPolynomial> pattern;
+  if (!specification.empty()) {
+    const SmoothingMethod method = make_smoothing_method(specification);
+    const auto* local = std::get_if<LocalPolynomial>(&method);
+    if (!local || local->is_complete()) return smooth(samples, method, options, threads);
+    pattern = *local;
+  }
+  MethodChoice choice = choose_method(samples, options, pattern);
+  SmoothedSamples result = smooth(samples, choice.method, options, threads);
+  result.choice = std::move(choice);
   return result;
 }
 

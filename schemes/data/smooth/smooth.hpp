@@ -1,8 +1,9 @@
 #pragma once
 /// Smoothing of samples from end to end: noise, limit, standard deviations, bands.
 
-#include "scheme_choice.hpp"
+#include "method_choice.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,7 +25,7 @@ struct SmoothedColumn {
   std::vector<double> values;               ///< of the limit or its derivative
   std::optional<NoiseEstimate> noise = {};  ///< nothing for a scheme that is not linear
   std::vector<double> deviations = {};      ///< standard deviations; none where the noise has no estimate
-  double path = 0;                          ///< LinearSmoother::Smoothed::path
+  double path = 0;                          ///< SmoothedData::path
 
   /// Half the widths of the bands; none without deviations. Domain: 0 < level < 1; prediction with derivative 0.
   /// Errors: throws a domain error.
@@ -32,27 +33,32 @@ struct SmoothedColumn {
 };
 
 struct SmoothedSamples {
-  std::vector<Rational> positions;  ///< in spacings, from the first datum
+  std::string method;                  ///< what smoothed
+  std::optional<MethodChoice> choice;  ///< where it was chosen
+  std::vector<double> positions;       ///< of the values, rounded to nearest
   std::vector<SmoothedColumn> columns;
 };
-
-/// The limit of the scheme from the samples; derivatives are with respect to the positions of the samples, not to
-/// their indices. Errors: throws a domain error where convergence, or the smoothness that a derivative needs, has no
-/// proof; else as LinearSmoother. Cost: as LinearSmoother::apply.
-SmoothedSamples smooth(const Samples& samples, const Scheme& scheme, const SmoothingOptions& options);
-
-/// The columns of smooth(); the value o belongs to the position o / arity^level, which is not stored. Errors and cost:
-/// as there.
-std::vector<SmoothedColumn> smoothed_columns(const Samples& samples, const Scheme& scheme,
-                                             const SmoothingOptions& options);
 
 /// Levels below the output grid at which data-dependent schemes, whose limits are not known, are interpolated.
 constexpr int finer_levels = 6;
 
-/// The same by a data-dependent scheme, refined finer_levels more times and interpolated linearly. Domain: a scheme
-/// for curves, derivative 0, no weights; boundary regression, reflect or periodic. Errors: throws a domain error that
-/// says what needs a linear scheme, a data error for fewer samples than the scheme has points; else as refine().
-SmoothedSamples smooth(const Samples& samples, const DataDependentScheme& scheme, const SmoothingOptions& options,
+/// Smooths by a method; derivatives are with respect to the positions of the samples. Domain: for data-dependent
+/// schemes one for curves, derivative 0, uniform samples without weights, and boundary regression, reflect or periodic.
+/// Errors: throws a domain error where convergence, or the smoothness that a derivative needs, has no proof, or one
+/// that says what needs a linear method; a data error for too few samples; else as the smoothers and refine(). Cost: as
+/// LinearSmoother::apply.
+SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, const SmoothingOptions& options,
                        int threads = 1);
+
+/// The same by the method with this specification: empty, or local without points and width, for choose_method().
+SmoothedSamples smooth(const Samples& samples, std::string_view specification, const SmoothingOptions& options,
+                       int threads = 1);
+
+/// A smoother of the samples by a linear method. Errors: as smooth().
+std::unique_ptr<LinearSmoother> make_smoother(const Samples& samples, const SmoothingMethod& method,
+                                              const SmoothingOptions& options);
+
+/// Throws a domain error where no proof says that the scheme converges or, for derivatives, is so smooth.
+void require_limits(const Scheme& scheme, int derivative);
 
 }  // namespace subcert::data

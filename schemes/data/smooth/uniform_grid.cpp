@@ -69,6 +69,26 @@ UniformGrid uniform_grid(const std::vector<double>& positions) {
   return grid;
 }
 
+GridCheck::GridCheck(Rational origin, Rational spacing)
+    : origin_(std::move(origin)),
+      spacing_(std::move(spacing)),
+      rounded_origin_(nearest_double(origin_)),
+      rounded_spacing_(nearest_double(spacing_)) {}
+
+bool GridCheck::accepts(double position) {
+  if (const long place = last_place(position); place < place_) {
+    place_ = place;
+    allowed_ = std::min(power(Rational(10), place), Rational(spacing_ / 20));
+  }
+  const auto index = static_cast<double>(count_++);
+  // The deviation in double precision is off by less than 8 units of 2^-53 of the largest number in it.
+  const double part = rounded_spacing_ * index, off = std::abs(position - rounded_origin_ - part);
+  const double largest = std::max({std::abs(position), std::abs(rounded_origin_), std::abs(part)});
+  if (off <= nearest_double(allowed_) * (1 - 0x1p-50) - largest * 0x1p-50) return true;
+  return abs(decimal_value(position) - expected()) <=
+         allowed_ + decimal_value(std::abs(position)) * power(Rational(2), -48);
+}
+
 GridPositions::GridPositions(Rational origin, const Rational& spacing, std::size_t scale)
     : origin_(std::move(origin)),
       step_(spacing / Rational(scale)),

@@ -4,6 +4,8 @@
 #include <subcert/analysis/symbol/numbers.hpp>
 
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace subcert::data {
@@ -23,6 +25,27 @@ struct UniformGrid {
 /// Domain: finite positions that increase, one or more. The answer is that of exact arithmetic on the shortest decimal
 /// numbers; double precision decides where it certainly can. Cost: one pass.
 UniformGrid uniform_grid(const std::vector<double>& positions);
+
+/// Whether positions that come one after another stand on a grid that is known before.
+class GridCheck {
+ public:
+  GridCheck(Rational origin, Rational spacing);
+
+  /// Whether the next position is within one unit of the finest decimal place so far, and within a twentieth of the
+  /// spacing, of its place. Domain: finite.
+  bool accepts(double position);
+  /// Where the position asked for last should be.
+  Rational expected() const { return origin_ + spacing_ * Rational(count_ - 1); }
+
+ private:
+  Rational origin_;
+  Rational spacing_;
+  double rounded_origin_;
+  double rounded_spacing_;
+  std::size_t count_ = 0;
+  long place_ = std::numeric_limits<long>::max();  // of the finest decimal
+  Rational allowed_ = 0;                           // with that, but for a few units of the last bit
+};
 
 /// nearest_double(origin + spacing * index / scale) for many indices.
 class GridPositions {

@@ -1,6 +1,6 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
-#include <subcert/schemes/data/smooth/smooth.hpp>
+#include <subcert/schemes/data/smooth/smoothing_stream.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ TEST_CASE("columns are smoothed with deviations, bands and derivatives in units 
   const Scheme scheme = make_scheme("primal:n=3");
   const SmoothedSamples limit = smooth(waves(), scheme, {Boundary::regression, 1});
   REQUIRE(limit.positions.size() == 79);
-  CHECK(limit.positions[3] == Rational(3, 2));
-  const LinearSmoother smoother(scheme.mask, 40, {Boundary::regression, 1});
+  CHECK(limit.positions[3] == 2.15);
+  const SchemeSmoother smoother(scheme.mask, 40, {Boundary::regression, 1});
   CHECK(limit.columns[0].values == smoother.apply(waves().columns[0]).values);
   const NoiseEstimate noise = estimate_noise(waves().columns[0]);
   for (std::size_t o = 0; o < 79; ++o) {
@@ -37,7 +37,7 @@ TEST_CASE("columns are smoothed with deviations, bands and derivatives in units 
   }
   const SmoothedSamples slopes = smooth(waves(), scheme, {Boundary::regression, 0, 1});
   for (const double slope : slopes.columns[1].values) CHECK(slope == Approx(5));
-  const SmoothedSamples single = smooth({{{7}}}, scheme, {});
+  const SmoothedSamples single = smooth(Samples{{{7}}}, scheme, {});
   CHECK(single.columns[0].values == std::vector<double>{7});
   CHECK(single.columns[0].half_widths(0.9).empty());
 }
@@ -45,7 +45,7 @@ TEST_CASE("columns are smoothed with deviations, bands and derivatives in units 
 TEST_CASE("the path of simultaneous bands is that of the rows, one after another") {
   const auto angles = [](const LinearSmoother& smoother, const std::vector<double>& weights) {
     double sum = 0;
-    const LinearSmoother::RoundedRow* last = nullptr;
+    const RoundedRow* last = nullptr;
     const auto rows = smoother.rounded_rows();
     for (const auto& row : rows) {
       if (row.variance == 0) continue;
@@ -71,7 +71,7 @@ TEST_CASE("the path of simultaneous bands is that of the rows, one after another
           if (kind > 0)
             for (int i = 0; i < 60; ++i) prior.push_back(kind == 1 ? (i < 25 ? 1 : 3) : i == 20 ? 0 : 1);
           for (std::size_t i = 0; i < prior.size(); ++i) rounded[i] = static_cast<double>(prior[i]);
-          const LinearSmoother smoother(scheme.mask, 60, {boundary, level}, scheme.rules, prior);
+          const SchemeSmoother smoother(scheme.mask, {60, prior}, {boundary, level}, scheme.rules);
           CHECK(smoother.apply(std::vector<double>(60, 1)).path == Approx(angles(smoother, rounded)).epsilon(1e-6));
         }
 }
@@ -85,7 +85,7 @@ TEST_CASE("simultaneous bands cover all expected values at once at least as ofte
   CHECK_FAILS(simultaneous_band_factor(0.9, known, -1), domain);
 
   const Scheme scheme = make_scheme("primal:n=4");
-  const LinearSmoother smoother(scheme.mask, 80, {Boundary::regression, 2});
+  const SchemeSmoother smoother(scheme.mask, 80, {Boundary::regression, 2});
   std::mt19937_64 generator(1986);
   std::normal_distribution<double> normal;
   std::vector<double> data(80);
@@ -110,7 +110,7 @@ TEST_CASE("samples are smoothed by l1 regression too, without bands") {
   const SmoothedSamples limit = smooth(waves(), scheme, {Boundary::regression, 2});
   REQUIRE(limit.positions.size() == 157);
   for (std::size_t o = 0; o < 157; ++o)
-    CHECK(limit.columns[1].values[o] == Approx(3 + 0.5 * static_cast<double>(limit.positions[o])));
+    CHECK(limit.columns[1].values[o] == Approx(3 + 0.5 * (limit.positions[o] - 2) * 10));
   CHECK(limit.columns[1].half_widths(0.9).empty());
   CHECK_FALSE(limit.columns[1].noise);
 }
@@ -126,5 +126,68 @@ TEST_CASE("what cannot be smoothed is said") {
   CHECK_FAILS(smooth(waves(), l1, {Boundary::nearest}), domain);
   CHECK_FAILS(smooth(weighted, l1, {}), domain);
   CHECK_FAILS(smooth(waves(), make_l1_scheme("l1:points=4x4"), {}), domain);
-  CHECK_FAILS(smooth({{{1, 2, 3}}}, l1, {}), data);
+  CHECK_FAILS(smooth(Samples{{{1, 2, 3}}}, l1, {}), data);
+}
+
+TEST_CASE("a stream gives the same bits as all data at once, whatever comes at once") {
+  constexpr std::size_t count = 700;
+  std::mt19937_64 engine(7);
+  std::normal_distribution<double> normal;
+  Samples all{{{}, {}}, {}, Rational(2), Rational(1, 10)};
+  all.noise = 0.5;
+  for (std::size_t i = 0; i < count; ++i) {
+    all.columns[0].push_back(std::sin(0.05 * static_cast<double>(i)) + normal(engine));
+    all.columns[1].push_back(normal(engine));
+  }
+  std::vector<Rational> gaps(count, 1);
+  for (const std::size_t i : {0, 1, 77, 78, 300, 690, 699}) gaps[i] = 0;
+  gaps[400] = Rational(1, 3);
+  const Samples head{{{}, {}}, {}, all.origin, all.spacing, {}, all.noise};
+  for (const char* name :
+       {"primal:n=5", "dual:n=3", "ary:a=3,points=5,d=1", "four-point:w=1/16", "local:points=9", "local:width=0.6,d=2"})
+    for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::nearest, Boundary::constant})
+      for (const bool weighted : {false, true})
+        for (const std::size_t part : {1, 13, 256, 1000}) {
+          const std::string specification = name;
+          if (weighted && (specification[0] == 'f' || specification == "local:points=9")) continue;
+          CAPTURE(specification, to_text(boundary), weighted, part);
+          all.weights = weighted ? gaps : std::vector<Rational>{};
+          const SmoothingOptions options{boundary, 1, 0, 2.5};
+          const SmoothedSamples wanted = smooth(all, specification, options);
+          SmoothingStream stream(head, make_smoothing_method(specification), options, weighted);
+          SmoothedSamples found{"", {}, {}, std::vector<SmoothedColumn>(2)};
+          const auto append = [&](const SmoothedSamples& more) {
+            found.positions.insert(found.positions.end(), more.positions.begin(), more.positions.end());
+            for (std::size_t c = 0; c < 2; ++c) {
+              auto& [values, noise, deviations, path] = found.columns[c];
+              values.insert(values.end(), more.columns[c].values.begin(), more.columns[c].values.end());
+              deviations.insert(deviations.end(), more.columns[c].deviations.begin(), more.columns[c].deviations.end());
+            }
+          };
+          for (std::size_t begin = 0; begin < (part == 1 ? 100 : count); begin += part) {
+            const auto cut = [&](const auto& values) {
+              const auto first = static_cast<std::ptrdiff_t>(std::min(begin, values.size()));
+              const auto last = static_cast<std::ptrdiff_t>(std::min(begin + part, values.size()));
+              return std::decay_t<decltype(values)>(values.begin() + first, values.begin() + last);
+            };
+            stream.add({cut(all.columns[0]), cut(all.columns[1])}, cut(all.weights));
+            append(stream.take());
+          }
+          if (part == 1) {  // the others wait for nothing but their windows
+            CHECK(found.positions.size() > 100);
+            continue;
+          }
+          append(stream.finish());
+          CHECK(found.positions == wanted.positions);
+          for (std::size_t c = 0; c < 2; ++c) {
+            CHECK(found.columns[c].values == wanted.columns[c].values);
+            CHECK(found.columns[c].deviations == wanted.columns[c].deviations);
+          }
+        }
+  const SmoothingMethod scheme = make_scheme("primal:n=2");
+  CHECK_FAILS(SmoothingStream(head, scheme, {Boundary::periodic}, false), domain);
+  CHECK_FAILS(SmoothingStream(head, make_smoothing_method("local:points=5"), {}, true), domain);
+  CHECK_FAILS(SmoothingStream(head, make_smoothing_method("local:d=1"), {}, false), domain);
+  CHECK_FAILS(SmoothingStream(head, make_smoothing_method("l1:points=4"), {}, false), domain);
+  CHECK_FAILS(SmoothingStream(head, scheme, {}, false).finish(), domain);
 }

@@ -1,6 +1,6 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
-#include <subcert/schemes/data/smooth/scheme_choice.hpp>
+#include <subcert/schemes/data/smooth/method_choice.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <cmath>
@@ -60,7 +60,7 @@ TEST_CASE("the estimated risk is unbiased for data with known mean") {
   for (std::size_t i = 0; i < count; i += 4) weights[i] = 0.5;
   std::vector<Rational> exact(weights.begin(), weights.end());
   for (const bool weighted : {false, true}) {
-    const LinearSmoother smoother(scheme.mask, count, {}, scheme.rules, weighted ? exact : std::vector<Rational>{});
+    const SchemeSmoother smoother(scheme.mask, {count, weighted ? exact : std::vector<Rational>{}}, {}, scheme.rules);
     const std::vector<double> w = weighted ? weights : std::vector<double>{};
     const auto truth = sampled(count, 0.5, 0, 1);
     const auto clean = smoother.apply(truth);
@@ -90,7 +90,7 @@ TEST_CASE("more noise asks for more points, none for interpolation") {
     const auto data = sampled(120, 0.2, sigma, 7);
     return rank_schemes({{data}}, {estimate_noise(data)}, {}).front();
   };
-  CHECK(best(1e-4).n < best(0.3).n);
+  CHECK(best(1e-4).points < best(0.3).points);
   CHECK(best(0.3).risk.variance > 0);
   const auto ranked = rank_schemes({{sampled(120, 0.2, 0.1, 7)}}, {{0.01, 60, 118}}, {Boundary::reflect});
   for (std::size_t i = 1; i < ranked.size(); ++i) CHECK(ranked[i - 1].risk.total() <= ranked[i].risk.total());
@@ -100,16 +100,16 @@ TEST_CASE("more noise asks for more points, none for interpolation") {
 
 TEST_CASE("the scheme chosen is the best one that is smooth enough") {
   const Samples noisy{{sampled(120, 0.2, 0.1, 7)}};
-  const SchemeChoice best = choose_scheme(noisy, {});
+  const MethodChoice best = choose_method(noisy, {});
   CHECK(best.chosen == 0);
-  CHECK(best.scheme.specification == best.candidates[0].specification);
+  CHECK(to_text(best.method) == best.candidates[0].specification);
   CHECK(best.candidates.size() == 20 + 19 + 18);
   CHECK_FALSE(best.widest_tried());
-  const SchemeChoice smooth = choose_scheme(noisy, {Boundary::regression, 0, 2});
+  const MethodChoice smooth = choose_method(noisy, {Boundary::regression, 0, 2});
   CHECK(smooth.candidates[smooth.chosen].degree > 1);
-  CHECK_FAILS(choose_scheme(noisy, {Boundary::regression, 0, 9}), domain);
-  CHECK_FAILS(choose_scheme({{{1, 2, 3}}}, {}), data);
-  CHECK_FAILS(choose_scheme({{{1, 2, 3, 4, 5, 6}}, {1, 1, 0, 1, 1, 0}}, {}), data);
+  CHECK_FAILS(choose_method(noisy, {Boundary::regression, 0, 9}), domain);
+  CHECK_FAILS(choose_method({{{1, 2, 3}}}, {}), data);
+  CHECK_FAILS(choose_method({{{1, 2, 3, 4, 5, 6}}, {1, 1, 0, 1, 1, 0}}, {}), data);
 }
 
 TEST_CASE("bands have the width of Student's quantiles") {

@@ -1,0 +1,240 @@
+#include "linear_smoother.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/schemes/data/refine/weighted_sum.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace subcert::data {
+namespace {
+
+constexpr std::size_t most_block_positions = 512;
+constexpr std::size_t most_block_values = 8192;
+
+}  // namespace
+
+std::size_t count_outputs(double length, std::size_t scale) {
+  const double spacings = std::floor(length * static_cast<double>(scale));
+  if (!(spacings < static_cast<double>(most_smoothed_values)))
+    fail(ErrorKind::size, "smoothing: need at most {} outputs, got {} spacings with {} outputs each",
+         most_smoothed_values, length, scale);
+  return static_cast<std::size_t>(spacings) + 1;
+}
+
+LinearSmoother::LinearSmoother(const ExtensionRule& rule, DataSites sites, const SmoothingOptions& options,
+                               std::size_t scale, std::pair<long, long> reach)
+    : options_(options),
+      data_(rule, std::move(sites)),
+      scale_(options.at_data ? 1 : scale),
+      outputs_(options.at_data ? data_.count()
+                               : count_outputs(data_.position(static_cast<long>(data_.count()) - 1), scale)),
+      lowest_(reach.first),
+      highest_(reach.second),
+      prior_weights_(data_.count(), 1) {
+  if (!data_.weighted()) return;
+  for (std::size_t i = 0; i < data_.count(); ++i)
+    prior_weights_[i] = static_cast<double>(data_.weight(static_cast<long>(i)));
+  same_weight_until_.assign(data_.count(), data_.count());
+  for (std::size_t i = data_.count() - 1; i-- > 0;)
+    same_weight_until_[i] = prior_weights_[i] == prior_weights_[i + 1] ? same_weight_until_[i + 1] : i + 1;
+}
+
+Rational LinearSmoother::position(std::size_t output) const {
+  if (options_.at_data) return Rational(data_.position(static_cast<long>(output)));
+  return Rational(output) / Rational(scale_);
+}
+
+double LinearSmoother::rounded_weight(long index) const {
+  return data_.is_inside(index) ? prior_weights_[static_cast<std::size_t>(index)]
+                                : static_cast<double>(data_.weight(index));
+}
+
+/// The first spacing from `whole` on whose outputs are not all composed from data inside of one weight; `whole` itself
+/// where its own are not, as always where data are not uniform or missing. The last spacing, which has one output
+/// alone, never counts as such.
+std::size_t LinearSmoother::interior_end(std::size_t whole) const {
+  const auto count = static_cast<long>(data_.count()), at = static_cast<long>(whole);
+  if (!data_.uniform() || at + lowest_ < 0 || at + highest_ >= count) return whole;
+  if (prior_weights_[static_cast<std::size_t>(at + lowest_)] == 0) return whole;
+  const long end = same_weight_until_.empty()
+                       ? count
+                       : static_cast<long>(same_weight_until_[static_cast<std::size_t>(at + lowest_)]);
+  return static_cast<std::size_t>(std::clamp(end - highest_, at, std::max(at, count - 1)));
+}
+
+SmoothingRow LinearSmoother::to_row(const Combination& combination) const {
+  SmoothingRow row;
+  row.outside = combination.outside;
+  if (combination.terms.empty()) return row;
+  row.first = combination.terms.begin()->first;
+  row.weights.assign(combination.terms.rbegin()->first - row.first + 1, 0);
+  for (const auto& [index, weight] : combination.terms) {
+    row.weights[index - row.first] = weight;
+    if (weight != 0) row.variance += weight * weight / data_.weight(static_cast<long>(index));
+  }
+  return row;
+}
+
+RoundedRow LinearSmoother::to_row(const std::vector<std::pair<const RoundedCombination*, double>>& parts) const {
+  RoundedRow row;
+  std::size_t low = data_.count(), high = 0;
+  for (const auto& [part, factor] : parts)
+    for (const auto& [datum, weight] : part->terms) {
+      low = std::min(low, datum);
+      high = std::max(high, datum);
+    }
+  row.first = low;
+  if (low <= high) row.weights.assign(high - low + 1, 0);
+  for (const auto& [part, factor] : parts) {
+    row.outside += factor * part->outside;
+    for (const auto& [datum, weight] : part->terms) row.weights[datum - low] += factor * weight;
+  }
+  for (std::size_t k = 0; k < row.weights.size(); ++k)
+    if (row.weights[k] != 0) row.variance += row.weights[k] * row.weights[k] / prior_weights_[low + k];
+  return row;
+}
+
+template <class One, class Many>
+void LinearSmoother::visit_rounded_rows(std::size_t begin, std::size_t end, const One& one, const Many& many) const {
+  const std::unique_ptr<RowMaker> maker = row_maker();
+  std::vector<RoundedRow> interior;  // of one spacing
+  std::size_t made_at = 0;
+  for (std::size_t whole = begin; whole < end;) {
+    const std::size_t next = std::min(interior_end(whole), end);
+    if (next == whole) {
+      for (std::size_t o = whole * scale_; o < std::min((whole + 1) * scale_, outputs()); ++o) one(maker->row(o), o);
+      ++whole;
+      continue;
+    }
+    const auto weight_at = [&](std::size_t at) {
+      return prior_weights_[static_cast<std::size_t>(static_cast<long>(at) + lowest_)];
+    };
+    if (interior.empty() || weight_at(whole) != weight_at(made_at)) {
+      interior.clear();
+      made_at = whole;
+      for (std::size_t p = 0; p < scale_; ++p) interior.push_back(maker->row(whole * scale_ + p));
+    }
+    many(interior, whole - made_at, whole, next);
+    whole = next;
+  }
+}
+
+std::vector<RoundedRow> LinearSmoother::rounded_rows() const {
+  std::vector<RoundedRow> result;
+  result.reserve(outputs());
+  visit_rounded_rows(
+      0, spacings(), [&](RoundedRow row, std::size_t) { result.push_back(std::move(row)); },
+      [&](const std::vector<RoundedRow>& rows, std::size_t shift, std::size_t begin, std::size_t end) {
+        for (std::size_t whole = begin; whole < end; ++whole)
+          for (const RoundedRow& row : rows) {
+            result.push_back(row);
+            result.back().first += shift + whole - begin;
+          }
+      });
+  return result;
+}
+
+/// SmoothedData::path, row by row.
+class LinearSmoother::PathLength {
+ public:
+  explicit PathLength(const std::vector<double>& prior_weights) : prior_weights_(prior_weights) {}
+
+  void go_to(const RoundedRow& row, std::size_t shift) {
+    if (row.variance == 0) return;
+    if (last_.variance > 0) length_ += angle(last_, last_shift_, row, shift);
+    last_ = row;
+    last_shift_ = shift;
+  }
+  /// Through all rows, and again `times` - 1 times, each time one datum further: all of these data have one weight.
+  void go_through(const std::vector<RoundedRow>& rows, std::size_t shift, std::size_t times) {
+    for (const RoundedRow& row : rows) go_to(row, shift);
+    if (times < 2) return;
+    const auto first = std::find_if(rows.begin(), rows.end(), [](const RoundedRow& row) { return row.variance > 0; });
+    if (first == rows.end()) return;
+    PathLength once(prior_weights_);
+    for (const RoundedRow& row : rows) once.go_to(row, shift);
+    once.go_to(*first, shift + 1);
+    length_ += static_cast<double>(times - 1) * once.length_;
+    last_shift_ = shift + times - 1;
+  }
+  double length() const { return length_; }
+
+ private:
+  /// Between two rows as lines, from the distance of unit vectors, which does not cancel where they are near.
+  double angle(const RoundedRow& a, std::size_t a_shift, const RoundedRow& b, std::size_t b_shift) const {
+    const std::size_t low = std::min(a.first + a_shift, b.first + b_shift);
+    const std::size_t high = std::max(a.first + a_shift + a.weights.size(), b.first + b_shift + b.weights.size());
+    const double a_norm = 1 / std::sqrt(a.variance), b_norm = 1 / std::sqrt(b.variance);
+    const auto at = [](const RoundedRow& row, std::size_t datum) {
+      return datum < row.weights.size() ? row.weights[datum] : 0;  // wraps around before the row
+    };
+    double apart = 0, opposite = 0;
+    for (std::size_t i = low; i < high; ++i) {
+      const double x = at(a, i - a_shift - a.first) * a_norm, y = at(b, i - b_shift - b.first) * b_norm;
+      if (x == 0 && y == 0) continue;
+      apart += (x - y) * (x - y) / prior_weights_[i];
+      opposite += (x + y) * (x + y) / prior_weights_[i];
+    }
+    return 2 * std::asin(std::min(1.0, std::sqrt(std::min(apart, opposite)) / 2));
+  }
+
+  const std::vector<double>& prior_weights_;
+  double length_ = 0;
+  RoundedRow last_;
+  std::size_t last_shift_ = 0;
+};
+
+SmoothedData LinearSmoother::apply(const std::vector<double>& data) const { return apply(data, 0, spacings()); }
+
+SmoothedData LinearSmoother::apply(const std::vector<double>& data, std::size_t begin, std::size_t end) const {
+  require(data.size() == data_.count(), "smoothing: need {} data, got {}", data_.count(), data.size());
+  require(begin <= end && end <= spacings(), "smoothing: need spacings up to {}, got {} to {}", spacings(), begin, end);
+  const std::size_t before = begin * scale_, made = std::min(end * scale_, outputs_) - before;
+  SmoothedData result{std::vector<double>(made), std::vector<double>(made), {}};
+  const bool at_data = data_.uniform() || options_.at_data;
+  if (at_data) result.leverages.resize(end - begin);
+  PathLength path(prior_weights_);
+  const auto leverage = [](const RoundedRow& row, std::size_t datum, std::size_t shift) {
+    const std::size_t own = datum - shift - row.first;  // wraps around where the datum lies before the row
+    return own < row.weights.size() ? row.weights[own] : 0;
+  };
+  const auto one = [&](const RoundedRow& row, std::size_t output) {
+    double sum = row.outside * options_.constant;
+    for (std::size_t k = 0; k < row.weights.size(); ++k)
+      if (row.weights[k] != 0) sum += row.weights[k] * data[row.first + k];
+    result.values[output - before] = sum;
+    result.variances[output - before] = row.variance;
+    path.go_to(row, 0);
+    if (at_data && output % scale_ == 0) result.leverages[output / scale_ - begin] = leverage(row, output / scale_, 0);
+  };
+  // Positions that are computed phase by phase, so that sums and rows stay in the nearest cache.
+  const std::size_t block = std::clamp<std::size_t>(most_block_values / scale_, 1, most_block_positions);
+  std::vector<double> parts(scale_ <= outputs_ ? scale_ * block : 0);
+  const auto many = [&](const std::vector<RoundedRow>& rows, std::size_t shift, std::size_t from, std::size_t to) {
+    for (std::size_t first = from; first < to; first += block) {
+      const std::size_t size = std::min(block, to - first);
+      for (std::size_t p = 0; p < scale_; ++p) {
+        const RoundedRow& row = rows[p];
+        double* const sums = parts.data() + p * block;
+        std::fill_n(sums, size, row.outside * options_.constant);
+        if (!row.weights.empty())
+          weighted_sum(data.data() + row.first + shift + (first - from), 1, row.weights.data(), row.weights.size(),
+                       size, sums, true);
+      }
+      interleave(parts.data(), block, scale_, size, 1, result.values.data() + first * scale_ - before);
+    }
+    path.go_through(rows, shift, to - from);
+    double* variance = result.variances.data() + from * scale_ - before;
+    for (std::size_t whole = from; whole < to; ++whole) {
+      for (const RoundedRow& row : rows) *variance++ = row.variance;
+      if (at_data) result.leverages[whole - begin] = leverage(rows.front(), from, shift);
+    }
+  };
+  visit_rounded_rows(begin, end, one, many);
+  result.path = path.length();
+  return result;
+}
+
+}  // namespace subcert::data

@@ -1,0 +1,122 @@
+#pragma once
+/// Linear smoothing: values that are combinations of data, with their variances.
+
+#include "extension.hpp"
+
+#include <memory>
+
+namespace subcert::data {
+
+/// Outputs that one smoother may have.
+constexpr std::size_t most_smoothed_values = 4'000'000;
+
+/// The multiples of 1 / scale from 0 to `length`. Errors: throws a size error beyond most_smoothed_values.
+std::size_t count_outputs(double length, std::size_t scale);
+
+struct SmoothingOptions {
+  Boundary boundary = Boundary::regression;
+  int level = 0;         ///< outputs at the multiples of arity^-level of the spacing
+  int derivative = 0;    ///< with respect to the index of the data
+  double constant = 0;   ///< beyond the ends, for Boundary::constant
+  bool at_data = false;  ///< outputs at the data, whatever the level
+};
+
+/// The value, or a derivative, at one position: a combination of the data.
+struct SmoothingRow {
+  std::size_t first = 0;  ///< the first datum with a weight below
+  std::vector<Rational> weights;
+  Rational outside = 0;   ///< weight of the constant of Boundary::constant
+  Rational variance = 0;  ///< for independent noise of variance 1 / (prior weight): sum of weights^2 / prior weight
+};
+
+/// A SmoothingRow in double precision.
+struct RoundedRow {
+  std::size_t first = 0;
+  std::vector<double> weights;
+  double outside = 0;
+  double variance = 0;
+};
+
+/// All values of a smoother.
+struct SmoothedData {
+  std::vector<double> values;
+  std::vector<double> variances;  ///< as SmoothingRow::variance
+  std::vector<double> leverages;  ///< [i]: the weight of datum i in the value there; where there is an output at it
+  /// Of the path of great arcs through the rows, each divided by its norm, with its data in units of their noise; up to
+  /// signs. Rows of zeros are left out.
+  double path = 0;
+};
+
+/// A linear map from data to values at the multiples of 1 / scale, in spacings from the first datum to the last, or at
+/// the data. Rows that are translates of each other are made once.
+class LinearSmoother {
+ public:
+  virtual ~LinearSmoother() = default;
+
+  std::size_t outputs() const { return outputs_; }
+  /// Outputs for each spacing, or datum where they stand there.
+  std::size_t scale() const { return scale_; }
+  Rational position(std::size_t output) const;
+
+  /// Exact. Errors: throws a data error where too few data are left for a fit, and says where.
+  virtual SmoothingRow row(std::size_t output) const = 0;
+  /// All rows, composed in double precision; equal rows are made once. Errors: as row(). Cost: as apply().
+  std::vector<RoundedRow> rounded_rows() const;
+
+  /// All rows on the data, composed and applied in double precision. Errors: as row(). Cost: outputs times the width of
+  /// a row.
+  SmoothedData apply(const std::vector<double>& data) const;
+  /// The same for the outputs of the spacings begin, ..., end - 1 alone. Domain: begin <= end <= spacings().
+  SmoothedData apply(const std::vector<double>& data, std::size_t begin, std::size_t end) const;
+  /// One more than the number of whole spacings between the ends: the last has one output. Outputs at the data: as many
+  /// as data.
+  std::size_t spacings() const { return (outputs_ + scale_ - 1) / scale_; }
+
+  /// Where data are uniform the outputs from the spacing k on, before the next, combine those from k + lowest() to
+  /// k + highest() at most.
+  long lowest() const { return lowest_; }
+  long highest() const { return highest_; }
+
+ protected:
+  /// Domain: scale >= 1, reach.first <= reach.second. Errors: throws a size error beyond most_smoothed_values, or as
+  /// ExtendedData.
+  LinearSmoother(const ExtensionRule& rule, DataSites sites, const SmoothingOptions& options, std::size_t scale,
+                 std::pair<long, long> reach);
+
+  /// Makes rows in double precision, for outputs that go up.
+  class RowMaker {
+   public:
+    virtual ~RowMaker() = default;
+    virtual RoundedRow row(std::size_t output) = 0;
+  };
+  virtual std::unique_ptr<RowMaker> row_maker() const = 0;
+
+  const SmoothingOptions& options() const { return options_; }
+  const ExtendedData& data() const { return data_; }
+  /// Of a datum, 1 where none are given.
+  double prior_weight(std::size_t datum) const { return prior_weights_[datum]; }
+  /// Of an index inside or outside.
+  double rounded_weight(long index) const;
+  SmoothingRow to_row(const Combination& combination) const;
+  /// The sum of factor * combination over the parts.
+  RoundedRow to_row(const std::vector<std::pair<const RoundedCombination*, double>>& parts) const;
+
+ private:
+  class PathLength;
+  std::size_t interior_end(std::size_t whole) const;
+  /// Calls one(row, output), or many(rows, shift, begin, end) for the outputs of the spacings begin, ..., end - 1:
+  /// rows[phase] acts on the data from its `first` + shift on at `begin`, and one further for each spacing; in order.
+  template <class One, class Many>
+  void visit_rounded_rows(std::size_t begin, std::size_t end, const One& one, const Many& many) const;
+
+  SmoothingOptions options_;
+  ExtendedData data_;
+  std::size_t scale_;
+  std::size_t outputs_;
+  long lowest_;
+  long highest_;
+  std::vector<double> prior_weights_;           // of all data, 1 where none are given
+  std::vector<std::size_t> same_weight_until_;  // [i]: the first after i with another weight; with prior weights alone
+};
+
+}  // namespace subcert::data

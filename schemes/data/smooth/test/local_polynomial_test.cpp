@@ -1,0 +1,215 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/error_kind.hpp>
+#include <subcert/schemes/data/smooth/smooth.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace subcert;
+using namespace subcert::data;
+
+namespace {
+
+/// Positions with gaps between 1/8 and 2, multiples of 1/8, the mean distance 1.
+std::vector<double> scattered(std::size_t count) {
+  std::vector<double> positions{0};
+  for (std::size_t i = 1; i < count; ++i)
+    positions.push_back(positions.back() + static_cast<double>(1 + (i * 7919) % 16) / 8);
+  const double mean = positions.back() / static_cast<double>(count - 1);
+  for (double& x : positions) x /= mean;
+  return positions;
+}
+
+Rational apply_row(const SmoothingRow& row, const std::vector<Rational>& data) {
+  Rational sum = 0;
+  for (std::size_t k = 0; k < row.weights.size(); ++k) sum += row.weights[k] * data[row.first + k];
+  return sum;
+}
+
+Rational power_at(const Rational& x, int degree, int derivative) {
+  Rational value = 1;
+  for (int k = 0; k < derivative; ++k) value *= degree - k;
+  return degree < derivative ? Rational(0) : Rational(value * power(x, degree - derivative));
+}
+
+}  // namespace
+
+TEST_CASE("fits with weight reproduce polynomials and their derivatives, at any sites, exactly and in doubles") {
+  const std::size_t count = 30;
+  std::vector<Rational> weights(count, 1);
+  weights[0] = weights[11] = weights[12] = 0;
+  weights[20] = Rational(1, 3);
+  for (const char* name : {"local:points=9,d=2,weight=box", "local:points=8,d=1", "local:width=7,d=3,weight=biweight",
+                           "local:points=12,d=2,weight=triangle", "local:width=5,d=2,weight=epanechnikov"})
+    for (const bool uniform : {true, false})
+      for (const bool weighted : {false, true})
+        for (const bool at_data : {false, true})
+          for (const int derivative : {0, 1}) {
+            CAPTURE(name, uniform, weighted, at_data, derivative);
+            const LocalPolynomial method = make_local_polynomial(name);
+            CHECK(to_text(make_local_polynomial(to_text(method))) == to_text(method));
+            DataSites sites{count, weighted ? weights : std::vector<Rational>{}};
+            if (!uniform) sites.positions = scattered(count);
+            const LocalSmoother smoother(method, sites, {Boundary::regression, 1, derivative, 0, at_data});
+            const auto rounded = smoother.rounded_rows();
+            REQUIRE(rounded.size() == smoother.outputs());
+            CHECK(smoother.outputs() == (at_data ? count : 2 * (count - 1) + 1));
+            for (int q = 0; q <= method.degree; ++q) {
+              std::vector<Rational> data;
+              for (std::size_t i = 0; i < count; ++i)
+                data.push_back(power_at(uniform ? Rational(i) : Rational(sites.positions[i]), q, 0));
+              for (std::size_t o = 0; o < smoother.outputs(); o += 7)
+                CHECK(apply_row(smoother.row(o), data) == power_at(smoother.position(o), q, derivative));
+            }
+            for (std::size_t o = 0; o < smoother.outputs(); ++o) {
+              const SmoothingRow exact = smoother.row(o);
+              CHECK(rounded[o].variance == Approx(static_cast<double>(exact.variance)).epsilon(1e-9));
+              for (std::size_t k = 0; k < exact.weights.size(); ++k) {
+                const std::size_t other = exact.first + k - rounded[o].first;
+                const double weight = other < rounded[o].weights.size() ? rounded[o].weights[other] : 0;
+                CHECK(weight == Approx(static_cast<double>(exact.weights[k])).margin(1e-10));
+              }
+            }
+          }
+}
+
+TEST_CASE("a box about each datum is the filter of Savitzky and Golay") {
+  const LocalSmoother smoother(make_local_polynomial("local:points=5,d=2,weight=box"), 9, {});
+  const std::vector<Rational> quadratic{Rational(-3, 35), Rational(12, 35), Rational(17, 35), Rational(12, 35),
+                                        Rational(-3, 35)};
+  CHECK(smoother.row(4).weights == quadratic);
+  CHECK(smoother.row(4).first == 2);
+  // Within two data of an end the fit is to the five data there.
+  CHECK(smoother.row(1).first == 0);
+  CHECK(smoother.row(1).weights.size() == 5);
+  const LocalSmoother slope(make_local_polynomial("local:points=5,d=2,weight=box"), 9, {Boundary::regression, 0, 1});
+  CHECK(slope.row(4).weights ==
+        std::vector<Rational>{Rational(-1, 5), Rational(-1, 10), 0, Rational(1, 10), Rational(1, 5)});
+}
+
+TEST_CASE("data continue past their ends for local polynomials as for schemes") {
+  const std::vector<double> data{3, 1, 4, 1, 5, 9, 2, 6, 5, 3};
+  for (const Boundary boundary : {Boundary::reflect, Boundary::periodic, Boundary::nearest, Boundary::constant}) {
+    CAPTURE(to_text(boundary));
+    const ExtendedData extended({boundary, 1, 0}, data.size());
+    const LocalSmoother smoother(make_local_polynomial("local:points=5,d=1"), data.size(), {boundary, 1, 0, 2.5});
+    std::vector<double> longer;
+    for (long i = -10; i < 20; ++i) {
+      const RoundedCombination datum = extended.rounded_at(i);
+      longer.push_back(datum.outside * 2.5);
+      for (const auto& [j, weight] : datum.terms) longer.back() += weight * data[j];
+    }
+    const LocalSmoother inner(make_local_polynomial("local:points=5,d=1"), longer.size(), {Boundary::regression, 1});
+    const auto values = smoother.apply(data).values, wanted = inner.apply(longer).values;
+    for (std::size_t o = 0; o < values.size(); ++o) CHECK(values[o] == Approx(wanted[o + 20]).margin(1e-13));
+  }
+}
+
+TEST_CASE("a first fit at positions: on uniform ones the same limit, elsewhere polynomials are reproduced") {
+  for (const char* name : {"primal:n=3", "dual:n=3", "primal:n=3,d=3", "ary:a=3,points=5,d=1"})
+    for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::periodic, Boundary::nearest}) {
+      CAPTURE(name, to_text(boundary));
+      const Scheme scheme = make_scheme(name);
+      const std::size_t count = 24;
+      std::vector<double> places, data;
+      for (std::size_t i = 0; i < count; ++i) {
+        places.push_back(static_cast<double>(i));
+        data.push_back(static_cast<double>((i * 7919) % 13));
+      }
+      const SmoothingOptions options{boundary, 1};
+      const auto plain = SchemeSmoother(scheme.mask, count, options).apply(data).values;
+      const SchemeSmoother placed(scheme.mask, {count, {}, places}, options, scheme.rules);
+      const auto same = placed.apply(data).values;
+      REQUIRE(same.size() == plain.size());
+      for (std::size_t o = 0; o < plain.size(); ++o) CHECK(same[o] == Approx(plain[o]).margin(1e-11));
+
+      const DataSites sites{count, {}, scattered(count)};
+      const SchemeSmoother moved(scheme.mask, sites, options, scheme.rules);
+      const auto rounded = moved.rounded_rows();
+      for (std::size_t o = 0; o < moved.outputs(); o += 5) {
+        const SmoothingRow row = moved.row(o);
+        CHECK(rounded[o].variance == Approx(static_cast<double>(row.variance)).epsilon(1e-9));
+        for (int q = 0; q <= (boundary == Boundary::regression ? scheme.rules->degree : 0); ++q) {
+          std::vector<Rational> powers;
+          for (const double x : sites.positions) powers.push_back(power(Rational(x), q));
+          CHECK(apply_row(row, powers) == power(moved.position(o), q));
+        }
+      }
+    }
+}
+
+TEST_CASE("indices and positions of continued data are inverse to each other") {
+  const std::vector<double> at = scattered(9);
+  for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::periodic}) {
+    const ExtendedData data({boundary, 3, 1}, {9, {}, at});
+    for (long i = -30; i < 40; ++i) {
+      CAPTURE(to_text(boundary), i);
+      CHECK(data.index_at(data.position(i)) == Approx(static_cast<double>(i)).margin(1e-9));
+      CHECK(data.position(i) < data.position(i + 1));
+    }
+  }
+}
+
+TEST_CASE("noise at scattered positions has the mean and the spread of its degrees of freedom") {
+  const std::vector<double> at = scattered(60);
+  std::mt19937_64 engine(1986);
+  std::normal_distribution<double> gauss(0, 2);
+  double sum = 0, squares = 0, nu = 0;
+  constexpr int runs = 2000;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<double> data;
+    for (const double x : at) data.push_back(5 * x + gauss(engine));
+    const NoiseEstimate noise = estimate_noise(data, {}, at);
+    sum += noise.variance;
+    squares += noise.variance * noise.variance;
+    nu = noise.degrees_of_freedom;
+  }
+  const double mean = sum / runs;
+  CHECK(mean == Approx(4).epsilon(0.03));
+  CHECK(squares / runs - mean * mean == Approx(2 * 16 / nu).epsilon(0.15));
+}
+
+TEST_CASE("windows are chosen by their estimated error, schemes where data are uniform and nothing is said") {
+  Samples samples{{{}}, {}, 0, 1, scattered(80)};
+  std::mt19937_64 engine(3);
+  std::normal_distribution<double> gauss(0, 0.1);
+  for (const double x : samples.positions) samples.columns[0].push_back(std::sin(x / 5) + gauss(engine));
+  const SmoothedSamples chosen = smooth(samples, "", {});
+  REQUIRE(chosen.choice);
+  CHECK(is_local_specification(chosen.method));
+  double error = 0;
+  for (std::size_t o = 0; o < chosen.positions.size(); ++o)
+    error += std::pow(chosen.columns[0].values[o] - std::sin(chosen.positions[o] / 5), 2);
+  CHECK(error / static_cast<double>(chosen.positions.size()) < 0.01 / 2);  // half the variance of the noise
+  SmoothingOptions at_data;
+  at_data.at_data = true;
+  CHECK(smooth(samples, "local:d=2,weight=box", at_data).positions == samples.positions);
+  samples.noise = 0.1;
+  const SmoothedColumn known = smooth(samples, "local:points=9", at_data).columns[0];
+  CHECK(known.noise->variance == Approx(0.01));
+  CHECK(known.half_widths(0.95)[4] == Approx(1.959963985 * known.deviations[4]));
+  CHECK(known.half_widths(0.95, BandKind::simultaneous)[4] > known.half_widths(0.95)[4]);
+  // The width is in the units of the positions.
+  Samples scaled = samples;
+  for (double& x : scaled.positions) x = 3 + x / 10;
+  scaled.origin = 3;
+  scaled.spacing = Rational(1, 10);
+  const auto a = smooth(samples, "local:width=4", at_data), b = smooth(scaled, "local:width=0.4", at_data);
+  for (std::size_t i = 0; i < 80; ++i) CHECK(a.columns[0].values[i] == Approx(b.columns[0].values[i]).epsilon(1e-9));
+}
+
+TEST_CASE("local polynomials that do not exist say why") {
+  for (const char* text : {"local:points=1,d=1", "local:points=3,width=2", "local:width=0", "local:weight=round",
+                           "local:d=-1", "local:points=3,points=4", "local:x=1"})
+    CHECK_FAILS(make_local_polynomial(text), usage);
+  CHECK_FAILS(smooth(Samples{{{1, 2, 3}}}, "local:points=5", {}), data);
+  CHECK_FAILS(smooth(Samples{{{1, 2, 3, 4, 5}}}, "local:width=1/2", {}), data);
+  CHECK_FAILS(smooth(Samples{{{1, 2, 3, 4, 5}}}, "local:points=3", {Boundary::regression, 0, 2}), domain);
+  SmoothingOptions at_data;
+  at_data.at_data = true;
+  Samples scattered_samples{{{1, 2, 3, 4, 5}}, {}, 0, 1, {0, 1, 3, 4, 5}};
+  CHECK_FAILS(smooth(scattered_samples, "primal:n=2", at_data), domain);
+  CHECK_FAILS(smooth(scattered_samples, "bspline:degree=3", {}), domain);
+  CHECK_FAILS(smooth(scattered_samples, "l1:points=4", {}), domain);
+}

@@ -10,10 +10,10 @@ readonly packages_to_run="g++ cmake ninja-build libboost-dev libboost-filesystem
 # What tests and benchmarks need beside.
 readonly packages_to_check="catch2 libbenchmark-dev python3 python3-yaml git clang-format clang-tidy man-db pkg-config
   zsh fish pybind11-dev python3-dev python3-numpy python3-sympy python3-pytest python3-hypothesis mypy
-  python3-nbconvert python3-ipykernel python3-matplotlib"
+  python3-nbconvert python3-ipykernel python3-matplotlib ocaml ocaml-findlib libzarith-ocaml-dev"
 # What makes Debian packages, and what tries them in the long tests.
 readonly packages_to_pack="dpkg-dev file"
-readonly packages_to_try="$packages_to_pack lintian mmdebstrap"
+readonly packages_to_try="$packages_to_pack lintian mmdebstrap coq"
 # Beside FLINT 2 the library Arb is a package of its own; FLINT 3 contains it.
 readonly packages_where_they_exist="libflint-arb-dev"
 packages=$packages_to_run

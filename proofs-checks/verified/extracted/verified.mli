@@ -1,0 +1,299 @@
+
+val negb : bool -> bool
+
+val fst : ('a1*'a2) -> 'a1
+
+val snd : ('a1*'a2) -> 'a2
+
+val length : 'a1 list -> int
+
+val app : 'a1 list -> 'a1 list -> 'a1 list
+
+type comparison =
+| Eq
+| Lt
+| Gt
+
+val compOpp : comparison -> comparison
+
+val add : int -> int -> int
+
+val sub : int -> int -> int
+
+module Nat :
+ sig
+  val eqb : int -> int -> bool
+
+  val leb : int -> int -> bool
+
+  val ltb : int -> int -> bool
+ end
+
+module Pos :
+ sig
+  type mask =
+  | IsNul
+  | IsPos of Number.t
+  | IsNeg
+ end
+
+module Coq_Pos :
+ sig
+  val add : Number.t -> Number.t -> Number.t
+
+  val add_carry : Number.t -> Number.t -> Number.t
+
+  val pred_double : Number.t -> Number.t
+
+  type mask = Pos.mask =
+  | IsNul
+  | IsPos of Number.t
+  | IsNeg
+
+  val succ_double_mask : mask -> mask
+
+  val double_mask : mask -> mask
+
+  val double_pred_mask : Number.t -> mask
+
+  val sub_mask : Number.t -> Number.t -> mask
+
+  val sub_mask_carry : Number.t -> Number.t -> mask
+
+  val mul : Number.t -> Number.t -> Number.t
+
+  val iter : ('a1 -> 'a1) -> 'a1 -> Number.t -> 'a1
+
+  val compare_cont : comparison -> Number.t -> Number.t -> comparison
+
+  val compare : Number.t -> Number.t -> comparison
+
+  val eqb : Number.t -> Number.t -> bool
+
+  val leb : Number.t -> Number.t -> bool
+
+  val sqrtrem_step :
+    (Number.t -> Number.t) -> (Number.t -> Number.t) -> (Number.t*mask) ->
+    Number.t*mask
+
+  val sqrtrem : Number.t -> Number.t*mask
+
+  val sqrt : Number.t -> Number.t
+
+  val of_succ_nat : int -> Number.t
+ end
+
+module Z :
+ sig
+  val double : Number.t -> Number.t
+
+  val succ_double : Number.t -> Number.t
+
+  val pred_double : Number.t -> Number.t
+
+  val pos_sub : Number.t -> Number.t -> Number.t
+
+  val succ : Number.t -> Number.t
+
+  val pred : Number.t -> Number.t
+
+  val pow_pos : Number.t -> Number.t -> Number.t
+
+  val compare : Number.t -> Number.t -> comparison
+ end
+
+val nth : int -> 'a1 list -> 'a1 -> 'a1
+
+val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
+
+val fold_right : ('a2 -> 'a1 -> 'a1) -> 'a1 -> 'a2 list -> 'a1
+
+val forallb : ('a1 -> bool) -> 'a1 list -> bool
+
+val firstn : int -> 'a1 list -> 'a1 list
+
+val skipn : int -> 'a1 list -> 'a1 list
+
+val seq : int -> int -> int list
+
+val repeat : 'a1 -> int -> 'a1 list
+
+type q = { qnum : Number.t; qden : Number.t }
+
+type zvec = Number.t list
+
+type zmat = zvec list
+
+val dot : zvec -> zvec -> Number.t
+
+val addmul : Number.t -> zvec -> zvec -> zvec
+
+val mv : zmat -> zvec -> zvec
+
+val norm1 : zvec -> Number.t
+
+val positive_part : zvec -> zvec
+
+val unit_at : Number.t -> int -> zvec
+
+val entry : zmat -> int -> int -> Number.t
+
+val table : int -> (int -> int -> Number.t) -> zmat
+
+val products : zmat -> zmat -> zmat
+
+val zrun : zmat list -> int list -> zvec -> zvec
+
+val square : int -> zmat -> bool
+
+type family = { size : int; denominator : Number.t; matrices : zmat list }
+
+val count : family -> int
+
+val well_formed : family -> bool
+
+module PositiveMap :
+ sig
+  type key = Number.t
+
+  type 'a tree =
+  | Leaf
+  | Node of 'a tree * 'a option * 'a tree
+
+  type 'a t = 'a tree
+
+  val empty : 'a1 t
+
+  val find : key -> 'a1 t -> 'a1 option
+
+  val add : key -> 'a1 -> 'a1 t -> 'a1 t
+ end
+
+type point = zvec*zvec
+
+type term = Number.t*(Number.t*Number.t)
+
+type points = point PositiveMap.t
+
+val number : Number.t -> point list -> points
+
+val zmodulus : Number.t -> Number.t -> Number.t
+
+val combine : points -> term list -> (Number.t*point) option
+
+val line :
+  bool -> points -> Number.t -> Number.t -> point -> term list ->
+  (Number.t*Number.t) option
+
+val units :
+  bool -> points -> Number.t -> int -> term list list -> (Number.t*Number.t)
+  option
+
+val images :
+  bool -> points -> Number.t -> Number.t -> Number.t -> Number.t -> Number.t
+  -> q -> point -> zmat list -> term list list -> bool
+
+val all_images :
+  bool -> points -> Number.t -> Number.t -> Number.t -> Number.t -> Number.t
+  -> q -> zmat list -> point list -> term list list list -> bool
+
+val vector_nonnegative : zvec -> bool
+
+val all_nonnegative : family -> point list -> bool
+
+val polytope :
+  family -> q -> bool -> Number.t -> Number.t -> point list -> term list list
+  -> term list list list -> bool
+
+val largest_of : Number.t list -> Number.t
+
+val columns : int -> zmat -> zmat
+
+val size_of : int -> zmat -> Number.t
+
+val defect : int -> Number.t -> zmat -> Number.t
+
+type eigen = { word : int list; multiplier : Number.t; xr : zvec; xi : 
+               zvec; er : Number.t; ei : Number.t; pivot : int;
+               pivot_scale : Number.t; inverse : zmat; over : Number.t;
+               distance : Number.t }
+
+val product_columns : family -> eigen -> zmat
+
+val if_equal : int -> int -> Number.t -> Number.t
+
+val derivative_entry : family -> eigen -> zmat -> int -> int -> Number.t
+
+val value_entry : family -> eigen -> zvec -> zvec -> int -> Number.t
+
+val contracts : family -> eigen -> zvec -> bool
+
+val eigenvalue : family -> eigen -> q -> bool
+
+type square_root = { root_rows : zmat; root_factor : Number.t;
+                     root_scale : Number.t }
+
+type word_tree =
+| Word of square_root
+| Words of word_tree list
+
+val root_rest :
+  (int -> int -> Number.t) -> square_root -> int -> int -> Number.t
+
+val others : int -> int -> zmat -> Number.t
+
+val positive_form :
+  int -> Number.t -> (int -> int -> Number.t) -> square_root -> bool
+
+val extended : family -> zmat -> int -> zmat
+
+val below_bound :
+  family -> q -> zmat -> int list -> zmat -> square_root -> bool
+
+val check_tree : family -> q -> zmat -> int list -> zmat -> word_tree -> bool
+
+val quadratic : family -> q -> zmat -> square_root -> word_tree -> bool
+
+val largest_norm : zmat list -> int -> zvec -> Number.t
+
+val norm_section : family -> q -> int -> bool
+
+val transpose : family -> family
+
+type section =
+| Norm of int
+| Polytope of bool * bool * Number.t * Number.t * point list * term list list
+   * term list list list
+| Quadratic of zmat * square_root * word_tree
+
+val check_section : family -> q -> section -> bool
+
+val first_block : int -> family -> family
+
+val other_blocks : int -> family -> family
+
+val triangular : int -> family -> bool
+
+val check_upper : family -> q -> (int*section) list -> bool
+
+val check_lower : family -> q -> int list -> int -> eigen -> bool
+
+type basis = { basis_rows : zmat; inverse_rows : zmat; basis_scale : Number.t }
+
+val zproduct : int -> zmat -> zmat -> zmat
+
+val is_scaled_unit : int -> Number.t -> zmat -> bool
+
+val basis_valid : int -> basis -> bool
+
+val in_basis : family -> basis -> family
+
+type claim = { matrices_of : family; lower : q option; upper : q option }
+
+type certificate = { new_basis : basis option; sections : (int*section) list;
+                     sizes : int list; chosen : int;
+                     eigenvector : eigen option }
+
+val check_bounds : family -> claim -> certificate -> bool
+
+val check_radius : claim -> certificate -> bool

@@ -1,0 +1,235 @@
+(* subcert-check-verified: reads a claim and a certificate and asks the proved checker. The claim is what was proved;
+   --show prints it as the checker was given it. *)
+module Z_of_zarith = Z
+open Verified
+module Z = Z_of_zarith
+open Text
+
+let usage =
+  "usage: subcert-check-verified --matrices MATRICES [--lower P/Q] [--upper P/Q] [--show] FILE    (at least one bound)\n\
+  \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
+   prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): claims about\n\
+   exponents and surfaces, for which subcert-check is there\n\
+   exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
+
+let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper"; "--theorem" ]
+
+let rec options given = function
+  | [] -> given
+  | "--show" :: rest -> options (("--show", "") :: given) rest
+  | name :: rest when String.starts_with ~prefix:"--" name -> (
+      require (List.mem name known) ("unknown option " ^ name);
+      match rest with
+      | value :: rest when not (List.mem_assoc name given) -> options ((name, value) :: given) rest
+      | _ -> reject (name ^ " needs a value, and only one"))
+  | file :: rest ->
+      require (not (List.mem_assoc "FILE" given)) "FILE needs a value, and only one";
+      options (("FILE", file) :: given) rest
+
+(* Matrices over one denominator. *)
+let clear_denominators size rows =
+  let denominator =
+    List.fold_left
+      (fun d row ->
+        List.fold_left
+          (fun d x ->
+            let d = Z.lcm d (Q.den x) in
+            require (Z.numbits d <= 10_000) "common denominator too large";
+            d)
+          d row)
+      Z.one rows
+  in
+  require (List.length rows * size * Z.numbits denominator <= 1 lsl 32) "matrices too large";
+  let cleared = List.map (List.map (fun x -> Z.mul (Q.num x) (Z.divexact denominator (Q.den x)))) rows in
+  let rec split k taken rows =
+    match rows with row :: rest when k > 0 -> split (k - 1) (row :: taken) rest | _ -> (List.rev taken, rows)
+  in
+  let rec cut rows = match split size [] rows with [], _ -> [] | matrix, rest -> matrix :: cut rest in
+  { size; denominator; matrices = cut cleared }
+
+let read_rows r head count size = List.init (count * size) (fun _ -> List.map rational (take r head size size))
+
+let read_matrices file =
+  read file 65 (fun r ->
+      match take r "matrices" 2 2 with
+      | [ count; n ] ->
+          let count = size count 1 4096 and n = size n 1 256 in
+          require (count * n * n <= 1 lsl 22) "more entries than 2^22";
+          let rows = read_rows r "row" count n in
+          require (at_end r) "text after the last row";
+          clear_denominators n rows
+      | _ -> assert false)
+
+let integers_of_basis r head n =
+  let family = clear_denominators n (read_rows r head 1 n) in
+  (List.hd family.matrices, family.denominator)
+
+let rec blocks_of family = function
+  | [] -> []
+  | [ _ ] -> [ family ]
+  | d :: rest ->
+      require (triangular d family) "not block upper triangular";
+      first_block d family :: blocks_of (other_blocks d family) rest
+
+(* The lines `inverse` and `column`: what Theorem 25 of SPEC.md says, or a rejection. Only a hint to begin with, it is
+   looked at so that a certificate that is wrong is rejected. *)
+let check_inverse r family word re im lower =
+  let n = family.size and parts = if Q.sign im = 0 then 1 else 2 in
+  let bits = size (List.hd (take r "inverse" 1 1)) 0 4096 in
+  let columns =
+    List.init n (fun k -> Array.of_list (List.map integer (take r (Printf.sprintf "column %d" k) (parts * n) (parts * n))))
+  in
+  let whole = Q.of_bigint (Z.pow family.denominator (List.length word)) and unit = Q.of_bigint (Z.shift_left Z.one bits) in
+  let product = Eigenvalue_hint.product_of family word Z.one in
+  let x = Q.mul re whole and y = Q.mul im whole in
+  let sum f = List.fold_left Q.add Q.zero (List.init n f) in
+  let absolute x = Q.abs x in
+  let column k values =
+    let real = Array.sub values 0 n and imaginary = if parts = 2 then Array.sub values n n else Array.make n Z.zero in
+    let moved v i = Array.fold_left Z.add Z.zero (Array.mapi (fun j a -> Z.mul a v.(j)) product.(i)) in
+    let off i =
+      let q = Q.of_bigint in
+      let a = Q.sub (Q.sub (Q.mul x (q real.(i))) (Q.mul y (q imaginary.(i)))) (q (moved real i)) in
+      let b = Q.sub (Q.add (Q.mul x (q imaginary.(i))) (Q.mul y (q real.(i)))) (q (moved imaginary i)) in
+      let one = if i = k then Q.mul whole unit else Q.zero in
+      Q.add (absolute (Q.sub one a)) (absolute b)
+    in
+    let size i = Q.of_bigint (Z.add (Z.abs real.(i)) (Z.abs imaginary.(i))) in
+    (sum off, sum size, real.(k), imaginary.(k))
+  in
+  let columns = List.mapi column columns in
+  let most f = List.fold_left (fun m c -> Q.max m (f c)) Q.zero columns in
+  let off = Q.div (most (fun (a, _, _, _) -> a)) (Q.mul whole unit) and length = Q.div (most (fun (_, b, _, _) -> b)) unit in
+  require (Q.lt off Q.one) "the inverse is none of the product less the given eigenvalue";
+  let modulus a b =
+    let square = Q.add (Q.mul a a) (Q.mul b b) in
+    let scaled = Q.mul square (Q.of_bigint (Z.shift_left Z.one 640)) in
+    Q.make (Z.sqrt (Z.fdiv (Q.num scaled) (Q.den scaled))) (Z.shift_left Z.one 320)
+  in
+  let total f = Q.of_bigint (List.fold_left (fun s c -> Z.add s (f c)) Z.zero columns) in
+  let trace = Q.div (modulus (total (fun (_, _, a, _) -> a)) (total (fun (_, _, _, b) -> b))) unit in
+  let steep = Q.sub trace (Q.div (Q.mul (Q.mul (Q.of_int n) length) off) (Q.sub Q.one off)) in
+  require (Q.sign steep > 0) "the inverse proves no eigenvalue near the given one";
+  let bound = Q.sub (modulus re im) (Q.div (Q.of_int n) (Q.mul steep whole)) in
+  require (Q.sign bound > 0) "the product proves no positive spectral radius";
+  match lower with
+  | Some l when Q.sign l > 0 ->
+      require (Q.geq bound (power l (List.length word))) "the product's spectral radius does not prove the claim"
+  | _ -> ()
+
+let bound_of q = { qnum = Q.num q; qden = Q.den q }
+
+let read_certificate family lower upper r =
+  let n = family.size in
+  let line head = ignore (take r head 0 0) in
+  line "subcert-certificate 3";
+  line (Printf.sprintf "radius %d %d" (List.length family.matrices) n);
+  ignore (take r "bounds" 2 2);
+  let divided = at r "blocks" in
+  let sizes = if divided then List.map (fun f -> size f 1 n) (take r "blocks" 1 n) else [ n ] in
+  require (List.fold_left ( + ) 0 sizes = n) "the block sizes do not sum to n";
+  let new_basis =
+    if not divided then None
+    else begin
+      let basis_rows, b = integers_of_basis r "basis" n in
+      let inverse_rows, c = integers_of_basis r "inverse" n in
+      let basis = { basis_rows; inverse_rows; basis_scale = Z.mul b c } in
+      require (basis_valid n basis) "basis times inverse is not the unit matrix";
+      Some basis
+    end
+  in
+  let whole = match new_basis with None -> family | Some basis -> in_basis family basis in
+  let blocks = blocks_of whole sizes in
+  let count = List.length blocks in
+  let chosen, eigenvector =
+    if lower = None && not (at r "product") then (0, None)
+    else
+      match take r "product" 4 (3 + 4096) with
+      | block :: re :: im :: letters ->
+          let chosen = size block 0 (count - 1) in
+          let block = List.nth blocks chosen in
+          let re = rational re and im = rational im in
+          let word = List.map (fun f -> size f 0 (List.length family.matrices - 1)) letters in
+          Sections.spend_product block (List.length word);
+          if at r "inverse" then check_inverse r block word re im lower;
+          let hint = Eigenvalue_hint.make block word re im in
+          let proves l = match hint with Some e -> eigenvalue block e (bound_of l) | None -> false in
+          let needed = match lower with Some l when Q.sign l > 0 -> l | _ -> Q.zero in
+          require (proves needed) "the product's spectral radius is not shown to be that large";
+          (chosen, hint)
+      | _ -> assert false
+  in
+  let sections =
+    if upper = None && not (at r "block 0") then []
+    else
+      List.mapi
+        (fun i block ->
+          let own, section = Sections.read_section r i block upper in
+          (match (own, upper) with
+          | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
+          | _ -> ());
+          (match upper with
+          | Some u when Q.sign u >= 0 ->
+              require (check_section block (bound_of u) section) (Printf.sprintf "block %d does not prove the upper end" i)
+          | Some _ -> reject "the upper end is negative"
+          | None -> ());
+          (block.size, section))
+        blocks
+  in
+  line "end";
+  require (at_end r) "text after 'end'";
+  { new_basis; sections; sizes = (if divided then sizes else []); chosen; eigenvector }
+
+let show claim =
+  let text q = Q.to_string (Q.make q.qnum q.qden) in
+  let family = claim.matrices_of in
+  Printf.printf "the joint spectral radius of %d matrices of size %d%s%s\n" (List.length family.matrices) family.size
+    (match claim.lower with Some l -> ", at least " ^ text l | None -> "")
+    (match claim.upper with Some u -> ", at most " ^ text u | None -> "");
+  List.iter
+    (List.iter (fun row ->
+         print_endline
+           ("row " ^ String.concat " " (List.map (fun x -> Q.to_string (Q.make x family.denominator)) row))))
+    family.matrices
+
+let check arguments =
+  if arguments = [ "--help" ] then raise (Rejected (usage, 0));
+  let given = options [] arguments in
+  let find name = List.assoc_opt name given in
+  let has name = find name <> None in
+  require (has "FILE" && (has "--matrices" || has "--mask" || has "--surface")) usage;
+  if not (has "--matrices") then
+    raise (Sections.Undecided "claims about exponents and surfaces are not decided here, but by subcert-check");
+  let other name = List.mem name [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation" ] in
+  let letter c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') and digit c = c >= '0' && c <= '9' in
+  let is_name name = name <> "" && letter name.[0] && String.for_all (fun c -> letter c || digit c) name in
+  require (Option.fold ~none:true ~some:is_name (find "--theorem")) "--theorem needs a name of letters and digits";
+  require ((not (List.exists (fun (name, _) -> other name) given)) && (has "--lower" || has "--upper")) usage;
+  let matrices = Option.get (find "--matrices") in
+  let lower = Option.map rational (find "--lower") and upper = Option.map rational (find "--upper") in
+  let family = read_matrices matrices in
+  let claim = { matrices_of = family; lower = Option.map bound_of lower; upper = Option.map bound_of upper } in
+  let side value render = match value with Some q -> render (Q.to_string q) | None -> "" in
+  let text =
+    side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices
+  in
+  let certificate =
+    read (Option.get (find "FILE")) 1 (fun r ->
+        let certificate = read_certificate family lower upper r in
+        require (check_radius claim certificate) "the certificate does not prove the claim";
+        certificate)
+  in
+  match find "--theorem" with
+  | Some name -> Theorem.print name claim certificate
+  | None ->
+      print_endline ("VERIFIED " ^ text);
+      if has "--show" then show claim
+
+let () =
+  let finish code = exit code in
+  match check (List.tl (Array.to_list Sys.argv)) with
+  | () -> finish 0
+  | exception Rejected (why, 0) -> print_endline why; finish 0
+  | exception Rejected (why, 1) -> print_endline ("REJECTED " ^ why); finish 1
+  | exception Rejected (why, code) -> prerr_endline ("subcert-check-verified: " ^ why); finish code
+  | exception Sections.Undecided why -> print_endline ("UNDECIDED " ^ why); finish 2

@@ -1,0 +1,375 @@
+(* The sections of a certificate, with flips, conjugates and images under groups written out. Nothing here is proved. *)
+module Z_of_zarith = Z
+open Verified
+module Z = Z_of_zarith
+open Text
+
+exception Undecided of string
+
+let max_work = 1_000_000_000 (* multiplications: about a minute *)
+let spent = ref 0
+
+let spend work =
+  spent := !spent + work;
+  require (work >= 0 && !spent <= max_work) "more work than this checker allows"
+
+(* The product of so many matrices, whose entries grow. *)
+let spend_product family length =
+  let n = family.size in
+  spend (length * n * n * n * (1 + (length * Z.numbits family.denominator / 640)))
+
+(* Vectors are the real parts of coordinates and then, if complex, the imaginary ones. *)
+type vector = Z.t array
+
+let apply (matrix : Z.t array array) parts (x : vector) : vector =
+  let n = Array.length matrix in
+  spend (parts * n * n);
+  Array.init (parts * n) (fun k ->
+      let start = k / n * n and sum = ref Z.zero in
+      Array.iteri
+        (fun j a -> if not (Z.equal a Z.zero) then sum := Z.add !sum (Z.mul a x.(start + j)))
+        matrix.(k mod n);
+      !sum)
+
+let multiply a b =
+  let n = Array.length a in
+  let column j = apply a 1 (Array.init n (fun i -> b.(i).(j))) in
+  let columns = Array.init n column in
+  Array.init n (fun i -> Array.init n (fun j -> columns.(j).(i)))
+
+let negate = Array.map Z.neg
+let array_of rows = Array.of_list (List.map Array.of_list rows)
+
+(* Of a matrix or a vector and its negative one. *)
+let normal rows =
+  let leading = Array.fold_left (fun found row -> Array.fold_left (fun f x -> if f = 0 then Z.sign x else f) found row) 0 rows in
+  if leading < 0 then (Array.map negate rows, true) else (rows, false)
+
+type element = { map : Z.t array array; letters : int array }
+
+let compose g h = { map = multiply g.map h.map; letters = Array.map (fun t -> h.letters.(t)) g.letters }
+
+(* The elements, each up to its sign; the identity is the first. *)
+let elements n count generators =
+  let known = Hashtbl.create 97 and all = ref [] in
+  let identity = Array.init n (fun i -> Array.init n (fun j -> if i = j then Z.one else Z.zero)) in
+  let rec add fresh element =
+    let map, _ = normal element.map in
+    if Hashtbl.mem known map then fresh
+    else begin
+      require (Array.exists (Array.exists (fun x -> Z.sign x <> 0)) map) "a generator is singular";
+      Hashtbl.add known map ();
+      all := element :: !all;
+      require (Hashtbl.length known <= 96) "the generators span a group of more than 96 elements";
+      List.fold_left add fresh (List.map (fun g -> compose g element) generators)
+    end
+  in
+  add () { map = identity; letters = Array.init count Fun.id };
+  Array.of_list (List.rev !all)
+
+let group_size property =
+  if String.starts_with ~prefix:"group:" property then size (String.sub property 6 (String.length property - 6)) 1 8 else 0
+
+let read_generators r family count =
+  let n = family.size and letters = List.length family.matrices in
+  let matrices = Array.of_list (List.map array_of family.matrices) in
+  List.init count (fun _ ->
+      let numbers = Array.of_list (List.map (fun f -> size f 0 (letters - 1)) (take r "generator" letters letters)) in
+      let map = array_of (List.init n (fun _ -> List.map integer (take r "map" n n))) in
+      for t = 0 to letters - 1 do
+        require
+          (multiply matrices.(t) map = multiply map matrices.(numbers.(t)))
+          "a generator does not permute the matrices as it says"
+      done;
+      { map; letters = numbers })
+
+let split_term text = String.split_on_char ':' text
+
+let read_polytope r family fields =
+  let n = family.size and count = List.length family.matrices in
+  let vertices = size (List.nth fields 1) 1 max_bytes in
+  let vertex_bits = size (List.nth fields 2) 0 4096 and weight_bits = size (List.nth fields 3) 0 4096 in
+  let properties = List.sort_uniq compare (List.filteri (fun i _ -> i >= 4) fields) in
+  let has p = List.mem p properties in
+  let complex = has "complex" and nonnegative = has "nonnegative" and symmetric = has "symmetric" and transposed = has "transposed" in
+  let others = List.filter (fun p -> not (List.mem p [ "complex"; "nonnegative"; "symmetric"; "transposed" ])) properties in
+  let groups = match others with [] -> 0 | [ p ] -> group_size p | _ -> reject "unknown polytope property" in
+  require (others = [] || groups > 0) "unknown polytope property";
+  require (not (groups > 0 && (symmetric || nonnegative))) "a group goes with neither 'symmetric' nor 'nonnegative'";
+  require (not (complex && nonnegative)) "unknown polytope property";
+  let family = if transposed then transpose family else family in
+  let entries = List.concat (List.concat family.matrices) in
+  require ((not symmetric) || entries = List.rev entries) "the family is not symmetric";
+  require ((not nonnegative) || List.for_all (fun x -> Z.sign x >= 0) entries) "a matrix is not non-negative";
+  let flip =
+    { map = Array.init n (fun i -> Array.init n (fun j -> if i + j = n - 1 then Z.one else Z.zero));
+      letters = Array.init count (fun t -> count - 1 - t) }
+  in
+  let generators = if symmetric then [ flip ] else read_generators r family groups in
+  let group = elements n count generators in
+  let parts = if complex then 2 else 1 in
+  let base =
+    Array.of_list
+      (List.init vertices (fun _ ->
+           let vertex = Array.of_list (List.map integer (take r "vertex" (parts * n) (parts * n))) in
+           require ((not nonnegative) || Array.for_all (fun x -> Z.sign x >= 0) vertex) "negative coordinate";
+           vertex))
+  in
+  let act element x =
+    if symmetric && element != group.(0) then begin
+      spend n;
+      Array.init (parts * n) (fun k -> x.((k / n * n) + n - 1 - (k mod n)))
+    end
+    else if element == group.(0) then x
+    else apply element.map parts x
+  in
+  let conjugate x = Array.mapi (fun k a -> if k < n then a else Z.neg a) x in
+  (* all points, each up to its sign: the element, whether conjugated, and the vertex that it comes from *)
+  let numbers = Hashtbl.create 997 and points = ref [] and origins = ref [] in
+  let normal_vector x =
+    let rows, turned = normal [| x |] in
+    (rows.(0), turned)
+  in
+  let enter origin x =
+    let key, _ = normal_vector x in
+    if not (Hashtbl.mem numbers key) then begin
+      Hashtbl.add numbers key (Hashtbl.length numbers + 1, snd (normal_vector x));
+      points := x :: !points;
+      origins := origin :: !origins
+    end
+  in
+  let sides = if complex then [ false; true ] else [ false ] in
+  Array.iteri
+    (fun j vertex ->
+      Array.iter
+        (fun element ->
+          List.iter
+            (fun side -> enter (element, side, j) (act element (if side then conjugate vertex else vertex)))
+            sides)
+        group)
+    base;
+  let points = Array.of_list (List.rev !points) and origins = List.rev !origins in
+  (* number of a point from 1 on, and whether it is the negative of the one that is listed *)
+  let find x =
+    let key, turned = normal_vector x in
+    let number, listed_turned = Hashtbl.find numbers key in
+    (number, turned <> listed_turned)
+  in
+  let signed (number, negative) (a, b) = if negative then (number, (Z.neg a, Z.neg b)) else (number, (a, b)) in
+  let word_of text = List.init (String.length text) (String.get text) in
+  let images_of_words = Hashtbl.create 997 in
+  let generator letter =
+    if letter = 'f' && symmetric then flip
+    else begin
+      let k = Char.code letter - Char.code 'A' in
+      require (k >= 0 && (not symmetric) && k < List.length generators) "unknown generator";
+      List.nth generators k
+    end
+  in
+  let rec image_of vertex word =
+    match Hashtbl.find_opt images_of_words (vertex, word) with
+    | Some x -> x
+    | None ->
+        let x =
+          match word with [] -> base.(vertex) | g :: rest -> apply (generator g).map parts (image_of vertex rest)
+        in
+        Hashtbl.add images_of_words (vertex, word) x;
+        x
+  in
+  let read_term text =
+    match split_term text with
+    | index :: weights when List.length weights = parts ->
+        let length = String.length index in
+        let side = complex && length > 0 && index.[length - 1] = 'c' in
+        let index = if side then String.sub index 0 (length - 1) else index in
+        let digits = ref 0 in
+        while !digits < String.length index && index.[!digits] >= '0' && index.[!digits] <= '9' do incr digits done;
+        require (String.length index - !digits <= 16) "a word of more than 16 generators";
+        let vertex = size (String.sub index 0 !digits) 0 (vertices - 1) in
+        let x = image_of vertex (word_of (String.sub index !digits (String.length index - !digits))) in
+        let a, b = match List.map integer weights with [ a ] -> (a, Z.zero) | [ a; b ] -> (a, b) | _ -> assert false in
+        require ((not nonnegative) || Z.sign a >= 0) "negative weight";
+        signed (find (if side then conjugate x else x)) (a, b)
+    | _ -> reject "a term is INDEX:WEIGHT"
+  in
+  let read_line head = List.map read_term (take r head 0 max_line) in
+  let moved = Hashtbl.create 997 in
+  let move (e, element) side (number, (a, b)) =
+    if e = 0 && not side then (number, (a, b))
+    else begin
+      let target =
+        match Hashtbl.find_opt moved (e, side, number) with
+        | Some target -> target
+        | None ->
+            let x = points.(number - 1) in
+            let target = find (act element (if side then conjugate x else x)) in
+            Hashtbl.add moved (e, side, number) target;
+            target
+      in
+      (* the conjugate of a combination has the conjugate weights *)
+      signed target (a, if side then Z.neg b else b)
+    end
+  in
+  let given = (if symmetric then (n + 1) / 2 else n) in
+  let units = Array.of_list (List.init given (fun k -> read_line (Printf.sprintf "unit %d" k))) in
+  let unit_lines =
+    List.init n (fun k -> if k < given then units.(k) else List.map (move (1, group.(Array.length group - 1)) false) units.(n - 1 - k))
+  in
+  let images =
+    Array.of_list
+      (List.init vertices (fun j ->
+           Array.of_list (List.init count (fun t -> read_line (Printf.sprintf "image %d %d" j t)))))
+  in
+  let index_of element =
+    let rec search k = if group.(k) == element then k else search (k + 1) in
+    search 0
+  in
+  let image_lines =
+    List.map
+      (fun (element, side, j) ->
+        let e = index_of element in
+        List.init count (fun t ->
+            let line = images.(j).(element.letters.(t)) in
+            spend (List.length line * n);
+            List.map (move (e, element) side) line))
+      origins
+  in
+  let terms = List.fold_left (fun s l -> List.fold_left (fun s t -> s + List.length t) s l) 0 image_lines in
+  let long = 1 + (Z.numbits family.denominator / 640) in
+  spend (((terms * parts * parts) + (Array.length points * parts * count * n)) * n * long);
+  let halves x = (Array.to_list (Array.sub x 0 n), if complex then Array.to_list (Array.sub x n n) else []) in
+  let scale = Z.shift_left Z.one weight_bits in
+  let numbered = List.map (fun (number, weight) -> (Z.of_int number, weight)) in
+  Polytope
+    ( nonnegative, transposed, scale, Z.shift_left scale vertex_bits,
+      List.map halves (Array.to_list points), List.map numbered unit_lines, List.map (List.map numbered) image_lines )
+
+(* ---- quadratic forms ---- *)
+
+(* The rows of L where factor * S - scale * L L^T is small against the diagonal; None if S is not positive. *)
+let root_of s =
+  let n = Array.length s in
+  let most = Array.fold_left (Array.fold_left (fun m x -> Z.max m (Z.abs x))) Z.zero s in
+  if Z.equal most Z.zero then Some { root_rows = []; root_factor = Z.one; root_scale = Z.zero }
+  else begin
+    let shift = 256 - Z.numbits most in
+    let half = if shift >= 0 then 0 else (1 - shift) / 2 in
+    let factor = if shift >= 0 then Z.shift_left Z.one shift else if -shift mod 2 = 0 then Z.one else Z.of_int 2 in
+    let margin = Z.add (Z.shift_left (Z.of_int n) 128) (Z.of_int n) in
+    let rest = Array.map (Array.map (fun x -> Z.shift_right (Z.mul factor x) (2 * half))) s in
+    Array.iteri (fun i row -> row.(i) <- Z.sub row.(i) margin) rest;
+    spend (n * n * n / 3);
+    try
+      for k = 0 to n - 1 do
+        if Z.sign rest.(k).(k) <= 0 then raise Exit;
+        let pivot = Z.sqrt rest.(k).(k) in
+        rest.(k).(k) <- pivot;
+        for j = k + 1 to n - 1 do rest.(k).(j) <- Z.fdiv rest.(k).(j) pivot done;
+        for i = k + 1 to n - 1 do
+          for j = i to n - 1 do rest.(i).(j) <- Z.sub rest.(i).(j) (Z.mul rest.(k).(i) rest.(k).(j)) done
+        done
+      done;
+      let row i = List.init (i + 1) (fun k -> rest.(k).(i)) in
+      Some { root_rows = List.init n row; root_factor = factor; root_scale = Z.shift_left Z.one (2 * half) }
+    with Exit -> None
+  end
+
+let transposed_array m = Array.init (Array.length m) (fun i -> Array.init (Array.length m) (fun j -> m.(j).(i)))
+let congruent m form = multiply (transposed_array m) (multiply form m)
+let longest_word = 1000
+
+(* The words as a tree in which every node has a child for each letter, or none; with the products of the words. *)
+let rec tree_of count first words leaf longer product =
+  match words with
+  | [ [] ] -> leaf product
+  | _ ->
+      require (words <> [] && not (List.mem [] words)) "the words are not those of a complete tree";
+      let child t =
+        let rest = List.filter_map (function s :: rest when s = t -> Some rest | _ -> None) words in
+        tree_of count first rest leaf longer (longer product t)
+      in
+      let children = Array.make count None in
+      Words
+        (List.init count (fun t ->
+             if first.(t) = t then children.(t) <- Some (child t);
+             Option.get children.(first.(t))))
+
+let read_quadratic r family upper fields =
+  let n = family.size and count = List.length family.matrices in
+  let length = List.length fields in
+  let groups = if length = 4 then group_size (List.nth fields 3) else 0 in
+  require (length = 3 || (length = 4 && groups > 0)) "expected 'quadratic', a number of words, a bound and perhaps a group";
+  let words = size (List.nth fields 1) 1 max_bytes and bound = rational (List.nth fields 2) in
+  require (Q.sign bound >= 0) "the bound of a quadratic form is negative";
+  let generators = read_generators r family groups in
+  ignore (elements n count generators);
+  let rows = Array.init n (fun i -> Array.of_list (List.map integer (take r "form" (i + 1) (i + 1)))) in
+  let form = Array.init n (fun i -> Array.init n (fun j -> rows.(max i j).(min i j))) in
+  let definite =
+    match root_of form with
+    | Some root when Z.sign form.(0).(0) <> 0 -> root
+    | _ -> reject "the form is not positive definite"
+  in
+  List.iter (fun g -> require (congruent g.map form = form) "a generator does not keep the form") generators;
+  let matrices = Array.of_list (List.map array_of family.matrices) in
+  let first =
+    Array.map (fun m -> let rec search t = if matrices.(t) = m then t else search (t + 1) in search 0) matrices
+  in
+  let known = Hashtbl.create 997 in
+  let given =
+    List.init words (fun _ ->
+        let word = List.map (fun f -> first.(size f 0 (count - 1))) (take r "word" 1 longest_word) in
+        require (not (Hashtbl.mem known word)) "a word occurs twice";
+        Hashtbl.add known word ();
+        word)
+  in
+  let all = ref given in
+  let rec close word =
+    List.iter
+      (fun g ->
+        let image = List.map (fun t -> first.(g.letters.(t))) word in
+        spend (1000 + List.length word);
+        if not (Hashtbl.mem known image) then begin
+          Hashtbl.add known image ();
+          all := image :: !all;
+          close image
+        end)
+      generators
+  in
+  List.iter close given;
+  (* each product has to be below the bound of the certificate; the hint is for that of the claim *)
+  let wanted = match upper with Some u when Q.gt u bound -> u | _ -> bound in
+  let longer (k, product) t = (k + 1, if k = 0 then matrices.(t) else multiply product matrices.(t)) in
+  let leaf (k, product) =
+    require (k > 0) "the words are not those of a complete tree";
+    spend_product family k;
+    spend (5 * n * n * n);
+    let moved = congruent product form in
+    let root g =
+      let a = Z.pow (Z.mul (Q.num g) family.denominator) (2 * k) and b = Z.pow (Q.den g) (2 * k) in
+      root_of (Array.mapi (fun i row -> Array.mapi (fun j x -> Z.sub (Z.mul a x) (Z.mul b moved.(i).(j))) row) form)
+    in
+    match (if Q.equal bound wanted then Some definite else root bound), root wanted with
+    | Some _, Some hint -> Word hint
+    | _ -> reject "a product is not below the bound in the quadratic form"
+  in
+  let words = tree_of count first !all leaf longer (0, [||]) in
+  (bound, Quadratic (Array.to_list (Array.map Array.to_list form), definite, words))
+
+(* The section, and the bound that it shows if it says so itself. *)
+let read_section r number family upper =
+  let fields = take r (Printf.sprintf "block %d" number) 2 8 in
+  let count = List.length family.matrices and n = family.size in
+  match List.hd fields with
+  | "norm" ->
+      require (List.length fields = 2) "wrong number of fields after 'norm'";
+      let level = size (List.nth fields 1) 1 64 in
+      let work = (float_of_int count ** float_of_int level) *. float_of_int (n * n * n) in
+      require (work <= float_of_int max_work) "more work than this checker allows";
+      spend (int_of_float work * (1 + (level * Z.numbits family.denominator / 640)));
+      (None, Norm level)
+  | "quadratic" ->
+      let bound, section = read_quadratic r family upper fields in
+      (Some bound, section)
+  | "polytope" when List.length fields >= 4 -> (None, read_polytope r family fields)
+  | _ -> reject "expected 'norm', 'polytope' or 'quadratic' and its numbers"

@@ -1,0 +1,41 @@
+#!/bin/sh
+# Exit codes, --show, and the theorem of primal:n=5 as it is checked in. Usage: command_line.sh PROGRAM CORPUS
+set -eu
+program=$1
+corpus=$2
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$corpus"
+
+# expect CODE ARGUMENTS...
+expect() {
+  code=$1
+  shift
+  status=0
+  output=$("$program" "$@" 2>&1) || status=$?
+  if [ "$status" -ne "$code" ] || { [ "$code" -ne 0 ] && echo "$output" | grep -q VERIFIED.*radius; }; then
+    echo "$*: exit code $status, not $code: $output"
+    exit 1
+  fi
+}
+
+expect 0 --help
+expect 64
+expect 64 golden.cert
+expect 64 --matrices golden.mat golden.cert
+expect 64 --matrices golden.mat --upper 2
+expect 64 --matrices golden.mat --upper 2/0 golden.cert
+expect 64 --matrices golden.mat --upper 2 --other 2 golden.cert
+expect 64 --matrices golden.mat --upper 2 --theorem 'a.b' golden.cert
+expect 65 --matrices golden.cert --upper 2 golden.cert
+expect 66 --matrices none.mat --upper 2 golden.cert
+expect 66 --matrices golden.mat --upper 2 none.cert
+expect 66 --matrices golden.mat --upper 2 .
+expect 1 --matrices golden.mat --upper 2 golden.mat
+expect 1 --matrices golden.mat --upper -1 golden.cert
+expect 2 --mask '[1,2,1]/2@-1' --arity 2 --lower 1 bspline-1.cert
+expect 0 --matrices golden.mat --upper 2 --show golden.cert
+echo "$output" | grep -qx 'row 1 1'
+
+cd "$here/accept"
+# shellcheck disable=SC2046
+"$program" $(cut -d ' ' -f 2- claims.txt) --theorem S5 primal-5.cert | diff - "$here/../theory/S5.v"

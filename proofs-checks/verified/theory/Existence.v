@@ -1,0 +1,115 @@
+(* Every family has a joint spectral radius. *)
+Require Import Reals List Lia Lra.
+From Coq Require Import ClassicalDedekindReals.
+From Subcert Require Import Radius Upper.
+Import ListNotations.
+Open Scope R_scope.
+
+Fixpoint full (count depth : nat) : tree :=
+  match depth with O => Leaf | S k => Node (repeat (full count k) count) end.
+
+Lemma full_good n count T N g level : (0 < level)%nat ->
+  (forall w, letters count w -> length w = level -> forall x, N (run n T w x) <= g ^ level * N x) ->
+  forall k w, letters count w -> (length w + k)%nat = level -> good n count T N g w (full count k).
+Proof.
+  intros Hl H. induction k; intros w Hw E; simpl.
+  - constructor. replace (length w) with level by lia. apply H; auto. lia. intros ->. simpl in E. lia.
+  - constructor. apply repeat_length. intros t child Ht.
+    assert (I := nth_error_In _ _ Ht). apply repeat_spec in I. subst child.
+    assert (L : (t < count)%nat). { rewrite <- (repeat_length (full count k) count). apply nth_error_Some. congruence. }
+    apply IHk. apply letters_app; split; auto. constructor; auto; constructor. rewrite app_length. simpl. lia.
+Qed.
+
+(* Products of one length bound the radius. *)
+Lemma level_bound n count T g level : (0 < level)%nat -> 0 <= g ->
+  (forall w, letters count w -> length w = level -> forall k, (k < n)%nat -> norm n (run n T w (unit k)) <= g ^ level) ->
+  radius_at_most n count T g.
+Proof.
+  intros Hl Hg H. apply (tree_bound n count T (norm n) g 1 1 (full count level)); auto; try lra; try (intros; lra).
+  apply full_good with (level := level); auto; [|constructor].
+  intros w Hw Hlw x. apply run_bound. auto.
+Qed.
+
+Section Existence.
+Variables (n count : nat) (T : nat -> mat).
+
+Fixpoint maximum (m : nat) (f : nat -> R) : R := match m with O => 0 | S k => Rmax (f k) (maximum k f) end.
+
+Lemma maximum_bound m f k : (k < m)%nat -> f k <= maximum m f.
+Proof.
+  induction m; simpl; intros H. lia. destruct (Nat.eq_dec k m). subst; apply Rmax_l.
+  eapply Rle_trans. apply IHm; lia. apply Rmax_r.
+Qed.
+
+Lemma maximum_least m f b : 0 <= b -> (forall k, (k < m)%nat -> f k <= b) -> maximum m f <= b.
+Proof. induction m; simpl; intros Hb H; auto. apply Rmax_lub; auto. Qed.
+
+(* The largest norm of P x over all products of k matrices, and of that over the units. *)
+Fixpoint grown (k : nat) (x : vec) : R :=
+  match k with O => norm n x | S j => maximum count (fun t => grown j (apply n (T t) x)) end.
+Definition level (k : nat) : R := maximum n (fun j => grown k (unit j)).
+
+Lemma grown_bound k : forall w x, length w = k -> letters count w -> norm n (run n T w x) <= grown k x.
+Proof.
+  induction k; intros w x Hl Hw. destruct w; [|discriminate]. simpl; lra.
+  destruct (exists_last (l := w)) as [v [t ->]]. { intros ->; discriminate. }
+  apply letters_app in Hw. destruct Hw as [Hv Ht]. inversion Ht; subst. rewrite app_length in Hl. simpl in Hl.
+  rewrite run_app. eapply Rle_trans. apply IHk; auto. lia.
+  simpl. apply (maximum_bound count (fun t => grown k (apply n (T t) x))); auto.
+Qed.
+
+Lemma grown_least k : forall x b, 0 <= b -> (forall w, length w = k -> letters count w -> norm n (run n T w x) <= b) -> grown k x <= b.
+Proof.
+  induction k; intros x b Hb H; simpl.
+  - apply (H []); auto. constructor.
+  - apply maximum_least; auto. intros t Ht. apply IHk; auto. intros w Hl Hw.
+    assert (D := H (w ++ [t])). rewrite run_app in D. apply D.
+    rewrite app_length; simpl; lia. apply letters_app; split; auto. constructor; auto; constructor.
+Qed.
+
+Lemma level_at_most g k : (0 < k)%nat -> 0 <= g -> level k <= g ^ k -> radius_at_most n count T g.
+Proof.
+  intros Hk Hg H. apply (level_bound n count T g k); auto. intros w Hw Hl j Hj.
+  eapply Rle_trans. apply (grown_bound k); auto. eapply Rle_trans; [|apply H].
+  apply (maximum_bound n (fun j => grown k (unit j))); auto.
+Qed.
+
+(* Decidable as comparisons of real numbers are. *)
+Lemma some_level (f g : nat -> R) : {k | f k < g k} + {forall k, g k <= f k}.
+Proof.
+  destruct (sig_forall_dec (fun k => g k <= f k)) as [[k H]|H].
+  - intros k. apply Rle_dec.
+  - left. exists k. lra.
+  - right. auto.
+Qed.
+
+Theorem radius_exists : exists x, is_radius n count T x.
+Proof.
+  set (A := fun s => 0 <= s /\ exists k, level (S k) < s ^ S k).
+  destruct (word_bound n count T) as [K [HK H]].
+  assert (AK : A (K + 1)).
+  { split. lra. exists 0%nat. apply Rle_lt_trans with K; [|simpl; lra]. apply maximum_least. lra.
+    intros j Hj. apply grown_least. lra. intros w Hl Hw. eapply Rle_trans. apply H; auto. rewrite Hl, norm_unit by auto. simpl; lra. }
+  destruct (completeness (fun y => exists s, y = - s /\ A s)) as [y [Hub Hlub]].
+  - exists 0. intros y [s [-> [Hs _]]]. lra.
+  - exists (- (K + 1)), (K + 1). auto.
+  - exists (- y). assert (Hy : y <= 0). { apply Hlub. intros z [s [-> [Hs _]]]. lra. }
+    split. lra. split.
+    + intros r Hr. set (g := (r - y) / 2).
+      destruct (some_level (fun k => level (S k)) (fun k => g ^ S k)) as [[k Hk]|N].
+      * apply (level_at_most g (S k)); unfold g in *; try lra; try lia.
+      * exfalso. assert (y <= - g); [|unfold g in *; lra]. apply Hlub. intros z [s [-> [Hs [k Hk]]]].
+        specialize (N k). destruct (Rle_lt_dec s g) as [L|L]; [|lra]. exfalso.
+        assert (s ^ S k <= g ^ S k) by (apply pow_incr; lra). lra.
+    + intros r Hr G. destruct (norm_growth n count T r Hr G) as [C [HC HG]].
+      apply le_epsilon. intros eps He.
+      destruct (some_level (fun k => (C + 1) * r ^ S k) (fun k => (r + eps) ^ S k)) as [[k Hk]|N].
+      * assert (A (r + eps)); [|assert (- (r + eps) <= y); [apply Hub; exists (r + eps); auto | lra]].
+        split. lra. exists k. eapply Rle_lt_trans; [|apply Hk]. assert (P : 0 <= r ^ S k) by (apply pow_le; auto).
+        apply maximum_least. apply Rmult_le_pos; lra. intros j Hj. apply grown_least. apply Rmult_le_pos; lra.
+        intros w Hl Hw. eapply Rle_trans. apply HG; auto. rewrite Hl, norm_unit, Rmult_1_r by auto.
+        apply Rmult_le_compat_r; lra.
+      * exfalso. assert (r + eps <= r); [|lra]. apply (power_bound (C + 1)); try lra.
+        intros m. destruct m. simpl; lra. apply N.
+Qed.
+End Existence.

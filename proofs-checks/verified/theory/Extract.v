@@ -1,0 +1,34 @@
+(* The checker as a program in OCaml, with the integers of zarith: of numbers only what ../number.ml lists is trusted. *)
+Require Import ZArith QArith.
+From Subcert Require Import Integers Sections Eigenvalue Quadratic Check.
+Require Import Extraction.
+
+Extraction Language OCaml.
+Extract Inductive bool => "bool" ["true" "false"].
+Extract Inductive list => "list" ["[]" "(::)"].
+Extract Inductive prod => "(*)" ["(,)"].
+Extract Inductive option => "option" ["Some" "None"].
+Extract Inductive sumbool => "bool" ["true" "false"].
+Extract Inlined Constant andb => "(&&)".
+Extract Inlined Constant orb => "(||)".
+
+Extract Inductive positive => "Number.t" ["Number.twice_plus_one" "Number.twice" "Number.one"] "Number.case_positive".
+Extract Inductive Z => "Number.t" ["Number.zero" "" "Number.opposite"] "Number.case_integer".
+Extract Inlined Constant Z.add => "Number.add".
+Extract Inlined Constant Z.sub => "Number.sub".
+Extract Inlined Constant Z.mul => "Number.mul".
+Extract Inlined Constant Z.opp => "Number.opposite".
+Extract Inlined Constant Z.abs => "Number.abs".
+Extract Inlined Constant Z.max => "Number.max".
+Extract Inlined Constant Z.eqb => "Number.equal".
+Extract Inlined Constant Z.leb => "Number.less_equal".
+Extract Inlined Constant Z.ltb => "Number.less".
+Extract Inlined Constant Z.pow => "Number.power".
+Extract Inlined Constant Z.sqrt => "Number.square_root".
+Extract Inlined Constant Z.sqrt_up => "Number.square_root_up".
+Extract Inlined Constant Z.of_nat => "Number.of_natural".
+Extract Inlined Constant Pos.succ => "Number.successor".
+Extract Inductive nat => "int" ["0" "Stdlib.succ"] "(fun zero next n -> if n = 0 then zero () else next (n - 1))".
+
+Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_valid first_block other_blocks transpose
+  check_section value_entry derivative_entry product_columns zrun addmul well_formed.

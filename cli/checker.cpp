@@ -3,10 +3,14 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <system_error>
@@ -51,6 +55,38 @@ CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::
   answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(internal);
   while (!answer.text.empty() && answer.text.back() == '\n') answer.text.pop_back();
   return answer;
+}
+
+Certificate write_verified(const std::string& file, const Certificate& certificate) {
+  const auto write = [&](const Certificate& one) {
+    std::vector<std::string> arguments = checker_arguments(one.text, file);
+    runtime::write_file_with(file, [&](const std::filesystem::path& path) {
+      runtime::write_file(path, one.text);
+      arguments.back() = path;
+      const CheckerAnswer answer = run_checker(arguments);
+      if (answer.code != 0) fail(ErrorKind::undecided, "{}: not written, subcert-check says {}", file, answer.text);
+    });
+    return one;
+  };
+  if (certificate.claim.exact) {
+    try {
+      return write(certificate);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::undecided) throw;
+    }
+  }
+  return write(certificate.of_bounds());
+}
+
+Json claim_json(const CertificateClaim& claim) {
+  return {{"lower", optional_json(claim.lower)},
+          {"upper", optional_json(claim.upper)},
+          {"exact", optional_json(claim.exact)}};
+}
+
+std::string verified_text(const std::string& file, const CertificateClaim& claim) {
+  return fmt::format("certificate  {}, verified: {}\n", file,
+                     claim.exact ? "the bounds, and that the product attains the radius" : "the bounds");
 }
 
 }  // namespace subcert::cli

@@ -1,5 +1,6 @@
 // subcert jsr FILE: the joint spectral radius of any finite set of rational matrices
 
+#include "checker.hpp"
 #include "command.hpp"
 #include "exponent_text.hpp"
 #include "parameter_range.hpp"
@@ -140,9 +141,10 @@ ExitCode run(const JsrOptions& options) {
   JointSpectralRadius radius = radius_of(family, lower, upper, budget);
   sharpen(radius, family, wanted.bits, budget.deadline);
   options.end_progress();
+  std::optional<CertificateClaim> claim;
   if (!options.certificate.empty()) {
-    runtime::write_file(options.certificate, radius_certificate(family, radius).text);
     runtime::write_file(options.certificate + ".matrices", matrices_text(family));
+    claim = write_verified(options.certificate, radius_certificate(family, radius)).claim;
   }
   std::vector<int> word = radius.product.word;
   if (lift)
@@ -152,8 +154,10 @@ ExitCode run(const JsrOptions& options) {
   if (lift)
     head += fmt::format("graph        {} successions, {} matrices of size {}\n", file.graph.size(), family.count(),
                         family.size());
-  options.answer(json_of(radius, word, bounds, family.size(), wanted.digits),
-                 head + text_of(radius, word, bounds, wanted.digits));
+  Json json = json_of(radius, word, bounds, family.size(), wanted.digits);
+  if (claim) json["certificate"] = claim_json(*claim);
+  options.answer(json, head + text_of(radius, word, bounds, wanted.digits) +
+                           (claim ? verified_text(options.certificate, *claim) : ""));
   if (bounds.empty()) return radius.is_closed() && wanted.holds(radius.radius) ? done : undecided;
   const auto any = [&](Truth truth) {
     return std::ranges::any_of(bounds, [=](const Bound& b) { return b.holds == truth; });

@@ -1,5 +1,6 @@
 // subcert regularity SCHEME
 
+#include "checker.hpp"
 #include "multivariate_regularity_page.hpp"
 #include "regularity_page.hpp"
 
@@ -46,16 +47,18 @@ ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budg
     if (!(radius < power(Rational(page.scheme.mask.arity()), rules)))
       fail(ErrorKind::usage, "--certificate: rational numbers prove nothing positive about {}",
            page.scheme.specification);
-    const Certificate certificate = exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding);
-    runtime::write_file(options.certificate, certificate.text);
-    claim = certificate.claim;
+    claim = write_verified(options.certificate,
+                           exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding))
+                .claim;
   }
   if (options.json) {
     Json json = page.json();
-    if (claim) json["certificate"] = {{"lower", optional_json(claim->lower)}, {"upper", optional_json(claim->upper)}};
+    if (claim) json["certificate"] = claim_json(*claim);
     options.answer(json);
   } else {
-    options.answer(page.text() + (claim ? certificate_text(page.regularity.deciding(), *claim) : ""));
+    options.answer(page.text() + (claim ? verified_text(options.certificate, *claim) +
+                                              certificate_text(page.regularity.deciding(), *claim)
+                                        : ""));
   }
   if (page.regularity.converges.is_no()) return failed;
   return page.regularity.converges.is_yes() && page.complete ? done : undecided;
@@ -67,9 +70,12 @@ ExitCode run(MultivariateScheme scheme, const RegularityOptions& options, const 
   const MultivariateRegularityPage page = multivariate_regularity_page(std::move(scheme), budget, wanted,
                                                                        !options.certificate.empty());
   options.end_progress();
+  std::optional<CertificateClaim> claim;
   if (!options.certificate.empty())
-    runtime::write_file(options.certificate, surface_certificate(page.scheme.mask, page.regularity).text);
-  options.json ? options.answer(page.json()) : options.answer(page.text());
+    claim = write_verified(options.certificate, surface_certificate(page.scheme.mask, page.regularity)).claim;
+  Json json = page.json();
+  if (claim) json["certificate"] = claim_json(*claim);
+  options.answer(json, page.text() + (claim ? verified_text(options.certificate, *claim) : ""));
   if (page.regularity.converges.is_no()) return failed;
   const bool complete = page.regularity.is_closed() && wanted.holds(page.regularity.exponent);
   return page.regularity.converges.is_yes() && complete ? done : undecided;

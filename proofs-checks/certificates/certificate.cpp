@@ -1,11 +1,16 @@
 #include "certificate.hpp"
 
+#include "exact_radius.hpp"
+#include "group_words.hpp"
+
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
+
+#include <sstream>
 
 namespace subcert {
 namespace {
@@ -21,59 +26,6 @@ std::string outward(const Rational& value, Rounding rounding) {
   const Rational rounded = *parse_rational(digits) * power(Rational(10), -places);
   return to_text(rounded);
 }
-
-/// The elements of a group as words of a few of them, with the sign that the product lacks.
-class GroupWords {
- public:
-  /// `flip`: whether the reversal of the coordinates is written as `f`.
-  explicit GroupWords(const std::vector<FamilySymmetry>& group, bool flip) : words_(group.size()) {
-    words_[0] = {"", 1};
-    std::vector<RationalMatrix> maps;
-    for (const FamilySymmetry& element : group) maps.push_back(element.map.matrix());
-    if (flip && group.size() == 2 && group[1].map == SparseMap::reversal(group[1].map.size())) {
-      words_[1] = {"f", 1};
-      return;
-    }
-    for (std::size_t next = 1; next < group.size(); ++next) {
-      if (words_[next]) continue;
-      generators_.push_back(next);
-      inverses_.push_back(find(maps, solve(maps[next], maps[0])).first);
-      extend(maps);
-    }
-  }
-
-  const std::vector<std::size_t>& generators() const { return generators_; }
-  /// The element that undoes a generator.
-  std::size_t inverse(std::size_t generator) const { return inverses_[generator]; }
-  const std::string& word(std::size_t element) const { return words_[element]->first; }
-  int sign(std::size_t element) const { return words_[element]->second; }
-
- private:
-  /// The element that is the map or its negative.
-  static std::pair<std::size_t, int> find(const std::vector<RationalMatrix>& maps, const RationalMatrix& map) {
-    for (std::size_t e = 0; e < maps.size(); ++e)
-      for (const int sign : {1, -1})
-        if (map == Rational(sign) * maps[e]) return {e, sign};
-    fail(ErrorKind::domain, "certificate: need a group of symmetries, got maps that are none");
-  }
-
-  /// Words for all products of the generators so far.
-  void extend(const std::vector<RationalMatrix>& maps) {
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (std::size_t e = 0; e < maps.size(); ++e)
-        for (std::size_t g = 0; words_[e] && g < generators_.size(); ++g) {
-          const auto [product, sign] = find(maps, maps[generators_[g]] * maps[e]);
-          if (words_[product]) continue;
-          words_[product] = {static_cast<char>('A' + g) + words_[e]->first, sign * words_[e]->second};
-          changed = true;
-        }
-    }
-  }
-
-  std::vector<std::size_t> generators_, inverses_;
-  std::vector<std::optional<std::pair<std::string, int>>> words_;  // the word gives sign * element
-};
 
 std::string terms_text(const std::vector<WeightedVertex>& terms, PolytopeKind kind, const GroupWords& group) {
   std::string text;
@@ -153,7 +105,9 @@ std::string generators_text(const std::vector<FamilySymmetry>& elements, const G
 /// The sections of a proof, block by block.
 class SectionWriter {
  public:
-  explicit SectionWriter(std::size_t matrix_count) : matrix_count_(matrix_count) {}
+  /// `cycles`: the lines that follow those of polytopes, block by block.
+  explicit SectionWriter(std::size_t matrix_count, std::vector<std::string> cycles = {})
+      : matrix_count_(matrix_count), cycles_(std::move(cycles)) {}
 
   std::string text(const RadiusProof& proof) { return std::visit(*this, proof); }
 
@@ -172,7 +126,7 @@ class SectionWriter {
     for (std::size_t i = 0; i < polytope.images.size(); ++i)
       text += fmt::format("image {} {}{}\n", i / matrix_count_, i % matrix_count_,
                           terms_text(polytope.images[i], polytope.kind, group));
-    return text;
+    return block_ < cycles_.size() ? text + cycles_[block_] : text;
   }
 
   std::string operator()(const QuadraticProof& proof) const {
@@ -197,8 +151,39 @@ class SectionWriter {
 
  private:
   std::size_t matrix_count_;
+  std::vector<std::string> cycles_;
   std::size_t block_ = 0;
 };
+
+/// What says that the product attains the radius.
+struct ExactRadius {
+  std::string number, root;         // empty where nothing says so
+  std::vector<std::string> cycles;  // block by block
+};
+
+ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& radius) {
+  if (!radius.exact.is_yes()) return {};
+  const BlockProof* blocks = radius.by_blocks();
+  const std::size_t count = blocks ? blocks->blocks.size() : 1, leading = blocks ? blocks->leading : 0;
+  const auto lines_of = [&](std::size_t i) -> std::optional<ExactRadiusLines> {
+    const auto* polytope = std::get_if<PolytopeProof>(blocks ? &blocks->blocks[i].proof : &radius.proof);
+    return polytope ? exact_radius_lines(blocks ? blocks->triangular.block(i) : family, *polytope) : std::nullopt;
+  };
+  const auto first = lines_of(leading);
+  if (!first) return {};
+  ExactRadius exact{first->number, first->root, std::vector<std::string>(count)};
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i != leading && blocks->blocks[i].proved_upper() <= first->low) continue;
+    const auto lines = i == leading ? first : lines_of(i);
+    if (!lines || lines->number != first->number) return {};
+    exact.cycles[i] = lines->cycles;
+  }
+  return exact;
+}
+
+std::string exact_text(const CertificateClaim& claim, const ExactRadius& exact) {
+  return claim.exact ? fmt::format("exact {}\n{}", *claim.exact, exact.root) : "";
+}
 
 std::string blocks_text(const JointSpectralRadius& radius) {
   const BlockProof* blocks = radius.by_blocks();
@@ -251,12 +236,16 @@ std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
   return text;
 }
 
+MatrixFamily family_of(const Mask& mask, const HolderRegularity& regularity) {
+  return transition_matrices(divided_difference_scheme(mask, regularity.bounds.sum_rules));
+}
+
 /// `product`: the lower bound as well.
-std::string radius_text(const Mask& mask, const HolderRegularity& regularity, bool product) {
+std::string radius_text(const Mask& mask, const HolderRegularity& regularity, bool product,
+                        std::vector<std::string> cycles = {}) {
   const JointSpectralRadius& radius = regularity.certifiable();
-  const auto family = [&] { return transition_matrices(divided_difference_scheme(mask, regularity.bounds.sum_rules)); };
-  return blocks_text(radius) + (product ? product_text(family(), radius) : "") +
-         SectionWriter(static_cast<std::size_t>(mask.arity())).text(radius.proof);
+  return blocks_text(radius) + (product ? product_text(family_of(mask, regularity), radius) : "") +
+         SectionWriter(static_cast<std::size_t>(mask.arity()), std::move(cycles)).text(radius.proof);
 }
 
 /// What the rational numbers prove; the exponent may be known more sharply by other arguments.
@@ -264,12 +253,17 @@ Rational lower_end(const Mask& mask, const HolderRegularity& regularity) {
   return regularity.bounds.sum_rules - *log_ratio(regularity.certifiable().proved_upper(), mask.arity()).upper;
 }
 
-/// The claim, and the lines from that of the sum rules on.
-Certificate exponent_lines(const Mask& mask, const HolderRegularity& regularity,
-                           const std::optional<MaskRounding>& rounding) {
+/// The claim, and the lines from that of the sum rules on; those that come before are about what is exact.
+struct ExponentLines {
+  CertificateClaim claim;
+  std::string exact, text;
+};
+
+ExponentLines exponent_lines(const Mask& mask, const HolderRegularity& regularity,
+                             const std::optional<MaskRounding>& rounding) {
   const int rules = regularity.bounds.sum_rules;
   const JointSpectralRadius& radius = regularity.certifiable();
-  Certificate result;
+  ExponentLines result;
   result.claim.lower = outward(lower_end(mask, regularity), Rounding::down);
   const std::optional<Rational>& product = radius.product.radius.lower;
   const std::string whole = std::to_string(rules),
@@ -282,8 +276,14 @@ Certificate exponent_lines(const Mask& mask, const HolderRegularity& regularity,
   if (regularity.stable.is_yes() && (by_product || !rounding) && common_factor_of_cosets(mask).length() == 1)
     result.claim.upper = decimal;
   const bool upper = result.claim.upper.has_value();
+  ExactRadius exact;
+  if (upper && by_product && !rounding) exact = exact_radius(family_of(mask, regularity), radius);
+  if (!exact.number.empty()) {
+    result.claim.exact = fmt::format("{}-log{}", rules, exact.number);
+    result.exact = exact_text(result.claim, exact);
+  }
   result.text = fmt::format("sum-rules {}{}\n{}", rules, full_text(upper && !by_product), upper ? "stability\n" : "") +
-                radius_text(mask, regularity, upper && by_product);
+                radius_text(mask, regularity, upper && by_product, std::move(exact.cycles));
   return result;
 }
 
@@ -319,6 +319,16 @@ std::string gram_text(const LatticeSequence& gram) {
 
 }  // namespace
 
+Certificate Certificate::of_bounds() const {
+  Certificate result{{claim.lower, claim.upper}, {}};
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (const std::string head = line.substr(0, line.find(' '));
+        head != "exact" && head != "root" && head != "cycle" && head != "seed" && head != "origin" && head != "same")
+      result.text += line + "\n";
+  return result;
+}
+
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity,
                                  const std::optional<MaskRounding>& rounding) {
   const ReducedRegularity* other = regularity.reduced.get();
@@ -327,11 +337,12 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
   const Rational lower = lower_end(mask, regularity);
   require(lower > 0, "exponent_certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(lower, 6, Rounding::nearest));
-  Certificate certificate = other ? exponent_lines(other->mask.mask, other->regularity, std::nullopt)
-                                  : exponent_lines(mask, regularity, rounding);
+  const ExponentLines lines = other ? exponent_lines(other->mask.mask, other->regularity, std::nullopt)
+                                    : exponent_lines(mask, regularity, rounding);
+  Certificate certificate{lines.claim, lines.text};
   std::string head = fmt::format("subcert-certificate 3\nexponent {} {}", mask.symbol().to_mask_text(), mask.arity());
   if (rounding) head += fmt::format(" within={},{}", to_text(rounding->distance), rules);
-  head += "\n" + bounds_text(certificate.claim);
+  head += "\n" + bounds_text(certificate.claim) + lines.exact;
   if (other) {
     head += fmt::format("reduced {} {}\n", other->mask.factor.to_mask_text(), other->mask.mask.symbol().to_mask_text());
     certificate.text += fmt::format("sum-rules {}\n", rules) + radius_text(mask, regularity, false);
@@ -356,13 +367,16 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   const bool tells_upper_end = space.is_of_values() || regularity.stable.is_yes();
   if (tells_upper_end && exponent.upper && *exponent.upper < space.order)
     certificate.claim.upper = outward(*exponent.upper, Rounding::up);
+  ExactRadius exact;
+  if (certificate.claim.upper) exact = exact_radius(space.family, radius);
+  if (!exact.number.empty()) certificate.claim.exact = "0-log" + exact.number;
   certificate.text = fmt::format("subcert-certificate 3\nsurface {} {}\n{}", to_mask_text(mask), dilation.to_text(),
                                  bounds_text(certificate.claim)) +
-                     space_text(space, dilation);
+                     exact_text(certificate.claim, exact) + space_text(space, dilation);
   if (certificate.claim.upper && !space.is_of_values()) certificate.text += gram_text(*regularity.gram);
   certificate.text += blocks_text(radius);
   if (certificate.claim.upper) certificate.text += product_text(space.family, radius);
-  certificate.text += SectionWriter(space.family.count()).text(radius.proof) + "end\n";
+  certificate.text += SectionWriter(space.family.count(), std::move(exact.cycles)).text(radius.proof) + "end\n";
   return certificate;
 }
 
@@ -439,9 +453,11 @@ Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRa
   certificate.claim.upper = outward(radius.proved_upper(), Rounding::up);
   certificate.text = fmt::format("subcert-certificate 3\nradius {} {}\n{}", family.count(), family.size(),
                                  bounds_text(certificate.claim));
-  certificate.text += blocks_text(radius);
+  ExactRadius exact = exact_radius(family, radius);
+  if (!exact.number.empty()) certificate.claim.exact = exact.number;
+  certificate.text += exact_text(certificate.claim, exact) + blocks_text(radius);
   if (certificate.claim.lower) certificate.text += product_text(family, radius);
-  certificate.text += SectionWriter(family.count()).text(radius.proof) + "end\n";
+  certificate.text += SectionWriter(family.count(), std::move(exact.cycles)).text(radius.proof) + "end\n";
   return certificate;
 }
 

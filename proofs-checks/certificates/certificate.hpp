@@ -15,6 +15,8 @@ namespace subcert {
 struct CertificateClaim {
   std::optional<std::string> lower;
   std::optional<std::string> upper;
+  /// What the radius or the exponent is: `2-log|[-4,1]@4,0,1/1000|^1/1`, see SPEC.md, section 4.10.
+  std::optional<std::string> exact = {};
 
   bool says_rough() const { return upper && upper->starts_with('C'); }
 };
@@ -22,6 +24,10 @@ struct CertificateClaim {
 struct Certificate {
   CertificateClaim claim;
   std::string text;
+
+  /// The same without the lines that say what the number is: where the checker does not accept them, as an image may
+  /// lie too near to the boundary.
+  Certificate of_bounds() const;
 };
 
 /// Proves bounds of the Hoelder exponent for this mask, or with `rounding` for all masks that are meant. Domain:

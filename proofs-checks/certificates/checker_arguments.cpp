@@ -10,7 +10,7 @@
 namespace subcert {
 namespace {
 
-constexpr std::size_t longest_head = 2'000'000;  // characters in which the first three lines end
+constexpr std::size_t longest_head = 2'000'000;  // characters in which the first four lines end
 
 std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t");
@@ -77,10 +77,11 @@ std::vector<std::string> stated_checker_arguments(const std::string& claim, cons
 
 std::vector<std::string> checker_arguments(const std::string& text, const std::string& file) {
   std::istringstream lines(text.substr(0, longest_head));
-  std::string version, subject, bounds;
+  std::string version, subject, bounds, exact;
   std::getline(lines, version);
   std::getline(lines, subject);
   std::getline(lines, bounds);
+  std::getline(lines, exact);
   std::istringstream subject_words(subject), bound_words(bounds);
   std::string kind, first, second, range, word, lower, upper;
   subject_words >> kind >> first >> second >> range;
@@ -103,6 +104,8 @@ std::vector<std::string> checker_arguments(const std::string& text, const std::s
     arguments.insert(arguments.end(), {"--for", range});
   if (lower != "-") arguments.insert(arguments.end(), {"--lower", lower});
   if (upper != "-") arguments.insert(arguments.end(), {"--upper", upper});
+  constexpr std::string_view is = "exact ";
+  if (exact.starts_with(is)) arguments.insert(arguments.end(), {"--exact", exact.substr(is.size())});
   arguments.push_back(file);
   return arguments;
 }

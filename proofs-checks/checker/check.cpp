@@ -2,7 +2,7 @@
 // ../certificates/SPEC.md, which proves each step.
 #include "check.hpp"
 
-#include "group.hpp"
+#include "attained.hpp"
 #include "parameter.hpp"
 #include "quadratic.hpp"
 #include "rounding.hpp"
@@ -12,11 +12,22 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <set>
+#include <tuple>
 #include <utility>
 
 namespace subcert_check {
 namespace {
+
+constexpr const char* not_attained = "no block attains the exact radius";
+
+/// |ROOT|^1/L, or M-log|ROOT|^1/L for an exponent; the radius and M.
+std::pair<ExactRadius, std::size_t> parse_exact(std::string_view text, bool exponent) {
+  const std::size_t bar = std::min(text.find('|'), text.size());
+  const std::string_view before = text.substr(0, bar);
+  require(exponent ? before.ends_with("-log") : before.empty(),
+          "an exact exponent is M-log|[p0,p1,...]@RE,IM,EPS|^1/L, an exact radius the same without M-log");
+  return {parse_exact_radius(text.substr(bar)), exponent ? parse_size(before.substr(0, bar - 4), 0, 500) : 0};
+}
 
 /// What is to be proved: about the exponent of a mask with an arity or a dilation, otherwise about the radius of a
 /// family. For a range of a parameter the inequalities are strict. Or that limits are not C^k for k = `rough`. Without
@@ -30,6 +41,9 @@ struct Claim {
   Family family;
   std::optional<mpq_class> lower, upper;
   std::optional<std::size_t> rough;
+  std::optional<ExactRadius> exact;  // of the radius; of an exponent: exact_order less its logarithm
+  std::size_t exact_order = 0;
+  std::string exact_text;
   std::string head, text, subject, file;  // its line in a certificate; what to print; of what; the certificate
 };
 
@@ -48,21 +62,37 @@ class Checker {
       parse_size(bounds[1].substr(1), 1, 500);
     else if (bounds[1] != "-")
       parse_rational(bounds[1]);
+    if (claim_.exact || reader_.at("exact")) read_exact();
     if (claim_.arity != 0 && !claim_.range && reader_.at("reduced"))
       read_reduced();
     else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
       read_intervals(family);
     else
       read_bounds(family, claim_.arity != 0);
+    require(!exact_ || attained_, not_attained);
     reader_.take("end", 0, 0);
     require(reader_.at_end(), "text after 'end'");
   }
 
  private:
+  /// Section 4.10: the number that the joint spectral radius is said to be.
+  void read_exact() {
+    require(!claim_.range && !claim_.rounding, "exact numbers are those of one mask or family");
+    if (claim_.exact) {
+      reader_.take("exact " + claim_.exact_text, 0, 0);
+      exact_ = claim_.exact;
+      exact_order_ = claim_.exact_order;
+    } else {
+      std::tie(exact_, exact_order_) = parse_exact(reader_.take("exact", 1, 1)[0], claim_.mask.has_value());
+    }
+    read_root(*exact_, reader_, arithmetic_);
+  }
+
   /// Section 4.9: the exponent of another mask, and convergence of the scheme.
   void read_reduced() {
     const Mask& mask = *claim_.mask;
-    require(claim_.lower && !claim_.rounding, "a reduced mask tells the exponent of one mask, with a lower end");
+    require((claim_.lower || exact_) && !claim_.rounding,
+            "a reduced mask tells the exponent of one mask, with a lower end");
     const Fields fields = reader_.take("reduced", 2, 2);
     const Mask factor = parse_mask(fields[0], '\0'), other = parse_mask(fields[1], '\0');
     for (const Mask* one : {&factor, &other})
@@ -81,6 +111,8 @@ class Checker {
     require(product(mask, 1, other.denominator) == product(other, claim_.arity, mask.denominator),
             "the reduced mask is not that of the mask and the factor");
     read_bounds(read_scheme(other), true);
+    require(!exact_ || attained_, not_attained);
+    exact_.reset();
     const std::size_t sum_rules = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 500);
     lower_.reset();
     upper_ = power(claim_.arity, sum_rules);
@@ -108,7 +140,7 @@ class Checker {
     require(!divided || entry_error_ == 0, "blocks prove nothing of rounded masks");
     const std::vector<Family> blocks = divided ? read_blocks(family) : std::vector{family};
     if (lower_ || reader_.at("product")) read_product(blocks);
-    const bool sections = upper_ || reader_.at("block 0");
+    const bool sections = upper_ || exact_ || reader_.at("block 0");
     for (std::size_t i = 0; sections && i < blocks.size(); ++i) {
       const Fields fields = reader_.take("block " + std::to_string(i), 2, 8);
       if (fields[0] == "norm")
@@ -116,7 +148,7 @@ class Checker {
       else if (fields[0] == "quadratic" && entry_error_ == 0)
         use_upper_bound(read_quadratic(blocks[i], fields, reader_, arithmetic_), 1);
       else
-        read_polytope(blocks[i], fields);
+        use_polytope(read_polytope(blocks[i], fields, entry_error_, reader_, arithmetic_));
     }
   }
 
@@ -127,10 +159,11 @@ class Checker {
     const std::size_t sum_rules = parse_size(order[0], 1, 500);
     if (claim_.dilation) {
       show_exponent(classes(*claim_.dilation), 1, sum_rules);
-      require(!of_values || *claim_.lower <= mpz_class(sum_rules),
+      require(!of_values || !claim_.lower || *claim_.lower <= mpz_class(sum_rules),
               "the lower end is above the order of the differences");
       root_ = claim_.dilation->variables;
-      return read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper.has_value(), reader_, arithmetic_);
+      show_exact_exponent(1, 0);
+      return read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper || exact_, reader_, arithmetic_);
     }
     for (std::size_t k = 0; k < mask.powers; ++k) {
       const auto begin = mask.coefficients.begin() + static_cast<std::ptrdiff_t>(k * mask.points()),
@@ -139,8 +172,10 @@ class Checker {
               "the coefficients of the mask do not sum to the arity");
     }
     show_exponent(claim_.arity, power(claim_.arity, sum_rules), sum_rules);
+    show_exact_exponent(power(claim_.arity, sum_rules), sum_rules);
     const bool diverges = claim_.range && claim_.upper && *claim_.upper == 0;
-    if (claim_.rough || (claim_.upper && !diverges) || !(claim_.lower || claim_.upper) || reader_.at("stability")) {
+    if (claim_.rough || exact_ || (claim_.upper && !diverges) || !(claim_.lower || claim_.upper) ||
+        reader_.at("stability")) {
       reader_.take("stability", 0, 0);
       const mpq_class error = claim_.rounding ? claim_.rounding->distance * mask.denominator : mpq_class(0);
       check_stability(mask, claim_.arity, claim_.range.value_or(Range{}), error, arithmetic_);
@@ -174,6 +209,14 @@ class Checker {
       upper_ = factor * power_lower(base, whole - lower) / power(base, whole.get_ui());
     }
     if (claim_.upper) lower_ = factor / power_lower(base, *claim_.upper);
+  }
+
+  /// The radius is below that of no exponent and above that of as many derivatives as there are sum rules.
+  void show_exact_exponent(const mpq_class& factor, std::size_t order) const {
+    if (!exact_) return;
+    require(exact_order_ == order, "the exact exponent has another number before its logarithm");
+    require(power(exact_->low, root_) > above_ && power(exact_->high, root_) < factor,
+            "the exact radius proves no exponent between 0 and the number of sum rules");
   }
 
   /// Section 4.4: the diagonal blocks.
@@ -349,134 +392,28 @@ class Checker {
     return largest;
   }
 
-  /// Vertices hold the real parts of their coordinates, then, if complex, the imaginary ones: `parts` is 1 or 2.
-  struct Polytope {
-    std::size_t size, parts;
-    bool nonnegative, symmetric;
-    std::vector<Generator> generators;  // of the group: A, B, ...
-    std::vector<Vector> vertices;
-    std::map<std::pair<std::size_t, std::string>, Vector> images;  // of vertices under words of generators
-  };
-
-  /// The vertex after a word of generators, the last letter first; f is the flip.
-  const Vector& image_of(Polytope& body, std::size_t vertex, std::string_view word) {
-    if (word.empty()) return body.vertices[vertex];
-    const auto [at, missing] = body.images.try_emplace({vertex, std::string(word)});
-    if (!missing) return at->second;
-    arithmetic_.spend(2000 + 100 * body.size);
-    Vector image = image_of(body, vertex, word.substr(1));
-    if (word.front() == 'f' && body.symmetric) {
-      for (std::size_t part = 0; part < body.parts; ++part)
-        std::reverse(&image[part * body.size], &image[part * body.size] + body.size);
-    } else {
-      const std::size_t generator = static_cast<unsigned char>(word.front()) - std::size_t{'A'};
-      require(generator < body.generators.size(), "unknown generator");
-      image = arithmetic_.multiply(body.generators[generator].map, image, body.size);
-    }
-    return at->second = std::move(image);
-  }
-
-  /// Section 4.7.
-  void read_polytope(Family family, const Fields& fields) {
-    require(fields[0] == "polytope" && fields.size() >= 4,
-            "expected 'norm', 'polytope' or 'quadratic' and its numbers");
-    const std::size_t n = family.size, vertices = parse_size(fields[1], 1, max_bytes);
-    const std::size_t vertex_bits = parse_size(fields[2], 0, 4096), weight_bits = parse_size(fields[3], 0, 4096);
-    std::set<std::string_view> properties(fields.begin() + 4, fields.end());
-    require(properties.size() + 4 == fields.size(), "a polytope property twice");
-    if (properties.erase("transposed") != 0) family.transpose();
-    const bool complex = properties.erase("complex") != 0, nonnegative = properties.erase("nonnegative") != 0;
-    const bool symmetric = properties.erase("symmetric") != 0;
-    const std::size_t generators = properties.size() == 1 ? parse_group(*properties.begin()) : 0;
-    if (generators > 0) properties.clear();
-    require(!(generators > 0 && (symmetric || nonnegative)), "a group goes with neither 'symmetric' nor 'nonnegative'");
-    require(generators == 0 || entry_error_ == 0, "a group proves nothing of rounded masks");
-    require(properties.empty() && !(complex && nonnegative), "unknown polytope property");
-    const Vector& entries = family.entries;
-    const auto negative = [](const mpz_class& x) { return x < 0; };
-    require(!symmetric || std::equal(entries.begin(), entries.end(), entries.rbegin()), "the family is not symmetric");
-    require(!nonnegative || std::none_of(entries.begin(), entries.end(), negative), "a matrix is not non-negative");
-
-    Polytope body{n, complex ? 2U : 1U, nonnegative, symmetric, {}, {}, {}};
-    body.generators = read_generators(family, generators, reader_, arithmetic_);
-    for (std::size_t i = 0; i < vertices; ++i) {
-      Vector& vertex = body.vertices.emplace_back();
-      for (const std::string_view field : reader_.take("vertex", body.parts * n, body.parts * n))
-        vertex.push_back(parse_integer(field));
-      require(!nonnegative || std::none_of(vertex.begin(), vertex.end(), negative), "negative coordinate");
-    }
-    const mpz_class weight_one = mpz_class(1) << weight_bits, one = weight_one << vertex_bits;
-    mpz_class most_residual = 0, most_weights = 0;  // R and S of Theorem 6, over `one` and over `weight_one`
-    for (std::size_t k = 0; k < (symmetric ? (n + 1) / 2 : n); ++k) {
-      Vector unit(body.parts * n);
-      unit[k] = 1;
-      const auto [weights, residual] = read_combination("unit " + std::to_string(k), body, unit, one, 1);
-      most_residual = std::max(most_residual, residual);
-      most_weights = std::max(most_weights, weights);
-    }
-    require(most_residual < one, "the vertices do not span: a unit's residual is 1 or more");
-    const mpz_class unit_norm = (most_weights << vertex_bits) / (one - most_residual) + 1;  // at least E
-    mpz_class bound = 0;                                                                    // over `one` * denominator
-    for (std::size_t j = 0; j < vertices; ++j)
-      for (std::size_t t = 0; t < family.count(); ++t) {
-        const Vector image = arithmetic_.multiply(family.matrix(t), body.vertices[j], n);
-        const std::string head = "image " + std::to_string(j) + " " + std::to_string(t);
-        const auto [weights, residual] = read_combination(head, body, image, weight_one, family.denominator);
-        mpz_class length = 0;
-        for (const mpz_class& x : body.vertices[j]) length += abs(x);
-        const mpz_class off = ceiling(entry_error_ * (length * n * weight_one * family.denominator));
-        bound = std::max(bound,
-                         mpz_class((weights * family.denominator << vertex_bits) + (residual + off) * unit_norm));
-      }
-    use_upper_bound(ratio(bound, one * family.denominator), 1);
-  }
-
-  /// Reads a line of terms. Returns the sum of their weights in absolute value, and the residual: the norm of
-  /// `target` * `target_scale` - (sum of the terms) * `sum_scale`.
-  std::pair<mpz_class, mpz_class> read_combination(const std::string& head, Polytope& body, const Vector& target,
-                                                   const mpz_class& target_scale, const mpz_class& sum_scale) {
-    mpz_class weights = 0, residual = 0;
-    Vector sum(target.size());
-    for (const std::string_view term : reader_.take(head, 0, max_line)) {
-      arithmetic_.spend(1000);
-      const Fields parts = split(term, ":");
-      require(parts.size() == 1 + body.parts, "a term is INDEX:WEIGHT");
-      std::string_view index = parts[0];
-      const bool conjugate = body.parts == 2 && index.ends_with('c');
-      if (conjugate) index.remove_suffix(1);
-      const std::size_t digits = std::min(index.find_first_not_of("0123456789"), index.size());
-      require(index.size() - digits <= 16, "a word of more than 16 generators");
-      const Vector& vertex = image_of(body, parse_size(index.substr(0, digits), 0, body.vertices.size() - 1),
-                                      index.substr(digits));
-      const mpz_class re = parse_integer(parts[1]), im = body.parts == 2 ? parse_integer(parts[2]) : mpz_class(0);
-      require(!body.nonnegative || re >= 0, "negative weight");
-      mpz_class square = 0;
-      for (const mpz_class& x : {re, im}) arithmetic_.add_product(square, x, x);
-      if (square > 0) weights += sqrt(mpz_class(square - 1)) + 1;  // the modulus, rounded up
-      // (Re, Im) of the term are this matrix times (Re, Im) of the vertex; only the first entry counts if not complex
-      const Vector factor{re, im, conjugate ? im : -im, conjugate ? -re : re};
-      for (std::size_t k = 0; k < body.size; ++k)
-        for (std::size_t i = 0; i < body.parts * body.parts; ++i)
-          arithmetic_.add_product(sum[i % body.parts * body.size + k], factor[i],
-                                  vertex[i / body.parts * body.size + k]);
-    }
-    for (std::size_t i = 0; i < target.size(); ++i) {
-      mpz_class part = 0;
-      arithmetic_.add_product(part, target[i], target_scale);
-      arithmetic_.add_product(part, sum[i], -sum_scale);
-      if (part > 0 || !body.nonnegative) residual += abs(part);
-    }
-    return {weights, residual};
-  }
-
   /// What errors of the entries add to the norms of products of so many matrices.
   mpq_class change_of(const Family& family, std::size_t level) const {
     if (entry_error_ == 0) return 0;
     return change_of_product(largest_column_sum(family), entry_error_ * mpz_class(family.size), level);
   }
 
+  void use_polytope(const Polytope& body) {
+    if (exact_ && reader_.at("cycle")) {
+      check_attained(body, *exact_, reader_, arithmetic_);
+      attained_ = true;
+      show_upper_bound(body.bound, 1);
+    } else {
+      use_upper_bound(body.bound, 1);
+    }
+  }
+
   /// Compares the proved JSR(block)^exponent <= value with what is to be shown of each block.
   void use_upper_bound(const mpq_class& value, std::size_t exponent) const {
+    require(!exact_ || value <= power(exact_->low, exponent), "the bound of a block is above the exact radius");
+    show_upper_bound(value, exponent);
+  }
+  void show_upper_bound(const mpq_class& value, std::size_t exponent) const {
     if (!upper_) return;
     const mpq_class proved = power(value, root_), wanted = power(*upper_, exponent);
     require(*upper_ >= 0 && (strict_ ? proved < wanted : proved <= wanted), "the bound does not prove the claim");
@@ -493,6 +430,9 @@ class Checker {
   bool strict_;
   mpq_class above_ = 0;
   std::size_t root_ = 1;
+  std::optional<ExactRadius> exact_;
+  std::size_t exact_order_ = 0;
+  bool attained_ = false;  // by a block
 };
 
 // ---- the command line ------------------------------------------------------------------------------------------
@@ -507,6 +447,11 @@ constexpr const char* usage =
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
+    "       subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to "
+    "the\n"
+    "                     base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: "
+    "without\n"
+    "                     M-log; beside bounds, or without)\n"
     "a mask and no bounds: its integer shifts are stable\n"
     "prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)\n"
     "exit 64: wrong usage, 65: malformed MATRICES, 66: missing file";
@@ -516,7 +461,7 @@ using Options = std::map<std::string, std::optional<std::string>>;
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name : {"--mask", "--arity", "--for", "--within", "--surface", "--dilation", "--matrices", "--lower",
-                           "--upper", "FILE"})
+                           "--upper", "--exact", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -550,18 +495,23 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
   const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
              &surface = given["--surface"], &dilation = given["--dilation"], &matrices = given["--matrices"],
-             &lower = given["--lower"], &upper = given["--upper"], &file = given["FILE"];
+             &lower = given["--lower"], &upper = given["--upper"], &exact = given["--exact"], &file = given["FILE"];
   const bool rough = upper && upper->starts_with('C');
   require(file && mask.has_value() + surface.has_value() + matrices.has_value() == 1 &&
               mask.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&
-              (mask || !(range || rounding)) && !(range && rounding) &&
-              (lower || (upper ? matrices || range || rough : mask.has_value())) && (!rough || (mask && !rounding)),
+              (mask || !(range || rounding)) && !(range && rounding) && !(exact && (range || rounding)) &&
+              (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
+              (!rough || (mask && !rounding)),
           usage);
   Claim claim;
   claim.file = *file;
   if (lower) claim.lower = parse_rational(*lower);
   if (rough) claim.rough = parse_size(upper->substr(1), 1, 500);
   if (upper && !rough) claim.upper = parse_rational(*upper);
+  if (exact) {
+    std::tie(claim.exact, claim.exact_order) = parse_exact(*exact, !matrices);
+    claim.exact_text = *exact;
+  }
   if (range) claim.range = parse_range(*range);
   if (rounding) claim.rounding = parse_rounding(*rounding);
   if (mask) read_scheme_claim("arity", *mask, *arity, claim);
@@ -578,11 +528,12 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     claim.text = "joint spectral radius";
     claim.subject = *matrices;
   }
-  if (!lower && !upper) claim.text = "stable integer shifts";
+  if (!lower && !upper && !exact) claim.text = "stable integer shifts";
   const std::string relation = range ? " < " : " <= ";
   const bool diverges = range && !lower && claim.upper && *claim.upper == 0;
   if (diverges) claim.text = "no convergence";
   if (rough) claim.text = (lower ? "Hoelder exponent and no C^" : "no C^") + upper->substr(1) + " limits";
+  if (exact) claim.text += " = " + *exact;
   claim.text = (lower ? claim.lower->get_str() + relation : "") + claim.text +
                (upper && !diverges && !rough ? relation + claim.upper->get_str() : "") + " of " + claim.subject;
   if (range) {

@@ -219,10 +219,11 @@ TEST_CASE("certificates of surfaces and volumes are proved by the checker, false
     const std::string lower = *certificate.claim.lower, upper = *certificate.claim.upper;
     CHECK(q(lower.c_str()) > exponent - tiny);
     CHECK(q(upper.c_str()) < exponent + tiny);
-    CHECK(proves(subject_of(mask), lower, upper, certificate.text));
-    CHECK_FALSE(proves(subject_of(mask), to_text(exponent + tiny), "", certificate.text));
-    CHECK_FALSE(proves(subject_of(mask), lower, to_text(exponent - tiny), certificate.text));
-    CHECK_FALSE(proves(subject_of(box_spline({{1, 0}, {0, 1}})), lower, "", certificate.text));
+    const std::string text = certificate.of_bounds().text;
+    CHECK(proves(subject_of(mask), lower, upper, text));
+    CHECK_FALSE(proves(subject_of(mask), to_text(exponent + tiny), "", text));
+    CHECK_FALSE(proves(subject_of(mask), lower, to_text(exponent - tiny), text));
+    CHECK_FALSE(proves(subject_of(box_spline({{1, 0}, {0, 1}})), lower, "", text));
   }
   // Without stable shifts by the differences of the limit.
   const MultivariateMask zwart_powell = box_spline({{1, 0}, {0, 1}, {1, 1}, {1, -1}});
@@ -270,6 +271,42 @@ TEST_CASE("a complex leading pair") {
   CHECK(regularity.radius.is_closed());
   const Certificate certificate = exponent_certificate(mask, regularity);
   CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
+}
+
+TEST_CASE("certificates say what an exponent or a radius is") {
+  const auto proves_exactly = [](const std::string& subject, const Certificate& certificate) {
+    const CertificateClaim& claim = certificate.claim;
+    REQUIRE(claim.exact);
+    CHECK(certificate.of_bounds().text.find("cycle") == std::string::npos);
+    CHECK(proves(subject, *claim.lower, *claim.upper, certificate.of_bounds().text));
+    std::string other = *claim.exact;
+    other.back() = other.back() == '9' ? '8' : '9';
+    CHECK_FALSE(proves(subject + " --exact '" + other + "'", "", "", certificate.text));
+    return proves(subject + " --exact '" + *claim.exact + "'", *claim.lower, *claim.upper, certificate.text);
+  };
+  // A product that the flip shortens, one of four letters, one with a complex eigenvalue, one without flip.
+  for (const char* specification :
+       {"primal:n=2", "primal:n=4", "primal:n=5", "dual:n=3", "dd:n=2", "four-point:w=1/20"}) {
+    CAPTURE(specification);
+    const Mask mask = make_scheme(specification).mask;
+    CHECK(proves_exactly(subject_of(mask), exponent_certificate(mask, regularity_of(specification))));
+  }
+  // A cone, diagonal blocks, and several variables.
+  const fs::path file = fs::temp_directory_path() / ("subcert-exact-test-" + std::to_string(getpid()) + ".matrices");
+  const MatrixFamily golden{matrix_of(2, {"1", "1", "0", "1"}), matrix_of(2, {"1", "0", "1", "1"})};
+  const MatrixFamily blocks{matrix_of(3, {"1", "1", "2", "0", "1", "3", "0", "0", "1/2"}),
+                            matrix_of(3, {"1", "0", "1", "1", "1", "1", "0", "0", "1/3"})};
+  for (const MatrixFamily& family : {golden, blocks}) {
+    std::ofstream(file, std::ios::binary) << matrices_text(family);
+    const Certificate certificate = radius_certificate(family, joint_spectral_radius(family, {Deadline::in(30)}));
+    CHECK(certificate.claim.exact == "|[-1,-1,1]@809/500,0,1/1000|^1/1");
+    CHECK(proves_exactly("--matrices " + file.string(), certificate));
+  }
+  fs::remove(file);
+  const auto surface = std::get<MultivariateScheme>(make_linear_scheme("grid:points=3x3,d=1"));
+  const MultivariateRegularity regularity = multivariate_regularity(surface.mask, {Deadline::in(60)});
+  const Certificate certificate = surface_certificate(surface.mask, regularity);
+  CHECK(proves_exactly(subject_of(surface.mask), certificate));
 }
 
 TEST_CASE("certificates by quadratic forms") {
@@ -661,7 +698,8 @@ TEST_CASE("certificates of curves are accepted, and prove no more than their env
     for (const RangeCertificate& piece : curve_certificates(scheme.mask, scheme.parameter, curve)) {
       const std::string subject = "--mask '" + scheme.mask.to_text(scheme.parameter) + "' --arity 2 --for " +
                                   scheme.parameter + "=" + to_text(piece.low) + ".." + to_text(piece.high);
-      const auto& [lower, upper] = piece.certificate.claim;
+      const auto& [lower, upper, exact] = piece.certificate.claim;
+      CHECK_FALSE(exact);
       CAPTURE(subject, lower.value_or("-"), upper.value_or("-"));
       CHECK(proves(subject, lower.value_or(""), upper.value_or(""), piece.certificate.text));
       if (upper) CHECK_FALSE(proves(subject, *upper, "", piece.certificate.text));

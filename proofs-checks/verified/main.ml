@@ -12,7 +12,7 @@ let usage =
    exponents and surfaces, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
-let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper"; "--theorem" ]
+let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper"; "--exact"; "--theorem" ]
 
 let rec options given = function
   | [] -> given
@@ -119,6 +119,14 @@ let check_inverse r family word re im lower =
 
 let bound_of q = { qnum = Q.num q; qden = Q.den q }
 
+(* Lines about what a radius is exactly: nothing is claimed of that here. *)
+let rec skip r heads =
+  match List.find_opt (at r) heads with
+  | None -> ()
+  | Some head ->
+      ignore (take r head 1 max_line);
+      skip r heads
+
 (* The bounds that the certificate says of itself, for people: what is proved is the claim. *)
 let read_bounds r =
   match take r "bounds" 2 2 with
@@ -134,6 +142,7 @@ let read_certificate family lower upper r =
   line "subcert-certificate 3";
   line (Printf.sprintf "radius %d %d" (List.length family.matrices) n);
   read_bounds r;
+  skip r [ "exact"; "root" ];
   let divided = at r "blocks" in
   let sizes = if divided then List.map (fun f -> size f 1 n) (take r "blocks" 1 n) else [ n ] in
   require (List.fold_left ( + ) 0 sizes = n) "the block sizes do not sum to n";
@@ -174,6 +183,7 @@ let read_certificate family lower upper r =
       List.mapi
         (fun i block ->
           let own, section = Sections.read_section r i block upper in
+          skip r [ "cycle"; "seed"; "origin"; "same" ];
           (match (own, upper) with
           | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
           | _ -> ());
@@ -207,6 +217,7 @@ let check arguments =
   let find name = List.assoc_opt name given in
   let has name = find name <> None in
   require (has "FILE" && (has "--matrices" || has "--mask" || has "--surface")) usage;
+  if has "--exact" then raise (Sections.Undecided "what a radius is exactly is not decided here, but by subcert-check");
   if not (has "--matrices") then
     raise (Sections.Undecided "claims about exponents and surfaces are not decided here, but by subcert-check");
   let other name = List.mem name [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation" ] in

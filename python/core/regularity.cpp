@@ -14,8 +14,15 @@ namespace {
 
 Budget budget_of(double seconds, std::size_t mebibytes) { return {Deadline::in(seconds), mebibytes << 20}; }
 
-py::tuple to_tuple(const Certificate& certificate) {
-  return py::make_tuple(certificate.text, certificate.claim.lower, certificate.claim.upper);
+/// The strongest one first: text, ends, matrices, and what the number is.
+py::list to_list(const Certificate& certificate, const std::optional<std::string>& matrices = std::nullopt) {
+  py::list result;
+  const auto add = [&](const Certificate& one) {
+    result.append(py::make_tuple(one.text, one.claim.lower, one.claim.upper, matrices, one.claim.exact));
+  };
+  add(certificate);
+  if (certificate.claim.exact) add(certificate.of_bounds());
+  return result;
 }
 
 /// What an answer about a radius holds. `word`: of the product, in the letters of the caller.
@@ -59,7 +66,7 @@ py::dict holder_dict(const HolderEvidence& evidence) {
 py::object holder_certificate(const HolderEvidence& evidence) {
   const HolderRegularity& regularity = evidence.regularity;
   if (regularity.certifiable().method() == JsrMethod::single_spectral_radius && !regularity.reduced) return py::none();
-  return to_tuple(exponent_certificate(evidence.scheme.mask, regularity, evidence.scheme.rounding));
+  return to_list(exponent_certificate(evidence.scheme.mask, regularity, evidence.scheme.rounding));
 }
 
 struct SurfaceEvidence {
@@ -163,7 +170,7 @@ void add_regularity(py::module_& module) {
       .def_property_readonly("facts", &surface_dict)
       .def("certificate", [](const SurfaceEvidence& evidence) -> py::object {
         if (!evidence.regularity.space) return py::none();
-        return to_tuple(surface_certificate(evidence.scheme.mask, evidence.regularity));
+        return to_list(surface_certificate(evidence.scheme.mask, evidence.regularity));
       });
   module.def("surface_holder", &surface_holder);
   module.def("sobolev", [](const Scheme& scheme, double seconds, const py::object& progress) {
@@ -173,8 +180,7 @@ void add_regularity(py::module_& module) {
   py::class_<RadiusEvidence, std::shared_ptr<RadiusEvidence>>(module, "RadiusEvidence")
       .def_property_readonly("facts", &jsr_dict)
       .def("certificate", [](const RadiusEvidence& evidence) {
-        return to_tuple(radius_certificate(evidence.family, evidence.radius)) +
-               py::make_tuple(matrices_text(evidence.family));
+        return to_list(radius_certificate(evidence.family, evidence.radius), matrices_text(evidence.family));
       });
   module.def("jsr", &jsr);
   module.def("p_radius", [](const std::vector<std::vector<std::vector<Rational>>>& matrices, int p, int bits,

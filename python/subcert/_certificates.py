@@ -38,13 +38,16 @@ class Verification:
 
 @dataclasses.dataclass(frozen=True)
 class Certificate:
-    """A proof that a small program of its own can follow. `lower` and `upper` are the bounds that it proves, as decimal
-    texts; None where it proves none. `matrices`: what a certificate of a joint spectral radius is about."""
+    """A proof that a small program of its own can follow. `lower` and `upper` are the bounds that it proves, as texts
+    of fractions; None where it proves none. `matrices`: what a certificate of a joint spectral radius is about.
+    `exact`: what the number is, as `4-log|[-4,1]@4,0,1/1000|^1/1`, where it proves that a product attains the
+    radius."""
 
     text: str
     lower: Optional[str]
     upper: Optional[str]
     matrices: Optional[str] = None
+    exact: Optional[str] = None
 
     def save(self, path: Path) -> None:
         """Writes it, and the matrices beside it as PATH.matrices: under another name first, then renamed."""
@@ -64,6 +67,15 @@ class Certificate:
             self.save(path)
             found = verify(path)
             return dataclasses.replace(found, answer=found.answer.replace(path + ": ", ""))
+
+
+def strongest(found: list[tuple[str, Optional[str], Optional[str], Optional[str], Optional[str]]]) -> Certificate:
+    """The first one that the checker accepts; of one alone nothing is asked."""
+    certificates = [Certificate(*one) for one in found]
+    for certificate in certificates[:-1]:
+        if certificate.verify().accepted:
+            return certificate
+    return certificates[-1]
 
 
 def verify(path: Path) -> Verification:

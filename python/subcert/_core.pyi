@@ -6,6 +6,7 @@ from typing import Any, Optional
 
 import numpy
 
+_Certificates = list[tuple[str, Optional[str], Optional[str], Optional[str], Optional[str]]]
 _Ends = tuple[Optional[Fraction], Optional[Fraction]]
 _Answer = tuple[str, str]
 _Polynomial = tuple[list[Fraction], int]
@@ -47,15 +48,15 @@ class ParametricScheme:
 
 class HolderEvidence:
     facts: dict[str, Any]
-    def certificate(self) -> Optional[tuple[str, Optional[str], Optional[str]]]: ...
+    def certificate(self) -> Optional[_Certificates]: ...
 
 class SurfaceEvidence:
     facts: dict[str, Any]
-    def certificate(self) -> Optional[tuple[str, Optional[str], Optional[str]]]: ...
+    def certificate(self) -> Optional[_Certificates]: ...
 
 class RadiusEvidence:
     facts: dict[str, Any]
-    def certificate(self) -> tuple[str, Optional[str], Optional[str], str]: ...
+    def certificate(self) -> _Certificates: ...
 
 class RangeEvidence:
     facts: dict[str, Any]

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any, Callable, Iterable, Optional, Sequence
 
 from . import _core
-from ._certificates import Certificate, Verification
+from ._certificates import Certificate, Verification, strongest
 from ._errors import CertificateError
 from ._exact import Decision, Enclosure, Exact, Truth, bits_of, fraction, optional_enclosure
 
@@ -87,7 +87,7 @@ class _Certified:
             found = self._evidence.certificate()
         if found is None:
             raise CertificateError(f"{self!r}: no evidence that a certificate can hold")
-        return Certificate(*found)
+        return strongest(found)
 
     def verify(self) -> Verification:
         """Asks the independent checker about the certificate."""

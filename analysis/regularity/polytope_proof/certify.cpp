@@ -55,9 +55,22 @@ class Certifier {
     polytope_.group = candidate.transposed ? transposed(family).group() : family.group();
     polytope_.vertex_bits = vertex_bits;
     polytope_.weight_bits = weight_bits;
+    polytope_.origins = origins();
     denominator_ = common_denominator(family);
     for (const RationalMatrix& m : family)
       matrices_.push_back(integer_multiple(candidate.transposed ? transposed(m) : m, denominator_));
+  }
+
+  PolytopeOrigins origins() const {
+    PolytopeOrigins result;
+    for (const auto& v : candidate_.vertices) result.vertices.push_back({v.parent, v.letter, v.cycle, v.place});
+    for (const auto& image : candidate_.images)
+      if (image.identity && !image.terms.front().conjugated)
+        result.coincidences.push_back({static_cast<std::size_t>(image.vertex), static_cast<std::size_t>(image.letter),
+                                       static_cast<std::size_t>(image.terms.front().vertex),
+                                       image.terms.front().element});
+    for (const auto& product : candidate_.products) result.cycles.push_back(product.cycle);
+    return result;
   }
 
   std::optional<PolytopeProof> run(const radius::Orbit& orbit, const Deadline& deadline) {

@@ -25,6 +25,22 @@ struct WeightedVertex {
   Integer modulus;
 };
 
+/// How the search made the vertices, from which it follows what their images are where they do not lie inside. Nothing
+/// here is proved.
+struct PolytopeOrigins {
+  struct Vertex {
+    int parent = -1, letter = -1;  ///< the image of that vertex, over the radius; -1: of none
+    int cycle = -1, place = -1;    ///< without parent: after so many letters of that cycle; -1: an extra vertex
+  };
+  /// An image that is a vertex up to a factor of modulus 1, moved by an element of the group.
+  struct Coincidence {
+    std::size_t vertex, letter, target, element;
+  };
+  std::vector<Vertex> vertices;
+  std::vector<Coincidence> coincidences;
+  std::vector<std::vector<int>> cycles;  ///< the letters in the order in which the matrices are applied
+};
+
 /// Vertices and combinations with exact dyadic numbers. With P the hull of the vertices, their negatives and, the
 /// images of all these under the group, the combinations prove A_t P within bound * P for all matrices
 /// (proofs-checks/certificates/SPEC.md): residuals are small, and `units` bounds the norm of any residual.
@@ -45,6 +61,7 @@ struct PolytopeProof {
   Integer unit_norm;                ///< bounds the norm of every unit vector
   std::vector<Rational> moduli;     ///< of the weights of each image, added up
   std::vector<Rational> residuals;  ///< 1-norms
+  PolytopeOrigins origins;
 
   /// Whether the group consists of the identity and the reversal of the coordinates.
   bool is_flip_symmetric() const;

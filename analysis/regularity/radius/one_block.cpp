@@ -97,6 +97,13 @@ void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
   repeated(polytope->images);
   repeated(polytope->moduli);
   repeated(polytope->residuals);
+  const auto original = [&](int letter) {
+    return letter < 0 ? letter : static_cast<int>(different.originals[static_cast<std::size_t>(letter)]);
+  };
+  for (PolytopeOrigins::Vertex& vertex : polytope->origins.vertices) vertex.letter = original(vertex.letter);
+  for (PolytopeOrigins::Coincidence& image : polytope->origins.coincidences)
+    image.letter = different.originals[image.letter];
+  for (std::vector<int>& cycle : polytope->origins.cycles) rename(cycle, different);
   expand(polytope->group, different);
 }
 

@@ -175,6 +175,108 @@ def with_inverse(case, matrix, re, im=Q(0)):
     return arguments, [*lines[:place], f"product 0 {re} {im} {letters}", *inverse_lines(matrix, re, im), *lines[place + 1:]]
 
 
+def root_of(p, centre, length):
+    """A zero of the polynomial, by Newton's method from the centre, and the line `root`, for a real zero."""
+    x, one = Q(centre), 1 << 300
+    value = lambda q: sum(c * x**k for k, c in enumerate(q))
+    slope = [k * c for k, c in enumerate(p)][1:]
+    for _ in range(12):
+        x = Q(round((x - value(p) / value(slope)) * one), one)
+    error = (len(p) - 1) * abs(value(p) / value(slope))
+    error = Q(math.ceil(error * one * one), one * one)
+    bits = 300
+    low = Q(integer_root(math.floor((abs(x) - error) * (1 << bits * length)), length), 1 << bits)
+    high = Q(integer_root(math.floor((abs(x) + error) * (1 << bits * length)), length) + (1 if error or low**length != abs(x) else 0), 1 << bits)
+    return f"root {x} 0 {error} {low} {high}", float(low)
+
+
+def integer_root(x, k):
+    low, high = 0, 1 << (x.bit_length() // k + 1)
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if middle**k <= x else (low, middle)
+    return low
+
+
+def seed_of(p, family, word, letters):
+    """A vector on which the polynomial of the product vanishes: the letters in their order, then the flip, if there is a
+    word."""
+    n = len(family[0])
+    def product(x):
+        for t in letters:
+            x = apply(family[t], x)
+        return x[::-1] if word == "f" else x
+    columns = []
+    for i in range(n):
+        x, value = [Q(int(k == i)) for k in range(n)], [Q(0)] * n
+        for c in p:
+            value, x = [v + c * y for v, y in zip(value, x)], product(x)
+        columns.append(value)
+    # elimination: the first column that depends on those before
+    pivots = []
+    for i in range(n):
+        value, combination = columns[i], [Q(int(k == i)) for k in range(n)]
+        for row, other, used in pivots:
+            f = value[row] / other[row]
+            value, combination = [a - f * b for a, b in zip(value, other)], [a - f * b for a, b in zip(combination, used)]
+        row = next((k for k in range(n) if value[k] != 0), None)
+        if row is None:
+            common = math.lcm(*(c.denominator for c in combination))
+            return [int(c * common) for c in combination]
+        pivots.append((row, value, combination))
+    assert False, "the polynomial vanishes nowhere"
+
+
+def exactly(case, family, before, p, centre, within, cycles, block=0, im=0, root=None):
+    """The case with the lines that say what the radius is: |z|^(1/L), z the zero of p near the centre. `cycles`: first
+    vertices, words, letters and seeds; `before`: M-log, or nothing. Origins and the images that are vertices are found by
+    their coordinates."""
+    arguments, lines = case
+    length = len(cycles[0][2])
+    exact = f"{before}|[{','.join(map(str, p))}]@{centre},{im},{within}|^1/{length}"
+    root, r = root or root_of(p, centre, length)
+    start = next(i for i, line in enumerate(lines) if line.startswith(f"block {block} "))
+    end = next(i for i in range(start + 1, len(lines)) if lines[i].split()[0] in ("block", "end", "sum-rules"))
+    words = lines[start].split()
+    bits, flips = int(words[4]), "symmetric" in words
+    below = "nonnegative" in words
+    numbers = [[int(x) / 2.0**bits for x in line.split()[1:]] for line in lines[start:end] if line.startswith("vertex")]
+    half = len(numbers[0]) // (2 if "complex" in words else 1)
+    vertices = [[complex(x, y) for x, y in zip(v, v[half:] or [0.0] * half)] for v in numbers]
+    near = lambda x, y: max(abs(a - b) for a, b in zip(x, y)) < 1e-12
+    turned = lambda x: [("", x)] + ([("f", x[::-1])] if flips else [])
+    images = {(j, t): [c / r for c in apply(m, v)] for j, v in enumerate(vertices) for t, m in enumerate(family)}
+    more, origins, known = [], {}, set()
+    for first, word, letters, seed in cycles:
+        more += [f"cycle {first} {word} " + " ".join(map(str, letters)), "seed " + " ".join(map(str, seed))]
+    firsts = [first for first, *_ in cycles]
+    for k in range(len(vertices)):
+        for (j, t), image in images.items():
+            if k not in firsts and k not in origins and j < k and near(image, vertices[k]):
+                origins[k] = (j, t)
+    more += [f"origin {k} {j} {t}" for k, (j, t) in origins.items()]
+    for first, word, letters, _ in cycles:
+        at = first
+        for t in letters[:-1]:
+            at = next(k for k, origin in origins.items() if origin == (at, t))
+        known.add((at, letters[-1]))
+    for key, image in images.items():
+        if key in known or key in origins.values():
+            continue
+        for k, v in enumerate(vertices):
+            for word, x in turned(v):
+                if near(image, x) or near(image, [-c for c in x]) or (
+                        below and all(a.real < b.real + 1e-12 for a, b in zip(image, x))):
+                    more.append(f"same {key[0]} {key[1]} {k}{word}")
+                    break
+            else:
+                continue
+            break
+    bounds = next(i for i, line in enumerate(lines) if line.startswith("bounds")) + 1
+    return [*arguments, "--exact", exact], [
+        *lines[:bounds], f"exact {exact}", root, *lines[bounds:end], *more, *lines[end:]]
+
+
 def exponent(mask_text, mask, arity, m, word, symmetric, stability=True, section=None):
     family = transition(mask, arity, m)
     lines, value, rho = polytope(family, word, symmetric)
@@ -201,7 +303,8 @@ def radius(name, family, word, symmetric, width=Q(1, 10**13)):
 
 def as_group(lines):
     """The flip of two coordinates as a generator of a group; then all units have lines."""
-    text = re.sub(r"(\d)f:", r"\1A:", "\n".join(lines)).replace(" symmetric", " group:1\ngenerator 1 0\nmap 0 1\nmap 1 0")
+    text = re.sub(r"(\d)f:", r"\1A:", "\n".join(lines))
+    text = re.sub(r"^(same .*|cycle \d+ )f", r"\1A", text, flags=re.M).replace(" symmetric", " group:1\ngenerator 1 0\nmap 0 1\nmap 1 0")
     unit = re.search("^unit 0.*\n", text, re.M)[0]
     mirrored = re.sub(r"(\d)(A?):", lambda m: m[1] + ("" if m[2] else "A") + ":", unit.replace("unit 0", "unit 1"))
     return text.replace(unit, unit + mirrored).split("\n")
@@ -236,12 +339,13 @@ def text(mask):
 
 def main(out):
     out.mkdir(parents=True, exist_ok=True)
-    cases = []
+    cases, made = [], {}  # the lines of claims.txt, and all by their names
 
     def write(name, case):
         arguments, lines = case
         (out / f"{name}.cert").write_text("\n".join(lines) + "\n")
         cases.append(f"{name} " + " ".join(arguments))
+        made[name] = case
 
     def write_matrices(name, family):
         rows = [f"matrices {len(family)} {len(family[0])}"] + ["row " + " ".join(map(str, row)) for m in family for row in m]
@@ -385,6 +489,61 @@ def main(out):
     # b = 2a/(1+z) = (-w, 1, 1, w): T_0 has a pair of eigenvalues with the product 1 + w^2
     over("pair", "[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]", "w=1..2", 1, None, Q(13, 25), True, ["to 2", "product 0 0 7/5 0"])
 
+    # what the radius is: SPEC.md, section 4.10
+    four = exponent("[-1,0,9,16,9,0,-1]/16@-3", dd4, 2, 4, [0], True, section=hand)
+    family = transition(dd4, 2, 4)
+    write("four-point-exact", exactly(four, family, "4-log", [-4, 1], 4, 1, [(0, "-", [0], [0, 1])], root=("root 4 0 0 4 4", 4)))
+    fibonacci = [-1, -1, 1]
+    slow = [golden[0], [[Q(9, 10) * x for x in row] for row in golden[1]]]
+    write_matrices("slow.mat", slow)
+    square = [81, -270, 100]
+    plain = radius("slow.mat", slow, [0, 1], False)
+    write("slow-exact", exactly(plain, slow, "", square, "47/20", "1/10", [(0, "-", [1, 0], [1, 0])]))
+    cone = exactly((golden_case[0], golden_case[1][:4] + two + ["end"]), golden, "", fibonacci, "8/5", "1/10",
+                   [(0, "f", [1], [1, 0])])
+    write("golden-cone-exact", cone)
+    flip = [[[Q(1), Q(2)], [Q(-1, 2), Q(1, 3)]], [[Q(1, 3), Q(-1, 2)], [Q(2), Q(1)]]]
+    write_matrices("flip.mat", flip)
+    case = exactly(radius("flip.mat", flip, [0, 1], True), flip, "", [-8, -9, 6], "21/10", "1/10", [(0, "f", [1], [1, 0])])
+    write("flip-exact", case)
+    write("flip-group-exact", (case[0], as_group(case[1])))
+    write("rotation-exact", exactly((["--matrices", "rotation.mat", "--lower", str(1 - width), "--upper", str(1 + width)], rotation), turn, "", [5, -6, 5], "3/5", "1/10", [(0, "-", [0], [1, 0])], im="4/5",
+                                    root=("root 3/5 4/5 0 1 1", 1)))
+    blocks = [[[*slow[t][0], Q(5)], [*slow[t][1], Q(-7, 3)], [Q(0), Q(0), (Q(3, 2), Q(-1))[t]]] for t in range(2)]
+    write_matrices("slow-blocks.mat", [multiply(multiply(basis, m), inverse) for m in blocks])
+    case = ["--matrices", "slow-blocks.mat"] + plain[0][2:], ["subcert-certificate 3", "radius 2 3", plain[1][2]] + split + \
+        plain[1][3:-1] + ["block 1 norm 3", "end"]
+    write("blocks-exact", exactly(case, slow, "", square, "47/20", "1/10", [(0, "-", [1, 0], [1, 0])]))
+    tension_case, tension_family = exponent(text(tension) + "@-3", tension, 2, 2, [0], True), transition(tension, 2, 2)
+    root_five = [4, -10, 5]  # of 1 + 1/sqrt(5)
+    write("tension-exact", exactly(tension_case, tension_family, "2-log", root_five, "7/5", "1/10",
+                                   [(0, "-", [0], seed_of(root_five, tension_family, "-", [0]))]))
+    first = [Q(c, 12) for c in (3, 4, 3, 4, 3, 4, 3)]  # the primal least squares scheme of four points and degree 1
+    first_family = transition(first, 2, 2)
+    quartic = [-8, -12, -12, -9, 27]
+    write("primal-exact", exactly(exponent("[3,4,3,4,3,4,3]/12@-3", first, 2, 2, [0, 1], True), first_family, "2-log", quartic,
+                                  "1193/1000", "1/1000", [(0, "f", [1], seed_of(quartic, first_family, "f", [1]))]))
+    # b (1 + z^2)/(1 + z), b that of the four-point scheme
+    smoothed = "[-1,1,7,9,9,7,1,-1]/16@-3"
+    lines = made["four-point-exact"][1]
+    write("reduced-exact", (["--mask", smoothed, "--arity", "2", *four[0][4:], "--exact", "4-log|[-4,1]@4,0,1|^1/1"], [
+        lines[0], f"exponent {smoothed} 2", *lines[2:5], "reduced [1,1] [-1,0,9,16,9,0,-1]/16", *lines[5:-1],
+        "sum-rules 1", "block 0 norm 3", "end"]))
+    # a given vertex, (0, 0, 1), whose images are opposite to each other
+    lone = [[[Q(1), Q(1), Q(3)], [Q(1), Q(0), Q(0)], [Q(0)] * 3], [[Q(0), Q(0), Q(-3)], [Q(0)] * 3, [Q(0)] * 3]]
+    write_matrices("lone.mat", lone)
+    golden_ratio = (1 + math.sqrt(5)) / 2
+    scaled = lambda x: round(x * ONE)
+    points = [[10 * golden_ratio, 10, 0], [0, 0, 1], [3 / golden_ratio, 0, 0]]
+    labelled = [(str(j), v) for j, v in enumerate(points)]
+    terms = lambda y: "".join(f" {label}:{scaled(w)}" for label, w in best_combination(labelled, y)[1] if scaled(w) != 0)
+    section = ["block 0 polytope 3 64 64", *("vertex " + " ".join(str(scaled(c)) for c in v) for v in points),
+               *(f"unit {k}" + terms([float(i == k) for i in range(3)]) for k in range(3)),
+               *(f"image {j} {t}" + (terms(y) if any(y) else "") for j, v in enumerate(points)
+                 for t, y in enumerate(apply([[float(c) for c in row] for row in m], v) for m in lone))]
+    lone_case = (["--matrices", "lone.mat"], ["subcert-certificate 3", "radius 2 3", "bounds - -", *section, "end"])
+    write("lone-exact", exactly(lone_case, lone, "", fibonacci, "8/5", "1/10", [(0, "-", [0], [1, 0, 0])]))
+
     # rounded masks
     # products by inverses: of a real eigenvalue, of a complex one, of all matrices near one
     near = Q(1, 1 << 60)
@@ -433,6 +592,8 @@ def main(out):
     near, width = Q(round(-math.log2(rho) * 10**15), 10**15), Q(1, 10**13)
     write("tension-surface", make_surfaces.one_variable({(i,): c for i, c in enumerate(tension) if c}, 2, len(quarter[0]), section,
                                                         f"product 0 {value} 0 0", near - width, near + width))
+    write("surface-exact", exactly(made["tension-surface"], quarter, "0-log", [1, -10, 20], "9/25", "1/10",
+                                   [(0, "-", [0], seed_of([1, -10, 20], quarter, "-", [0]))]))
     (out / "claims.txt").write_text("\n".join(cases) + "\n")
 
 

@@ -509,4 +509,79 @@ reject("range-pair-size", "corner-diverges", "a pair of eigenvalues needs matric
            replace("product .*", "product 0 0 1 0")(lines))),
        arguments="--mask [w,1,1-w] --arity 2 --for w=3/2..2 --upper 0")
 reject("far-exponent", "four-point-norm", "too large", arguments=option(claims["four-point-norm"], "lower", "1000000000"))
+# exact numbers
+outside = "may lie outside"
+
+
+def exact_case(name, base, reason, number, edit=lambda lines: lines, root=None):
+    """With another exact number, in claim and certificate."""
+    def change(lines):
+        lines = replace("^exact .*", f"exact {number}")(lines)
+        return edit(replace("^root .*", f"root {root}")(lines) if root else lines)
+    reject(name, base, reason, change, option(claims[base], "exact", number))
+
+
+four, slow = "4-log|[-4,1]@4,0,1|^1/1", "|[81,-270,100]@47/20,0,1/10|^1/2"
+reject("exact-other", "four-point-exact", "expected 'exact 4-log|[-4,1]@4,0,2|^1/1'", arguments=option(
+    claims["four-point-exact"], "exact", "4-log|[-4,1]@4,0,2|^1/1"))
+reject("exact-none", "four-point-by-hand", "expected 'exact", arguments=claims["four-point-exact"])
+exact_case("exact-order", "four-point-exact", "another number before its logarithm", four.replace("4-log", "3-log"))
+exact_case("exact-order-surface", "surface-exact", "another number before its logarithm", "2-log|[1,-10,20]@9/25,0,1/10|^1/1")
+reject("exact-range", "four-point-range", "exact numbers are those of one mask", replace("^(bounds.*)$", f"\\1\nexact {four}\nroot 4 0 0 4 4"))
+reject("exact-rounded", "rounded-hat", "exact numbers are those of one mask", replace("^(bounds.*)$", f"\\1\nexact {four}\nroot 4 0 0 4 4"))
+reject("exact-text", "four-point-exact", "an exact exponent is", replace("^exact 4-log", "exact "), option(claims["four-point-exact"], "exact", None))
+exact_case("exact-not-unique", "slow-exact", "more than one zero", slow.replace("1/10|", "2|"))
+exact_case("exact-elsewhere", "slow-exact", "not the one of the claim", slow.replace("47/20", "3"))
+exact_case("exact-elsewhere-imaginary", "slow-exact", "not the one of the claim", slow.replace(",0,", ",1/2,"))
+exact_case("exact-not-real", "slow-exact", "no real eigenvalue", slow.replace(",0,", ",1/100,"))
+reject("exact-point-not-real", "slow-exact", "no real eigenvalue", replace(r"^root (\S+) .*", r"root \1 1/1000000 1/10000 1 2"))
+reject("root-wide", "slow-exact", "not the one of the claim", replace(r"^(root \S+ 0) \S+", r"\1 1/5"))
+reject("root-negative", "slow-exact", "the error of a root is negative", replace(r"^(root \S+ 0) \S+", r"\1 -1"))
+reject("root-none", "slow-exact", "no zero is proved so near", replace("^root .*", "root 47/20 0 1/1000 1 2"))
+reject("root-narrow", "slow-exact", "no zero is proved so near", replace(r"^(root \S+ 0) \S+", r"\1 0"))
+reject("root-low", "slow-exact", "bounds of the exact radius", replace(r"^(root.*) (\S+) (\S+)$", r"\1 154/100 \3"))
+reject("root-low-zero", "slow-exact", "or its modulus not positive", replace(r"^(root.*) (\S+) (\S+)$", r"\1 0 \3"))
+reject("root-high", "slow-exact", "bounds of the exact radius", replace(r"^(root.*) (\S+) (\S+)$", r"\1 \2 153/100"))
+reject("root-high-small", "slow-exact", "bounds of the exact radius", replace(r"^(root \S+ 0) \S+ (\S+) (\S+)$", r"\1 1/20 1/10 1/100"))
+reject("root-low-error", "four-point-exact", "bounds of the exact radius", replace("^root.*", "root 4 0 1/100 4 5"))
+reject("root-high-error", "four-point-exact", "bounds of the exact radius", replace("^root.*", "root 4 0 1/100 3 4"))
+reject("exact-spline", "bspline-1", "between 0 and the number of sum rules", replace("^(bounds.*)$", "\\1\nexact 2-log|[-1,1]@1,0,1|^1/1\nroot 1 0 0 1 1"))
+exact_case("exact-rough", "four-point-exact", "between 0 and the number of sum rules", "4-log|[-16,1]@16,0,1|^1/1", root="16 0 0 16 16")
+exact_case("exact-not-attained", "four-point-exact", "no block attains", "4-log|[-5,1]@5,0,1|^1/1", lambda lines: drop("cycle|seed")(lines),
+           root="5 0 0 5 5")
+exact_case("exact-not-attained-reduced", "reduced-exact", "no block attains", "4-log|[-5,1]@5,0,1|^1/1",
+           lambda lines: drop("cycle|seed")(lines), root="5 0 0 5 5")
+reject("exact-no-cycle", "four-point-exact", "the bound of a block is above", lambda lines: replace("^image 0 1.*", "image 0 1 0:-3 0f:-3")(
+    drop("cycle|seed")(lines)))
+reject("exact-bound", "four-point-exact", "the bound does not prove", arguments=option(claims["four-point-exact"], "lower", "201/100"))
+reject("cycle-alone", "four-point-exact", "expected 'end'", drop("exact|root"), option(claims["four-point-exact"], "exact", None))
+reject("cycle-short", "slow-exact", "wrong number of fields", replace("^cycle 0 - 1 0", "cycle 0 - 1"))
+reject("cycle-twice", "four-point-exact", "the first one of two cycles", replace("^(cycle.*\nseed.*)$", "\\1\n\\1"))
+reject("cycle-vertex", "four-point-exact", "number outside", replace("^cycle 0", "cycle 1"))
+reject("cycle-letter", "four-point-exact", "number outside", replace("^cycle 0 - 0", "cycle 0 - 2"))
+reject("cycle-word", "flip-exact", "unknown generator", replace("^cycle 0 f", "cycle 0 A"))
+reject("cycle-word-long", "flip-exact", "more than 16 generators", replace("^cycle 0 f", "cycle 0 " + 17 * "f"))
+reject("cycle-other", "slow-exact", "does not vanish on the seed", replace("^cycle 0 - 1 0", "cycle 0 - 1 1"))
+reject("cycle-order", "slow-exact", "too far", replace("^cycle 0 - 1 0", "cycle 0 - 0 1"))
+reject("cycle-flip", "flip-exact", "does not vanish on the seed", replace("^cycle 0 f", "cycle 0 -"))
+reject("seed-other", "lone-exact", "does not vanish on the seed", replace("^seed.*", "seed 0 0 1"))
+reject("seed-zero", "four-point-exact", "may be zero", replace("^seed.*", "seed 0 0"))
+reject("seed-eigenvector", "four-point-exact", "may be zero", lambda lines: replace("^unit 0 0f:1", "unit 0 0:1")(
+    replace("^vertex 0 1", "vertex 1 0")(lines)))
+reject("vertex-far", "slow-exact", "too far", replace(r"^vertex (\S+) (\S+)", r"vertex \2 \1"))
+exact_case("cone-negative", "golden-cone-exact", "may be negative", "|[-1,-1,1]@-3/5,0,1/10|^1/1",
+           root=f"{-Q(6180339887498948482, 10**19)} 0 1/1000000000000000000 6/10 7/10")
+reject("origin-first", "slow-exact", "the first vertex of a cycle is no image", replace("^(seed.*)$", "\\1\norigin 0 0 0"))
+reject("origin-of-cycle", "slow-exact", "the first vertex of a cycle is no image", lambda lines: replace("^(cycle.*)$", "cycle 1 - 0 1")(lines))
+reject("origin-later", "slow-exact", "number outside", replace("^origin 1 0 1", "origin 1 1 1"))
+reject("origin-order", "slow-exact", outside, replace("^(origin 3.*)\n(origin 4.*)$", "\\2\n\\1"))
+reject("origin-letter", "slow-exact", "too far", replace("^origin 1 0 1", "origin 1 0 0"))
+reject("origin-none", "slow-exact", "a vertex of a cycle is missing", drop("origin 1"))
+reject("origin-end", "slow-exact", outside, lambda lines: [line for line in lines if line != [o for o in lines if o.startswith("origin")][-1]])
+reject("same-none", "lone-exact", outside, drop("same"))
+reject("same-target", "lone-exact", "not the vertex", replace("^same 1 1 2", "same 1 1 0"))
+reject("same-source", "lone-exact", "not the vertex", replace("^same 1 1 2", "same 2 1 2"))
+reject("same-word", "primal-exact", "unknown generator", replace("^(same .*)$", "\\1B"))
+reject("same-above", "golden-cone-exact", "not the vertex", lambda lines: replace("^same.*", "same 0 0 0f")(lines))
+reject("same-cone-none", "golden-cone-exact", outside, drop("same"))
 (out / "claims.txt").write_text("\n".join(index) + "\n")

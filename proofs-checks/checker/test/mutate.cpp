@@ -26,12 +26,59 @@ constexpr double max_seconds = 150;
 constexpr double max_seconds = 5;  // of the processor, for one claim
 #endif
 
+/// A claim that a certificate with these lines `exact` and `root` might prove.
+struct ExactClaim {
+  Claim claim;
+  std::string exact, root;
+};
+
 struct Case {
   std::string name;
   Claim claim;  // true: the certificate proves it
   std::vector<Claim> false_claims;
+  std::vector<ExactClaim> false_numbers;
   Lines lines;
 };
+
+std::vector<std::string> split(const std::string& line, char separator = ' ') {
+  std::vector<std::string> tokens;
+  std::istringstream words(line);
+  for (std::string word; std::getline(words, word, separator);)
+    if (!word.empty()) tokens.push_back(word);
+  return tokens;
+}
+
+std::string join(const std::vector<std::string>& tokens, char separator = ' ') {
+  std::string line;
+  for (const std::string& token : tokens) {
+    if (!line.empty()) line += separator;
+    line += token;
+  }
+  return line;
+}
+
+/// The exact number of a zero times a power of 2 in place of z: `1-log|[p0,...]@RE,IM,EPS|^1/L`.
+std::string with_other_zero(const std::string& exact, const mpq_class& factor) {
+  const std::size_t begin = exact.find('[') + 1, end = exact.find(']'), bar = exact.find('|', end);
+  std::vector<std::string> p = split(exact.substr(begin, end - begin), ','),
+                           point = split(exact.substr(end + 2, bar - end - 2), ',');
+  mpz_class scale = 1;
+  for (std::size_t k = 0; k < p.size(); ++k, scale *= 2) {
+    std::string& c = factor > 1 ? p[p.size() - 1 - k] : p[k];
+    c = mpz_class(mpz_class(c) * scale).get_str();
+  }
+  for (std::string& x : point) x = mpq_class(mpq_class(x) * factor).get_str();
+  return exact.substr(0, begin) + join(p, ',') + "]@" + join(point, ',') + exact.substr(bar);
+}
+
+/// Its line `root`, with bounds that are right for each L, but far apart.
+std::string with_other_root(const std::string& root, const mpq_class& factor) {
+  std::vector<std::string> fields = split(root);
+  for (std::size_t k = 1; k <= 3; ++k) fields[k] = mpq_class(mpq_class(fields[k]) * factor).get_str();
+  std::string& end = factor > 1 ? fields[5] : fields[4];
+  end = mpq_class(mpq_class(end) * factor).get_str();
+  return join(fields);
+}
 
 std::vector<Case> read_cases(const std::string& directory) {
   std::vector<Case> cases;
@@ -43,6 +90,7 @@ std::vector<Case> read_cases(const std::string& directory) {
     Claim subject;
     std::optional<mpq_class> lower, upper;
     std::optional<int> rough;  // no derivatives of this order
+    std::optional<std::string> exact;
     bool exponent = false, is_range = false;
     for (std::string option, value; words >> option >> value;) {
       if (option == "--lower") lower = mpq_class(value);
@@ -51,7 +99,8 @@ std::vector<Case> read_cases(const std::string& directory) {
         rough = std::stoi(value.substr(1));
       else if (option == "--upper")
         upper = mpq_class(value);
-      if (option == "--lower" || option == "--upper") continue;
+      if (option == "--exact") exact = value;
+      if (option == "--lower" || option == "--upper" || option == "--exact") continue;
       exponent = exponent || option == "--mask" || option == "--surface";
       subject.insert(subject.end(), {option, option == "--matrices" ? directory + "/" + value : value});
     }
@@ -77,31 +126,25 @@ std::vector<Case> read_cases(const std::string& directory) {
         c.false_claims.push_back(claim(*upper + mpq_class(step) - mpq_class("1/1000000000000"), none));
       }
     }
-    if (!upper) {  // the shifts are not stable, so that no upper end can be proved, or it is about a range
-      c.false_claims.push_back(claim(lower.value_or(0) + 2, none));
+    if (!upper && !exact) {  // the shifts are not stable, so that no upper end can be proved, or it is about a range
+      c.false_claims.push_back(claim(rough ? mpq_class(*rough) + 1 : mpq_class(lower.value_or(0) + 2), none));
       if (!rough && (lower || is_range)) c.false_claims.push_back(claim(lower, lower.value_or(0) + 2));
     }
     std::ifstream file(directory + "/" + c.name + ".cert");
     for (std::string text; std::getline(file, text);) c.lines.push_back(text);
+    for (const mpq_class& factor : {mpq_class(2), mpq_class(1, 2)}) {
+      if (!exact) break;
+      const std::string other = with_other_zero(*exact, factor);
+      Claim claim_of_other = subject;
+      claim_of_other.insert(claim_of_other.end(), {"--exact", other});
+      c.false_numbers.push_back({claim_of_other, "exact " + other, {}});
+      for (const std::string& text : c.lines)
+        if (text.starts_with("root ")) c.false_numbers.back().root = with_other_root(text, factor);
+    }
+    if (exact) c.claim.insert(c.claim.end(), {"--exact", *exact});
     cases.push_back(c);
   }
   return cases;
-}
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> tokens;
-  std::istringstream words(line);
-  for (std::string word; words >> word;) tokens.push_back(word);
-  return tokens;
-}
-
-std::string join(const std::vector<std::string>& tokens) {
-  std::string line;
-  for (const std::string& token : tokens) {
-    if (!line.empty()) line += ' ';
-    line += token;
-  }
-  return line;
 }
 
 class Mutator {
@@ -310,6 +353,15 @@ class Campaign {
     ++(proves(c.claim) ? still_true_ : rejected_);
     for (const Claim& claim : c.false_claims)
       if (proves(claim)) fail("FALSE CLAIM PROVED: " + join(claim), c, text);
+    for (const ExactClaim& other : c.false_numbers) {
+      Lines changed = lines;
+      for (std::size_t i = 0; i < changed.size(); ++i) {
+        if (changed[i].starts_with("exact ")) changed[i] = other.exact;
+        if (changed[i].starts_with("root ") && i < c.lines.size() && changed[i] == c.lines[i]) changed[i] = other.root;
+      }
+      write(text_of(changed));
+      if (proves(other.claim)) fail("FALSE CLAIM PROVED: " + join(other.claim), c, text_of(changed));
+    }
     slowest_ = std::max(slowest_, seconds_);
     if (seconds_ > max_seconds) fail("TOO SLOW: " + std::to_string(seconds_) + " s", c, text);
   }

@@ -51,6 +51,14 @@ if mode == "usage":
             (64, "--mask [1,1] --arity 2 --upper C501 golden.cert"), (64, "--mask [1,1] --arity 2 --upper C-1 golden.cert"),
             (64, "--mask [1,1] --arity 2 --within 1/9,1 --upper C1 golden.cert"), (64, "--matrices golden.mat --upper C1 golden.cert"),
             (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --lower 1 --upper C1 golden.cert"),
+            *((64, f"--matrices golden.mat --exact {exact} golden.cert") for exact in (
+                "", "2-log|[-1,1]@1,0,1|^1/1", "[-1,1]@1,0,1^1/1", "|[-1,1]@1,0,1|", "|[-1,1]@1,0|^1/1", "|[-1,1]@1,0,0|^1/1",
+                "|[-1,1]@1,0,1|^1/0", "|[-1,1]@1,0,1|^1/257", "|[1]@1,0,1|^1/1", "|[1,0]@1,0,1|^1/1", "|[1/2,1]@1,0,1|^1/1",
+                "|[]@1,0,1|^1/1", "|[-1,1]@1,0,-1|^1/1", "|[-1,1]@1,,1|^1/1", "|@1,0,1|^1/1", "|[-1,1|^1/1]@1,0,1")),
+            *((64, f"--mask [1,2,1]/2 --arity 2 --exact {exact} golden.cert") for exact in (
+                "|[-1,1]@1,0,1|^1/1", "log|[-1,1]@1,0,1|^1/1", "501-log|[-1,1]@1,0,1|^1/1", "-1-log|[-1,1]@1,0,1|^1/1")),
+            (64, "--mask [w,1] --arity 2 --for w=0..1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --within 1/9,1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
             (64, "--mask [w,1]/(w --arity 2 --for w=0..1 golden.cert"), (64, "--mask [w,1]/() --arity 2 --for w=0..1 golden.cert"),
             (64, "--mask [1,1]/(2) --arity 2 --lower 1 golden.cert"),
             (64, "--surface [[1,1],[1,1]] --lower 1 golden.cert"), (64, "--mask [1,1] --dilation [2] --lower 1 golden.cert"),
@@ -88,8 +96,9 @@ else:
         if mode == "accept":
             values = dict(zip(arguments[::2], arguments[1::2]))
             lower, upper, range_, within = (values.get(f"--{option}") for option in ("lower", "upper", "for", "within"))
+            exact = values.pop("--exact", None)
             what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
-            what = what if lower or upper else "stable integer shifts"
+            what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts"
             subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
                                     for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
             relation = "<" if range_ else "<="

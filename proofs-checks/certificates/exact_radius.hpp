@@ -1,0 +1,25 @@
+#pragma once
+/// The lines of a certificate that prove that a product attains the joint spectral radius. Inner header.
+
+#include <subcert/analysis/regularity/polytope_proof/polytope_proof.hpp>
+
+#include <optional>
+#include <string>
+
+namespace subcert {
+
+/// The joint spectral radius of a family as |z|^(1/L), z a zero of a polynomial with integer coefficients.
+struct ExactRadiusLines {
+  std::string number;  ///< |[p0,p1,...]@RE,IM,EPS|^1/L
+  std::string root;    ///< the line `root`
+  std::string cycles;  ///< the lines from `cycle` on
+  Rational low;        ///< a lower bound
+};
+
+/// Nothing where no cycle of the polytope has a simple leading eigenvalue, or where cycles have different ones. What it
+/// writes is for the checker to accept or not: the images that have to lie inside are not looked at. Domain: `polytope`
+/// belongs to this family. Cost: a characteristic polynomial and its factorisation for each cycle. Source: SPEC.md
+/// beside this, section 4.10.
+std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const PolytopeProof& polytope);
+
+}  // namespace subcert

@@ -1,0 +1,42 @@
+// Invariant polytopes: section 4.7 of ../certificates/SPEC.md.
+#pragma once
+
+#include "group.hpp"
+
+#include <map>
+#include <utility>
+
+namespace subcert_check {
+
+/// Vertices hold the real parts of their coordinates, then, if complex, the imaginary ones: `parts` is 1 or 2.
+struct Polytope {
+  Family family;  // transposed where the section says so
+  std::size_t size, parts;
+  bool nonnegative, symmetric;
+  std::vector<Generator> generators;  // of the group: A, B, ...
+  mpz_class vertex_one, weight_one;   // coordinates and weights are integers over these
+  std::vector<Vector> vertices;
+  std::map<std::pair<std::size_t, std::string>, Vector> turned;  // vertices under words of generators
+  mpz_class unit_norm;                                           // at least the norm of every unit vector
+  struct Combination {
+    mpz_class weights, residual;  // over weight_one, and over weight_one * vertex_one * the denominator of the matrices
+  };
+  std::vector<Combination> images;  // vertex by vertex, matrix by matrix
+  mpq_class bound;                  // of the norms of all matrices
+
+  /// The image under one generator, which a letter names; f is the flip. `x` holds one vector or several.
+  Vector turn(char letter, Vector x, Arithmetic& arithmetic) const;
+};
+
+/// Reads the lines of a section whose first line has these fields. `entry_error`: of the matrices, if they are rounded.
+Polytope read_polytope(Family family, const Fields& fields, const mpq_class& entry_error, Reader& reader,
+                       Arithmetic& arithmetic);
+
+/// An index, and after it a word of generators, as in `12AB`.
+struct TurnedIndex {
+  std::size_t index;
+  std::string word;
+};
+TurnedIndex parse_turned_index(std::string_view text, std::size_t count);
+
+}  // namespace subcert_check

@@ -523,6 +523,18 @@ def main(out):
     quartic = [-8, -12, -12, -9, 27]
     write("primal-exact", exactly(exponent("[3,4,3,4,3,4,3]/12@-3", first, 2, 2, [0, 1], True), first_family, "2-log", quartic,
                                   "1193/1000", "1/1000", [(0, "f", [1], seed_of(quartic, first_family, "f", [1]))]))
+    # the negative matrices, so that z is negative; and a polynomial of degree 3, which need not be irreducible, for 3/5 - 4/5 i
+    negative = [[[-x for x in row] for row in m] for m in first_family]
+    write_matrices("negative.mat", negative)
+    quartic = [c * (-1) ** k for k, c in enumerate(quartic)]
+    case = exactly(radius("negative.mat", negative, [0, 1], True), negative, "", quartic, "-1193/1000", "1/1000",
+                   [(0, "f", [1], seed_of(quartic, negative, "f", [1]))])
+    write("negative-exact", case)
+    swap = {"vertex 1 0 0 -1": "vertex 1 0 0 1", f"unit 1 0:0:{unit // 2} 0c:0:{-unit // 2}": f"unit 1 0:0:{-unit // 2} 0c:0:{unit // 2}",
+            f"image 0 0 0:{re}:{im}": f"image 0 0 0:{re}:{-im}", f"image 0 1 0:{re // 2}:{im // 2}": f"image 0 1 0:{re // 2}:{-(im // 2)}"}
+    conjugated = made["rotation"][0], [swap.get(line, line) for line in rotation]
+    write("conjugate-exact", exactly(conjugated, turn, "", [-5, 56, -65, 50], "3/5", "1/10", [(0, "-", [0], [1, 0])], im="-4/5",
+                                     root=("root 3/5 -4/5 0 1 1", 1)))
     # b (1 + z^2)/(1 + z), b that of the four-point scheme
     smoothed = "[-1,1,7,9,9,7,1,-1]/16@-3"
     lines = made["four-point-exact"][1]

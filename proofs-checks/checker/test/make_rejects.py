@@ -554,6 +554,16 @@ exact_case("exact-not-attained-reduced", "reduced-exact", "no block attains", "4
 reject("exact-no-cycle", "four-point-exact", "the bound of a block is above", lambda lines: replace("^image 0 1.*", "image 0 1 0:-3 0f:-3")(
     drop("cycle|seed")(lines)))
 reject("exact-bound", "four-point-exact", "the bound does not prove", arguments=option(claims["four-point-exact"], "lower", "201/100"))
+exact_case("exact-not-unique-edge", "slow-exact", "more than one zero", slow.replace("1/10|", "1|"))
+exact_case("exact-not-unique-negative", "four-point-exact", "more than one zero", "4-log|[4,1,4,1]@-4,0,3/4|^1/1", root="-4 0 0 4 4")
+exact_case("exact-not-unique-imaginary", "four-point-exact", "more than one zero", "4-log|[16,16,1,1]@0,-4,5/4|^1/1", root="0 -4 0 4 4")
+# what is near the zero is known too coarsely
+coarse = "|[-8,12,-12,9,27]@-6/5,0,1/20|^1/1"
+exact_case("root-coarse-negative", "negative-exact", "may be zero", coarse, replace(r"^(root \S+ 0) .*", r"\1 1/24 1/2 2"))
+reject("root-coarse-conjugate", "conjugate-exact", "too far", replace(r"^(root \S+ \S+) .*", r"\1 1/20 1/2 2"))
+reject("origin-letter-high", "slow-exact", "number outside", replace("^origin 1 0 1", "origin 1 0 2"))
+reject("same-letter-high", "lone-exact", "number outside", replace("^same 1 1", "same 1 2"))
+reject("same-source-high", "lone-exact", "number outside", replace("^same 1 1", "same 3 1"))
 reject("cycle-alone", "four-point-exact", "expected 'end'", drop("exact|root"), option(claims["four-point-exact"], "exact", None))
 reject("cycle-short", "slow-exact", "wrong number of fields", replace("^cycle 0 - 1 0", "cycle 0 - 1"))
 reject("cycle-twice", "four-point-exact", "the first one of two cycles", replace("^(cycle.*\nseed.*)$", "\\1\n\\1"))

@@ -309,6 +309,16 @@ TEST_CASE("certificates say what an exponent or a radius is") {
   CHECK(proves_exactly(subject_of(surface.mask), certificate));
 }
 
+TEST_CASE("equal input has equal certificates") {
+  // Of the second one the search goes on with wider looks for products, and both sides take turns.
+  for (const char* specification : {"primal:n=4", "dual:n=6,d=3"}) {
+    const auto text = [&] {
+      return exponent_certificate(make_scheme(specification).mask, regularity_of(specification)).text;
+    };
+    CHECK(text() == text());
+  }
+}
+
 TEST_CASE("certificates by quadratic forms") {
   const auto by_form = [](const MatrixFamily& family) {
     JointSpectralRadius result = joint_spectral_radius(family, {Deadline::in(2)});

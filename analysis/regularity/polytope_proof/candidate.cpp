@@ -41,9 +41,10 @@ polytope::SearchFamily to_search_family(const MatrixFamily& family) {
   return result;
 }
 
-PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones) {
+PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones, bool exact) {
   polytope::SearchOptions options{.budget = budget};
   options.cones = cones;
+  options.exact = exact;
   const polytope::SearchResult found = polytope::search_polytope(to_search_family(family), options);
 
   PolytopeCandidate result;

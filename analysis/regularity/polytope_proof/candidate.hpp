@@ -50,8 +50,9 @@ struct PolytopeCandidate {
 /// The family in doubles, with its group. Domain: entries whose doubles are finite.
 polytope::SearchFamily to_search_family(const MatrixFamily& family);
 
-/// Searches a product and a polytope. Domain: entries whose doubles are finite and not far from 1 in size.
-PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones = true);
+/// Searches a product and a polytope. `cones`: also those of a cone, where no entry is negative; `exact`: of the very
+/// radius of the product, where one closes. Domain: entries whose doubles are finite and not far from 1 in size.
+PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones = true, bool exact = true);
 
 /// The word, from left to right, of a product of large averaged radius: a quick look.
 std::vector<int> find_product(const MatrixFamily& family, const Deadline& deadline);

@@ -21,6 +21,8 @@ constexpr std::size_t longest_path = 60;         // letters of a word that is tr
 constexpr std::size_t tried_paths = 6;           // deep vertices whose words are tried
 constexpr std::size_t large_dimension = 32;      // from here on the clock costs nothing beside a program
 constexpr std::size_t allocation_overhead = 16;  // bytes that the heap spends on a block of its own
+constexpr double seconds_per_operation = 1e-9;   // a multiplication and an addition, all in all
+constexpr double pivots_between_pricings = 8;    // of all vertices, as a rule
 
 // Makes a vector that is even or odd under the flip up to rounding exactly so; leaves others alone.
 void restore_flip_symmetry(ComplexVector& x, const GroupAction& action) {
@@ -223,7 +225,14 @@ void PolytopeRun::add_roots() {
   }
 }
 
+// A look at all vertices and the image itself, and so many pivots.
+void PolytopeRun::count_work(std::int64_t pivots) {
+  const auto d = static_cast<double>(dimension_), n = static_cast<double>(vertices_.size());
+  work_ += seconds_per_operation * d * (d + n + static_cast<double>(pivots) * (d + n / pivots_between_pricings));
+}
+
 // Decides one image; true if it is inside or a vertex. Otherwise sets the key to an estimate of its norm.
+
 bool PolytopeRun::settle(Pending& pending, bool optimum) {
   const Vector x = apply(pending.letter, value(pending.vertex));
   Image& entry = image(pending.vertex, pending.letter);
@@ -234,7 +243,9 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
   }
   if (kind_ == PolytopeKind::complex && match(x, entry)) return true;
   const double reject = optimum ? std::numeric_limits<double>::max() / 4 : 1.0;
+  const std::int64_t pivots = simplex_.pivots();
   const Membership m = simplex_.solve(x, 1 - comfortable_depth, reject, optimum ? nullptr : &pending.warm);
+  count_work(simplex_.pivots() - pivots);
   const bool decided = m.answer != Membership::Answer::undecided;
   const double same = kind_ == PolytopeKind::nonnegative ? same_in_cone : same_point;
   if (m.answer != Membership::Answer::inside && (!decided || m.upper > 1 + same)) {
@@ -291,11 +302,12 @@ bool PolytopeRun::match(const Vector& x, Image& entry) {
   return false;
 }
 
-PolytopeRun::State PolytopeRun::advance(const Deadline& slice) {
-  while (state_ == State::open && !vertices_.empty() && !must_stop(slice)) {
-    if (!settle_fresh(slice)) break;
+PolytopeRun::State PolytopeRun::advance(double work, const Deadline& deadline) {
+  work_limit_ = work_ + work;
+  while (state_ == State::open && !vertices_.empty() && !must_stop(deadline)) {
+    if (!settle_fresh(deadline)) break;
     if (!waiting_.empty()) {
-      add_largest(slice);
+      add_largest(deadline);
       continue;
     }
     if (!spanning_) add_spanning_vertices();
@@ -306,10 +318,10 @@ PolytopeRun::State PolytopeRun::advance(const Deadline& slice) {
 }
 
 // Images of the newest vertices against the polytope so far; false if they were not all settled in time.
-bool PolytopeRun::settle_fresh(const Deadline& slice) {
+bool PolytopeRun::settle_fresh(const Deadline& deadline) {
   std::size_t done = 0;
   for (; done < fresh_.size(); ++done) {
-    if ((done + 1) % stride_between_looks_ == 0 && must_stop(slice)) break;
+    if ((done + 1) % stride_between_looks_ == 0 && must_stop(deadline)) break;
     if (!settle(fresh_[done])) waiting_.push_back(std::move(fresh_[done]));
   }
   fresh_.erase(fresh_.begin(), fresh_.begin() + static_cast<std::ptrdiff_t>(done));
@@ -317,14 +329,14 @@ bool PolytopeRun::settle_fresh(const Deadline& slice) {
 }
 
 // The largest images become vertices, the largest first: each may put smaller ones inside.
-void PolytopeRun::add_largest(const Deadline& slice) {
+void PolytopeRun::add_largest(const Deadline& deadline) {
   std::sort(waiting_.begin(), waiting_.end(), [](const Pending& a, const Pending& b) { return a.key > b.key; });
   // An image on the boundary that is no vertex becomes one.
   const double threshold = std::min(1.0, waiting_.front().key);
   std::vector<Pending> later;
   for (std::size_t k = 0; k < waiting_.size(); ++k) {
     Pending& pending = waiting_[k];
-    if (pending.key < threshold || ((k + 1) % stride_between_looks_ == 0 && must_stop(slice))) {
+    if (pending.key < threshold || ((k + 1) % stride_between_looks_ == 0 && must_stop(deadline))) {
       std::move(waiting_.begin() + static_cast<std::ptrdiff_t>(k), waiting_.end(), std::back_inserter(later));
       break;
     }

@@ -19,8 +19,12 @@ class PolytopeRun {
   PolytopeRun(const SearchFamily& family, std::vector<Candidate> products, PolytopeKind kind, double scale,
               const SearchOptions& options);
 
-  /// Works until closed, until `slice` has expired, or until full.
-  State advance(const Deadline& slice);
+  /// Works until closed, until that much work is done, until the deadline, or until full.
+  State advance(double work, const Deadline& deadline);
+
+  /// What was done so far, in seconds of a usual machine: by what was computed, not by a clock, so that equal input is
+  /// treated equally.
+  double work() const { return work_; }
 
   /// A word along which the polytope keeps growing and whose radius beats `radius` by a relative 1e-9, if there is one.
   std::optional<Candidate> better_product(double radius) const;
@@ -72,13 +76,14 @@ class PolytopeRun {
 
   bool settle(Pending& pending, bool optimum = false);
   bool match(const Vector& x, Image& entry);
-  bool settle_fresh(const Deadline& slice);
-  void add_largest(const Deadline& slice);
+  bool settle_fresh(const Deadline& deadline);
+  void add_largest(const Deadline& deadline);
   void make_vertex(const Pending& pending);
   void set_terms(Image& entry, std::vector<CombinationTerm> terms);
-  bool must_stop(const Deadline& slice) const {
-    return slice.expired() || options_.budget.deadline.expired() || full();
+  bool must_stop(const Deadline& deadline) const {
+    return work_ >= work_limit_ || deadline.expired() || options_.budget.deadline.expired() || full();
   }
+  void count_work(std::int64_t pivots);
 
   const Vector& value(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)].value; }
   Image& image(int vertex, int letter) {
@@ -114,6 +119,7 @@ class PolytopeRun {
   std::vector<Pending> fresh_, waiting_;
   State state_ = State::open;
   bool spanning_ = false;
+  double work_ = 0, work_limit_ = 0;
 };
 
 }  // namespace subcert::polytope

@@ -24,6 +24,11 @@ constexpr double first_patience = 20, later_patience = 30;
 constexpr double least_race = 0.1;                        // seconds
 constexpr double least_slice = 0.02, largest_slice = 60;  // seconds of a run before it is the turn of the other one
 constexpr double clearly_ahead = 0.6;                     // ratio of the shares of open images
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+// What a look for products costs: a multiplication of matrices for each product of so many letters as are usual.
+constexpr double seconds_per_operation = 2e-9;
+constexpr int usual_length = 40;
 
 // Descending tolerance: by what the radius is exceeded at first, and how it falls.
 constexpr double first_excess = 0.1, excess_factor = 0.4;
@@ -70,7 +75,7 @@ std::size_t bytes_of(const SearchResult& result) {
 class Search {
  public:
   Search(const SearchFamily& family, const SearchOptions& options)
-      : options_(options), seconds_(options.budget.deadline.remaining()) {
+      : options_(options), seconds_(options.budget.deadline.remaining()), races_(Deadline::in(all_races * seconds_)) {
     family_[0] = family_[1] = family;
     for (Matrix& a : family_[1].matrices) a = a.transposed();
     family_[1].symmetry = family.symmetry.transposed();
@@ -78,24 +83,22 @@ class Search {
 
   SearchResult run() {
     look_for_products(product_looks[0], first_products);
-    const double first_look = elapsed();
     if (candidates_.front().radius == 0) return vanishing();
-    if (race(std::min(least_race + first_patience * first_look, first_race * seconds_), 1)) return closed();
+    if (!options_.exact) return enclosed();
+    if (race(std::min(least_race + first_patience * work_, first_race * seconds_), 1)) return closed();
     for (std::size_t k = 1; k < product_looks.size(); ++k) {
-      const double before = elapsed();
+      const double before = work_;
       look_for_products(product_looks[k], later_products);
-      const double rest = all_races * seconds_ - elapsed();
-      if (race(
-              k + 1 == product_looks.size() ? rest : std::min(least_race + later_patience * (elapsed() - before), rest),
-              2))
+      const double rest = all_races * seconds_ - work_;
+      if (race(k + 1 == product_looks.size() ? rest : std::min(least_race + later_patience * (work_ - before), rest),
+               2))
         return closed();
-      if (elapsed() > last_race * seconds_ || deadline().expired() || full()) break;
+      if (work_ > last_race * seconds_ || races_.expired() || full()) break;
     }
     return enclosed();
   }
 
  private:
-  double elapsed() const { return stopwatch_.seconds(); }
   const Deadline& deadline() const { return options_.budget.deadline; }
   // Products get a quarter of the memory, polytopes the rest.
   std::size_t memory_of_products() const { return options_.budget.memory / 4; }
@@ -110,6 +113,9 @@ class Search {
     options.width = look.width;
     options.budget = {deadline().at_most(share * seconds_), memory_of_products()};
     take(search_products(family_[0], options));
+    const double d = static_cast<double>(family_[0].matrices.front().rows());
+    work_ += seconds_per_operation * d * d * d * static_cast<double>(family_[0].matrices.size()) * options.width *
+             std::min(options.max_length, usual_length);
   }
 
   void take(std::vector<Candidate> found) {
@@ -167,8 +173,8 @@ class Search {
 
   // Advances the family, or the family and its transpose in turn, by slices that grow; true when one closes.
   bool race(double seconds, std::size_t sides) {
-    const Stopwatch race_watch;
-    const auto left = [&] { return std::min(seconds - race_watch.seconds(), deadline().remaining()); };
+    const double end = work_ + seconds;
+    const auto left = [&] { return races_.expired() ? 0 : end - work_; };
     const auto first_slice = [&] { return std::clamp(left() / 64, least_slice, largest_slice); };
     double slice = sides == 1 ? seconds : first_slice();
     for (int round = 0; left() > 0 && !full(); ++round) {
@@ -179,9 +185,10 @@ class Search {
         if (sides == 2 && side == skipped) continue;
         auto& run = runs_[side];
         if (!run) run = start(side, candidates_.front().radius, kind(), memory_of_polytopes() / 2);
-        const double share = std::min(slice, left());
-        if (share <= 0) break;
-        if (run->advance(deadline().at_most(share)) == PolytopeRun::State::closed) {
+        const double before = run->work();
+        const bool closes = run->advance(std::min(slice, left()), races_) == PolytopeRun::State::closed;
+        work_ += run->work() - before;
+        if (closes) {
           winner_ = side;
           return true;
         }
@@ -211,7 +218,7 @@ class Search {
 
   SearchResult with_counters(SearchResult result) {
     for (auto& run : runs_) retire(run);
-    counters_.seconds = elapsed();
+    counters_.seconds = stopwatch_.seconds();
     result.counters = counters_;
     return result;
   }
@@ -249,7 +256,7 @@ class Search {
       if (k == 3) excess = third_excess;
       const std::size_t held = std::min(bytes_of(best), memory_of_polytopes());
       auto run = start(side, radius * (1 + excess), simple, memory_of_polytopes() - held);
-      if (run->advance(deadline()) != PolytopeRun::State::closed) {
+      if (run->advance(no_limit, deadline()) != PolytopeRun::State::closed) {
         retire(run);
         break;
       }
@@ -269,6 +276,8 @@ class Search {
   SearchOptions options_;
   Stopwatch stopwatch_;
   double seconds_;
+  Deadline races_;
+  double work_ = 0;         // what decides whose turn it is, in place of a clock: PolytopeRun::work
   SearchFamily family_[2];  // as given, transposed
   std::vector<Candidate> candidates_;
   std::size_t maximizing_ = 0;

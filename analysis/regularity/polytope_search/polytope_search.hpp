@@ -16,6 +16,7 @@ struct SearchOptions {
   int max_product_length = 200;
   std::size_t max_vertices = 40000;
   bool cones = true;        ///< non-negative families may have polytopes of a cone, with fewer vertices
+  bool exact = true;        ///< a polytope of the very radius is looked for; otherwise only of a little more
   double tolerance = 1e-9;  ///< an image is inside when its norm is at most 1 - tolerance
 };
 

@@ -13,6 +13,8 @@ const Rational rounding = power(Rational(10), -15);
 constexpr std::size_t proved_products = 12;
 constexpr double norm_share = 0.05;     // of the time
 constexpr double polytope_share = 0.7;  // of the time that is left; the rest is for its proof and quadratic forms
+constexpr double exact_share = 0.6;     // of the time for a proof: that a closed polytope may take of it
+constexpr double larger_share = 0.3;    // of what is left then, for the search of another one
 constexpr double grace = 0.5;           // seconds that a proof may take in any case
 
 /// Whether all maximizing products have the radius of the first, exactly.
@@ -124,13 +126,22 @@ struct Attempt {
 Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budget& budget,
                 const std::optional<Rational>& target, bool cones) {
   Attempt result{find_polytope(family, searching, cones), {}, std::nullopt, {Truth::unknown, "no polytope closed"}};
-  const Budget proving{Deadline::in(budget.deadline.remaining() + grace), budget.memory};
-  result.product = prove_product(family, result.candidate.products.front().word, proving.deadline);
-  result.polytope = certify_polytope(family, result.candidate, proving);
+  const auto proving = [&](double share) {
+    return Budget{Deadline::in(share * budget.deadline.remaining() + grace), budget.memory};
+  };
+  result.product = prove_product(family, result.candidate.products.front().word, proving(1).deadline);
+  result.polytope = certify_polytope(family, result.candidate, proving(result.candidate.closed ? exact_share : 1));
+  if (!result.polytope && result.candidate.closed && !budget.deadline.expired()) {
+    // Too many vertices for a proof in this time: a smaller polytope, of a little more than the radius.
+    PolytopeCandidate larger = find_polytope(family, {budget.deadline.after(larger_share), budget.memory}, cones,
+                                             false);
+    result.polytope = certify_polytope(family, larger, proving(1));
+    if (result.polytope) result.candidate = std::move(larger);
+  }
   if (result.polytope && target && result.polytope->bound <= *target)
     result.exact.reason = "a bound was asked for, and nothing else";
   else if (result.polytope && *result.product.radius.lower > 0)
-    result.exact = attains(family, result.candidate, *result.polytope, result.product, proving.deadline);
+    result.exact = attains(family, result.candidate, *result.polytope, result.product, proving(1).deadline);
   return result;
 }
 

@@ -384,7 +384,7 @@ var check_certificate = (() => {
   function cyclotomic_remainder(packed, {n, primes}, width) {
     const size = n * width;
     const fold = x => {
-      while (bits(x) > size + 1) x = BigInt.asUintN(size, x) + (x >> BigInt(size));
+      for (let more; (more = drop(x, size)); ) x = BigInt.asIntN(size, x) + more;
       return x;
     };
     spend(4 * (primes.length + 1), Math.max(size, bits(packed)));
@@ -400,8 +400,8 @@ var check_certificate = (() => {
     for (const order of cyclotomic_orders(arity, top)) {
       const what = `stability: the remainder modulo Phi_${order.n}`;
       const parts = packed.map(x => cyclotomic_remainder(x, order, width));
-      if (!interval && !rounding) {  // the remainder has small coefficients: it is 0 if its value at 2^width is
-        demand(parts[0] % ((1n << BigInt(order.n * width)) - 1n), `${what} is not positive`);
+      if (!interval && !rounding) {
+        demand(parts[0], `${what} is not positive`);
         continue;
       }
       const rows = transpose(parts.map(x => unpack(x, width, order.n)));  // a polynomial in w for each power of z
@@ -701,8 +701,8 @@ var check_certificate = (() => {
       const unit = range_of(size).map(i => i === k ? 1n << BigInt(scale) : 0n);
       const {residual, weight} = body.read_combination(`unit ${k}`, [unit, null], 1n);
       [R, S] = [max(R, residual), max(S, weight)];
-      demand(R < 1n << BigInt(scale), "the vertices do not span: a unit's residual is 1 or more");
     }
+    demand(R < 1n << BigInt(scale), "the vertices do not span: a unit's residual is 1 or more");
     // E = (S / 2^CBITS) / (1 - R / 2^(VBITS + CBITS)), to the least integer above
     const E = (S << BigInt(v_bits)) / ((1n << BigInt(scale)) - R) + 1n;
     const stretched = matrices.map(matrix => scaled(matrix, 1n << BigInt(c_bits)));
@@ -736,6 +736,7 @@ var check_certificate = (() => {
           largest_so_far = top;
         }
         spend(x.length, this.width);
+        allow_bits(j * x.length * this.width);
         this.vertices.push([pack(x.slice(0, size), this.width), parts === 2 ? pack(x.slice(size), this.width) : null]);
       }
       // coordinates of images under the group
@@ -745,9 +746,9 @@ var check_certificate = (() => {
       this.set_width(bits(this.most) + this.c_bits + 24);
     }
     set_width(width) {
-      const {size, count, group, complex} = this, old = this.width;
+      const {size, complex} = this, old = this.width;
       if (width <= old) return;
-      allow_bits(count * size * width * (complex ? 2 : 1));
+      allow_bits((this.vertices.length + 1) * size * width * (complex ? 2 : 1));
       spend(4 * this.vertices.length * size, width);
       const wider = x => x === null ? null : pack(unpack(x, old, size), width);
       this.vertices = this.vertices.map(vertex => vertex.map(wider));

@@ -28,7 +28,10 @@ var check_certificate = (() => {
     const digits = abs(x).toString(16);
     return x === 0n ? 0 : 4 * digits.length + 28 - Math.clz32(parseInt(digits[0], 16));
   };
-  const floor_div = (x, y) => x / y - (x % y < 0n ? 1n : 0n);  // y > 0
+  const floor_div = (x, y) => {  // y > 0
+    const quotient = x / y;
+    return x < 0n && quotient * y !== x ? quotient - 1n : quotient;
+  };
   const ceil_div = (x, y) => -floor_div(-x, y);
   const shift = (x, by) => by < 0 ? x >> BigInt(-by) : x << BigInt(by);  // rounded down
   const gcd = (x, y) => {
@@ -103,7 +106,7 @@ var check_certificate = (() => {
   const combine = (factors, packed) => {
     let total = 0n;
     for (let k = 0; k < factors.length; ++k)
-      if (factors[k]) total += factors[k] * packed[k];
+      if (factors[k]) total += factors[k] === 1n ? packed[k] : factors[k] * packed[k];
     return total;
   };
 
@@ -692,25 +695,26 @@ var check_certificate = (() => {
     } else if (generators) {
       group = read_group(reader, generators, {size, matrices});
     }
-    const body = new Body(reader, {size, count, complex: has('complex'), nonnegative, symmetric: has('symmetric'), c_bits},
-                          group);
+    const body = new Body(reader, {matrices, size, count, complex: has('complex'), nonnegative, symmetric: has('symmetric')},
+                          c_bits, group);
     // Theorem 6
     const last_unit = has('symmetric') ? Math.ceil(size / 2) : size, scale = v_bits + c_bits;
     let R = 0n, S = 0n;
     for (let k = 0; k < last_unit; ++k) {
-      const unit = range_of(size).map(i => i === k ? 1n << BigInt(scale) : 0n);
-      const {residual, weight} = body.read_combination(`unit ${k}`, [unit, null], 1n);
+      const unit = width => [1n << BigInt(scale + width * k), 0n];
+      const {residual, weight} = body.read_combination(`unit ${k}`, unit, 1n << BigInt(scale), 1n);
       [R, S] = [max(R, residual), max(S, weight)];
     }
     demand(R < 1n << BigInt(scale), "the vertices do not span: a unit's residual is 1 or more");
     // E = (S / 2^CBITS) / (1 - R / 2^(VBITS + CBITS)), to the least integer above
     const E = (S << BigInt(v_bits)) / ((1n << BigInt(scale)) - R) + 1n;
-    const stretched = matrices.map(matrix => scaled(matrix, 1n << BigInt(c_bits)));
+    const reach = matrices.reduce((most, matrix) => max(most, column_norm(transpose(matrix))), 0n) * body.most << BigInt(c_bits);
     let g = fraction(0n);
     for (let j = 0; j < count; ++j) {
-      const images = body.images(stretched, j), more = rounding ? body.norm_of(j) : 0n;
+      const vertex = body.coordinates(j), more = rounding ? sum(vertex.map(norm)) : 0n;
       matrices.forEach((_, t) => {
-        const {residual, weight} = body.read_combination(`image ${j} ${t}`, images[t], den);
+        const image = width => vertex.map(x => combine(x, body.packed_columns(t)) << BigInt(c_bits));
+        const {residual, weight} = body.read_combination(`image ${j} ${t}`, image, reach, den);
         // w + |r|_1 E, over den 2^(VBITS + CBITS)
         const value = fraction((weight << BigInt(v_bits)) * den + residual * E, den << BigInt(scale));
         const total = rounding ? plus(value, times(rounding.e, fraction(more * E, 1n << BigInt(v_bits)))) : value;
@@ -721,8 +725,8 @@ var check_certificate = (() => {
   }
   // The vertices, and their images under the group, packed
   class Body {
-    constructor(reader, options, group) {
-      Object.assign(this, options, {reader, group, width: 0});
+    constructor(reader, options, c_bits, group) {
+      Object.assign(this, options, {reader, group, width: 0, columns: {}});
       const parts = this.complex ? 2 : 1, {size, count} = this;
       this.most = 1n;
       this.vertices = [];
@@ -737,20 +741,20 @@ var check_certificate = (() => {
         }
         spend(x.length, this.width);
         allow_bits(j * x.length * this.width);
-        this.vertices.push([pack(x.slice(0, size), this.width), parts === 2 ? pack(x.slice(size), this.width) : null]);
+        this.vertices.push(range_of(parts).map(part => pack(x.slice(part * size, part * size + size), this.width)));
       }
       // coordinates of images under the group
       const growth = group.elements.reduce((most, {map}) =>
         map ? max(most, column_norm(transpose(map))) : most, 1n);
       this.most = largest_so_far * growth;
-      this.set_width(bits(this.most) + this.c_bits + 24);
+      this.set_width(bits(this.most) + c_bits + 24);
     }
     set_width(width) {
       const {size, complex} = this, old = this.width;
       if (width <= old) return;
       allow_bits((this.vertices.length + 1) * size * width * (complex ? 2 : 1));
       spend(4 * this.vertices.length * size, width);
-      const wider = x => x === null ? null : pack(unpack(x, old, size), width);
+      const wider = x => pack(unpack(x, old, size), width);
       this.vertices = this.vertices.map(vertex => vertex.map(wider));
       this.width = width;
       this.turned = new Map();  // images under the group, by number of the element and of the vertex
@@ -758,18 +762,12 @@ var check_certificate = (() => {
     }
     coordinates(j) {
       spend(3 * this.size, this.width);
-      return this.vertices[j].map(x => x === null ? null : unpack(x, this.width, this.size));
+      return this.vertices[j].map(x => unpack(x, this.width, this.size));
     }
-    norm_of(j) { return sum(this.coordinates(j).map(x => x === null ? 0n : norm(x))); }
-    images(matrices, j) {  // for each matrix the real and the imaginary part of the image
-      const vertex = this.coordinates(j);
-      spend(matrices.length * this.size ** 2, this.width);
-      const inner = (row, x) => {
-        let total = 0n;
-        for (let k = 0; k < row.length; ++k) if (row[k]) total += row[k] * x[k];
-        return total;
-      };
-      return matrices.map(matrix => vertex.map(x => x === null ? null : matrix.map(row => inner(row, x))));
+    packed_columns(t) {  // of matrix t
+      if (this.columns.width !== this.width)
+        this.columns = {width: this.width, of: this.matrices.map(m => transpose(m).map(column => pack(column, this.width)))};
+      return this.columns.of[t];
     }
     // The image of vertex j under an element of the group
     under(element, j) {
@@ -777,8 +775,7 @@ var check_certificate = (() => {
       const key = element * this.count + j;
       if (!this.turned.has(key)) {
         const {map} = this.group.elements[element];
-        const image = this.coordinates(j).map(x =>
-          x === null ? null : pack(map.map(row => row.reduce((total, y, k) => y ? total + y * x[k] : total, 0n)), this.width));
+        const image = this.coordinates(j).map(x => pack(map.map(row => combine(row, x)), this.width));
         spend(this.size ** 2 / 4, this.width);
         if (this.turned.size >= this.may_keep) return image;
         this.turned.set(key, image);
@@ -803,8 +800,9 @@ var check_certificate = (() => {
       demand(!this.nonnegative || lambda[0] >= 0n, 'negative weight');
       return {vertex: [small(index, 0, this.count - 1), element], turn, conjugate: conjugate ? -1n : 1n, lambda};
     }
-    // A line: the residual |target - factor * sum of weighted vertices|_1 and the sum of the moduli of the weights
-    read_combination(words, target, factor) {
+    // A line: the residual |target - factor * sum of weighted vertices|_1 and the sum of the moduli of the weights. The
+    // target, given the width, is packed, with coordinates up to `reach`.
+    read_combination(words, target, reach, factor) {
       const terms = this.reader.read(words, 0, 2 ** 24).map(term => this.read_term(term));
       const {size, complex, nonnegative} = this;
       let weight = 0n;
@@ -816,8 +814,7 @@ var check_certificate = (() => {
           weight += abs(lambda[0]);
         }
       }
-      const most = target.reduce((top, x) => x ? max(top, largest(x)) : top, 0n);
-      const width = bits(most + 2n * weight * factor * this.most) + 2;
+      const width = bits(reach + 2n * weight * factor * this.most) + 2;
       if (width > this.width) this.set_width(Math.max(width, 2 * this.width));
       spend(terms.length * (complex ? 4 : 1) + 8, bits(weight), this.width * size);
       let re = 0n, im = 0n;
@@ -828,28 +825,29 @@ var check_certificate = (() => {
         re -= turn * conjugate * y * imaginary;
         im += turn * (conjugate * x * imaginary + y * real);
       }
-      spend(4 * size, this.width);
-      const rest = (part, x) => unpack(part, this.width, size).map((value, i) => (x ? x[i] : 0n) - factor * value);
-      const real = rest(re, target[0]);
-      const residual = nonnegative ? sum(real.filter(x => x > 0n)) : norm(real);
-      return {residual: complex ? residual + norm(rest(im, target[1])) : residual, weight};
+      spend(4 * size + (reach ? size : 0), this.width, this.width);
+      const [target_re, target_im] = target(this.width), rest = (x, y) => unpack(x - factor * y, this.width, size);
+      const real = rest(target_re, re), residual = nonnegative ? sum(real.filter(x => x > 0n)) : norm(real);
+      return {residual: complex ? residual + norm(rest(target_im, im)) : residual, weight};
     }
   }
 
   // ---- 4.8: quadratic forms ------------------------------------------------------------------------------------------
-  function positive_definite(S, most) {  // Lemma 17; the rows R_l are packed
-    const d = S.length, by = 256 - bits(most), width = 280;
-    const U = S.map(row => row.map(x => shift(x, by))), margin = (BigInt(d) << 128n) + BigInt(d), R = [];
-    spend(d * d / 2, 128, width * d);
-    spend(6 * d * d, width);
+  // Lemma 17. The rows U_k and R_l are packed from the last column to the first, as far as the diagonal. Where some R_kj is
+  // 2^128 or more x_jj will not be positive, as U_jj < 2^256: so all R_kj that are used are smaller.
+  function positive_definite(S, most) {
+    const d = S.length, by = 256 - bits(most), width = 272, margin = (BigInt(d) << 128n) + BigInt(d), R = [];
+    spend(d * d / 2, 128, width * d / 2);
+    spend(4 * d * d, width);
     for (let k = 0; k < d; ++k) {
-      let packed = pack(U[k], width);
-      for (const {row, values} of R) packed -= values[k] * row;
-      const x = unpack(drop(packed, width * k), width, d - k);
-      x[0] -= margin;
-      if (x[0] <= 0n) return false;
-      const diagonal = root(x[0]), values = Array(d).fill(0n);
-      for (let j = k; j < d; ++j) values[j] = j === k ? diagonal : floor_div(x[j - k], diagonal);
+      let packed = pack(S[k].slice(k).reverse().map(x => shift(x, by)), width);
+      for (const {row, values} of R) packed -= values[d - 1 - k] * row;
+      const size = d - k, values = unpack(BigInt.asIntN(width * size, packed), width, size), x = values[size - 1] - margin;
+      if (x <= 0n) return false;
+      const diagonal = root(x);
+      values[size - 1] = diagonal;
+      for (let i = 0; i < size - 1; ++i) values[i] = floor_div(values[i], diagonal);
+      if (largest(values) >> 128n) return false;
       R.push({values, row: pack(values, width)});
     }
     return true;
@@ -885,34 +883,42 @@ var check_certificate = (() => {
     check_tree(words, group.elements.map(({numbers}) => numbers.map(t => letter[t])), new Set(letter).size);
     return {value: bound, level: 1};
   }
-  // Q_w = A_w^T P A_w for the integer matrices of a family, those of the last word and of its beginnings kept
+  // Q_w = A_w^T P A_w for the integer matrices of a family, kept for the last word and its beginnings. For T_t of a scheme
+  // most rows of the A_t^T are those of others: letters share X Q_w X^T, X the different rows of all, if these are few.
   class Congruence {
     constructor(P, matrices) {
-      this.size = P.length;
-      this.factors = matrices.map(transpose);
-      this.growth = bits(this.factors.reduce((most, m) => max(most, column_norm(transpose(m))), 1n));
+      const factors = matrices.map(transpose), unique = rows => [...new Map(rows.map(row => [row.join(), row])).values()];
+      const all = unique(factors.flat()), shared = all.length < 2 * P.length && {rows: all};
+      this.letters = factors.map(factor => {
+        const set = shared || {rows: unique(factor)}, texts = set.rows.map(String);
+        return {set, at: factor.map(row => texts.indexOf(row.join()))};
+      });
+      this.growth = bits(factors.reduce((most, factor) => max(most, column_norm(transpose(factor))), 1n));
       this.base = bits(largest_of(P)) + 4;
-      this.word = [];
-      this.kept = [P.map(row => pack(row, this.width(0)))];
+      [this.word, this.nodes] = [[], [{Q: P, images: new Map()}]];
     }
     width(k) { return this.base + (2 * k + 1) * this.growth; }  // for Q_w of k letters, and for A^T Q_w
     of(word) {
       let same = 0;
       while (same < word.length && word[same] === this.word[same]) ++same;
-      this.kept.length = same + 1;
-      const {size} = this;
-      allow_bits(size * size * this.width(word.length) * word.length);
-      for (let k = same; k < word.length; ++k) {
-        const factor = this.factors[word[k]], width = this.width(k), next = this.width(k + 1);
-        spend(2 * size * size, this.growth, next * size);
-        spend(6 * size * size, next);
-        const half_way = factor.map(row => unpack(combine(row, this.kept[k]), width, size));
-        const packed = transpose(half_way).map(row => pack(row, next));
-        this.kept.push(factor.map(row => combine(row, packed)));
-      }
+      this.nodes.length = same + 1;
       this.word = word;
-      spend(4 * size * size, this.width(word.length));
-      return this.kept[word.length].map(row => unpack(row, this.width(word.length), size));
+      for (let k = same; k < word.length; ++k) {
+        const {set, at} = this.letters[word[k]], images = this.nodes[k].images;
+        if (!images.has(set)) images.set(set, this.image(set.rows, this.nodes[k].Q, this.width(k), this.width(k + 1)));
+        const image = images.get(set);
+        this.nodes.push({Q: at.map(i => at.map(j => image[i][j])), images: new Map()});
+      }
+      return this.nodes[word.length].Q;
+    }
+    image(rows, Q, width, next) {  // X Q X^T for the rows of X
+      const size = rows[0].length;
+      allow_bits(rows.length * size * next * (this.nodes.length + 1));
+      spend(rows.length * (rows.length + size), this.growth, next * rows.length);
+      spend(6 * rows.length * rows.length, next);
+      const packed = Q.map(row => pack(row, width));
+      const columns = transpose(rows.map(row => unpack(combine(row, packed), width, size))).map(row => pack(row, next));
+      return rows.map(row => unpack(combine(row, columns), next, rows.length));
     }
   }
   // The words and their images under the group are a complete tree

@@ -695,26 +695,25 @@ var check_certificate = (() => {
     } else if (generators) {
       group = read_group(reader, generators, {size, matrices});
     }
-    const body = new Body(reader, {matrices, size, count, complex: has('complex'), nonnegative, symmetric: has('symmetric')},
+    const body = new Body(reader, {size, count, complex: has('complex'), nonnegative, symmetric: has('symmetric')},
                           c_bits, group);
     // Theorem 6
     const last_unit = has('symmetric') ? Math.ceil(size / 2) : size, scale = v_bits + c_bits;
     let R = 0n, S = 0n;
     for (let k = 0; k < last_unit; ++k) {
-      const unit = width => [1n << BigInt(scale + width * k), 0n];
-      const {residual, weight} = body.read_combination(`unit ${k}`, unit, 1n << BigInt(scale), 1n);
+      const unit = range_of(size).map(i => i === k ? 1n << BigInt(scale) : 0n);
+      const {residual, weight} = body.read_combination(`unit ${k}`, [unit, unit.map(() => 0n)], 1n);
       [R, S] = [max(R, residual), max(S, weight)];
     }
     demand(R < 1n << BigInt(scale), "the vertices do not span: a unit's residual is 1 or more");
     // E = (S / 2^CBITS) / (1 - R / 2^(VBITS + CBITS)), to the least integer above
     const E = (S << BigInt(v_bits)) / ((1n << BigInt(scale)) - R) + 1n;
-    const reach = matrices.reduce((most, matrix) => max(most, column_norm(transpose(matrix))), 0n) * body.most << BigInt(c_bits);
     let g = fraction(0n);
     for (let j = 0; j < count; ++j) {
-      const vertex = body.coordinates(j), more = rounding ? sum(vertex.map(norm)) : 0n;
-      matrices.forEach((_, t) => {
-        const image = width => vertex.map(x => combine(x, body.packed_columns(t)) << BigInt(c_bits));
-        const {residual, weight} = body.read_combination(`image ${j} ${t}`, image, reach, den);
+      const more = rounding ? sum(body.coordinates(j).map(norm)) : 0n, images = body.images(matrices, j);
+      images.forEach((image, t) => {
+        const target = image.map(x => x.map(value => value << BigInt(c_bits)));
+        const {residual, weight} = body.read_combination(`image ${j} ${t}`, target, den);
         // w + |r|_1 E, over den 2^(VBITS + CBITS)
         const value = fraction((weight << BigInt(v_bits)) * den + residual * E, den << BigInt(scale));
         const total = rounding ? plus(value, times(rounding.e, fraction(more * E, 1n << BigInt(v_bits)))) : value;
@@ -726,7 +725,7 @@ var check_certificate = (() => {
   // The vertices, and their images under the group, packed
   class Body {
     constructor(reader, options, c_bits, group) {
-      Object.assign(this, options, {reader, group, width: 0, columns: {}});
+      Object.assign(this, options, {reader, group, width: 0});
       const parts = this.complex ? 2 : 1, {size, count} = this;
       this.most = 1n;
       this.vertices = [];
@@ -764,10 +763,13 @@ var check_certificate = (() => {
       spend(3 * this.size, this.width);
       return this.vertices[j].map(x => unpack(x, this.width, this.size));
     }
-    packed_columns(t) {  // of matrix t
-      if (this.columns.width !== this.width)
-        this.columns = {width: this.width, of: this.matrices.map(m => transpose(m).map(column => pack(column, this.width)))};
-      return this.columns.of[t];
+    images(matrices, j) {  // for each matrix the parts of the image of vertex j; a number of vertices are done together
+      const many = 64, parts = this.complex ? 2 : 1;
+      if (j % many === 0) {
+        const block = range_of(Math.min(many, this.count - j)).flatMap(i => this.coordinates(j + i));
+        this.block = matrices.map(matrix => transpose(multiply(matrix, transpose(block))));
+      }
+      return this.block.map(rows => rows.slice(j % many * parts, (j % many + 1) * parts));
     }
     // The image of vertex j under an element of the group
     under(element, j) {
@@ -798,11 +800,10 @@ var check_certificate = (() => {
       }
       const lambda = weight.map(integer);
       demand(!this.nonnegative || lambda[0] >= 0n, 'negative weight');
-      return {vertex: [small(index, 0, this.count - 1), element], turn, conjugate: conjugate ? -1n : 1n, lambda};
+      return {vertex: [small(index, 0, this.count - 1), element], conjugate: conjugate ? -1n : 1n, lambda: turn < 0n ? lambda.map(x => -x) : lambda};
     }
-    // A line: the residual |target - factor * sum of weighted vertices|_1 and the sum of the moduli of the weights. The
-    // target, given the width, is packed, with coordinates up to `reach`.
-    read_combination(words, target, reach, factor) {
+    // A line: the residual |target - factor * sum of weighted vertices|_1 and the sum of the moduli of the weights
+    read_combination(words, target, factor) {
       const terms = this.reader.read(words, 0, 2 ** 24).map(term => this.read_term(term));
       const {size, complex, nonnegative} = this;
       let weight = 0n;
@@ -814,21 +815,21 @@ var check_certificate = (() => {
           weight += abs(lambda[0]);
         }
       }
-      const width = bits(reach + 2n * weight * factor * this.most) + 2;
+      const width = bits(weight * this.most) + 2;
       if (width > this.width) this.set_width(Math.max(width, 2 * this.width));
       spend(terms.length * (complex ? 4 : 1) + 8, bits(weight), this.width * size);
       let re = 0n, im = 0n;
-      for (const {vertex: [j, element], turn, conjugate, lambda: [x, y]} of terms) {
+      for (const {vertex: [j, element], conjugate, lambda: [x, y]} of terms) {
         const [real, imaginary] = this.under(element, j);
-        re += turn * x * real;
+        re += x * real;
         if (!complex) continue;
-        re -= turn * conjugate * y * imaginary;
-        im += turn * (conjugate * x * imaginary + y * real);
+        re -= conjugate * y * imaginary;
+        im += conjugate * x * imaginary + y * real;
       }
-      spend(4 * size + (reach ? size : 0), this.width, this.width);
-      const [target_re, target_im] = target(this.width), rest = (x, y) => unpack(x - factor * y, this.width, size);
-      const real = rest(target_re, re), residual = nonnegative ? sum(real.filter(x => x > 0n)) : norm(real);
-      return {residual: complex ? residual + norm(rest(target_im, im)) : residual, weight};
+      spend(4 * size, this.width);
+      const rest = (packed, x) => unpack(packed, this.width, size).map((value, i) => x[i] - factor * value);
+      const real = rest(re, target[0]), residual = nonnegative ? sum(real.filter(x => x > 0n)) : norm(real);
+      return {residual: complex ? residual + norm(rest(im, target[1])) : residual, weight};
     }
   }
 

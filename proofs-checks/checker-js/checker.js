@@ -118,9 +118,10 @@ var check_certificate = (() => {
   const equal = (x, y) => x.every((row, i) => row.every((value, j) => value === y[i][j]));
   const scaled = (matrix, factor) => matrix.map(row => row.map(x => x * factor));
   const column_norm = matrix => transpose(matrix).reduce((most, column) => max(most, norm(column)), 0n);  // |.|_1
-  const multiply = (x, y) => {
-    const columns = y[0].length, left = bits(largest_of(x));
-    const width = left + bits(largest_of(y)) + bits(BigInt(y.length)) + 2;
+  const multiply = (x, y) => {  // the rows of y are packed, those with the larger numbers if one may choose
+    const columns = y[0].length, left = bits(largest_of(x)), right = bits(largest_of(y));
+    if (left > right) return transpose(multiply(transpose(y), transpose(x)));
+    const width = left + right + bits(BigInt(y.length)) + 2;
     spend(x.length * y.length, left, width * columns);
     spend(4 * (x.length + y.length) * columns, width);
     allow_bits((x.length + y.length) * columns * width);
@@ -837,7 +838,8 @@ var check_certificate = (() => {
   // Lemma 17. The rows U_k and R_l are packed from the last column to the first, as far as the diagonal. Where some R_kj is
   // 2^128 or more x_jj will not be positive, as U_jj < 2^256: so all R_kj that are used are smaller.
   function positive_definite(S, most) {
-    const d = S.length, by = 256 - bits(most), width = 272, margin = (BigInt(d) << 128n) + BigInt(d), R = [];
+    const d = S.length, by = 256 - bits(most), width = 272, limit = 1n << 128n, minus_limit = -limit, R = [];
+    const margin = BigInt(d) * (limit + 1n);
     spend(d * d / 2, 128, width * d / 2);
     spend(4 * d * d, width);
     for (let k = 0; k < d; ++k) {
@@ -847,8 +849,10 @@ var check_certificate = (() => {
       if (x <= 0n) return false;
       const diagonal = root(x);
       values[size - 1] = diagonal;
-      for (let i = 0; i < size - 1; ++i) values[i] = floor_div(values[i], diagonal);
-      if (largest(values) >> 128n) return false;
+      for (let i = 0; i < size - 1; ++i) {
+        const value = values[i] = floor_div(values[i], diagonal);
+        if (value >= limit || value <= minus_limit) return false;
+      }
       R.push({values, row: pack(values, width)});
     }
     return true;
@@ -918,8 +922,13 @@ var check_certificate = (() => {
       spend(rows.length * (rows.length + size), this.growth, next * rows.length);
       spend(6 * rows.length * rows.length, next);
       const packed = Q.map(row => pack(row, width));
-      const columns = transpose(rows.map(row => unpack(combine(row, packed), width, size))).map(row => pack(row, next));
-      return rows.map(row => unpack(combine(row, columns), next, rows.length));
+      let columns = transpose(rows.map(row => unpack(combine(row, packed), width, size))).map(row => pack(row, next));
+      const image = rows.map(() => []);
+      for (let i = rows.length - 1, slots = rows.length; i >= 0; --i) {  // symmetric: of row i the columns up to i, or some more
+        if ((i + 1) % 12 === 0) columns = columns.map(x => BigInt.asIntN(next * (slots = i + 1), x));
+        unpack(combine(rows[i], columns), next, slots).forEach((x, j) => { image[i][j] = image[j][i] = x; });
+      }
+      return image;
     }
   }
   // The words and their images under the group are a complete tree

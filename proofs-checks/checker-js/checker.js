@@ -1068,7 +1068,6 @@ var check_certificate = (() => {
   function check_convergence(reader, curve) {  // 4.9: JSR < A^M for the mask of the claim
     const order = small(reader.read('sum-rules', 1)[0], 1, 500);
     check_sum(curve);
-    reader.peek();
     const family = control_family(divided_symbol(curve, order), null);
     prove(reader, family, {below: at_most(fraction(BigInt(curve.arity) ** BigInt(order)), true)}, {first_column: true});
   }

@@ -989,6 +989,7 @@ var check_certificate = (() => {
   const unproved_product = "the product's spectral radius does not prove the claim";
   const at_most = (limit, strict) => (value, level) => {
     const allowed = power(limit, level);
+    demand(sign(limit) >= 0, unproved);
     demand(strict ? less(value, allowed) : !less(allowed, value), unproved);
   };
 

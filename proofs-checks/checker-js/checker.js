@@ -275,8 +275,7 @@ var check_certificate = (() => {
     });
     const scale = BigInt(arity) ** BigInt(order);
     const b = transpose(by_power).map(p => p.map(x => x * scale));
-    const first = b.findIndex(p => p.some(x => x)), last = b.findLastIndex(p => p.some(x => x));
-    return {arity, degree, q, b: b.slice(first, last + 1), size: Math.max(1, Math.ceil((last - first) / (arity - 1)))};
+    return {arity, degree, q, b, size: Math.max(1, Math.ceil((b.length - 1) / (arity - 1)))};
   }
   function check_sum({arity, degree, q, a}) {
     const rule = k => sum(a.map(p => p[k])) === BigInt(arity) * q[k];
@@ -396,7 +395,7 @@ var check_certificate = (() => {
   }
   function check_stability(curve, interval, rounding) {
     const {arity, degree, q, a} = curve;
-    if (interval || rounding) check_resultant(curve, interval, rounding);
+    if ((interval && degree) || rounding) check_resultant(curve, interval, rounding);
     else check_common_divisor(curve);
     if (interval) show_one_sign(form_of(q, interval, degree), 'the denominator of the mask');
     const top = a.length - 1, width = bits(largest_of(a)) + bits(BigInt(a.length)) + 10;
@@ -1093,11 +1092,13 @@ var check_certificate = (() => {
     return result;
   };
   const values_of = sequence => [...sequence.values()].map(entry => entry[1]);
-  // factor x - by y, divided by its content
-  function eliminate(x, factor, y, by) {
+  // factor x - by y, divided by its content, or modulo a prime
+  function eliminate(x, factor, y, by, prime) {
     spend(x.size + y.size, 256, bits(factor) + bits(by));
-    const all = [...x.values()].map(([p, value]) => [p, factor * value]);
-    const result = sequence_of([...all, ...[...y.values()].map(([p, value]) => [p, -by * value])]);
+    const rest = value => prime ? (value % prime + prime) % prime : value;
+    const all = [...x.values()].map(([p, value]) => [p, rest(factor * value)]);
+    const result = sequence_of([...all, ...[...y.values()].map(([p, value]) => [p, rest(-by * value)])]);
+    if (prime) return sequence_of([...result.values()].map(([p, value]) => [p, rest(value)]));
     const content = values_of(result).reduce((g, value) => g === 1n ? g : gcd(g, value), 0n);
     for (const entry of result.values()) entry[1] /= content;
     return result;
@@ -1227,37 +1228,31 @@ var check_certificate = (() => {
       demand(classes.every(entries => moment(entries, nu) === first), 'the mask has no sum rules of this order');
     }
   }
-  // Sequences modulo a space: each row has a key that no later row has
+  // Sequences modulo a space, over the rationals or modulo a prime: each row has a key that no later row has
   class Span {
-    constructor(rows = []) { this.rows = rows.slice(); }
-    reduce(sequence) {
-      let x = sequence;
-      for (const {key, row} of this.rows)
-        if (x.has(key)) x = eliminate(x, row.get(key)[1], row, x.get(key)[1]);
-      return x;
-    }
+    constructor(rows, prime) { [this.rows, this.prime] = [rows.slice(), prime]; }
     extend(sequence) {  // the part outside of the span, or undefined
-      const row = this.reduce(sequence);
-      if (!row.size) return undefined;
-      this.rows.push({key: row.keys().next().value, row});
-      allow_bits(this.rows.length * row.size * 1024);
-      return row;
+      let x = eliminate(sequence, 1n, new Map(), 0n, this.prime);
+      for (const {key, row} of this.rows)
+        if (x.has(key)) x = eliminate(x, row.get(key)[1], row, x.get(key)[1], this.prime);
+      if (!x.size) return undefined;
+      this.rows.push({key: x.keys().next().value, row: x});
+      allow_bits(this.rows.length * x.size * 1024);
+      return x;
     }
   }
   // Bases, modulo the space of `rows`, of the span of the T_w x with words w of at least i letters, x in `start`:
-  // i = 0, 1, ... until it is 0 or stays the same
-  function long_words(start, rows, transition, steps = Infinity) {
+  // i = 0, 1, ... until it is 0 or stays the same, or for a number of steps
+  function long_words(start, rows, transition, steps = Infinity, prime = 0n) {
     const images = x => transition.digits.map(t => transition.apply(t, x));
-    const all = new Span(rows), basis = [];
+    const all = new Span(rows, prime), basis = [];
     for (const queue = start.slice(); queue.length;) {
       const x = all.extend(queue.pop());
-      if (!x) continue;
-      basis.push(x);
-      queue.push(...images(x));
+      if (x) basis.push(x) && queue.push(...images(x));
     }
     for (let i = 0, last = basis; ; ++i) {
       if (!last.length || i === steps) return {steps: i, basis: last};
-      const span = new Span(rows), next = last.flatMap(images).map(x => span.extend(x)).filter(x => x);
+      const span = new Span(rows, prime), next = last.flatMap(images).map(x => span.extend(x)).filter(x => x);
       demand(steps < Infinity || next.length < last.length, 'differences are not led into the space');
       last = next;
     }
@@ -1394,7 +1389,7 @@ var check_certificate = (() => {
     const rows = vectors.map(row => ({key: row.keys().next().value, row})), from = differences(start, order, dimension);
     const {steps} = long_words(from, rows, transition);
     if (by_values && upper)
-      demand(long_words(from, [], transition, steps).basis.length === vectors.length,
+      demand(long_words(from, [], transition, steps, 2n ** 32n - 5n).basis.length === vectors.length,
              'the differences do not span the space');
     if (!by_values && (upper || reader.peek() === 'gram')) check_gram(reader, transition, surface.den);
     const base = BigInt(D), limit = upper && over(fraction(1n), power_below(base, upper));

@@ -61,7 +61,7 @@ def change_field(field):
 
 def scale(lines, keyword, factor):
     def scaled(text):
-        return str(int(Fraction(text) * factor)) if text.lstrip("-").isdigit() else text
+        return str(int(Fraction(text) * factor)) if text.lstrip("-").isdigit() and len(text) < 4000 else text
 
     for i, line in enumerate(lines):
         words = line.split()

@@ -9,7 +9,7 @@ var check_certificate = (() => {
   const demand = (condition, why) => { if (!condition) throw new Rejection(why); };
 
   // Section 2: the work is counted in products of 64-bit limbs; an operation costs 40 of them besides.
-  const max_work = 1e10, max_bits = 2 ** 32, too_much_work = 'more work than the checker allows';
+  const max_work = 8e9, max_bits = 2 ** 32, too_much_work = 'more work than the checker allows';
   let work = 0;
   const spend = (operations, bits_a = 64, bits_b = 64) => {
     const a = Math.ceil(bits_a / 64), b = Math.ceil(bits_b / 64);
@@ -35,7 +35,7 @@ var check_certificate = (() => {
   const ceil_div = (x, y) => -floor_div(-x, y);
   const shift = (x, by) => by < 0 ? x >> BigInt(-by) : x << BigInt(by);  // rounded down
   const gcd = (x, y) => {
-    spend(Math.max(bits(x), bits(y)), Math.max(bits(x), bits(y)));
+    spend(1 + Math.min(bits(x), bits(y)), 64, Math.max(bits(x), bits(y)));
     while (y) [x, y] = [y, x % y];
     return abs(x);
   };
@@ -69,7 +69,7 @@ var check_certificate = (() => {
   };
   // |re + i im| of integers, rounded down or up at 320 bits (4.5)
   const modulus_below = (re, im) => im ? fraction(root((re * re + im * im) << 640n), 1n << 320n) : fraction(abs(re));
-  const modulus_above = (re, im) => im ? plus(modulus_below(re, im), fraction(1n, 1n << 320n)) : fraction(abs(re));
+  const modulus_above = (re, im) => re || im ? plus(modulus_below(re, im), fraction(1n, 1n << 320n)) : fraction(0n);
 
   // 4.2: at most base^e
   function power_below(base, e) {
@@ -1246,10 +1246,7 @@ var check_certificate = (() => {
   function long_words(start, rows, transition, steps = Infinity, prime = 0n) {
     const images = x => transition.digits.map(t => transition.apply(t, x));
     const all = new Span(rows, prime), basis = [];
-    for (const queue = start.slice(); queue.length;) {
-      const x = all.extend(queue.pop());
-      if (x) basis.push(x) && queue.push(...images(x));
-    }
+    for (let queue = start; queue.length; queue = queue.map(x => all.extend(x)).filter(x => x && basis.push(x)).flatMap(images));
     for (let i = 0, last = basis; ; ++i) {
       if (!last.length || i === steps) return {steps: i, basis: last};
       const span = new Span(rows, prime), next = last.flatMap(images).map(x => span.extend(x)).filter(x => x);

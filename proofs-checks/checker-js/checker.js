@@ -1095,12 +1095,13 @@ var check_certificate = (() => {
   // factor x - by y, divided by its content, or modulo a prime
   function eliminate(x, factor, y, by, prime) {
     spend(x.size + y.size, 256, bits(factor) + bits(by));
-    const rest = value => prime ? (value % prime + prime) % prime : value;
-    const all = [...x.values()].map(([p, value]) => [p, rest(factor * value)]);
-    const result = sequence_of([...all, ...[...y.values()].map(([p, value]) => [p, rest(-by * value)])]);
-    if (prime) return sequence_of([...result.values()].map(([p, value]) => [p, rest(value)]));
-    const content = values_of(result).reduce((g, value) => g === 1n ? g : gcd(g, value), 0n);
-    for (const entry of result.values()) entry[1] /= content;
+    const result = new Map(), rest = value => prime ? (value % prime + prime) % prime : value;
+    const put = (key, p, value) => value ? result.set(key, [p, value]) : result.delete(key);
+    for (const [key, [p, value]] of x) put(key, p, rest(factor * value));
+    for (const [key, [p, value]] of y) put(key, p, rest((result.has(key) ? result.get(key)[1] : 0n) - by * value));
+    let content = prime ? 1n : 0n;
+    for (const [, value] of result.values()) if ((content = content === 1n ? 1n : gcd(content, value)) === 1n) break;
+    if (content > 1n) for (const entry of result.values()) entry[1] /= content;
     return result;
   }
   function read_point(text, dimension) {

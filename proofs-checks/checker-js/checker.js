@@ -1,6 +1,6 @@
-// Checks certificates about subdivision schemes, written from ../certificates/SPEC.md alone: sections, theorems and lemmas
-// are those of SPEC.md. What decides is computed with BigInts, and with Numbers that are small integers. A plain script
-// with one global function: no module, no node, no DOM.
+// Checks certificates about subdivision schemes, written from ../certificates/SPEC.md alone, whose sections, theorems and
+// lemmas are cited. What decides is computed with BigInts, and with Numbers that are small integers. A plain script with
+// one global function: no module, no node, no DOM.
 'use strict';
 
 var check_certificate = (() => {
@@ -17,7 +17,7 @@ var check_certificate = (() => {
   };
   const allow_bits = bits => demand(bits <= max_bits, too_much_work);  // of memory, before it is taken
 
-  // ---- Integers -------------------------------------------------------------------------------------------------------
+  // ---- Integers -----------------------------------------------------------------------------------------------------
   const abs = x => x < 0n ? -x : x;
   const max = (x, y) => x < y ? y : x;
   const sum = numbers => numbers.reduce((x, y) => x + y, 0n);
@@ -34,6 +34,7 @@ var check_certificate = (() => {
   };
   const ceil_div = (x, y) => -floor_div(-x, y);
   const shift = (x, by) => by < 0 ? x >> BigInt(-by) : x << BigInt(by);  // rounded down
+  const different = (list, key) => [...new Map(list.map(x => [key(x), x])).values()];
   const gcd = (x, y) => {
     spend(1 + Math.min(bits(x), bits(y)), 64, Math.max(bits(x), bits(y)));
     while (y) [x, y] = [y, x % y];
@@ -49,7 +50,7 @@ var check_certificate = (() => {
     }
   };
 
-  // ---- Fractions {n, d}, d > 0, not reduced unless they were read; integers stand for fractions ----------------------------
+  // ---- Fractions {n, d}, d > 0, not reduced unless they were read; integers stand for fractions ---------------------
   const fraction = (x, d = 1n) => typeof x === 'object' ? x : {n: BigInt(x), d};
   const operation = result => (x, y) => result(fraction(x), fraction(y));
   const reduced = x => { const g = gcd(x.n, x.d); return fraction(x.n / g, x.d / g); };
@@ -86,7 +87,7 @@ var check_certificate = (() => {
   }
 
   // ---- Packed vectors: x_0 + x_1 2^width + ..., all |x_i| < 2^(width - 1). Sums and multiples of vectors are those of the
-  // integers as long as the results keep that bound. Many small products become few long ones, which is faster. -----------
+  // integers as long as the results keep that bound. Many small products become few long ones, which is faster. -------
   const pack = (numbers, width, from = 0, to = numbers.length) => {
     if (to - from === 1) return numbers[from];
     const middle = (from + to) >> 1;
@@ -108,7 +109,7 @@ var check_certificate = (() => {
     return total;
   };
 
-  // ---- Matrices: arrays of rows of integers. A family: {size, den, matrices}, each matrix divided by den. -----------------
+  // ---- Matrices: arrays of rows of integers. A family: {size, den, matrices}, each matrix divided by den. -----------
   const range_of = n => Array.from({length: n}, (_, i) => i);
   const largest_of = matrix => largest_by(matrix, largest);
   const transpose = matrix => matrix[0].map((_, j) => matrix.map(row => row[j]));
@@ -143,7 +144,7 @@ var check_certificate = (() => {
     return n ? flips * m[n - 1][n - 1] : 1n;
   }
 
-  // ---- Section 2: tokens and lines ----------------------------------------------------------------------------------------
+  // ---- Section 2: tokens and lines ----------------------------------------------------------------------------------
   function integer(token) {
     demand(token.length <= (token[0] === '-' ? 2001 : 2000), 'number too long');
     demand(/^(0|-?[1-9][0-9]*)$/.test(token), 'not an integer');
@@ -201,7 +202,7 @@ var check_certificate = (() => {
     }
   }
 
-  // ---- Section 1: masks ---------------------------------------------------------------------------------------------------
+  // ---- Section 1: masks ---------------------------------------------------------------------------------------------
   const mask_form = 'a mask is [c0,c1,...]/D@first, of two variables [[c00,c10,...],...]/D@first,first';
   function mask_parts(text) {  // the coefficients of nested lists, the first variable innermost
     const [, lists, den, first] = /^(\[.*\])(?:\/([^@]*))?(?:@([^@]*))?$/.exec(text) || [];
@@ -228,11 +229,12 @@ var check_certificate = (() => {
     }
     return powers.map(reduced);
   }
-  // A scheme of one variable, with or without a parameter (section 6): the mask a_i(w) / q(w), with polynomials that are
-  // given by their integer coefficients; without a parameter q is the denominator of the mask.
+  // A scheme of one variable, with or without a parameter (section 6): the mask a_i(w) / q(w), polynomials given by their
+  // integer coefficients; without a parameter q is the denominator of the mask.
   function read_curve(text, arity, letter) {
     const parts = mask_parts(text), outside = 'a mask has 1 to 1000 coefficients, the first and the last not zero';
-    demand(parts.depth === 1 && (!parts.first || parts.first.length === 1) && parts.coefficients.length <= 1000, outside);
+    demand(parts.depth === 1 && (!parts.first || parts.first.length === 1), outside);
+    demand(parts.coefficients.length <= 1000, outside);
     const read = c => letter ? polynomial(c, letter) : [rational(c)], by = parts.den === undefined ? '1' : parts.den;
     const quotient = letter && /^\((.*)\)$/.exec(by);
     const q = quotient ? read(quotient[1]) : [fraction(integer(by)), ...read('1').slice(1)];
@@ -245,7 +247,7 @@ var check_certificate = (() => {
     return {arity, degree, q: row(0), a: parts.coefficients.map((_, i) => row(i + 1))};
   }
 
-  // ---- 4.1 and section 6: b = A^M a / sigma^M, times q, and the families ----------------------------------------------------
+  // ---- 4.1 and section 6: b = A^M a / sigma^M, times q, and the families --------------------------------------------
   function check_sum({arity, degree, q, a}) {
     const rule = k => sum(a.map(p => p[k])) === BigInt(arity) * q[k];
     demand(range_of(degree + 1).every(rule), 'the coefficients of the mask do not sum to the arity');
@@ -266,8 +268,8 @@ var check_certificate = (() => {
     const b = scaled(transpose(by_power), BigInt(arity) ** BigInt(order));
     return {arity, degree, q, b, size: Math.max(1, Math.ceil((b.length - 1) / (arity - 1)))};
   }
-  // 6.1: the f_j of (u + v)^degree p(w) = sum f_j u^j v^(degree - j), w = (low v + high u)/(u + v), times a positive number
-  // that depends on the interval and the degree only; without an interval p is a number.
+  // 6.1: the f_j of (u + v)^degree p(w) = sum f_j u^j v^(degree - j), w = (low v + high u)/(u + v), times a positive
+  // number that depends on the interval and the degree only; without an interval p is a number.
   function form_of(p, interval, degree) {
     if (!interval) return [p[0]];
     const {den, numbers: [low, high]} = common([interval.low, interval.high]), all = Array(degree + 1).fill(0n);
@@ -289,14 +291,15 @@ var check_certificate = (() => {
     demand(bits(den) <= 10000, 'common denominator too large');
     const entries = b.map(p => form_of(p, interval, degree).map((x, j) => x * turn * (den / weights[j])));
     allow_bits(arity * size * size * weights.length * (bits(largest_of(entries)) + 64));
+    spend(arity * size * size * weights.length + b.length * (degree + 1) ** 3);
     const entry = (i, j) => i >= 0 && i < entries.length ? entries[i][j] : 0n;
     const matrices = range_of(arity).flatMap(t => weights.map((_, l) =>
       range_of(size).map(j => range_of(size).map(k => entry(arity * j + t - k, l)))));
     return {size, den, weights, matrices};
   }
 
-  // ---- 5.5, 6.2: positive polynomials, sums of form[j] u^j (1 - u)^(degree - j) for u in [0, 1], of one or more variables;
-  // `form` is flat, the first variable innermost -----------------------------------------------------------------------------
+  // ---- 5.5, 6.2: positive polynomials, sums of form[j] u^j (1 - u)^(degree - j) for u in [0, 1], in one or more variables
+  // with a flat `form`, the first variable innermost ----------------------------------------------------------------------
   function half(line, right) {  // u = u'/2, or u = (1 + u')/2
     const d = right ? line.slice() : line.slice().reverse(), k = d.length - 1;
     for (let i = 0; i < k; ++i) for (let j = k - 1; j >= i; --j) d[j] += d[j + 1];
@@ -333,15 +336,15 @@ var check_certificate = (() => {
     return total;
   };
   const evaluate = (form, u) => form.reduceRight((value, x) => value * u + x, 0n);
-  // 6.2: the determinant of a matrix of forms, given by its values for v = 1 and u, as a form of this degree; `bound` bounds
-  // the sum of the moduli of the coefficients
+  // 6.2: the determinant of a matrix of forms, given by its values for v = 1 and u, as a form of this degree; `bound`
+  // bounds the sum of the moduli of the coefficients
   function determinant_form(matrix_at, size, degree, bound) {
     const width = bits(bound) + 2, entry_bits = width * (degree / Math.max(size, 1) + 1);
     allow_bits(entry_bits * size * size);
     return unpack(determinant(matrix_at(1n << BigInt(width)), entry_bits), width, degree + 1);
   }
 
-  // ---- 4.3, 6.3, section 7: stability -----------------------------------------------------------------------------------------
+  // ---- 4.3, 6.3, section 7: stability -------------------------------------------------------------------------------
   const divides = (x, y) => y % x === 0;
   function cyclotomic_orders(arity, degree) {  // n = k A, k >= 2 coprime to A, phi(n) <= degree < 1000, with its primes
     return range_of(6 * (degree + 1)).filter(n => n >= 2 * arity && divides(arity, n)).map(n => {
@@ -368,9 +371,9 @@ var check_certificate = (() => {
   }
   function check_stability(curve, interval, rounding) {
     const {degree, q, a} = curve, top = a.length - 1, width = bits(largest_of(a)) + bits(BigInt(a.length)) + 10;
+    if (interval) show_one_sign(form_of(q, interval, degree), 'the denominator of the mask');
     if ((interval && degree) || rounding) check_resultant(curve, interval, rounding);
     else check_common_divisor(curve);
-    if (interval) show_one_sign(form_of(q, interval, degree), 'the denominator of the mask');
     const packed = transpose(a).map(numbers => pack(numbers, width));
     for (const order of cyclotomic_orders(curve.arity, top)) {
       const what = `stability: the remainder modulo Phi_${order.n}`;
@@ -426,7 +429,7 @@ var check_certificate = (() => {
                   'sum-rules full: what one more sum rule would make 0,');
   }
 
-  // ---- Section 7: rounded coefficients -------------------------------------------------------------------------------------------
+  // ---- Section 7: rounded coefficients ------------------------------------------------------------------------------
   const delta = (k, x, y) => k ? round_up(times(times(k, y), power(plus(x, y), k - 1))) : fraction(0n);
   const norm_of_family = ({den, matrices}) => fraction(largest_by(matrices, column_norm), den);
   function rounding_of({arity, a}, {eps, order}, family) {
@@ -440,7 +443,7 @@ var check_certificate = (() => {
     return {eps, e: times(eta, family.size), nu: norm_of_family(family)};
   }
 
-  // ---- 4.4: blocks ---------------------------------------------------------------------------------------------------------------
+  // ---- 4.4: blocks --------------------------------------------------------------------------------------------------
   function read_blocks(reader, {size, den, weights, matrices}) {
     const sizes = reader.read('blocks', 1, size).map(token => small(token, 1, size));
     demand(sizes.reduce((x, y) => x + y) === size, 'the block sizes do not sum to n');
@@ -459,9 +462,10 @@ var check_certificate = (() => {
     });
   }
 
-  // ---- 4.5: lower bounds by a product ----------------------------------------------------------------------------------------------
+  // ---- 4.5: lower bounds by a product -------------------------------------------------------------------------------
   function word_product(matrices, word) {  // of integer matrices, from left to right; by columns, packed
-    const size = matrices[0].length, growth = bits(largest_by(matrices, row_norm) || 1n), width = growth * word.length + 2;
+    const size = matrices[0].length, growth = bits(largest_by(matrices, row_norm) || 1n);
+    const width = growth * word.length + 2;
     allow_bits(size * size * width);
     spend(word.length * size * size, growth, width * size);
     const factors = matrices.map(transpose);
@@ -470,11 +474,12 @@ var check_certificate = (() => {
     return transpose(columns.map(column => unpack(column, width, size)));
   }
   function read_word(reader, blocks, letters) {
-    const [number, re, im, ...word] = reader.read('product', 4, 4099), block = blocks[small(number, 0, blocks.length - 1)];
+    const [number, re, im, ...word] = reader.read('product', 4, 4099);
+    const block = blocks[small(number, 0, blocks.length - 1)];
     return {block, c: [re, im].map(rational), word: word.map(t => small(t, 0, letters - 1))};
   }
-  // A lower bound of the spectral radius of a product P, and its length. P = N unit, up to errors of norm `errors` units, and
-  // c = y unit / h.
+  // A lower bound of the spectral radius of a product P, and its length. P = N unit, up to errors of norm `errors` units,
+  // and c = y unit / h.
   function read_product(reader, blocks, rounding) {
     const {block, c, word} = read_word(reader, blocks, blocks[0].matrices.length), n = block.size;
     let unit = fraction(1n, block.den ** BigInt(word.length)), N = word_product(block.matrices, word);
@@ -549,7 +554,8 @@ var check_certificate = (() => {
     const forms = range_of(arity).map(t => range_of(size).map(i => range_of(size).map(k =>
       weights.map((weight, j) => weight * matrices[t * (n + 1) + j][i][k]))));
     const product = value => word_product(forms.map(matrix => matrix.map(row => row.map(value))), word);
-    const flip = sign(re) < 0 ? -1n : 1n, c = fraction(abs((pair ? im : re).n), (pair ? im : re).d), g = pair ? times(c, c) : c;
+    const flip = sign(re) < 0 ? -1n : 1n, c = fraction(abs((pair ? im : re).n), (pair ? im : re).d);
+    const g = pair ? times(c, c) : c;
     const moduli = pair ? compound(product(norm), (x, y) => x + y) : product(norm);
     const diagonal = g.n * (den * sum(weights)) ** BigInt(e);
     const bound = moduli.reduce((all, row) => all * (diagonal + g.d * sum(row)), 1n);
@@ -563,7 +569,7 @@ var check_certificate = (() => {
     return {radius: c, length: word.length};
   }
 
-  // ---- 4.6: norms ------------------------------------------------------------------------------------------------------------------
+  // ---- 4.6: norms ---------------------------------------------------------------------------------------------------
   function check_norm({size, den, matrices}, level, first_column, rounding) {
     const columns = identity(size).slice(0, first_column ? 1 : size), entry = bits(largest_by(matrices, largest_of));
     spend(matrices.length ** level * columns.length * size * size, (entry + bits(BigInt(size))) * level, entry);
@@ -574,8 +580,8 @@ var check_certificate = (() => {
     return {value: rounding ? plus(value, delta(level, rounding.nu, rounding.e)) : value, level};
   }
 
-  // ---- 4.7, 4.8: groups of maps g with T_t g = g T_s, s = numbers[t]. `elements` are the products of the generators up to their
-  // signs; table[i][k] is [number, sign] of element i times generator k. -----------------------------------------------------------
+  // ---- 4.7, 4.8: groups of maps g with T_t g = g T_s, s = numbers[t]. `elements` are the products of the generators up
+  // to their signs; table[i][k] is [number, sign] of element i times generator k. ----------------------------------------------
   const trivial_group = letters => ({elements: [{numbers: range_of(letters)}], table: [[]]});
   function read_group(reader, count, size, matrices) {
     const generators = range_of(count).map(() => {
@@ -602,13 +608,14 @@ var check_certificate = (() => {
     return {elements, table};
   }
 
-  // ---- 4.7: polytopes --------------------------------------------------------------------------------------------------------------
+  // ---- 4.7: polytopes -----------------------------------------------------------------------------------------------
   function read_properties(names) {
     const plain = names.map(name => name.replace(/^group:.*/, 'group')), has = name => plain.includes(name);
     const known = ['complex', 'nonnegative', 'symmetric', 'transposed', 'group'];
-    demand(plain.every(name => known.includes(name)) && !(has('complex') && has('nonnegative')), 'unknown polytope property');
+    const real = !(has('complex') && has('nonnegative')), alone = !has('symmetric') && !has('nonnegative');
+    demand(plain.every(name => known.includes(name)) && real, 'unknown polytope property');
     demand(new Set(plain).size === plain.length, 'a polytope property twice');
-    demand(!has('group') || !(has('symmetric') || has('nonnegative')), "a group goes with neither 'symmetric' nor 'nonnegative'");
+    demand(!has('group') || alone, "a group goes with neither 'symmetric' nor 'nonnegative'");
     const group = has('group') ? small(names[plain.indexOf('group')].slice(6), 1, 8) : 0;
     return {...Object.fromEntries(plain.map(name => [name, true])), group};
   }
@@ -618,9 +625,10 @@ var check_certificate = (() => {
     const has = read_properties(fields.slice(3)), {size, den} = family, scale = BigInt(v_bits + c_bits);
     const matrices = has.transposed ? family.matrices.map(transpose) : family.matrices, last = matrices.length - 1;
     demand(!has.group || !rounding, 'a group proves nothing of rounded masks');
-    demand(!has.nonnegative || matrices.every(m => m.every(row => row.every(x => x >= 0n))), 'a matrix is not non-negative');
+    demand(!has.nonnegative || matrices.flat(2).every(x => x >= 0n), 'a matrix is not non-negative');
     const turned = m => m.map(row => row.slice().reverse()).reverse();
-    demand(!has.symmetric || matrices.every((m, t) => equal(turned(m), matrices[last - t])), 'the family is not symmetric');
+    const symmetric = () => matrices.every((m, t) => equal(turned(m), matrices[last - t]));
+    demand(!has.symmetric || symmetric(), 'the family is not symmetric');
     const flips = {elements: [{}, {map: identity(size).reverse()}], table: [[[1, 1n]], [[0, 1n]]]};
     const group = has.symmetric ? flips : has.group ? read_group(reader, has.group, size, matrices) : trivial_group(0);
     const body = new Body(reader, {size, count, c_bits, has, group});
@@ -634,7 +642,8 @@ var check_certificate = (() => {
     demand(R < 1n << scale, "the vertices do not span: a unit's residual is 1 or more");
     const E = (S << BigInt(v_bits)) / ((1n << scale) - R) + 1n;
     for (let j = 0; j < count; ++j) {
-      const more = rounding ? times(rounding.e, fraction(sum(body.coordinates(j).map(norm)) * E, 1n << BigInt(v_bits))) : 0n;
+      const size_of = () => fraction(sum(body.coordinates(j).map(norm)), 1n << BigInt(v_bits));  // |v_J|_1
+      const more = rounding ? times(rounding.e, times(size_of(), E)) : 0n;
       body.images(matrices, j).forEach((image, t) => {
         const target = image.map(x => x.map(value => value << BigInt(c_bits)));
         const {residual, weight} = body.read_combination(`image ${j} ${t}`, target, den);
@@ -656,7 +665,7 @@ var check_certificate = (() => {
         if (top > this.most) this.set_width(bits(top) + 64);
         this.most = max(this.most, top);
         spend(x.length, this.width);
-        allow_bits(j * x.length * this.width);
+        allow_bits(j * x.length * Math.max(this.width, 1024));
         this.vertices.push(range_of(this.parts).map(part => pack(x.slice(part * size, (part + 1) * size), this.width)));
       }
       this.most *= largest_by(group.elements, ({map}) => map ? row_norm(map) : 1n);  // of images as well
@@ -697,8 +706,9 @@ var check_certificate = (() => {
     read_term(term) {  // the number of the vertex, that of the element of the group, -1 for a conjugate, the weight
       const [head, ...weight] = term.split(':'), {has: {complex, nonnegative, symmetric}, group: {table}} = this;
       demand(weight.length === this.parts, 'a term is INDEX:WEIGHT');
-      const [, index, letters, conjugate] = /^(-?[0-9]*)([^0-9c]*)(c?)$/.exec(head) || [];
-      demand(index !== undefined && (complex || !conjugate), 'unknown generator');
+      const [, index, letters, conjugate] = /^([0-9]*)([^0-9c]*)(c?)$/.exec(head) || [];
+      demand(index, 'not an integer');
+      demand(complex || !conjugate, 'unknown generator');
       demand(letters.length <= 16, 'a word of more than 16 generators');
       let element = 0, turn = 1n;
       for (const letter of letters) {
@@ -737,9 +747,9 @@ var check_certificate = (() => {
     }
   }
 
-  // ---- 4.8: quadratic forms ----------------------------------------------------------------------------------------------------------
-  // Lemma 17. The rows of U and R are packed from the last column to the diagonal. Where some |R_kj| is 2^128 or more, x_jj will
-  // not be positive, as U_jj < 2^256; so all R_kj that are used are smaller.
+  // ---- 4.8: quadratic forms -----------------------------------------------------------------------------------------
+  // Lemma 17. The rows of U and R are packed from the last column to the diagonal. Where some |R_kj| is 2^128 or more, x_jj
+  // will not be positive, as U_jj < 2^256; so all R_kj that are used are smaller.
   function positive_definite(S, most) {
     const d = S.length, by = 256 - bits(most), width = 272, limit = 1n << 128n, minus_limit = -limit, R = [];
     spend(d * d / 2, 128, width * d / 2);
@@ -761,8 +771,9 @@ var check_certificate = (() => {
   }
   const section_form = "expected 'norm', 'polytope' or 'quadratic' and its numbers";
   function read_quadratic(reader, {size, den, matrices}, fields, rounding) {
-    demand(!rounding && fields.length >= 2 && fields.length <= 3, section_form);
-    demand(fields.length < 3 || fields[2].startsWith('group:'), section_form);
+    demand(!rounding, section_form);
+    demand(fields.length === 2 || (fields.length === 3 && fields[2].startsWith('group:')),
+           "expected 'quadratic', a number of words, a bound and perhaps a group");
     const count = small(fields[0], 1, 2 ** 28), bound = rational(fields[1]);
     demand(bound.n >= 0n, 'the bound of a quadratic form is negative');
     const generators = fields.length === 3 ? small(fields[2].slice(6), 1, 8) : 0;
@@ -779,6 +790,7 @@ var check_certificate = (() => {
       const word = reader.read('word', 1, 1000).map(token => letter[small(token, 0, matrices.length - 1)]);
       demand(!words.has(String(word)), 'a word occurs twice');
       words.add(String(word));
+      allow_bits(words.size * 1024);
       const k = BigInt(2 * word.length), top = ((bound.n * den) ** k << 64n) / bound.d ** k, Q = congruence.of(word);
       const S = P.map((row, a) => row.map((x, b) => top * x - (Q[a][b] << 64n))), most = largest_of(S);
       demand(!most || positive_definite(S, most), 'a product is not below the bound in the quadratic form');
@@ -786,11 +798,11 @@ var check_certificate = (() => {
     check_tree(words, group.elements.map(({numbers}) => numbers.map(t => letter[t])), new Set(letter).size);
     return {value: bound, level: 1};
   }
-  // Q_w = A_w^T P A_w for the integer matrices of a family, kept for the last word and its beginnings. Most rows of the A_t^T of a
-  // scheme are those of others: the letters share X Q_w X^T, X the different rows of all, where these are few.
+  // Q_w = A_w^T P A_w for the integer matrices of a family, kept for the last word and its beginnings. Most rows of the
+  // A_t^T of a scheme are those of others: the letters share X Q_w X^T, X the different rows of all, where these are few.
   class Congruence {
     constructor(P, matrices) {
-      const factors = matrices.map(transpose), unique = rows => [...new Map(rows.map(row => [String(row), row])).values()];
+      const factors = matrices.map(transpose), unique = rows => different(rows, String);
       const all = unique(factors.flat()), shared = all.length < 2 * P.length && {rows: all};
       this.letters = factors.map(factor => {
         const set = shared || {rows: unique(factor)}, texts = set.rows.map(String);
@@ -828,14 +840,14 @@ var check_certificate = (() => {
     }
   }
   function check_tree(words, permutations, letters) {  // the words and their images under the group are a complete tree
-    const images = new Set(), different = [...new Map(permutations.map(p => [String(p), p])).values()];
+    const images = new Set(), maps = different(permutations, String);
     const length_of = image => image.split(',').length - 1, tree = 'the words are not those of a complete tree';
     let longest = 0, memory = 0, total = 0n;
     for (const word of words) {
       const numbers = word.split(',');
       longest = Math.max(longest, numbers.length);
-      allow_bits(memory += different.length * (numbers.length + 8) * 64);
-      for (const p of different) images.add(numbers.map(t => p[t] + ',').join(''));
+      allow_bits(memory += maps.length * (numbers.length + 8) * 64);
+      for (const p of maps) images.add(numbers.map(t => p[t] + ',').join(''));
     }
     for (const image of images) {
       total += BigInt(letters) ** BigInt(longest - length_of(image));
@@ -846,7 +858,7 @@ var check_certificate = (() => {
     demand(total === BigInt(letters) ** BigInt(longest), tree);
   }
 
-  // ---- Blocks, product and sections: goal.above(radius, length) and goal.below(value, level) demand what the claim needs ---------------
+  // ---- Blocks, product and sections: goal.above(radius, length) and goal.below(value, level) demand what the claim ne
   function read_section(reader, number, family, first_column, rounding) {
     const [kind, ...fields] = reader.read(`block ${number}`, 1, 20);
     demand(kind !== 'norm' || fields.length === 1, "wrong number of fields after 'norm'");
@@ -876,12 +888,13 @@ var check_certificate = (() => {
   };
   const at_least = limit => (radius, length) => demand(!less(radius, power(limit, length)), unproved_product);
 
-  // ---- Radius claims ---------------------------------------------------------------------------------------------------------------------
+  // ---- Radius claims ------------------------------------------------------------------------------------------------
   function check_radius(reader, {family, lower, upper}) {
-    prove(reader, family, {below: upper && at_most(upper, false), above: lower && at_least(sign(lower) > 0 ? lower : fraction(0n))});
+    const least = lower && at_least(sign(lower) > 0 ? lower : fraction(0n));
+    prove(reader, family, {below: upper && at_most(upper, false), above: least});
   }
 
-  // ---- Exponent, range, roughness and rounded claims: 4.2, 4.3, 4.9, 6.1, 6.2, 6.4 -----------------------------------------------------------
+  // ---- Exponent, range, roughness and rounded claims: 4.2, 4.3, 4.9, 6.1, 6.2, 6.4 ----------------------------------
   function check_curve(reader, claim) {
     const {lower, upper, rough, interval, within} = claim;
     const again = !interval && !within && reader.peek() === 'reduced';
@@ -896,14 +909,14 @@ var check_certificate = (() => {
     const stability = reader.peek() === 'stability', full = full_token === 'full';
     demand(full_token === undefined || (full && !within), "expected 'sum-rules M', or 'sum-rules M full' of one mask");
     demand(!within || within.order === order, 'the claim is about masks with another number of sum rules');
-    const symbol = divided_symbol(curve, order);
-    if (full) check_full(symbol, interval);
     demand(!rough || (full && order <= rough),
            'less smoothness than that needs the full number of sum rules, and no more of them');
     if (stability || rough || (!lower && !upper) || (upper && !(interval && !sign(upper)))) {
       reader.read('stability');
       check_stability(curve, interval, within);
     }
+    const symbol = divided_symbol(curve, order);
+    if (full) check_full(symbol, interval);
     const enough = upper && full && (interval ? less(order, upper) : !less(upper, order));  // 6.4
     if (upper && !enough)
       goal.above = (radius, length) => {
@@ -941,16 +954,18 @@ var check_certificate = (() => {
   function check_convergence(reader, curve) {  // 4.9: JSR < A^M for the mask of the claim
     const order = small(reader.read('sum-rules', 1)[0], 1, 500), limit = fraction(BigInt(curve.arity) ** BigInt(order));
     check_sum(curve);
-    prove(reader, control_family(divided_symbol(curve, order), null), {below: at_most(limit, true)}, {first_column: true});
+    const family = control_family(divided_symbol(curve, order), null);
+    prove(reader, family, {below: at_most(limit, true)}, {first_column: true});
   }
 
-  // ---- Section 5: several variables. Points are arrays of small integers; a sequence is a Map of the text of a point to
-  // [point, value], without zeros. ------------------------------------------------------------------------------------------
+  // ---- Section 5: several variables. Points are arrays of small integers; a sequence is a Map from the texts of points to
+  // [point, value], without zeros. ------------------------------------------------------------------------------------
   const entry_bits = 2048;  // of memory, for a point and its value
   const minor = (m, i, j) => m.filter((_, r) => r !== i).map(row => row.filter((_, c) => c !== j));
   const small_determinant = m =>
     m.length ? m[0].reduce((total, x, j) => total + (j % 2 ? -x : x) * small_determinant(minor(m, 0, j)), 0) : 1;
-  const adjugate = m => m.map((row, i) => row.map((_, j) => ((i + j) % 2 ? -1 : 1) * small_determinant(minor(m, j, i))));
+  const adjugate = m =>
+    m.map((row, i) => row.map((_, j) => ((i + j) % 2 ? -1 : 1) * small_determinant(minor(m, j, i))));
   const times_point = (m, p) => m.map(row => row.reduce((total, x, k) => total + x * p[k], 0));
   const times_small = (x, y) => transpose(transpose(y).map(column => times_point(x, column)));
   const add_points = (p, q, by = 1) => p.map((x, v) => x + by * q[v]);
@@ -987,7 +1002,8 @@ var check_certificate = (() => {
     return result;
   }
   function read_surface(text) {
-    const {depth, sizes, coefficients, den: by, first} = mask_parts(text), divisor = by === undefined ? 1n : integer(by);
+    const {depth, sizes, coefficients, den: by, first} = mask_parts(text);
+    const divisor = by === undefined ? 1n : integer(by);
     demand(coefficients.length <= 10000, 'a mask with too many coefficients');
     demand(!first || first.length === depth, mask_form);
     demand(divisor > 0n, 'a denominator must be positive');
@@ -1018,7 +1034,8 @@ var check_certificate = (() => {
     const c = s < 3 ? 0 : sum_of(M.map((_, i) => small_determinant(minor(M, i, i))));
     const square_is = (factor, of) => square.every((row, i) => row.every((x, j) => factor * x === (i === j ? of : 0)));
     const isotropic = s === 1 || (s === 2 && (t * t < 4 * d || square_is(1, Math.abs(d)))) ||
-      (s === 3 && c ** 3 === d * t ** 3 && (t === 0 || Math.abs(t * t - c) < 2 * Math.abs(c) || square_is(t * t, c * c)));
+      (s === 3 && c ** 3 === d * t ** 3 &&
+       (t === 0 || Math.abs(t * t - c) < 2 * Math.abs(c) || square_is(t * t, c * c)));
     demand(isotropic && Math.abs(d) > 1, 'the dilation is not isotropic and expanding');
   }
   function check_turned(N, M, mask) {  // 5.7
@@ -1035,7 +1052,8 @@ var check_certificate = (() => {
     }
   }
   function is_symmetry(g, mask) {  // up to a shift
-    const entries = [...mask.values()], origin = entries[0][0], points = entries.map(([p]) => add_points(p, origin, -1));
+    const entries = [...mask.values()], origin = entries[0][0];
+    const points = entries.map(([p]) => add_points(p, origin, -1));
     const images = points.map(p => times_point(g, p)), total = list => list.reduce((x, y) => add_points(x, y));
     const move = add_points(total(points), total(images), -1).map(x => x / entries.length);
     return move.every(Number.isInteger) && entries.every(([, value], i) => {
@@ -1108,8 +1126,8 @@ var check_certificate = (() => {
       return x;
     }
   }
-  // (iii): bases, modulo the space of `rows`, of the span of the T_w x with words w of at least i letters, x in `start`:
-  // i = 0, 1, ... until it is 0 or stays the same, or for a number of steps
+  // (iii): bases, modulo the space of `rows`, of the span of the T_w x with x in `start` and words w of at least i letters,
+  // i = 0, 1, ..., until it is 0 or stays the same, or for a number of steps
   function long_words(start, rows, transition, steps = Infinity, prime = 0n) {
     const images = x => transition.digits.map(t => transition.apply(t, x)), all = new Span(rows, prime);
     let last = [];
@@ -1156,7 +1174,8 @@ var check_certificate = (() => {
   function space_family(vectors, transition, den) {  // (ii): the matrices of the T_t in the basis
     const keys = vectors.map(first_key), pivot = vectors[0].get(keys[0])[1];
     const columns = transition.digits.map(t => vectors.map(v => {
-      const image = transition.apply(t, v), at = keys.map(key => image.has(key) ? image.get(key)[1] : 0n), rest = new Map();
+      const image = transition.apply(t, v), at = keys.map(key => image.has(key) ? image.get(key)[1] : 0n);
+      const rest = new Map();
       for (const [p, value] of image.values()) add(rest, p, pivot * value);
       at.forEach((value, k) => {
         if (!value) return;
@@ -1170,7 +1189,8 @@ var check_certificate = (() => {
   }
   // 5.5: the g_k, each for k and -k, are a fixed point of the transfer operator, and the sum over them is positive
   function check_gram(reader, transition, den) {
-    const {mask, M, det} = transition, half_g = read_sequence(reader.read('gram', 1, 2 ** 24), M.length), g = new Map(half_g);
+    const {mask, M, det} = transition, half_g = read_sequence(reader.read('gram', 1, 2 ** 24), M.length);
+    const g = new Map(half_g);
     for (const [p, value] of half_g.values()) {
       const mirror = p.map(x => -x || 0);
       demand(p.every(x => !x) || !half_g.has(String(mirror)), 'a point occurs twice');
@@ -1202,10 +1222,10 @@ var check_certificate = (() => {
       return [x[0] + y[0], x[1] + y[1]];
     });
     const line = (v, k) => {  // (1 + i t)^(n + k) (1 - i t)^(n - k)
-      const key = `${v} ${k}`, plus_factors = degrees[v] / 2 + k;
+      const key = `${v} ${k}`, more = degrees[v] / 2 + k;
       spend(known.has(key) ? 0 : 4 * degrees[v] ** 2, degrees[v]);
       if (!known.has(key))
-        known.set(key, range_of(degrees[v]).reduce((f, j) => convolve(f, linear[j < plus_factors ? 0 : 1]), [[1n, 0n]]));
+        known.set(key, range_of(degrees[v]).reduce((f, j) => convolve(f, linear[j < more ? 0 : 1]), [[1n, 0n]]));
       return known.get(key);
     };
     for (let chart = 0; chart < 2 ** dimension; ++chart) {
@@ -1262,7 +1282,7 @@ var check_certificate = (() => {
     });
   }
 
-  // ---- The claim and the command line -------------------------------------------------------------------------------------
+  // ---- The claim and the command line -------------------------------------------------------------------------------
   const usage = `usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE
        subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'
                      [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)
@@ -1305,7 +1325,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       demand(claim.surface.depth === claim.dilation.length, 'mask and dilation have different numbers of variables');
       claim.head = `surface ${options.surface} ${options.dilation}`;
     } else if (kind === check_curve) {
-      const arity = small(options.arity, 2, 16), letter = options.for === undefined ? null : read_range(options.for, claim);
+      const arity = small(options.arity, 2, 16);
+      const letter = options.for === undefined ? null : read_range(options.for, claim);
       if (options.within !== undefined) claim.within = read_rounding(options.within);
       claim.curve = read_curve(options.mask, arity, letter);
       claim.head = `exponent ${options.mask} ${options.arity}` + (letter ? ` ${options.for}` : '') +
@@ -1369,7 +1390,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     if (error instanceof RangeError) return too_much_work;
     throw error;
   }
-  // words: the command line; read_text(path): the bytes of a file as a text of characters 0 to 255, or null where there is
+  // words: the command line; read_text(path): the bytes of a file as a text of characters 0 to 255, null where there is
   // none. Returns {exit, line}; the line is meant for standard output for exit 0 and 1, else for standard error.
   return function check_certificate(words, read_text) {
     work = 0;

@@ -1,6 +1,6 @@
-// Checks certificates about subdivision schemes, written from ../certificates/SPEC.md alone, whose sections, theorems and
-// lemmas are cited. What decides is computed with BigInts, and with Numbers that are small integers. A plain script with
-// one global function: no module, no node, no DOM.
+// Checks certificates about subdivision schemes, written from ../certificates/SPEC.md alone, whose sections, theorems
+// and lemmas are cited. What decides is computed with BigInts, and with Numbers that are small integers. A plain script
+// with one global function: no module, no node, no DOM.
 'use strict';
 
 var check_certificate = (() => {
@@ -86,8 +86,9 @@ var check_certificate = (() => {
     return whole < 0n ? fraction(result, base ** -whole << 320n) : fraction(result * base ** whole, 1n << 320n);
   }
 
-  // ---- Packed vectors: x_0 + x_1 2^width + ..., all |x_i| < 2^(width - 1). Sums and multiples of vectors are those of the
-  // integers as long as the results keep that bound. Many small products become few long ones, which is faster. -------
+  // ---- Packed vectors: x_0 + x_1 2^width + ..., all |x_i| < 2^(width - 1) -------------------------------------------
+  // Sums and multiples of vectors are those of the integers as long as the results keep that bound. Many small products
+  // become few long ones, which is faster.
   const pack = (numbers, width, from = 0, to = numbers.length) => {
     if (to - from === 1) return numbers[from];
     const middle = (from + to) >> 1;
@@ -229,8 +230,8 @@ var check_certificate = (() => {
     }
     return powers.map(reduced);
   }
-  // A scheme of one variable, with or without a parameter (section 6): the mask a_i(w) / q(w), polynomials given by their
-  // integer coefficients; without a parameter q is the denominator of the mask.
+  // A scheme of one variable, with or without a parameter (section 6): the mask a_i(w) / q(w), polynomials given by
+  // their integer coefficients; without a parameter q is the denominator of the mask.
   function read_curve(text, arity, letter) {
     const parts = mask_parts(text), outside = 'a mask has 1 to 1000 coefficients, the first and the last not zero';
     demand(parts.depth === 1 && (!parts.first || parts.first.length === 1), outside);
@@ -298,8 +299,8 @@ var check_certificate = (() => {
     return {size, den, weights, matrices};
   }
 
-  // ---- 5.5, 6.2: positive polynomials, sums of form[j] u^j (1 - u)^(degree - j) for u in [0, 1], in one or more variables
-  // with a flat `form`, the first variable innermost ----------------------------------------------------------------------
+  // ---- 5.5, 6.2: positive polynomials -------------------------------------------------------------------------------
+  // Sums of form[j] u^j (1 - u)^(degree - j) for u in [0, 1], in one or more variables, the first innermost
   function half(line, right) {  // u = u'/2, or u = (1 + u')/2
     const d = right ? line.slice() : line.slice().reverse(), k = d.length - 1;
     for (let i = 0; i < k; ++i) for (let j = k - 1; j >= i; --j) d[j] += d[j + 1];
@@ -478,8 +479,8 @@ var check_certificate = (() => {
     const block = blocks[small(number, 0, blocks.length - 1)];
     return {block, c: [re, im].map(rational), word: word.map(t => small(t, 0, letters - 1))};
   }
-  // A lower bound of the spectral radius of a product P, and its length. P = N unit, up to errors of norm `errors` units,
-  // and c = y unit / h.
+  // A lower bound of the spectral radius of a product P, and its length. P = N unit, up to errors of norm `errors`
+  // units, and c = y unit / h.
   function read_product(reader, blocks, rounding) {
     const {block, c, word} = read_word(reader, blocks, blocks[0].matrices.length), n = block.size;
     let unit = fraction(1n, block.den ** BigInt(word.length)), N = word_product(block.matrices, word);
@@ -580,8 +581,9 @@ var check_certificate = (() => {
     return {value: rounding ? plus(value, delta(level, rounding.nu, rounding.e)) : value, level};
   }
 
-  // ---- 4.7, 4.8: groups of maps g with T_t g = g T_s, s = numbers[t]. `elements` are the products of the generators up
-  // to their signs; table[i][k] is [number, sign] of element i times generator k. ----------------------------------------------
+  // ---- 4.7, 4.8: groups of maps g with T_t g = g T_s, s = numbers[t] ------------------------------------------------
+  // `elements` are the products of the generators up to their signs; table[i][k] is [number, sign] of element i times
+  // generator k.
   const trivial_group = letters => ({elements: [{numbers: range_of(letters)}], table: [[]]});
   function read_group(reader, count, size, matrices) {
     const generators = range_of(count).map(() => {
@@ -748,8 +750,8 @@ var check_certificate = (() => {
   }
 
   // ---- 4.8: quadratic forms -----------------------------------------------------------------------------------------
-  // Lemma 17. The rows of U and R are packed from the last column to the diagonal. Where some |R_kj| is 2^128 or more, x_jj
-  // will not be positive, as U_jj < 2^256; so all R_kj that are used are smaller.
+  // Lemma 17. The rows of U and R are packed from the last column to the diagonal. Where some |R_kj| is 2^128 or more,
+  // x_jj will not be positive, as U_jj < 2^256; so all R_kj that are used are smaller.
   function positive_definite(S, most) {
     const d = S.length, by = 256 - bits(most), width = 272, limit = 1n << 128n, minus_limit = -limit, R = [];
     spend(d * d / 2, 128, width * d / 2);
@@ -799,7 +801,7 @@ var check_certificate = (() => {
     return {value: bound, level: 1};
   }
   // Q_w = A_w^T P A_w for the integer matrices of a family, kept for the last word and its beginnings. Most rows of the
-  // A_t^T of a scheme are those of others: the letters share X Q_w X^T, X the different rows of all, where these are few.
+  // A_t^T of a scheme are those of others: letters share X Q_w X^T, X the different rows of all, where these are few.
   class Congruence {
     constructor(P, matrices) {
       const factors = matrices.map(transpose), unique = rows => different(rows, String);
@@ -958,8 +960,8 @@ var check_certificate = (() => {
     prove(reader, family, {below: at_most(limit, true)}, {first_column: true});
   }
 
-  // ---- Section 5: several variables. Points are arrays of small integers; a sequence is a Map from the texts of points to
-  // [point, value], without zeros. ------------------------------------------------------------------------------------
+  // ---- Section 5: several variables ---------------------------------------------------------------------------------
+  // Points are arrays of small integers; a sequence is a Map of the text of a point to [point, value], without zeros.
   const entry_bits = 2048;  // of memory, for a point and its value
   const minor = (m, i, j) => m.filter((_, r) => r !== i).map(row => row.filter((_, c) => c !== j));
   const small_determinant = m =>
@@ -1126,8 +1128,8 @@ var check_certificate = (() => {
       return x;
     }
   }
-  // (iii): bases, modulo the space of `rows`, of the span of the T_w x with x in `start` and words w of at least i letters,
-  // i = 0, 1, ..., until it is 0 or stays the same, or for a number of steps
+  // (iii): bases, modulo the space of `rows`, of the span of the T_w x with x in `start` and words w of at least i
+  // letters, i = 0, 1, ..., until it is 0 or stays the same, or for a number of steps
   function long_words(start, rows, transition, steps = Infinity, prime = 0n) {
     const images = x => transition.digits.map(t => transition.apply(t, x)), all = new Span(rows, prime);
     let last = [];

@@ -179,6 +179,7 @@ var check_certificate = (() => {
     load() {  // the next line, unless one was looked at and not read
       if (this.fields) return this.fields;
       ++this.line;
+      spend(20);
       if (this.at >= this.text.length) return this.fields = [''];
       const end = this.text.indexOf('\n', this.at);
       demand(end >= 0, 'last line without line feed');
@@ -793,6 +794,7 @@ var check_certificate = (() => {
       demand(!words.has(String(word)), 'a word occurs twice');
       words.add(String(word));
       allow_bits(words.size * 1024);
+      spend(100);
       const k = BigInt(2 * word.length), top = ((bound.n * den) ** k << 64n) / bound.d ** k, Q = congruence.of(word);
       const S = P.map((row, a) => row.map((x, b) => top * x - (Q[a][b] << 64n))), most = largest_of(S);
       demand(!most || positive_definite(S, most), 'a product is not below the bound in the quadratic form');
@@ -962,7 +964,7 @@ var check_certificate = (() => {
 
   // ---- Section 5: several variables ---------------------------------------------------------------------------------
   // Points are arrays of small integers; a sequence is a Map of the text of a point to [point, value], without zeros.
-  const entry_bits = 2048;  // of memory, for a point and its value
+  const entry_bits = 4096;  // of memory, for a point and its value
   const minor = (m, i, j) => m.filter((_, r) => r !== i).map(row => row.filter((_, c) => c !== j));
   const small_determinant = m =>
     m.length ? m[0].reduce((total, x, j) => total + (j % 2 ? -x : x) * small_determinant(minor(m, 0, j)), 0) : 1;
@@ -1386,11 +1388,11 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     reader.finish('end', "text after 'end'");
   }
 
-  // What went wrong, in words; anything but a refusal of ours and the limits of the engine is a fault of this program.
+  // What went wrong, in words. Limits of the engine, on lengths of numbers and texts, are errors of several names in
+  // several engines; a fault of this program never proves anything.
   function reason(error) {
     if (error instanceof Rejection) return error.message;
-    if (error instanceof RangeError) return too_much_work;
-    throw error;
+    return error instanceof RangeError ? too_much_work : `internal error (${error})`;
   }
   // words: the command line; read_text(path): the bytes of a file as a text of characters 0 to 255, null where there is
   // none. Returns {exit, line}; the line is meant for standard output for exit 0 and 1, else for standard error.

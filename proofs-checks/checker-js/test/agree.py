@@ -167,7 +167,9 @@ with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool, \
             answer = json.loads(second.stdout.readline())
             result = answer["exit"], answer["line"]
             verified += code == 0
-            if TOO_MUCH_WORK in line or TOO_MUCH_WORK in result[1]:
+            if "internal error" in result[1]:
+                failures.append((words, line, result[1], b""))
+            elif TOO_MUCH_WORK in line or TOO_MUCH_WORK in result[1]:
                 work += 1
             elif not same((code, line), result):
                 failures.append((words, line, result[1], Path(words[-1]).read_bytes()))

@@ -1,4 +1,5 @@
-// Tests what the corpus does not: main.js as a process, and checker.js as a plain script that needs neither node nor a page.
+// Tests what the corpus does not: main.js as a process, and checker.js as a plain script that needs neither node nor a
+// page.
 // Usage: program.js ACCEPT_DIRECTORY
 'use strict';
 const assert = require('assert');

@@ -964,7 +964,7 @@ var check_certificate = (() => {
 
   // ---- Section 5: several variables ---------------------------------------------------------------------------------
   // Points are arrays of small integers; a sequence is a Map of the text of a point to [point, value], without zeros.
-  const entry_bits = 4096;  // of memory, for a point and its value
+  const point_bits = 4096;  // of memory, for a point and its value
   const minor = (m, i, j) => m.filter((_, r) => r !== i).map(row => row.filter((_, c) => c !== j));
   const small_determinant = m =>
     m.length ? m[0].reduce((total, x, j) => total + (j % 2 ? -x : x) * small_determinant(minor(m, 0, j)), 0) : 1;
@@ -978,7 +978,7 @@ var check_certificate = (() => {
     const key = String(point), entry = sequence.get(key), total = entry ? entry[1] + value : value;
     if (total) sequence.set(key, [point, total]);
     else sequence.delete(key);
-    allow_bits(sequence.size * entry_bits);
+    allow_bits(sequence.size * point_bits);
   }
   const values_of = sequence => [...sequence.values()].map(entry => entry[1]);
   const is_multiple = (x, y, factor) =>  // x = factor y
@@ -1126,7 +1126,7 @@ var check_certificate = (() => {
         if (x.has(key)) x = eliminate(x, row.get(key)[1], row, x.get(key)[1], this.prime);
       if (!x.size) return undefined;
       this.rows.push({key: first_key(x), row: x});
-      allow_bits(this.rows.length * x.size * entry_bits);
+      allow_bits(this.rows.length * x.size * point_bits);
       return x;
     }
   }
@@ -1157,7 +1157,7 @@ var check_certificate = (() => {
     let memory = 0;
     return exponents(dimension, order, true).map(mu => {
       const result = mu.reduce((x, many, v) => range_of(many).reduce(y => step(y, v), x), sequence);
-      allow_bits(memory += result.size * entry_bits);
+      allow_bits(memory += result.size * point_bits);
       return result;
     });
   }
@@ -1168,7 +1168,7 @@ var check_certificate = (() => {
       const v = read_sequence(reader.read('vector', 1, 2 ** 24), dimension), pivot = v.values().next().value[1];
       demand(pivot > 0n, 'the first coefficient of a vector must be positive');
       demand(!n || vectors[0].values().next().value[1] === pivot, 'the first coefficients of two vectors differ');
-      allow_bits(memory += v.size * entry_bits);
+      allow_bits(memory += v.size * point_bits);
       vectors.push(v);
       for (const key of v.keys()) holders.set(key, (holders.get(key) || 0) + 1);
     }

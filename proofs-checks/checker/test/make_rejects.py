@@ -273,6 +273,7 @@ surface("surface-other-mask", "three-direction", "expected 'surface", surface="[
 surface("surface-too-high", "loop", "does not prove the claim", lower="30000000000000000000001/10000000000000000000000")
 surface("surface-too-low", "loop", "does not prove the claim", upper="29999999999999999999999/10000000000000000000000")
 surface("surface-above-sum-rules", "three-direction", "does not prove the claim", lower="5/2")
+surface("surface-lower-zero", "three-direction", "must be positive", lower="0")
 surface("surface-norm", "turning-2", "does not prove the claim", lambda lines: [
     *[line for line in lines if re.match("(sub|sur|bou|sum|dig|spa|vec)", line)], "block 0 norm 1", "end"], lower="1/2", upper=None)
 # stability
@@ -339,6 +340,8 @@ reject("quadratic-incomplete", "golden-quadratic", "not those of a complete tree
 reject("quadratic-prefix", "golden-quadratic", "not those of a complete tree", replace("^word 0 1", "word 0 0 1"))
 reject("quadratic-covered-twice", "golden-quadratic", "not those of a complete tree",
        replace("quadratic 3((.|\n)*)word 1\n", "quadratic 4\\1word 1\nword 1 0\n"))
+reject("quadratic-overlap", "rotation-quadratic", "not those of a complete tree",
+       replace("quadratic 2((.|\n)*)word 1\n", "quadratic 3\\1word 0 0\nword 0 1\n"))
 reject("quadratic-word-twice", "golden-quadratic", "a word occurs twice", replace("^word 0 1", "word 0 0"))
 reject("quadratic-empty-word", "golden-quadratic", "wrong number of fields", replace("^word 1", "word"))
 reject("quadratic-letter", "golden-quadratic", "number outside 0..1", replace("^word 1", "word 2"))

@@ -1,17 +1,27 @@
 #!/usr/bin/env python3
-"""Runs subcert-check on the corpus and on wrong command lines. Usage: run_corpus.py CHECKER accept|reject|usage DIRECTORY"""
+"""Runs a checker on the corpus and on wrong command lines. Usage: run_corpus.py CHECKER... accept|reject|usage DIRECTORY
+Where CHECKER is several words it is started once, with --many: a command line in, a result out, as lists of JSON."""
+import json
 import subprocess
 import sys
 import tempfile
 from fractions import Fraction
 from pathlib import Path
 
-checker, mode, directory = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+checker, mode, directory = sys.argv[1:-2], sys.argv[-2], Path(sys.argv[-1])
 failures = []
+server = None
+if len(checker) > 1:
+    server = subprocess.Popen([*checker, "--many"], cwd=directory, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
 def run(arguments):
-    done = subprocess.run([checker, *arguments], cwd=directory, capture_output=True, text=True, timeout=60)
+    if server:
+        server.stdin.write(json.dumps(arguments) + "\n")
+        server.stdin.flush()
+        answer = json.loads(server.stdout.readline())
+        return (answer["exit"], answer["line"], "") if answer["exit"] < 2 else (answer["exit"], "", answer["line"])
+    done = subprocess.run([*checker, *arguments], cwd=directory, capture_output=True, text=True, timeout=60)
     return done.returncode, done.stdout.strip(), done.stderr.strip()
 
 
@@ -113,6 +123,8 @@ else:
         else:
             rejected = result[0] == 1 and result[1].startswith("REJECTED ") and ", line " in result[1] and not result[2]
             expect(name, rejected and reason in result[1], result)
+if server:
+    server.communicate()
 print(f"{count} cases, {len(failures)} failures")
 for failure in failures:
     print(failure)

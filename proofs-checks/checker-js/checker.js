@@ -1,0 +1,1433 @@
+// Checks certificates about subdivision schemes, written from ../certificates/SPEC.md alone, whose sections, theorems
+// and lemmas are cited. What decides is computed with BigInts, and with Numbers that are small integers. A plain script
+// with one global function: no module, no node, no DOM.
+'use strict';
+
+var check_certificate = (() => {
+  class Rejection extends Error {}
+  const demand = (condition, why) => { if (!condition) throw new Rejection(why); };
+
+  // Section 2: work is counted in products of 64-bit limbs; every operation costs 40 of them besides.
+  const max_work = 8e9, max_bits = 2 ** 32, too_much_work = 'more work than the checker allows';
+  let work = 0;
+  const spend = (operations, bits_a = 64, bits_b = 64) => {
+    const a = Math.ceil(bits_a / 64), b = Math.ceil(bits_b / 64);
+    work += operations * (40 + Math.max(a, b) * Math.min(a, b, 64));
+    demand(work <= max_work, too_much_work);
+  };
+  const allow_bits = bits => demand(bits <= max_bits, too_much_work);  // of memory, before it is taken
+
+  // ---- Integers -----------------------------------------------------------------------------------------------------
+  const abs = x => x < 0n ? -x : x;
+  const max = (x, y) => x < y ? y : x;
+  const sum = numbers => numbers.reduce((x, y) => x + y, 0n);
+  const norm = numbers => numbers.reduce((total, x) => x < 0n ? total - x : total + x, 0n);  // |x|_1
+  const largest = numbers => numbers.reduce((most, x) => x > most ? x : -x > most ? -x : most, 0n);
+  const largest_by = (list, size) => list.reduce((most, x) => max(most, size(x)), 0n);
+  const bits = x => {
+    const digits = abs(x).toString(16);
+    return x === 0n ? 0 : 4 * digits.length + 28 - Math.clz32(parseInt(digits[0], 16));
+  };
+  const floor_div = (x, y) => {  // y > 0
+    const quotient = x / y;
+    return x < 0n && quotient * y !== x ? quotient - 1n : quotient;
+  };
+  const ceil_div = (x, y) => -floor_div(-x, y);
+  const shift = (x, by) => by < 0 ? x >> BigInt(-by) : x << BigInt(by);  // rounded down
+  const different = (list, key) => [...new Map(list.map(x => [key(x), x])).values()];
+  const gcd = (x, y) => {
+    spend(1 + Math.min(bits(x), bits(y)), 64, Math.max(bits(x), bits(y)));
+    while (y) [x, y] = [y, x % y];
+    return abs(x);
+  };
+  const lcm = (x, y) => x / gcd(x, y) * y;
+  const root = x => {  // floor of the square root
+    if (x < 2n) return x;
+    for (let r = 1n << BigInt((bits(x) + 1) >> 1);;) {
+      const next = (r + x / r) >> 1n;
+      if (next >= r) return r;
+      r = next;
+    }
+  };
+
+  // ---- Fractions {n, d}, d > 0, not reduced unless they were read; integers stand for fractions ---------------------
+  const fraction = (x, d = 1n) => typeof x === 'object' ? x : {n: BigInt(x), d};
+  const operation = result => (x, y) => result(fraction(x), fraction(y));
+  const reduced = x => { const g = gcd(x.n, x.d); return fraction(x.n / g, x.d / g); };
+  const plus = operation((x, y) => fraction(x.n * y.d + y.n * x.d, x.d * y.d));
+  const minus = operation((x, y) => fraction(x.n * y.d - y.n * x.d, x.d * y.d));
+  const times = operation((x, y) => fraction(x.n * y.n, x.d * y.d));
+  const over = operation((x, y) => y.n < 0n ? fraction(-x.n * y.d, -x.d * y.n) : fraction(x.n * y.d, x.d * y.n));
+  const less = operation((x, y) => x.n * y.d < y.n * x.d);
+  const sign = x => x.n < 0n ? -1 : x.n > 0n ? 1 : 0;
+  const power = (x, k) => {
+    allow_bits((bits(x.n) + bits(x.d)) * k * 64);
+    return fraction(x.n ** BigInt(k), x.d ** BigInt(k));
+  };
+  const round_up = x => {  // to 128 bits, section 7
+    const by = bits(x.n) - bits(x.d) - 128;
+    return by > 0 ? fraction(ceil_div(x.n, x.d << BigInt(by)) << BigInt(by))
+                  : fraction(ceil_div(x.n << BigInt(-by), x.d), 1n << BigInt(-by));
+  };
+  // |re + i im| of integers, rounded down or up at 320 bits (4.5)
+  const modulus_below = (re, im) => im ? fraction(root((re * re + im * im) << 640n), 1n << 320n) : fraction(abs(re));
+  const modulus_above = (re, im) => re || im ? plus(modulus_below(re, im), fraction(1n, 1n << 320n)) : fraction(0n);
+  function power_below(base, e) {  // 4.2: at most base^e
+    const whole = floor_div(e.n, e.d);
+    demand(abs(whole) <= 10000n, 'an exponent is too large');
+    let rest = e.n - whole * e.d, result = 1n << 320n, factor = base << 320n;
+    for (let digit = 0; digit < 128 && rest; ++digit) {
+      factor = root(factor << 320n);
+      rest *= 2n;
+      if (rest < e.d) continue;
+      rest -= e.d;
+      result = (result * factor) >> 320n;
+    }
+    return whole < 0n ? fraction(result, base ** -whole << 320n) : fraction(result * base ** whole, 1n << 320n);
+  }
+
+  // ---- Packed vectors: x_0 + x_1 2^width + ..., all |x_i| < 2^(width - 1) -------------------------------------------
+  // Sums and multiples of vectors are those of the integers as long as the results keep that bound. Many small products
+  // become few long ones, which is faster.
+  const pack = (numbers, width, from = 0, to = numbers.length) => {
+    if (to - from === 1) return numbers[from];
+    const middle = (from + to) >> 1;
+    return pack(numbers, width, from, middle) + (pack(numbers, width, middle, to) << BigInt(width * (middle - from)));
+  };
+  const drop = (packed, n) => (packed >> BigInt(n)) + (BigInt.asIntN(n, packed) < 0n ? 1n : 0n);  // the n lowest bits
+  const unpack = (packed, width, count, out = []) => {
+    if (count === 1) {
+      out.push(packed);
+      return out;
+    }
+    const half = count >> 1;
+    unpack(BigInt.asIntN(width * half, packed), width, half, out);
+    return unpack(drop(packed, width * half), width, count - half, out);
+  };
+  const combine = (factors, vectors) => {
+    let total = 0n;
+    for (let k = 0; k < factors.length; ++k) if (factors[k]) total += factors[k] * vectors[k];
+    return total;
+  };
+
+  // ---- Matrices: arrays of rows of integers. A family: {size, den, matrices}, each matrix divided by den. -----------
+  const range_of = n => Array.from({length: n}, (_, i) => i);
+  const largest_of = matrix => largest_by(matrix, largest);
+  const transpose = matrix => matrix[0].map((_, j) => matrix.map(row => row[j]));
+  const identity = n => range_of(n).map(i => range_of(n).map(j => i === j ? 1n : 0n));
+  const equal = (x, y) => x.every((row, i) => row.every((value, j) => value === y[i][j]));
+  const scaled = (matrix, factor) => matrix.map(row => row.map(x => x * factor));
+  const row_norm = matrix => largest_by(matrix, norm);
+  const column_norm = matrix => row_norm(transpose(matrix));  // |.|_1
+  function multiply(x, y) {  // the rows of y are packed, those with the larger numbers if one may choose
+    const columns = y[0].length, left = bits(largest_of(x)), right = bits(largest_of(y));
+    if (left > right) return transpose(multiply(transpose(y), transpose(x)));
+    const width = left + right + bits(BigInt(y.length)) + 2;
+    spend(x.length * y.length, left, width * columns);
+    spend(4 * (x.length + y.length) * columns, width);
+    allow_bits((x.length + y.length) * columns * width);
+    const packed = y.map(row => pack(row, width));
+    return x.map(row => unpack(combine(row, packed), width, columns));
+  }
+  function determinant(matrix, entry_bits) {  // by elimination without fractions [Bareiss 1968]
+    const m = matrix.map(row => row.slice()), n = m.length;
+    spend(n * n * n / 3, entry_bits * n / 2, entry_bits * n / 2);
+    allow_bits(n * n * n * entry_bits);
+    let last = 1n, flips = 1n;
+    for (let k = 0; k + 1 < n; ++k) {
+      const row = m.findIndex((candidate, i) => i >= k && candidate[k]);
+      if (row < 0) return 0n;
+      if (row !== k) [m[k], m[row], flips] = [m[row], m[k], -flips];
+      for (let i = k + 1; i < n; ++i)
+        for (let j = k + 1; j < n; ++j) m[i][j] = (m[i][j] * m[k][k] - m[i][k] * m[k][j]) / last;
+      last = m[k][k];
+    }
+    return n ? flips * m[n - 1][n - 1] : 1n;
+  }
+
+  // ---- Section 2: tokens and lines ----------------------------------------------------------------------------------
+  function integer(token) {
+    demand(token.length <= (token[0] === '-' ? 2001 : 2000), 'number too long');
+    demand(/^(0|-?[1-9][0-9]*)$/.test(token), 'not an integer');
+    return BigInt(token);
+  }
+  function small(token, low, high) {
+    const value = integer(token);
+    demand(value >= BigInt(low) && value <= BigInt(high), `number outside ${low}..${high}`);
+    return Number(value);
+  }
+  function rational(token) {
+    const parts = token.split('/'), [n, d = 1n] = parts.slice(0, 2).map(integer);
+    demand(parts.length <= 2, 'not a rational');
+    demand(d > 0n, 'a denominator must be positive');
+    return reduced(fraction(n, d));
+  }
+  function common(fractions) {  // as integers over one denominator
+    let den = 1n;
+    for (const x of fractions) {
+      if (den % x.d) den = lcm(den, x.d);
+      demand(bits(den) <= 10000, 'common denominator too large');
+    }
+    allow_bits(fractions.length * bits(den) * 8);
+    return {den, numbers: fractions.map(x => x.n * (den / x.d))};
+  }
+  class Reader {
+    constructor(text) {
+      [this.text, this.at, this.line, this.fields] = [text, 0, 0, null];
+      demand(text.length <= 2 ** 28, 'file too long');
+    }
+    load() {  // the next line, unless one was looked at and not read
+      if (this.fields) return this.fields;
+      ++this.line;
+      spend(20);
+      if (this.at >= this.text.length) return this.fields = [''];
+      const end = this.text.indexOf('\n', this.at);
+      demand(end >= 0, 'last line without line feed');
+      demand(end - this.at <= 2 ** 24, 'line too long');
+      this.fields = this.text.slice(this.at, end).split(' ');
+      this.at = end + 1;
+      return this.fields;
+    }
+    peek() { return this.load()[0]; }
+    read(words, fewest = 0, most = fewest) {  // the fields after these words, which must begin the line
+      const fields = this.load(), expected = words.split(' '), count = fields.length - expected.length;
+      demand(expected.every((word, i) => word === fields[i]), `expected '${words}'`);
+      demand(count >= fewest && count <= most, 'wrong number of fields');
+      this.fields = null;
+      return fields.slice(expected.length);
+    }
+    rows(words, count, size, token) { return range_of(count).map(() => this.read(words, size).map(token)); }
+    finish(words, why) {  // nothing follows
+      if (words) this.read(words);
+      if (this.at < this.text.length) ++this.line;
+      demand(this.at >= this.text.length, why);
+    }
+  }
+
+  // ---- Section 1: masks ---------------------------------------------------------------------------------------------
+  const mask_form = 'a mask is [c0,c1,...]/D@first, of two variables [[c00,c10,...],...]/D@first,first';
+  function mask_parts(text) {  // the coefficients of nested lists, the first variable innermost
+    const [, lists, den, first] = /^(\[.*\])(?:\/([^@]*))?(?:@([^@]*))?$/.exec(text) || [];
+    demand(lists, mask_form);
+    const depth = /^\[*/.exec(lists)[0].length, sizes = [];
+    demand(depth <= 3 && lists.endsWith(']'.repeat(depth)), mask_form);
+    const split = (body, d) => {
+      const pieces = body.split(']'.repeat(d - 1) + ',' + '['.repeat(d - 1));
+      demand((sizes[d - 1] = sizes[d - 1] || pieces.length) === pieces.length, 'lists of different lengths in a mask');
+      return d === 1 ? pieces : pieces.flatMap(piece => split(piece, d - 1));
+    };
+    const coefficients = split(lists.slice(depth, -depth), depth);
+    demand(coefficients.every(c => c), 'a coefficient is empty');
+    return {depth, sizes, coefficients, den, first: first === undefined ? null : first.split(',').map(integer)};
+  }
+  function polynomial(text, letter) {  // a sum of terms c*w^k, by powers of w
+    const powers = Array(13).fill(fraction(0n));
+    for (const [, signs, term] of text.replace(/^-?/, s => s || '+').matchAll(/([+-])([^+-]*)/g)) {
+      const [, c, star, w, k] = /^([0-9/]*)(\*?)([a-zA-Z]?)(?:\^(.*))?$/.exec(term) || [];
+      demand(w !== undefined && (w ? w === letter : !star) && (c !== '') === (star !== '' || !w) &&
+             (w || k === undefined), 'not a term c*w^k');
+      const at = k === undefined ? (w ? 1 : 0) : small(k, 1, 12);
+      powers[at] = (signs === '-' ? minus : plus)(powers[at], c ? rational(c) : 1n);
+    }
+    return powers.map(reduced);
+  }
+  // A scheme of one variable, with or without a parameter (section 6): the mask a_i(w) / q(w), polynomials given by
+  // their integer coefficients; without a parameter q is the denominator of the mask.
+  function read_curve(text, arity, letter) {
+    const parts = mask_parts(text), outside = 'a mask has 1 to 1000 coefficients, the first and the last not zero';
+    demand(parts.depth === 1 && (!parts.first || parts.first.length === 1), outside);
+    demand(parts.coefficients.length <= 1000, outside);
+    const read = c => letter ? polynomial(c, letter) : [rational(c)], by = parts.den === undefined ? '1' : parts.den;
+    const quotient = letter && /^\((.*)\)$/.exec(by);
+    const q = quotient ? read(quotient[1]) : [fraction(integer(by)), ...read('1').slice(1)];
+    demand(quotient || q[0].n > 0n, 'a denominator must be positive');
+    const polynomials = [q, ...parts.coefficients.map(read)];
+    const degree = Math.max(...polynomials.map(p => p.findLastIndex(sign)), 0);
+    const {numbers} = common(polynomials.flatMap(p => p.slice(0, degree + 1))), g = numbers.reduce(gcd, 0n) || 1n;
+    demand(letter || (numbers[1] && numbers[numbers.length - 1]), outside);
+    const row = i => numbers.slice(i * (degree + 1), (i + 1) * (degree + 1)).map(x => x / g);
+    return {arity, degree, q: row(0), a: parts.coefficients.map((_, i) => row(i + 1))};
+  }
+
+  // ---- 4.1 and section 6: b = A^M a / sigma^M, times q, and the families --------------------------------------------
+  function check_sum({arity, degree, q, a}) {
+    const rule = k => sum(a.map(p => p[k])) === BigInt(arity) * q[k];
+    demand(range_of(degree + 1).every(rule), 'the coefficients of the mask do not sum to the arity');
+  }
+  function divided_symbol({arity, degree, q, a}, order) {
+    const by_power = range_of(degree + 1).map(k => {
+      let c = a.map(p => p[k]);
+      for (let m = 0; m < order; ++m) {  // times (1 - z) / (1 - z^A)
+        demand(c.length >= arity, 'the mask has no sum rules of this order');
+        spend(c.length);
+        const d = [...c.map((x, i) => x - (i ? c[i - 1] : 0n)), -c[c.length - 1]];
+        for (let i = arity; i < d.length; ++i) d[i] += d[i - arity];
+        demand(d.slice(-arity).every(x => !x), 'the mask has no sum rules of this order');
+        c = d.slice(0, -arity);
+      }
+      return c;
+    });
+    const b = scaled(transpose(by_power), BigInt(arity) ** BigInt(order));
+    return {arity, degree, q, b, size: Math.max(1, Math.ceil((b.length - 1) / (arity - 1)))};
+  }
+  // 6.1: the f_j of (u + v)^degree p(w) = sum f_j u^j v^(degree - j), w = (low v + high u)/(u + v), times a positive
+  // number that depends on the interval and the degree only; without an interval p is a number.
+  function form_of(p, interval, degree) {
+    if (!interval) return [p[0]];
+    const {den, numbers: [low, high]} = common([interval.low, interval.high]), all = Array(degree + 1).fill(0n);
+    const by = (f, v, u) => [...f, 0n].map((x, j) => x * v + (j ? f[j - 1] * u : 0n));
+    for (let k = 0, power_of_w = [1n]; k < p.length; ++k, power_of_w = by(power_of_w, low, high)) {
+      const form = range_of(p[k] ? degree - k : 0).reduce(f => by(f, den, den), power_of_w);
+      form.forEach((x, j) => { all[j] += x * p[k]; });
+    }
+    return all;
+  }
+  // The family of control matrices on an interval, in the order of 6.1; that of the T_t where there is no interval
+  function control_family({arity, degree, q, b, size}, interval) {
+    demand(size <= 256, 'transition matrices larger than 256');
+    let weights = form_of(q, interval, degree);
+    const turn = weights[0] < 0n ? -1n : 1n;
+    weights = weights.map(x => x * turn);
+    demand(weights.every(x => x > 0n), 'the denominator of the mask changes its sign, or may do so');
+    const den = weights.reduce(lcm, 1n);
+    demand(bits(den) <= 10000, 'common denominator too large');
+    const entries = b.map(p => form_of(p, interval, degree).map((x, j) => x * turn * (den / weights[j])));
+    allow_bits(arity * size * size * weights.length * (bits(largest_of(entries)) + 64));
+    spend(arity * size * size * weights.length + b.length * (degree + 1) ** 3);
+    const entry = (i, j) => i >= 0 && i < entries.length ? entries[i][j] : 0n;
+    const matrices = range_of(arity).flatMap(t => weights.map((_, l) =>
+      range_of(size).map(j => range_of(size).map(k => entry(arity * j + t - k, l)))));
+    return {size, den, weights, matrices};
+  }
+
+  // ---- 5.5, 6.2: positive polynomials -------------------------------------------------------------------------------
+  // Sums of form[j] u^j (1 - u)^(degree - j) for u in [0, 1], in one or more variables, the first innermost
+  function half(line, right) {  // u = u'/2, or u = (1 + u')/2
+    const d = right ? line.slice() : line.slice().reverse(), k = d.length - 1;
+    for (let i = 0; i < k; ++i) for (let j = k - 1; j >= i; --j) d[j] += d[j + 1];
+    const result = d.map((x, i) => x << BigInt(i));
+    return right ? result : result.reverse();
+  }
+  function show_positive(form, what, degrees = [form.length - 1]) {
+    const strides = degrees.map((_, v) => degrees.slice(0, v).reduce((n, d) => n * (d + 1), 1));
+    const corners = degrees.reduce((at, d, v) => at.flatMap(i => [i, i + d * strides[v]]), [0]);
+    const halved = (cell, v, right) => {
+      const result = cell.slice(), n = degrees[v] + 1, place = (i, j) => i + j * strides[v];
+      spend(cell.length * n, 512);
+      for (let i = 0; i < cell.length; ++i)
+        if (Math.floor(i / strides[v]) % n === 0)
+          half(range_of(n).map(j => cell[place(i, j)]), right).forEach((x, j) => { result[place(i, j)] = x; });
+      return result;
+    };
+    for (const cells = [[form, 0]]; cells.length;) {
+      let [cell, depth] = cells.pop();
+      const cut = Math.max(0, bits(largest(cell)) - 256);
+      spend(cell.length, cut + 256);
+      cell = cell.map(x => x >> BigInt(cut));
+      if (cell.every(x => x > 0n)) continue;
+      demand(corners.every(i => cell[i] > 0n), `${what} is not positive`);
+      demand(depth < 60, `${what} is not shown to be positive`);
+      for (const right of [true, false]) cells.push([halved(cell, depth % degrees.length, right), depth + 1]);
+    }
+  }
+  const show_one_sign = (form, what) => show_positive(form[0] < 0n ? form.map(x => -x) : form, what);
+  const squares_of = polynomials => {  // the sum of p(w)^2
+    const total = Array(2 * polynomials[0].length - 1).fill(0n);
+    spend(polynomials.length * polynomials[0].length ** 2, 1024);
+    for (const p of polynomials) p.forEach((x, i) => p.forEach((y, j) => { total[i + j] += x * y; }));
+    return total;
+  };
+  const evaluate = (form, u) => form.reduceRight((value, x) => value * u + x, 0n);
+  // 6.2: the determinant of a matrix of forms, given by its values for v = 1 and u, as a form of this degree; `bound`
+  // bounds the sum of the moduli of the coefficients
+  function determinant_form(matrix_at, size, degree, bound) {
+    const width = bits(bound) + 2, entry_bits = width * (degree / Math.max(size, 1) + 1);
+    allow_bits(entry_bits * size * size);
+    return unpack(determinant(matrix_at(1n << BigInt(width)), entry_bits), width, degree + 1);
+  }
+
+  // ---- 4.3, 6.3, section 7: stability -------------------------------------------------------------------------------
+  const divides = (x, y) => y % x === 0;
+  function cyclotomic_orders(arity, degree) {  // n = k A, k >= 2 coprime to A, phi(n) <= degree < 1000, with its primes
+    return range_of(6 * (degree + 1)).filter(n => n >= 2 * arity && divides(arity, n)).map(n => {
+      const primes = [];
+      let rest = n, phi = n;
+      for (let p = 2; rest > 1; p = p * p > rest ? rest : p + 1) {
+        if (!divides(p, rest)) continue;
+        primes.push(p);
+        phi = phi / p * (p - 1);
+        while (divides(p, rest)) rest /= p;
+      }
+      const coprime = primes.every(p => !(divides(p, arity) && divides(p, n / arity)));
+      return {n, primes, matters: coprime && phi <= degree};
+    }).filter(order => order.matters);
+  }
+  function cyclotomic_remainder(packed, {n, primes}, width) {  // a(z) prod_q (1 - z^(n/q)) modulo z^n - 1, packed
+    const size = n * width;
+    const fold = x => {
+      for (let more; (more = drop(x, size));) x = BigInt.asIntN(size, x) + more;
+      return x;
+    };
+    spend(4 * (primes.length + 1), Math.max(size, bits(packed)));
+    return primes.reduce((x, q) => fold(x - (x << BigInt(size / q))), fold(packed));
+  }
+  function check_stability(curve, interval, rounding) {
+    const {degree, q, a} = curve, top = a.length - 1, width = bits(largest_of(a)) + bits(BigInt(a.length)) + 10;
+    if (interval) show_one_sign(form_of(q, interval, degree), 'the denominator of the mask');
+    if ((interval && degree) || rounding) check_resultant(curve, interval, rounding);
+    else check_common_divisor(curve);
+    const packed = transpose(a).map(numbers => pack(numbers, width));
+    for (const order of cyclotomic_orders(curve.arity, top)) {
+      const what = `stability: the remainder modulo Phi_${order.n}`;
+      const parts = packed.map(x => cyclotomic_remainder(x, order, width));
+      if (!interval && !rounding) demand(parts[0], `${what} is not positive`);
+      else {
+        const squares = squares_of(transpose(parts.map(x => unpack(x, width, order.n))));
+        if (interval) show_positive(form_of(squares, interval, 2 * degree), what);
+        if (!rounding) continue;
+        const change = times(rounding.eps, BigInt(top + 1) * q[0] << BigInt(order.primes.length));
+        demand(less(times(order.n, times(change, change)), squares[0]), `${what} is not positive`);
+      }
+    }
+  }
+  function check_common_divisor({arity, a}) {  // 4.3 (i)
+    const k = bits(largest_of(a)) + 64, numbers = a.map(p => p[0]);
+    allow_bits(k * numbers.length * 8);
+    const parts = range_of(arity).map(r => numbers.filter((_, i) => i % arity === r)).filter(part => part.length);
+    demand(parts.map(part => pack(part, k)).reduce(gcd, 0n) < 1n << BigInt(k - 1),
+           'stability: the polyphase parts may have a common zero');
+  }
+  function check_resultant({arity, degree, q, a}, interval, rounding) {  // 6.3 (i), section 7
+    const used = p => rounding || p.some(x => x), what = 'stability: the resultant of the polyphase parts';
+    const [p, ...others] = range_of(arity).map(r => a.filter((_, i) => i % arity === r)).map(part =>
+      part.slice(Math.max(0, part.findIndex(used)), part.findLastIndex(used) + 1)).sort((x, y) => x.length - y.length);
+    demand(p.length, 'stability: a polyphase part is zero');
+    const zero = Array(degree + 1).fill(0n), length = Math.max(...others.map(part => part.length));
+    const mixed = range_of(length).map(i => others.reduce((total, part, j) =>  // sum of j^2 p_j
+      i < part.length ? total.map((x, k) => x + BigInt((j + 1) ** 2) * part[i][k]) : total, zero));
+    const size = p.length + length - 2;
+    const sylvester = value => {
+      const shifted = (part, by) => range_of(size).map(k => k >= by && k - by < part.length ? value(part[k - by]) : 0n);
+      return [...range_of(length - 1).map(i => shifted(p, i)), ...range_of(p.length - 1).map(i => shifted(mixed, i))];
+    };
+    if (interval) {
+      const forms = new Map([...p, ...mixed].map(f => [f, form_of(f, interval, degree)]));
+      const bound = sylvester(f => norm(forms.get(f))).reduce((product, row) => product * sum(row), 1n);
+      const at = u => sylvester(f => evaluate(forms.get(f), u));
+      return show_one_sign(determinant_form(at, size, size * degree, bound), what);
+    }
+    const exact = sylvester(f => f[0]), cut = Math.max(0, bits(largest_of(exact)) - 256 - 16 * size);
+    const matrix = exact.map(row => row.map(x => x >> BigInt(cut)));
+    const changes = BigInt(size) * (1n + sum(others.map((_, j) => BigInt((j + 1) ** 2))));
+    const change = plus(times(times(rounding.eps, fraction(q[0], 1n << BigInt(cut))), changes), cut ? size : 0);
+    const value = abs(determinant(matrix, bits(largest_of(matrix)) + 8));
+    demand(less(size ? delta(size, column_norm(matrix), change) : 0n, value), `${what} is not positive`);
+  }
+  function check_full({arity, degree, b}, interval) {  // 6.4: sigma divides b for no value of the parameter
+    const sums = range_of(arity).map(r => b.filter((_, i) => i % arity === r)).map(part =>
+      range_of(degree + 1).map(k => sum(part.map(p => p[k]))));
+    const differences = sums.slice(1).map(s => s.map((x, k) => x - sums[0][k]));
+    show_positive(form_of(squares_of(differences), interval, 2 * degree),
+                  'sum-rules full: what one more sum rule would make 0,');
+  }
+
+  // ---- Section 7: rounded coefficients ------------------------------------------------------------------------------
+  const delta = (k, x, y) => k ? round_up(times(times(k, y), power(plus(x, y), k - 1))) : fraction(0n);
+  const norm_of_family = ({den, matrices}) => fraction(largest_by(matrices, column_norm), den);
+  function rounding_of({arity, a}, {eps, order}, family) {
+    let series = Array(a.length).fill(1n);
+    for (let m = 0; m < order; ++m) {  // times (1 + z) / (1 - z^A)
+      spend(a.length, order);
+      series = series.map((x, i) => x + (i ? series[i - 1] : 0n));
+      for (let i = arity; i < a.length; ++i) series[i] += series[i - arity];
+    }
+    const eta = times(eps, BigInt(arity) ** BigInt(order) * largest(series));
+    return {eps, e: times(eta, family.size), nu: norm_of_family(family)};
+  }
+
+  // ---- 4.4: blocks --------------------------------------------------------------------------------------------------
+  function read_blocks(reader, {size, den, weights, matrices}) {
+    const sizes = reader.read('blocks', 1, size).map(token => small(token, 1, size));
+    demand(sizes.reduce((x, y) => x + y) === size, 'the block sizes do not sum to n');
+    const square = words => {
+      const {den: by, numbers} = common(reader.rows(words, size, size, rational).flat());
+      return {by, rows: range_of(size).map(i => numbers.slice(i * size, (i + 1) * size))};
+    };
+    const basis = square('basis'), inverse = square('inverse'), by = basis.by * inverse.by;
+    demand(equal(multiply(basis.rows, inverse.rows), scaled(identity(size), by)),
+           'basis times inverse is not the unit matrix');
+    const all = matrices.map(matrix => multiply(multiply(inverse.rows, matrix), basis.rows));
+    return sizes.map((n, block) => {
+      const first = sizes.slice(0, block).reduce((x, y) => x + y, 0), within = row => row.slice(first, first + n);
+      demand(all.every(m => m.slice(first + n).every(row => within(row).every(x => !x))), 'not block upper triangular');
+      return {size: n, den: den * by, weights, matrices: all.map(m => m.slice(first, first + n).map(within))};
+    });
+  }
+
+  // ---- 4.5: lower bounds by a product -------------------------------------------------------------------------------
+  function word_product(matrices, word) {  // of integer matrices, from left to right; by columns, packed
+    const size = matrices[0].length, growth = bits(largest_by(matrices, row_norm) || 1n);
+    const width = growth * word.length + 2;
+    allow_bits(size * size * width);
+    spend(word.length * size * size, growth, width * size);
+    const factors = matrices.map(transpose);
+    let columns = identity(size).map(column => pack(column, width));
+    for (const t of word) columns = factors[t].map(column => combine(column, columns));
+    return transpose(columns.map(column => unpack(column, width, size)));
+  }
+  function read_word(reader, blocks, letters) {
+    const [number, re, im, ...word] = reader.read('product', 4, 4099);
+    const block = blocks[small(number, 0, blocks.length - 1)];
+    return {block, c: [re, im].map(rational), word: word.map(t => small(t, 0, letters - 1))};
+  }
+  // A lower bound of the spectral radius of a product P, and its length. P = N unit, up to errors of norm `errors`
+  // units, and c = y unit / h.
+  function read_product(reader, blocks, rounding) {
+    const {block, c, word} = read_word(reader, blocks, blocks[0].matrices.length), n = block.size;
+    let unit = fraction(1n, block.den ** BigInt(word.length)), N = word_product(block.matrices, word);
+    let {den: h, numbers: y} = common(c), errors = fraction(0n);
+    y = y.map(x => x * unit.d);
+    const with_inverse = reader.peek() === 'inverse';
+    if (with_inverse || rounding) {
+      const cut = bits(largest_of(N)) - 256 - 40 * n;
+      N = N.map(row => row.map(x => shift(x, -cut)));
+      y = y.map(x => cut > 0 ? floor_div(x, shift(h, cut)) : floor_div(shift(x, -cut), h));
+      unit = cut > 0 ? fraction(1n << BigInt(cut), unit.d) : fraction(1n, unit.d << BigInt(-cut));
+      [h, errors] = [1n, fraction(cut > 0 ? n : 0)];
+    }
+    if (rounding) errors = plus(errors, over(delta(word.length, norm_of_family(block), rounding.e), unit));
+    const radius = with_inverse ? by_inverse(reader, N, y, unit, errors) : by_polynomial(N, y, h, errors, rounding);
+    demand(sign(radius) > 0, 'the product proves no positive spectral radius');
+    return {radius: times(radius, over(unit, h)), length: word.length};
+  }
+  // |c| - n (|p(c)| + Delta_n) / (|p'(c)| - n Delta_(n-1)) in units / h
+  function by_polynomial(N, y, h, errors, rounding) {
+    const n = N.length, p = characteristic_polynomial(N);
+    const x = plus(column_norm(N) * h, modulus_above(...y)), change = times(errors, h);
+    const step = ([re, im], add) => [re * y[0] - im * y[1] + add[0], re * y[1] + im * y[0] + add[1]];
+    let value = [0n, 0n], slope = [0n, 0n];
+    for (let k = n, scale = 1n; k >= 0; --k, scale *= h) {  // Horner's rule for p and p', with p_k h^(n - k)
+      if (k < n) slope = step(slope, value);
+      value = step(value, [p[k] * scale, 0n]);
+      spend(8, bits(scale) + bits(value[0]), bits(y[0]) + bits(p[k]));
+    }
+    const below = minus(modulus_below(...slope), times(n, delta(n - 1, x, change)));
+    demand(sign(below) > 0, rounding ? 'the product proves nothing of rounded masks'
+                                     : 'the characteristic polynomial has derivative 0 at the given eigenvalue');
+    return minus(modulus_below(...y), over(times(n, plus(modulus_above(...value), delta(n, x, change))), below));
+  }
+  function characteristic_polynomial(N) {  // p_0, ..., p_n = 1 of det(x - N), by Faddeev and LeVerrier
+    const n = N.length, p = Array(n + 1).fill(1n);
+    for (let k = 1, m = identity(n); k <= n; ++k) {
+      const next = multiply(N, m);
+      p[n - k] = -sum(next.map((row, i) => row[i])) / BigInt(k);
+      m = next.map((row, i) => row.map((x, j) => i === j ? x + p[n - k] : x));
+    }
+    return p;
+  }
+  function by_inverse(reader, N, y, unit, errors) {  // Theorem 25; |c| - n / t in units
+    const n = N.length, complex = y[1] !== 0n, scale = 1n << BigInt(small(reader.read('inverse', 1)[0], 0, 4096));
+    const columns = range_of(n).map(k => reader.read(`column ${k}`, complex ? 2 * n : n).map(integer));
+    const re = transpose(columns.map(x => x.slice(0, n)));
+    const im = transpose(columns.map(x => complex ? x.slice(n) : x.map(() => 0n)));
+    const [Nre, Nim] = [multiply(N, re), complex ? multiply(N, im) : im], one = scale * unit.d;
+    const distance = (i, k) =>  // of (c - P) X from 1, times `one`
+      abs((i === k ? one : 0n) - unit.n * (y[0] * re[i][k] - y[1] * im[i][k] - Nre[i][k])) +
+      abs(unit.n * (y[0] * im[i][k] + y[1] * re[i][k] - Nim[i][k]));
+    const column_sum = term => largest_by(range_of(n), k => sum(range_of(n).map(i => term(i, k))));
+    const size = fraction(column_sum((i, k) => abs(re[i][k]) + abs(im[i][k])), scale);
+    const e = plus(fraction(column_sum(distance), one), times(times(errors, unit), size));
+    demand(less(e, 1n), 'the inverse is none of the product less the given eigenvalue');
+    const trace = [re, im].map(part => sum(part.map((row, i) => row[i])));
+    const t = minus(over(modulus_below(...trace), scale), times(times(n, size), over(e, minus(1n, e))));
+    demand(sign(t) > 0, 'the inverse proves no eigenvalue near the given one');
+    return minus(modulus_below(...y), over(n, times(t, unit)));
+  }
+  // 6.2: a lower bound for all w of an interval; `blocks` are those of the control matrices, T_t = N_t / (den q)
+  function read_range_product(reader, blocks, arity) {
+    const {block: {size, den, weights, matrices}, c: [re, im], word} = read_word(reader, blocks, arity);
+    demand(!sign(re) !== !sign(im), 'over a range either the real or the imaginary part of the eigenvalue is 0');
+    const pair = sign(im) !== 0, n = weights.length - 1, e = word.length * (pair ? 2 : 1);
+    demand(!pair || size >= 2, 'a pair of eigenvalues needs matrices of size 2');
+    const pairs = range_of(size).flatMap(i => range_of(i).map(j => [j, i]));
+    const compound = (m, op) => pairs.map(([i, j]) => pairs.map(([k, l]) => op(m[i][k] * m[j][l], m[i][l] * m[j][k])));
+    const order = pair ? pairs.length : size, degree = n * e * order;
+    demand(order <= 256, too_much_work);
+    const forms = range_of(arity).map(t => range_of(size).map(i => range_of(size).map(k =>
+      weights.map((weight, j) => weight * matrices[t * (n + 1) + j][i][k]))));
+    const product = value => word_product(forms.map(matrix => matrix.map(row => row.map(value))), word);
+    const flip = sign(re) < 0 ? -1n : 1n, c = fraction(abs((pair ? im : re).n), (pair ? im : re).d);
+    const g = pair ? times(c, c) : c;
+    const moduli = pair ? compound(product(norm), (x, y) => x + y) : product(norm);
+    const diagonal = g.n * (den * sum(weights)) ** BigInt(e);
+    const bound = moduli.reduce((all, row) => all * (diagonal + g.d * sum(row)), 1n);
+    const matrix_at = u => {  // g - Q
+      const P = product(form => evaluate(form, u)), at = g.n * (den * evaluate(weights, u)) ** BigInt(e);
+      return (pair ? compound(P, (x, y) => x - y) : P).map((row, i) =>
+        row.map((x, k) => (i === k ? at : 0n) - flip * g.d * x));
+    };
+    show_positive(determinant_form(matrix_at, order, degree, bound).map(x => -x),
+                  'the characteristic polynomial of the product, with the other sign,');
+    return {radius: c, length: word.length};
+  }
+
+  // ---- 4.6: norms ---------------------------------------------------------------------------------------------------
+  function check_norm({size, den, matrices}, level, first_column, rounding) {
+    const columns = identity(size).slice(0, first_column ? 1 : size), entry = bits(largest_by(matrices, largest_of));
+    spend(matrices.length ** level * columns.length * size * size, (entry + bits(BigInt(size))) * level, entry);
+    const sparse = matrices.map(matrix => matrix.map(row => row.flatMap((x, k) => x ? [[x, k]] : [])));
+    const longest = (vector, letters) => !letters ? norm(vector) : largest_by(sparse, matrix =>
+      longest(matrix.map(row => row.reduce((total, [x, k]) => total + x * vector[k], 0n)), letters - 1));
+    const value = fraction(largest_by(columns, column => longest(column, level)), den ** BigInt(level));
+    return {value: rounding ? plus(value, delta(level, rounding.nu, rounding.e)) : value, level};
+  }
+
+  // ---- 4.7, 4.8: groups of maps g with T_t g = g T_s, s = numbers[t] ------------------------------------------------
+  // `elements` are the products of the generators up to their signs; table[i][k] is [number, sign] of element i times
+  // generator k.
+  const trivial_group = letters => ({elements: [{numbers: range_of(letters)}], table: [[]]});
+  function read_group(reader, count, size, matrices) {
+    const generators = range_of(count).map(() => {
+      const numbers = reader.read('generator', matrices.length).map(token => small(token, 0, matrices.length - 1));
+      const map = reader.rows('map', size, size, integer);
+      demand(numbers.every((s, t) => equal(multiply(matrices[t], map), multiply(map, matrices[s]))),
+             'a generator does not permute the matrices as it says');
+      demand(determinant(map, bits(largest_of(map)) + 8), 'a generator is singular');
+      return {numbers, map};
+    });
+    const elements = [], table = [], known = new Map();
+    const enter = (map, numbers) => {
+      const text = String(map);
+      if (!known.has(text)) {
+        known.set(text, [elements.length, 1n]).set(String(scaled(map, -1n)), [elements.length, -1n]);
+        elements.push({map, numbers});
+        demand(elements.length <= 96, 'the generators span a group of more than 96 elements');
+      }
+      return known.get(text);
+    };
+    enter(identity(size), range_of(matrices.length));
+    for (const {map, numbers} of elements)
+      table.push(generators.map(g => enter(multiply(map, g.map), numbers.map(t => g.numbers[t]))));
+    return {elements, table};
+  }
+
+  // ---- 4.7: polytopes -----------------------------------------------------------------------------------------------
+  function read_properties(names) {
+    const plain = names.map(name => name.replace(/^group:.*/, 'group')), has = name => plain.includes(name);
+    const known = ['complex', 'nonnegative', 'symmetric', 'transposed', 'group'];
+    const real = !(has('complex') && has('nonnegative')), alone = !has('symmetric') && !has('nonnegative');
+    demand(plain.every(name => known.includes(name)) && real, 'unknown polytope property');
+    demand(new Set(plain).size === plain.length, 'a polytope property twice');
+    demand(!has('group') || alone, "a group goes with neither 'symmetric' nor 'nonnegative'");
+    const group = has('group') ? small(names[plain.indexOf('group')].slice(6), 1, 8) : 0;
+    return {...Object.fromEntries(plain.map(name => [name, true])), group};
+  }
+  function read_polytope(reader, family, fields, rounding) {
+    demand(fields.length >= 3, 'wrong number of fields');
+    const count = small(fields[0], 1, 2 ** 28), [v_bits, c_bits] = fields.slice(1, 3).map(x => small(x, 0, 4096));
+    const has = read_properties(fields.slice(3)), {size, den} = family, scale = BigInt(v_bits + c_bits);
+    const matrices = has.transposed ? family.matrices.map(transpose) : family.matrices, last = matrices.length - 1;
+    demand(!has.group || !rounding, 'a group proves nothing of rounded masks');
+    demand(!has.nonnegative || matrices.flat(2).every(x => x >= 0n), 'a matrix is not non-negative');
+    const turned = m => m.map(row => row.slice().reverse()).reverse();
+    const symmetric = () => matrices.every((m, t) => equal(turned(m), matrices[last - t]));
+    demand(!has.symmetric || symmetric(), 'the family is not symmetric');
+    const flips = {elements: [{}, {map: identity(size).reverse()}], table: [[[1, 1n]], [[0, 1n]]]};
+    const group = has.symmetric ? flips : has.group ? read_group(reader, has.group, size, matrices) : trivial_group(0);
+    const body = new Body(reader, {size, count, c_bits, has, group});
+    // Theorem 6: R and S times 2^(VBITS + CBITS) and 2^CBITS; E is the least integer above S/(1 - R)
+    let R = 0n, S = 0n, g = fraction(0n);
+    for (let k = 0; k < (has.symmetric ? Math.ceil(size / 2) : size); ++k) {
+      const unit = range_of(size).map(i => i === k ? 1n << scale : 0n);
+      const {residual, weight} = body.read_combination(`unit ${k}`, [unit, unit.map(() => 0n)], 1n);
+      [R, S] = [max(R, residual), max(S, weight)];
+    }
+    demand(R < 1n << scale, "the vertices do not span: a unit's residual is 1 or more");
+    const E = (S << BigInt(v_bits)) / ((1n << scale) - R) + 1n;
+    for (let j = 0; j < count; ++j) {
+      const size_of = () => fraction(sum(body.coordinates(j).map(norm)), 1n << BigInt(v_bits));  // |v_J|_1
+      const more = rounding ? times(rounding.e, times(size_of(), E)) : 0n;
+      body.images(matrices, j).forEach((image, t) => {
+        const target = image.map(x => x.map(value => value << BigInt(c_bits)));
+        const {residual, weight} = body.read_combination(`image ${j} ${t}`, target, den);
+        const value = plus(fraction((weight << BigInt(v_bits)) * den + residual * E, den << scale), more);
+        if (less(g, value)) g = value;  // w + |r|_1 E
+      });
+    }
+    return {value: g, level: 1};
+  }
+  // The vertices and their images under the group, packed; a complex vector is its real and its imaginary part.
+  class Body {
+    constructor(reader, options) {
+      Object.assign(this, options, {reader, width: 0, most: 0n, vertices: []});
+      const {size, count, has: {complex, nonnegative}, group} = this;
+      this.parts = complex ? 2 : 1;
+      for (let j = 0; j < count; ++j) {
+        const x = reader.read('vertex', this.parts * size).map(integer), top = largest(x);
+        demand(!nonnegative || x.every(value => value >= 0n), 'negative coordinate');
+        if (top > this.most) this.set_width(bits(top) + 64);
+        this.most = max(this.most, top);
+        spend(x.length, this.width);
+        allow_bits(j * x.length * Math.max(this.width, 1024));
+        this.vertices.push(range_of(this.parts).map(part => pack(x.slice(part * size, (part + 1) * size), this.width)));
+      }
+      this.most *= largest_by(group.elements, ({map}) => map ? row_norm(map) : 1n);  // of images as well
+      this.set_width(bits(this.most) + this.c_bits + 24);
+    }
+    set_width(width) {  // at least
+      if (width > this.width) {
+        allow_bits((this.vertices.length + 1) * this.size * width * this.parts);
+        spend(4 * this.vertices.length * this.size, width);
+        this.vertices = this.vertices.map(vertex => vertex.map(x => pack(unpack(x, this.width, this.size), width)));
+        this.width = width;
+      }
+      this.images_under = new Map();
+      this.may_keep = max_bits / 4 / (this.size * this.width * this.parts);
+      this.max_weight = (1n << BigInt(this.width - 2)) / (this.most + 1n);  // sums with smaller weights fit
+    }
+    coordinates(j) {
+      spend(3 * this.size, this.width);
+      return this.vertices[j].map(x => unpack(x, this.width, this.size));
+    }
+    images(matrices, j) {  // the image of vertex j under each matrix; those of 64 vertices are computed together
+      const at = j % 64 * this.parts;
+      if (!at) {
+        const block = range_of(Math.min(64, this.count - j)).flatMap(i => this.coordinates(j + i));
+        this.block = matrices.map(matrix => transpose(multiply(matrix, transpose(block))));
+      }
+      return this.block.map(rows => rows.slice(at, at + this.parts));
+    }
+    under(element, j) {  // the image of vertex j under an element of the group
+      const key = element * this.count + j, known = element ? this.images_under.get(key) : this.vertices[j];
+      if (known) return known;
+      const {map} = this.group.elements[element];
+      spend(this.size ** 2 / 4, this.width);
+      const image = this.coordinates(j).map(x => pack(map.map(row => combine(row, x)), this.width));
+      if (this.images_under.size < this.may_keep) this.images_under.set(key, image);
+      return image;
+    }
+    read_term(term) {  // the number of the vertex, that of the element of the group, -1 for a conjugate, the weight
+      const [head, ...weight] = term.split(':'), {has: {complex, nonnegative, symmetric}, group: {table}} = this;
+      demand(weight.length === this.parts, 'a term is INDEX:WEIGHT');
+      const [, index, letters, conjugate] = /^([0-9]*)([^0-9c]*)(c?)$/.exec(head) || [];
+      demand(index, 'not an integer');
+      demand(complex || !conjugate, 'unknown generator');
+      demand(letters.length <= 16, 'a word of more than 16 generators');
+      let element = 0, turn = 1n;
+      for (const letter of letters) {
+        const entry = table[element][symmetric ? (letters === 'f' ? 0 : -1) : letter.charCodeAt(0) - 65];
+        demand(entry, 'unknown generator');
+        [element, turn] = [entry[0], turn * entry[1]];
+      }
+      const lambda = weight.map(integer);
+      demand(!nonnegative || lambda[0] >= 0n, 'negative weight');
+      return [small(index, 0, this.count - 1), element, conjugate ? -1n : 1n, turn < 0n ? lambda.map(x => -x) : lambda];
+    }
+    // A line: the residual |target - factor * sum of weighted vertices|_1 and the sum of the moduli of the weights
+    read_combination(words, target, factor) {
+      const {size, has: {complex, nonnegative}} = this;
+      let weight = 0n, re = 0n, im = 0n;
+      for (const term of this.reader.read(words, 0, 2 ** 24)) {
+        const [j, element, conjugate, [x, y]] = this.read_term(term), square = complex && x * x + y * y;
+        const modulus = complex ? root(square) : abs(x);
+        weight += complex && modulus * modulus < square ? modulus + 1n : modulus;
+        if (weight > this.max_weight) {
+          const sums = [re, im].map(part => unpack(part, this.width, size));
+          this.set_width(Math.max(bits(weight) + bits(this.most) + 8, 2 * this.width));
+          [re, im] = sums.map(part => pack(part, this.width));
+        }
+        const [real, imaginary] = this.under(element, j);
+        spend(complex ? 4 : 1, bits(x), this.width * size);
+        re += x * real;
+        if (!complex) continue;
+        re -= conjugate * y * imaginary;
+        im += conjugate * x * imaginary + y * real;
+      }
+      spend(4 * size, this.width);
+      const rest = (packed, x) => unpack(packed, this.width, size).map((value, i) => x[i] - factor * value);
+      const real = rest(re, target[0]), residual = nonnegative ? sum(real.filter(x => x > 0n)) : norm(real);
+      return {residual: complex ? residual + norm(rest(im, target[1])) : residual, weight};
+    }
+  }
+
+  // ---- 4.8: quadratic forms -----------------------------------------------------------------------------------------
+  // Lemma 17. The rows of U and R are packed from the last column to the diagonal. Where some |R_kj| is 2^128 or more,
+  // x_jj will not be positive, as U_jj < 2^256; so all R_kj that are used are smaller.
+  function positive_definite(S, most) {
+    const d = S.length, by = 256 - bits(most), width = 272, limit = 1n << 128n, minus_limit = -limit, R = [];
+    spend(d * d / 2, 128, width * d / 2);
+    spend(4 * d * d, width);
+    for (let k = 0; k < d; ++k) {
+      let packed = pack(S[k].slice(k).reverse().map(x => shift(x, by)), width);
+      for (const {row, values} of R) packed -= values[d - 1 - k] * row;
+      const size = d - k, values = unpack(BigInt.asIntN(width * size, packed), width, size);
+      const x = values[size - 1] - BigInt(d) * (limit + 1n);
+      if (x <= 0n) return false;
+      const diagonal = values[size - 1] = root(x);
+      for (let i = 0; i < size - 1; ++i) {
+        const value = values[i] = floor_div(values[i], diagonal);
+        if (value >= limit || value <= minus_limit) return false;
+      }
+      R.push({values, row: pack(values, width)});
+    }
+    return true;
+  }
+  const section_form = "expected 'norm', 'polytope' or 'quadratic' and its numbers";
+  function read_quadratic(reader, {size, den, matrices}, fields, rounding) {
+    demand(!rounding, section_form);
+    demand(fields.length === 2 || (fields.length === 3 && fields[2].startsWith('group:')),
+           "expected 'quadratic', a number of words, a bound and perhaps a group");
+    const count = small(fields[0], 1, 2 ** 28), bound = rational(fields[1]);
+    demand(bound.n >= 0n, 'the bound of a quadratic form is negative');
+    const generators = fields.length === 3 ? small(fields[2].slice(6), 1, 8) : 0;
+    const group = generators ? read_group(reader, generators, size, matrices) : trivial_group(matrices.length);
+    const P = range_of(size).map(() => Array(size));
+    for (let i = 0; i < size; ++i)
+      reader.read('form', i + 1).map(integer).forEach((x, j) => { P[i][j] = P[j][i] = x; });
+    demand(largest_of(P) && positive_definite(P, largest_of(P)), 'the form is not positive definite');
+    for (const {map} of group.elements)
+      demand(!map || equal(multiply(multiply(transpose(map), P), map), P), 'a generator does not keep the form');
+    const texts = matrices.map(String), letter = texts.map(text => texts.indexOf(text));  // the first of equal matrices
+    const congruence = new Congruence(P, matrices), words = new Set();
+    for (let i = 0; i < count; ++i) {
+      const word = reader.read('word', 1, 1000).map(token => letter[small(token, 0, matrices.length - 1)]);
+      demand(!words.has(String(word)), 'a word occurs twice');
+      words.add(String(word));
+      allow_bits(words.size * 1024);
+      spend(100);
+      const k = BigInt(2 * word.length), top = ((bound.n * den) ** k << 64n) / bound.d ** k, Q = congruence.of(word);
+      const S = P.map((row, a) => row.map((x, b) => top * x - (Q[a][b] << 64n))), most = largest_of(S);
+      demand(!most || positive_definite(S, most), 'a product is not below the bound in the quadratic form');
+    }
+    check_tree(words, group.elements.map(({numbers}) => numbers.map(t => letter[t])), new Set(letter).size);
+    return {value: bound, level: 1};
+  }
+  // Q_w = A_w^T P A_w for the integer matrices of a family, kept for the last word and its beginnings. Most rows of the
+  // A_t^T of a scheme are those of others: letters share X Q_w X^T, X the different rows of all, where these are few.
+  class Congruence {
+    constructor(P, matrices) {
+      const factors = matrices.map(transpose), unique = rows => different(rows, String);
+      const all = unique(factors.flat()), shared = all.length < 2 * P.length && {rows: all};
+      this.letters = factors.map(factor => {
+        const set = shared || {rows: unique(factor)}, texts = set.rows.map(String);
+        return {set, at: factor.map(row => texts.indexOf(String(row)))};
+      });
+      this.growth = bits(largest_by(factors, row_norm) || 1n);
+      this.base = bits(largest_of(P)) + 4;
+      [this.word, this.nodes] = [[], [{Q: P, images: new Map()}]];
+    }
+    width(k) { return this.base + (2 * k + 1) * this.growth; }  // for Q_w of k letters, and for A^T Q_w
+    of(word) {
+      let same = 0;
+      while (same < word.length && word[same] === this.word[same]) ++same;
+      this.nodes.length = same + 1;
+      this.word = word;
+      for (let k = same; k < word.length; ++k) {
+        const {set, at} = this.letters[word[k]], {Q, images} = this.nodes[k];
+        if (!images.has(set)) images.set(set, this.image(set.rows, Q, this.width(k), this.width(k + 1)));
+        const image = images.get(set);
+        this.nodes.push({Q: at.map(i => at.map(j => image[i][j])), images: new Map()});
+      }
+      return this.nodes[word.length].Q;
+    }
+    image(rows, Q, width, next) {  // X Q X^T for the rows of X
+      const size = rows[0].length, image = rows.map(() => []), packed = Q.map(row => pack(row, width));
+      allow_bits(rows.length * size * next * (this.nodes.length + 1));
+      spend(rows.length * (rows.length + size), this.growth, next * rows.length);
+      spend(6 * rows.length * rows.length, next);
+      let columns = transpose(rows.map(row => unpack(combine(row, packed), width, size))).map(row => pack(row, next));
+      for (let i = rows.length - 1, slots = rows.length; i >= 0; --i) {  // of row i the columns up to i, or some more
+        if ((i + 1) % 12 === 0) columns = columns.map(x => BigInt.asIntN(next * (slots = i + 1), x));
+        unpack(combine(rows[i], columns), next, slots).forEach((x, j) => { image[i][j] = image[j][i] = x; });
+      }
+      return image;
+    }
+  }
+  function check_tree(words, permutations, letters) {  // the words and their images under the group are a complete tree
+    const images = new Set(), maps = different(permutations, String);
+    const length_of = image => image.split(',').length - 1, tree = 'the words are not those of a complete tree';
+    let longest = 0, memory = 0, total = 0n;
+    for (const word of words) {
+      const numbers = word.split(',');
+      longest = Math.max(longest, numbers.length);
+      allow_bits(memory += maps.length * (numbers.length + 8) * 64);
+      for (const p of maps) images.add(numbers.map(t => p[t] + ',').join(''));
+    }
+    for (const image of images) {
+      total += BigInt(letters) ** BigInt(longest - length_of(image));
+      spend(length_of(image), 64, longest * 64);
+      for (let at = image.indexOf(',') + 1; at < image.length; at = image.indexOf(',', at) + 1)
+        demand(!images.has(image.slice(0, at)), tree);
+    }
+    demand(total === BigInt(letters) ** BigInt(longest), tree);
+  }
+
+  // ---- Blocks, product and sections: goal.above(radius, length) and goal.below(value, level) demand what the claim ne
+  function read_section(reader, number, family, first_column, rounding) {
+    const [kind, ...fields] = reader.read(`block ${number}`, 1, 20);
+    demand(kind !== 'norm' || fields.length === 1, "wrong number of fields after 'norm'");
+    if (kind === 'norm') return check_norm(family, small(fields[0], 1, 64), first_column, rounding);
+    demand(kind === 'polytope' || kind === 'quadratic', section_form);
+    return (kind === 'polytope' ? read_polytope : read_quadratic)(reader, family, fields, rounding);
+  }
+  function prove(reader, family, goal, {first_column = false, rounding = null, product = read_product} = {}) {
+    const in_blocks = reader.peek() === 'blocks';
+    demand(!in_blocks || !rounding, 'blocks prove nothing of rounded masks');
+    const blocks = in_blocks ? read_blocks(reader, family) : [family];
+    if (goal.above || reader.peek() === 'product') {
+      const {radius, length} = product(reader, blocks, rounding);
+      if (goal.above) goal.above(radius, length);
+    }
+    if (goal.below || reader.peek() === 'block')
+      blocks.forEach((block, i) => {
+        const {value, level} = read_section(reader, i, block, first_column && !in_blocks, rounding);
+        if (goal.below) goal.below(value, level);
+      });
+  }
+  const unproved_product = "the product's spectral radius does not prove the claim";
+  const no_exponent = 'the product proves no exponent below the number of sum rules';
+  const at_most = (limit, strict) => (value, level) => {
+    const allowed = power(limit, level), proved = strict ? less(value, allowed) : !less(allowed, value);
+    demand(sign(limit) >= 0 && proved, 'the bound does not prove the claim');
+  };
+  const at_least = limit => (radius, length) => demand(!less(radius, power(limit, length)), unproved_product);
+
+  // ---- Radius claims ------------------------------------------------------------------------------------------------
+  function check_radius(reader, {family, lower, upper}) {
+    const least = lower && at_least(sign(lower) > 0 ? lower : fraction(0n));
+    prove(reader, family, {below: upper && at_most(upper, false), above: least});
+  }
+
+  // ---- Exponent, range, roughness and rounded claims: 4.2, 4.3, 4.9, 6.1, 6.2, 6.4 ----------------------------------
+  function check_curve(reader, claim) {
+    const {lower, upper, rough, interval, within} = claim;
+    const again = !interval && !within && reader.peek() === 'reduced';
+    demand(!again || lower, 'a reduced mask tells the exponent of one mask, with a lower end');
+    const curve = again ? read_reduced(reader, claim.curve) : claim.curve, base = BigInt(curve.arity);
+    const [order_token, full_token] = reader.read('sum-rules', 1, 2), order = small(order_token, 1, 500);
+    demand(!lower || sign(lower) >= (interval ? 0 : 1), 'the lower end of an exponent must be positive');
+    demand(!upper || sign(upper) >= 0, 'an exponent is negative or too large');
+    const goal = {below: lower && at_most(power_below(base, minus(order, lower)), Boolean(interval))};
+    const reached = upper && at_least(over(1n, power_below(base, minus(upper, order))));
+    check_sum(curve);
+    const stability = reader.peek() === 'stability', full = full_token === 'full';
+    demand(full_token === undefined || (full && !within), "expected 'sum-rules M', or 'sum-rules M full' of one mask");
+    demand(!within || within.order === order, 'the claim is about masks with another number of sum rules');
+    demand(!rough || (full && order <= rough),
+           'less smoothness than that needs the full number of sum rules, and no more of them');
+    if (stability || rough || (!lower && !upper) || (upper && !(interval && !sign(upper)))) {
+      reader.read('stability');
+      check_stability(curve, interval, within);
+    }
+    const symbol = divided_symbol(curve, order);
+    if (full) check_full(symbol, interval);
+    const enough = upper && full && (interval ? less(order, upper) : !less(upper, order));  // 6.4
+    if (upper && !enough)
+      goal.above = (radius, length) => {
+        demand(interval ? !less(radius, 1n) : less(1n, radius), no_exponent);
+        reached(radius, length);
+      };
+    if (interval) return goal.below || goal.above ? check_intervals(reader, symbol, goal, interval) : undefined;
+    const family = control_family(symbol, null), rounding = within && rounding_of(curve, within, family);
+    prove(reader, family, goal, {first_column: true, rounding});
+    if (again) check_convergence(reader, claim.curve);
+  }
+  function check_intervals(reader, symbol, goal, {low, high}) {
+    for (let from = low; less(from, high);) {
+      const to = rational(reader.read('to', 1)[0]);
+      demand(less(from, to) && !less(high, to), 'an interval ends outside of the rest of the range');
+      const product = (lines, blocks) => read_range_product(lines, blocks, symbol.arity);
+      prove(reader, control_family(symbol, {low: from, high: to}), goal, {product});
+      from = to;
+    }
+  }
+  function read_reduced(reader, curve) {  // 4.9: the mask b of OTHER, a(z) p(z) = p(z^A) b(z) up to a power of z
+    const [p, b] = reader.read('reduced', 2).map(text => read_curve(text, curve.arity, null)), by = curve.arity;
+    const product = (x, y) => {
+      const width = bits(largest(x)) + bits(largest(y)) + 12;
+      return unpack(pack(x, width) * pack(y, width), width, x.length + y.length - 1);
+    };
+    const [a_i, p_i, b_i] = [curve, p, b].map(({a}) => a.map(x => x[0]));
+    demand(sum(p_i), 'the factor of the reduced mask is 0 at 1');
+    const left = product(a_i, p_i), spread = range_of((p_i.length - 1) * by + 1).map(i => i % by ? 0n : p_i[i / by]);
+    const right = product(spread, b_i);
+    demand(left.length === right.length && left.every((x, i) => x * b.q[0] === right[i] * curve.q[0]),
+           'the reduced mask is not that of the mask and the factor');
+    return b;
+  }
+  function check_convergence(reader, curve) {  // 4.9: JSR < A^M for the mask of the claim
+    const order = small(reader.read('sum-rules', 1)[0], 1, 500), limit = fraction(BigInt(curve.arity) ** BigInt(order));
+    check_sum(curve);
+    const family = control_family(divided_symbol(curve, order), null);
+    prove(reader, family, {below: at_most(limit, true)}, {first_column: true});
+  }
+
+  // ---- Section 5: several variables ---------------------------------------------------------------------------------
+  // Points are arrays of small integers; a sequence is a Map of the text of a point to [point, value], without zeros.
+  const point_bits = 4096;  // of memory, for a point and its value
+  const minor = (m, i, j) => m.filter((_, r) => r !== i).map(row => row.filter((_, c) => c !== j));
+  const small_determinant = m =>
+    m.length ? m[0].reduce((total, x, j) => total + (j % 2 ? -x : x) * small_determinant(minor(m, 0, j)), 0) : 1;
+  const adjugate = m =>
+    m.map((row, i) => row.map((_, j) => ((i + j) % 2 ? -1 : 1) * small_determinant(minor(m, j, i))));
+  const times_point = (m, p) => m.map(row => row.reduce((total, x, k) => total + x * p[k], 0));
+  const times_small = (x, y) => transpose(transpose(y).map(column => times_point(x, column)));
+  const add_points = (p, q, by = 1) => p.map((x, v) => x + by * q[v]);
+  const sum_of = numbers => numbers.reduce((x, y) => x + y, 0);
+  function add(sequence, point, value) {
+    const key = String(point), entry = sequence.get(key), total = entry ? entry[1] + value : value;
+    if (total) sequence.set(key, [point, total]);
+    else sequence.delete(key);
+    allow_bits(sequence.size * point_bits);
+  }
+  const values_of = sequence => [...sequence.values()].map(entry => entry[1]);
+  const is_multiple = (x, y, factor) =>  // x = factor y
+    x.size === y.size && [...x].every(([key, [, value]]) => y.has(key) && value === factor * y.get(key)[1]);
+  const first_key = sequence => sequence.keys().next().value;
+  function coordinate(value) {
+    demand(abs(value) <= 10n ** 9n, 'a coordinate is too large');
+    return Number(value);
+  }
+  function read_point(text, dimension) {
+    const parts = text.split(',');
+    demand(parts.length === dimension, 'a point with another number of coordinates');
+    return parts.map(integer).map(coordinate);
+  }
+  function read_sequence(fields, dimension) {
+    const result = new Map();
+    for (const field of fields) {
+      const [point, token, more] = field.split(':');
+      demand(token !== undefined && more === undefined, 'a term is POINT:INTEGER');
+      const p = read_point(point, dimension), value = integer(token);
+      demand(value, 'a coefficient is 0');
+      demand(!result.has(String(p)), 'a point occurs twice');
+      add(result, p, value);
+    }
+    return result;
+  }
+  function read_surface(text) {
+    const {depth, sizes, coefficients, den: by, first} = mask_parts(text);
+    const divisor = by === undefined ? 1n : integer(by);
+    demand(coefficients.length <= 10000, 'a mask with too many coefficients');
+    demand(!first || first.length === depth, mask_form);
+    demand(divisor > 0n, 'a denominator must be positive');
+    const {den, numbers} = common(coefficients.map(c => reduced(over(rational(c), divisor))));
+    return {depth, sizes, den, numbers, first: first || Array(depth).fill(0n)};
+  }
+  function mask_sequence({sizes, numbers, first}) {
+    const result = new Map();
+    numbers.forEach((value, i) => {
+      let rest = i;
+      add(result, sizes.map((size, v) => {
+        const x = rest % size;
+        rest = (rest - x) / size;
+        return x + coordinate(first[v]);
+      }), value);
+    });
+    return result;
+  }
+  function read_dilation(text) {
+    const [, rows] = /^\[(.*)\]$/.exec(text) || [];
+    demand(rows !== undefined && rows.split(';').length <= 3, 'a dilation is [1,2;-2,-1]');
+    const matrix = rows.split(';').map((row, _, all) => read_point(row, all.length));
+    demand(matrix.every(row => row.every(x => Math.abs(x) <= 64)), 'an entry of a dilation is too large');
+    return matrix;
+  }
+  function check_isotropic(M) {  // 5.1, Lemma 7
+    const s = M.length, d = small_determinant(M), t = sum_of(M.map((row, i) => row[i])), square = times_small(M, M);
+    const c = s < 3 ? 0 : sum_of(M.map((_, i) => small_determinant(minor(M, i, i))));
+    const square_is = (factor, of) => square.every((row, i) => row.every((x, j) => factor * x === (i === j ? of : 0)));
+    const isotropic = s === 1 || (s === 2 && (t * t < 4 * d || square_is(1, Math.abs(d)))) ||
+      (s === 3 && c ** 3 === d * t ** 3 &&
+       (t === 0 || Math.abs(t * t - c) < 2 * Math.abs(c) || square_is(t * t, c * c)));
+    demand(isotropic && Math.abs(d) > 1, 'the dilation is not isotropic and expanding');
+  }
+  function check_turned(N, M, mask) {  // 5.7
+    demand(N.length === M.length, 'the turned dilation has another number of variables');
+    check_isotropic(N);
+    const inverse = adjugate(M), d = small_determinant(M), wrong = 'the dilation is not turned by symmetries';
+    const over_M = m => times_small(m, inverse).map(row => row.map(x => x / d)), first = over_M(N);
+    demand(first.flat().every(Number.isInteger), 'the turned dilation is no integer multiple of the dilation');
+    demand(Math.abs(small_determinant(first)) === 1, wrong);
+    for (let g = first, steps = 0; steps === 0 || String(g) !== String(first); ++steps) {
+      spend(40 * mask.size);
+      demand(g.flat().every(x => Number.isInteger(x) && Math.abs(x) <= 2 ** 20) && is_symmetry(g, mask), wrong);
+      g = over_M(times_small(M, g));
+    }
+  }
+  function is_symmetry(g, mask) {  // up to a shift
+    const entries = [...mask.values()], origin = entries[0][0];
+    const points = entries.map(([p]) => add_points(p, origin, -1));
+    const images = points.map(p => times_point(g, p)), total = list => list.reduce((x, y) => add_points(x, y));
+    const move = add_points(total(points), total(images), -1).map(x => x / entries.length);
+    return move.every(Number.isInteger) && entries.every(([, value], i) => {
+      const image = mask.get(String(add_points(add_points(images[i], move), origin)));
+      return image !== undefined && image[1] === value;
+    });
+  }
+  class Transition {  // the operators T_t, times the denominator of the mask
+    constructor(mask, M, digits) {
+      [this.mask, this.M, this.digits, this.det, this.adjugate] = [mask, M, digits, small_determinant(M), adjugate(M)];
+      [this.classes, this.size] = [new Map(), bits(largest(values_of(mask)))];
+      for (const entry of mask.values()) {
+        const key = this.class_of(entry[0]);
+        if (!this.classes.has(key)) this.classes.set(key, []);
+        this.classes.get(key).push(entry);
+      }
+    }
+    class_of(point) {
+      const D = Math.abs(this.det);
+      return String(times_point(this.adjugate, point).map(x => (x % D + D) % D));
+    }
+    divide(point) { return times_point(this.adjugate, point).map(x => x / this.det || 0); }  // M^(-1) point
+    apply(t, v) {
+      const result = new Map();
+      for (const [k, value] of v.values()) {
+        const from = this.classes.get(this.class_of(add_points(t, k, -1))) || [];
+        spend(4 * from.length + 4, this.size, bits(value));
+        for (const [i, c] of from) add(result, this.divide(add_points(add_points(i, k), t, -1)), c * value);
+      }
+      return result;
+    }
+  }
+  const exponents = (dimension, order, exact) =>  // the nu with |nu| < order, or with |nu| = order
+    dimension === 0 ? (!exact || order === 0 ? [[]] : []) : range_of(order + (exact ? 1 : 0)).flatMap(k =>
+      exponents(dimension - 1, order - k, exact).map(nu => [k, ...nu]));
+  function moment(entries, nu) {
+    spend(entries.length * nu.length, 32 * (sum_of(nu) + 1));
+    return sum(entries.map(([p, value]) => p.reduce((product, x, v) => product * BigInt(x) ** BigInt(nu[v]), value)));
+  }
+  function check_sum_rules(transition, order, den) {
+    const classes = [...transition.classes.values()], dimension = transition.M.length;
+    const ones = classes.every(entries => moment(entries, Array(dimension).fill(0)) === den);
+    demand(ones && classes.length === Math.abs(transition.det), 'a class of coefficients does not sum to 1');
+    for (const nu of exponents(dimension, order, false)) {
+      const first = moment(classes[0], nu);
+      demand(classes.every(entries => moment(entries, nu) === first), 'the mask has no sum rules of this order');
+    }
+  }
+  function eliminate(x, factor, y, by, prime) {  // factor x - by y, divided by its content, or modulo a prime
+    spend(x.size + y.size, 256, bits(factor) + bits(by));
+    const result = new Map(), rest = value => prime ? (value % prime + prime) % prime : value;
+    const put = (key, p, value) => value ? result.set(key, [p, value]) : result.delete(key);
+    for (const [key, [p, value]] of x) put(key, p, rest(factor * value));
+    for (const [key, [p, value]] of y) put(key, p, rest((result.has(key) ? result.get(key)[1] : 0n) - by * value));
+    let content = prime ? 1n : 0n;
+    for (const [, value] of result.values()) if ((content = content === 1n ? 1n : gcd(content, value)) === 1n) break;
+    if (content > 1n) for (const entry of result.values()) entry[1] /= content;
+    return result;
+  }
+  // Sequences modulo a space, over the rationals or modulo a prime: each row has a key that no later row has
+  class Span {
+    constructor(rows, prime) { [this.rows, this.prime] = [rows.slice(), prime]; }
+    extend(sequence) {  // the part outside of the span, or undefined
+      let x = eliminate(sequence, 1n, new Map(), 0n, this.prime);
+      for (const {key, row} of this.rows)
+        if (x.has(key)) x = eliminate(x, row.get(key)[1], row, x.get(key)[1], this.prime);
+      if (!x.size) return undefined;
+      this.rows.push({key: first_key(x), row: x});
+      allow_bits(this.rows.length * x.size * point_bits);
+      return x;
+    }
+  }
+  // (iii): bases, modulo the space of `rows`, of the span of the T_w x with x in `start` and words w of at least i
+  // letters, i = 0, 1, ..., until it is 0 or stays the same, or for a number of steps
+  function long_words(start, rows, transition, steps = Infinity, prime = 0n) {
+    const images = x => transition.digits.map(t => transition.apply(t, x)), all = new Span(rows, prime);
+    let last = [];
+    for (let queue = start; queue.length;) {
+      const found = queue.map(x => all.extend(x)).filter(x => x);
+      [last, queue] = [[...last, ...found], found.flatMap(images)];
+    }
+    for (let i = 0; last.length && i < steps; ++i) {
+      const span = new Span(rows, prime), next = last.flatMap(x => images(x).map(y => span.extend(y)).filter(y => y));
+      demand(steps < Infinity || next.length < last.length, 'differences are not led into the space');
+      last = next;
+      if (!last.length) return {steps: i + 1, basis: last};
+    }
+    return {steps: last.length ? steps : 0, basis: last};
+  }
+  function differences(sequence, order, dimension) {  // nabla^mu of the sequence, |mu| = order
+    const step = (x, v) => {
+      const result = new Map(x);
+      spend(2 * x.size);
+      for (const [p, value] of x.values()) add(result, p.map((c, i) => i === v ? c + 1 : c), -value);
+      return result;
+    };
+    let memory = 0;
+    return exponents(dimension, order, true).map(mu => {
+      const result = mu.reduce((x, many, v) => range_of(many).reduce(y => step(y, v), x), sequence);
+      allow_bits(memory += result.size * point_bits);
+      return result;
+    });
+  }
+  function read_space(reader, dimension) {
+    const count = small(reader.read('space', 1)[0], 1, 256), vectors = [], holders = new Map();
+    let memory = 0;
+    for (let n = 0; n < count; ++n) {
+      const v = read_sequence(reader.read('vector', 1, 2 ** 24), dimension), pivot = v.values().next().value[1];
+      demand(pivot > 0n, 'the first coefficient of a vector must be positive');
+      demand(!n || vectors[0].values().next().value[1] === pivot, 'the first coefficients of two vectors differ');
+      allow_bits(memory += v.size * point_bits);
+      vectors.push(v);
+      for (const key of v.keys()) holders.set(key, (holders.get(key) || 0) + 1);
+    }
+    demand(vectors.every(v => holders.get(first_key(v)) === 1), 'the first point of a vector occurs in another');
+    return vectors;
+  }
+  function space_family(vectors, transition, den) {  // (ii): the matrices of the T_t in the basis
+    const keys = vectors.map(first_key), pivot = vectors[0].get(keys[0])[1];
+    const columns = transition.digits.map(t => vectors.map(v => {
+      const image = transition.apply(t, v), at = keys.map(key => image.has(key) ? image.get(key)[1] : 0n);
+      const rest = new Map();
+      for (const [p, value] of image.values()) add(rest, p, pivot * value);
+      at.forEach((value, k) => {
+        if (!value) return;
+        spend(vectors[k].size * 4, bits(value));
+        for (const [p, x] of vectors[k].values()) add(rest, p, -value * x);
+      });
+      demand(!rest.size, 'a transition operator leads out of the space');
+      return at;
+    }));
+    return {size: vectors.length, den: pivot * den, matrices: columns.map(transpose)};
+  }
+  // 5.5: the g_k, each for k and -k, are a fixed point of the transfer operator, and the sum over them is positive
+  function check_gram(reader, transition, den) {
+    const {mask, M, det} = transition, half_g = read_sequence(reader.read('gram', 1, 2 ** 24), M.length);
+    const g = new Map(half_g);
+    for (const [p, value] of half_g.values()) {
+      const mirror = p.map(x => -x || 0);
+      demand(p.every(x => !x) || !half_g.has(String(mirror)), 'a point occurs twice');
+      g.set(String(mirror), [mirror, value]);
+    }
+    demand(sum(values_of(g)) > 0n, 'the numbers of the gram line have no positive sum');
+    const correlation = new Map(), image = new Map(), entries = [...mask.values()];
+    spend(4 * entries.length ** 2, bits(largest(values_of(mask))));
+    for (const [i, x] of entries) for (const [j, y] of entries) add(correlation, add_points(i, j, -1), x * y);
+    for (const [l, value] of g.values()) {
+      spend(8 * correlation.size, bits(value));
+      for (const [x, c] of correlation.values()) {
+        const k = transition.divide(add_points(x, l));
+        if (k.every(Number.isInteger)) add(image, k, c * value);
+      }
+    }
+    demand(is_multiple(image, g, BigInt(Math.abs(det)) * den * den),
+           'the gram line is not a fixed point of the transfer operator');
+    check_torus([...half_g.values()], M.length);
+  }
+  const complex_times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
+  function check_torus(terms, dimension) {  // the positivity of G on the charts of 5.5
+    const degrees = range_of(dimension).map(v => 2 * Math.max(...terms.map(([k]) => Math.abs(k[v]))));
+    const size = degrees.reduce((x, d) => x * (d + 1), 1), known = new Map();
+    demand(size <= 2 ** 20, too_much_work);
+    const linear = [[[1n, -1n], [1n, 1n]], [[1n, 1n], [1n, -1n]]];  // 1 + i t = (1 - i)(1 - u) + (1 + i) u, and 1 - i t
+    const convolve = (f, [low, high]) => range_of(f.length + 1).map(j => {
+      const [x, y] = [complex_times(f[j] || [0n, 0n], low), complex_times(f[j - 1] || [0n, 0n], high)];
+      return [x[0] + y[0], x[1] + y[1]];
+    });
+    const line = (v, k) => {  // (1 + i t)^(n + k) (1 - i t)^(n - k)
+      const key = `${v} ${k}`, more = degrees[v] / 2 + k;
+      spend(known.has(key) ? 0 : 4 * degrees[v] ** 2, degrees[v]);
+      if (!known.has(key))
+        known.set(key, range_of(degrees[v]).reduce((f, j) => convolve(f, linear[j < more ? 0 : 1]), [[1n, 0n]]));
+      return known.get(key);
+    };
+    for (let chart = 0; chart < 2 ** dimension; ++chart) {
+      const form = Array(size).fill(0n);
+      for (const [k, value] of terms) {
+        spend(4 * size, 2 * sum_of(degrees), 2 * sum_of(degrees));
+        const both = k.some(x => x) ? 2n * value : value;  // k and -k
+        const turned = k.reduce((total, x, v) => chart >> v & 1 && x % 2 ? -total : total, both);
+        const tensor = k.reduce((all, x, v) => line(v, x).flatMap(c => all.map(a => complex_times(a, c))), [[1n, 0n]]);
+        tensor.forEach(([re], j) => { form[j] += turned * re; });
+      }
+      show_positive(form, 'stability: the sum over the gram line', degrees);
+    }
+  }
+  function check_surface(reader, {lower, upper, surface, dilation}) {
+    const dimension = surface.depth, by_values = reader.peek() === 'differences';
+    const order = small(reader.read(by_values ? 'differences' : 'sum-rules', 1)[0], 1, 500);
+    demand(order <= 64, 'a higher order than the checker allows in several variables');
+    demand(sign(lower) > 0, 'the lower end of an exponent must be positive');
+    demand(!by_values || !less(order, lower), 'the lower end is above the order of the differences');
+    demand(!upper || sign(upper) >= 0, 'an exponent is negative or too large');
+    check_isotropic(dilation);
+    const turned = reader.peek() === 'turned', mask = mask_sequence(surface);
+    const M = turned ? read_dilation(reader.read('turned', 1)[0]) : dilation;
+    if (turned) check_turned(M, dilation, mask);
+    const D = Math.abs(small_determinant(M)), base = BigInt(D);
+    demand(D <= 64, 'a dilation with too large a determinant');
+    const digits = reader.read('digits', D).map(token => read_point(token, dimension));
+    const transition = new Transition(mask, M, digits), {den} = surface;
+    demand(new Set(digits.map(t => transition.class_of(t))).size === D, 'two digits of one class');
+    check_sum_rules(transition, by_values ? 1 : order, den);
+    const start = by_values ? read_sequence(reader.read('values', 1, 2 ** 24), dimension) : new Map();
+    if (!by_values) add(start, Array(dimension).fill(0), 1n);
+    demand(sum(values_of(start)), 'the numbers of the values line have the sum 0');
+    demand(!by_values || is_multiple(transition.apply(digits[0], start), start, den),
+           'the values line is not fixed by the operator of the first digit');
+    const vectors = read_space(reader, dimension), rows = vectors.map(row => ({key: first_key(row), row}));
+    for (const nu of by_values ? [] : exponents(dimension, order, false))
+      demand(vectors.every(v => !moment([...v.values()], nu)),
+             'a vector does not annihilate the polynomials of degree below the order of the sum rules');
+    const family = space_family(vectors, transition, den), from = differences(start, order, dimension);
+    const {steps} = long_words(from, rows, transition);
+    const spanned = () => long_words(from, [], transition, steps, 2n ** 32n - 5n).basis.length;
+    demand(!by_values || !upper || spanned() === vectors.length, 'the differences do not span the space');
+    if (!by_values && (upper || reader.peek() === 'gram')) check_gram(reader, transition, den);
+    const within = at_most(power_below(base, minus(0n, lower)), false);
+    const reached = upper && at_least(over(1n, power_below(base, upper)));
+    prove(reader, family, {  // about the power JSR^s
+      below: (value, level) => within(power(value, dimension), level),
+      above: upper && ((radius, length) => {
+        demand(less(power(fraction(1n, base), order * length), power(radius, dimension)), no_exponent);
+        reached(power(radius, dimension), length);
+      }),
+    });
+  }
+
+  // ---- The claim and the command line -------------------------------------------------------------------------------
+  const usage = `usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE
+       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'
+                     [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)
+       subcert-check --mask MASK --arity A [--for RANGE] --upper CK FILE    (no C^K limits, K = 1, 2, ...)
+       subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks
+                     within EPS of MASK that have M sum rules)
+       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
+                     --lower P/Q [--upper P/Q] FILE
+       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
+a mask and no bounds: its integer shifts are stable
+prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
+exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
+  function read_options(words) {
+    const names = ['mask', 'arity', 'for', 'within', 'surface', 'dilation', 'matrices', 'lower', 'upper'], options = {};
+    for (let i = 0; i < words.length; ++i) {
+      const option = words[i].startsWith('--') ? words[i].slice(2) : 'FILE';
+      demand(option === 'FILE' || names.includes(option), `unknown option ${words[i]}`);
+      if (option !== 'FILE') ++i;
+      demand(i < words.length && !(option in options), `${words[i - 1]} needs a value, and only one`);
+      options[option] = words[i];
+    }
+    const has = (...all) => all.every(name => name in options), none = (...all) => !all.some(name => name in options);
+    const rough = has('upper') && options.upper.startsWith('C');
+    const curve = has('mask', 'arity') && none('surface', 'dilation', 'matrices') && !(has('for') && has('within')) &&
+      (!has('upper') || has('lower') || has('for') || (rough && none('within'))) && !(rough && has('within'));
+    const surface = has('surface', 'dilation', 'lower') && none('mask', 'arity', 'for', 'within', 'matrices') && !rough;
+    const radius = has('matrices') && (has('lower') || has('upper')) && !rough &&
+      none('mask', 'arity', 'for', 'within', 'surface', 'dilation');
+    demand(has('FILE') && (curve || surface || radius), usage);
+    return {options, rough, kind: curve ? check_curve : surface ? check_surface : check_radius};
+  }
+  // The claim: what the checks need, the second line of its certificate, and the text of what is proved
+  function read_claim(words) {
+    const {options, rough, kind} = read_options(words);
+    const claim = {options, kind, lower: options.lower === undefined ? null : rational(options.lower), upper: null};
+    if (rough) claim.rough = small(options.upper.slice(1), 1, 500);
+    else if (options.upper !== undefined) claim.upper = rational(options.upper);
+    if (kind === check_surface) {
+      [claim.surface, claim.dilation] = [read_surface(options.surface), read_dilation(options.dilation)];
+      demand(claim.surface.depth === claim.dilation.length, 'mask and dilation have different numbers of variables');
+      claim.head = `surface ${options.surface} ${options.dilation}`;
+    } else if (kind === check_curve) {
+      const arity = small(options.arity, 2, 16);
+      const letter = options.for === undefined ? null : read_range(options.for, claim);
+      if (options.within !== undefined) claim.within = read_rounding(options.within);
+      claim.curve = read_curve(options.mask, arity, letter);
+      claim.head = `exponent ${options.mask} ${options.arity}` + (letter ? ` ${options.for}` : '') +
+        (claim.within ? ` within=${options.within}` : '');
+    }
+    return claim;
+  }
+  function read_range(text, claim) {
+    const [, letter, low, high] = /^([a-zA-Z])=(.*?)\.\.(.*)$/.exec(text) || [];
+    const form = 'a range is w=LOW..HIGH with rationals LOW < HIGH';
+    demand(letter, form);
+    claim.interval = {low: rational(low), high: rational(high)};
+    demand(less(claim.interval.low, claim.interval.high), form);
+    return letter;
+  }
+  function read_rounding(text) {
+    const [eps, order, more] = text.split(',');
+    const form = 'a rounding is EPS,M with EPS > 0 and the number M of sum rules';
+    demand(order !== undefined && more === undefined, form);
+    const rounding = {eps: rational(eps), order: small(order, 1, 500)};
+    demand(sign(rounding.eps) > 0, form);
+    return rounding;
+  }
+  function text_of({options, kind, lower, upper, rough, interval}) {
+    const relation = interval ? ' < ' : ' <= ', number = x => x.d === 1n ? `${x.n}` : `${x.n}/${x.d}`;
+    let what = kind === check_radius ? 'joint spectral radius' : 'Hoelder exponent';
+    if (rough) what = `${lower ? `${what} and ` : ''}no C^${rough} limits`;
+    else if (!lower && !upper) what = 'stable integer shifts';
+    const ends = !lower && interval && upper && !sign(upper) ? 'no convergence'
+      : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}`;
+    const subject = kind === check_radius ? options.matrices : kind === check_surface
+      ? `${options.surface} with dilation ${options.dilation}` : `${options.mask} with arity ${options.arity}`;
+    return `${ends} of ${subject}` + (interval ? ` for all ${options.for}` : '') +
+      (options.within ? ` for all masks within=${options.within}` : '');
+  }
+  function read_matrices(reader) {
+    const [count, size] = reader.read('matrices', 2).map((token, i) => small(token, 1, i ? 256 : 4096));
+    demand(count * size * size <= 2 ** 22, 'more entries than 2^22');
+    const rows = reader.rows('row', count * size, size, rational), {den, numbers} = common(rows.flat());
+    reader.finish(null, 'text after the last row');
+    const row = i => numbers.slice(i * size, (i + 1) * size);
+    return {size, den, matrices: range_of(count).map(t => range_of(size).map(i => row(t * size + i)))};
+  }
+  function read_bounds(reader) {  // read, and not used
+    const [lower, upper] = reader.read('bounds', 2);
+    if (lower !== '-') rational(lower);
+    if (upper.startsWith('C')) small(upper.slice(1), 1, 500);
+    else if (upper !== '-') rational(upper);
+  }
+  function check_file(reader, claim) {
+    reader.read('subcert-certificate 3');
+    reader.read(claim.head);
+    read_bounds(reader);
+    claim.kind(reader, claim);
+    reader.finish('end', "text after 'end'");
+  }
+
+  // What went wrong, in words. Limits of the engine, on lengths of numbers and texts, are errors of several names in
+  // several engines; a fault of this program never proves anything.
+  function reason(error) {
+    if (error instanceof Rejection) return error.message;
+    return error instanceof RangeError ? too_much_work : `internal error (${error})`;
+  }
+  // words: the command line; read_text(path): the bytes of a file as a text of characters 0 to 255, null where there is
+  // none. Returns {exit, line}; the line is meant for standard output for exit 0 and 1, else for standard error.
+  return function check_certificate(words, read_text) {
+    work = 0;
+    if (words.length === 1 && words[0] === '--help') return {exit: 0, line: usage};
+    let claim, reader = {line: 0};
+    const wrong = (exit, why) => ({exit, line: `subcert-check: ${why}`});
+    try {
+      claim = read_claim(words);
+    } catch (error) {
+      return wrong(64, reason(error));
+    }
+    const {matrices, FILE} = claim.options, text = matrices === undefined ? '' : read_text(matrices);
+    if (text === null) return wrong(66, `cannot read ${matrices}`);
+    try {
+      if (matrices !== undefined) {
+        reader = new Reader(text);
+        claim.family = read_matrices(reader);
+        claim.head = `radius ${claim.family.matrices.length} ${claim.family.size}`;
+      }
+    } catch (error) {
+      return wrong(65, `${reason(error)}, line ${reader.line}`);
+    }
+    const certificate = read_text(FILE);
+    if (certificate === null) return wrong(66, `cannot read ${FILE}`);
+    reader = {line: 0};
+    try {
+      reader = new Reader(certificate);
+      check_file(reader, claim);
+    } catch (error) {
+      return {exit: 1, line: `REJECTED ${reason(error)}, line ${reader.line}`};
+    }
+    return {exit: 0, line: `VERIFIED ${text_of(claim)}`};
+  };
+})();
+
+if (typeof module === 'object') module.exports = {check_certificate};

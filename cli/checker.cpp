@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
@@ -57,25 +58,27 @@ CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::
   return answer;
 }
 
-Certificate write_verified(const std::string& file, const Certificate& certificate) {
-  const auto write = [&](const Certificate& one) {
-    std::vector<std::string> arguments = checker_arguments(one.text, file);
-    runtime::write_file_with(file, [&](const std::filesystem::path& path) {
-      runtime::write_file(path, one.text);
-      arguments.back() = path;
-      const CheckerAnswer answer = run_checker(arguments);
-      if (answer.code != 0) fail(ErrorKind::undecided, "{}: not written, subcert-check says {}", file, answer.text);
-    });
-    return one;
-  };
-  if (certificate.claim.exact) {
-    try {
-      return write(certificate);
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::undecided) throw;
+Certificate verified(const Certificate& certificate, const std::string& matrices) {
+  std::string folder = (std::filesystem::temp_directory_path() / "subcert-XXXXXX").string();
+  if (!mkdtemp(folder.data())) throw std::system_error(errno, std::generic_category(), "checker: " + folder);
+  const struct Remove {
+    std::filesystem::path folder;
+    ~Remove() {
+      std::error_code error;
+      std::filesystem::remove_all(folder, error);
     }
-  }
-  return write(certificate.of_bounds());
+  } remove{folder};
+  const std::string file = folder + "/certificate";
+  if (!matrices.empty()) runtime::write_file(file + ".matrices", matrices);
+  const auto answer_to = [&](const Certificate& one) {
+    runtime::write_file(file, one.text);
+    return run_checker(checker_arguments(one.text, file));
+  };
+  if (certificate.claim.exact && answer_to(certificate).code == 0) return certificate;
+  Certificate bounds = certificate.of_bounds();
+  const CheckerAnswer answer = answer_to(bounds);
+  if (answer.code != 0) fail(ErrorKind::undecided, "no certificate is written, as subcert-check says {}", answer.text);
+  return bounds;
 }
 
 Json claim_json(const CertificateClaim& claim) {

@@ -21,10 +21,10 @@ std::string checker_program();
 /// Runs the checker. Errors: throws missing_file where there is none.
 CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::string& program = checker_program());
 
-/// Writes the certificate if the checker accepts it, or else, if it accepts that, the one of the bounds alone; returns
-/// what was written. Errors: throws undecided, with the checker's reason, where it accepts neither, and missing_file
-/// where there is no checker; nothing is written then. Cost: at most two runs of the checker.
-Certificate write_verified(const std::string& file, const Certificate& certificate);
+/// The certificate if the checker accepts it, or else, if it accepts that, the one of the bounds alone. `matrices`:
+/// what a certificate of a radius is about. Errors: throws undecided, with the checker's reason, where it accepts
+/// neither, and missing_file where there is no checker. Cost: at most two runs of the checker.
+Certificate verified(const Certificate& certificate, const std::string& matrices = {});
 
 /// What was written.
 Json claim_json(const CertificateClaim& claim);

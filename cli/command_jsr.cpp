@@ -143,8 +143,11 @@ ExitCode run(const JsrOptions& options) {
   options.end_progress();
   std::optional<CertificateClaim> claim;
   if (!options.certificate.empty()) {
-    runtime::write_file(options.certificate + ".matrices", matrices_text(family));
-    claim = write_verified(options.certificate, radius_certificate(family, radius)).claim;
+    const std::string matrices = matrices_text(family);
+    const Certificate certificate = verified(radius_certificate(family, radius), matrices);
+    runtime::write_file(options.certificate + ".matrices", matrices);
+    runtime::write_file(options.certificate, certificate.text);
+    claim = certificate.claim;
   }
   std::vector<int> word = radius.product.word;
   if (lift)

@@ -47,9 +47,10 @@ ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budg
     if (!(radius < power(Rational(page.scheme.mask.arity()), rules)))
       fail(ErrorKind::usage, "--certificate: rational numbers prove nothing positive about {}",
            page.scheme.specification);
-    claim = write_verified(options.certificate,
-                           exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding))
-                .claim;
+    const Certificate certificate = verified(
+        exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding));
+    runtime::write_file(options.certificate, certificate.text);
+    claim = certificate.claim;
   }
   if (options.json) {
     Json json = page.json();
@@ -71,8 +72,11 @@ ExitCode run(MultivariateScheme scheme, const RegularityOptions& options, const 
                                                                        !options.certificate.empty());
   options.end_progress();
   std::optional<CertificateClaim> claim;
-  if (!options.certificate.empty())
-    claim = write_verified(options.certificate, surface_certificate(page.scheme.mask, page.regularity)).claim;
+  if (!options.certificate.empty()) {
+    const Certificate certificate = verified(surface_certificate(page.scheme.mask, page.regularity));
+    runtime::write_file(options.certificate, certificate.text);
+    claim = certificate.claim;
+  }
   Json json = page.json();
   if (claim) json["certificate"] = claim_json(*claim);
   options.answer(json, page.text() + (claim ? verified_text(options.certificate, *claim) : ""));

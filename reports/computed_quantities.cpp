@@ -60,7 +60,7 @@ void ComputedQuantities::need_bounds(const std::vector<std::string>& specificati
 void ComputedQuantities::need_exponents(const std::vector<std::string>& specifications) {
   make_missing(exponents_, specifications, options_, [](const auto& s) {
     const Scheme scheme = make_scheme(s);
-    return holder_regularity(scheme.mask, holder_levels, {Deadline::in(exponent_seconds)}, HolderProof::shortest,
+    return holder_regularity(scheme.mask, holder_levels, {Deadline::in(exponent_seconds)}, HolderProof::certificate,
                              scheme.rounding);
   });
 }

@@ -43,22 +43,21 @@ Report report_daubechies(const ReportOptions& options) {
     section.comparisons.push_back(std::move(table));
   }
   if (options.wants("exponents")) {
-    formats::PlainTable table{
-        "exponents",
-        "Hoelder exponents of D4 to D42",
-        {"function", "exponent", "width", "leading product", "vertices", "distance", "certificate"},
-        {}};
+    formats::PlainTable table{"exponents",
+                              "Hoelder exponents of D4 to D42",
+                              {"function", "exponent", "width", "leading product", "vertices", "distance"},
+                              {}};
     for (int n = first_order; n <= last_order; ++n) {
       const Scheme scheme = make_scheme(specification(n));
       const HolderRegularity& regularity = computed.exponent(scheme.specification);
       const Enclosure& exponent = regularity.exponent;
-      const std::string name = fmt::format("D{}.cert", 2 * n);
-      report.files.emplace(name, exponent_certificate(scheme.mask, regularity, scheme.rounding).text);
+      table.proofs.push_back(row_proof(fmt::format("D{}.cert", 2 * n),
+                                       exponent_certificate(scheme.mask, regularity, scheme.rounding), options));
       table.rows.push_back({fmt::format("D{}", 2 * n), formats::fixed_text(exponent, 12),
                             exponent.is_bounded() ? to_decimal(*exponent.upper - *exponent.lower, 2, Rounding::up) : "",
                             fmt::format("{}", fmt::join(regularity.radius.product.word, "")),
                             std::to_string(regularity.radius.vertices()),
-                            to_decimal(scheme.rounding->distance, 2, Rounding::up), name});
+                            to_decimal(scheme.rounding->distance, 2, Rounding::up)});
     }
     section.tables.push_back(std::move(table));
   }

@@ -134,7 +134,7 @@ void explain_levels(formats::Section& section, ComputedQuantities& quantities) {
 }
 
 /// The exponents themselves beside what sixteen levels show.
-formats::Section exponents(ComputedQuantities& quantities) {
+formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& options) {
   quantities.need_exponents(bound_schemes());
   formats::Section section{"exponents", "What the paper could not see", {}};
   formats::PlainTable table{
@@ -177,6 +177,9 @@ formats::Section exponents(ComputedQuantities& quantities) {
                                 : to_fixed(low, 4, Rounding::down) + " ... " + to_fixed(high, 4, Rounding::up),
                             to_decimal(high - low, 2, Rounding::up), word, std::to_string(regularity.radius.vertices()),
                             regularity.radius.exact.is_yes() ? "yes" : "unknown"});
+      const Mask mask = make_scheme(statements::specification(family, n)).mask;
+      table.proofs.push_back(
+          row_proof(fmt::format("{}-{}.cert", family, n), exponent_certificate(mask, regularity), options));
       bound_curve.points.emplace_back(n, std::stod(bound));
       upper_curve.points.emplace_back(n, high.convert_to<double>());
       lower_curve.points.emplace_back(n, low.convert_to<double>());
@@ -253,7 +256,7 @@ Report report_dyn_2015(const ReportOptions& options) {
   if (options.wants("levels")) explain_levels(bounds, quantities);
 
   formats::Section sharp{"exponents", "", {}};
-  if (options.wants("exponents")) sharp = exponents(quantities);
+  if (options.wants("exponents")) sharp = exponents(quantities, options);
 
   formats::Section variance = variance_section(options, quantities), conjecture, theorems;
   if (options.wants("conjecture7")) conjecture = conjecture_7_section(quantities);

@@ -46,8 +46,7 @@ std::vector<std::string> row_of(const std::string& name, const Family& one) {
           formats::fixed_text(ends, 14),
           radius.exact.is_yes() ? "exact" : to_decimal(*ends.upper - *ends.lower, 2, Rounding::up),
           std::to_string(radius.product.word.size()),
-          radius.vertices() > 0 ? std::to_string(radius.vertices()) : "",
-          name + ".cert"};
+          radius.vertices() > 0 ? std::to_string(radius.vertices()) : ""};
 }
 
 }  // namespace
@@ -79,15 +78,14 @@ Report report_joint_spectral_radii(const ReportOptions& options) {
     section.comparisons.push_back(std::move(table));
   }
   if (options.wants("families")) {
-    formats::PlainTable table{
-        "families",
-        "Families of the literature",
-        {"family", "matrices", "joint spectral radius", "width", "letters", "vertices", "certificate"},
-        {}};
+    formats::PlainTable table{"families",
+                              "Families of the literature",
+                              {"family", "matrices", "joint spectral radius", "width", "letters", "vertices"},
+                              {}};
     for (const auto& [name, family] : families) {
       table.rows.push_back(row_of(name, *family));
-      report.files.emplace(name + ".cert", radius_certificate(family->family, family->radius).text);
-      report.files.emplace(name + ".cert.matrices", matrices_text(family->family));
+      table.proofs.push_back(row_proof(name + ".cert", radius_certificate(family->family, family->radius), options,
+                                       matrices_text(family->family)));
     }
     section.tables.push_back(std::move(table));
   }

@@ -4,6 +4,7 @@
 #include "daubechies.hpp"
 #include "dyn_2015.hpp"
 #include "families.hpp"
+#include "formats/check_in_page.hpp"
 #include "formats/html.hpp"
 #include "joint_spectral_radii.hpp"
 #include "least_squares_surfaces.hpp"
@@ -11,6 +12,7 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
@@ -191,11 +193,12 @@ std::string table_html(const std::string& paper, const formats::PlainTable& tabl
   result += "<div class=scroll><table>\n<tr>";
   for (std::size_t i = 0; i < table.head.size(); ++i)
     result += fmt::format("<th{}>{}</th>", classes[i], html(table.head[i]));
-  result += "</tr>\n";
+  result += table.proofs.empty() ? "</tr>\n" : "<th class=text>proof</th></tr>\n";
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     result += table.row_classes.empty() ? "<tr>" : "<tr class=\"" + table.row_classes[r] + "\">";
     for (std::size_t i = 0; i < table.rows[r].size(); ++i)
       result += fmt::format("<{0}{1}>{2}</{0}>", i == 0 ? "th" : "td", classes[i], html(table.rows[r][i]));
+    if (!table.proofs.empty()) result += "<td class=proof>" + formats::check_button(paper, table.proofs[r]) + "</td>";
     result += "</tr>\n";
   }
   return result + "</table></div>\n" + (folded ? "</details>\n" : "");
@@ -275,6 +278,7 @@ std::string page(const std::vector<Report>& reports, bool with_errata) {
     body += "</ul>\n";
   }
   for (const Report& report : reports) body += report_html(report);
+  if (body.find("<button class=check") != std::string::npos) body += formats::check_scripts();
   return formats::html_page("subcert: printed values, recomputed", body);
 }
 
@@ -343,6 +347,19 @@ Report make_report(const std::string& paper, const ReportOptions& options) {
   return report;
 }
 
+formats::RowProof row_proof(const std::string& name, const Certificate& certificate, const ReportOptions& options,
+                            const std::string& matrices) {
+  try {
+    const Certificate accepted = options.verified(certificate, matrices);
+    formats::RowProof proof{name, checker_arguments(accepted.text, name), {{name, accepted.text}}};
+    if (!matrices.empty()) proof.files.emplace(name + ".matrices", matrices);
+    return proof;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::undecided) throw;
+    return {};
+  }
+}
+
 void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder, int jobs) {
   std::vector<std::function<void()>> pictures;
   for (const Report& report : reports) {
@@ -366,6 +383,11 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
     for (const auto& [name, text] : report.files) runtime::write_file(inside / name, text);
     for (const formats::Section& section : report.sections) {
       for (const formats::PlainTable& table : section.tables) {
+        for (const formats::RowProof& proof : table.proofs) {
+          if (proof.name.empty()) continue;
+          for (const auto& [name, text] : proof.files) runtime::write_file(inside / name, text);
+          runtime::write_file(inside / (proof.name + ".js"), formats::certificate_script(report.paper, proof));
+        }
         const auto rows = rows_of(table);
         runtime::write_file(inside / (table.id + ".json"), table_json(report, table).dump(2) + "\n");
         runtime::write_file(inside / (table.id + ".csv"), csv(rows));

@@ -4,6 +4,8 @@
 #include "experiments/experiment.hpp"
 #include "formats/section.hpp"
 
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -39,6 +41,9 @@ struct ReportOptions {
   std::uint64_t seed = 1;  ///< of the experiments
   std::size_t runs = 50;   ///< samples of the noise in each experiment, 4 times as many beside printed values
   std::optional<double> budget = {};  ///< seconds for the exponent of each surface; nothing for those of the report
+  /// What a checker accepts of a certificate, and of matrices that it is about; without it what needs no such question.
+  std::function<Certificate(const Certificate&, const std::string& matrices)> verified =
+      [](const Certificate& certificate, const std::string&) { return certificate.of_bounds(); };
 };
 
 /// The papers and collections that can be reproduced, those that are where none is named, and the items of each.
@@ -50,10 +55,15 @@ std::vector<std::string> report_items(const std::string& paper);
 /// Recomputes the paper and compares. Errors: throws a domain error for an unknown paper or item.
 Report make_report(const std::string& paper, const ReportOptions& options);
 
+/// The proof of a row of a table, by the certificate that a checker accepts; without a name where it accepts none.
+/// `matrices`: what a certificate of a radius is about.
+formats::RowProof row_proof(const std::string& name, const Certificate& certificate, const ReportOptions& options,
+                            const std::string& matrices = {});
+
 /// Writes DIR/index.html for the reports, with a link to DIR/errata.html where that is there, and for each table
 /// DIR/PAPER/ID.csv, .tex, .json, for each figure .svg, .png
-/// and .csv, and the further files. Domain: jobs >= 1, the pictures drawn at a time. Errors: throws missing_file that
-/// names the file.
+/// and .csv, and the further files; DIR/PAPER/NAME.js for each certificate NAME that the page can check. Domain: jobs
+/// >= 1, the pictures drawn at a time. Errors: throws missing_file that names the file.
 void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder, int jobs);
 
 /// {"comparisons": [...], "experiments": [...], "tables": [...]} as in the contract; the experiments are those of

@@ -44,6 +44,10 @@ td span { display: block; }
 .mismatch .verdict { color: var(--bad); }
 .open { background: var(--open-band); }
 .open .verdict { color: var(--open); }
+td.proof { white-space: normal; text-align: left; min-width: 14rem; max-width: 26rem; }
+td.proof output { display: block; font-size: .78rem; overflow-wrap: anywhere; max-height: 9rem; overflow-y: auto; }
+output.proved { color: var(--good); }
+output.refused { color: var(--bad); }
 figure { margin: 1.5rem 0; }
 figure img { max-width: 100%; height: auto; display: block; }
 details { margin: .5rem 0 1rem; }

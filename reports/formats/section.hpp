@@ -5,10 +5,19 @@
 #include "figure.hpp"
 #include "surface_figure.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace subcert::formats {
+
+/// The proof of a row: files of the folder of the paper, and what a checker is to be asked. The page has a button that
+/// does so.
+struct RowProof {
+  std::string name;                          ///< of the certificate
+  std::vector<std::string> words;            ///< the command line of the checker
+  std::map<std::string, std::string> files;  ///< texts by their names
+};
 
 /// A table of our own, without printed counterpart.
 struct PlainTable {
@@ -17,6 +26,7 @@ struct PlainTable {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> row_classes = {};  ///< how the page marks each row; empty for no marks
+  std::vector<RowProof> proofs = {};          ///< of each row; empty for none
 };
 
 /// One part of the page. Items that were not asked for have no section.

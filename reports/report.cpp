@@ -380,7 +380,6 @@ void write_reports(const std::vector<Report>& reports, const std::filesystem::pa
       }
       runtime::write_file(inside / (table->id + ".tex"), latex_table(table->title, rows));
     }
-    for (const auto& [name, text] : report.files) runtime::write_file(inside / name, text);
     for (const formats::Section& section : report.sections) {
       for (const formats::PlainTable& table : section.tables) {
         for (const formats::RowProof& proof : table.proofs) {

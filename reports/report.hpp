@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +20,7 @@ struct Report {
   std::string citation;
   std::vector<formats::Section> sections;
   std::vector<experiments::RanExperiment> experiments = {};
-  bool listed = false;                            ///< whether a terminal shows its tables whole
-  std::map<std::string, std::string> files = {};  ///< further files of the folder of the paper, by their names
+  bool listed = false;  ///< whether a terminal shows its tables whole
 
   std::vector<const formats::ComparisonTable*> comparison_tables() const;
   /// Whether all verdicts and findings are the recorded ones.
@@ -61,9 +59,9 @@ formats::RowProof row_proof(const std::string& name, const Certificate& certific
                             const std::string& matrices = {});
 
 /// Writes DIR/index.html for the reports, with a link to DIR/errata.html where that is there, and for each table
-/// DIR/PAPER/ID.csv, .tex, .json, for each figure .svg, .png
-/// and .csv, and the further files; DIR/PAPER/NAME.js for each certificate NAME that the page can check. Domain: jobs
-/// >= 1, the pictures drawn at a time. Errors: throws missing_file that names the file.
+/// DIR/PAPER/ID.csv, .tex, .json, for each figure .svg, .png and .csv; for each certificate DIR/PAPER/NAME and NAME.js,
+/// which the page reads. Domain: jobs >= 1, the pictures drawn at a time. Errors: throws missing_file that names the
+/// file.
 void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder, int jobs);
 
 /// {"comparisons": [...], "experiments": [...], "tables": [...]} as in the contract; the experiments are those of

@@ -142,6 +142,14 @@ TEST_CASE("bad files are refused with line and column") {
     CAPTURE(text);
     CHECK(error_of(text).rfind("line ", 0) == 0);
   }
+  // Characters beyond ASCII belong into strings and comments.
+  const auto named = properties::read_expectations(
+      "name = 'H\xC3\xB6lder \"\\'  # \xC3\xA9 '\nmask = \"dd:n=2\"  # \"\nstable = true");
+  CHECK(named.front().name == "H??lder \"\\");  // as it can be printed
+  CHECK(error_of("name = \"\xC3\xB6 \\\"\" # \xC3\xB6\nm\xC3\xA4sk = 'dd:n=2'") ==
+        "line 2, column 2: not TOML: a character beyond ASCII outside of strings and comments");
+  CHECK(error_of("name = '\xC3'\nmask = 'dd:n=2'") == "line 1, column 9: not TOML: not UTF-8");
+  CHECK(error_of("ff=[ [[[+[[[[[\">\xC3\x9A[[").rfind("line 1", 0) == 0);
   CHECK(error_of(std::string(1'000'001, '#')).rfind("line 1, column 1: at most", 0) == 0);
   CHECK(error_of("a = " + std::string(100'000, '[')).rfind("line ", 0) == 0);
 }

@@ -45,8 +45,8 @@ void check(const std::string& text) {
   std::ostringstream out, errors;
   const int code = subcert_check::run(arguments, out, errors);
   const bool verified = out.str().starts_with("VERIFIED "), rejected = out.str().starts_with("REJECTED ");
-  if (code == 0 ? !verified && out.str().find("usage") == std::string::npos : code == 1 ? !rejected : errors.str().empty())
-    std::abort();
+  const bool help = out.str().starts_with("usage");
+  if (code == 0 ? !verified && !help : code == 1 ? !rejected : errors.str().empty()) std::abort();
 }
 
 const std::map<std::string_view, void (*)(const std::string&)> parsers{

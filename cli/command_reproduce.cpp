@@ -1,5 +1,6 @@
 // subcert reproduce [PAPER...]: the main job
 
+#include "checker.hpp"
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/budget.hpp>

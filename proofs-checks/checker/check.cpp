@@ -91,7 +91,8 @@ class Checker {
   /// Section 4.9: the exponent of another mask, and convergence of the scheme.
   void read_reduced() {
     const Mask& mask = *claim_.mask;
-    require((claim_.lower || exact_) && !claim_.rounding,
+    // `stability` is shown of the reduced mask: nothing follows from it for the mask of the claim.
+    require((claim_.lower || (exact_ && (claim_.exact || claim_.rough))) && !claim_.rounding,
             "a reduced mask tells the exponent of one mask, with a lower end");
     const Fields fields = reader_.take("reduced", 2, 2);
     const Mask factor = parse_mask(fields[0], '\0'), other = parse_mask(fields[1], '\0');

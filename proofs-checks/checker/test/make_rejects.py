@@ -567,6 +567,8 @@ reject("root-coarse-conjugate", "conjugate-exact", "too far", replace(r"^(root \
 reject("origin-letter-high", "slow-exact", "number outside", replace("^origin 1 0 1", "origin 1 0 2"))
 reject("same-letter-high", "lone-exact", "number outside", replace("^same 1 1", "same 1 2"))
 reject("same-source-high", "lone-exact", "number outside", replace("^same 1 1", "same 3 1"))
+reject("exact-reduced-stable", "reduced-exact", "a reduced mask tells", arguments=option(option(option(
+    claims["reduced-exact"], "exact", None), "lower", None), "upper", None))
 reject("cycle-alone", "four-point-exact", "expected 'end'", drop("exact|root"), option(claims["four-point-exact"], "exact", None))
 reject("cycle-short", "slow-exact", "wrong number of fields", replace("^cycle 0 - 1 0", "cycle 0 - 1"))
 reject("cycle-twice", "four-point-exact", "the first one of two cycles", replace("^(cycle.*\nseed.*)$", "\\1\n\\1"))

@@ -48,6 +48,14 @@ let rec add n m =
     (fun p -> Stdlib.succ (add p m))
     n
 
+(** val mul : int -> int -> int **)
+
+let rec mul n m =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> 0)
+    (fun p -> add m (mul p m))
+    n
+
 (** val sub : int -> int -> int **)
 
 let rec sub n m =
@@ -94,6 +102,38 @@ module Nat =
 
   let ltb n m =
     leb (Stdlib.succ n) m
+
+  (** val max : int -> int -> int **)
+
+  let rec max n m =
+    (fun zero next n -> if n = 0 then zero () else next (n - 1))
+      (fun _ -> m)
+      (fun n' ->
+      (fun zero next n -> if n = 0 then zero () else next (n - 1))
+        (fun _ -> n)
+        (fun m' -> Stdlib.succ (max n' m'))
+        m)
+      n
+
+  (** val divmod : int -> int -> int -> int -> int*int **)
+
+  let rec divmod x y q0 u =
+    (fun zero next n -> if n = 0 then zero () else next (n - 1))
+      (fun _ -> q0,u)
+      (fun x' ->
+      (fun zero next n -> if n = 0 then zero () else next (n - 1))
+        (fun _ -> divmod x' y (Stdlib.succ q0) y)
+        (fun u' -> divmod x' y q0 u')
+        u)
+      x
+
+  (** val div : int -> int -> int **)
+
+  let div x y =
+    (fun zero next n -> if n = 0 then zero () else next (n - 1))
+      (fun _ -> y)
+      (fun y' -> fst (divmod x y' 0 y'))
+      y
  end
 
 module Pos =
@@ -1209,3 +1249,181 @@ let check_radius c cert =
      | Some b ->
        (&&) (basis_valid f.size b) (check_bounds (in_basis f b) c cert)
      | None -> check_bounds f c cert)
+
+type scheme = { arity : int; first : Number.t; coefficients : Number.t list;
+                common : Number.t }
+
+(** val times_sigma : int -> Number.t list -> Number.t list **)
+
+let rec times_sigma arity0 l =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> [])
+    (fun k -> addmul Number.one l (Number.zero::(times_sigma k l)))
+    arity0
+
+(** val quotients : int -> Number.t list -> Number.t list -> Number.t list **)
+
+let rec quotients degree recent = function
+| [] -> []
+| x::rest ->
+  let q0 = Number.sub x (fold_right Number.add Number.zero recent) in
+  q0::(quotients degree (firstn degree (q0::recent)) rest)
+
+(** val over_sigma : int -> Number.t list -> Number.t list **)
+
+let over_sigma arity0 l =
+  firstn (sub (length l) (sub arity0 (Stdlib.succ 0)))
+    (quotients (sub arity0 (Stdlib.succ 0)) [] l)
+
+(** val iterate :
+    int -> (Number.t list -> Number.t list) -> Number.t list -> Number.t list **)
+
+let rec iterate m f l =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> l)
+    (fun k -> f (iterate k f l))
+    m
+
+(** val same : Number.t list -> Number.t list -> bool **)
+
+let rec same x y =
+  match x with
+  | [] -> (match y with
+           | [] -> true
+           | _::_ -> false)
+  | a::x' ->
+    (match y with
+     | [] -> false
+     | b::y' -> (&&) (Number.equal a b) (same x' y'))
+
+(** val transition : int -> int -> Number.t list -> zmat list **)
+
+let transition arity0 size0 b =
+  map (fun t0 ->
+    map (fun j ->
+      let s = add (mul arity0 j) t0 in
+      map (fun k ->
+        if Nat.leb k s then nth (sub s k) b Number.zero else Number.zero)
+        (seq 0 size0)) (seq 0 size0)) (seq 0 arity0)
+
+(** val matrix_size : int -> Number.t list -> int **)
+
+let matrix_size arity0 b =
+  Nat.max (Stdlib.succ 0)
+    (Nat.div
+      (add (sub (length b) (Stdlib.succ 0))
+        (sub arity0 (Stdlib.succ (Stdlib.succ 0))))
+      (sub arity0 (Stdlib.succ 0)))
+
+(** val quotient : scheme -> int -> Number.t list **)
+
+let quotient a order0 =
+  iterate order0 (over_sigma a.arity) a.coefficients
+
+(** val difference_symbol : scheme -> int -> Number.t list **)
+
+let difference_symbol a order0 =
+  map
+    (Number.mul
+      (Number.power (Number.of_natural a.arity) (Number.of_natural order0)))
+    (quotient a order0)
+
+(** val difference_family : scheme -> int -> family **)
+
+let difference_family a order0 =
+  let b = difference_symbol a order0 in
+  let size0 = matrix_size a.arity b in
+  { size = size0; denominator = a.common; matrices =
+  (transition a.arity size0 b) }
+
+(** val unity : Number.t **)
+
+let unity =
+  Number.power (Number.twice Number.one) (Number.twice (Number.twice
+    (Number.twice (Number.twice (Number.twice (Number.twice
+    (Number.twice_plus_one (Number.twice Number.one))))))))
+
+(** val digits : int **)
+
+let digits =
+  mul (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+    (Stdlib.succ (Stdlib.succ (Stdlib.succ 0)))))))) (Stdlib.succ
+    (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+    (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+    (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+    0))))))))))))))))
+
+(** val roots_below : Number.t -> int -> Number.t -> Number.t -> Number.t **)
+
+let rec roots_below base k top bottom =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> unity)
+    (fun k' ->
+    Number.square_root
+      (Number.mul unity
+        (if Number.less_equal bottom
+              (Number.mul (Number.twice Number.one) top)
+         then Number.mul base
+                (roots_below base k'
+                  (Number.sub (Number.mul (Number.twice Number.one) top)
+                    bottom) bottom)
+         else roots_below base k' (Number.mul (Number.twice Number.one) top)
+                bottom)))
+    k
+
+(** val power_below : Number.t -> int -> Number.t -> Number.t -> Number.t **)
+
+let rec power_below base whole top bottom =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> roots_below base digits top bottom)
+    (fun k ->
+    if Number.less_equal bottom top
+    then Number.mul base (power_below base k (Number.sub top bottom) bottom)
+    else roots_below base digits top bottom)
+    whole
+
+type exponent_certificate = { order : int; bound : q; of_radius : certificate }
+
+(** val below_power : scheme -> q -> int -> q -> bool **)
+
+let below_power a l order0 u =
+  let bottom = l.qden in
+  let top = Number.sub (Number.mul (Number.of_natural order0) bottom) l.qnum
+  in
+  (&&)
+    ((&&) (Number.less Number.zero l.qnum)
+      (Number.less_equal Number.zero top))
+    (Number.less_equal (Number.mul u.qnum unity)
+      (Number.mul (power_below (Number.of_natural a.arity) order0 top bottom)
+        u.qden))
+
+(** val divides : scheme -> int -> bool **)
+
+let divides a order0 =
+  (&&)
+    (same (iterate order0 (times_sigma a.arity) (quotient a order0))
+      a.coefficients)
+    (Nat.leb
+      (add (sub (length (quotient a order0)) (Stdlib.succ 0))
+        (mul order0 (sub a.arity (Stdlib.succ 0))))
+      (sub (length a.coefficients) (Stdlib.succ 0)))
+
+(** val reduces : scheme -> q -> int -> q -> bool **)
+
+let reduces a l order0 u =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a.arity)
+          (Number.less Number.zero a.common)) (divides a order0))
+      (Number.equal
+        (fold_right Number.add Number.zero (difference_symbol a order0))
+        (Number.mul (Number.of_natural a.arity) a.common)))
+    (below_power a l order0 u)
+
+(** val check_exponent_lower : scheme -> q -> exponent_certificate -> bool **)
+
+let check_exponent_lower a l cert =
+  (&&) (reduces a l cert.order cert.bound)
+    (check_radius { matrices_of = (difference_family a cert.order); lower =
+      None; upper = (Some cert.bound) } cert.of_radius)

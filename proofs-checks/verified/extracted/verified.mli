@@ -18,6 +18,8 @@ val compOpp : comparison -> comparison
 
 val add : int -> int -> int
 
+val mul : int -> int -> int
+
 val sub : int -> int -> int
 
 module Nat :
@@ -27,6 +29,12 @@ module Nat :
   val leb : int -> int -> bool
 
   val ltb : int -> int -> bool
+
+  val max : int -> int -> int
+
+  val divmod : int -> int -> int -> int -> int*int
+
+  val div : int -> int -> int
  end
 
 module Pos :
@@ -297,3 +305,45 @@ type certificate = { new_basis : basis option; sections : (int*section) list;
 val check_bounds : family -> claim -> certificate -> bool
 
 val check_radius : claim -> certificate -> bool
+
+type scheme = { arity : int; first : Number.t; coefficients : Number.t list;
+                common : Number.t }
+
+val times_sigma : int -> Number.t list -> Number.t list
+
+val quotients : int -> Number.t list -> Number.t list -> Number.t list
+
+val over_sigma : int -> Number.t list -> Number.t list
+
+val iterate :
+  int -> (Number.t list -> Number.t list) -> Number.t list -> Number.t list
+
+val same : Number.t list -> Number.t list -> bool
+
+val transition : int -> int -> Number.t list -> zmat list
+
+val matrix_size : int -> Number.t list -> int
+
+val quotient : scheme -> int -> Number.t list
+
+val difference_symbol : scheme -> int -> Number.t list
+
+val difference_family : scheme -> int -> family
+
+val unity : Number.t
+
+val digits : int
+
+val roots_below : Number.t -> int -> Number.t -> Number.t -> Number.t
+
+val power_below : Number.t -> int -> Number.t -> Number.t -> Number.t
+
+type exponent_certificate = { order : int; bound : q; of_radius : certificate }
+
+val below_power : scheme -> q -> int -> q -> bool
+
+val divides : scheme -> int -> bool
+
+val reduces : scheme -> q -> int -> q -> bool
+
+val check_exponent_lower : scheme -> q -> exponent_certificate -> bool

@@ -180,14 +180,14 @@ Theorem refined_bounded F g : 0 < g -> growth W A scheme_matrix g ->
 Proof. intros Hg H. destruct (coefficients_bounded g Hg H) as [C HC]. exists C. intros. rewrite refined_power. auto. Qed.
 
 (* Theorem 2 of SPEC.md *)
-Theorem radius_exponent F G M l : (N + M * (A - 1) <= L)%nat -> total F L (fun i => b (i - F)%Z) = INR A -> 0 < l <= INR M ->
-  radius_at_most W A scheme_matrix G -> G <= Rpower (INR A) (INR M - l) ->
+Theorem radius_exponent lambda F G M l : exp lambda = INR A -> (N + M * (A - 1) <= L)%nat -> total F L (fun i => b (i - F)%Z) = INR A -> 0 < l <= INR M ->
+  radius_at_most W A scheme_matrix G -> G <= exp ((INR M - l) * lambda) ->
   exists phi, is_limit A F L (smoothed A M (fun i => b (i - F)%Z)) phi /\ exponent_at_least phi l.
 Proof.
-  intros HL Ht Hl HG HGl. apply (smoothed_exponent A F L Arity N); auto.
+  intros Hlog HL Ht Hl HG HGl. apply (smoothed_exponent A F L Arity lambda Hlog N); auto.
   - intros i Hi. apply Support. lia.
   - intros x Hx. apply refined_bounded. apply exp_pos. apply HG; [|apply exp_pos].
-    eapply Rle_lt_trans. apply HGl. apply power_less; auto. lra.
+    eapply Rle_lt_trans. apply HGl. apply (power_less A Arity lambda Hlog). lra.
 Qed.
 End Steps.
 End Scheme.

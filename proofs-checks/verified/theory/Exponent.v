@@ -8,20 +8,20 @@ Open Scope Z_scope.
 
 (* ---- claims: what is proved of a mask ---------------------------------------------------------------------------- *)
 
-(* The coefficients first, first + 1, ... are those of the list, over a common denominator; others are 0. *)
-Record mask := Mask { arity : nat; first : Z; coefficients : list Z; over : Z }.
-Definition coefficient (l : list Z) (over first : Z) : Z -> R := fun i =>
-  if i <? first then 0%R else (IZR (nth (Z.to_nat (i - first)) l 0%Z) / IZR over)%R.
+(* The coefficients first, first + 1, ... are those of the list, common a common denominator; others are 0. *)
+Record scheme := Scheme { arity : nat; first : Z; coefficients : list Z; common : Z }.
+Definition coefficient (l : list Z) (common first : Z) : Z -> R := fun i =>
+  if i <? first then 0%R else (IZR (nth (Z.to_nat (i - first)) l 0%Z) / IZR common)%R.
 
-Definition limit_of (a : mask) (phi : R -> R) : Prop :=
-  is_limit (arity a) (first a) (length (coefficients a) - 1) (coefficient (coefficients a) (over a) (first a)) phi.
+Definition limit_of (a : scheme) (phi : R -> R) : Prop :=
+  is_limit (arity a) (first a) (length (coefficients a) - 1) (coefficient (coefficients a) (common a) (first a)) phi.
 
 (* The scheme converges, and the Hoelder exponent of its limit is at least l. *)
-Definition exponent_holds (a : mask) (l : Q) : Prop := exists phi, limit_of a phi /\ exponent_at_least phi (real_of l).
+Definition exponent_holds (a : scheme) (l : Q) : Prop := exists phi, limit_of a phi /\ exponent_at_least phi (real_of l).
 
 (* ---- symbols ----------------------------------------------------------------------------------------------------- *)
 
-(* The product with 1 + z + ... + z^(arity - 1), and the quotient if there is one *)
+(* The product with 1 + z + ... + z^(arity - 1), and the quotient if there is unity *)
 Fixpoint times_sigma (arity : nat) (l : list Z) : list Z :=
   match arity with O => [] | S k => addmul 1 l (0 :: times_sigma k l) end.
 Fixpoint quotients (degree : nat) (recent l : list Z) : list Z :=
@@ -45,87 +45,98 @@ Definition transition (arity size : nat) (b : list Z) : list zmat :=
 Definition matrix_size (arity : nat) (b : list Z) : nat := Nat.max 1 ((length b - 1 + (arity - 2)) / (arity - 1)).
 
 (* arity^order times the mask without its factor (1 + z + ... + z^(arity - 1))^order, and its difference matrices *)
-Definition quotient (a : mask) (order : nat) : list Z := iterate order (over_sigma (arity a)) (coefficients a).
-Definition difference_symbol (a : mask) (order : nat) : list Z :=
+Definition quotient (a : scheme) (order : nat) : list Z := iterate order (over_sigma (arity a)) (coefficients a).
+Definition difference_symbol (a : scheme) (order : nat) : list Z :=
   map (Z.mul (Z.of_nat (arity a) ^ Z.of_nat order)) (quotient a order).
-Definition difference_family (a : mask) (order : nat) : family :=
+Definition difference_family (a : scheme) (order : nat) : family :=
   let b := difference_symbol a order in let size := matrix_size (arity a) b in
-  Family size (over a) (transition (arity a) size b).
+  Family size (common a) (transition (arity a) size b).
 
 (* ---- powers ------------------------------------------------------------------------------------------------------ *)
 
-Definition one : Z := 2 ^ 320.
+Definition unity : Z := 2 ^ 320.
 
-(* At most one * base^(top/bottom): so many binary digits of the exponent, square roots rounded down *)
-Fixpoint roots_below (base : Z) (digits : nat) (top bottom : Z) : Z :=
-  match digits with
-  | O => one
-  | S k => Z.sqrt (one * (if bottom <=? 2 * top then base * roots_below base k (2 * top - bottom) bottom
-                          else roots_below base k (2 * top) bottom))
+(* At most unity * base^(top/bottom): so many binary digits of the exponent, square roots rounded down *)
+Definition digits : nat := 8 * 16.
+Fixpoint roots_below (base : Z) (k : nat) (top bottom : Z) : Z :=
+  match k with
+  | O => unity
+  | S k' => Z.sqrt (unity * (if bottom <=? 2 * top then base * roots_below base k' (2 * top - bottom) bottom
+                             else roots_below base k' (2 * top) bottom))
   end.
 Fixpoint power_below (base : Z) (whole : nat) (top bottom : Z) : Z :=
   match whole with
-  | O => roots_below base 128 top bottom
-  | S k => if bottom <=? top then base * power_below base k (top - bottom) bottom else roots_below base 128 top bottom
+  | O => roots_below base digits top bottom
+  | S k => if bottom <=? top then base * power_below base k (top - bottom) bottom else roots_below base digits top bottom
   end.
 
-Lemma one_positive : (0 < IZR one)%R.
+Lemma unity_positive : (0 < IZR unity)%R.
 Proof. apply IZR_lt. reflexivity. Qed.
 
-Lemma roots_below_sound base digits : 2 <= base -> forall top bottom, 0 <= top -> 0 < bottom ->
-  0 <= roots_below base digits top bottom /\
-  (IZR (roots_below base digits top bottom) <= IZR one * Rpower (IZR base) (IZR top / IZR bottom))%R.
+Section Powers.
+Variables (base : Z) (lambda : R).
+Hypothesis Base : 2 <= base.
+Hypothesis Log : exp lambda = IZR base.
+
+Lemma base_log_positive : (0 < lambda)%R.
 Proof.
-  intros Hb. assert (B2 : (2 <= IZR base)%R) by (apply IZR_le; auto). assert (P1 := one_positive).
-  induction digits; intros top bottom Ht Hd; cbn [roots_below].
-  - split. { unfold one. lia. }
-    assert (H : (1 <= Rpower (IZR base) (IZR top / IZR bottom))%R).
-    { rewrite <- (Rpower_O (IZR base)) at 1 by lra. apply Rle_Rpower. lra.
-      apply IZR_le in Ht. apply IZR_lt in Hd. apply Rmult_le_pos; auto. left. apply Rinv_0_lt_compat; auto. }
-    generalize (Rmult_le_compat_l (IZR one) _ _ (Rlt_le _ _ P1) H). lra.
-  - set (v := if bottom <=? 2 * top then base * roots_below base digits (2 * top - bottom) bottom
-              else roots_below base digits (2 * top) bottom).
-    assert (V : 0 <= v /\ (IZR v <= IZR one * Rpower (IZR base) (2 * (IZR top / IZR bottom)))%R).
-    { assert (Hd' := Hd). apply IZR_lt in Hd'. unfold v. destruct (Z.leb_spec bottom (2 * top)) as [H|H].
-      - destruct (IHdigits (2 * top - bottom) bottom ltac:(lia) Hd) as [V1 V2]. split. nia.
-        rewrite mult_IZR. apply Rmult_le_compat_l with (r := IZR base) in V2; [|lra]. eapply Rle_trans. apply V2. right.
-        replace (2 * (IZR top / IZR bottom))%R with (1 + (IZR (2 * top - bottom) / IZR bottom))%R
-          by (rewrite minus_IZR, mult_IZR; field; lra).
-        rewrite Rpower_plus, Rpower_1 by lra. ring.
-      - destruct (IHdigits (2 * top) bottom ltac:(lia) Hd) as [V1 V2]. split; auto. eapply Rle_trans. apply V2. right. f_equal. f_equal.
-        rewrite mult_IZR. field. lra. }
-    destruct V as [V1 V2]. split. apply Z.sqrt_nonneg.
-    destruct (Z.sqrt_spec (one * v) ltac:(unfold one; nia)) as [S _]. set (r := Z.sqrt (one * v)) in *.
-    assert (R0 : 0 <= r) by apply Z.sqrt_nonneg. apply IZR_le in S, R0. rewrite !mult_IZR in S.
-    set (p := Rpower (IZR base) (IZR top / IZR bottom)) in *. assert (Pp : (0 < p)%R) by apply exp_pos.
-    assert (E : Rpower (IZR base) (2 * (IZR top / IZR bottom)) = (p * p)%R).
-    { unfold p. rewrite <- Rpower_plus. f_equal. ring. }
-    rewrite E in V2. apply Rsqr_incr_0_var; [|apply Rmult_le_pos; lra]. unfold Rsqr.
-    eapply Rle_trans. apply S. apply Rmult_le_compat_l with (r := IZR one) in V2; [|lra]. lra.
+  apply Rnot_le_lt. intros H. apply exp_at_most in H. rewrite exp_0, Log in H. apply IZR_le in Base. lra.
 Qed.
 
-Lemma power_below_sound base whole : 2 <= base -> forall top bottom, 0 <= top -> 0 < bottom ->
-  (IZR (power_below base whole top bottom) <= IZR one * Rpower (IZR base) (IZR top / IZR bottom))%R.
+Lemma roots_below_sound k : forall top bottom, 0 <= top -> 0 < bottom ->
+  0 <= roots_below base k top bottom /\
+  (IZR (roots_below base k top bottom) <= IZR unity * exp (IZR top / IZR bottom * lambda))%R.
 Proof.
-  intros Hb. assert (B2 : (2 <= IZR base)%R) by (apply IZR_le; auto).
+  assert (L := base_log_positive). assert (P1 := unity_positive).
+  induction k; intros top bottom Ht Hd; cbn [roots_below].
+  - split. { unfold unity. lia. }
+    assert (H : (1 <= exp (IZR top / IZR bottom * lambda))%R).
+    { rewrite <- exp_0. apply exp_at_most. apply IZR_le in Ht. apply IZR_lt in Hd.
+      apply Rmult_le_pos; [|lra]. apply Rmult_le_pos; auto. left. apply Rinv_0_lt_compat; auto. }
+    generalize (Rmult_le_compat_l (IZR unity) _ _ (Rlt_le _ _ P1) H). lra.
+  - set (v := if bottom <=? 2 * top then base * roots_below base k (2 * top - bottom) bottom
+              else roots_below base k (2 * top) bottom).
+    assert (V : 0 <= v /\ (IZR v <= IZR unity * exp (2 * (IZR top / IZR bottom) * lambda))%R).
+    { assert (Hd' := Hd). apply IZR_lt in Hd'. unfold v. destruct (Z.leb_spec bottom (2 * top)) as [H|H].
+      - destruct (IHk (2 * top - bottom) bottom ltac:(lia) Hd) as [V1 V2]. split. nia.
+        rewrite mult_IZR. apply Rmult_le_compat_l with (r := IZR base) in V2; [|apply IZR_le; lia]. eapply Rle_trans. apply V2. right.
+        replace (2 * (IZR top / IZR bottom) * lambda)%R with (lambda + (IZR (2 * top - bottom) / IZR bottom * lambda))%R
+          by (rewrite minus_IZR, mult_IZR; field; lra).
+        rewrite exp_plus, Log. ring.
+      - destruct (IHk (2 * top) bottom ltac:(lia) Hd) as [V1 V2]. split; auto. eapply Rle_trans. apply V2. right. f_equal. f_equal.
+        rewrite mult_IZR. field. lra. }
+    destruct V as [V1 V2]. split. apply Z.sqrt_nonneg.
+    destruct (Z.sqrt_spec (unity * v) ltac:(unfold unity; nia)) as [S _]. set (r := Z.sqrt (unity * v)) in *.
+    assert (R0 : 0 <= r) by apply Z.sqrt_nonneg. apply IZR_le in S, R0. rewrite !mult_IZR in S.
+    set (p := exp (IZR top / IZR bottom * lambda)) in *. assert (Pp : (0 < p)%R) by apply exp_pos.
+    assert (E : exp (2 * (IZR top / IZR bottom) * lambda) = (p * p)%R).
+    { unfold p. rewrite <- exp_plus. f_equal. ring. }
+    rewrite E in V2. apply Rsqr_incr_0_var; [|apply Rmult_le_pos; lra]. unfold Rsqr.
+    eapply Rle_trans. apply S. apply Rmult_le_compat_l with (r := IZR unity) in V2; [|lra]. lra.
+Qed.
+
+Lemma power_below_sound whole : forall top bottom, 0 <= top -> 0 < bottom ->
+  (IZR (power_below base whole top bottom) <= IZR unity * exp (IZR top / IZR bottom * lambda))%R.
+Proof.
   induction whole; intros top bottom Ht Hd; cbn [power_below]. apply roots_below_sound; auto.
   destruct (Z.leb_spec bottom top); [|apply roots_below_sound; auto].
   rewrite mult_IZR. specialize (IHwhole (top - bottom) bottom ltac:(lia) Hd). apply IZR_lt in Hd.
-  apply Rmult_le_compat_l with (r := IZR base) in IHwhole; [|lra]. eapply Rle_trans. apply IHwhole. right.
-  replace (IZR top / IZR bottom)%R with (1 + (IZR (top - bottom) / IZR bottom))%R by (rewrite minus_IZR; field; lra).
-  rewrite Rpower_plus, Rpower_1 by lra. ring.
+  apply Rmult_le_compat_l with (r := IZR base) in IHwhole; [|apply IZR_le; lia]. eapply Rle_trans. apply IHwhole. right.
+  replace (IZR top / IZR bottom * lambda)%R with (lambda + (IZR (top - bottom) / IZR bottom * lambda))%R by (rewrite minus_IZR; field; lra).
+  rewrite exp_plus, Log. ring.
 Qed.
+End Powers.
 
 (* ---- the checker ------------------------------------------------------------------------------------------------- *)
 
 (* The order of the factor, a bound of the radius, and why it holds. *)
 Record exponent_certificate := Exponent { order : nat; bound : Q; of_radius : certificate }.
 
-Definition below_power (a : mask) (l : Q) (order : nat) (u : Q) : bool :=
+Definition below_power (a : scheme) (l : Q) (order : nat) (u : Q) : bool :=
   let bottom := Zpos (Qden l) in let top := Z.of_nat order * bottom - Qnum l in
-  (0 <? Qnum l) && (0 <=? top) && (Qnum u * one <=? power_below (Z.of_nat (arity a)) order top bottom * Zpos (Qden u)).
+  (0 <? Qnum l) && (0 <=? top) && (Qnum u * unity <=? power_below (Z.of_nat (arity a)) order top bottom * Zpos (Qden u)).
 
-Definition divides (a : mask) (order : nat) : bool :=
+Definition divides (a : scheme) (order : nat) : bool :=
   same (iterate order (times_sigma (arity a)) (quotient a order)) (coefficients a) &&
   (length (quotient a order) - 1 + order * (arity a - 1) <=? length (coefficients a) - 1)%nat.
 
@@ -216,17 +227,17 @@ Proof.
   - unfold Rdiv. lra.
 Qed.
 
-(* A bound of the radius holds for the one radius that there is. *)
+(* A bound of the radius holds for the unity radius that there is. *)
 Lemma radius_bounded F u : claim_holds (Claim F None (Some u)) -> radius_at_most (size F) (count F) (real F) (real_of u).
 Proof.
   intros H r Hr H0. destruct (radius_exists (size F) (count F) (real F)) as [x Hx].
   destruct (H x Hx) as [_ U]. specialize (U u eq_refl). destruct Hx as [_ [G _]]. apply G. lra.
 Qed.
 
-Lemma below_power_sound a l m u : (2 <= arity a)%nat -> below_power a l m u = true ->
-  (0 < real_of l <= INR m)%R /\ (real_of u <= Rpower (INR (arity a)) (INR m - real_of l))%R.
+Lemma below_power_sound lambda a l m u : exp lambda = INR (arity a) -> (2 <= arity a)%nat -> below_power a l m u = true ->
+  (0 < real_of l <= INR m)%R /\ (real_of u <= exp ((INR m - real_of l) * lambda))%R.
 Proof.
-  intros HA H. unfold below_power in H. cbv zeta in H. apply andb_prop in H. destruct H as [H H3]. apply andb_prop in H. destruct H as [H1 H2].
+  intros Hlog HA H. unfold below_power in H. cbv zeta in H. apply andb_prop in H. destruct H as [H H3]. apply andb_prop in H. destruct H as [H1 H2].
   apply Z.ltb_lt in H1. apply Z.leb_le in H2, H3. set (top := Z.of_nat m * Zpos (Qden l) - Qnum l) in *.
   assert (D : (0 < IZR (Zpos (Qden l)))%R) by (apply IZR_lt; lia). assert (D' : (0 < IZR (Zpos (Qden u)))%R) by (apply IZR_lt; lia).
   assert (E : (INR m - real_of l)%R = (IZR top / IZR (Zpos (Qden l)))%R).
@@ -235,18 +246,19 @@ Proof.
   - assert (0 <= IZR top / IZR (Zpos (Qden l)))%R.
     { apply IZR_le in H2. apply Rmult_le_pos; auto. left. apply Rinv_0_lt_compat; auto. }
     split; [|lra]. unfold real_of. apply IZR_lt in H1. apply Rdiv_lt_0_compat; auto.
-  - rewrite E. assert (P := power_below_sound (Z.of_nat (arity a)) m ltac:(lia) top (Zpos (Qden l)) H2 ltac:(lia)).
-    set (x := power_below (Z.of_nat (arity a)) m top (Zpos (Qden l))) in *. rewrite <- INR_IZR_INZ in P.
-    apply IZR_le in H3. rewrite !mult_IZR in H3. assert (P1 := one_positive).
-    unfold real_of. apply (Rmult_le_reg_r (IZR one * IZR (Zpos (Qden u)))). apply Rmult_lt_0_compat; auto.
-    replace (IZR (Qnum u) / IZR (Zpos (Qden u)) * (IZR one * IZR (Zpos (Qden u))))%R with (IZR (Qnum u) * IZR one)%R by (field; lra).
+  - rewrite E. rewrite INR_IZR_INZ in Hlog.
+    assert (P := power_below_sound (Z.of_nat (arity a)) lambda ltac:(lia) Hlog m top (Zpos (Qden l)) H2 ltac:(lia)).
+    set (x := power_below (Z.of_nat (arity a)) m top (Zpos (Qden l))) in *.
+    apply IZR_le in H3. rewrite !mult_IZR in H3. assert (P1 := unity_positive).
+    unfold real_of. apply (Rmult_le_reg_r (IZR unity * IZR (Zpos (Qden u)))). apply Rmult_lt_0_compat; auto.
+    replace (IZR (Qnum u) / IZR (Zpos (Qden u)) * (IZR unity * IZR (Zpos (Qden u))))%R with (IZR (Qnum u) * IZR unity)%R by (field; lra).
     eapply Rle_trans. apply H3. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; lra.
 Qed.
 
 (* All but the radius *)
-Definition reduces (a : mask) (l : Q) (order : nat) (u : Q) : bool :=
-  (2 <=? arity a)%nat && (0 <? over a) && divides a order &&
-  (fold_right Z.add 0 (difference_symbol a order) =? Z.of_nat (arity a) * over a) && below_power a l order u.
+Definition reduces (a : scheme) (l : Q) (order : nat) (u : Q) : bool :=
+  (2 <=? arity a)%nat && (0 <? common a) && divides a order &&
+  (fold_right Z.add 0 (difference_symbol a order) =? Z.of_nat (arity a) * common a) && below_power a l order u.
 
 Theorem exponent_of_radius a l m u : reduces a l m u = true -> let T := difference_family a m in
   radius_at_most (size T) (count T) (real T) (real_of u) -> exponent_holds a l.
@@ -255,30 +267,31 @@ Proof.
   destruct H as [[[[HA HO] HD] HT] HU]. set (A := arity a) in *.
   apply Nat.leb_le in HA. apply Z.ltb_lt, IZR_lt in HO. apply Z.eqb_eq in HT.
   unfold divides in HD. apply andb_prop in HD. destruct HD as [HD HL]. apply same_spec in HD. apply Nat.leb_le in HL. fold A in HD, HL.
-  apply below_power_sound in HU; auto. destruct HU as [Hl HU]. fold A in HU.
+  destruct (exp_onto (INR A) (arity_positive A HA)) as [lambda Hlog].
+  apply (below_power_sound lambda) in HU; auto. destruct HU as [Hl HU].
   set (b := difference_symbol a m) in *. set (q := quotient a m) in *. set (F := first a).
   set (L := (length (coefficients a) - 1)%nat) in *.
   assert (Hlen : length b = length q) by apply map_length. rewrite <- Hlen in HL.
   destruct (matrix_size_fits A b HA) as [W1 W2]. set (W := matrix_size A b) in *.
   assert (PA := arity_positive A HA).
   (* the mask is the smoothed symbol *)
-  assert (S : forall i, coefficient (coefficients a) (over a) F i = smoothed A m (fun i => coefficient b (over a) 0 (i - F)) i).
+  assert (S : forall i, coefficient (coefficients a) (common a) F i = smoothed A m (fun i => coefficient b (common a) 0 (i - F)) i).
   { intros i. rewrite <- HD, coefficient_iterate by auto. fold A.
     rewrite <- smoothed_scal. f_equal. extensionality k. rewrite <- coefficient_shift. unfold b, difference_symbol. fold A q.
     rewrite coefficient_map, <- (arity_power A HA). reflexivity. }
-  destruct (radius_exponent A (length b - 1) W (coefficient b (over a) 0) HA (fun i => coefficient_support b (over a) i) W1 W2 L
-    ltac:(lia) F (real_of u) m (real_of l)) as [phi [Lim Ex]]; auto.
-  - replace (fun i => coefficient b (over a) 0 (i - F)) with (coefficient b (over a) F) by (extensionality i; apply coefficient_shift).
+  destruct (radius_exponent A (length b - 1) W (coefficient b (common a) 0) HA (fun i => coefficient_support b (common a) i) W1 W2 L
+    ltac:(lia) lambda F (real_of u) m (real_of l) Hlog) as [phi [Lim Ex]]; auto.
+  - replace (fun i => coefficient b (common a) 0 (i - F)) with (coefficient b (common a) F) by (extensionality i; apply coefficient_shift).
     rewrite coefficient_total by lia. rewrite HT, mult_IZR, <- INR_IZR_INZ. field. lra.
   - intros r Hr H0. specialize (HR r Hr H0). unfold T, difference_family in HR. cbv zeta in HR. fold A b W in HR.
-    assert (EC : count (Family W (over a) (transition A W b)) = A)
+    assert (EC : count (Family W (common a) (transition A W b)) = A)
       by (unfold count, transition; cbn [matrices]; rewrite map_length, seq_length; auto).
     rewrite EC in HR. eapply growth_ext; [|apply HR]. intros. apply transition_entry; auto.
-  - exists phi. split; auto. unfold limit_of. fold A F L. replace (coefficient (coefficients a) (over a) F) with
-      (smoothed A m (fun i => coefficient b (over a) 0 (i - F))); auto. extensionality i. symmetry. apply S.
+  - exists phi. split; auto. unfold limit_of. fold A F L. replace (coefficient (coefficients a) (common a) F) with
+      (smoothed A m (fun i => coefficient b (common a) 0 (i - F))); auto. extensionality i. symmetry. apply S.
 Qed.
 
-Definition check_exponent_lower (a : mask) (l : Q) (cert : exponent_certificate) : bool :=
+Definition check_exponent_lower (a : scheme) (l : Q) (cert : exponent_certificate) : bool :=
   reduces a l (order cert) (bound cert) &&
   check_radius (Claim (difference_family a (order cert)) None (Some (bound cert))) (of_radius cert).
 
@@ -289,7 +302,7 @@ Proof.
   apply radius_bounded, (check_radius_sound _ _ H2).
 Qed.
 
-(* There is one limit, and its exponent as a number, if it is one, is at least l. *)
+(* There is unity limit, and its exponent as a number, if it is unity, is at least l. *)
 Corollary exponent_of_limit a l : (2 <= arity a)%nat -> exponent_holds a l ->
   forall phi s, limit_of a phi -> is_lub (exponents phi) s -> (real_of l <= s)%R.
 Proof.

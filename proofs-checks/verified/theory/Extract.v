@@ -30,6 +30,6 @@ Extract Inlined Constant Z.of_nat => "Number.of_natural".
 Extract Inlined Constant Pos.succ => "Number.successor".
 Extract Inductive nat => "int" ["0" "Stdlib.succ"] "(fun zero next n -> if n = 0 then zero () else next (n - 1))".
 
-Extraction "verified.ml" check_exponent_lower below_power power_below one quotient difference_symbol difference_family divides
-  check_radius check_upper check_lower in_basis basis_valid first_block other_blocks transpose
-  check_section value_entry derivative_entry product_columns zrun addmul well_formed.
+Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_valid first_block other_blocks transpose
+  check_section value_entry derivative_entry product_columns zrun addmul well_formed check_exponent_lower reduces
+  power_below unity difference_family divides.

@@ -1,16 +1,16 @@
 (* The joint spectral radius of the difference matrices of primal:n=5, the primal least squares scheme of ten points and
    degree 1, and the Hoelder exponent of its limit, in the kernel of Coq alone: no extraction, no OCaml, no parser. *)
 Require Import Reals List ZArith QArith Lra Lia.
-From Subcert Require Import Radius Integers Sections Check Subdivision Coefficients Exponent S5.
+From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Exponent S5.
 Import ListNotations.
 Open Scope Z_scope.
 
-Definition S5_mask : mask := Mask 2 (-9) [9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9] 90.
+Definition S5_scheme : scheme := Scheme 2 (-9) [9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9] 90.
 
 (* 4 times the mask without the factor (1 + z)^2, over 45 *)
 Definition S5_symbol : list Z := [18; (-16); 32; (-28); 42; (-36); 48; (-40); 50; (-40); 48; (-36); 42; (-28); 32; (-16); 18].
 
-Lemma S5_symbol_right : divides S5_mask 2 = true /\ difference_symbol S5_mask 2 = map (Z.mul 2) S5_symbol.
+Lemma S5_symbol_right : divides S5_scheme 2 = true /\ difference_symbol S5_scheme 2 = map (Z.mul 2) S5_symbol.
 Proof. vm_compute. auto. Qed.
 
 Lemma S5_family : matrices_of S5_claim = Family 16 45 (transition 2 16 S5_symbol).
@@ -24,15 +24,15 @@ Proof.
 Qed.
 
 (* The scheme converges, and the exponent of its limit is at least 1.990143959386255. *)
-Theorem S5_exponent : exists phi, limit_of S5_mask phi /\ exponent_at_least phi (1990143959386255 / 1000000000000000)%R.
+Theorem S5_exponent : exists phi, limit_of S5_scheme phi /\ exponent_at_least phi (1990143959386255 / 1000000000000000)%R.
 Proof.
-  apply (exponent_of_radius S5_mask (1990143959386255 # 1000000000000000) 2 (10068550759671506 # 10000000000000000)).
+  apply (exponent_of_radius S5_scheme (1990143959386255 # 1000000000000000) 2 (10068550759671506 # 10000000000000000)).
   - vm_compute. reflexivity.
   - assert (H : radius_at_most 16 2 (real (Family 16 45 (transition 2 16 S5_symbol))) (real_of (10068550759671506 # 10000000000000000))).
-    { intros r Hr H0. destruct (Existence.radius_exists 16 2 (real (Family 16 45 (transition 2 16 S5_symbol)))) as [x Hx].
+    { intros r Hr H0. destruct (radius_exists 16 2 (real (Family 16 45 (transition 2 16 S5_symbol)))) as [x Hx].
       apply Hx. apply S5_radius in Hx. unfold real_of in Hr. simpl in Hr. lra. }
     intros r Hr H0. specialize (H r Hr H0). eapply growth_ext; [|apply H]. intros t i j Ht Hi Hj.
-    unfold difference_family. cbv zeta. change (matrix_size (arity S5_mask) (difference_symbol S5_mask 2)) with 16%nat.
-    rewrite !transition_entry by auto. destruct S5_symbol_right as [_ E]. cbn [arity over S5_mask].
+    unfold difference_family. cbv zeta. change (matrix_size (arity S5_scheme) (difference_symbol S5_scheme 2)) with 16%nat.
+    rewrite !transition_entry by auto. destruct S5_symbol_right as [_ E]. cbn [arity common S5_scheme].
     unfold scheme_matrix. rewrite E, coefficient_map. unfold coefficient. destruct (_ <? 0); lra.
 Qed.

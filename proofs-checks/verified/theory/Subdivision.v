@@ -25,10 +25,12 @@ Definition is_limit (A : nat) (first : Z) (length : nat) (a : Z -> R) (phi : R -
   continuity phi /\ forall eps, 0 < eps -> exists n0, forall n, (n0 <= n)%nat -> forall i,
   Rabs (refined A first length a n i - phi (IZR i / INR A ^ n)) <= eps.
 
-(* f has k derivatives, and the last one is Hoelder continuous with the exponent alpha > 0, hence continuous. *)
+(* f has k derivatives, and the last one is Hoelder continuous with the exponent alpha > 0, hence continuous: over a
+   distance d it changes by at most C d^alpha. Each d > 0 is exp t for some t (exp_onto below), and d^alpha is exp (alpha t).
+   (The logarithm of Coq's library, and its real powers with it, need one axiom more.) *)
 Fixpoint holder (k : nat) (alpha : R) (f : R -> R) : Prop :=
   match k with
-  | O => exists C, forall x y, x < y -> Rabs (f y - f x) <= C * Rpower (y - x) alpha
+  | O => exists C, forall x t, Rabs (f (x + exp t) - f x) <= C * exp (alpha * t)
   | S m => exists f', (forall x, derivable_pt_lim f x (f' x)) /\ holder m alpha f'
   end.
 
@@ -37,6 +39,53 @@ Definition exponents (f : R -> R) (s : R) : Prop :=
   exists k alpha, 0 < alpha <= 1 /\ s = INR k + alpha /\ holder k alpha f.
 Definition exponent_at_least (f : R -> R) (l : R) : Prop :=
   forall x, x < l -> exists s, exponents f s /\ x < s.
+
+(* ---- the exponential function -------------------------------------------------------------------------------------- *)
+
+Lemma exp_at_least x : 0 <= x -> 1 + x <= exp x.
+Proof.
+  intros Hx. unfold exp. destruct (exist_exp x) as [l H]. simpl. unfold exp_in, infinite_sum in H.
+  apply Rnot_lt_le. intros N. destruct (H (1 + x - l) ltac:(lra)) as [n0 Hn]. specialize (Hn (S n0) ltac:(lia)).
+  unfold R_dist in Hn. apply Rabs_def2 in Hn. destruct Hn as [Hn _].
+  assert (P : forall n, 1 + x <= sum_f_R0 (fun i => / INR (fact i) * x ^ i) (S n)).
+  { induction n. simpl. lra. eapply Rle_trans. apply IHn. rewrite (tech5 _ (S n)).
+    assert (0 <= / INR (fact (S (S n))) * x ^ S (S n)); [|lra].
+    apply Rmult_le_pos. left. apply Rinv_0_lt_compat, INR_fact_lt_0. apply pow_le; auto. }
+  specialize (P n0). lra.
+Qed.
+
+Lemma exp_less x y : x < y -> exp x < exp y.
+Proof.
+  intros H. replace y with (x + (y - x)) by lra. rewrite exp_plus. assert (P := exp_pos x).
+  assert (Q := exp_at_least (y - x) ltac:(lra)). rewrite <- (Rmult_1_r (exp x)) at 1. apply Rmult_lt_compat_l; auto. lra.
+Qed.
+
+Lemma exp_at_most x y : x <= y -> exp x <= exp y.
+Proof. intros [H | ->]. left. apply exp_less; auto. lra. Qed.
+
+Lemma exp_reflects x y : exp x <= exp y -> x <= y.
+Proof. intros H. apply Rnot_lt_le. intros N. apply exp_less in N. lra. Qed.
+
+Lemma exp_power x n : exp x ^ n = exp (INR n * x).
+Proof.
+  induction n. simpl. rewrite Rmult_0_l, exp_0. auto. rewrite <- tech_pow_Rmult, IHn, <- exp_plus, S_INR. f_equal. ring.
+Qed.
+
+Lemma exp_onto_above d : 1 <= d -> exists t, exp t = d.
+Proof.
+  intros H. destruct (IVT_cor (fun t => exp t - d) 0 d) as [t [_ Ht]].
+  - apply continuity_minus. apply derivable_continuous, derivable_exp. apply derivable_continuous, derivable_const.
+  - lra.
+  - rewrite exp_0. assert (P := exp_at_least d ltac:(lra)). assert (0 <= (d - 1) * (exp d - d)) by (apply Rmult_le_pos; lra). lra.
+  - exists t. lra.
+Qed.
+
+Lemma exp_onto d : 0 < d -> exists t, exp t = d.
+Proof.
+  intros H. destruct (Rle_lt_dec 1 d) as [L|L]. apply exp_onto_above; auto.
+  destruct (exp_onto_above (/ d)) as [t Ht]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra.
+  exists (- t). rewrite exp_Ropp, Ht, Rinv_inv. auto.
+Qed.
 
 (* ---- sums over integers ---------------------------------------------------------------------------------------- *)
 
@@ -454,25 +503,24 @@ Proof.
   eapply Rle_trans. apply Rplus_le_compat_r. apply Rabs_triang. lra.
 Qed.
 
-Lemma limit_holder alpha : 0 < alpha -> theta = Rpower (INR A) (- alpha) -> holder 0 alpha limit.
+Lemma limit_holder lambda alpha : exp lambda = INR A -> 0 < alpha -> theta = exp (- alpha * lambda) -> holder 0 alpha limit.
 Proof.
-  intros Ha Ht. assert (K0 := constant_nonneg). assert (E0 := error_nonneg).
+  intros Hlog Ha Ht. assert (K0 := constant_nonneg). assert (E0 := error_nonneg).
   assert (B0 : 0 <= B) by (eapply Rle_trans; [apply Rabs_pos|apply (Start 0%Z)]).
-  assert (PA := arity_positive). assert (A2 : 2 <= INR A) by (apply (le_INR 2); auto).
+  assert (A2 : 2 <= INR A) by (apply (le_INR 2); auto).
   set (C1 := (2 * K + E) / theta). set (C2 := 2 * (B + 2 * K)). exists (C1 + C2).
   assert (C1p : 0 <= C1) by (unfold C1; apply Rmult_le_pos; [lra|left; apply Rinv_0_lt_compat; lra]).
   assert (C2p : 0 <= C2) by (unfold C2; lra).
-  intros x y Hxy. set (d := y - x). assert (Hd : 0 < d) by (unfold d; lra).
-  assert (PR : 0 < Rpower d alpha) by apply exp_pos.
+  intros x t. set (d := exp t). assert (Hd : 0 < d) by apply exp_pos.
+  assert (PR : 0 < exp (alpha * t)) by apply exp_pos.
   destruct (Rle_lt_dec 1 d) as [H1|H1].
-  - assert (1 <= Rpower d alpha).
-    { destruct H1 as [H1|H1]. left. rewrite <- (Rpower_O d) by lra. apply Rpower_lt; lra.
-      rewrite <- H1. unfold Rpower. rewrite ln_1, Rmult_0_r, exp_0. lra. }
+  - assert (Ht0 : 0 <= t) by (apply exp_reflects; rewrite exp_0; auto).
+    assert (1 <= exp (alpha * t)) by (rewrite <- exp_0; apply exp_at_most, Rmult_le_pos; lra).
     apply Rle_trans with C2.
     + unfold C2, Rminus. eapply Rle_trans. apply Rabs_triang. rewrite Rabs_Ropp.
-      generalize (limit_bounded x) (limit_bounded y). lra.
-    + assert (C2 * 1 <= C2 * Rpower d alpha) by (apply Rmult_le_compat_l; lra).
-      assert (0 <= C1 * Rpower d alpha) by (apply Rmult_le_pos; lra). lra.
+      generalize (limit_bounded x) (limit_bounded (x + d)). lra.
+    + assert (C2 * 1 <= C2 * exp (alpha * t)) by (apply Rmult_le_compat_l; lra).
+      assert (0 <= C1 * exp (alpha * t)) by (apply Rmult_le_pos; lra). lra.
   - (* the last n with d <= A^-n *)
     assert (N : exists n, INR A ^ n * d <= 1 < INR A ^ (S n) * d).
     { destruct (Pow_x_infinity (INR A) ltac:(rewrite Rabs_pos_eq; lra) (2 / d)) as [N HN].
@@ -482,17 +530,17 @@ Proof.
       clear HN. induction N. simpl in H; lra.
       destruct (Rle_lt_dec (INR A ^ N * d) 1). exists N; auto. auto. }
     destruct N as [n [N1 N2]].
-    apply Rle_trans with ((2 * K + E) * theta ^ n). apply limit_close; [lra|auto].
-    assert (T : theta ^ n <= Rpower d alpha / theta).
-    { apply (Rmult_le_reg_r theta). lra. replace (Rpower d alpha / theta * theta) with (Rpower d alpha) by (field; lra).
-      rewrite Rmult_comm, tech_pow_Rmult. rewrite <- Rpower_pow by lra. rewrite Ht, Rpower_mult.
-      replace (- alpha * INR (S n)) with (- (INR (S n)) * alpha) by ring. rewrite <- Rpower_mult.
-      apply Rle_Rpower_l. lra. split. apply exp_pos.
-      rewrite Rpower_Ropp, Rpower_pow by auto. assert (P := power_positive (S n)).
-      apply (Rmult_le_reg_l (INR A ^ S n)). auto. rewrite Rinv_r by lra. lra. }
-    apply Rle_trans with ((2 * K + E) * (Rpower d alpha / theta)). apply Rmult_le_compat_l; lra.
-    replace ((2 * K + E) * (Rpower d alpha / theta)) with (C1 * Rpower d alpha) by (unfold C1; field; lra).
-    assert (0 <= C2 * Rpower d alpha) by (apply Rmult_le_pos; lra). lra.
+    apply Rle_trans with ((2 * K + E) * theta ^ n).
+    { apply limit_close. lra. replace (x + d - x) with d by lra. auto. }
+    assert (T : theta ^ n <= exp (alpha * t) / theta).
+    { apply (Rmult_le_reg_r theta). lra. replace (exp (alpha * t) / theta * theta) with (exp (alpha * t)) by (field; lra).
+      rewrite Rmult_comm, tech_pow_Rmult, Ht, exp_power. apply exp_at_most.
+      rewrite <- Hlog, exp_power in N2. unfold d in N2. rewrite <- exp_plus in N2.
+      assert (0 <= INR (S n) * lambda + t) by (apply exp_reflects; rewrite exp_0; lra).
+      assert (0 <= alpha * (INR (S n) * lambda + t)) by (apply Rmult_le_pos; lra). lra. }
+    apply Rle_trans with ((2 * K + E) * (exp (alpha * t) / theta)). apply Rmult_le_compat_l; lra.
+    replace ((2 * K + E) * (exp (alpha * t) / theta)) with (C1 * exp (alpha * t)) by (unfold C1; field; lra).
+    assert (0 <= C2 * exp (alpha * t)) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
 Lemma limit_continuous : continuity limit.
@@ -643,9 +691,10 @@ End Derivative.
 Lemma holder_difference k : forall alpha f, holder k alpha f -> holder k alpha (fun x => f x - f (x - 1)).
 Proof.
   induction k; intros alpha f H.
-  - destruct H as [C H]. exists (2 * C). intros x y Hxy. assert (H1 := H x y Hxy). assert (H2 := H (x - 1) (y - 1) ltac:(lra)).
-    replace (y - 1 - (x - 1)) with (y - x) in H2 by lra.
-    replace (f y - f (y - 1) - (f x - f (x - 1))) with ((f y - f x) + - (f (y - 1) - f (x - 1))) by lra.
+  - destruct H as [C H]. exists (2 * C). intros x t. assert (H1 := H x t). assert (H2 := H (x - 1) t).
+    replace (x + exp t - 1) with (x - 1 + exp t) by lra.
+    replace (f (x + exp t) - f (x - 1 + exp t) - (f x - f (x - 1))) with
+      ((f (x + exp t) - f x) + - (f (x - 1 + exp t) - f (x - 1))) by lra.
     eapply Rle_trans. apply Rabs_triang. rewrite Rabs_Ropp. lra.
   - destruct H as [f' [D H]]. exists (fun x => f' x - f' (x - 1)). split; [|apply IHk; auto].
     intros x. apply (derivable_pt_lim_minus f (fun x => f (x - 1))). auto.
@@ -693,7 +742,7 @@ Qed.
 Lemma smooth_limit K c D r : supported K c -> (K + A - 1 <= L)%nat -> total c = INR A -> 0 < r < INR A ->
   (forall n i, Rabs (steps c n i) <= D * r ^ n) ->
   exists phi, tends (steps (smooth c)) phi /\ continuity phi /\ (exists P, forall n i, Rabs (steps (smooth c) n i) <= P) /\
-  forall alpha, 0 < alpha -> r / INR A = Rpower (INR A) (- alpha) -> holder 0 alpha phi.
+  forall lambda alpha, exp lambda = INR A -> 0 < alpha -> r / INR A = exp (- alpha * lambda) -> holder 0 alpha phi.
 Proof.
   intros H HK Ht Hr HD. assert (PA := arity_positive). set (theta := r / INR A).
   assert (Theta : 0 < theta < 1).
@@ -719,7 +768,7 @@ Proof.
   - apply limit_tends.
   - eapply limit_continuous; eauto.
   - exists (1 + E / (1 - theta)). intros. eapply data_bounded; eauto.
-  - intros alpha Ha Hth. eapply limit_holder; eauto.
+  - intros lambda alpha Hlog Ha Hth. eapply limit_holder; eauto.
 Qed.
 
 Fixpoint smoothed (m : nat) (b : Z -> R) : Z -> R := match m with O => b | S k => smooth (smoothed k b) end.
@@ -737,15 +786,25 @@ Proof.
   revert HL. generalize (m * (A - 1))%nat; lia.
 Qed.
 
-Lemma power_less x y : x < y -> Rpower (INR A) x < Rpower (INR A) y.
-Proof. intros H. apply Rpower_lt; auto. apply (lt_INR 1). lia. Qed.
+(* A^x is exp (x lambda). *)
+Section Powers.
+Variable lambda : R.
+Hypothesis Log : exp lambda = INR A.
 
-Lemma power_succ x : Rpower (INR A) (1 + x) = INR A * Rpower (INR A) x.
-Proof. rewrite Rpower_plus, Rpower_1; auto. apply arity_positive. Qed.
+Lemma log_positive : 0 < lambda.
+Proof.
+  apply Rnot_le_lt. intros H. apply exp_at_most in H. rewrite exp_0, Log in H. assert (2 <= INR A) by (apply (le_INR 2); auto). lra.
+Qed.
+
+Lemma power_less x y : x < y -> exp (x * lambda) < exp (y * lambda).
+Proof. intros H. apply exp_less, Rmult_lt_compat_r; auto. apply log_positive. Qed.
+
+Lemma power_succ x : exp ((1 + x) * lambda) = INR A * exp (x * lambda).
+Proof. rewrite <- Log, <- exp_plus. f_equal. ring. Qed.
 
 (* Theorem 2 for one number below the exponent *)
 Theorem smoothed_holder N b M k x D : supported N b -> (N + M * (A - 1) <= L)%nat -> total b = INR A ->
-  (k < M)%nat -> INR k < x < INR k + 1 -> (forall n i, Rabs (steps b n i) <= D * Rpower (INR A) (INR M - x) ^ n) ->
+  (k < M)%nat -> INR k < x < INR k + 1 -> (forall n i, Rabs (steps b n i) <= D * exp ((INR M - x) * lambda) ^ n) ->
   exists phi, is_limit A F L (smoothed M b) phi /\ holder k (x - INR k) phi.
 Proof.
   intros H HL Ht HkM Hx HD. assert (PA := arity_positive).
@@ -756,17 +815,17 @@ Proof.
   { intros m Hm. rewrite (smoothed_total N); auto. specialize (Fit m Hm). lia. }
   (* coefficients grow less and less *)
   assert (G : forall m, (m + k + 1 <= M)%nat -> exists D', forall n i,
-    Rabs (steps (smoothed m b) n i) <= D' * Rpower (INR A) (INR M - INR m - x) ^ n).
+    Rabs (steps (smoothed m b) n i) <= D' * exp ((INR M - INR m - x) * lambda) ^ n).
   { induction m; intros Hm.
     - exists D. simpl INR. rewrite Rminus_0_r. exact HD.
     - destruct (IHm ltac:(lia)) as [D' H']. cbn [smoothed].
-      apply (smooth_growth (N + m * (A - 1)) (smoothed m b) D' (Rpower (INR A) (INR M - INR m - x))); auto.
+      apply (smooth_growth (N + m * (A - 1)) (smoothed m b) D' (exp ((INR M - INR m - x) * lambda))); auto.
       + apply smoothed_supported; auto.
       + apply Fit. lia.
       + apply Tot. lia.
       + apply exp_pos.
-      + rewrite <- (Rpower_O (INR A)) by auto. apply power_less. apply le_INR in Hm. rewrite !plus_INR in Hm. simpl (INR 1) in Hm. lra.
-      + right. rewrite <- power_succ. f_equal. rewrite S_INR. ring. }
+      + rewrite <- exp_0, <- (Rmult_0_l lambda). apply power_less. apply le_INR in Hm. rewrite !plus_INR in Hm. simpl (INR 1) in Hm. lra.
+      + right. rewrite <- power_succ. f_equal. f_equal. rewrite S_INR. ring. }
   (* the derivative of order k *)
   assert (Base : forall e, (e <= k)%nat -> exists phi, tends (steps (smoothed (M - k + e) b)) phi /\ continuity phi /\
     (exists P, forall n i, Rabs (steps (smoothed (M - k + e) b) n i) <= P) /\ holder e (x - INR k) phi).
@@ -775,15 +834,15 @@ Proof.
       replace (M - k + 0)%nat with (S (M - k - 1)) by lia. cbn [smoothed].
       assert (Ex : INR M - INR (M - k - 1) - x = 1 + - (x - INR k)).
       { rewrite !minus_INR by lia. simpl. ring. }
-      rewrite Ex, power_succ in H'. assert (Lt : Rpower (INR A) (- (x - INR k)) < 1).
-      { rewrite <- (Rpower_O (INR A)) by auto. apply power_less. lra. }
-      assert (Gt : 0 < Rpower (INR A) (- (x - INR k))) by apply exp_pos.
-      destruct (smooth_limit (N + (M - k - 1) * (A - 1)) (smoothed (M - k - 1) b) D' (INR A * Rpower (INR A) (- (x - INR k)))) as [phi [T [C [P Ho]]]]; auto.
+      rewrite Ex, power_succ in H'. assert (Lt : exp (- (x - INR k) * lambda) < 1).
+      { rewrite <- exp_0, <- (Rmult_0_l lambda). apply power_less. lra. }
+      assert (Gt : 0 < exp (- (x - INR k) * lambda)) by apply exp_pos.
+      destruct (smooth_limit (N + (M - k - 1) * (A - 1)) (smoothed (M - k - 1) b) D' (INR A * exp (- (x - INR k) * lambda))) as [phi [T [C [P Ho]]]]; auto.
       + apply smoothed_supported; auto.
       + apply Fit. lia.
       + apply Tot. lia.
       + split. apply Rmult_lt_0_compat; auto. generalize (Rmult_lt_compat_l _ _ _ PA Lt). lra.
-      + exists phi. split; auto. split; auto. split; auto. apply Ho. lra. field. lra.
+      + exists phi. split; auto. split; auto. split; auto. apply (Ho lambda); auto. lra. field. lra.
     - destruct (IHe ltac:(lia)) as [psi [T [C [[P HP] Ho]]]]. replace (M - k + S e)%nat with (S (M - k + e)) by lia. cbn [smoothed].
       destruct (smooth_limit (N + (M - k + e) * (A - 1)) (smoothed (M - k + e) b) P 1) as [phi [T' [C' [P' _]]]]; auto.
       + apply smoothed_supported; auto.
@@ -802,7 +861,7 @@ Qed.
 
 (* Theorem 2: coefficients that grow more slowly than (A^(M - x))^n for each x < l make a limit of the exponent l. *)
 Theorem smoothed_exponent N b M l : supported N b -> (N + M * (A - 1) <= L)%nat -> total b = INR A -> 0 < l <= INR M ->
-  (forall x, 0 < x < l -> exists D, forall n i, Rabs (steps b n i) <= D * Rpower (INR A) (INR M - x) ^ n) ->
+  (forall x, 0 < x < l -> exists D, forall n i, Rabs (steps b n i) <= D * exp ((INR M - x) * lambda) ^ n) ->
   exists phi, is_limit A F L (smoothed M b) phi /\ exponent_at_least phi l.
 Proof.
   intros H HL Ht Hl HD.
@@ -821,4 +880,5 @@ Proof.
   destruct (One 0 ltac:(lra)) as [phi [Lim _]]. exists phi. split; auto. intros x Hx.
   destruct (One x Hx) as [psi [Lim' Hs]]. replace phi with psi; auto. extensionality t. apply (limit_unique (smoothed M b)); auto.
 Qed.
+End Powers.
 End Scheme.

@@ -7,12 +7,13 @@ open Text
 
 let usage =
   "usage: subcert-check-verified --matrices MATRICES [--lower P/Q] [--upper P/Q] [--show] FILE    (at least one bound)\n\
+  \       subcert-check-verified --mask '[c0,c1,...]/D@first' --arity A --lower P/Q [--show] FILE\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
-   prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): claims about\n\
-   exponents and surfaces, for which subcert-check is there\n\
+   prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
+   exponents, and about surfaces, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
-let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper"; "--theorem" ]
+let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper"; "--exact"; "--theorem" ]
 
 let rec options given = function
   | [] -> given
@@ -119,12 +120,34 @@ let check_inverse r family word re im lower =
 
 let bound_of q = { qnum = Q.num q; qden = Q.den q }
 
-let read_certificate family lower upper r =
+(* Lines about what a radius is exactly: nothing is claimed of that here. *)
+let rec skip r heads =
+  match List.find_opt (at r) heads with
+  | None -> ()
+  | Some head ->
+      ignore (take r head 1 max_line);
+      skip r heads
+
+(* The bounds that the certificate says of itself, for people: what is proved is the claim. *)
+let read_bounds r =
+  match take r "bounds" 2 2 with
+  | [ low; high ] ->
+      if low <> "-" then ignore (rational low);
+      if String.starts_with ~prefix:"C" high then ignore (size (String.sub high 1 (String.length high - 1)) 1 500)
+      else if high <> "-" then ignore (rational high)
+  | _ -> assert false
+
+let line r head = ignore (take r head 0 0)
+
+let read_head r claim =
+  line r "subcert-certificate 3";
+  line r claim;
+  read_bounds r;
+  skip r [ "exact"; "root" ]
+
+(* What proves bounds of the radius: all lines to the last one. *)
+let read_proof family lower upper r =
   let n = family.size in
-  let line head = ignore (take r head 0 0) in
-  line "subcert-certificate 3";
-  line (Printf.sprintf "radius %d %d" (List.length family.matrices) n);
-  ignore (take r "bounds" 2 2);
   let divided = at r "blocks" in
   let sizes = if divided then List.map (fun f -> size f 1 n) (take r "blocks" 1 n) else [ n ] in
   require (List.fold_left ( + ) 0 sizes = n) "the block sizes do not sum to n";
@@ -165,6 +188,7 @@ let read_certificate family lower upper r =
       List.mapi
         (fun i block ->
           let own, section = Sections.read_section r i block upper in
+          skip r [ "cycle"; "seed"; "origin"; "same" ];
           (match (own, upper) with
           | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
           | _ -> ());
@@ -176,7 +200,7 @@ let read_certificate family lower upper r =
           (block.size, section))
         blocks
   in
-  line "end";
+  line r "end";
   require (at_end r) "text after 'end'";
   { new_basis; sections; sizes = (if divided then sizes else []); chosen; eigenvector }
 
@@ -192,38 +216,120 @@ let show claim =
            ("row " ^ String.concat " " (List.map (fun x -> Q.to_string (Q.make x family.denominator)) row))))
     family.matrices
 
+let side value render = match value with Some q -> render (Q.to_string q) | None -> ""
+
+(* A claim about matrices: its text, its proof, what --theorem and --show print. *)
+let radius matrices lower upper file =
+  let family = read_matrices matrices in
+  let claim = { matrices_of = family; lower = Option.map bound_of lower; upper = Option.map bound_of upper } in
+  let certificate =
+    read file 1 (fun r ->
+        read_head r (Printf.sprintf "radius %d %d" (List.length family.matrices) family.size);
+        let certificate = read_proof family lower upper r in
+        require (check_radius claim certificate) "the certificate does not prove the claim";
+        certificate)
+  in
+  ( side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices,
+    (fun name -> Theorem.print_radius name claim certificate),
+    fun () -> show claim )
+
+(* The text [c0,c1,...]/D@first *)
+let read_mask text arity =
+  let expected = "a mask is [c0,c1,...]/D@first" in
+  let start, stop = match (String.index_opt text '[', String.rindex_opt text ']') with
+    | Some 0, Some stop -> (1, stop)
+    | _ -> reject expected
+  in
+  let tail = String.sub text (stop + 1) (String.length text - stop - 1) in
+  let over, first =
+    match String.split_on_char '@' tail with
+    | [ over ] -> (over, Z.zero)
+    | [ over; first ] -> (over, integer first)
+    | _ -> reject expected
+  in
+  require (over = "" || over.[0] = '/') expected;
+  let scale = rational ("1" ^ over) in
+  let values = List.map (fun c -> Q.mul (rational c) scale) (String.split_on_char ',' (String.sub text start (stop - start))) in
+  let zero k = Q.sign (List.nth values k) = 0 and count = List.length values in
+  require
+    (count <= 1000 && not (zero 0) && not (zero (count - 1)))
+    "a mask has 1 to 1000 coefficients, the first and the last not zero";
+  let cleared = clear_denominators count [ values ] in
+  { arity = size arity 2 16; first; coefficients = List.hd (List.hd cleared.matrices); common = cleared.denominator }
+
+let show_exponent scheme lower =
+  Printf.printf "the Hoelder exponent of the scheme of arity %d, at least %s\n" scheme.arity (Q.to_string lower);
+  List.iteri
+    (fun k c ->
+      Printf.printf "coefficient %s is %s\n" (Z.to_string (Z.add scheme.first (Z.of_int k)))
+        (Q.to_string (Q.make c scheme.common)))
+    scheme.coefficients
+
+(* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing of a lower end. *)
+let exponent mask arity lower file =
+  let scheme = read_mask mask arity in
+  let l = bound_of lower in
+  let certificate =
+    read file 1 (fun r ->
+        read_head r ("exponent " ^ mask ^ " " ^ arity);
+        if at r "reduced" then raise (Sections.Undecided "reduced masks are not decided here, but by subcert-check");
+        let order, full = match take r "sum-rules" 1 2 with [ m ] -> (m, "full") | m :: f -> (m, List.hd f) | [] -> assert false in
+        let order = size order 1 500 in
+        require (full = "full") "expected 'sum-rules M' or 'sum-rules M full'";
+        require
+          (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul (Z.of_int scheme.arity) scheme.common))
+          "the coefficients of the mask do not sum to the arity";
+        require (Q.sign lower > 0) "the lower end of an exponent must be positive";
+        require (Q.leq lower (Q.of_int order)) "the order of the sum rules does not prove the claim";
+        if at r "stability" then line r "stability";
+        require (divides scheme order) "the mask has no sum rules of this order";
+        let family = difference_family scheme order in
+        require (family.size <= 256) "transition matrices larger than 256";
+        (* arity^(order - lower), rounded down *)
+        let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
+        let power = power_below (Z.of_int scheme.arity) order top l.qden in
+        let bound = Q.make (Z.fdiv (Z.shift_left power 128) unity) (Z.shift_left Z.one 128) in
+        let certificate =
+          { order; bound = bound_of bound; of_radius = read_proof family None (Some bound) r }
+        in
+        require (check_exponent_lower scheme l certificate) "the certificate does not prove the claim";
+        certificate)
+  in
+  ( Printf.sprintf "%s <= Hoelder exponent of %s with arity %s" (Q.to_string lower) mask arity,
+    (fun name -> Theorem.print_exponent name scheme l certificate),
+    fun () -> show_exponent scheme lower )
+
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
   let given = options [] arguments in
   let find name = List.assoc_opt name given in
-  let has name = find name <> None in
+  let has name = find name <> None and get name = Option.get (find name) in
+  let only names = List.for_all (fun (name, _) -> List.mem name ([ "--lower"; "--theorem"; "--show"; "FILE" ] @ names)) given in
   require (has "FILE" && (has "--matrices" || has "--mask" || has "--surface")) usage;
-  if not (has "--matrices") then
-    raise (Sections.Undecided "claims about exponents and surfaces are not decided here, but by subcert-check");
-  let other name = List.mem name [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation" ] in
+  if has "--exact" then raise (Sections.Undecided "what a radius is exactly is not decided here, but by subcert-check");
   let letter c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') and digit c = c >= '0' && c <= '9' in
   let is_name name = name <> "" && letter name.[0] && String.for_all (fun c -> letter c || digit c) name in
   require (Option.fold ~none:true ~some:is_name (find "--theorem")) "--theorem needs a name of letters and digits";
-  require ((not (List.exists (fun (name, _) -> other name) given)) && (has "--lower" || has "--upper")) usage;
-  let matrices = Option.get (find "--matrices") in
-  let lower = Option.map rational (find "--lower") and upper = Option.map rational (find "--upper") in
-  let family = read_matrices matrices in
-  let claim = { matrices_of = family; lower = Option.map bound_of lower; upper = Option.map bound_of upper } in
-  let side value render = match value with Some q -> render (Q.to_string q) | None -> "" in
-  let text =
-    side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices
-  in
-  let certificate =
-    read (Option.get (find "FILE")) 1 (fun r ->
-        let certificate = read_certificate family lower upper r in
-        require (check_radius claim certificate) "the certificate does not prove the claim";
-        certificate)
+  let bound name = Option.map rational (find name) in
+  let text, theorem, shown =
+    if has "--matrices" then begin
+      require (only [ "--matrices"; "--upper" ] && (has "--lower" || has "--upper")) usage;
+      radius (get "--matrices") (bound "--lower") (bound "--upper") (get "FILE")
+    end
+    else if only [ "--mask"; "--arity" ] && (has "--lower" || not (has "--arity")) then begin
+      require (has "--mask" && has "--arity") usage;
+      exponent (get "--mask") (get "--arity") (Option.get (bound "--lower")) (get "FILE")
+    end
+    else
+      raise
+        (Sections.Undecided
+           "of claims about exponents only those of one mask with a lower end are decided here, the others by subcert-check")
   in
   match find "--theorem" with
-  | Some name -> Theorem.print name claim certificate
+  | Some name -> theorem name
   | None ->
       print_endline ("VERIFIED " ^ text);
-      if has "--show" then show claim
+      if has "--show" then shown ()
 
 let () =
   let finish code = exit code in

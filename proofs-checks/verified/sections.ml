@@ -89,7 +89,8 @@ let read_polytope r family fields =
   let n = family.size and count = List.length family.matrices in
   let vertices = size (List.nth fields 1) 1 max_bytes in
   let vertex_bits = size (List.nth fields 2) 0 4096 and weight_bits = size (List.nth fields 3) 0 4096 in
-  let properties = List.sort_uniq compare (List.filteri (fun i _ -> i >= 4) fields) in
+  let properties = List.filteri (fun i _ -> i >= 4) fields in
+  require (List.length (List.sort_uniq compare properties) = List.length properties) "a property occurs twice";
   let has p = List.mem p properties in
   let complex = has "complex" and nonnegative = has "nonnegative" and symmetric = has "symmetric" and transposed = has "transposed" in
   let others = List.filter (fun p -> not (List.mem p [ "complex"; "nonnegative"; "symmetric"; "transposed" ])) properties in

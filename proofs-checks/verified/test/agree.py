@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Runs the verified checker and the one in C++ on a corpus of claims. Usage: agree.py VERIFIED CHECKER DIRECTORY
 
-Claims about radii: both print the same verdict, and `VERIFIED` in the same words; with flipped bounds both reject. Other
-claims are never decided here."""
+Claims about radii, and about masks with a lower end only: both print the same verdict, and `VERIFIED` in the same words.
+Of a corpus of right claims also with other bounds, and masks without their upper ends. Other claims are never decided
+here."""
 import subprocess
 import sys
 import time
@@ -18,6 +19,14 @@ def run(program, arguments):
     return done.returncode, done.stdout.strip()
 
 
+def decided(name, arguments):
+    options = {argument for argument in arguments if argument.startswith("--")}
+    if "--mask" in options:
+        reduced = "\nreduced " in (directory / f"{name.split()[0]}.cert").read_text()
+        return options == {"--mask", "--arity", "--lower"} and not reduced
+    return "--matrices" in options and "--exact" not in options
+
+
 def compare(name, arguments, accepted=None):
     global slowest
     start = time.monotonic()
@@ -25,7 +34,7 @@ def compare(name, arguments, accepted=None):
     slowest = max(slowest, time.monotonic() - start)
     word = mine[1].split(" ")[0]
     counts[word] = counts.get(word, 0) + 1
-    if "--matrices" not in arguments:
+    if not decided(name, arguments):
         if mine[0] != 2 or word != "UNDECIDED":
             failures.append(f"{name}: {mine}")
         return
@@ -35,10 +44,26 @@ def compare(name, arguments, accepted=None):
         failures.append(f"{name}: {mine} and {theirs}")
 
 
+def without(option, arguments):
+    at = arguments.index(option) if option in arguments else len(arguments)
+    return arguments[:at] + arguments[at + 2:]
+
+
 for line in (directory / "claims.txt").read_text().splitlines():
     name, *arguments = line.partition(" | ")[0].split()
     compare(name, [*arguments, f"{name}.cert"])
-    if "--matrices" in arguments and directory.name == "accept":
+    if "--exact" in arguments:  # the bounds alone, where the lines about the exact number are right
+        arguments = without("--exact", arguments)
+        if directory.name == "accept" and len(arguments) > 2:
+            compare(name, [*arguments, f"{name}.cert"])
+    if decided(name, without("--upper", arguments)) and "--mask" in arguments and directory.name == "accept":
+        lower = without("--upper", arguments)
+        compare(f"{name} without an upper end", [*lower, f"{name}.cert"], True)
+        at = lower.index("--lower") + 1
+        for step, accepted in ((Fraction(1, 1000), None), (Fraction(1, 10), False), (Fraction(-1, 7), True)):
+            lower[at] = str(Fraction(arguments[arguments.index("--lower") + 1]) + step)
+            compare(f"{name} with the lower end {lower[at]}", [*lower, f"{name}.cert"], accepted)
+    if "--matrices" in arguments and len(arguments) > 2 and directory.name == "accept":
         value = {key: Fraction(arguments[arguments.index(key) + 1]) for key in ("--lower", "--upper") if key in arguments}
         for key, step in (("--lower", Fraction(1, 1000)), ("--upper", Fraction(-1, 1000))):
             if key in value:

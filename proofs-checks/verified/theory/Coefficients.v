@@ -143,15 +143,6 @@ Proof.
   - cbn [sum]. unfold g. replace (i - Z.of_nat A * (0 + Z.of_nat 0))%Z with i by lia. change (delta (0 + Z.of_nat 0)) with 1. lra.
 Qed.
 
-Lemma subdivide_sum m (c : nat -> R) (h : nat -> Z -> R) i :
-  subdivide A 0 L b (fun j => sum m (fun l => c l * h l j)) i = sum m (fun l => c l * subdivide A 0 L b (h l) i).
-Proof.
-  unfold subdivide. rewrite (sum_ext m (fun l => c l * _) (fun l => sum (S L) (fun k =>
-    c l * (b (i - Z.of_nat A * ((i - 0) / Z.of_nat A - Z.of_nat L + Z.of_nat k))%Z * h l ((i - 0) / Z.of_nat A - Z.of_nat L + Z.of_nat k)%Z)))).
-  - rewrite sum_swap. apply sum_ext; intros k Hk. cbv zeta. rewrite <- sum_scal. apply sum_ext; intros. ring.
-  - intros l Hl. rewrite <- sum_scal. apply sum_ext; intros; ring.
-Qed.
-
 Lemma power_step n : forall i, power (S n) i = subdivide A 0 L b (power n) i.
 Proof.
   induction n; intros i.
@@ -182,7 +173,8 @@ Proof. intros Hg H. destruct (coefficients_bounded g Hg H) as [C HC]. exists C. 
 (* Theorem 2 of SPEC.md *)
 Theorem radius_exponent lambda F G M l : exp lambda = INR A -> (N + M * (A - 1) <= L)%nat -> total F L (fun i => b (i - F)%Z) = INR A -> 0 < l <= INR M ->
   radius_at_most W A scheme_matrix G -> G <= exp ((INR M - l) * lambda) ->
-  exists phi, is_limit A F L (smoothed A M (fun i => b (i - F)%Z)) phi /\ exponent_at_least phi l.
+  let a := smoothed A M (fun i => b (i - F)%Z) in
+  exists phi, is_limit A F L a phi /\ tends A (refined A F L a) phi /\ exponent_at_least phi l.
 Proof.
   intros Hlog HL Ht Hl HG HGl. apply (smoothed_exponent A F L Arity lambda Hlog N); auto.
   - intros i Hi. apply Support. lia.

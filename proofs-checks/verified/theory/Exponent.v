@@ -280,7 +280,7 @@ Proof.
     rewrite <- smoothed_scal. f_equal. extensionality k. rewrite <- coefficient_shift. unfold b, difference_symbol. fold A q.
     rewrite coefficient_map, <- (arity_power A HA). reflexivity. }
   destruct (radius_exponent A (length b - 1) W (coefficient b (common a) 0) HA (fun i => coefficient_support b (common a) i) W1 W2 L
-    ltac:(lia) lambda F (real_of u) m (real_of l) Hlog) as [phi [Lim Ex]]; auto.
+    ltac:(lia) lambda F (real_of u) m (real_of l) Hlog) as [phi [Lim [_ Ex]]]; auto.
   - replace (fun i => coefficient b (common a) 0 (i - F)) with (coefficient b (common a) F) by (extensionality i; apply coefficient_shift).
     rewrite coefficient_total by lia. rewrite HT, mult_IZR, <- INR_IZR_INZ. field. lra.
   - intros r Hr H0. specialize (HR r Hr H0). unfold T, difference_family in HR. cbv zeta in HR. fold A b W in HR.

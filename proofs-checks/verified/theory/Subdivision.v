@@ -180,6 +180,13 @@ Proof. unfold subdivide. rewrite <- sum_scal. apply sum_ext; intros. cbv zeta. l
 Lemma subdivide_ext a f g i : (forall j, f j = g j) -> subdivide A F L a f i = subdivide A F L a g i.
 Proof. intros H. unfold subdivide. apply sum_ext; intros. cbv zeta. rewrite H. auto. Qed.
 
+Lemma subdivide_sum a m (c : nat -> R) (h : nat -> Z -> R) i :
+  subdivide A F L a (fun j => sum m (fun l => c l * h l j)) i = sum m (fun l => c l * subdivide A F L a (h l) i).
+Proof.
+  induction m. cbn [sum]. unfold subdivide. apply sum_zero. intros. cbv zeta. lra.
+  cbn [sum]. rewrite <- IHm, <- subdivide_scal. unfold subdivide. rewrite <- sum_plus. apply sum_ext; intros. cbv zeta. lra.
+Qed.
+
 Lemma subdivide_shift a f s i : subdivide A F L a (fun j => f (j - s)%Z) i = subdivide A F L a f (i - ZA * s)%Z.
 Proof.
   unfold subdivide. fold ZA. apply sum_ext; intros m Hm. cbv zeta.
@@ -805,7 +812,7 @@ Proof. rewrite <- Log, <- exp_plus. f_equal. ring. Qed.
 (* Theorem 2 for one number below the exponent *)
 Theorem smoothed_holder N b M k x D : supported N b -> (N + M * (A - 1) <= L)%nat -> total b = INR A ->
   (k < M)%nat -> INR k < x < INR k + 1 -> (forall n i, Rabs (steps b n i) <= D * exp ((INR M - x) * lambda) ^ n) ->
-  exists phi, is_limit A F L (smoothed M b) phi /\ holder k (x - INR k) phi.
+  exists phi, is_limit A F L (smoothed M b) phi /\ tends (steps (smoothed M b)) phi /\ holder k (x - INR k) phi.
 Proof.
   intros H HL Ht HkM Hx HD. assert (PA := arity_positive).
   assert (Fit : forall m, (m < M)%nat -> (N + m * (A - 1) + A - 1 <= L)%nat)
@@ -862,10 +869,11 @@ Qed.
 (* Theorem 2: coefficients that grow more slowly than (A^(M - x))^n for each x < l make a limit of the exponent l. *)
 Theorem smoothed_exponent N b M l : supported N b -> (N + M * (A - 1) <= L)%nat -> total b = INR A -> 0 < l <= INR M ->
   (forall x, 0 < x < l -> exists D, forall n i, Rabs (steps b n i) <= D * exp ((INR M - x) * lambda) ^ n) ->
-  exists phi, is_limit A F L (smoothed M b) phi /\ exponent_at_least phi l.
+  exists phi, is_limit A F L (smoothed M b) phi /\ tends (steps (smoothed M b)) phi /\ exponent_at_least phi l.
 Proof.
   intros H HL Ht Hl HD.
-  assert (One : forall x, x < l -> exists phi, is_limit A F L (smoothed M b) phi /\ exists s, exponents phi s /\ x < s).
+  assert (One : forall x, x < l -> exists phi, is_limit A F L (smoothed M b) phi /\
+    tends (steps (smoothed M b)) phi /\ exists s, exponents phi s /\ x < s).
   { intros x Hx. set (y := Rmax x 0). assert (Y1 : x <= y) by apply Rmax_l. assert (Y0 : 0 <= y) by apply Rmax_r.
     assert (Yl : y < l) by (unfold y; apply Rmax_lub_lt; lra). destruct (floor_bounds y) as [F1 F2].
     assert (F0 : (0 <= floor y)%Z) by (apply Z.lt_succ_r, lt_IZR; rewrite <- Z.add_1_r, plus_IZR; lra).
@@ -875,10 +883,10 @@ Proof.
     assert (Z0 : y < z) by (apply Rmin_glb_lt; auto). set (w := (y + z) / 2).
     assert (HkM : (k < M)%nat) by (apply INR_lt; lra).
     destruct (HD w ltac:(unfold w; lra)) as [D HD'].
-    destruct (smoothed_holder N b M k w D H HL Ht HkM ltac:(unfold w; lra) HD') as [phi [Lim Ho]].
-    exists phi. split; auto. exists w. split; [|unfold w; lra]. exists k, (w - INR k). split; [unfold w; lra|]. split; auto. lra. }
-  destruct (One 0 ltac:(lra)) as [phi [Lim _]]. exists phi. split; auto. intros x Hx.
-  destruct (One x Hx) as [psi [Lim' Hs]]. replace phi with psi; auto. extensionality t. apply (limit_unique (smoothed M b)); auto.
+    destruct (smoothed_holder N b M k w D H HL Ht HkM ltac:(unfold w; lra) HD') as [phi [Lim [T Ho]]].
+    exists phi. split; auto. split; auto. exists w. split; [|unfold w; lra]. exists k, (w - INR k). split; [unfold w; lra|]. split; auto. lra. }
+  destruct (One 0 ltac:(lra)) as [phi [Lim [T _]]]. exists phi. split; auto. split; auto. intros x Hx.
+  destruct (One x Hx) as [psi [Lim' [_ Hs]]]. replace phi with psi; auto. extensionality t. apply (limit_unique (smoothed M b)); auto.
 Qed.
 End Powers.
 End Scheme.

@@ -133,20 +133,10 @@ Proof.
     destruct (Z.eqb_spec (i - 1 * Z.of_nat l) 0), (Nat.eqb_spec l (Z.to_nat i)); (exfalso; lia) || lra.
 Qed.
 
-Lemma subdivide_delta i : subdivide A 0 L b delta i = b i.
-Proof.
-  set (g := fun j => b (i - Z.of_nat A * j)%Z * delta j).
-  transitivity (sum 1 (fun m => g (0 + Z.of_nat m)%Z)).
-  - unfold subdivide. apply (sum_two_windows g).
-    + intros j Hj. unfold g. rewrite (all_terms A 0 L Arity N) by (auto using supported_b). lra.
-    + intros j Hj. unfold g, delta. destruct (Z.eqb_spec j 0). exfalso; lia. lra.
-  - cbn [sum]. unfold g. replace (i - Z.of_nat A * (0 + Z.of_nat 0))%Z with i by lia. change (delta (0 + Z.of_nat 0)) with 1. lra.
-Qed.
-
 Lemma power_step n : forall i, power (S n) i = subdivide A 0 L b (power n) i.
 Proof.
   induction n; intros i.
-  - rewrite power_one. symmetry. apply subdivide_delta.
+  - rewrite power_one. symmetry. apply (subdivide_point A 0 L Arity). apply (supported_more A 0 Arity N); auto using supported_b.
   - change (power (S (S n)) i) with (sum (N + 1) (fun l => b (Z.of_nat l) * power (S n) (i - Z.of_nat A ^ Z.of_nat (S n) * Z.of_nat l)%Z)).
     rewrite (sum_ext _ _ (fun l => b (Z.of_nat l) * subdivide A 0 L b (fun j => power n (j - Z.of_nat A ^ Z.of_nat n * Z.of_nat l)%Z) i)).
     + rewrite <- subdivide_sum. reflexivity.

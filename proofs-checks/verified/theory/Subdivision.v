@@ -171,6 +171,16 @@ Proof.
   - intros j Hj. rewrite (all_terms K) by auto. lra.
 Qed.
 
+(* One step from the data 1 at 0 gives the mask. *)
+Lemma subdivide_point a i : supported L a -> subdivide A F L a delta i = a i.
+Proof.
+  intros Ha. set (g := fun j => a (i - ZA * j)%Z * delta j). transitivity (sum 1 (fun m => g (0 + Z.of_nat m)%Z)).
+  - unfold subdivide. fold ZA. apply (sum_two_windows g).
+    + intros j Hj. unfold g. rewrite (all_terms L) by auto. lra.
+    + intros j Hj. unfold g, delta. destruct (Z.eqb_spec j 0). exfalso; lia. lra.
+  - cbn [sum]. unfold g. replace (i - ZA * (0 + Z.of_nat 0))%Z with i by lia. change (delta (0 + Z.of_nat 0)) with 1. lra.
+Qed.
+
 Lemma subdivide_minus a f g i : subdivide A F L a (fun j => f j - g j) i = subdivide A F L a f i - subdivide A F L a g i.
 Proof. unfold subdivide. rewrite <- sum_minus. apply sum_ext; intros. cbv zeta. lra. Qed.
 

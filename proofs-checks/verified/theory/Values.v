@@ -139,4 +139,54 @@ Proof.
     + intros l Hl. unfold g. rewrite Support by lia. lra.
   - intros j Hj. rewrite E. apply Support. lia.
 Qed.
+
+(* ---- stability ------------------------------------------------------------------------------------------------------ *)
+
+Lemma sum_peak n f k : (k < n)%nat -> 2 * Rabs (f k) - sum n (fun i => Rabs (f i)) <= Rabs (sum n f).
+Proof.
+  induction n; intros Hk. lia. cbn [sum]. destruct (Nat.eq_dec k n) as [->|].
+  - assert (T := sum_abs n f). assert (U := Rabs_triang_inv (f n) (- sum n f)). rewrite Rabs_Ropp in U.
+    replace (f n - - sum n f) with (sum n f + f n) in U by lra. lra.
+  - specialize (IHn ltac:(lia)). assert (U := Rabs_triang_inv (sum n f) (- f n)). rewrite Rabs_Ropp in U.
+    replace (sum n f - - f n) with (sum n f + f n) in U by lra. lra.
+Qed.
+
+(* A combination of values is nearly 1 for phi and nearly 0 for its shifts. *)
+Theorem stable_by_values m nw v omega (h : Z -> R) r0 r1 :
+  (forall r, sum nw (fun k => omega k * phi (IZR (Z.of_nat k + ZA ^ Z.of_nat m * r) / INR A ^ m)) = h r) ->
+  inside r1 v h -> sum v (fun k => Rabs (h (r1 + Z.of_nat k)%Z)) < 2 * Rabs (h r0) -> stable phi.
+Proof.
+  intros HH In Peak. set (H := sum v (fun k => Rabs (h (r1 + Z.of_nat k)%Z))) in *.
+  set (W := sum nw (fun k => Rabs (omega k))). exists (W / (2 * Rabs (h r0) - H)). intros c lo w' G Hc HG i.
+  destruct (largest c lo w' Hc) as [s Hs]. set (t := (s + r0)%Z). assert (P := power_positive A Arity m).
+  assert (ET : sum nw (fun k => omega k * combination phi c lo w' (IZR t + INR k / INR A ^ m)) =
+    sum w' (fun l => c (lo + Z.of_nat l)%Z * h (t - (lo + Z.of_nat l))%Z)).
+  { unfold combination. rewrite (sum_ext nw _ (fun k => sum w' (fun l => omega k * (c (lo + Z.of_nat l)%Z * phi (IZR t + INR k / INR A ^ m - IZR (lo + Z.of_nat l)))))).
+    2:{ intros k Hk. rewrite <- sum_scal. auto. }
+    rewrite sum_swap. apply sum_ext; intros l Hl. rewrite <- HH, <- sum_scal. apply sum_ext; intros k Hk.
+    replace (IZR (Z.of_nat k + ZA ^ Z.of_nat m * (t - (lo + Z.of_nat l))) / INR A ^ m) with (IZR t + INR k / INR A ^ m - IZR (lo + Z.of_nat l)). ring.
+    rewrite (plus_IZR (Z.of_nat k)), mult_IZR, (arity_power A Arity), (minus_IZR t), <- (INR_IZR_INZ k). field. lra. }
+  assert (BT : Rabs (sum w' (fun l => c (lo + Z.of_nat l)%Z * h (t - (lo + Z.of_nat l))%Z)) <= W * G).
+  { rewrite <- ET. eapply Rle_trans. apply sum_abs. unfold W. rewrite Rmult_comm, <- sum_scal. apply sum_le; intros k Hk.
+    rewrite Rabs_mult, Rmult_comm. apply Rmult_le_compat_r. apply Rabs_pos. apply HG. }
+  set (e := (Z.abs lo + Z.of_nat w' + Z.abs t + Z.abs r1 + Z.of_nat v + Z.abs s + 1)%Z).
+  set (g := fun l => c l * h (t - l)%Z).
+  assert (EX : sum (Z.to_nat (2 * e)) (fun l => g (- e + Z.of_nat l)%Z) = sum w' (fun l => g (lo + Z.of_nat l)%Z)).
+  { apply (sum_window g lo w'). intros l Hl. unfold g. rewrite (Hc l Hl). lra. unfold e; lia. unfold e; lia. }
+  unfold g in EX at 2. rewrite <- EX in BT.
+  assert (PK := sum_peak (Z.to_nat (2 * e)) (fun l => g (- e + Z.of_nat l)%Z) (Z.to_nat (s + e)) ltac:(unfold e; lia)). cbv beta in PK.
+  replace (- e + Z.of_nat (Z.to_nat (s + e)))%Z with s in PK by (unfold e; lia).
+  assert (TotalH : sum (Z.to_nat (2 * e)) (fun l => Rabs (h (t - (- e + Z.of_nat l))%Z)) = H).
+  { unfold H. transitivity (sum v (fun k => (fun l => Rabs (h (t + l)%Z)) (r1 - t + Z.of_nat k)%Z)).
+    - rewrite <- (sum_reflect (fun l => Rabs (h (t + l)%Z)) (r1 - t) v (- e) (Z.to_nat (2 * e))).
+      + apply sum_ext; intros x Hx. cbv beta. f_equal; f_equal; lia.
+      + intros l Hl. rewrite In, Rabs_R0 by lia. auto.
+      + intros l Hl. rewrite In, Rabs_R0; auto. unfold e in Hl. lia.
+    - apply sum_ext; intros x Hx. cbv beta. f_equal; f_equal; lia. }
+  assert (Sum : sum (Z.to_nat (2 * e)) (fun l => Rabs (g (- e + Z.of_nat l)%Z)) <= Rabs (c s) * H).
+  { rewrite <- TotalH, <- sum_scal. apply sum_le; intros l Hl. unfold g. rewrite Rabs_mult. apply Rmult_le_compat_r. apply Rabs_pos. apply Hs. }
+  unfold g in PK at 1. rewrite Rabs_mult in PK. unfold t in PK at 1. replace (s + r0 - s)%Z with r0 in PK by lia.
+  eapply Rle_trans. apply (Hs i). apply (Rmult_le_reg_r (2 * Rabs (h r0) - H)). lra.
+  replace (W / (2 * Rabs (h r0) - H) * G * (2 * Rabs (h r0) - H)) with (W * G) by (field; lra). lra.
+Qed.
 End Values.

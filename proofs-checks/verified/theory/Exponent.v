@@ -2,7 +2,7 @@
    their joint spectral radius checked. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients.
+From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Stability.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -260,8 +260,16 @@ Definition reduces (a : scheme) (l : Q) (order : nat) (u : Q) : bool :=
   (2 <=? arity a)%nat && (0 <? common a) && divides a order &&
   (fold_right Z.add 0 (difference_symbol a order) =? Z.of_nat (arity a) * common a) && below_power a l order u.
 
-Theorem exponent_of_radius a l m u : reduces a l m u = true -> let T := difference_family a m in
-  radius_at_most (size T) (count T) (real T) (real_of u) -> exponent_holds a l.
+Definition refined_data (a : scheme) : nat -> Z -> R :=
+  refined (arity a) (first a) (length (coefficients a) - 1) (coefficient (coefficients a) (common a) (first a)).
+
+(* The limit, and all that the checkers need of it *)
+Theorem limit_of_radius a l m u : reduces a l m u = true -> let T := difference_family a m in
+  radius_at_most (size T) (count T) (real T) (real_of u) ->
+  exists phi, limit_of a phi /\ exponent_at_least phi (real_of l) /\ tends (arity a) (refined_data a) phi /\
+  (forall i, subdivide (arity a) (first a) (length (coefficients a) - 1) (coefficient (coefficients a) (common a) (first a)) (fun _ => 1%R) i = 1%R) /\
+  forall lambda g upper, exp lambda = INR (arity a) -> stable phi -> radius_at_least (size T) (count T) (real T) g -> (1 < g)%R ->
+    (exp ((INR m - upper) * lambda) <= g)%R -> exponent_at_most phi upper.
 Proof.
   intros H T HR. unfold reduces in H. repeat rewrite andb_true_iff in H.
   destruct H as [[[[HA HO] HD] HT] HU]. set (A := arity a) in *.
@@ -279,17 +287,34 @@ Proof.
   { intros i. rewrite <- HD, coefficient_iterate by auto. fold A.
     rewrite <- smoothed_scal. f_equal. extensionality k. rewrite <- coefficient_shift. unfold b, difference_symbol. fold A q.
     rewrite coefficient_map, <- (arity_power A HA). reflexivity. }
-  destruct (radius_exponent A (length b - 1) W (coefficient b (common a) 0) HA (fun i => coefficient_support b (common a) i) W1 W2 L
-    ltac:(lia) lambda F (real_of u) m (real_of l) Hlog) as [phi [Lim [_ Ex]]]; auto.
-  - replace (fun i => coefficient b (common a) 0 (i - F)) with (coefficient b (common a) F) by (extensionality i; apply coefficient_shift).
-    rewrite coefficient_total by lia. rewrite HT, mult_IZR, <- INR_IZR_INZ. field. lra.
-  - intros r Hr H0. specialize (HR r Hr H0). unfold T, difference_family in HR. cbv zeta in HR. fold A b W in HR.
-    assert (EC : count (Family W (common a) (transition A W b)) = A)
-      by (unfold count, transition; cbn [matrices]; rewrite map_length, seq_length; auto).
-    rewrite EC in HR. eapply growth_ext; [|apply HR]. intros. apply transition_entry; auto.
-  - exists phi. split; auto. unfold limit_of. fold A F L. replace (coefficient (coefficients a) (common a) F) with
-      (smoothed A m (fun i => coefficient b (common a) 0 (i - F))); auto. extensionality i. symmetry. apply S.
+  set (f := fun i => coefficient b (common a) 0 (i - F)) in *.
+  assert (EM : coefficient (coefficients a) (common a) F = smoothed A m f) by (extensionality i; apply S).
+  assert (EC : count T = A) by (unfold T, difference_family; cbv zeta; unfold count, transition; cbn [matrices]; rewrite map_length, seq_length; auto).
+  assert (ET : forall r, growth (size T) (count T) (real T) r <-> growth W A (scheme_matrix A (coefficient b (common a) 0)) r).
+  { intros r. rewrite EC. split; intros G; eapply growth_ext; try apply G; intros t i j Ht Hi Hj; [|symmetry]; apply transition_entry; auto. }
+  assert (Sb : forall i, i < 0 \/ Z.of_nat (length b - 1) < i -> coefficient b (common a) 0 i = 0%R) by (intros; apply coefficient_support; auto).
+  assert (Sf : supported F (length b - 1) f) by (intros i Hi; apply Sb; lia).
+  assert (Tf : total F L f = INR A).
+  { replace f with (coefficient b (common a) F) by (extensionality i; apply coefficient_shift).
+    rewrite coefficient_total by (clear -HL; lia). rewrite HT, mult_IZR, <- INR_IZR_INZ. field. lra. }
+  destruct (radius_exponent A (length b - 1) W (coefficient b (common a) 0) HA Sb W1 W2 L
+    ltac:(clear -HL; lia) lambda F (real_of u) m (real_of l) Hlog) as [phi [Lim [Td Ex]]]; auto.
+  { intros r Hr H0. apply ET. apply HR; auto. }
+  fold f in Lim, Td. exists phi. unfold limit_of, refined_data. fold A F L. rewrite EM.
+  split; auto. split; auto. split; auto. split.
+  - destruct m as [|k]. { simpl in Hl. lra. } intros i. cbn [smoothed]. rewrite Nat.mul_succ_l in HL.
+    apply (smooth_classes A F L HA (length b - 1 + k * (A - 1))).
+    + apply (smoothed_supported A F HA). auto.
+    + revert HL. generalize (k * (A - 1))%nat. clear -HA. lia.
+    + rewrite (smoothed_total A F L HA (length b - 1)); auto. revert HL. generalize (k * (A - 1))%nat. clear -HA. lia.
+  - intros lambda' g upper Hlog' St HG G1 GU.
+    apply (radius_upper A (length b - 1) W (coefficient b (common a) 0) L F m lambda' phi g upper HA Sb W1 W2 HL Hlog' Td St); auto.
+    intros r Hr G. apply HG; auto. apply ET. auto.
 Qed.
+
+Theorem exponent_of_radius a l m u : reduces a l m u = true -> let T := difference_family a m in
+  radius_at_most (size T) (count T) (real T) (real_of u) -> exponent_holds a l.
+Proof. intros H T HR. destruct (limit_of_radius a l m u H HR) as [phi [Lim [Ex _]]]. exists phi. auto. Qed.
 
 Definition check_exponent_lower (a : scheme) (l : Q) (cert : exponent_certificate) : bool :=
   reduces a l (order cert) (bound cert) &&

@@ -26,6 +26,16 @@ Proof.
       try (subst j; lra); specialize (Hi' j n); lra.
 Qed.
 
+(* Sums of values do not depend on the window, forwards or backwards. *)
+Lemma sum_reflect (g : Z -> R) lo m lo' m' : (forall l, (l < lo \/ lo + Z.of_nat m <= l)%Z -> g l = 0) ->
+  (forall l, (- l < lo' \/ lo' + Z.of_nat m' <= - l)%Z -> g l = 0) ->
+  sum m' (fun i => g (- (lo' + Z.of_nat i))%Z) = sum m (fun i => g (lo + Z.of_nat i)%Z).
+Proof.
+  intros H H'. rewrite sum_reverse. rewrite <- (sum_two_windows g (- (lo' + Z.of_nat m' - 1)) m' lo m); auto.
+  - apply sum_ext; intros i Hi. f_equal. lia.
+  - intros l Hl. apply H'. lia.
+Qed.
+
 Section Values.
 Variables (A : nat) (F : Z) (L : nat).
 Hypothesis Arity : (2 <= A)%nat.
@@ -82,16 +92,6 @@ Proof.
   rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia. nia.
 Qed.
 
-(* Sums of values do not depend on the window, forwards or backwards. *)
-Lemma sum_reflect (g : Z -> R) lo m lo' m' : (forall l, (l < lo \/ lo + Z.of_nat m <= l)%Z -> g l = 0) ->
-  (forall l, (- l < lo' \/ lo' + Z.of_nat m' <= - l)%Z -> g l = 0) ->
-  sum m' (fun i => g (- (lo' + Z.of_nat i))%Z) = sum m (fun i => g (lo + Z.of_nat i)%Z).
-Proof.
-  intros H H'. rewrite sum_reverse. rewrite <- (sum_two_windows g (- (lo' + Z.of_nat m' - 1)) m' lo m); auto.
-  - apply sum_ext; intros i Hi. f_equal. lia.
-  - intros l Hl. apply H'. lia.
-Qed.
-
 Lemma partition_of_unity : sum w (fun k => phi (IZR (start + Z.of_nat k))) = 1.
 Proof.
   apply cond_eq. intros eps He. set (eta := eps / (2 * (INR w + 1))).
@@ -140,6 +140,8 @@ Proof.
   - intros j Hj. rewrite E. apply Support. lia.
 Qed.
 
+End Values.
+
 (* ---- stability ------------------------------------------------------------------------------------------------------ *)
 
 Lemma sum_peak n f k : (k < n)%nat -> 2 * Rabs (f k) - sum n (fun i => Rabs (f i)) <= Rabs (sum n f).
@@ -150,6 +152,11 @@ Proof.
   - specialize (IHn ltac:(lia)). assert (U := Rabs_triang_inv (sum n f) (- f n)). rewrite Rabs_Ropp in U.
     replace (sum n f - - f n) with (sum n f + f n) in U by lra. lra.
 Qed.
+
+Section Stable.
+Variables (A : nat) (phi : R -> R).
+Hypothesis Arity : (2 <= A)%nat.
+Let ZA := Z.of_nat A.
 
 (* A combination of values is nearly 1 for phi and nearly 0 for its shifts. *)
 Theorem stable_by_values m nw v omega (h : Z -> R) r0 r1 :
@@ -189,4 +196,4 @@ Proof.
   eapply Rle_trans. apply (Hs i). apply (Rmult_le_reg_r (2 * Rabs (h r0) - H)). lra.
   replace (W / (2 * Rabs (h r0) - H) * G * (2 * Rabs (h r0) - H)) with (W * G) by (field; lra). lra.
 Qed.
-End Values.
+End Stable.

@@ -7,7 +7,7 @@ open Text
 
 let usage =
   "usage: subcert-check-verified --matrices MATRICES [--lower P/Q] [--upper P/Q] [--show] FILE    (at least one bound)\n\
-  \       subcert-check-verified --mask '[c0,c1,...]/D@first' --arity A --lower P/Q [--show] FILE\n\
+  \       subcert-check-verified --mask '[c0,c1,...]/D@first' --arity A --lower P/Q [--upper P/Q] [--show] FILE\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
    exponents, and about surfaces, for which subcert-check is there\n\
@@ -257,47 +257,75 @@ let read_mask text arity =
   let cleared = clear_denominators count [ values ] in
   { arity = size arity 2 16; first; coefficients = List.hd (List.hd cleared.matrices); common = cleared.denominator }
 
-let show_exponent scheme lower =
-  Printf.printf "the Hoelder exponent of the scheme of arity %d, at least %s\n" scheme.arity (Q.to_string lower);
+let show_exponent scheme lower upper =
+  Printf.printf "the Hoelder exponent of the scheme of arity %d, at least %s%s\n" scheme.arity (Q.to_string lower)
+    (side upper (fun u -> ", at most " ^ u));
   List.iteri
     (fun k c ->
       Printf.printf "coefficient %s is %s\n" (Z.to_string (Z.add scheme.first (Z.of_int k)))
         (Q.to_string (Q.make c scheme.common)))
     scheme.coefficients
 
-(* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing of a lower end. *)
-let exponent mask arity lower file =
+(* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
+let exponent mask arity lower upper file =
   let scheme = read_mask mask arity in
-  let l = bound_of lower in
-  let certificate =
+  let l = bound_of lower and base = Z.of_int scheme.arity and digits = 128 in
+  let low, both =
     read file 1 (fun r ->
         read_head r ("exponent " ^ mask ^ " " ^ arity);
         if at r "reduced" then raise (Sections.Undecided "reduced masks are not decided here, but by subcert-check");
-        let order, full = match take r "sum-rules" 1 2 with [ m ] -> (m, "full") | m :: f -> (m, List.hd f) | [] -> assert false in
+        let order, full = match take r "sum-rules" 1 2 with [ m ] -> (m, "") | m :: f -> (m, List.hd f) | [] -> assert false in
         let order = size order 1 500 in
-        require (full = "full") "expected 'sum-rules M' or 'sum-rules M full'";
+        require (full = "" || full = "full") "expected 'sum-rules M' or 'sum-rules M full'";
+        (match upper with
+        | Some u when full <> "" && Q.geq u (Q.of_int order) ->
+            raise (Sections.Undecided "upper ends by the number of sum rules are not decided here, but by subcert-check")
+        | _ -> ());
         require
-          (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul (Z.of_int scheme.arity) scheme.common))
+          (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul base scheme.common))
           "the coefficients of the mask do not sum to the arity";
         require (Q.sign lower > 0) "the lower end of an exponent must be positive";
         require (Q.leq lower (Q.of_int order)) "the order of the sum rules does not prove the claim";
-        if at r "stability" then line r "stability";
+        if upper <> None || at r "stability" then line r "stability";
         require (divides scheme order) "the mask has no sum rules of this order";
         let family = difference_family scheme order in
         require (family.size <= 256) "transition matrices larger than 256";
         (* arity^(order - lower), rounded down *)
         let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
-        let power = power_below (Z.of_int scheme.arity) order top l.qden in
-        let bound = Q.make (Z.fdiv (Z.shift_left power 128) unity) (Z.shift_left Z.one 128) in
-        let certificate =
-          { order; bound = bound_of bound; of_radius = read_proof family None (Some bound) r }
+        let power = power_below base order top l.qden in
+        let bound = Q.make (Z.fdiv (Z.shift_left power digits) unity) (Z.shift_left Z.one digits) in
+        (* arity^(order - upper), rounded up *)
+        let least u =
+          require (Q.sign u >= 0 && Q.lt u (Q.of_int 10_000)) "the upper end does not follow from a product";
+          let divisor = power_below base order (Q.num u) (Q.den u) in
+          let whole = Z.shift_left (Z.mul (Z.pow base order) unity) digits in
+          Q.make (Z.cdiv whole divisor) (Z.shift_left Z.one digits)
         in
-        require (check_exponent_lower scheme l certificate) "the certificate does not prove the claim";
-        certificate)
+        let least = Option.map least upper in
+        (match least with
+        | Some g -> require (Q.gt g Q.one) "no exponent below the order of the sum rules follows from a product"
+        | None -> ());
+        let low = { order; bound = bound_of bound; of_radius = read_proof family least (Some bound) r } in
+        match (upper, least) with
+        | Some u, Some g -> (
+            match Stability_hint.make scheme with
+            | None -> reject "stability: not shown for the integer shifts"
+            | Some shifts ->
+                let both = { lower_end = low; radius_least = bound_of g; shifts } in
+                require (check_exponent scheme l (bound_of u) both) "the certificate does not prove the claim";
+                (low, Some both))
+        | _ ->
+            require (check_exponent_lower scheme l low) "the certificate does not prove the claim";
+            (low, None))
   in
-  ( Printf.sprintf "%s <= Hoelder exponent of %s with arity %s" (Q.to_string lower) mask arity,
-    (fun name -> Theorem.print_exponent name scheme l certificate),
-    fun () -> show_exponent scheme lower )
+  ( Printf.sprintf "%s <= Hoelder exponent%s of %s with arity %s" (Q.to_string lower)
+      (side upper (fun u -> " <= " ^ u))
+      mask arity,
+    (fun name ->
+      match (upper, both) with
+      | Some u, Some both -> Theorem.print_enclosure name scheme l (bound_of u) both
+      | _ -> Theorem.print_exponent name scheme l low),
+    fun () -> show_exponent scheme lower upper )
 
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
@@ -311,19 +339,21 @@ let check arguments =
   let is_name name = name <> "" && letter name.[0] && String.for_all (fun c -> letter c || digit c) name in
   require (Option.fold ~none:true ~some:is_name (find "--theorem")) "--theorem needs a name of letters and digits";
   let bound name = Option.map rational (find name) in
+  let rough = String.starts_with ~prefix:"C" (Option.value (find "--upper") ~default:"") in
   let text, theorem, shown =
     if has "--matrices" then begin
       require (only [ "--matrices"; "--upper" ] && (has "--lower" || has "--upper")) usage;
       radius (get "--matrices") (bound "--lower") (bound "--upper") (get "FILE")
     end
-    else if only [ "--mask"; "--arity" ] && (has "--lower" || not (has "--arity")) then begin
-      require (has "--mask" && has "--arity") usage;
-      exponent (get "--mask") (get "--arity") (Option.get (bound "--lower")) (get "FILE")
+    else if only [ "--mask"; "--arity"; "--upper" ] && (has "--lower" || not (has "--arity")) && not rough then begin
+      require (has "--mask" && has "--arity" && has "--lower") usage;
+      exponent (get "--mask") (get "--arity") (Option.get (bound "--lower")) (bound "--upper") (get "FILE")
     end
     else
       raise
         (Sections.Undecided
-           "of claims about exponents only those of one mask with a lower end are decided here, the others by subcert-check")
+           "of claims about exponents only those of one mask with a lower end, and perhaps an upper one, are decided here, the others \
+            by subcert-check")
   in
   match find "--theorem" with
   | Some name -> theorem name

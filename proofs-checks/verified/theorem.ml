@@ -64,12 +64,29 @@ let print_radius name claim c =
        "claim_holds : claim_holds %s_claim.\nProof. apply (check_radius_sound _ %s_certificate). vm_compute. reflexivity. Qed"
        name name)
 
+let scheme_of s =
+  Printf.sprintf "scheme : scheme := Scheme %s %s %s %s" (natural s.arity) (integer s.first) (vector s.coefficients)
+    (integer s.common)
+
 let print_exponent name s l c =
-  print name " Subdivision Exponent"
-    (Printf.sprintf "scheme : scheme := Scheme %s %s %s %s" (natural s.arity) (integer s.first) (vector s.coefficients)
-       (integer s.common))
+  print name " Subdivision Exponent" (scheme_of s)
     (Printf.sprintf "Exponent %s %s %s" (natural c.order) (fraction c.bound) (certificate c.of_radius))
     (Printf.sprintf
        "exponent_holds : exponent_holds %s_scheme %s.\n\
         Proof. apply (check_exponent_lower_sound _ _ %s_certificate). vm_compute. reflexivity. Qed"
        name (fraction l) name)
+
+let print_enclosure name s l u c =
+  let shifts =
+    Printf.sprintf "(Stability %s %s %s %s %s\n%s %s %s %s)" (integer c.shifts.start) (vector c.shifts.values)
+      (integer c.shifts.scale) (matrix c.shifts.inverse_matrix) (integer c.shifts.inverse_over) (natural c.shifts.level)
+      (vector c.shifts.weights) (integer c.shifts.row) (natural c.shifts.center)
+  in
+  let low = c.lower_end in
+  print name " Subdivision Stability Exponent Enclosure" (scheme_of s)
+    (Printf.sprintf "Enclosure (Exponent %s %s %s) %s\n%s" (natural low.order) (fraction low.bound)
+       (certificate low.of_radius) (fraction c.radius_least) shifts)
+    (Printf.sprintf
+       "enclosure_holds : enclosure_holds %s_scheme %s %s.\n\
+        Proof. apply (check_exponent_sound _ _ _ %s_certificate). vm_compute. reflexivity. Qed"
+       name (fraction l) (fraction u) name)

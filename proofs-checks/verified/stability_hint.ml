@@ -50,20 +50,29 @@ let find_weights scheme values scale start level =
   let from = s + low 0 and until = s + high last in
   let floor_div a b = if a >= 0 then a / b else -((b - 1 - a) / b) in
   let rows count = (floor_div (from - count) step + 1, floor_div until step) in
-  let rec fit count = match rows count with a, b when b - a + 1 > count -> fit (count + 1) | a, b -> (count, a, b) in
+  let rec fit count = match rows count with a, b when 3 * (b - a + 1) > 2 * count -> fit (count + 1) | a, b -> (count, a, b) in
   let count, first_row, last_row = fit 1 in
-  if count <> last_row - first_row + 1 || count > 400 then None
+  let equations = last_row - first_row + 1 in
+  if count > 400 then None
   else begin
     let whole = Z.mul scale (Z.pow scheme.common level) in
     let value q = if q < s || q > s + last then Z.zero else Z.fdiv (Z.mul fine_values.(q - s) one) whole in
-    let matrix = Array.init count (fun i -> Array.init count (fun k -> value (k + (step * (first_row + i))))) in
-    let middle = count / 2 in
-    let right = Array.init count (fun i -> [| (if i = middle then one else Z.zero) |]) in
-    Sections.spend (count * count * count);
-    match Eigenvalue_hint.solve precision matrix right with
+    let matrix = Array.init equations (fun i -> Array.init count (fun k -> value (k + (step * (first_row + i))))) in
+    let middle = equations / 2 in
+    let right = Array.init equations (fun i -> [| (if i = middle then one else Z.zero) |]) in
+    let product x y =
+      let sum = ref Z.zero in
+      Array.iteri (fun k a -> sum := Z.add !sum (Z.mul a y.(k))) x;
+      Z.shift_right !sum precision
+    in
+    Sections.spend (equations * equations * (count + equations));
+    (* the smallest weights for which the equations hold *)
+    match Eigenvalue_hint.solve precision (Array.map (fun x -> Array.map (product x) matrix) matrix) right with
     | None -> None
     | Some solution ->
-        let weights = Array.to_list (Array.map (fun x -> Z.shift_right x.(0) (precision - 128)) solution) in
+        let factors = Array.map (fun x -> x.(0)) solution in
+        let weight k = Z.shift_right (product factors (Array.map (fun row -> row.(k)) matrix)) (precision - 128) in
+        let weights = List.init count weight in
         (* the checker counts rows from one on before which there is nothing *)
         let row = min (floor_div s step) (floor_div (s - count) step + 1) in
         Some (weights, row, first_row + middle - row)

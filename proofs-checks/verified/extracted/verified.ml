@@ -1622,16 +1622,17 @@ let above_power a u order0 g =
       (Number.mul g.qnum
         (power_below (Number.of_natural a.arity) order0 u.qnum u.qden)))
 
+(** val encloses : scheme -> q -> q -> int -> q -> q -> stability -> bool **)
+
+let encloses a l u order0 most least c =
+  (&&)
+    ((&&) ((&&) (reduces a l order0 most) (above_power a u order0 least))
+      (Nat.leb (Stdlib.succ 0) (length a.coefficients))) (check_stable a c)
+
 (** val check_exponent : scheme -> q -> q -> enclosure -> bool **)
 
 let check_exponent a l u cert =
   let low = cert.lower_end in
-  (&&)
-    ((&&)
-      ((&&)
-        ((&&) (reduces a l low.order low.bound)
-          (above_power a u low.order cert.radius_least))
-        (Nat.leb (Stdlib.succ 0) (length a.coefficients)))
-      (check_stable a cert.shifts))
+  (&&) (encloses a l u low.order low.bound cert.radius_least cert.shifts)
     (check_radius { matrices_of = (difference_family a low.order); lower =
       (Some cert.radius_least); upper = (Some low.bound) } low.of_radius)

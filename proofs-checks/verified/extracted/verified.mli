@@ -391,4 +391,6 @@ type enclosure = { lower_end : exponent_certificate; radius_least : q;
 
 val above_power : scheme -> q -> int -> q -> bool
 
+val encloses : scheme -> q -> q -> int -> q -> q -> stability -> bool
+
 val check_exponent : scheme -> q -> q -> enclosure -> bool

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Runs the verified checker and the one in C++ on a corpus of claims. Usage: agree.py VERIFIED CHECKER DIRECTORY
 
-Claims about radii, and about masks with a lower end only: both print the same verdict, and `VERIFIED` in the same words.
-Of a corpus of right claims also with other bounds, and masks without their upper ends. Other claims are never decided
+Claims about radii, and about exponents of one mask: both print the same verdict, and `VERIFIED` in the same words. Of a
+corpus of right claims also with other bounds, and exponents without their upper ends. Other claims are never decided
 here."""
+import re
 import subprocess
 import sys
 import time
@@ -21,10 +22,13 @@ def run(program, arguments):
 
 def decided(name, arguments):
     options = {argument for argument in arguments if argument.startswith("--")}
-    if "--mask" in options:
-        reduced = "\nreduced " in (directory / f"{name.split()[0]}.cert").read_text()
-        return options == {"--mask", "--arity", "--lower"} and not reduced
-    return "--matrices" in options and "--exact" not in options
+    if options not in ({"--mask", "--arity", "--lower"}, {"--mask", "--arity", "--lower", "--upper"}):
+        return "--matrices" in options and "--exact" not in options
+    text = (directory / f"{name.split()[0]}.cert").read_text(errors="replace")
+    order = re.search(r"^sum-rules (\d{1,3}) full$", text, re.MULTILINE)
+    upper = arguments[arguments.index("--upper") + 1] if "--upper" in options else "0"
+    full = upper.startswith("C") or (order and Fraction(upper) >= int(order[1]))
+    return not full and "\nreduced " not in text
 
 
 def compare(name, arguments, accepted=None):
@@ -56,13 +60,16 @@ for line in (directory / "claims.txt").read_text().splitlines():
         arguments = without("--exact", arguments)
         if directory.name == "accept" and len(arguments) > 2:
             compare(name, [*arguments, f"{name}.cert"])
-    if decided(name, without("--upper", arguments)) and "--mask" in arguments and directory.name == "accept":
-        lower = without("--upper", arguments)
-        compare(f"{name} without an upper end", [*lower, f"{name}.cert"], True)
-        at = lower.index("--lower") + 1
-        for step, accepted in ((Fraction(1, 1000), None), (Fraction(1, 10), False), (Fraction(-1, 7), True)):
-            lower[at] = str(Fraction(arguments[arguments.index("--lower") + 1]) + step)
-            compare(f"{name} with the lower end {lower[at]}", [*lower, f"{name}.cert"], accepted)
+    if "--mask" in arguments and decided(name, without("--upper", arguments)) and directory.name == "accept":
+        for bounded in [without("--upper", arguments)] + [arguments] * decided(name, arguments):
+            compare(f"{name} as {bounded}", [*bounded, f"{name}.cert"], True)
+            for key, sign in (("--lower", 1), ("--upper", -1)):
+                if key in bounded:
+                    at = bounded.index(key) + 1
+                    for step, accepted in ((Fraction(1, 1000), None), (Fraction(1, 10), False), (Fraction(-1, 7), True)):
+                        changed = list(bounded)
+                        changed[at] = str(Fraction(bounded[at]) + sign * step)
+                        compare(f"{name} with {key} {changed[at]}", [*changed, f"{name}.cert"], accepted)
     if "--matrices" in arguments and len(arguments) > 2 and directory.name == "accept":
         value = {key: Fraction(arguments[arguments.index(key) + 1]) for key in ("--lower", "--upper") if key in arguments}
         for key, step in (("--lower", Fraction(1, 1000)), ("--upper", Fraction(-1, 1000))):

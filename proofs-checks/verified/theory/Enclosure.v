@@ -290,11 +290,14 @@ Definition above_power (a : scheme) (u : Q) (order : nat) (g : Q) : bool :=
   (Z.of_nat (arity a) ^ Z.of_nat order * unity * Zpos (Qden g) <=?
    Qnum g * power_below (Z.of_nat (arity a)) order (Qnum u) (Zpos (Qden u))).
 
+(* All but the radius *)
+Definition encloses (a : scheme) (l u : Q) (order : nat) (most least : Q) (c : stability) : bool :=
+  reduces a l order most && above_power a u order least && (1 <=? length (coefficients a))%nat && check_stable a c.
+
 (* lower <= exponent <= upper *)
 Definition check_exponent (a : scheme) (l u : Q) (cert : enclosure) : bool :=
   let low := lower_end cert in
-  reduces a l (order low) (bound low) && above_power a u (order low) (radius_least cert) &&
-  (1 <=? length (coefficients a))%nat && check_stable a (shifts cert) &&
+  encloses a l u (order low) (bound low) (radius_least cert) (shifts cert) &&
   check_radius (Claim (difference_family a (order low)) (Some (radius_least cert)) (Some (bound low))) (of_radius low).
 
 Lemma above_power_sound a u m g lambda : exp lambda = INR (arity a) -> (2 <= arity a)%nat -> above_power a u m g = true ->
@@ -323,23 +326,30 @@ Qed.
 Definition enclosure_holds (a : scheme) (l u : Q) : Prop :=
   exists phi, limit_of a phi /\ exponent_at_least phi (real_of l) /\ exponent_at_most phi (real_of u).
 
+Theorem enclosure_of_radius a l u m most least c : encloses a l u m most least c = true -> let T := difference_family a m in
+  radius_at_most (size T) (count T) (real T) (real_of most) -> radius_at_least (size T) (count T) (real T) (real_of least) ->
+  enclosure_holds a l u.
+Proof.
+  intros H T RU RL. unfold encloses in H. repeat rewrite andb_true_iff in H. destruct H as [[[H1 H2] H3] H4]. apply Nat.leb_le in H3.
+  assert (HA : (2 <= arity a)%nat /\ 0 < common a).
+  { unfold reduces in H1. repeat rewrite andb_true_iff in H1. destruct H1 as [[[[HA HD] _] _] _].
+    apply Nat.leb_le in HA. apply Z.ltb_lt in HD. auto. }
+  destruct HA as [HA HD].
+  destruct (limit_of_radius a l m most H1 RU) as [phi [Lim [Ex [Td [Cl Up]]]]]. exists phi. split; auto. split; auto.
+  destruct (exp_onto (INR (arity a)) (arity_positive (arity a) HA)) as [lambda Hlog].
+  destruct (above_power_sound a u m least lambda Hlog HA H2) as [G1 GU].
+  apply (Up lambda (real_of least)); auto. apply (accepted_stable a c); auto.
+Qed.
+
 (* What the checker accepts is true. *)
 Theorem check_exponent_sound a l u cert : check_exponent a l u cert = true -> enclosure_holds a l u.
 Proof.
-  intros H. unfold check_exponent in H. cbv zeta in H. repeat rewrite andb_true_iff in H. destruct H as [[[[H1 H2] H3] H4] H5].
-  apply Nat.leb_le in H3. apply check_radius_sound in H5. set (low := lower_end cert) in *.
+  intros H. apply andb_prop in H. destruct H as [H1 H2]. apply check_radius_sound in H2. set (low := lower_end cert) in *.
   set (T := difference_family a (order low)) in *.
-  assert (HA : (2 <= arity a)%nat /\ 0 < common a).
-  { unfold reduces in H1. repeat rewrite andb_true_iff in H1. destruct H1 as [[[[HA HD] _] _] _]. apply Nat.leb_le in HA. apply Z.ltb_lt in HD. auto. }
-  destruct HA as [HA HD].
-  destruct (radius_exists (size T) (count T) (real T)) as [x Hx]. destruct (H5 x Hx) as [XL XU].
+  destruct (radius_exists (size T) (count T) (real T)) as [x Hx]. destruct (H2 x Hx) as [XL XU].
   specialize (XL _ eq_refl). specialize (XU _ eq_refl). destruct Hx as [_ [Gx Lx]].
-  assert (RU : radius_at_most (size T) (count T) (real T) (real_of (bound low))) by (intros r Hr H0; apply Gx; lra).
-  destruct (limit_of_radius a l (order low) (bound low) H1 RU) as [phi [Lim [Ex [Td [Cl Up]]]]]. exists phi. split; auto. split; auto.
-  destruct (exp_onto (INR (arity a)) (arity_positive (arity a) HA)) as [lambda Hlog].
-  destruct (above_power_sound a u (order low) (radius_least cert) lambda Hlog HA H2) as [G1 GU].
-  apply (Up lambda (real_of (radius_least cert))); auto.
-  - apply (accepted_stable a (shifts cert)); auto.
+  apply (enclosure_of_radius a l u (order low) (bound low) (radius_least cert) (shifts cert) H1).
+  - intros r Hr H0. apply Gx; auto. fold low T in XU. lra.
   - intros r Hr G. apply Rle_trans with x; auto.
 Qed.
 

@@ -1,7 +1,7 @@
 (* The joint spectral radius of the difference matrices of primal:n=5, the primal least squares scheme of ten points and
    degree 1, and the Hoelder exponent of its limit, in the kernel of Coq alone: no extraction, no OCaml, no parser. *)
 Require Import Reals List ZArith QArith Lra Lia.
-From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Exponent S5.
+From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Stability Exponent Enclosure S5 Shifts.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -23,16 +23,28 @@ Proof.
   specialize (L _ eq_refl). specialize (U _ eq_refl). unfold real_of in *. simpl in *. lra.
 Qed.
 
-(* The scheme converges, and the exponent of its limit is at least 1.990143959386255. *)
-Theorem S5_exponent : exists phi, limit_of S5_scheme phi /\ exponent_at_least phi (1990143959386255 / 1000000000000000)%R.
+(* With the mask over 90 the matrices are the same. *)
+Lemma S5_difference_family r : let T := difference_family S5_scheme 2 in
+  growth (size T) (count T) (real T) r <-> growth 16 2 (real (Family 16 45 (transition 2 16 S5_symbol))) r.
 Proof.
-  apply (exponent_of_radius S5_scheme (1990143959386255 # 1000000000000000) 2 (10068550759671506 # 10000000000000000)).
-  - vm_compute. reflexivity.
-  - assert (H : radius_at_most 16 2 (real (Family 16 45 (transition 2 16 S5_symbol))) (real_of (10068550759671506 # 10000000000000000))).
-    { intros r Hr H0. destruct (radius_exists 16 2 (real (Family 16 45 (transition 2 16 S5_symbol)))) as [x Hx].
-      apply Hx. apply S5_radius in Hx. unfold real_of in Hr. simpl in Hr. lra. }
-    intros r Hr H0. specialize (H r Hr H0). eapply growth_ext; [|apply H]. intros t i j Ht Hi Hj.
-    unfold difference_family. cbv zeta. change (matrix_size (arity S5_scheme) (difference_symbol S5_scheme 2)) with 16%nat.
+  assert (E : forall t i j, (t < 2)%nat -> (i < 16)%nat -> (j < 16)%nat ->
+    real (difference_family S5_scheme 2) t i j = real (Family 16 45 (transition 2 16 S5_symbol)) t i j).
+  { intros t i j Ht Hi Hj. unfold difference_family. cbv zeta.
+    change (matrix_size (arity S5_scheme) (difference_symbol S5_scheme 2)) with 16%nat.
     rewrite !transition_entry by auto. destruct S5_symbol_right as [_ E]. cbn [arity common S5_scheme].
-    unfold scheme_matrix. rewrite E, coefficient_map. unfold coefficient. destruct (_ <? 0); lra.
+    unfold scheme_matrix. rewrite E, coefficient_map. unfold coefficient. destruct (_ <? 0); lra. }
+  split; intros G; eapply growth_ext; try apply G; intros; [|symmetry]; apply E; auto.
+Qed.
+
+(* The scheme converges, and the exponent of its limit is between 1.990143959386255 and 1.990143959386271. *)
+Theorem S5_exponent : exists phi, limit_of S5_scheme phi /\
+  exponent_at_least phi (1990143959386255 / 1000000000000000)%R /\ exponent_at_most phi (1990143959386271 / 1000000000000000)%R.
+Proof.
+  destruct (radius_exists 16 2 (real (Family 16 45 (transition 2 16 S5_symbol)))) as [x Hx].
+  assert (B := S5_radius x Hx). destruct Hx as [_ [Gx Lx]].
+  apply (enclosure_of_radius S5_scheme (1990143959386255 # 1000000000000000) (1990143959386271 # 1000000000000000) 2
+    (10068550759671506 # 10000000000000000) (100685507596714 # 100000000000000) S5_shifts).
+  - vm_compute. reflexivity.
+  - intros r Hr H0. apply S5_difference_family. apply Gx. unfold real_of in Hr. simpl in Hr. lra.
+  - intros r Hr G. apply S5_difference_family in G. apply Lx in G; auto. unfold real_of. simpl. lra.
 Qed.

@@ -5,8 +5,6 @@ module Z_of_zarith = Z
 open Verified
 module Z = Z_of_zarith
 
-let precision = 512
-
 (* The solution of matrix * x = right as numerators over one denominator, without rounding [Bareiss 1968]. *)
 let solve_exactly matrix right =
   let n = Array.length matrix in
@@ -37,11 +35,13 @@ let solve_exactly matrix right =
 let unit_matrix n one = Array.init n (fun i -> Array.init n (fun j -> if i = j then one else Z.zero))
 let arrays = fun rows -> Array.of_list (List.map Array.of_list rows)
 let lists rows = Array.to_list (Array.map Array.to_list rows)
-let one = Z.shift_left Z.one precision
+let rec int_power base k = if k = 0 then 1 else base * int_power base (k - 1)
 
-(* Weights at the distance arity^-level, the first row and the one where the sum is 1. *)
-let find_weights scheme values scale start level =
-  let step = int_of_float (float_of_int scheme.arity ** float_of_int level) in
+(* Weights at the distance arity^-level, more of them than needed for `extra` > 0, the first row and the one where the sum
+   is 1. *)
+let find_weights scheme precision values scale start level extra =
+  let one = Z.shift_left Z.one precision in
+  let step = int_power scheme.arity level in
   let fine_values = Array.of_list (fine scheme.arity scheme.coefficients level values) in
   let s = Z.to_int (fine_start scheme.arity scheme.first level start) in
   let last = Array.length fine_values - 1 in
@@ -51,7 +51,9 @@ let find_weights scheme values scale start level =
   let floor_div a b = if a >= 0 then a / b else -((b - 1 - a) / b) in
   let rows count = (floor_div (from - count) step + 1, floor_div until step) in
   let rec fit count = match rows count with a, b when 3 * (b - a + 1) > 2 * count -> fit (count + 1) | a, b -> (count, a, b) in
-  let count, first_row, last_row = fit 1 in
+  let count, _, _ = fit 1 in
+  let count = count + (extra * step) in
+  let first_row, last_row = rows count in
   let equations = last_row - first_row + 1 in
   if count > 400 then None
   else begin
@@ -83,13 +85,14 @@ let make scheme =
   let less = Z.pred arity and last = Z.add scheme.first (Z.of_int (List.length scheme.coefficients - 1)) in
   let start = Z.fdiv scheme.first less in
   let size = Z.to_int (Z.sub (Z.cdiv last less) start) + 1 in
-  let system = arrays (value_matrix scheme start size) in
-  Sections.spend (2 * size * size * size);
+  let bits = List.fold_left (fun m x -> max m (Z.numbits x)) (Z.numbits scheme.common) scheme.coefficients in
+  Sections.spend (size * size * size * (2 + (size * bits / 640)));
+  let system = arrays (value_matrix scheme start size) and precision = 512 + (8 * bits) in
   match
     ( solve_exactly (Array.map Array.copy system) (Array.make size scheme.common),
       Eigenvalue_hint.solve precision
         (Array.map (Array.map (fun x -> Z.shift_left x precision)) system)
-        (unit_matrix size one) )
+        (unit_matrix size (Z.shift_left Z.one precision)) )
   with
   | Some (solution, scale), Some inverse ->
       let common = Array.fold_left Z.gcd scale solution in
@@ -97,19 +100,14 @@ let make scheme =
       let most = Array.fold_left (Array.fold_left (fun m x -> Z.max m (Z.abs x))) Z.one system in
       let bits = 32 + Z.numbits most in
       let inverse_matrix = lists (Array.map (Array.map (fun x -> Z.shift_right x (precision - bits))) inverse) in
-      let rec attempt level =
-        if level > 4 then None
-        else
-          let found =
-            match find_weights scheme values scale start level with
-            | None -> None
-            | Some (weights, row, center) ->
-                let hint =
-                  { start; values; scale; inverse_matrix; inverse_over = Z.shift_left Z.one bits; level; weights; row = Z.of_int row; center }
-                in
-                if center >= 0 && check_stable scheme hint then Some hint else None
-          in
-          if found <> None then found else attempt (level + 1)
+      let attempt (level, extra) =
+        match find_weights scheme precision values scale start level extra with
+        | None -> None
+        | Some (weights, row, center) ->
+            let row = Z.of_int row and inverse_over = Z.shift_left Z.one bits in
+            let hint = { start; values; scale; inverse_matrix; inverse_over; level; weights; row; center } in
+            if center >= 0 && check_stable scheme hint then Some hint else None
       in
-      attempt 1
+      let levels = List.filter (fun level -> int_power scheme.arity level <= 256) [ 1; 2; 3; 4 ] in
+      List.find_map attempt (List.concat_map (fun level -> [ (level, 0); (level, 8) ]) levels)
   | _ -> None

@@ -5,9 +5,6 @@ From Coq Require Import FunctionalExtensionality.
 From Subcert Require Import Radius Subdivision Differences Coefficients.
 Open Scope R_scope.
 
-(* No number above u is one of the exponents. *)
-Definition exponent_at_most (f : R -> R) (u : R) : Prop := forall s, exponents f s -> s <= u.
-
 (* The sum of c (lo + k) phi (y - lo - k) over k < w *)
 Definition combination (phi : R -> R) (c : Z -> R) (lo : Z) (w : nat) (y : R) : R :=
   sum w (fun k => c (lo + Z.of_nat k)%Z * phi (y - IZR (lo + Z.of_nat k))).

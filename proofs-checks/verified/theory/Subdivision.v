@@ -39,6 +39,7 @@ Definition exponents (f : R -> R) (s : R) : Prop :=
   exists k alpha, 0 < alpha <= 1 /\ s = INR k + alpha /\ holder k alpha f.
 Definition exponent_at_least (f : R -> R) (l : R) : Prop :=
   forall x, x < l -> exists s, exponents f s /\ x < s.
+Definition exponent_at_most (f : R -> R) (u : R) : Prop := forall s, exponents f s -> s <= u.
 
 (* ---- the exponential function -------------------------------------------------------------------------------------- *)
 

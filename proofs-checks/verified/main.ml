@@ -288,8 +288,9 @@ let exponent mask arity lower upper file =
         require (Q.leq lower (Q.of_int order)) "the order of the sum rules does not prove the claim";
         if upper <> None || at r "stability" then line r "stability";
         require (divides scheme order) "the mask has no sum rules of this order";
+        let degree = List.length scheme.coefficients - 1 - (order * (scheme.arity - 1)) in
+        require (degree <= 256 * (scheme.arity - 1)) "transition matrices larger than 256";
         let family = difference_family scheme order in
-        require (family.size <= 256) "transition matrices larger than 256";
         (* arity^(order - lower), rounded down *)
         let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
         let power = power_below base order top l.qden in

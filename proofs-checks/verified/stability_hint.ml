@@ -80,7 +80,7 @@ let find_weights scheme precision values scale start level extra =
         Some (weights, row, first_row + middle - row)
   end
 
-let make scheme =
+let search scheme =
   let arity = Z.of_int scheme.arity in
   let less = Z.pred arity and last = Z.add scheme.first (Z.of_int (List.length scheme.coefficients - 1)) in
   let start = Z.fdiv scheme.first less in
@@ -111,3 +111,6 @@ let make scheme =
       let levels = List.filter (fun level -> int_power scheme.arity level <= 256) [ 1; 2; 3; 4 ] in
       List.find_map attempt (List.concat_map (fun level -> [ (level, 0); (level, 8) ]) levels)
   | _ -> None
+
+(* A first index beyond machine integers has no hint. *)
+let make scheme = try search scheme with Z.Overflow -> None

@@ -31,7 +31,10 @@ done
 diff "$here/test/assumptions.txt" Assumptions.out
 # shellcheck disable=SC2086
 coqchk -silent -o -Q . Subcert $modules
-(cd "$3" && "$2" --mask '[-1,0,9,16,9,0,-1]/16@-3' --arity 2 --lower 2 --theorem Four four-point.cert) >FourLower.v
-(cd "$3" && "$2" --mask '[-1,0,9,16,9,0,-1]/16@-3' --arity 2 --lower 2 --upper 2 --theorem Four four-point.cert) >FourBoth.v
-coqc -Q . Subcert FourLower.v
-coqc -Q . Subcert FourBoth.v
+theorem() {
+  # shellcheck disable=SC2086
+  (cd "$3" && "$2" --mask '[-1,0,9,16,9,0,-1]/16@-3' --arity 2 --lower 2 $4 --theorem Four four-point.cert) >"$1.v"
+  coqc -Q . Subcert "$1.v"
+}
+theorem FourLower "$2" "$3" ""
+theorem FourBoth "$2" "$3" "--upper 2"

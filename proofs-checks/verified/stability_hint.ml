@@ -112,5 +112,9 @@ let search scheme =
       List.find_map attempt (List.concat_map (fun level -> [ (level, 0); (level, 8) ]) levels)
   | _ -> None
 
-(* A first index beyond machine integers has no hint. *)
-let make scheme = try search scheme with Z.Overflow -> None
+(* A first index that differs by arity - 1 shifts the limit by 1. *)
+let make scheme =
+  let less = Z.of_int (scheme.arity - 1) in
+  let shift = Z.fdiv scheme.first less in
+  let moved hint = { hint with start = Z.add hint.start shift; row = Z.add hint.row shift } in
+  Option.map moved (search { scheme with first = Z.sub scheme.first (Z.mul shift less) })

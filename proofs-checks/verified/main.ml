@@ -7,9 +7,10 @@ open Text
 
 let usage =
   "usage: subcert-check-verified --matrices MATRICES [--lower P/Q] [--upper P/Q] [--show] FILE    (at least one bound)\n\
+  \       subcert-check-verified --mask '[c0,c1,...]/D@first' --arity A --lower P/Q [--upper P/Q] [--show] FILE\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
-   prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): claims about\n\
-   exponents and surfaces, for which subcert-check is there\n\
+   prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
+   exponents, and about surfaces, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
 let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper"; "--exact"; "--theorem" ]
@@ -136,13 +137,17 @@ let read_bounds r =
       else if high <> "-" then ignore (rational high)
   | _ -> assert false
 
-let read_certificate family lower upper r =
-  let n = family.size in
-  let line head = ignore (take r head 0 0) in
-  line "subcert-certificate 3";
-  line (Printf.sprintf "radius %d %d" (List.length family.matrices) n);
+let line r head = ignore (take r head 0 0)
+
+let read_head r claim =
+  line r "subcert-certificate 3";
+  line r claim;
   read_bounds r;
-  skip r [ "exact"; "root" ];
+  skip r [ "exact"; "root" ]
+
+(* What proves bounds of the radius: all lines to the last one. *)
+let read_proof family lower upper r =
+  let n = family.size in
   let divided = at r "blocks" in
   let sizes = if divided then List.map (fun f -> size f 1 n) (take r "blocks" 1 n) else [ n ] in
   require (List.fold_left ( + ) 0 sizes = n) "the block sizes do not sum to n";
@@ -195,7 +200,7 @@ let read_certificate family lower upper r =
           (block.size, section))
         blocks
   in
-  line "end";
+  line r "end";
   require (at_end r) "text after 'end'";
   { new_basis; sections; sizes = (if divided then sizes else []); chosen; eigenvector }
 
@@ -211,39 +216,151 @@ let show claim =
            ("row " ^ String.concat " " (List.map (fun x -> Q.to_string (Q.make x family.denominator)) row))))
     family.matrices
 
+let side value render = match value with Some q -> render (Q.to_string q) | None -> ""
+
+(* A claim about matrices: its text, its proof, what --theorem and --show print. *)
+let radius matrices lower upper file =
+  let family = read_matrices matrices in
+  let claim = { matrices_of = family; lower = Option.map bound_of lower; upper = Option.map bound_of upper } in
+  let certificate =
+    read file 1 (fun r ->
+        read_head r (Printf.sprintf "radius %d %d" (List.length family.matrices) family.size);
+        let certificate = read_proof family lower upper r in
+        require (check_radius claim certificate) "the certificate does not prove the claim";
+        certificate)
+  in
+  ( side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices,
+    (fun name -> Theorem.print_radius name claim certificate),
+    fun () -> show claim )
+
+(* The text [c0,c1,...]/D@first *)
+let read_mask text arity =
+  let expected = "a mask is [c0,c1,...]/D@first" in
+  let start, stop = match (String.index_opt text '[', String.rindex_opt text ']') with
+    | Some 0, Some stop -> (1, stop)
+    | _ -> reject expected
+  in
+  let tail = String.sub text (stop + 1) (String.length text - stop - 1) in
+  let over, first =
+    match String.split_on_char '@' tail with
+    | [ over ] -> (over, Z.zero)
+    | [ over; first ] -> (over, integer first)
+    | _ -> reject expected
+  in
+  require (over = "" || over.[0] = '/') expected;
+  let scale = rational ("1" ^ over) in
+  let values = List.map (fun c -> Q.mul (rational c) scale) (String.split_on_char ',' (String.sub text start (stop - start))) in
+  let zero k = Q.sign (List.nth values k) = 0 and count = List.length values in
+  require
+    (count <= 1000 && not (zero 0) && not (zero (count - 1)))
+    "a mask has 1 to 1000 coefficients, the first and the last not zero";
+  let cleared = clear_denominators count [ values ] in
+  { arity = size arity 2 16; first; coefficients = List.hd (List.hd cleared.matrices); common = cleared.denominator }
+
+let show_exponent scheme lower upper =
+  Printf.printf "the Hoelder exponent of the scheme of arity %d, at least %s%s\n" scheme.arity (Q.to_string lower)
+    (side upper (fun u -> ", at most " ^ u));
+  List.iteri
+    (fun k c ->
+      Printf.printf "coefficient %s is %s\n" (Z.to_string (Z.add scheme.first (Z.of_int k)))
+        (Q.to_string (Q.make c scheme.common)))
+    scheme.coefficients
+
+(* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
+let exponent mask arity lower upper file =
+  let scheme = read_mask mask arity in
+  let l = bound_of lower and base = Z.of_int scheme.arity and digits = 128 in
+  let low, both =
+    read file 1 (fun r ->
+        read_head r ("exponent " ^ mask ^ " " ^ arity);
+        if at r "reduced" then raise (Sections.Undecided "reduced masks are not decided here, but by subcert-check");
+        let order, full = match take r "sum-rules" 1 2 with [ m ] -> (m, "") | m :: f -> (m, List.hd f) | [] -> assert false in
+        let order = size order 1 500 in
+        require (full = "" || full = "full") "expected 'sum-rules M' or 'sum-rules M full'";
+        (match upper with
+        | Some u when full <> "" && Q.geq u (Q.of_int order) ->
+            raise (Sections.Undecided "upper ends by the number of sum rules are not decided here, but by subcert-check")
+        | _ -> ());
+        require
+          (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul base scheme.common))
+          "the coefficients of the mask do not sum to the arity";
+        require (Q.sign lower > 0) "the lower end of an exponent must be positive";
+        require (Q.leq lower (Q.of_int order)) "the order of the sum rules does not prove the claim";
+        if upper <> None || at r "stability" then line r "stability";
+        require (divides scheme order) "the mask has no sum rules of this order";
+        let degree = List.length scheme.coefficients - 1 - (order * (scheme.arity - 1)) in
+        require (degree <= 256 * (scheme.arity - 1)) "transition matrices larger than 256";
+        let family = difference_family scheme order in
+        (* arity^(order - lower), rounded down *)
+        let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
+        let power = power_below base order top l.qden in
+        let bound = Q.make (Z.fdiv (Z.shift_left power digits) unity) (Z.shift_left Z.one digits) in
+        (* arity^(order - upper), rounded up *)
+        let least u =
+          require (Q.sign u >= 0 && Q.lt u (Q.of_int 10_000)) "the upper end does not follow from a product";
+          let divisor = power_below base order (Q.num u) (Q.den u) in
+          let whole = Z.shift_left (Z.mul (Z.pow base order) unity) digits in
+          Q.make (Z.cdiv whole divisor) (Z.shift_left Z.one digits)
+        in
+        let least = Option.map least upper in
+        (match least with
+        | Some g -> require (Q.gt g Q.one) "no exponent below the order of the sum rules follows from a product"
+        | None -> ());
+        let low = { order; bound = bound_of bound; of_radius = read_proof family least (Some bound) r } in
+        match (upper, least) with
+        | Some u, Some g -> (
+            match Stability_hint.make scheme with
+            | None -> reject "stability: not shown for the integer shifts"
+            | Some shifts ->
+                let both = { lower_end = low; radius_least = bound_of g; shifts } in
+                require (check_exponent scheme l (bound_of u) both) "the certificate does not prove the claim";
+                (low, Some both))
+        | _ ->
+            require (check_exponent_lower scheme l low) "the certificate does not prove the claim";
+            (low, None))
+  in
+  ( Printf.sprintf "%s <= Hoelder exponent%s of %s with arity %s" (Q.to_string lower)
+      (side upper (fun u -> " <= " ^ u))
+      mask arity,
+    (fun name ->
+      match (upper, both) with
+      | Some u, Some both -> Theorem.print_enclosure name scheme l (bound_of u) both
+      | _ -> Theorem.print_exponent name scheme l low),
+    fun () -> show_exponent scheme lower upper )
+
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
   let given = options [] arguments in
   let find name = List.assoc_opt name given in
-  let has name = find name <> None in
+  let has name = find name <> None and get name = Option.get (find name) in
+  let only names = List.for_all (fun (name, _) -> List.mem name ([ "--lower"; "--theorem"; "--show"; "FILE" ] @ names)) given in
   require (has "FILE" && (has "--matrices" || has "--mask" || has "--surface")) usage;
   if has "--exact" then raise (Sections.Undecided "what a radius is exactly is not decided here, but by subcert-check");
-  if not (has "--matrices") then
-    raise (Sections.Undecided "claims about exponents and surfaces are not decided here, but by subcert-check");
-  let other name = List.mem name [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation" ] in
   let letter c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') and digit c = c >= '0' && c <= '9' in
   let is_name name = name <> "" && letter name.[0] && String.for_all (fun c -> letter c || digit c) name in
   require (Option.fold ~none:true ~some:is_name (find "--theorem")) "--theorem needs a name of letters and digits";
-  require ((not (List.exists (fun (name, _) -> other name) given)) && (has "--lower" || has "--upper")) usage;
-  let matrices = Option.get (find "--matrices") in
-  let lower = Option.map rational (find "--lower") and upper = Option.map rational (find "--upper") in
-  let family = read_matrices matrices in
-  let claim = { matrices_of = family; lower = Option.map bound_of lower; upper = Option.map bound_of upper } in
-  let side value render = match value with Some q -> render (Q.to_string q) | None -> "" in
-  let text =
-    side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices
-  in
-  let certificate =
-    read (Option.get (find "FILE")) 1 (fun r ->
-        let certificate = read_certificate family lower upper r in
-        require (check_radius claim certificate) "the certificate does not prove the claim";
-        certificate)
+  let bound name = Option.map rational (find name) in
+  let rough = String.starts_with ~prefix:"C" (Option.value (find "--upper") ~default:"") in
+  let text, theorem, shown =
+    if has "--matrices" then begin
+      require (only [ "--matrices"; "--upper" ] && (has "--lower" || has "--upper")) usage;
+      radius (get "--matrices") (bound "--lower") (bound "--upper") (get "FILE")
+    end
+    else if only [ "--mask"; "--arity"; "--upper" ] && (has "--lower" || not (has "--arity")) && not rough then begin
+      require (has "--mask" && has "--arity" && has "--lower") usage;
+      exponent (get "--mask") (get "--arity") (Option.get (bound "--lower")) (bound "--upper") (get "FILE")
+    end
+    else
+      raise
+        (Sections.Undecided
+           "of claims about exponents only those of one mask with a lower end, and perhaps an upper one, are decided here, the others \
+            by subcert-check")
   in
   match find "--theorem" with
-  | Some name -> Theorem.print name claim certificate
+  | Some name -> theorem name
   | None ->
       print_endline ("VERIFIED " ^ text);
-      if has "--show" then show claim
+      if has "--show" then shown ()
 
 let () =
   let finish code = exit code in

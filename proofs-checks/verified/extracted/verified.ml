@@ -40,12 +40,22 @@ let compOpp = function
 | Lt -> Gt
 | Gt -> Lt
 
-(** val add : int -> int -> int **)
+module Coq__1 = struct
+ (** val add : int -> int -> int **)
+ let rec add n m =
+   (fun zero next n -> if n = 0 then zero () else next (n - 1))
+     (fun _ -> m)
+     (fun p -> Stdlib.succ (add p m))
+     n
+end
+include Coq__1
 
-let rec add n m =
+(** val mul : int -> int -> int **)
+
+let rec mul n m =
   (fun zero next n -> if n = 0 then zero () else next (n - 1))
-    (fun _ -> m)
-    (fun p -> Stdlib.succ (add p m))
+    (fun _ -> 0)
+    (fun p -> add m (mul p m))
     n
 
 (** val sub : int -> int -> int **)
@@ -62,6 +72,22 @@ let rec sub n m =
 
 module Nat =
  struct
+  (** val add : int -> int -> int **)
+
+  let rec add n m =
+    (fun zero next n -> if n = 0 then zero () else next (n - 1))
+      (fun _ -> m)
+      (fun p -> Stdlib.succ (add p m))
+      n
+
+  (** val mul : int -> int -> int **)
+
+  let rec mul n m =
+    (fun zero next n -> if n = 0 then zero () else next (n - 1))
+      (fun _ -> 0)
+      (fun p -> add m (mul p m))
+      n
+
   (** val eqb : int -> int -> bool **)
 
   let rec eqb n m =
@@ -94,6 +120,46 @@ module Nat =
 
   let ltb n m =
     leb (Stdlib.succ n) m
+
+  (** val max : int -> int -> int **)
+
+  let rec max n m =
+    (fun zero next n -> if n = 0 then zero () else next (n - 1))
+      (fun _ -> m)
+      (fun n' ->
+      (fun zero next n -> if n = 0 then zero () else next (n - 1))
+        (fun _ -> n)
+        (fun m' -> Stdlib.succ (max n' m'))
+        m)
+      n
+
+  (** val pow : int -> int -> int **)
+
+  let rec pow n m =
+    (fun zero next n -> if n = 0 then zero () else next (n - 1))
+      (fun _ -> Stdlib.succ 0)
+      (fun m0 -> mul n (pow n m0))
+      m
+
+  (** val divmod : int -> int -> int -> int -> int*int **)
+
+  let rec divmod x y q0 u =
+    (fun zero next n -> if n = 0 then zero () else next (n - 1))
+      (fun _ -> q0,u)
+      (fun x' ->
+      (fun zero next n -> if n = 0 then zero () else next (n - 1))
+        (fun _ -> divmod x' y (Stdlib.succ q0) y)
+        (fun u' -> divmod x' y q0 u')
+        u)
+      x
+
+  (** val div : int -> int -> int **)
+
+  let div x y =
+    (fun zero next n -> if n = 0 then zero () else next (n - 1))
+      (fun _ -> y)
+      (fun y' -> fst (divmod x y' 0 y'))
+      y
  end
 
 module Pos =
@@ -360,6 +426,20 @@ module Coq_Pos =
   let sqrt p =
     fst (sqrtrem p)
 
+  (** val iter_op : ('a1 -> 'a1 -> 'a1) -> Number.t -> 'a1 -> 'a1 **)
+
+  let rec iter_op op p a =
+    Number.case_positive
+      (fun p0 -> op a (iter_op op p0 (op a a)))
+      (fun p0 -> iter_op op p0 (op a a))
+      (fun _ -> a)
+      p
+
+  (** val to_nat : Number.t -> int **)
+
+  let to_nat x =
+    iter_op Coq__1.add x (Stdlib.succ 0)
+
   (** val of_succ_nat : int -> Number.t **)
 
   let rec of_succ_nat n =
@@ -460,6 +540,15 @@ module Z =
         (fun y' -> compOpp (Coq_Pos.compare x' y'))
         y)
       x
+
+  (** val to_nat : Number.t -> int **)
+
+  let to_nat z0 =
+    Number.case_integer
+      (fun _ -> 0)
+      (fun p -> Coq_Pos.to_nat p)
+      (fun _ -> 0)
+      z0
  end
 
 (** val nth : int -> 'a1 list -> 'a1 -> 'a1 **)
@@ -514,10 +603,10 @@ let rec skipn n l =
 
 (** val seq : int -> int -> int list **)
 
-let rec seq start len =
+let rec seq start0 len =
   (fun zero next n -> if n = 0 then zero () else next (n - 1))
     (fun _ -> [])
-    (fun len0 -> start::(seq (Stdlib.succ start) len0))
+    (fun len0 -> start0::(seq (Stdlib.succ start0) len0))
     len
 
 (** val repeat : 'a1 -> int -> 'a1 list **)
@@ -558,7 +647,7 @@ let rec addmul c x y =
 
 let mv m x = match x with
 | [] -> []
-| _::_ -> map (fun row -> dot row x) m
+| _::_ -> map (fun row0 -> dot row0 x) m
 
 (** val norm1 : zvec -> Number.t **)
 
@@ -600,7 +689,8 @@ let rec zrun ms w x =
 (** val square : int -> zmat -> bool **)
 
 let square n m =
-  (&&) (Nat.eqb (length m) n) (forallb (fun row -> Nat.eqb (length row) n) m)
+  (&&) (Nat.eqb (length m) n)
+    (forallb (fun row0 -> Nat.eqb (length row0) n) m)
 
 type family = { size : int; denominator : Number.t; matrices : zmat list }
 
@@ -705,14 +795,14 @@ let rec combine ps = function
     bool -> points -> Number.t -> Number.t -> point -> term list ->
     (Number.t*Number.t) option **)
 
-let line nonnegative ps scale divisor target ts =
+let line nonnegative ps scale0 divisor target ts =
   match combine ps ts with
   | Some p ->
     let w,p0 = p in
     let x,y = p0 in
-    let u = addmul (Number.opposite divisor) x (addmul scale (fst target) [])
+    let u = addmul (Number.opposite divisor) x (addmul scale0 (fst target) [])
     in
-    let v = addmul (Number.opposite divisor) y (addmul scale (snd target) [])
+    let v = addmul (Number.opposite divisor) y (addmul scale0 (snd target) [])
     in
     if nonnegative
     then (match v with
@@ -740,14 +830,14 @@ let rec units nonnegative ps one k = function
     bool -> points -> Number.t -> Number.t -> Number.t -> Number.t ->
     Number.t -> q -> point -> zmat list -> term list list -> bool **)
 
-let rec images nonnegative ps scale one divisor s r u p ms lines =
+let rec images nonnegative ps scale0 one divisor s r u p ms lines =
   match ms with
   | [] -> true
   | m::ms' ->
     (match lines with
      | [] -> false
      | ts::lines' ->
-       (match line nonnegative ps scale divisor
+       (match line nonnegative ps scale0 divisor
                 ((mv m (fst p)),(mv m (snd p))) ts with
         | Some p0 ->
           let w,t0 = p0 in
@@ -757,24 +847,24 @@ let rec images nonnegative ps scale one divisor s r u p ms lines =
                 (Number.add
                   (Number.mul (Number.mul w divisor) (Number.sub one r))
                   (Number.mul t0 s)))
-              (Number.mul (Number.mul (Number.mul u.qnum scale) divisor)
+              (Number.mul (Number.mul (Number.mul u.qnum scale0) divisor)
                 (Number.sub one r)))
-            (images nonnegative ps scale one divisor s r u p ms' lines')
+            (images nonnegative ps scale0 one divisor s r u p ms' lines')
         | None -> false))
 
 (** val all_images :
     bool -> points -> Number.t -> Number.t -> Number.t -> Number.t ->
     Number.t -> q -> zmat list -> point list -> term list list list -> bool **)
 
-let rec all_images nonnegative ps scale one divisor s r u ms all lines =
+let rec all_images nonnegative ps scale0 one divisor s r u ms all lines =
   match all with
   | [] -> true
   | p::all' ->
     (match lines with
      | [] -> false
      | l::lines' ->
-       (&&) (images nonnegative ps scale one divisor s r u p ms l)
-         (all_images nonnegative ps scale one divisor s r u ms all' lines'))
+       (&&) (images nonnegative ps scale0 one divisor s r u p ms l)
+         (all_images nonnegative ps scale0 one divisor s r u ms all' lines'))
 
 (** val vector_nonnegative : zvec -> bool **)
 
@@ -795,12 +885,12 @@ let all_nonnegative f all =
     family -> q -> bool -> Number.t -> Number.t -> point list -> term list
     list -> term list list list -> bool **)
 
-let polytope f u nonnegative scale one all unit_lines image_lines =
+let polytope f u nonnegative scale0 one all unit_lines image_lines =
   let ps = number Number.one all in
   (&&)
     ((&&)
       ((&&)
-        ((&&) (Number.less Number.zero scale)
+        ((&&) (Number.less Number.zero scale0)
           (Number.less_equal Number.zero u.qnum))
         (if nonnegative then all_nonnegative f all else true))
       (Nat.eqb (length unit_lines) f.size))
@@ -808,7 +898,7 @@ let polytope f u nonnegative scale one all unit_lines image_lines =
      | Some p ->
        let s,r = p in
        (&&) (Number.less r one)
-         (all_images nonnegative ps scale one f.denominator s r u f.matrices
+         (all_images nonnegative ps scale0 one f.denominator s r u f.matrices
            all image_lines)
      | None -> false)
 
@@ -997,7 +1087,7 @@ let positive_form n margin s h =
     ((&&)
       ((&&) (Number.less Number.zero h.root_factor)
         (Number.less_equal Number.zero h.root_scale))
-      (forallb (fun row -> Nat.leb (length row) n) h.root_rows))
+      (forallb (fun row0 -> Nat.leb (length row0) n) h.root_rows))
     (forallb (fun i ->
       Number.less_equal
         (Number.add (Number.mul (Number.twice Number.one) margin)
@@ -1057,22 +1147,22 @@ let quadratic f u p =
 
 (** val largest_norm : zmat list -> int -> zvec -> Number.t **)
 
-let rec largest_norm ms level x =
+let rec largest_norm ms level0 x =
   (fun zero next n -> if n = 0 then zero () else next (n - 1))
     (fun _ -> norm1 x)
     (fun k -> largest_of (map (fun m -> largest_norm ms k (mv m x)) ms))
-    level
+    level0
 
 (** val norm_section : family -> q -> int -> bool **)
 
-let norm_section f u level =
-  (&&) ((&&) (Number.less_equal Number.zero u.qnum) (Nat.ltb 0 level))
+let norm_section f u level0 =
+  (&&) ((&&) (Number.less_equal Number.zero u.qnum) (Nat.ltb 0 level0))
     (forallb (fun k ->
       Number.less_equal
-        (Number.mul (largest_norm f.matrices level (unit_at Number.one k))
-          (Number.power u.qden (Number.of_natural level)))
+        (Number.mul (largest_norm f.matrices level0 (unit_at Number.one k))
+          (Number.power u.qden (Number.of_natural level0)))
         (Number.power (Number.mul u.qnum f.denominator)
-          (Number.of_natural level))) (seq 0 f.size))
+          (Number.of_natural level0))) (seq 0 f.size))
 
 (** val transpose : family -> family **)
 
@@ -1089,9 +1179,9 @@ type section =
 (** val check_section : family -> q -> section -> bool **)
 
 let check_section f u = function
-| Norm level -> norm_section f u level
-| Polytope (nonnegative, transposed, scale, one, all, ul, il) ->
-  polytope (if transposed then transpose f else f) u nonnegative scale one
+| Norm level0 -> norm_section f u level0
+| Polytope (nonnegative, transposed, scale0, one, all, ul, il) ->
+  polytope (if transposed then transpose f else f) u nonnegative scale0 one
     all ul il
 | Quadratic (form, definite, words) -> quadratic f u form definite words
 
@@ -1112,8 +1202,9 @@ let other_blocks d f =
 let triangular d f =
   (&&) (Nat.leb d f.size)
     (forallb (fun m ->
-      forallb (fun row -> forallb (Number.equal Number.zero) (firstn d row))
-        (skipn d m)) f.matrices)
+      forallb (fun row0 ->
+        forallb (Number.equal Number.zero) (firstn d row0)) (skipn d m))
+      f.matrices)
 
 (** val check_upper : family -> q -> (int*section) list -> bool **)
 
@@ -1209,3 +1300,339 @@ let check_radius c cert =
      | Some b ->
        (&&) (basis_valid f.size b) (check_bounds (in_basis f b) c cert)
      | None -> check_bounds f c cert)
+
+type scheme = { arity : int; first : Number.t; coefficients : Number.t list;
+                common : Number.t }
+
+(** val times_sigma : int -> Number.t list -> Number.t list **)
+
+let rec times_sigma arity0 l =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> [])
+    (fun k -> addmul Number.one l (Number.zero::(times_sigma k l)))
+    arity0
+
+(** val quotients : int -> Number.t list -> Number.t list -> Number.t list **)
+
+let rec quotients degree recent = function
+| [] -> []
+| x::rest ->
+  let q0 = Number.sub x (fold_right Number.add Number.zero recent) in
+  q0::(quotients degree (firstn degree (q0::recent)) rest)
+
+(** val over_sigma : int -> Number.t list -> Number.t list **)
+
+let over_sigma arity0 l =
+  firstn (sub (length l) (sub arity0 (Stdlib.succ 0)))
+    (quotients (sub arity0 (Stdlib.succ 0)) [] l)
+
+(** val iterate :
+    int -> (Number.t list -> Number.t list) -> Number.t list -> Number.t list **)
+
+let rec iterate m f l =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> l)
+    (fun k -> f (iterate k f l))
+    m
+
+(** val same : Number.t list -> Number.t list -> bool **)
+
+let rec same x y =
+  match x with
+  | [] -> (match y with
+           | [] -> true
+           | _::_ -> false)
+  | a::x' ->
+    (match y with
+     | [] -> false
+     | b::y' -> (&&) (Number.equal a b) (same x' y'))
+
+(** val transition : int -> int -> Number.t list -> zmat list **)
+
+let transition arity0 size0 b =
+  map (fun t0 ->
+    map (fun j ->
+      let s = add (mul arity0 j) t0 in
+      map (fun k ->
+        if Nat.leb k s then nth (sub s k) b Number.zero else Number.zero)
+        (seq 0 size0)) (seq 0 size0)) (seq 0 arity0)
+
+(** val matrix_size : int -> Number.t list -> int **)
+
+let matrix_size arity0 b =
+  Nat.max (Stdlib.succ 0)
+    (Nat.div
+      (add (sub (length b) (Stdlib.succ 0))
+        (sub arity0 (Stdlib.succ (Stdlib.succ 0))))
+      (sub arity0 (Stdlib.succ 0)))
+
+(** val quotient : scheme -> int -> Number.t list **)
+
+let quotient a order0 =
+  iterate order0 (over_sigma a.arity) a.coefficients
+
+(** val difference_symbol : scheme -> int -> Number.t list **)
+
+let difference_symbol a order0 =
+  map
+    (Number.mul
+      (Number.power (Number.of_natural a.arity) (Number.of_natural order0)))
+    (quotient a order0)
+
+(** val difference_family : scheme -> int -> family **)
+
+let difference_family a order0 =
+  let b = difference_symbol a order0 in
+  let size0 = matrix_size a.arity b in
+  { size = size0; denominator = a.common; matrices =
+  (transition a.arity size0 b) }
+
+(** val unity : Number.t **)
+
+let unity =
+  Number.power (Number.twice Number.one) (Number.twice (Number.twice
+    (Number.twice (Number.twice (Number.twice (Number.twice
+    (Number.twice_plus_one (Number.twice Number.one))))))))
+
+(** val digits : int **)
+
+let digits =
+  mul (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+    (Stdlib.succ (Stdlib.succ (Stdlib.succ 0)))))))) (Stdlib.succ
+    (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+    (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+    (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+    0))))))))))))))))
+
+(** val roots_below : Number.t -> int -> Number.t -> Number.t -> Number.t **)
+
+let rec roots_below base k top bottom =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> unity)
+    (fun k' ->
+    Number.square_root
+      (Number.mul unity
+        (if Number.less_equal bottom
+              (Number.mul (Number.twice Number.one) top)
+         then Number.mul base
+                (roots_below base k'
+                  (Number.sub (Number.mul (Number.twice Number.one) top)
+                    bottom) bottom)
+         else roots_below base k' (Number.mul (Number.twice Number.one) top)
+                bottom)))
+    k
+
+(** val power_below : Number.t -> int -> Number.t -> Number.t -> Number.t **)
+
+let rec power_below base whole top bottom =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> roots_below base digits top bottom)
+    (fun k ->
+    if Number.less_equal bottom top
+    then Number.mul base (power_below base k (Number.sub top bottom) bottom)
+    else roots_below base digits top bottom)
+    whole
+
+type exponent_certificate = { order : int; bound : q; of_radius : certificate }
+
+(** val below_power : scheme -> q -> int -> q -> bool **)
+
+let below_power a l order0 u =
+  let bottom = l.qden in
+  let top = Number.sub (Number.mul (Number.of_natural order0) bottom) l.qnum
+  in
+  (&&)
+    ((&&) (Number.less Number.zero l.qnum)
+      (Number.less_equal Number.zero top))
+    (Number.less_equal (Number.mul u.qnum unity)
+      (Number.mul (power_below (Number.of_natural a.arity) order0 top bottom)
+        u.qden))
+
+(** val divides : scheme -> int -> bool **)
+
+let divides a order0 =
+  (&&)
+    (same (iterate order0 (times_sigma a.arity) (quotient a order0))
+      a.coefficients)
+    (Nat.leb
+      (add (sub (length (quotient a order0)) (Stdlib.succ 0))
+        (mul order0 (sub a.arity (Stdlib.succ 0))))
+      (sub (length a.coefficients) (Stdlib.succ 0)))
+
+(** val reduces : scheme -> q -> int -> q -> bool **)
+
+let reduces a l order0 u =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a.arity)
+          (Number.less Number.zero a.common)) (divides a order0))
+      (Number.equal
+        (fold_right Number.add Number.zero (difference_symbol a order0))
+        (Number.mul (Number.of_natural a.arity) a.common)))
+    (below_power a l order0 u)
+
+(** val check_exponent_lower : scheme -> q -> exponent_certificate -> bool **)
+
+let check_exponent_lower a l cert =
+  (&&) (reduces a l cert.order cert.bound)
+    (check_radius { matrices_of = (difference_family a cert.order); lower =
+      None; upper = (Some cert.bound) } cert.of_radius)
+
+type stability = { start : Number.t; values : Number.t list;
+                   scale : Number.t; inverse_matrix : zmat;
+                   inverse_over : Number.t; level : int;
+                   weights : Number.t list; row : Number.t; center : 
+                   int }
+
+(** val coefficient_at : scheme -> Number.t -> Number.t **)
+
+let coefficient_at a k =
+  if Number.less k a.first
+  then Number.zero
+  else nth (Z.to_nat (Number.sub k a.first)) a.coefficients Number.zero
+
+(** val value_matrix : scheme -> Number.t -> int -> zmat **)
+
+let value_matrix a start0 w =
+  table w (fun i j ->
+    Number.add
+      (Number.sub
+        (coefficient_at a
+          (Number.sub
+            (Number.mul (Number.of_natural a.arity)
+              (Number.add start0 (Number.of_natural i)))
+            (Number.add start0 (Number.of_natural j))))
+        (if Nat.eqb i j then a.common else Number.zero)) a.common)
+
+(** val values_right : scheme -> stability -> bool **)
+
+let values_right a c =
+  let w = length c.values in
+  let e = value_matrix a c.start w in
+  forallb (fun r ->
+    Number.equal (dot r c.values) (Number.mul a.common c.scale)) e
+
+(** val values_unique : scheme -> stability -> bool **)
+
+let values_unique a c =
+  let w = length c.values in
+  let p = zproduct w c.inverse_matrix (value_matrix a c.start w) in
+  (&&) (square w c.inverse_matrix)
+    (forallb (fun j ->
+      Number.less
+        (norm1
+          (map (fun i ->
+            Number.sub (if Nat.eqb i j then c.inverse_over else Number.zero)
+              (entry p i j)) (seq 0 w))) c.inverse_over) (seq 0 w))
+
+(** val times_up : int -> Number.t list -> Number.t list -> Number.t list **)
+
+let rec times_up step c u =
+  match c with
+  | [] -> []
+  | x::c' -> addmul x u (app (repeat Number.zero step) (times_up step c' u))
+
+(** val fine :
+    int -> Number.t list -> int -> Number.t list -> Number.t list **)
+
+let rec fine a c m u =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> u)
+    (fun k -> times_up (Nat.pow a k) c (fine a c k u))
+    m
+
+(** val fine_start : int -> Number.t -> int -> Number.t -> Number.t **)
+
+let rec fine_start a f m s =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> s)
+    (fun k ->
+    Number.add (fine_start a f k s)
+      (Number.mul (Number.of_natural (Nat.pow a k)) f))
+    m
+
+(** val correlate :
+    int -> int -> Number.t list -> Number.t list -> Number.t list **)
+
+let rec correlate fuel step omega u =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> [])
+    (fun f -> (dot omega u)::(correlate f step omega (skipn step u)))
+    fuel
+
+(** val combined : scheme -> stability -> Number.t list **)
+
+let combined a c =
+  let u = fine a.arity a.coefficients c.level c.values in
+  let step = Nat.pow a.arity c.level in
+  let padded =
+    app
+      (repeat Number.zero
+        (Z.to_nat
+          (Number.sub (fine_start a.arity a.first c.level c.start)
+            (Number.mul (Number.of_natural step) c.row)))) u
+  in
+  correlate (length padded) step c.weights padded
+
+(** val check_stable : scheme -> stability -> bool **)
+
+let check_stable a c =
+  let w = Number.of_natural (length c.values) in
+  let a0 = Number.of_natural a.arity in
+  let s = fine_start a.arity a.first c.level c.start in
+  let step = Number.of_natural (Nat.pow a.arity c.level) in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&) (Number.less Number.zero c.scale)
+                (Number.less_equal
+                  (Number.mul (Number.sub a0 Number.one) c.start) a.first))
+              (Number.less_equal
+                (Number.add a.first
+                  (Number.of_natural
+                    (sub (length a.coefficients) (Stdlib.succ 0))))
+                (Number.mul (Number.sub a0 Number.one)
+                  (Number.sub (Number.add c.start w) Number.one))))
+            (values_right a c)) (values_unique a c))
+        (Number.less_equal (Number.mul step c.row) s))
+      (Number.less_equal
+        (Number.add (Number.of_natural (length c.weights))
+          (Number.mul step (Number.sub c.row Number.one))) s))
+    (Number.less (norm1 (combined a c))
+      (Number.mul (Number.twice Number.one)
+        (Number.abs (nth c.center (combined a c) Number.zero))))
+
+type enclosure = { lower_end : exponent_certificate; radius_least : q;
+                   shifts : stability }
+
+(** val above_power : scheme -> q -> int -> q -> bool **)
+
+let above_power a u order0 g =
+  (&&)
+    ((&&) (Number.less_equal Number.zero u.qnum) (Number.less g.qden g.qnum))
+    (Number.less_equal
+      (Number.mul
+        (Number.mul
+          (Number.power (Number.of_natural a.arity)
+            (Number.of_natural order0)) unity) g.qden)
+      (Number.mul g.qnum
+        (power_below (Number.of_natural a.arity) order0 u.qnum u.qden)))
+
+(** val encloses : scheme -> q -> q -> int -> q -> q -> stability -> bool **)
+
+let encloses a l u order0 most least c =
+  (&&)
+    ((&&) ((&&) (reduces a l order0 most) (above_power a u order0 least))
+      (Nat.leb (Stdlib.succ 0) (length a.coefficients))) (check_stable a c)
+
+(** val check_exponent : scheme -> q -> q -> enclosure -> bool **)
+
+let check_exponent a l u cert =
+  let low = cert.lower_end in
+  (&&) (encloses a l u low.order low.bound cert.radius_least cert.shifts)
+    (check_radius { matrices_of = (difference_family a low.order); lower =
+      (Some cert.radius_least); upper = (Some low.bound) } low.of_radius)

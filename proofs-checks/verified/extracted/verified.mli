@@ -18,15 +18,29 @@ val compOpp : comparison -> comparison
 
 val add : int -> int -> int
 
+val mul : int -> int -> int
+
 val sub : int -> int -> int
 
 module Nat :
  sig
+  val add : int -> int -> int
+
+  val mul : int -> int -> int
+
   val eqb : int -> int -> bool
 
   val leb : int -> int -> bool
 
   val ltb : int -> int -> bool
+
+  val max : int -> int -> int
+
+  val pow : int -> int -> int
+
+  val divmod : int -> int -> int -> int -> int*int
+
+  val div : int -> int -> int
  end
 
 module Pos :
@@ -80,6 +94,10 @@ module Coq_Pos :
 
   val sqrt : Number.t -> Number.t
 
+  val iter_op : ('a1 -> 'a1 -> 'a1) -> Number.t -> 'a1 -> 'a1
+
+  val to_nat : Number.t -> int
+
   val of_succ_nat : int -> Number.t
  end
 
@@ -100,6 +118,8 @@ module Z :
   val pow_pos : Number.t -> Number.t -> Number.t
 
   val compare : Number.t -> Number.t -> comparison
+
+  val to_nat : Number.t -> int
  end
 
 val nth : int -> 'a1 list -> 'a1 -> 'a1
@@ -297,3 +317,80 @@ type certificate = { new_basis : basis option; sections : (int*section) list;
 val check_bounds : family -> claim -> certificate -> bool
 
 val check_radius : claim -> certificate -> bool
+
+type scheme = { arity : int; first : Number.t; coefficients : Number.t list;
+                common : Number.t }
+
+val times_sigma : int -> Number.t list -> Number.t list
+
+val quotients : int -> Number.t list -> Number.t list -> Number.t list
+
+val over_sigma : int -> Number.t list -> Number.t list
+
+val iterate :
+  int -> (Number.t list -> Number.t list) -> Number.t list -> Number.t list
+
+val same : Number.t list -> Number.t list -> bool
+
+val transition : int -> int -> Number.t list -> zmat list
+
+val matrix_size : int -> Number.t list -> int
+
+val quotient : scheme -> int -> Number.t list
+
+val difference_symbol : scheme -> int -> Number.t list
+
+val difference_family : scheme -> int -> family
+
+val unity : Number.t
+
+val digits : int
+
+val roots_below : Number.t -> int -> Number.t -> Number.t -> Number.t
+
+val power_below : Number.t -> int -> Number.t -> Number.t -> Number.t
+
+type exponent_certificate = { order : int; bound : q; of_radius : certificate }
+
+val below_power : scheme -> q -> int -> q -> bool
+
+val divides : scheme -> int -> bool
+
+val reduces : scheme -> q -> int -> q -> bool
+
+val check_exponent_lower : scheme -> q -> exponent_certificate -> bool
+
+type stability = { start : Number.t; values : Number.t list;
+                   scale : Number.t; inverse_matrix : zmat;
+                   inverse_over : Number.t; level : int;
+                   weights : Number.t list; row : Number.t; center : 
+                   int }
+
+val coefficient_at : scheme -> Number.t -> Number.t
+
+val value_matrix : scheme -> Number.t -> int -> zmat
+
+val values_right : scheme -> stability -> bool
+
+val values_unique : scheme -> stability -> bool
+
+val times_up : int -> Number.t list -> Number.t list -> Number.t list
+
+val fine : int -> Number.t list -> int -> Number.t list -> Number.t list
+
+val fine_start : int -> Number.t -> int -> Number.t -> Number.t
+
+val correlate : int -> int -> Number.t list -> Number.t list -> Number.t list
+
+val combined : scheme -> stability -> Number.t list
+
+val check_stable : scheme -> stability -> bool
+
+type enclosure = { lower_end : exponent_certificate; radius_least : q;
+                   shifts : stability }
+
+val above_power : scheme -> q -> int -> q -> bool
+
+val encloses : scheme -> q -> q -> int -> q -> q -> stability -> bool
+
+val check_exponent : scheme -> q -> q -> enclosure -> bool

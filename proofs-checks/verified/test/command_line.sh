@@ -1,5 +1,5 @@
 #!/bin/sh
-# Exit codes, --show, and the theorem of primal:n=5 as it is checked in. Usage: command_line.sh PROGRAM CORPUS
+# Exit codes, --show, and the theorem on primal:n=5 as it is checked in. Usage: command_line.sh PROGRAM CORPUS
 set -eu
 program=$1
 corpus=$2
@@ -12,7 +12,7 @@ expect() {
   shift
   status=0
   output=$("$program" "$@" 2>&1) || status=$?
-  if [ "$status" -ne "$code" ] || { [ "$code" -ne 0 ] && echo "$output" | grep -q VERIFIED.*radius; }; then
+  if [ "$status" -ne "$code" ] || { [ "$code" -ne 0 ] && echo "$output" | grep -q ^VERIFIED; }; then
     echo "$*: exit code $status, not $code: $output"
     exit 1
   fi
@@ -32,7 +32,28 @@ expect 66 --matrices golden.mat --upper 2 none.cert
 expect 66 --matrices golden.mat --upper 2 .
 expect 1 --matrices golden.mat --upper 2 golden.mat
 expect 1 --matrices golden.mat --upper -1 golden.cert
-expect 2 --mask '[1,2,1]/2@-1' --arity 2 --lower 1 bspline-1.cert
+hat='[1/2,1,1/2]@-1'
+expect 0 --mask "$hat" --arity 2 --lower 1 bspline-1.cert
+expect 0 --mask "$hat" --arity 2 --lower 1 --show bspline-1.cert
+echo "$output" | grep -qx 'coefficient -1 is 1/2'
+expect 1 --mask '[1,2,1]/2@-1' --arity 2 --lower 1 bspline-1.cert
+expect 1 --mask "$hat" --arity 2 --lower 1000001/1000000 bspline-1.cert
+expect 1 --mask "$hat" --arity 2 --lower 0 bspline-1.cert
+expect 1 --mask "$hat" --arity 2 --lower -1 bspline-1.cert
+expect 0 --mask "$hat" --arity 2 --lower 1 --upper 1 bspline-1.cert
+expect 1 --mask "$hat" --arity 2 --lower 1/2 --upper 999/1000 bspline-1.cert
+expect 1 --mask "$hat" --arity 2 --lower 1 --upper -1 bspline-1.cert
+expect 2 --mask "$hat" --arity 2 --lower 1 --upper C2 bspline-1.cert
+expect 2 --mask "$hat" --arity 2 bspline-1.cert --within 1/100,1 --lower 9/10
+expect 2 --mask '[1,1,1,1]/2' --arity 2 --lower 1 trapezoid-reduced.cert
+expect 64 --mask "$hat" --lower 1 bspline-1.cert
+expect 2 --mask "$hat" --arity 2 bspline-1.cert
+expect 64 --mask "$hat" --arity 2 --matrices golden.mat --lower 1 bspline-1.cert
+expect 64 --mask "$hat" --arity 17 --lower 1 bspline-1.cert
+for mask in '' '1,2,1' '[1,2,1' '[]' '[1,,1]' '[0,2]' '[1,1]/0' '[1,1]/-1' '[1,1]2' '[1,1]@' '[1,1]@1@2' '[[1],[1]]'; do
+  expect 64 --mask "$mask" --arity 2 --lower 1 bspline-1.cert
+done
+expect 66 --mask "$hat" --arity 2 --lower 1 none.cert
 expect 0 --matrices golden.mat --upper 2 --show golden.cert
 echo "$output" | grep -qx 'row 1 1'
 

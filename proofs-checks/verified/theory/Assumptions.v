@@ -1,6 +1,9 @@
 (* The axioms that the theorems rest on. *)
-From Subcert Require Import Radius Existence Check Scheme.
+From Subcert Require Import Radius Existence Check Exponent Enclosure Scheme.
 
 Print Assumptions radius_exists.
 Print Assumptions check_radius_sound.
+Print Assumptions check_exponent_lower_sound.
+Print Assumptions check_exponent_sound.
 Print Assumptions S5_radius.
+Print Assumptions S5_exponent.

@@ -1,6 +1,6 @@
 (* The checker as a program in OCaml, with the integers of zarith: of numbers only what ../number.ml lists is trusted. *)
 Require Import ZArith QArith.
-From Subcert Require Import Integers Sections Eigenvalue Quadratic Check.
+From Subcert Require Import Integers Sections Eigenvalue Quadratic Check Exponent Enclosure.
 Require Import Extraction.
 
 Extraction Language OCaml.
@@ -31,4 +31,5 @@ Extract Inlined Constant Pos.succ => "Number.successor".
 Extract Inductive nat => "int" ["0" "Stdlib.succ"] "(fun zero next n -> if n = 0 then zero () else next (n - 1))".
 
 Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_valid first_block other_blocks transpose
-  check_section value_entry derivative_entry product_columns zrun addmul well_formed.
+  check_section value_entry derivative_entry product_columns zrun addmul well_formed check_exponent_lower reduces
+  power_below unity difference_family divides check_exponent check_stable value_matrix fine fine_start.

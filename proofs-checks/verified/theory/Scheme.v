@@ -1,37 +1,50 @@
-(* The difference matrices of a scheme, made from its mask; and the joint spectral radius of those of primal:n=5, the primal
-   least squares scheme of ten points and degree 1, in the kernel of Coq alone: no extraction, no OCaml, no parser. *)
-Require Import Reals List ZArith QArith Lra.
-From Subcert Require Import Radius Integers Sections Check S5.
+(* The joint spectral radius of the difference matrices of primal:n=5, the primal least squares scheme of ten points and
+   degree 1, and the Hoelder exponent of its limit, in the kernel of Coq alone: no extraction, no OCaml, no parser. *)
+Require Import Reals List ZArith QArith Lra Lia.
+From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Stability Exponent Enclosure S5 Shifts.
 Import ListNotations.
 Open Scope Z_scope.
 
-(* Products of polynomials, the coefficients from the constant one on. *)
-Definition polynomial_product (p q : list Z) : list Z :=
-  fold_right (fun a rest => addmul a q (0 :: rest)) [] p.
-Fixpoint polynomial_power (p : list Z) (k : nat) : list Z :=
-  match k with O => [1] | S j => polynomial_product p (polynomial_power p j) end.
+Definition S5_scheme : scheme := Scheme 2 (-9) [9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9] 90.
 
-(* (T_t)_jk = b_(arity j + t - k), for t = 0, ..., arity - 1 and j, k = 0, ..., size - 1. *)
-Definition transition (arity size : nat) (b : list Z) : list zmat :=
-  map (fun t => table size (fun j k => if (k <=? arity * j + t)%nat then nth (arity * j + t - k) b 0 else 0)) (seq 0 arity).
+(* 4 times the mask without the factor (1 + z)^2, over 45 *)
+Definition S5_symbol : list Z := [18; (-16); 32; (-28); 42; (-36); 48; (-40); 50; (-40); 48; (-36); 42; (-28); 32; (-16); 18].
 
-(* b is arity^order times a symbol, mask / d, without its factor ((1 + z + ... + z^(arity - 1)))^order; b is over e. *)
-Definition is_difference_symbol (arity order : nat) (mask : list Z) (d : Z) (b : list Z) (e : Z) : Prop :=
-  map (Z.mul d) (polynomial_product (polynomial_power (repeat 1 arity) order) b) =
-  map (Z.mul (Z.of_nat arity ^ Z.of_nat order * e)) mask.
-
-Definition S5_mask : list Z := [9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9; 10; 9].  (* over 90 *)
-Definition S5_symbol : list Z := [18; (-16); 32; (-28); 42; (-36); 48; (-40); 50; (-40); 48; (-36); 42; (-28); 32; (-16); 18].  (* over 45 *)
-
-Lemma S5_symbol_right : is_difference_symbol 2 2 S5_mask 90 S5_symbol 45.
-Proof. vm_compute. reflexivity. Qed.
+Lemma S5_symbol_right : divides S5_scheme 2 = true /\ difference_symbol S5_scheme 2 = map (Z.mul 2) S5_symbol.
+Proof. vm_compute. auto. Qed.
 
 Lemma S5_family : matrices_of S5_claim = Family 16 45 (transition 2 16 S5_symbol).
 Proof. vm_compute. reflexivity. Qed.
 
 Theorem S5_radius : forall x, is_radius 16 2 (real (Family 16 45 (transition 2 16 S5_symbol))) x ->
-  (100685507596714 / 100000000000000 <= x <= 100685507596716 / 100000000000000)%R.
+  (100685507596714 / 100000000000000 <= x <= 10068550759671506 / 10000000000000000)%R.
 Proof.
   intros x Hx. rewrite <- S5_family in Hx. destruct (S5_claim_holds x Hx) as [L U].
   specialize (L _ eq_refl). specialize (U _ eq_refl). unfold real_of in *. simpl in *. lra.
+Qed.
+
+(* With the mask over 90 the matrices are the same. *)
+Lemma S5_difference_family r : let T := difference_family S5_scheme 2 in
+  growth (size T) (count T) (real T) r <-> growth 16 2 (real (Family 16 45 (transition 2 16 S5_symbol))) r.
+Proof.
+  assert (E : forall t i j, (t < 2)%nat -> (i < 16)%nat -> (j < 16)%nat ->
+    real (difference_family S5_scheme 2) t i j = real (Family 16 45 (transition 2 16 S5_symbol)) t i j).
+  { intros t i j Ht Hi Hj. unfold difference_family. cbv zeta.
+    change (matrix_size (arity S5_scheme) (difference_symbol S5_scheme 2)) with 16%nat.
+    rewrite !transition_entry by auto. destruct S5_symbol_right as [_ E]. cbn [arity common S5_scheme].
+    unfold scheme_matrix. rewrite E, coefficient_map. unfold coefficient. destruct (_ <? 0); lra. }
+  split; intros G; eapply growth_ext; try apply G; intros; [|symmetry]; apply E; auto.
+Qed.
+
+(* The scheme converges, and the exponent of its limit is between 1.990143959386255 and 1.990143959386271. *)
+Theorem S5_exponent : exists phi, limit_of S5_scheme phi /\
+  exponent_at_least phi (1990143959386255 / 1000000000000000)%R /\ exponent_at_most phi (1990143959386271 / 1000000000000000)%R.
+Proof.
+  destruct (radius_exists 16 2 (real (Family 16 45 (transition 2 16 S5_symbol)))) as [x Hx].
+  assert (B := S5_radius x Hx). destruct Hx as [_ [Gx Lx]].
+  apply (enclosure_of_radius S5_scheme (1990143959386255 # 1000000000000000) (1990143959386271 # 1000000000000000) 2
+    (10068550759671506 # 10000000000000000) (100685507596714 # 100000000000000) S5_shifts).
+  - vm_compute. reflexivity.
+  - intros r Hr H0. apply S5_difference_family. apply Gx. unfold real_of in Hr. simpl in Hr. lra.
+  - intros r Hr G. apply S5_difference_family in G. apply Lx in G; auto. unfold real_of. simpl. lra.
 Qed.

@@ -794,7 +794,7 @@ var check_certificate = (() => {
     const square = x => times(x, x), squares = ([x, y]) => plus(square(x), square(y));
     const integral = (x, y) => ({h: x.d * y.d, y: [x.n * y.d, y.n * x.d]});
     const {h, y} = integral(re, im), [value, slope] = value_and_slope(p, y, h).map(squares);
-    demand(slope.n && !less(times(square(times(eps, h)), slope), times(n * n, value)), 'no zero is near the root');
+    demand(slope.n && !less(times(square(times(eps, h)), slope), times(n * n, value)), 'no zero is proved so near');
     const gap = minus(exact.eps, eps), apart = squares([minus(re, exact.re), minus(im, exact.im)]);
     demand(sign(gap) >= 0 && !less(square(gap), apart), 'the zero is not the one of the claim');
     const centre = integral(exact.re, exact.im), slope_0 = squares(value_and_slope(p, centre.y, centre.h)[1]);
@@ -814,15 +814,17 @@ var check_certificate = (() => {
     constructor(reader, body, exact, known) {
       Object.assign(this, known, {reader, body, exact, cycles: new Map(), errors: new Map(), origins: new Map()});
       this.children = new Map();
-      demand(exact.real || body.parts === 2, 'the zero is not real, and the polytope is');
       while (reader.peek() === 'cycle') this.read_cycle();
-      while (reader.peek() === 'origin') this.read_origin();
+      while (this.last_origin !== body.count - 1 && reader.peek() === 'origin') this.read_origin();
       this.e = fraction([...this.errors.values()].reduce(max, 0n), 1n << 512n);
       demand(less(this.e, 1n), 'a vertex is too far from the true one');
       this.settled = new Set(this.children.keys());
-      for (const [J, {word}] of this.cycles)
-        for (const j of word.slice(0, -1).reduce((at, t) => at.flatMap(i => this.children.get(this.key(i, t)) || []), [J]))
-          this.settled.add(this.key(j, word[word.length - 1]));
+      const all_under = t => j => this.children.get(this.key(j, t)) || [];
+      for (const [J, {word}] of this.cycles) {
+        const ends = word.slice(0, -1).reduce((at, t) => at.flatMap(all_under(t)), [J]);
+        demand(ends.length, 'a vertex of a cycle is missing');
+        for (const j of ends) this.settled.add(this.key(j, word[word.length - 1]));
+      }
       while (reader.peek() === 'same') this.read_same();
     }
     key(j, t) { return j * this.matrices.length + t; }
@@ -834,12 +836,13 @@ var check_certificate = (() => {
       allow_bits(this.errors.size * 2048);
     }
     follow(word, columns) { return word.reduce((x, t) => multiply(this.matrices[t], x), columns); }
-    read_cycle() {  // y_k / den^(L (n - 1 - k)) is column k of Y
-      const {body, exact: {p, L, h, y: [re, im], eps, m}, v_bits} = this, n = p.length - 1;
+    read_cycle() {  // column k of Y is den^(L (n - 1 - k)) y_k
+      const {body, exact: {p, L, real, h, y: [re, im], eps, m}, v_bits} = this, n = p.length - 1;
       const [first, letters, ...rest] = this.reader.read('cycle', 2 + L), J = this.vertex(first);
       const [element, turn] = body.spell(letters === '-' ? '' : letters), word = rest.map(t => this.letter(t));
       demand(letters && !this.cycles.has(J), 'a word is missing, or a vertex is the first one of two cycles');
       const seed = this.reader.read('seed', body.size).map(integer), D = this.den ** BigInt(L), columns = [];
+      demand(real || body.parts === 2, 'a real polytope, but no real eigenvalue');
       const next = x => scaled(body.turned(element, this.follow(word, x)), turn);
       let y = seed.map(x => [x * p[n]]);
       for (let k = n - 1, scale = D, memory = 0; k >= 0; --k, scale *= D) {
@@ -871,11 +874,13 @@ var check_certificate = (() => {
       this.enter(J, times(bound, fraction(this.E, 1n << BigInt(v_bits))));
     }
     read_origin() {
-      const [first, second, third] = this.reader.read('origin', 3), {body, exact: {low, high}, den, v_bits, E, g} = this;
-      const J = this.vertex(first), K = this.vertex(second), T = this.letter(third);
-      demand(K < J && !(J <= this.last_origin), 'the vertices of origins are not in order');
+      const {body, exact: {low, high}, den, v_bits, E, g} = this, [first, ...rest] = this.reader.read('origin', 3);
+      const J = this.vertex(first);
       demand(!this.cycles.has(J), 'the first vertex of a cycle is no image');
-      [this.last_origin] = [J, this.origins.set(J, {K, T})];
+      demand(J && !(J <= this.last_origin), 'the vertices of origins are not in order');
+      const K = small(rest[0], 0, J - 1), T = this.letter(rest[1]);
+      this.last_origin = J;
+      this.origins.set(J, {K, T});
       this.children.set(this.key(K, T), [...this.children.get(this.key(K, T)) || [], J]);
       const v = transpose(body.coordinates(J)), image = multiply(this.matrices[T], transpose(body.coordinates(K)));
       const away = s => sum(v.map((row, i) => sum(row.map((x, part) => abs(low.d * image[i][part] - s * x)))));
@@ -893,24 +898,24 @@ var check_certificate = (() => {
     }
     read_same() {
       const [first, second, third] = this.reader.read('same', 3), {body, exact: {low, L}, den, v_bits, e} = this;
+      const wrong = 'an image is not the vertex that it is said to be';
       const [, index, word] = /^([0-9]*)(.*)$/.exec(third), [element] = body.spell(word);
       const j = this.vertex(first), T = this.letter(second), K = this.vertex(index), A = this.way(j), B = this.way(K);
       A.letters.push(T);
       const cycle = this.cycles.get(A.source), more = (A.letters.length - B.letters.length) / (cycle ? L : 1);
       demand(cycle ? B.source === A.source && Number.isInteger(more) : !this.cycles.has(B.source) && !more,
-             'an image and a vertex are not of one cycle, or not of one length');
-      const start = way => cycle ? cycle.Y : transpose(body.coordinates(way.source));
-      const lead = (way, times_round) => this.follow(way.letters, range_of(Math.max(0, times_round)).reduce(cycle ? cycle.next : x => x, start(way)));
+             wrong);
+      const points = i => transpose(body.coordinates(i));
+      const lead = ({source, letters}, rounds) => this.follow(letters,
+        range_of(Math.max(0, rounds)).reduce(x => cycle.next(x), cycle ? cycle.Y : points(source)));
       const left = lead(A, -more), right = body.turned(element, lead(B, more));
       const same_row = (row, i) => row.every((x, k) => x === right[i][k]);
-      const below = () => {  // with `nonnegative`, for each coordinate
-        const image = this.follow([T], transpose(body.coordinates(j))), v = body.turned(element, transpose(body.coordinates(K)));
-        const eX = times(e, body.most);  // all times 2^VBITS
-        return left.every((row, i) => same_row(row, i) || !less(times(low, minus(v[i][0], eX)),
-          over(plus(image[i][0], times(eX, sum(this.matrices[T][i]))), den)));
+      const below = () => {  // with `nonnegative`; coordinates are times 2^VBITS
+        const image = this.follow([T], points(j)), v = body.turned(element, points(K)), eX = times(e, body.most);
+        const above = i => over(plus(image[i][0], times(eX, sum(this.matrices[T][i]))), den);
+        return left.every((row, i) => same_row(row, i) || !less(times(low, minus(v[i][0], eX)), above(i)));
       };
-      demand(left.every(same_row) || equal(scaled(left, -1n), right) || (body.has.nonnegative && below()),
-             'an image is not the vertex that it is said to be');
+      demand(left.every(same_row) || equal(scaled(left, -1n), right) || (body.has.nonnegative && below()), wrong);
       this.settled.add(this.key(j, T));
       allow_bits(this.settled.size * 1024);
     }
@@ -1041,7 +1046,8 @@ var check_certificate = (() => {
     demand(kind === 'polytope' || kind === 'quadratic', section_form);
     return (kind === 'polytope' ? read_polytope : read_quadratic)(reader, family, fields, rounding, exact);
   }
-  function prove(reader, family, goal, {first_column = false, rounding = null, product = read_product, exact = null} = {}) {
+  function prove(reader, family, goal, options = {}) {
+    const {first_column = false, rounding = null, product = read_product, exact = null} = options;
     const in_blocks = reader.peek() === 'blocks';
     demand(!in_blocks || !rounding, 'blocks prove nothing of rounded masks');
     const blocks = in_blocks ? read_blocks(reader, family) : [family];
@@ -1053,9 +1059,9 @@ var check_certificate = (() => {
     if (goal.below || exact || reader.peek() === 'block')
       blocks.forEach((block, i) => {
         const {value, level, attained} = read_section(reader, i, block, first_column && !in_blocks, rounding, exact);
-        if (goal.below) goal.below(value, level);
         demand(!exact || attained || !less(power(exact.low, level), value),
                'the bound of a block is above the exact radius');
+        if (goal.below) goal.below(value, level);
         some = some || attained;
       });
     demand(!exact || some, 'no block attains the exact radius');
@@ -1496,13 +1502,15 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       demand(i < words.length && !(option in options), `${words[i - 1]} needs a value, and only one`);
       options[option] = words[i];
     }
-    const has = (...all) => all.every(name => name in options), none = (...all) => !all.some(name => name in options);
+    const has = (...all) => all.every(name => name in options), some = (...all) => all.some(name => name in options);
+    const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
     const curve = has('mask', 'arity') && none('surface', 'dilation', 'matrices') && !(has('for') && has('within')) &&
-      !(has('exact') && (has('for') || has('within'))) &&
-      (!has('upper') || has('lower') || has('for') || has('exact') || (rough && none('within'))) && !(rough && has('within'));
-    const surface = has('surface', 'dilation') && (has('lower') || has('exact')) && none('mask', 'arity', 'for', 'within', 'matrices') && !rough;
-    const radius = has('matrices') && (has('lower') || has('upper') || has('exact')) && !rough &&
+      (!has('upper') || some('lower', 'for', 'exact') || (rough && none('within'))) && !(rough && has('within')) &&
+      !(has('exact') && some('for', 'within'));
+    const surface = has('surface', 'dilation') && some('lower', 'exact') && !rough &&
+      none('mask', 'arity', 'for', 'within', 'matrices');
+    const radius = has('matrices') && some('lower', 'upper', 'exact') && !rough &&
       none('mask', 'arity', 'for', 'within', 'surface', 'dilation');
     demand(has('FILE') && (curve || surface || radius), usage);
     return {options, rough, kind: curve ? check_curve : surface ? check_surface : check_radius};
@@ -1575,7 +1583,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     reader.read('subcert-certificate 3');
     reader.read(claim.head);
     read_bounds(reader);
-    if (!claim.interval && !claim.within) claim.exact = read_root(reader, claim);
+    const one = !claim.interval && !claim.within;
+    demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
+    if (one) claim.exact = read_root(reader, claim);
     claim.kind(reader, claim);
     reader.finish('end', "text after 'end'");
   }

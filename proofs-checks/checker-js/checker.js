@@ -809,7 +809,7 @@ var check_certificate = (() => {
             eps, low, high};
   }
   // The vertices V_J near those of a body. `known` are E, g, the matrices, their denominator, VBITS; e_J is errors[J] /
-  // 2^512, of cycles and origins; children[J count + T] are the vertices with `origin J T`.
+  // 2^512, of cycles and origins; children[key(K, T)] is the last J with `origin J K T`.
   class TrueVertices {
     constructor(reader, body, exact, known) {
       Object.assign(this, known, {reader, body, exact, cycles: new Map(), errors: new Map(), origins: new Map()});
@@ -819,11 +819,10 @@ var check_certificate = (() => {
       this.e = fraction([...this.errors.values()].reduce(max, 0n), 1n << 512n);
       demand(less(this.e, 1n), 'a vertex is too far from the true one');
       this.settled = new Set(this.children.keys());
-      const all_under = t => j => this.children.get(this.key(j, t)) || [];
       for (const [J, {word}] of this.cycles) {
-        const ends = word.slice(0, -1).reduce((at, t) => at.flatMap(all_under(t)), [J]);
-        demand(ends.length, 'a vertex of a cycle is missing');
-        for (const j of ends) this.settled.add(this.key(j, word[word.length - 1]));
+        const last = word.slice(0, -1).reduce((j, t) => this.children.get(this.key(j, t)), J);
+        demand(last !== undefined, 'a vertex of a cycle is missing');
+        this.settled.add(this.key(last, word[word.length - 1]));
       }
       while (reader.peek() === 'same') this.read_same();
     }
@@ -839,9 +838,12 @@ var check_certificate = (() => {
     read_cycle() {  // column k of Y is den^(L (n - 1 - k)) y_k
       const {body, exact: {p, L, real, h, y: [re, im], eps, m}, v_bits} = this, n = p.length - 1;
       const [first, letters, ...rest] = this.reader.read('cycle', 2 + L), J = this.vertex(first);
-      const [element, turn] = body.spell(letters === '-' ? '' : letters), word = rest.map(t => this.letter(t));
-      demand(letters && !this.cycles.has(J), 'a word is missing, or a vertex is the first one of two cycles');
+      const word = rest.map(t => this.letter(t));
+      demand(!this.cycles.has(J), 'a vertex is the first one of two cycles');
+      demand(letters, "a cycle has a word, or '-'");
+      demand(letters.length <= 16, 'a word of more than 16 generators');
       const seed = this.reader.read('seed', body.size).map(integer), D = this.den ** BigInt(L), columns = [];
+      const [element, turn] = body.spell(letters === '-' ? '' : letters);
       demand(real || body.parts === 2, 'a real polytope, but no real eigenvalue');
       const next = x => scaled(body.turned(element, this.follow(word, x)), turn);
       let y = seed.map(x => [x * p[n]]);
@@ -868,7 +870,7 @@ var check_certificate = (() => {
                                                 abs(c * z + d * x - a * v_im[k] - b * v[k])));
       const below = minus(max(abs(a), abs(b)), u);
       demand(sign(below) > 0, 'the eigenvector of a cycle may be zero where the vertex is large');
-      const bound = reduced(over(plus(distance, times(u, size[i] + sum(size))), below));  // times 2^VBITS
+      const bound = over(plus(distance, times(u, size[i] + sum(size))), below);  // times 2^VBITS
       demand(!body.has.nonnegative || v.every((x, k) => less(bound, x) || columns.every(column => !column[k])),
              'an eigenvector of a cycle may be negative');
       this.enter(J, times(bound, fraction(this.E, 1n << BigInt(v_bits))));
@@ -881,7 +883,7 @@ var check_certificate = (() => {
       const K = small(rest[0], 0, J - 1), T = this.letter(rest[1]);
       this.last_origin = J;
       this.origins.set(J, {K, T});
-      this.children.set(this.key(K, T), [...this.children.get(this.key(K, T)) || [], J]);
+      this.children.set(this.key(K, T), J);
       const v = transpose(body.coordinates(J)), image = multiply(this.matrices[T], transpose(body.coordinates(K)));
       const away = s => sum(v.map((row, i) => sum(row.map((x, part) => abs(low.d * image[i][part] - s * x)))));
       const length = low.n * den, minus_too = !body.has.nonnegative && away(-length) < away(length);
@@ -1089,7 +1091,7 @@ var check_certificate = (() => {
   function check_curve(reader, claim) {
     const {lower, upper, rough, interval, within, exact} = claim;
     const again = !interval && !within && reader.peek() === 'reduced';
-    demand(!again || lower || claim.options.exact !== undefined,
+    demand(!again || lower || (exact && (rough || claim.options.exact !== undefined)),
            'a reduced mask tells the exponent of one mask, with a lower end');
     const curve = again ? read_reduced(reader, claim.curve) : claim.curve, base = BigInt(curve.arity);
     const [order_token, full_token] = reader.read('sum-rules', 1, 2), order = small(order_token, 1, 500);
@@ -1441,11 +1443,12 @@ var check_certificate = (() => {
     demand(!by_values || !lower || !less(order, lower), 'the lower end is above the order of the differences');
     demand(!upper || sign(upper) >= 0, 'an exponent is negative or too large');
     check_isotropic(dilation);
+    const least = fraction(1n, BigInt(Math.abs(small_determinant(dilation))) ** BigInt(order));
+    check_exponent(exact, 0, 1n, dimension, least);
     const turned = reader.peek() === 'turned', mask = mask_sequence(surface);
     const M = turned ? read_dilation(reader.read('turned', 1)[0]) : dilation;
     if (turned) check_turned(M, dilation, mask);
     const D = Math.abs(small_determinant(M)), base = BigInt(D);
-    check_exponent(exact, 0, 1n, dimension, fraction(1n, base ** BigInt(order)));
     demand(D <= 64, 'a dilation with too large a determinant');
     const digits = reader.read('digits', D).map(token => read_point(token, dimension));
     const transition = new Transition(mask, M, digits), {den} = surface;

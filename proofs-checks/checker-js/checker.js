@@ -59,6 +59,12 @@ var check_certificate = (() => {
   const times = operation((x, y) => fraction(x.n * y.n, x.d * y.d));
   const over = operation((x, y) => y.n < 0n ? fraction(-x.n * y.d, -x.d * y.n) : fraction(x.n * y.d, x.d * y.n));
   const less = operation((x, y) => x.n * y.d < y.n * x.d);
+  const abs_of = x => fraction(abs(x.n), x.d);
+  const horner = (p, x) => p.reduceRight((total, c) => {
+    const result = plus(times(total, x), c);
+    spend(4, bits(result.n), bits(x.d));
+    return result;
+  }, fraction(0n));
   const sign = x => x.n < 0n ? -1 : x.n > 0n ? 1 : 0;
   const power = (x, k) => {
     allow_bits((bits(x.n) + bits(x.d)) * k * 64);
@@ -500,17 +506,20 @@ var check_certificate = (() => {
     demand(sign(radius) > 0, 'the product proves no positive spectral radius');
     return {radius: times(radius, over(unit, h)), length: word.length};
   }
-  // |c| - n (|p(c)| + Delta_n) / (|p'(c)| - n Delta_(n-1)) in units / h
-  function by_polynomial(N, y, h, errors, rounding) {
-    const n = N.length, p = characteristic_polynomial(N);
-    const x = plus(column_norm(N) * h, modulus_above(...y)), change = times(errors, h);
-    const step = ([re, im], add) => [re * y[0] - im * y[1] + add[0], re * y[1] + im * y[0] + add[1]];
+  function value_and_slope(p, y, h) {  // h^n p(c) and h^(n-1) p'(c) for c = (y_0 + i y_1) / h, by Horner's rule
+    const step = ([re, im], add) => [re * y[0] - im * y[1] + add[0], re * y[1] + im * y[0] + add[1]], n = p.length - 1;
     let value = [0n, 0n], slope = [0n, 0n];
-    for (let k = n, scale = 1n; k >= 0; --k, scale *= h) {  // Horner's rule for p and p', with p_k h^(n - k)
+    for (let k = n, scale = 1n; k >= 0; --k, scale *= h) {
       if (k < n) slope = step(slope, value);
       value = step(value, [p[k] * scale, 0n]);
       spend(8, bits(scale) + bits(value[0]), bits(y[0]) + bits(p[k]));
     }
+    return [value, slope];
+  }
+  // |c| - n (|p(c)| + Delta_n) / (|p'(c)| - n Delta_(n-1)) in units / h
+  function by_polynomial(N, y, h, errors, rounding) {
+    const n = N.length, [value, slope] = value_and_slope(characteristic_polynomial(N), y, h);
+    const x = plus(column_norm(N) * h, modulus_above(...y)), change = times(errors, h);
     const below = minus(modulus_below(...slope), times(n, delta(n - 1, x, change)));
     demand(sign(below) > 0, rounding ? 'the product proves nothing of rounded masks'
                                      : 'the characteristic polynomial has derivative 0 at the given eigenvalue');
@@ -622,7 +631,7 @@ var check_certificate = (() => {
     const group = has('group') ? small(names[plain.indexOf('group')].slice(6), 1, 8) : 0;
     return {...Object.fromEntries(plain.map(name => [name, true])), group};
   }
-  function read_polytope(reader, family, fields, rounding) {
+  function read_polytope(reader, family, fields, rounding, exact) {
     demand(fields.length >= 3, 'wrong number of fields');
     const count = small(fields[0], 1, 2 ** 28), [v_bits, c_bits] = fields.slice(1, 3).map(x => small(x, 0, 4096));
     const has = read_properties(fields.slice(3)), {size, den} = family, scale = BigInt(v_bits + c_bits);
@@ -644,7 +653,8 @@ var check_certificate = (() => {
     }
     demand(R < 1n << scale, "the vertices do not span: a unit's residual is 1 or more");
     const E = (S << BigInt(v_bits)) / ((1n << scale) - R) + 1n;
-    for (let j = 0; j < count; ++j) {
+    const values = [];
+    for (let j = 0, memory = 0; j < count; ++j) {
       const size_of = () => fraction(sum(body.coordinates(j).map(norm)), 1n << BigInt(v_bits));  // |v_J|_1
       const more = rounding ? times(rounding.e, times(size_of(), E)) : 0n;
       body.images(matrices, j).forEach((image, t) => {
@@ -652,9 +662,14 @@ var check_certificate = (() => {
         const {residual, weight} = body.read_combination(`image ${j} ${t}`, target, den);
         const value = plus(fraction((weight << BigInt(v_bits)) * den + residual * E, den << scale), more);
         if (less(g, value)) g = value;  // w + |r|_1 E
+        if (!exact) return;
+        allow_bits(memory += bits(value.n) + 256);
+        values.push(value.n);
       });
     }
-    return {value: g, level: 1};
+    const attained = Boolean(exact) && reader.peek() === 'cycle';
+    if (attained) new TrueVertices(reader, body, exact, {matrices, den, v_bits, E, g}).settle(values, den << scale);
+    return {value: g, level: 1, attained};
   }
   // The vertices and their images under the group, packed; a complex vector is its real and its imaginary part.
   class Body {
@@ -706,12 +721,8 @@ var check_certificate = (() => {
       if (this.images_under.size < this.may_keep) this.images_under.set(key, image);
       return image;
     }
-    read_term(term) {  // the number of the vertex, that of the element of the group, -1 for a conjugate, the weight
-      const [head, ...weight] = term.split(':'), {has: {complex, nonnegative, symmetric}, group: {table}} = this;
-      demand(weight.length === this.parts, 'a term is INDEX:WEIGHT');
-      const [, index, letters, conjugate] = /^([0-9]*)([^0-9c]*)(c?)$/.exec(head) || [];
-      demand(index, 'not an integer');
-      demand(complex || !conjugate, 'unknown generator');
+    spell(letters) {  // a word: the number of the element of the group, and its sign
+      const {group: {table}, has: {symmetric}} = this;
       demand(letters.length <= 16, 'a word of more than 16 generators');
       let element = 0, turn = 1n;
       for (const letter of letters) {
@@ -719,7 +730,19 @@ var check_certificate = (() => {
         demand(entry, 'unknown generator');
         [element, turn] = [entry[0], turn * entry[1]];
       }
-      const lambda = weight.map(integer);
+      return [element, turn];
+    }
+    turned(element, columns) {
+      const {map} = this.group.elements[element];
+      return map ? multiply(map, columns) : columns;
+    }
+    read_term(term) {  // the number of the vertex, that of the element of the group, -1 for a conjugate, the weight
+      const [head, ...weight] = term.split(':'), {has: {complex, nonnegative}} = this;
+      demand(weight.length === this.parts, 'a term is INDEX:WEIGHT');
+      const [, index, letters, conjugate] = /^([0-9]*)([^0-9c]*)(c?)$/.exec(head) || [];
+      demand(index, 'not an integer');
+      demand(complex || !conjugate, 'unknown generator');
+      const [element, turn] = this.spell(letters), lambda = weight.map(integer);
       demand(!nonnegative || lambda[0] >= 0n, 'negative weight');
       return [small(index, 0, this.count - 1), element, conjugate ? -1n : 1n, turn < 0n ? lambda.map(x => -x) : lambda];
     }
@@ -747,6 +770,161 @@ var check_certificate = (() => {
       const rest = (packed, x) => unpack(packed, this.width, size).map((value, i) => x[i] - factor * value);
       const real = rest(re, target[0]), residual = nonnegative ? sum(real.filter(x => x > 0n)) : norm(real);
       return {residual: complex ? residual + norm(rest(im, target[1])) : residual, weight};
+    }
+  }
+
+  // ---- 4.10: what the radius is -------------------------------------------------------------------------------------
+  function read_exact(text, with_order) {  // the zero of p within eps of the point, and perhaps M
+    const form = 'an exact exponent is M-log|[p0,p1,...]@RE,IM,EPS|^1/L, an exact radius the same without M-log';
+    const [, M, list, disc, L] = /^(?:([^|]*)-log)?\|\[([^\]]*)\]@([^|]*)\|\^1\/(.*)$/.exec(text) || [];
+    demand(list !== undefined && (M !== undefined) === with_order, form);
+    const p = list.split(',').map(integer), [re, im, eps, ...more] = disc.split(',').map(rational);
+    demand(p.length >= 2 && p.length <= 257 && p[p.length - 1], 'a polynomial has the degree 1 to 256');
+    demand(eps && !more.length && sign(eps) > 0, form);
+    return {order: with_order ? small(M, 0, 500) : null, p, re, im, eps, L: small(L, 1, 256)};
+  }
+  // The lines `exact` and `root`, if they are there or the claim needs them: the exact number, with c = y / h near z
+  function read_root(reader, {options, kind}) {
+    if (options.exact === undefined && reader.peek() !== 'exact') return null;
+    const text = options.exact === undefined ? reader.read('exact', 1)[0] : options.exact;
+    if (options.exact !== undefined) reader.read(`exact ${text}`);
+    const exact = read_exact(text, kind !== check_radius), {p, L} = exact, n = p.length - 1;
+    const [re, im, eps, low, high] = reader.read('root', 5).map(rational);
+    demand(sign(eps) >= 0 && sign(low) > 0, 'the error of a root is negative, or its modulus not positive');
+    const square = x => times(x, x), squares = ([x, y]) => plus(square(x), square(y));
+    const integral = (x, y) => ({h: x.d * y.d, y: [x.n * y.d, y.n * x.d]});
+    const {h, y} = integral(re, im), [value, slope] = value_and_slope(p, y, h).map(squares);
+    demand(slope.n && !less(times(square(times(eps, h)), slope), times(n * n, value)), 'no zero is proved so near');
+    const gap = minus(exact.eps, eps), apart = squares([minus(re, exact.re), minus(im, exact.im)]);
+    demand(sign(gap) >= 0 && !less(square(gap), apart), 'the zero is not the one of the claim');
+    const centre = integral(exact.re, exact.im), slope_0 = squares(value_and_slope(p, centre.y, centre.h)[1]);
+    const m = plus(plus(abs_of(exact.re), abs_of(exact.im)), exact.eps);
+    const bend = horner(p.map((x, k) => abs(x) * BigInt(k * (k - 1))).slice(2), m);
+    demand(less(square(times(times(exact.eps, bend), centre.h ** BigInt(n - 1))), slope_0),
+           'there may be more than one zero');
+    const [least, most] = [plus(power(low, L), eps), minus(power(high, L), eps)], modulus = squares([re, im]);
+    demand(sign(most) >= 0 && !less(modulus, square(least)) && !less(square(most), modulus),
+           'the bounds of the exact radius are wrong');
+    return {...exact, real: !sign(im) && !sign(exact.im), h, y, m: plus(plus(abs_of(re), abs_of(im)), eps),
+            eps, low, high};
+  }
+  // The vertices V_J near those of a body. `known` are E, g, the matrices, their denominator, VBITS; e_J is errors[J] /
+  // 2^512, of cycles and origins; children[key(K, T)] is the last J with `origin J K T`.
+  class TrueVertices {
+    constructor(reader, body, exact, known) {
+      Object.assign(this, known, {reader, body, exact, cycles: new Map(), errors: new Map(), origins: new Map()});
+      this.children = new Map();
+      while (reader.peek() === 'cycle') this.read_cycle();
+      while (this.last_origin !== body.count - 1 && reader.peek() === 'origin') this.read_origin();
+      this.e = fraction([...this.errors.values()].reduce(max, 0n), 1n << 512n);
+      demand(less(this.e, 1n), 'a vertex is too far from the true one');
+      this.settled = new Set(this.children.keys());
+      for (const [J, {word}] of this.cycles) {
+        const last = word.slice(0, -1).reduce((j, t) => this.children.get(this.key(j, t)), J);
+        demand(last !== undefined, 'a vertex of a cycle is missing');
+        this.settled.add(this.key(last, word[word.length - 1]));
+      }
+      while (reader.peek() === 'same') this.read_same();
+    }
+    key(j, t) { return j * this.matrices.length + t; }
+    vertex(token) { return small(token, 0, this.body.count - 1); }
+    letter(token) { return small(token, 0, this.matrices.length - 1); }
+    enter(J, error) {
+      const e = times(error, 1n << 512n);
+      this.errors.set(J, ceil_div(e.n, e.d));
+      allow_bits(this.errors.size * 2048);
+    }
+    follow(word, columns) { return word.reduce((x, t) => multiply(this.matrices[t], x), columns); }
+    read_cycle() {  // column k of Y is den^(L (n - 1 - k)) y_k
+      const {body, exact: {p, L, real, h, y: [re, im], eps, m}, v_bits} = this, n = p.length - 1;
+      const [first, letters, ...rest] = this.reader.read('cycle', 2 + L), J = this.vertex(first);
+      const word = rest.map(t => this.letter(t));
+      demand(!this.cycles.has(J), 'a vertex is the first one of two cycles');
+      demand(letters, "a cycle has a word, or '-'");
+      demand(letters.length <= 16, 'a word of more than 16 generators');
+      const seed = this.reader.read('seed', body.size).map(integer), D = this.den ** BigInt(L), columns = [];
+      const [element, turn] = body.spell(letters === '-' ? '' : letters);
+      demand(real || body.parts === 2, 'a real polytope, but no real eigenvalue');
+      const next = x => scaled(body.turned(element, this.follow(word, x)), turn);
+      let y = seed.map(x => [x * p[n]]);
+      for (let k = n - 1, scale = D, memory = 0; k >= 0; --k, scale *= D) {
+        columns[k] = y.map(row => row[0]);
+        allow_bits(memory += body.size * (bits(largest(columns[k])) + 128));
+        spend(4 * body.size, bits(scale), bits(p[k]) + 64);
+        y = next(y).map(([x], i) => [x + p[k] * scale * seed[i]]);
+      }
+      demand(y.every(([x]) => !x), 'the polynomial of the cycle does not vanish on the seed');
+      this.cycles.set(J, {word, next, Y: transpose(columns)});
+      const U = seed.map(() => [0n, 0n]);  // times (h D)^(n - 1), as are u and the rest
+      for (let k = n - 1, scale = 1n; k >= 0; --k, scale *= h) {
+        spend(6 * body.size, bits(largest_by(U, largest)) + bits(scale), bits(re) + bits(D));
+        U.forEach(([a, b], i) => {
+          U[i] = [(a * re - b * im) * D + columns[k][i] * scale, (a * im + b * re) * D];
+        });
+      }
+      const sums = horner(columns.map((x, k) => norm(x) * BigInt(k)).slice(1), times(m, D));
+      const u = times(times(times(2n, eps), sums), h ** BigInt(n - 1) * D);
+      const [v, v_im = v.map(() => 0n)] = body.coordinates(J), size = v.map((x, i) => abs(x) + abs(v_im[i]));
+      const i = size.indexOf(largest(size)), [a, b] = U[i], [c, d] = [v[i], v_im[i]];
+      const distance = sum(U.map(([x, z], k) => abs(c * x - d * z - a * v[k] + b * v_im[k]) +
+                                                abs(c * z + d * x - a * v_im[k] - b * v[k])));
+      const below = minus(max(abs(a), abs(b)), u);
+      demand(sign(below) > 0, 'the eigenvector of a cycle may be zero where the vertex is large');
+      const bound = over(plus(distance, times(u, size[i] + sum(size))), below);  // times 2^VBITS
+      demand(!body.has.nonnegative || v.every((x, k) => less(bound, x) || columns.every(column => !column[k])),
+             'an eigenvector of a cycle may be negative');
+      this.enter(J, times(bound, fraction(this.E, 1n << BigInt(v_bits))));
+    }
+    read_origin() {
+      const {body, exact: {low, high}, den, v_bits, E, g} = this, [first, ...rest] = this.reader.read('origin', 3);
+      const J = this.vertex(first);
+      demand(!this.cycles.has(J), 'the first vertex of a cycle is no image');
+      demand(J && !(J <= this.last_origin), 'the vertices of origins are not in order');
+      const K = small(rest[0], 0, J - 1), T = this.letter(rest[1]);
+      this.last_origin = J;
+      this.origins.set(J, {K, T});
+      this.children.set(this.key(K, T), J);
+      const v = transpose(body.coordinates(J)), image = multiply(this.matrices[T], transpose(body.coordinates(K)));
+      const away = s => sum(v.map((row, i) => sum(row.map((x, part) => abs(low.d * image[i][part] - s * x)))));
+      const length = low.n * den, minus_too = !body.has.nonnegative && away(-length) < away(length);
+      const near = fraction(away(minus_too ? -length : length), low.d * den);
+      const drift = times(minus(high, low), sum(v.map(norm)));
+      const own = times(plus(near, drift), fraction(E, 1n << BigInt(v_bits)));
+      this.enter(J, over(plus(times(g, fraction(this.errors.get(K) || 0n, 1n << 512n)), own), low));
+    }
+    way(j) {  // the first vertex that j stems from, and the letters
+      const letters = [];
+      for (let at; (at = this.origins.get(j)); j = at.K) letters.push(at.T);
+      spend(letters.length);
+      return {source: j, letters: letters.reverse()};
+    }
+    read_same() {
+      const [first, second, third] = this.reader.read('same', 3), {body, exact: {low, L}, den, v_bits, e} = this;
+      const wrong = 'an image is not the vertex that it is said to be';
+      const [, index, word] = /^([0-9]*)(.*)$/.exec(third), [element] = body.spell(word);
+      const j = this.vertex(first), T = this.letter(second), K = this.vertex(index), A = this.way(j), B = this.way(K);
+      A.letters.push(T);
+      const cycle = this.cycles.get(A.source), more = (A.letters.length - B.letters.length) / (cycle ? L : 1);
+      demand(cycle ? B.source === A.source && Number.isInteger(more) : !this.cycles.has(B.source) && !more,
+             wrong);
+      const points = i => transpose(body.coordinates(i));
+      const lead = ({source, letters}, rounds) => this.follow(letters,
+        range_of(Math.max(0, rounds)).reduce(x => cycle.next(x), cycle ? cycle.Y : points(source)));
+      const left = lead(A, -more), right = body.turned(element, lead(B, more));
+      const same_row = (row, i) => row.every((x, k) => x === right[i][k]);
+      const below = () => {  // with `nonnegative`; coordinates are times 2^VBITS
+        const image = this.follow([T], points(j)), v = body.turned(element, points(K)), eX = times(e, body.most);
+        const above = i => over(plus(image[i][0], times(eX, sum(this.matrices[T][i]))), den);
+        return left.every((row, i) => same_row(row, i) || !less(times(low, minus(v[i][0], eX)), above(i)));
+      };
+      demand(left.every(same_row) || equal(scaled(left, -1n), right) || (body.has.nonnegative && below()), wrong);
+      this.settled.add(this.key(j, T));
+      allow_bits(this.settled.size * 1024);
+    }
+    settle(values, den) {  // the values w + |r|_1 E of all images, times den: below LOW (1 - e) - g e, or settled
+      const {exact: {low}, e, g, matrices} = this, limit = minus(times(low, minus(1n, e)), times(g, e));
+      const most = floor_div(limit.n * den, limit.d), at = values.findIndex((x, i) => x > most && !this.settled.has(i));
+      demand(at < 0, `image ${Math.floor(at / matrices.length)} ${at % matrices.length} may lie outside`);
     }
   }
 
@@ -863,14 +1041,15 @@ var check_certificate = (() => {
   }
 
   // ---- Blocks, product and sections: goal.above(radius, length) and goal.below(value, level) demand what the claim ne
-  function read_section(reader, number, family, first_column, rounding) {
+  function read_section(reader, number, family, first_column, rounding, exact) {
     const [kind, ...fields] = reader.read(`block ${number}`, 1, 20);
     demand(kind !== 'norm' || fields.length === 1, "wrong number of fields after 'norm'");
     if (kind === 'norm') return check_norm(family, small(fields[0], 1, 64), first_column, rounding);
     demand(kind === 'polytope' || kind === 'quadratic', section_form);
-    return (kind === 'polytope' ? read_polytope : read_quadratic)(reader, family, fields, rounding);
+    return (kind === 'polytope' ? read_polytope : read_quadratic)(reader, family, fields, rounding, exact);
   }
-  function prove(reader, family, goal, {first_column = false, rounding = null, product = read_product} = {}) {
+  function prove(reader, family, goal, options = {}) {
+    const {first_column = false, rounding = null, product = read_product, exact = null} = options;
     const in_blocks = reader.peek() === 'blocks';
     demand(!in_blocks || !rounding, 'blocks prove nothing of rounded masks');
     const blocks = in_blocks ? read_blocks(reader, family) : [family];
@@ -878,11 +1057,16 @@ var check_certificate = (() => {
       const {radius, length} = product(reader, blocks, rounding);
       if (goal.above) goal.above(radius, length);
     }
-    if (goal.below || reader.peek() === 'block')
+    let some = false;
+    if (goal.below || exact || reader.peek() === 'block')
       blocks.forEach((block, i) => {
-        const {value, level} = read_section(reader, i, block, first_column && !in_blocks, rounding);
+        const {value, level, attained} = read_section(reader, i, block, first_column && !in_blocks, rounding, exact);
+        demand(!exact || attained || !less(power(exact.low, level), value),
+               'the bound of a block is above the exact radius');
         if (goal.below) goal.below(value, level);
+        some = some || attained;
       });
+    demand(!exact || some, 'no block attains the exact radius');
   }
   const unproved_product = "the product's spectral radius does not prove the claim";
   const no_exponent = 'the product proves no exponent below the number of sum rules';
@@ -893,18 +1077,25 @@ var check_certificate = (() => {
   const at_least = limit => (radius, length) => demand(!less(radius, power(limit, length)), unproved_product);
 
   // ---- Radius claims ------------------------------------------------------------------------------------------------
-  function check_radius(reader, {family, lower, upper}) {
+  function check_radius(reader, {family, lower, upper, exact}) {
     const least = lower && at_least(sign(lower) > 0 ? lower : fraction(0n));
-    prove(reader, family, {below: upper && at_most(upper, false), above: least});
+    prove(reader, family, {below: upper && at_most(upper, false), above: least}, {exact});
   }
 
   // ---- Exponent, range, roughness and rounded claims: 4.2, 4.3, 4.9, 6.1, 6.2, 6.4 ----------------------------------
+  function check_exponent(exact, order, most, dimension = 1, least = 1n) {  // 4.10, the last but one paragraph
+    demand(!exact || exact.order === order, 'the exact exponent has another number before its logarithm');
+    demand(!exact || (less(power(exact.high, dimension), most) && less(least, power(exact.low, dimension))),
+           'the exact radius proves no exponent between 0 and the number of sum rules');
+  }
   function check_curve(reader, claim) {
-    const {lower, upper, rough, interval, within} = claim;
+    const {lower, upper, rough, interval, within, exact} = claim;
     const again = !interval && !within && reader.peek() === 'reduced';
-    demand(!again || lower, 'a reduced mask tells the exponent of one mask, with a lower end');
+    demand(!again || lower || (exact && (rough || claim.options.exact !== undefined)),
+           'a reduced mask tells the exponent of one mask, with a lower end');
     const curve = again ? read_reduced(reader, claim.curve) : claim.curve, base = BigInt(curve.arity);
     const [order_token, full_token] = reader.read('sum-rules', 1, 2), order = small(order_token, 1, 500);
+    check_exponent(exact, order, power(fraction(base), order));
     demand(!lower || sign(lower) >= (interval ? 0 : 1), 'the lower end of an exponent must be positive');
     demand(!upper || sign(upper) >= 0, 'an exponent is negative or too large');
     const goal = {below: lower && at_most(power_below(base, minus(order, lower)), Boolean(interval))};
@@ -915,7 +1106,7 @@ var check_certificate = (() => {
     demand(!within || within.order === order, 'the claim is about masks with another number of sum rules');
     demand(!rough || (full && order <= rough),
            'less smoothness than that needs the full number of sum rules, and no more of them');
-    if (stability || rough || (!lower && !upper) || (upper && !(interval && !sign(upper)))) {
+    if (stability || rough || exact || (!lower && !upper) || (upper && !(interval && !sign(upper)))) {
       reader.read('stability');
       check_stability(curve, interval, within);
     }
@@ -929,7 +1120,7 @@ var check_certificate = (() => {
       };
     if (interval) return goal.below || goal.above ? check_intervals(reader, symbol, goal, interval) : undefined;
     const family = control_family(symbol, null), rounding = within && rounding_of(curve, within, family);
-    prove(reader, family, goal, {first_column: true, rounding});
+    prove(reader, family, goal, {first_column: true, rounding, exact});
     if (again) check_convergence(reader, claim.curve);
   }
   function check_intervals(reader, symbol, goal, {low, high}) {
@@ -1244,14 +1435,16 @@ var check_certificate = (() => {
       show_positive(form, 'stability: the sum over the gram line', degrees);
     }
   }
-  function check_surface(reader, {lower, upper, surface, dilation}) {
+  function check_surface(reader, {lower, upper, surface, dilation, exact}) {
     const dimension = surface.depth, by_values = reader.peek() === 'differences';
     const order = small(reader.read(by_values ? 'differences' : 'sum-rules', 1)[0], 1, 500);
     demand(order <= 64, 'a higher order than the checker allows in several variables');
-    demand(sign(lower) > 0, 'the lower end of an exponent must be positive');
-    demand(!by_values || !less(order, lower), 'the lower end is above the order of the differences');
+    demand(!lower || sign(lower) > 0, 'the lower end of an exponent must be positive');
+    demand(!by_values || !lower || !less(order, lower), 'the lower end is above the order of the differences');
     demand(!upper || sign(upper) >= 0, 'an exponent is negative or too large');
     check_isotropic(dilation);
+    const least = fraction(1n, BigInt(Math.abs(small_determinant(dilation))) ** BigInt(order));
+    check_exponent(exact, 0, 1n, dimension, least);
     const turned = reader.peek() === 'turned', mask = mask_sequence(surface);
     const M = turned ? read_dilation(reader.read('turned', 1)[0]) : dilation;
     if (turned) check_turned(M, dilation, mask);
@@ -1273,17 +1466,17 @@ var check_certificate = (() => {
     const family = space_family(vectors, transition, den), from = differences(start, order, dimension);
     const {steps} = long_words(from, rows, transition);
     const spanned = () => long_words(from, [], transition, steps, 2n ** 32n - 5n).basis.length;
-    demand(!by_values || !upper || spanned() === vectors.length, 'the differences do not span the space');
-    if (!by_values && (upper || reader.peek() === 'gram')) check_gram(reader, transition, den);
-    const within = at_most(power_below(base, minus(0n, lower)), false);
+    demand(!by_values || !(upper || exact) || spanned() === vectors.length, 'the differences do not span the space');
+    if (!by_values && (upper || exact || reader.peek() === 'gram')) check_gram(reader, transition, den);
+    const within = lower && at_most(power_below(base, minus(0n, lower)), false);
     const reached = upper && at_least(over(1n, power_below(base, upper)));
     prove(reader, family, {  // about the power JSR^s
-      below: (value, level) => within(power(value, dimension), level),
+      below: lower && ((value, level) => within(power(value, dimension), level)),
       above: upper && ((radius, length) => {
         demand(less(power(fraction(1n, base), order * length), power(radius, dimension)), no_exponent);
         reached(power(radius, dimension), length);
       }),
-    });
+    }, {exact});
   }
 
   // ---- The claim and the command line -------------------------------------------------------------------------------
@@ -1296,11 +1489,15 @@ var check_certificate = (() => {
        subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
+       subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to the
+                     base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: without
+                     M-log; beside bounds, or without)
 a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'arity', 'for', 'within', 'surface', 'dilation', 'matrices', 'lower', 'upper'], options = {};
+    const names = ['mask', 'arity', 'for', 'within', 'surface', 'dilation', 'matrices', 'lower', 'upper', 'exact'];
+    const options = {};
     for (let i = 0; i < words.length; ++i) {
       const option = words[i].startsWith('--') ? words[i].slice(2) : 'FILE';
       demand(option === 'FILE' || names.includes(option), `unknown option ${words[i]}`);
@@ -1308,12 +1505,15 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       demand(i < words.length && !(option in options), `${words[i - 1]} needs a value, and only one`);
       options[option] = words[i];
     }
-    const has = (...all) => all.every(name => name in options), none = (...all) => !all.some(name => name in options);
+    const has = (...all) => all.every(name => name in options), some = (...all) => all.some(name => name in options);
+    const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
     const curve = has('mask', 'arity') && none('surface', 'dilation', 'matrices') && !(has('for') && has('within')) &&
-      (!has('upper') || has('lower') || has('for') || (rough && none('within'))) && !(rough && has('within'));
-    const surface = has('surface', 'dilation', 'lower') && none('mask', 'arity', 'for', 'within', 'matrices') && !rough;
-    const radius = has('matrices') && (has('lower') || has('upper')) && !rough &&
+      (!has('upper') || some('lower', 'for', 'exact') || (rough && none('within'))) && !(rough && has('within')) &&
+      !(has('exact') && some('for', 'within'));
+    const surface = has('surface', 'dilation') && some('lower', 'exact') && !rough &&
+      none('mask', 'arity', 'for', 'within', 'matrices');
+    const radius = has('matrices') && some('lower', 'upper', 'exact') && !rough &&
       none('mask', 'arity', 'for', 'within', 'surface', 'dilation');
     demand(has('FILE') && (curve || surface || radius), usage);
     return {options, rough, kind: curve ? check_curve : surface ? check_surface : check_radius};
@@ -1322,6 +1522,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_claim(words) {
     const {options, rough, kind} = read_options(words);
     const claim = {options, kind, lower: options.lower === undefined ? null : rational(options.lower), upper: null};
+    if (options.exact !== undefined) read_exact(options.exact, kind !== check_radius);
     if (rough) claim.rough = small(options.upper.slice(1), 1, 500);
     else if (options.upper !== undefined) claim.upper = rational(options.upper);
     if (kind === check_surface) {
@@ -1358,7 +1559,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const relation = interval ? ' < ' : ' <= ', number = x => x.d === 1n ? `${x.n}` : `${x.n}/${x.d}`;
     let what = kind === check_radius ? 'joint spectral radius' : 'Hoelder exponent';
     if (rough) what = `${lower ? `${what} and ` : ''}no C^${rough} limits`;
-    else if (!lower && !upper) what = 'stable integer shifts';
+    else if (!lower && !upper && options.exact === undefined) what = 'stable integer shifts';
+    if (options.exact !== undefined) what += ` = ${options.exact}`;
     const ends = !lower && interval && upper && !sign(upper) ? 'no convergence'
       : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}`;
     const subject = kind === check_radius ? options.matrices : kind === check_surface
@@ -1384,6 +1586,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     reader.read('subcert-certificate 3');
     reader.read(claim.head);
     read_bounds(reader);
+    const one = !claim.interval && !claim.within;
+    demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
+    if (one) claim.exact = read_root(reader, claim);
     claim.kind(reader, claim);
     reader.finish('end', "text after 'end'");
   }

@@ -18,9 +18,10 @@ TOO_MUCH_WORK = "more work than the checker allows"  # each checker counts its o
 
 
 def claims_of(options):
-    """The claim of a line of claims.txt and others with the same subject: with one end, with other ends, rough."""
+    """The claim of a line of claims.txt and others with the same subject: with one end, with other ends, rough, and if it
+    is exact with and without its number, and with other numbers."""
     values = dict(zip(options[::2], options[1::2]))
-    lower, upper = values.pop("--lower", None), values.pop("--upper", None)
+    lower, upper, exact = (values.pop(option, None) for option in ("--lower", "--upper", "--exact"))
     if "--matrices" in values:
         values["--matrices"] = str(directory / values["--matrices"])
     subject = [word for pair in values.items() for word in pair]
@@ -34,8 +35,10 @@ def claims_of(options):
         else:
             ends.append((lower, str(Fraction(lower or 0) + step)))
     ends.append((lower, "C" + str(chance.randint(1, 4))))
-    return [subject + (["--lower", low] if low is not None else []) + (["--upper", high] if high is not None else [])
-            for low, high in ends]
+    numbers = [None] if exact is None else [exact, exact, exact, None, change_field(exact).replace("\0", "")]
+    return [subject + [word for option, value in (("--lower", low), ("--upper", high), ("--exact", number))
+                       if value is not None for word in (option, value)]
+            for number in numbers for low, high in ends]
 
 
 def change_number(field, by):

@@ -42,6 +42,8 @@ CLICKS = """
   words[words.indexOf('--upper') + 1] = '1';
   buttons[0].dataset.words = JSON.stringify(words);
   await click(buttons[0], 'another claim');
+  const other = [...JSON.parse(buttons[1].dataset.words).slice(0, -1), JSON.parse(buttons[2].dataset.words).at(-1)];
+  buttons[1].dataset.words = JSON.stringify(other);
   buttons[1].dataset.certificate = buttons[2].dataset.certificate;
   await click(buttons[1], 'another certificate');
   buttons[2].dataset.certificate = 'none.js';

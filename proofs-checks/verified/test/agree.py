@@ -20,11 +20,15 @@ def run(program, arguments):
     return done.returncode, done.stdout.strip()
 
 
+def text_of(name):
+    return (directory / f"{name.split()[0]}.cert").read_text(errors="replace")
+
+
 def decided(name, arguments):
     options = {argument for argument in arguments if argument.startswith("--")}
     if options not in ({"--mask", "--arity", "--lower"}, {"--mask", "--arity", "--lower", "--upper"}):
         return "--matrices" in options and "--exact" not in options
-    text = (directory / f"{name.split()[0]}.cert").read_text(errors="replace")
+    text = text_of(name)
     order = re.search(r"^sum-rules (\d{1,3}) full$", text, re.MULTILINE)
     upper = arguments[arguments.index("--upper") + 1] if "--upper" in options else "0"
     full = upper.startswith("C") or (order and Fraction(upper) >= int(order[1]))
@@ -47,6 +51,9 @@ def compare(name, arguments, accepted=None):
     if directory.name == "reject" and mine[0] == 0 and re.search("^(exact|cycle) ", text, re.MULTILINE):
         return  # what is wrong is about the exact number, which is not looked at here
     same = mine == theirs if theirs[0] == 0 else mine[0] == theirs[0] == 1 and word == "REJECTED" and ", line " in mine[1]
+    # what is wrong about an exact number is not seen here
+    if mine[0] == 0 and directory.name == "reject" and re.search(r"^(exact|cycle) ", text_of(name), re.MULTILINE):
+        return
     if not same or (accepted is not None and accepted != (mine[0] == 0)):
         failures.append(f"{name}: {mine} and {theirs}")
 

@@ -251,7 +251,9 @@ Proof.
   assert (EV : forall q, phi (IZR q / INR A ^ m)%R = coefficient V e (Z.of_nat step * row c) q).
   { intros q. rewrite fine_values. unfold V. rewrite coefficient_padded. unfold pad. do 2 f_equal. fold s. lia. }
   apply (stable_by_values A phi Arity m (length (weights c)) (length V) (fun k => IZR (nth k (weights c) 0)) h (row c + Z.of_nat (center c)) (row c)).
-  - intros r. rewrite Est. rewrite (sum_ext _ _ (fun k => (IZR (nth k (weights c) 0%Z) * coefficient V e (Z.of_nat step * row c) (Z.of_nat k + Z.of_nat step * r))%R)) by (intros; rewrite EV; auto).
+  - intros r. rewrite Est. rewrite (sum_ext _ _ (fun k =>
+      (IZR (nth k (weights c) 0%Z) * coefficient V e (Z.of_nat step * row c) (Z.of_nat k + Z.of_nat step * r))%R))
+      by (intros; rewrite EV; auto).
     unfold h. unfold coefficient at 2. destruct (Z.ltb_spec r (row c)) as [R|R].
     + apply sum_zero. intros k Hk. unfold V. rewrite coefficient_padded. unfold coefficient.
       destruct (Z.ltb_spec (Z.of_nat k + Z.of_nat step * r) (Z.of_nat step * row c + Z.of_nat pad)); [lra|]. exfalso.
@@ -262,7 +264,8 @@ Proof.
         destruct (Z.ltb_spec (Z.of_nat j + Z.of_nat step * r) (Z.of_nat step * row c)); [lia|]. do 2 f_equal. rewrite nth_skipn. f_equal.
         replace (Z.of_nat j + Z.of_nat step * r - Z.of_nat step * row c) with (Z.of_nat (k * step + j)). lia.
         rewrite Nat2Z.inj_add, Nat2Z.inj_mul. unfold k. rewrite Z2Nat.id by lia. ring. }
-      rewrite (sum_ext _ _ (fun j => (/ IZR e * (IZR (nth j (weights c) 0%Z) * IZR (nth j (skipn (k * step) V) 0%Z)))%R)) by (intros j Hj; rewrite EN; unfold Rdiv; ring).
+      rewrite (sum_ext _ _ (fun j => (/ IZR e * (IZR (nth j (weights c) 0%Z) * IZR (nth j (skipn (k * step) V) 0%Z)))%R))
+        by (intros j Hj; rewrite EN; unfold Rdiv; ring).
       rewrite sum_scal, <- dot_sum by auto. destruct (Nat.ltb_spec k (length V)). unfold Rdiv; ring.
       rewrite skipn_all2 by nia. rewrite dot_nil. unfold Rdiv. ring.
   - intros i Hi. unfold h, coefficient. destruct (Z.ltb_spec i (row c)); auto. rewrite nth_correlate.

@@ -168,7 +168,8 @@ Proof.
   destruct (largest c lo w' Hc) as [s Hs]. set (t := (s + r0)%Z). assert (P := power_positive A Arity m).
   assert (ET : sum nw (fun k => omega k * combination phi c lo w' (IZR t + INR k / INR A ^ m)) =
     sum w' (fun l => c (lo + Z.of_nat l)%Z * h (t - (lo + Z.of_nat l))%Z)).
-  { unfold combination. rewrite (sum_ext nw _ (fun k => sum w' (fun l => omega k * (c (lo + Z.of_nat l)%Z * phi (IZR t + INR k / INR A ^ m - IZR (lo + Z.of_nat l)))))).
+  { unfold combination. rewrite (sum_ext nw _ (fun k => sum w' (fun l =>
+      omega k * (c (lo + Z.of_nat l)%Z * phi (IZR t + INR k / INR A ^ m - IZR (lo + Z.of_nat l)))))).
     2:{ intros k Hk. rewrite <- sum_scal. auto. }
     rewrite sum_swap. apply sum_ext; intros l Hl. rewrite <- HH, <- sum_scal. apply sum_ext; intros k Hk.
     replace (IZR (Z.of_nat k + ZA ^ Z.of_nat m * (t - (lo + Z.of_nat l))) / INR A ^ m) with (IZR t + INR k / INR A ^ m - IZR (lo + Z.of_nat l)). ring.

@@ -793,10 +793,10 @@ var check_certificate = (() => {
     demand(sign(eps) >= 0 && sign(low) > 0, 'the error of a root is negative, or its modulus not positive');
     const square = x => times(x, x), squares = ([x, y]) => plus(square(x), square(y));
     const integral = (x, y) => ({h: x.d * y.d, y: [x.n * y.d, y.n * x.d]});
-    const {h, y} = integral(re, im), [value, slope] = value_and_slope(p, y, h).map(squares);
-    demand(slope.n && !less(times(square(times(eps, h)), slope), times(n * n, value)), 'no zero is proved so near');
     const gap = minus(exact.eps, eps), apart = squares([minus(re, exact.re), minus(im, exact.im)]);
     demand(sign(gap) >= 0 && !less(square(gap), apart), 'the zero is not the one of the claim');
+    const {h, y} = integral(re, im), [value, slope] = value_and_slope(p, y, h).map(squares);
+    demand(slope.n && !less(times(square(times(eps, h)), slope), times(n * n, value)), 'no zero is proved so near');
     const centre = integral(exact.re, exact.im), slope_0 = squares(value_and_slope(p, centre.y, centre.h)[1]);
     const m = plus(plus(abs_of(exact.re), abs_of(exact.im)), exact.eps);
     const bend = horner(p.map((x, k) => abs(x) * BigInt(k * (k - 1))).slice(2), m);
@@ -813,7 +813,7 @@ var check_certificate = (() => {
   class TrueVertices {
     constructor(reader, body, exact, known) {
       Object.assign(this, known, {reader, body, exact, cycles: new Map(), errors: new Map(), origins: new Map()});
-      this.children = new Map();
+      [this.children, this.memory] = [new Map(), 0];
       while (reader.peek() === 'cycle') this.read_cycle();
       while (this.last_origin !== body.count - 1 && reader.peek() === 'origin') this.read_origin();
       this.e = fraction([...this.errors.values()].reduce(max, 0n), 1n << 512n);
@@ -830,8 +830,9 @@ var check_certificate = (() => {
     vertex(token) { return small(token, 0, this.body.count - 1); }
     letter(token) { return small(token, 0, this.matrices.length - 1); }
     enter(J, error) {
-      const e = times(error, 1n << 512n);
-      this.errors.set(J, ceil_div(e.n, e.d));
+      spend(8, bits(error.n) + 512, bits(error.d));
+      const far = !less(error, 1n);  // as good as any number that is too large
+      this.errors.set(J, far ? 1n << 512n : ceil_div(error.n << 512n, error.d));
       allow_bits(this.errors.size * 2048);
     }
     follow(word, columns) { return word.reduce((x, t) => multiply(this.matrices[t], x), columns); }
@@ -847,9 +848,9 @@ var check_certificate = (() => {
       demand(real || body.parts === 2, 'a real polytope, but no real eigenvalue');
       const next = x => scaled(body.turned(element, this.follow(word, x)), turn);
       let y = seed.map(x => [x * p[n]]);
-      for (let k = n - 1, scale = D, memory = 0; k >= 0; --k, scale *= D) {
+      for (let k = n - 1, scale = D; k >= 0; --k, scale *= D) {
         columns[k] = y.map(row => row[0]);
-        allow_bits(memory += body.size * (bits(largest(columns[k])) + 128));
+        allow_bits(this.memory += body.size * (bits(largest(columns[k])) + 128));
         spend(4 * body.size, bits(scale), bits(p[k]) + 64);
         y = next(y).map(([x], i) => [x + p[k] * scale * seed[i]]);
       }
@@ -857,7 +858,7 @@ var check_certificate = (() => {
       this.cycles.set(J, {word, next, Y: transpose(columns)});
       const U = seed.map(() => [0n, 0n]);  // times (h D)^(n - 1), as are u and the rest
       for (let k = n - 1, scale = 1n; k >= 0; --k, scale *= h) {
-        spend(6 * body.size, bits(largest_by(U, largest)) + bits(scale), bits(re) + bits(D));
+        spend(6 * body.size, bits(largest_by(U, largest)) + bits(scale), bits(re) + bits(im) + bits(D));
         U.forEach(([a, b], i) => {
           U[i] = [(a * re - b * im) * D + columns[k][i] * scale, (a * im + b * re) * D];
         });
@@ -886,8 +887,8 @@ var check_certificate = (() => {
       this.children.set(this.key(K, T), J);
       const v = transpose(body.coordinates(J)), image = multiply(this.matrices[T], transpose(body.coordinates(K)));
       const away = s => sum(v.map((row, i) => sum(row.map((x, part) => abs(low.d * image[i][part] - s * x)))));
-      const length = low.n * den, minus_too = !body.has.nonnegative && away(-length) < away(length);
-      const near = fraction(away(minus_too ? -length : length), low.d * den);
+      const [plain, turned] = [low.n * den, -low.n * den].map(away);
+      const near = fraction(!body.has.nonnegative && turned < plain ? turned : plain, low.d * den);
       const drift = times(minus(high, low), sum(v.map(norm)));
       const own = times(plus(near, drift), fraction(E, 1n << BigInt(v_bits)));
       this.enter(J, over(plus(times(g, fraction(this.errors.get(K) || 0n, 1n << 512n)), own), low));
@@ -905,8 +906,7 @@ var check_certificate = (() => {
       const j = this.vertex(first), T = this.letter(second), K = this.vertex(index), A = this.way(j), B = this.way(K);
       A.letters.push(T);
       const cycle = this.cycles.get(A.source), more = (A.letters.length - B.letters.length) / (cycle ? L : 1);
-      demand(cycle ? B.source === A.source && Number.isInteger(more) : !this.cycles.has(B.source) && !more,
-             wrong);
+      demand(cycle ? B.source === A.source && Number.isInteger(more) : !this.cycles.has(B.source) && !more, wrong);
       const points = i => transpose(body.coordinates(i));
       const lead = ({source, letters}, rounds) => this.follow(letters,
         range_of(Math.max(0, rounds)).reduce(x => cycle.next(x), cycle ? cycle.Y : points(source)));

@@ -113,6 +113,7 @@ class Attained {
   void read_cycle() {
     const Fields fields = reader_.take("cycle", 2 + radius_.length, 2 + radius_.length);
     Cycle cycle{parse_size(fields[0], 0, vertices_.size() - 1), {}, std::string(fields[1]), {}};
+    require(!cycle.word.empty(), "a cycle has a word, or '-'");
     if (cycle.word == "-") cycle.word.clear();
     require(cycle.word.size() <= 16, "a word of more than 16 generators");
     for (std::size_t k = 2; k < fields.size(); ++k)

@@ -575,6 +575,7 @@ reject("cycle-twice", "four-point-exact", "the first one of two cycles", replace
 reject("cycle-vertex", "four-point-exact", "number outside", replace("^cycle 0", "cycle 1"))
 reject("cycle-letter", "four-point-exact", "number outside", replace("^cycle 0 - 0", "cycle 0 - 2"))
 reject("cycle-word", "flip-exact", "unknown generator", replace("^cycle 0 f", "cycle 0 A"))
+reject("cycle-word-empty", "four-point-exact", "a cycle has a word", replace("^cycle 0 - 0", "cycle 0  0"))
 reject("cycle-word-long", "flip-exact", "more than 16 generators", replace("^cycle 0 f", "cycle 0 " + 17 * "f"))
 reject("cycle-other", "slow-exact", "does not vanish on the seed", replace("^cycle 0 - 1 0", "cycle 0 - 1 1"))
 reject("cycle-order", "slow-exact", "too far", replace("^cycle 0 - 1 0", "cycle 0 - 0 1"))

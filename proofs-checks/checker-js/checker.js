@@ -1558,9 +1558,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function text_of({options, kind, lower, upper, rough, interval}) {
     const relation = interval ? ' < ' : ' <= ', number = x => x.d === 1n ? `${x.n}` : `${x.n}/${x.d}`;
     let what = kind === check_radius ? 'joint spectral radius' : 'Hoelder exponent';
-    if (rough) what = `${lower ? `${what} and ` : ''}no C^${rough} limits`;
-    else if (!lower && !upper && options.exact === undefined) what = 'stable integer shifts';
-    if (options.exact !== undefined) what += ` = ${options.exact}`;
+    const exact = options.exact !== undefined, number_itself = exact ? `${what} = ${options.exact}` : what;
+    if (rough) what = `${lower || exact ? `${number_itself} and ` : ''}no C^${rough} limits`;
+    else what = lower || upper || exact ? number_itself : 'stable integer shifts';
     const ends = !lower && interval && upper && !sign(upper) ? 'no convergence'
       : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}`;
     const subject = kind === check_radius ? options.matrices : kind === check_surface

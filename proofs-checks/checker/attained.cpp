@@ -102,6 +102,7 @@ class Attained {
     return arithmetic_.multiply(body_.family.matrix(letter), x, body_.size);
   }
   Vector turned(const std::string& word, Vector x) {
+    require(!body_.symmetric || word.size() <= 1, "unknown generator");
     for (std::size_t k = word.size(); k-- > 0;) x = body_.turn(word[k], std::move(x), arithmetic_);
     return x;
   }

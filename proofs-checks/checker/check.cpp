@@ -529,12 +529,13 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     claim.text = "joint spectral radius";
     claim.subject = *matrices;
   }
+  if (exact) claim.text += " = " + *exact;
+  const std::string number = lower || exact ? claim.text + " and " : "";
   if (!lower && !upper && !exact) claim.text = "stable integer shifts";
   const std::string relation = range ? " < " : " <= ";
   const bool diverges = range && !lower && claim.upper && *claim.upper == 0;
   if (diverges) claim.text = "no convergence";
-  if (rough) claim.text = (lower ? "Hoelder exponent and no C^" : "no C^") + upper->substr(1) + " limits";
-  if (exact) claim.text += " = " + *exact;
+  if (rough) claim.text = number + "no C^" + upper->substr(1) + " limits";
   claim.text = (lower ? claim.lower->get_str() + relation : "") + claim.text +
                (upper && !diverges && !rough ? relation + claim.upper->get_str() : "") + " of " + claim.subject;
   if (range) {

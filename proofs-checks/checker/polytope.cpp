@@ -26,6 +26,7 @@ namespace {
 /// The vertex after a word of generators, the last letter first.
 const Vector& turned_vertex(Polytope& body, const TurnedIndex& vertex, Arithmetic& arithmetic) {
   if (vertex.word.empty()) return body.vertices[vertex.index];
+  require(!body.symmetric || vertex.word.size() == 1, "unknown generator");
   const auto [at, missing] = body.turned.try_emplace({vertex.index, vertex.word});
   if (!missing) return at->second;
   arithmetic.spend(2000 + 100 * body.size);

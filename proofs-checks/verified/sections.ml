@@ -186,6 +186,7 @@ let read_polytope r family fields =
         let digits = ref 0 in
         while !digits < String.length index && index.[!digits] >= '0' && index.[!digits] <= '9' do incr digits done;
         require (String.length index - !digits <= 16) "a word of more than 16 generators";
+        require ((not symmetric) || String.length index - !digits <= 1) "unknown generator";
         let vertex = size (String.sub index 0 !digits) 0 (vertices - 1) in
         let x = image_of vertex (word_of (String.sub index !digits (String.length index - !digits))) in
         let a, b = match List.map integer weights with [ a ] -> (a, Z.zero) | [ a; b ] -> (a, b) | _ -> assert false in

@@ -576,6 +576,8 @@ reject("cycle-vertex", "four-point-exact", "number outside", replace("^cycle 0",
 reject("cycle-letter", "four-point-exact", "number outside", replace("^cycle 0 - 0", "cycle 0 - 2"))
 reject("cycle-word", "flip-exact", "unknown generator", replace("^cycle 0 f", "cycle 0 A"))
 reject("cycle-word-empty", "four-point-exact", "a cycle has a word", replace("^cycle 0 - 0", "cycle 0  0"))
+reject("cycle-word-twice", "flip-exact", "unknown generator", replace("^cycle 0 f", "cycle 0 fff"))
+reject("term-word-twice", "four-point-by-hand", "unknown generator", replace("^unit 0 0f:", "unit 0 0fff:"))
 reject("cycle-word-long", "flip-exact", "more than 16 generators", replace("^cycle 0 f", "cycle 0 " + 17 * "f"))
 reject("cycle-other", "slow-exact", "does not vanish on the seed", replace("^cycle 0 - 1 0", "cycle 0 - 1 1"))
 reject("cycle-order", "slow-exact", "too far", replace("^cycle 0 - 1 0", "cycle 0 - 0 1"))

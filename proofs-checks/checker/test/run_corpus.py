@@ -114,7 +114,7 @@ else:
             relation = "<" if range_ else "<="
             rough = upper and upper.startswith("C")
             if rough:
-                what = ("Hoelder exponent and no C^" if lower else "no C^") + upper[1:] + " limits"
+                what = (f"{what} and no C^" if lower or exact else "no C^") + upper[1:] + " limits"
             text = "VERIFIED " + (f"{Fraction(lower)} {relation} " if lower else "") + what
             text += (f" {relation} {Fraction(upper)}" if upper and not rough else "") + f" of {subject}"
             text = text.replace("Hoelder exponent < 0", "no convergence") + (f" for all {range_}" if range_ else "")

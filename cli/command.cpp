@@ -7,10 +7,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
+#include <system_error>
 
 namespace subcert::cli {
 namespace {
@@ -86,9 +88,18 @@ void CommonOptions::answer(const std::function<void(std::ostream&)>& write) cons
     runtime::write_stream(out, write);
     return;
   }
+  errno = 0;
   write(std::cout);
-  std::cout << std::flush;
-  if (!std::cout) fail(ErrorKind::missing_file, "cannot write to standard output");
+  require_output_written(std::cout ? 0 : errno);
+}
+
+void require_output_written(int reason) {
+  errno = reason;
+  const bool written = std::fflush(stdout) == 0;
+  reason = errno;
+  if (!written || !std::cout.flush())
+    fail(ErrorKind::missing_file, "cannot write to standard output{}",
+         reason == 0 ? "" : ": " + std::generic_category().message(reason));
 }
 
 Command add_command(Command& app, const std::string& name, const std::string& description, const std::string& example,

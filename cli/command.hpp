@@ -45,6 +45,10 @@ std::string read_file(const std::string& path);
 /// The same, or the content of standard input.
 std::string read_input(const std::string& path);
 
+/// Errors: throws missing_file where standard output did not take all that was printed, with the reason; `reason`, as
+/// errno has it, is that of an earlier failure if it is known.
+void require_output_written(int reason = 0);
+
 /// What errors call an input: the path, or `standard input`.
 std::string input_name(const std::string& path);
 

@@ -89,7 +89,6 @@ ExitCode run(ReproduceOptions& options) {
     if (options.out.empty()) std::cout << reports::full_list(findings) << "\n";
     std::cout << reports::first_screen(findings, {wants_colours(), options.out, stopwatch.seconds()});
   }
-  if (!std::cout.flush()) fail(ErrorKind::missing_file, "cannot write to standard output");
   return findings.as_recorded() ? done : failed;
 }
 

@@ -52,9 +52,10 @@ void smooth_stream(const SmoothOptions& options, const std::optional<double>& no
       headed = true;
       page.write_rows(out);
       out << std::flush;
-      if (!out) fail(ErrorKind::missing_file, "cannot write the answer");
     };
-    while (const auto rows = input.next()) {
+    while (out) {  // nobody waits for more than can be written
+      const auto rows = input.next();
+      if (!rows) break;
       stream.add(rows->columns, rows->weights);
       write(stream.take());
     }

@@ -2,9 +2,18 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/symbol/flint.hpp>
+
+#include <fcntl.h>
+#include <gmp.h>
+#include <unistd.h>
+
 #include <csignal>
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <new>
+#include <string_view>
 
 namespace {
 
@@ -18,12 +27,53 @@ int complain(const std::string& message, cli::ExitCode code) {
   return static_cast<int>(code);
 }
 
+/// No file that is opened comes to stand for a standard stream that was closed.
+void hold_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0)
+      std::_Exit(static_cast<int>(cli::internal));
+}
+
+/// Where nothing can be thrown: in GMP and FLINT, which would end the program by abort, and in destructors.
+[[noreturn]] void end_without_memory() {
+  constexpr std::string_view line = "subcert: out of memory\n";
+  static_cast<void>(!write(STDERR_FILENO, line.data(), line.size()));
+  std::_Exit(static_cast<int>(cli::internal));
+}
+
+void* enough(void* memory, std::size_t size) {
+  if (!memory && size > 0) end_without_memory();
+  return memory;
+}
+
+void* allocate(std::size_t size) { return enough(std::malloc(size), size); }
+void* allocate_zeros(std::size_t count, std::size_t size) { return enough(std::calloc(count, size), count); }
+void* reallocate(void* memory, std::size_t size) { return enough(std::realloc(memory, size), size); }
+
+void answer_lack_of_memory() {
+  mp_set_memory_functions(
+      allocate, [](void* memory, std::size_t, std::size_t size) { return reallocate(memory, size); },
+      [](void* memory, std::size_t) { std::free(memory); });
+  __flint_set_memory_functions(allocate, allocate_zeros, reallocate, std::free);
+  std::set_terminate([] {
+    try {
+      if (std::current_exception()) throw;
+    } catch (const std::bad_alloc&) {
+      end_without_memory();
+    } catch (...) {
+    }
+    std::abort();
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);
+  hold_standard_streams();
+  answer_lack_of_memory();
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);  // a failed write says so
   try {
-    return cli::run_program(
+    const int code = cli::run_program(
         "Certifies what is claimed about subdivision schemes", cli::exit_code_help(),
         {cli::add_reproduce,  cli::add_analyze, cli::add_mask,    cli::add_regularity, cli::add_range,
          cli::add_curve,      cli::add_map,     cli::add_jsr,     cli::add_verify,     cli::add_limit,
@@ -31,6 +81,8 @@ int main(int argc, char** argv) {
          cli::add_conjecture, cli::add_merge,   cli::add_theorem, cli::add_statements, cli::add_check,
          cli::add_completion, cli::add_manual},
         argc, argv);
+    cli::require_output_written();
+    return code;
   } catch (const Error& error) {
     return complain(error.what(), cli::exit_code(error.kind()));
   } catch (const std::bad_alloc&) {

@@ -51,5 +51,5 @@ TEST_CASE("gallery: wrong usage") {
   CHECK(run("gallery l1:points=4").code == 64);
   check_fails(run("gallery primal:n=2 --all"), 64, "--all: takes no schemes, got 'primal:n=2'");
   check_fails(run("gallery primal:n=2 --out /dev/null/page.html"), 66,
-              "cannot make the folder /dev/null: Not a directory");
+              "cannot write /dev/null/page.html: cannot make its folder: Not a directory");
 }

@@ -104,7 +104,7 @@ std::string file_text(const std::filesystem::path& path) {
 }
 
 Error system_error(const std::filesystem::path& path, const std::string& what) {
-  return {ErrorKind::data, fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno))};
+  return {ErrorKind::missing_file, fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno))};
 }
 
 /// A name in a folder is on disk only after the folder is.

@@ -47,7 +47,7 @@ std::vector<std::string> damage_reports(const std::filesystem::path& path, const
 class Journal {
  public:
   /// Opens the journal or makes a new one, locks it, reads it and cuts off a torn or damaged last line. Errors: throws
-  /// a usage error where another process holds it, else as read_journal does.
+  /// a usage error where another process holds it, missing_file where it cannot be written, else as read_journal does.
   explicit Journal(const std::filesystem::path& path);
   ~Journal();
   Journal(const Journal&) = delete;
@@ -56,7 +56,7 @@ class Journal {
   const JournalContent& content() const { return content_; }
 
   /// Appends one case: one write, then fsync, so that afterwards the line survives whatever happens to the process or
-  /// the machine. Errors: throws a data error; the journal then ends with its last whole line.
+  /// the machine. Errors: throws missing_file; the journal then ends with its last whole line.
   void append(const JournalEntry& entry);
 
  private:

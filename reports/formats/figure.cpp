@@ -8,8 +8,8 @@
 #include <gnuplot-iostream.h>
 
 #include <algorithm>
+#include <fstream>
 #include <sstream>
-#include <stdexcept>
 
 namespace subcert::formats {
 namespace {
@@ -26,7 +26,7 @@ std::string range_of(const std::vector<Cells>& cells) {
 }
 
 void plot(const Figure& figure, const std::string& terminal, const std::filesystem::path& target) {
-  Gnuplot gnuplot("gnuplot 2>/dev/null");
+  Gnuplot gnuplot(gnuplot_command);
   const auto count = static_cast<int>(figure.panels.size());
   const int columns = std::min(figure.columns, count), rows = (count + columns - 1) / columns;
   gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 460 * columns << "," << 320 * rows << "\n"
@@ -72,6 +72,17 @@ void plot(const Figure& figure, const std::string& terminal, const std::filesyst
   gnuplot.flush();
 }
 
+/// gnuplot does not say that it could not write, but both formats have an end. Devices are not read.
+bool is_whole_picture(const std::filesystem::path& file, const std::filesystem::path& ending) {
+  if (!std::filesystem::is_regular_file(file)) return std::filesystem::exists(file);
+  constexpr std::streamoff longest_end = 16;
+  std::string end(longest_end, ' ');
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(-longest_end, std::ios::end);
+  stream.read(end.data(), longest_end);
+  return stream && end.find(ending == ".svg" ? "</svg>" : "IEND") != std::string::npos;
+}
+
 }  // namespace
 
 void draw(const Figure& figure, const std::filesystem::path& folder) {
@@ -90,15 +101,22 @@ bool is_picture_name(const std::filesystem::path& file) {
   return file.extension() == ".svg" || file.extension() == ".png";
 }
 
+void write_picture(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& plot) {
+  require(is_picture_name(file), "write_picture: need a name that ends in .svg or .png, got {}", file.string());
+  runtime::write_file_with(file, [&](const std::filesystem::path& target) {
+    plot(target);
+    if (!is_whole_picture(target, file.extension()))
+      fail(ErrorKind::missing_file,
+           "cannot write {}: gnuplot did not draw it to its end (is gnuplot installed? is the "
+           "disk full?)",
+           file.string());
+  });
+}
+
 void draw_file(const Figure& figure, const std::filesystem::path& file) {
-  require(is_picture_name(file), "draw_file: need a name that ends in .svg or .png, got {}", file.string());
   const char* terminal = file.extension() == ".svg" ? "svg font 'DejaVu Sans,12' background rgb 'white'"
                                                     : "pngcairo font 'DejaVu Sans,11' fontscale 1.0";
-  runtime::write_file_with(file, [&](const std::filesystem::path& temporary) {
-    plot(figure, terminal, temporary);  // gnuplot has ended when this returns
-    if (!std::filesystem::exists(temporary) || std::filesystem::file_size(temporary) == 0)
-      fail(ErrorKind::missing_file, "gnuplot did not draw {} (is gnuplot installed?)", file.string());
-  });
+  write_picture(file, [&](const std::filesystem::path& target) { plot(figure, terminal, target); });
 }
 
 }  // namespace subcert::formats

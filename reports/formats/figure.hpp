@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,10 +50,15 @@ struct Figure {
 /// gnuplot is missing or fails; the CSV file is written first.
 void draw(const Figure& figure, const std::filesystem::path& folder);
 
-/// Whether draw_file() knows the ending of this name: .svg or .png.
+/// Whether pictures have the ending of this name: .svg or .png.
 bool is_picture_name(const std::filesystem::path& file);
 
-/// Writes one picture, its kind by the ending. Errors: throws a domain error for another ending, else as draw().
+/// Lets `plot` have gnuplot draw into the file that it is given, which then takes this name; gnuplot must have ended
+/// when `plot` returns. Errors: throws a domain error for another ending; missing_file where the file cannot be
+/// written, or gnuplot is missing or did not come to the end of the picture.
+void write_picture(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& plot);
+
+/// Writes one picture, its kind by the ending. Errors: as write_picture().
 void draw_file(const Figure& figure, const std::filesystem::path& file);
 
 }  // namespace subcert::formats

@@ -3,9 +3,6 @@
 #include "figure.hpp"
 #include "gnuplot_text.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/schemes/data/runtime/files.hpp>
-
 #include <gnuplot-iostream.h>
 
 #include <algorithm>
@@ -44,7 +41,7 @@ std::string grid_text(const DrawnSurface& surface) {
 void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, const std::string& terminal,
           const std::filesystem::path& target) {
   const std::size_t rows = (surfaces.size() + columns - 1) / columns;
-  Gnuplot gnuplot("gnuplot 2>/dev/null");
+  Gnuplot gnuplot(gnuplot_command);
   gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 520 * columns << "," << 380 * rows << "\n"
           << "set output " << quoted(target.string()) << "\n"
           << "set multiplot layout " << rows << "," << columns << "\n"
@@ -73,14 +70,10 @@ void draw(const SurfaceFigure& figure, const std::filesystem::path& folder) {
 }
 
 void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file, std::size_t columns) {
-  require(is_picture_name(file), "draw_surfaces: need a name that ends in .svg or .png, got {}", file.string());
   const char* terminal = file.extension() == ".svg" ? "svg font 'DejaVu Sans,12' background rgb 'white'"
                                                     : "pngcairo font 'DejaVu Sans,11'";
-  runtime::write_file_with(file, [&](const std::filesystem::path& temporary) {
-    // gnuplot has ended when this returns
-    plot(surfaces, columns == 0 ? surfaces.size() : std::min(columns, surfaces.size()), terminal, temporary);
-    if (!std::filesystem::exists(temporary) || std::filesystem::file_size(temporary) == 0)
-      fail(ErrorKind::missing_file, "gnuplot did not draw {} (is gnuplot installed?)", file.string());
+  write_picture(file, [&](const std::filesystem::path& target) {
+    plot(surfaces, columns == 0 ? surfaces.size() : std::min(columns, surfaces.size()), terminal, target);
   });
 }
 

@@ -153,8 +153,8 @@ TEST_CASE("a file that is no journal stays as it is") {
     CHECK(content(path) == text);
     CHECK_FALSE(fs::exists(folder.path / "out"));
   }
-  CHECK_FAILS(Journal(folder.path), data);
-  CHECK_FAILS(Journal("/proc/no/such/place"), data);
+  CHECK_FAILS(Journal(folder.path), missing_file);
+  CHECK_FAILS(Journal("/proc/no/such/place"), missing_file);
   CHECK_FAILS(read_journal(folder.path / "nowhere"), data);
   CHECK_FAILS(read_journal(folder.path), data);
   CHECK_FAILS(Journal("/dev/null"), data);

@@ -8,8 +8,10 @@
 
 namespace subcert::runtime {
 
-/// Lets `write` fill a file of a temporary name in the same folder, then renames it to `path`; folders are made.
-/// Errors: throws missing_file and names the file; nothing is left behind then, and an older file stays.
+/// Lets `write` fill a file of a temporary name, `path` with .part and the number of the process, in the same folder,
+/// then renames it to `path`; folders are made. Where `path` is a link, the file that it leads to is written; a device
+/// or a pipe is written as it is. Errors: throws missing_file and names the file and the reason; nothing is left behind
+/// then, and an older file stays.
 void write_file(const std::filesystem::path& path, const std::string& content);
 void write_stream(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 void write_file_with(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);

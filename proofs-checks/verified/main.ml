@@ -8,12 +8,14 @@ open Text
 let usage =
   "usage: subcert-check-verified --matrices MATRICES [--lower P/Q] [--upper P/Q] [--show] FILE    (at least one bound)\n\
   \       subcert-check-verified --mask '[c0,c1,...]/D@first' --arity A --lower P/Q [--upper P/Q] [--show] FILE\n\
+  \       subcert-check-verified --matrices MATRICES --exact '|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE    (what the radius is)\n\
+  \       subcert-check-verified --mask ... --arity A --exact 'M-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
    exponents, and about surfaces, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
-let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper"; "--exact"; "--theorem" ]
+let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper"; "--exact"; "--logarithm"; "--theorem" ]
 
 let rec options given = function
   | [] -> given
@@ -139,14 +141,63 @@ let read_bounds r =
 
 let line r head = ignore (take r head 0 0)
 
-let read_head r claim =
+(* An exact number, of which the program is given its text and its parts; the same must stand in the certificate. *)
+type exact = { text : string; order : int option; number : exact_number }
+
+(* |[p0,p1,...,pd]@RE,IM,EPS|^1/L, for exponents M-log before it *)
+let read_exact exponent text =
+  let expected = "an exact exponent is M-log|[p0,p1,...]@RE,IM,EPS|^1/L, an exact radius the same without M-log" in
+  let find part from =
+    let rec search k =
+      if k + String.length part > String.length text then reject expected
+      else if String.sub text k (String.length part) = part then k
+      else search (k + 1)
+    in
+    search from
+  in
+  let between start stop = require (start <= stop) expected; String.sub text start (stop - start) in
+  let bar = find "|[" 0 in
+  let close = find "]@" bar in
+  let root = find "|^1/" close in
+  let before = between 0 bar in
+  require (exponent = String.ends_with ~suffix:"-log" before && (exponent || before = "")) expected;
+  let order = if exponent then Some (size (String.sub before 0 (bar - 4)) 0 500) else None in
+  let polynomial = List.map integer (String.split_on_char ',' (between (bar + 2) close)) in
+  let degree = List.length polynomial - 1 in
+  require
+    (degree >= 1 && degree <= 256 && Z.sign (List.nth polynomial degree) <> 0)
+    "a polynomial has the degree 1 to 256 and a leading coefficient that is not zero";
+  match List.map rational (String.split_on_char ',' (between (close + 2) root)) with
+  | [ re; im; eps ] ->
+      require (Q.sign eps > 0) "the distance of a zero must be positive";
+      let disc_scale = Z.lcm (Q.den re) (Z.lcm (Q.den im) (Q.den eps)) in
+      let scaled x = Z.mul (Q.num x) (Z.divexact disc_scale (Q.den x)) in
+      let length = size (between (root + 4) (String.length text)) 1 256 in
+      { text; order;
+        number = { polynomial; disc_re = scaled re; disc_im = scaled im; disc_radius = scaled eps; disc_scale; root = length } }
+  | _ -> reject expected
+
+let show_exact exact =
+  let e = exact.number in
+  let over x = Q.to_string (Q.make x e.disc_scale) in
+  let logarithm = match exact.order with Some m -> Printf.sprintf "%d less the logarithm, to the base of the arity, of " m | None -> "" in
+  Printf.printf "exactly %sthe root %d of the modulus of the zero within %s of %s + i %s of the polynomial\n" logarithm e.root
+    (over e.disc_radius) (over e.disc_re) (over e.disc_im);
+  List.iteri (fun k c -> Printf.printf "coefficient of x^%d is %s\n" k (Z.to_string c)) e.polynomial
+
+(* Where the number is, if one is claimed. *)
+let read_head r claim exact =
   line r "subcert-certificate 3";
   line r claim;
   read_bounds r;
-  skip r [ "exact"; "root" ]
+  match exact with
+  | None -> skip r [ "exact"; "root" ]; None
+  | Some exact ->
+      line r ("exact " ^ exact.text);
+      Some (exact.number, Attained_hint.read_root r exact.number)
 
-(* What proves bounds of the radius: all lines to the last one. *)
-let read_proof family lower upper r =
+(* A basis, its blocks, the product, and the sections of the blocks as `section` reads them: all lines to the last one. *)
+let read_lines family lower r sections =
   let n = family.size in
   let divided = at r "blocks" in
   let sizes = if divided then List.map (fun f -> size f 1 n) (take r "blocks" 1 n) else [ n ] in
@@ -182,27 +233,62 @@ let read_proof family lower upper r =
           (chosen, hint)
       | _ -> assert false
   in
-  let sections =
-    if upper = None && not (at r "block 0") then []
-    else
-      List.mapi
-        (fun i block ->
-          let own, section = Sections.read_section r i block upper in
-          skip r [ "cycle"; "seed"; "origin"; "same" ];
-          (match (own, upper) with
-          | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
-          | _ -> ());
-          (match upper with
-          | Some u when Q.sign u >= 0 ->
-              require (check_section block (bound_of u) section) (Printf.sprintf "block %d does not prove the upper end" i)
-          | Some _ -> reject "the upper end is negative"
-          | None -> ());
-          (block.size, section))
-        blocks
-  in
+  let sections = sections blocks in
+  skip r [ "logarithm"; "recurrence" ];
   line r "end";
   require (at_end r) "text after 'end'";
-  { new_basis; sections; sizes = (if divided then sizes else []); chosen; eigenvector }
+  (new_basis, (if divided then sizes else []), chosen, eigenvector, sections)
+
+(* What proves bounds of the radius. *)
+let read_proof family lower upper r =
+  let section i block =
+    let own, section, _ = Sections.read_section r i block upper in
+    skip r [ "cycle"; "seed"; "origin"; "same" ];
+    (match (own, upper) with
+    | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
+    | _ -> ());
+    (match upper with
+    | Some u when Q.sign u >= 0 ->
+        require (check_section block (bound_of u) section) (Printf.sprintf "block %d does not prove the upper end" i)
+    | Some _ -> reject "the upper end is negative"
+    | None -> ());
+    (block.size, section)
+  in
+  let sections blocks = if upper = None && not (at r "block 0") then [] else List.mapi section blocks in
+  let new_basis, sizes, chosen, eigenvector, sections = read_lines family lower r sections in
+  { new_basis; sections; sizes; chosen; eigenvector }
+
+(* What proves that the radius is the number. *)
+let read_exact_proof family (e, root) r =
+  let place = Attained_hint.place_of e root Attained_hint.least_bits in
+  require (check_number e place) "no zero is proved so near";
+  let low = Q.make place.low place.bottom in
+  let section i block =
+    let own, section, polytope = Sections.read_section r i block (Some low) in
+    match polytope with
+    | Some polytope when at r "cycle" -> (block, Either.Right (Attained_hint.read_lines r polytope e root place))
+    | _ ->
+        require (Option.fold ~none:true ~some:(fun g -> Q.leq g low) own) "the bound of a block is above the exact radius";
+        require (check_section block (bound_of low) section) "the bound of a block is above the exact radius";
+        (block, Either.Left section)
+  in
+  let exact_basis, _, _, _, sections = read_lines family None r (List.mapi section) in
+  let most least f = List.fold_left (fun m s -> match s with _, Either.Right draft -> max m (f draft) | _ -> m) least sections in
+  let margin = most 0 (fun d -> d.Attained_hint.margin) in
+  let place = Attained_hint.place_of ~margin e root (most Attained_hint.least_bits (fun d -> d.Attained_hint.bits_needed)) in
+  require (check_number e place) "no zero is proved so near";
+  let written (block, section) =
+    match section with
+    | Either.Left section -> (block.size, Bounded section)
+    | Either.Right draft ->
+        let section = Attained_hint.write_out draft e root place in
+        require (block_below e place block section) "an image may lie outside";
+        require (block_reaches e place block section) "the eigenvector of a cycle may be zero where the vertex is large";
+        (block.size, section)
+  in
+  let exact_blocks = List.map written sections in
+  require (List.exists (function _, Attains _ -> true | _ -> false) exact_blocks) "no block attains the exact radius";
+  { number_place = place; exact_basis; exact_blocks }
 
 let show claim =
   let text q = Q.to_string (Q.make q.qnum q.qden) in
@@ -217,21 +303,27 @@ let show claim =
     family.matrices
 
 let side value render = match value with Some q -> render (Q.to_string q) | None -> ""
+let number_text exact = match exact with Some e -> " = " ^ e.text | None -> ""
 
 (* A claim about matrices: its text, its proof, what --theorem and --show print. *)
-let radius matrices lower upper file =
+let radius matrices lower upper exact file =
   let family = read_matrices matrices in
   let claim = { matrices_of = family; lower = Option.map bound_of lower; upper = Option.map bound_of upper } in
-  let certificate =
+  let theorem =
     read file 1 (fun r ->
-        read_head r (Printf.sprintf "radius %d %d" (List.length family.matrices) family.size);
-        let certificate = read_proof family lower upper r in
-        require (check_radius claim certificate) "the certificate does not prove the claim";
-        certificate)
+        match read_head r (Printf.sprintf "radius %d %d" (List.length family.matrices) family.size) exact with
+        | None ->
+            let certificate = read_proof family lower upper r in
+            require (check_radius claim certificate) "the certificate does not prove the claim";
+            fun name -> Theorem.print_radius name claim certificate
+        | Some ((e, _) as number) ->
+            let certificate = read_exact_proof family number r in
+            require (check_exact_radius family e claim.lower claim.upper certificate) "the certificate does not prove the claim";
+            fun name -> Theorem.print_exact_radius name claim e certificate)
   in
-  ( side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices,
-    (fun name -> Theorem.print_radius name claim certificate),
-    fun () -> show claim )
+  ( side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ number_text exact ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices,
+    theorem,
+    fun () -> show claim; Option.iter show_exact exact )
 
 (* The text [c0,c1,...]/D@first *)
 let read_mask text arity =
@@ -257,22 +349,60 @@ let read_mask text arity =
   let cleared = clear_denominators count [ values ] in
   { arity = size arity 2 16; first; coefficients = List.hd (List.hd cleared.matrices); common = cleared.denominator }
 
-let show_exponent scheme lower upper =
-  Printf.printf "the Hoelder exponent of the scheme of arity %d, at least %s%s\n" scheme.arity (Q.to_string lower)
+let show_exponent scheme lower upper exact =
+  Printf.printf "the Hoelder exponent of the scheme of arity %d%s%s\n" scheme.arity
+    (side lower (fun l -> ", at least " ^ l))
     (side upper (fun u -> ", at most " ^ u));
   List.iteri
     (fun k c ->
       Printf.printf "coefficient %s is %s\n" (Z.to_string (Z.add scheme.first (Z.of_int k)))
         (Q.to_string (Q.make c scheme.common)))
-    scheme.coefficients
+    scheme.coefficients;
+  Option.iter show_exact exact
+
+let stable_shifts scheme =
+  match Stability_hint.make scheme with Some shifts -> shifts | None -> reject "stability: not shown for the integer shifts"
+
+(* Of bounds of the exponent: the certificate for the checker, and what --theorem prints *)
+let prove_bounds scheme order family lower upper r =
+  let l = bound_of lower and base = Z.of_int scheme.arity and digits = 128 in
+  (* arity^(order - lower), rounded down *)
+  let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
+  let power = power_below base order top l.qden in
+  let bound = Q.make (Z.fdiv (Z.shift_left power digits) unity) (Z.shift_left Z.one digits) in
+  (* arity^(order - upper), rounded up *)
+  let least u =
+    require (Q.sign u >= 0 && Q.lt u (Q.of_int 10_000)) "the upper end does not follow from a product";
+    let divisor = power_below base order (Q.num u) (Q.den u) in
+    let whole = Z.shift_left (Z.mul (Z.pow base order) unity) digits in
+    (* above 1, where stability needs it *)
+    Q.make (Z.max (Z.cdiv whole divisor) (Z.succ (Z.shift_left Z.one digits))) (Z.shift_left Z.one digits)
+  in
+  let least = Option.map least upper in
+  let low = { order; bound = bound_of bound; of_radius = read_proof family least (Some bound) r } in
+  match (upper, least) with
+  | Some u, Some g ->
+      let both = { lower_end = low; radius_least = bound_of g; shifts = stable_shifts scheme } in
+      require (check_exponent scheme l (bound_of u) both) "the certificate does not prove the claim";
+      fun name -> Theorem.print_enclosure name scheme l (bound_of u) both
+  | _ ->
+      require (check_exponent_lower scheme l low) "the certificate does not prove the claim";
+      fun name -> Theorem.print_exponent name scheme l low
+
+(* Of what the exponent is, with bounds or without *)
+let prove_number scheme order family lower upper exact ((e, _) as number) r =
+  require (exact.order = Some order) "the exact exponent has another number before its logarithm";
+  let certificate = read_exact_proof family number r and lower = Option.map bound_of lower and upper = Option.map bound_of upper in
+  let shifts = stable_shifts scheme in
+  require (check_exact_exponent scheme order e lower upper certificate shifts) "the certificate does not prove the claim";
+  fun name -> Theorem.print_exact_exponent name scheme order e lower upper certificate shifts
 
 (* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
-let exponent mask arity lower upper file =
+let exponent mask arity lower upper exact file =
   let scheme = read_mask mask arity in
-  let l = bound_of lower and base = Z.of_int scheme.arity and digits = 128 in
-  let low, both =
+  let theorem =
     read file 1 (fun r ->
-        read_head r ("exponent " ^ mask ^ " " ^ arity);
+        let number = read_head r ("exponent " ^ mask ^ " " ^ arity) exact in
         if at r "reduced" then raise (Sections.Undecided "reduced masks are not decided here, but by subcert-check");
         let order, full = match take r "sum-rules" 1 2 with [ m ] -> (m, "") | m :: f -> (m, List.hd f) | [] -> assert false in
         let order = size order 1 500 in
@@ -282,51 +412,30 @@ let exponent mask arity lower upper file =
             raise (Sections.Undecided "upper ends by the number of sum rules are not decided here, but by subcert-check")
         | _ -> ());
         require
-          (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul base scheme.common))
+          (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul (Z.of_int scheme.arity) scheme.common))
           "the coefficients of the mask do not sum to the arity";
-        require (Q.sign lower > 0) "the lower end of an exponent must be positive";
-        require (Q.leq lower (Q.of_int order)) "the order of the sum rules does not prove the claim";
-        if upper <> None || at r "stability" then line r "stability";
+        (match lower with
+        | Some l ->
+            require (Q.sign l > 0) "the lower end of an exponent must be positive";
+            require (Q.leq l (Q.of_int order)) "the order of the sum rules does not prove the claim"
+        | None -> ());
+        if upper <> None || exact <> None || at r "stability" then line r "stability";
         require (divides scheme order) "the mask has no sum rules of this order";
         let degree = List.length scheme.coefficients - 1 - (order * (scheme.arity - 1)) in
         require (degree <= 256 * (scheme.arity - 1)) "transition matrices larger than 256";
         let family = difference_family scheme order in
-        (* arity^(order - lower), rounded down *)
-        let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
-        let power = power_below base order top l.qden in
-        let bound = Q.make (Z.fdiv (Z.shift_left power digits) unity) (Z.shift_left Z.one digits) in
-        (* arity^(order - upper), rounded up *)
-        let least u =
-          require (Q.sign u >= 0 && Q.lt u (Q.of_int 10_000)) "the upper end does not follow from a product";
-          let divisor = power_below base order (Q.num u) (Q.den u) in
-          let whole = Z.shift_left (Z.mul (Z.pow base order) unity) digits in
-          Q.make (Z.cdiv whole divisor) (Z.shift_left Z.one digits)
-        in
-        let least = Option.map least upper in
-        (match least with
-        | Some g -> require (Q.gt g Q.one) "no exponent below the order of the sum rules follows from a product"
-        | None -> ());
-        let low = { order; bound = bound_of bound; of_radius = read_proof family least (Some bound) r } in
-        match (upper, least) with
-        | Some u, Some g -> (
-            match Stability_hint.make scheme with
-            | None -> reject "stability: not shown for the integer shifts"
-            | Some shifts ->
-                let both = { lower_end = low; radius_least = bound_of g; shifts } in
-                require (check_exponent scheme l (bound_of u) both) "the certificate does not prove the claim";
-                (low, Some both))
-        | _ ->
-            require (check_exponent_lower scheme l low) "the certificate does not prove the claim";
-            (low, None))
+        match (number, exact, lower) with
+        | Some number, Some exact, _ -> prove_number scheme order family lower upper exact number r
+        | _, _, Some lower -> prove_bounds scheme order family lower upper r
+        | _ -> assert false)
   in
-  ( Printf.sprintf "%s <= Hoelder exponent%s of %s with arity %s" (Q.to_string lower)
+  ( Printf.sprintf "%sHoelder exponent%s%s of %s with arity %s"
+      (side lower (fun l -> l ^ " <= "))
+      (number_text exact)
       (side upper (fun u -> " <= " ^ u))
       mask arity,
-    (fun name ->
-      match (upper, both) with
-      | Some u, Some both -> Theorem.print_enclosure name scheme l (bound_of u) both
-      | _ -> Theorem.print_exponent name scheme l low),
-    fun () -> show_exponent scheme lower upper )
+    theorem,
+    fun () -> show_exponent scheme lower upper exact )
 
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
@@ -335,7 +444,6 @@ let check arguments =
   let has name = find name <> None and get name = Option.get (find name) in
   let only names = List.for_all (fun (name, _) -> List.mem name ([ "--lower"; "--theorem"; "--show"; "FILE" ] @ names)) given in
   require (has "FILE" && (has "--matrices" || has "--mask" || has "--surface")) usage;
-  if has "--exact" then raise (Sections.Undecided "what a radius is exactly is not decided here, but by subcert-check");
   let letter c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') and digit c = c >= '0' && c <= '9' in
   let is_name name = name <> "" && letter name.[0] && String.for_all (fun c -> letter c || digit c) name in
   require (Option.fold ~none:true ~some:is_name (find "--theorem")) "--theorem needs a name of letters and digits";
@@ -343,17 +451,21 @@ let check arguments =
   let rough = String.starts_with ~prefix:"C" (Option.value (find "--upper") ~default:"") in
   let text, theorem, shown =
     if has "--matrices" then begin
-      require (only [ "--matrices"; "--upper" ] && (has "--lower" || has "--upper")) usage;
-      radius (get "--matrices") (bound "--lower") (bound "--upper") (get "FILE")
+      require (only [ "--matrices"; "--upper"; "--exact" ] && (has "--lower" || has "--upper" || has "--exact")) usage;
+      let exact = Option.map (read_exact false) (find "--exact") in
+      radius (get "--matrices") (bound "--lower") (bound "--upper") exact (get "FILE")
     end
-    else if only [ "--mask"; "--arity"; "--upper" ] && (has "--lower" || not (has "--arity")) && not rough then begin
-      require (has "--mask" && has "--arity" && has "--lower") usage;
-      exponent (get "--mask") (get "--arity") (Option.get (bound "--lower")) (bound "--upper") (get "FILE")
+    else if
+      only [ "--mask"; "--arity"; "--upper"; "--exact" ] && (has "--lower" || has "--exact" || not (has "--arity")) && not rough
+    then begin
+      require (has "--mask" && has "--arity" && (has "--lower" || has "--exact")) usage;
+      let exact = Option.map (read_exact true) (find "--exact") in
+      exponent (get "--mask") (get "--arity") (bound "--lower") (bound "--upper") exact (get "FILE")
     end
     else
       raise
         (Sections.Undecided
-           "of claims about exponents only those of one mask with a lower end, and perhaps an upper one, are decided here, the others \
+           "of claims about exponents only those of one mask with a lower end or an exact number are decided here, the others \
             by subcert-check")
   in
   match find "--theorem" with

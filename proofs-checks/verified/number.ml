@@ -6,6 +6,7 @@ let one = Z.one
 let add = Z.add
 let sub = Z.sub
 let mul x y = if Z.equal x Z.zero then x else Z.mul x y
+let divide x y = if Z.equal y Z.zero then y else Z.fdiv x y
 let opposite = Z.neg
 let abs = Z.abs
 let max = Z.max

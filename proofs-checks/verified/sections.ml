@@ -45,6 +45,12 @@ let normal rows =
   let leading = Array.fold_left (fun found row -> Array.fold_left (fun f x -> if f = 0 then Z.sign x else f) found row) 0 rows in
   if leading < 0 then (Array.map negate rows, true) else (rows, false)
 
+let normal_vector x =
+  let rows, negative = normal [| x |] in
+  (rows.(0), negative)
+
+let conjugate n x = Array.mapi (fun k a -> if k < n then a else Z.neg a) x
+
 type element = { map : Z.t array array; letters : int array }
 
 let compose g h = { map = multiply g.map h.map; letters = Array.map (fun t -> h.letters.(t)) g.letters }
@@ -85,6 +91,25 @@ let read_generators r family count =
 
 let split_term text = String.split_on_char ':' text
 
+(* INDEX[WORD], the index below `count` *)
+let split_index text count =
+  let length = String.length text and digits = ref 0 in
+  while !digits < length && text.[!digits] >= '0' && text.[!digits] <= '9' do incr digits done;
+  require (length - !digits <= 16) "a word of more than 16 generators";
+  (size (String.sub text 0 !digits) 0 (count - 1), String.sub text !digits (length - !digits))
+
+(* What a polytope section says, beside the section for the checker. Points are numbered from 1 on; each comes from an
+   element of the group, a conjugation and a vertex. *)
+type origin = element * bool * int
+type terms = (int * (Z.t * Z.t)) list
+
+type polytope = {
+  body_family : family; (* transposed, if it says so *)
+  turned : bool; cone : bool; parts : int; vertex_bits : int; weight_one : Z.t;
+  vertices : vector array; group : element array;
+  element_of : string -> element; (* of a word of generators *)
+  point_origins : origin array; units : terms list; line_of : origin -> int -> terms }
+
 let read_polytope r family fields =
   let n = family.size and count = List.length family.matrices in
   let vertices = size (List.nth fields 1) 1 max_bytes in
@@ -124,13 +149,9 @@ let read_polytope r family fields =
     else if element == group.(0) then x
     else apply element.map parts x
   in
-  let conjugate x = Array.mapi (fun k a -> if k < n then a else Z.neg a) x in
+  let conjugate = conjugate n in
   (* all points, each up to its sign: the element, whether conjugated, and the vertex that it comes from *)
   let numbers = Hashtbl.create 997 and points = ref [] and origins = ref [] in
-  let normal_vector x =
-    let rows, turned = normal [| x |] in
-    (rows.(0), turned)
-  in
   let enter origin x =
     let key, _ = normal_vector x in
     if not (Hashtbl.mem numbers key) then begin
@@ -183,12 +204,9 @@ let read_polytope r family fields =
         let length = String.length index in
         let side = complex && length > 0 && index.[length - 1] = 'c' in
         let index = if side then String.sub index 0 (length - 1) else index in
-        let digits = ref 0 in
-        while !digits < String.length index && index.[!digits] >= '0' && index.[!digits] <= '9' do incr digits done;
-        require (String.length index - !digits <= 16) "a word of more than 16 generators";
-        require ((not symmetric) || String.length index - !digits <= 1) "unknown generator";
-        let vertex = size (String.sub index 0 !digits) 0 (vertices - 1) in
-        let x = image_of vertex (word_of (String.sub index !digits (String.length index - !digits))) in
+        let vertex, word = split_index index vertices in
+        require ((not symmetric) || String.length word <= 1) "unknown generator";
+        let x = image_of vertex (word_of word) in
         let a, b = match List.map integer weights with [ a ] -> (a, Z.zero) | [ a; b ] -> (a, b) | _ -> assert false in
         require ((not nonnegative) || Z.sign a >= 0) "negative weight";
         signed (find (if side then conjugate x else x)) (a, b)
@@ -226,25 +244,28 @@ let read_polytope r family fields =
     let rec search k = if group.(k) == element then k else search (k + 1) in
     search 0
   in
-  let image_lines =
-    List.map
-      (fun (element, side, j) ->
-        let e = index_of element in
-        List.init count (fun t ->
-            let line = images.(j).(element.letters.(t)) in
-            spend (List.length line * n);
-            List.map (move (e, element) side) line))
-      origins
+  let line_of (element, side, j) t =
+    let line = images.(j).(element.letters.(t)) in
+    spend (List.length line * n);
+    List.map (move (index_of element, element) side) line
   in
+  let image_lines = List.map (fun origin -> List.init count (line_of origin)) origins in
   let terms = List.fold_left (fun s l -> List.fold_left (fun s t -> s + List.length t) s l) 0 image_lines in
   let long = 1 + (Z.numbits family.denominator / 640) in
   spend (((terms * parts * parts) + (Array.length points * parts * count * n)) * n * long);
   let halves x = (Array.to_list (Array.sub x 0 n), if complex then Array.to_list (Array.sub x n n) else []) in
   let scale = Z.shift_left Z.one weight_bits in
   let numbered = List.map (fun (number, weight) -> (Z.of_int number, weight)) in
-  Polytope
-    ( nonnegative, transposed, scale, Z.shift_left scale vertex_bits,
-      List.map halves (Array.to_list points), List.map numbered unit_lines, List.map (List.map numbered) image_lines )
+  let element_of word =
+    require (String.length word <= 16) "a word of more than 16 generators";
+    require ((not symmetric) || String.length word <= 1) "unknown generator";
+    List.fold_left (fun e letter -> compose e (generator letter)) group.(0) (word_of word)
+  in
+  ( Polytope
+      ( nonnegative, transposed, scale, Z.shift_left scale vertex_bits,
+        List.map halves (Array.to_list points), List.map numbered unit_lines, List.map (List.map numbered) image_lines ),
+    { body_family = family; turned = transposed; cone = nonnegative; parts; vertex_bits; weight_one = scale; vertices = base; group;
+      element_of; point_origins = Array.of_list origins; units = unit_lines; line_of } )
 
 (* ---- quadratic forms ---- *)
 
@@ -358,7 +379,7 @@ let read_quadratic r family upper fields =
   let words = tree_of count first !all leaf longer (0, [||]) in
   (bound, Quadratic (Array.to_list (Array.map Array.to_list form), definite, words))
 
-(* The section, and the bound that it shows if it says so itself. *)
+(* The section, the bound that it shows if it says so itself, and more of a polytope. *)
 let read_section r number family upper =
   let fields = take r (Printf.sprintf "block %d" number) 2 8 in
   let count = List.length family.matrices and n = family.size in
@@ -369,9 +390,12 @@ let read_section r number family upper =
       let work = (float_of_int count ** float_of_int level) *. float_of_int (n * n * n) in
       require (work <= float_of_int max_work) "more work than this checker allows";
       spend (int_of_float work * (1 + (level * Z.numbits family.denominator / 640)));
-      (None, Norm level)
+      (None, Norm level, None)
   | "quadratic" ->
       let bound, section = read_quadratic r family upper fields in
-      (Some bound, section)
-  | "polytope" when List.length fields >= 4 -> (None, read_polytope r family fields)
+      (Some bound, section, None)
+  | "polytope" when List.length fields >= 4 ->
+      let section, polytope = read_polytope r family fields in
+      (None, section, Some polytope)
+  | "single" -> raise (Undecided "a single spectral radius is not decided here, but by subcert-check")
   | _ -> reject "expected 'norm', 'polytope' or 'quadratic' and its numbers"

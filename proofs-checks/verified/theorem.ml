@@ -42,6 +42,9 @@ let certificate c =
     (list (pair natural section) c.sections)
     (list natural c.sizes) (natural c.chosen) (option eigen c.eigenvector)
 
+(* The kernel computes that the checker accepts; once, at Qed. *)
+let by_computation = "vm_cast_no_check (eq_refl true). Qed"
+
 (* The file of a claim, a certificate and a theorem; `modules` are what it needs beside those of every file. *)
 let print name modules claim certificate theorem =
   Printf.printf
@@ -61,8 +64,8 @@ let print_radius name claim c =
        (option fraction claim.upper))
     (certificate c)
     (Printf.sprintf
-       "claim_holds : claim_holds %s_claim.\nProof. apply (check_radius_sound _ %s_certificate). vm_compute. reflexivity. Qed"
-       name name)
+       "claim_holds : claim_holds %s_claim.\nProof. apply (check_radius_sound _ %s_certificate). %s"
+       name name by_computation)
 
 let scheme_of s =
   Printf.sprintf "scheme : scheme := Scheme %s %s %s %s" (natural s.arity) (integer s.first) (vector s.coefficients)
@@ -73,20 +76,69 @@ let print_exponent name s l c =
     (Printf.sprintf "Exponent %s %s %s" (natural c.order) (fraction c.bound) (certificate c.of_radius))
     (Printf.sprintf
        "exponent_holds : exponent_holds %s_scheme %s.\n\
-        Proof. apply (check_exponent_lower_sound _ _ %s_certificate). vm_compute. reflexivity. Qed"
-       name (fraction l) name)
+        Proof. apply (check_exponent_lower_sound _ _ %s_certificate). %s"
+       name (fraction l) name by_computation)
+
+let stability c =
+  Printf.sprintf "(Stability %s %s %s %s %s\n%s %s %s %s)" (integer c.start) (vector c.values) (integer c.scale)
+    (matrix c.inverse_matrix) (integer c.inverse_over) (natural c.level) (vector c.weights) (integer c.row) (natural c.center)
 
 let print_enclosure name s l u c =
-  let shifts =
-    Printf.sprintf "(Stability %s %s %s %s %s\n%s %s %s %s)" (integer c.shifts.start) (vector c.shifts.values)
-      (integer c.shifts.scale) (matrix c.shifts.inverse_matrix) (integer c.shifts.inverse_over) (natural c.shifts.level)
-      (vector c.shifts.weights) (integer c.shifts.row) (natural c.shifts.center)
-  in
   let low = c.lower_end in
   print name " Subdivision Stability Exponent Enclosure" (scheme_of s)
     (Printf.sprintf "Enclosure (Exponent %s %s %s) %s\n%s" (natural low.order) (fraction low.bound)
-       (certificate low.of_radius) (fraction c.radius_least) shifts)
+       (certificate low.of_radius) (fraction c.radius_least) (stability c.shifts))
     (Printf.sprintf
        "enclosure_holds : enclosure_holds %s_scheme %s %s.\n\
-        Proof. apply (check_exponent_sound _ _ _ %s_certificate). vm_compute. reflexivity. Qed"
-       name (fraction l) (fraction u) name)
+        Proof. apply (check_exponent_sound _ _ _ %s_certificate). %s"
+       name (fraction l) (fraction u) name by_computation)
+
+(* Exact numbers *)
+let point = pair vector vector
+
+let number e =
+  Printf.sprintf "(ExactNumber %s %s %s %s %s %s)" (vector e.polynomial) (integer e.disc_re) (integer e.disc_im)
+    (integer e.disc_radius) (integer e.disc_scale) (natural e.root)
+
+let base b =
+  let before (k, (word, seed)) = Printf.sprintf "(%s, (%s, %s))" (natural k) (list natural word) (point seed) in
+  Printf.sprintf "(Base %s %b %s)" (list point b.vectors) b.conjugated (option before b.previous)
+
+let numeral i = Z.to_string i ^ "%positive"
+let source = function FromBase k -> "(FromBase " ^ natural k ^ ")" | FromPoint (i, t) -> Printf.sprintf "(FromPoint %s %s)" (numeral i) (natural t)
+
+let image = function
+  | Link (i, a, b) -> Printf.sprintf "(Link %s %s %s)" (numeral i) (natural a) (natural b)
+  | Below (i, a, b) -> Printf.sprintf "(Below %s %s %s)" (numeral i) (natural a) (natural b)
+  | Inside terms -> "(Inside " ^ list term terms ^ ")"
+
+let exact_section = function
+  | Bounded s -> "(Bounded " ^ section s ^ ")"
+  | Attains (transposed, b) ->
+      Printf.sprintf "(Attains %b (Body %b %s\n%s\n%s %s\n%s\n%s %s))" transposed b.cone (list base b.bases)
+        (list (pair source (pair point (list image))) b.given)
+        (integer b.weight_one) (integer b.unit_one) (list (list term) b.unit_lines) (natural b.first_base) (natural b.full_turn)
+
+let exact_certificate c =
+  let p = c.number_place in
+  Printf.sprintf "Exact (Place %s %s %s %s %s %s %s)\n%s\n%s" (integer p.near_re) (integer p.near_im) (integer p.near_radius)
+    (integer p.near_scale) (integer p.low) (integer p.high) (integer p.bottom) (option basis c.exact_basis)
+    (list (pair natural exact_section) c.exact_blocks)
+
+let exact_modules = " Subdivision Stability Exponent Enclosure Number Attained Exact"
+
+let print_exact_radius name claim e c =
+  print name exact_modules (Printf.sprintf "family : family := %s" (family claim.matrices_of)) (exact_certificate c)
+    (Printf.sprintf
+       "exact_radius_holds : exact_radius_holds %s_family %s %s %s.\n\
+        Proof. apply (check_exact_radius_sound _ _ _ _ %s_certificate). %s"
+       name (number e) (option fraction claim.lower) (option fraction claim.upper) name by_computation)
+
+let print_exact_exponent name s order e lower upper c shifts =
+  print name exact_modules
+    (Printf.sprintf "%s.\n\nDefinition %s_shifts := %s" (scheme_of s) name (stability shifts))
+    (exact_certificate c)
+    (Printf.sprintf
+       "exact_exponent_holds : exact_exponent_holds %s_scheme %s\n%s %s %s.\n\
+        Proof. apply (check_exact_exponent_sound _ _ _ _ _ %s_certificate %s_shifts). %s"
+       name (natural order) (number e) (option fraction lower) (option fraction upper) name name by_computation)

@@ -5,6 +5,12 @@ let negb = function
 | true -> false
 | false -> true
 
+(** val option_map : ('a1 -> 'a2) -> 'a1 option -> 'a2 option **)
+
+let option_map f = function
+| Some a -> Some (f a)
+| None -> None
+
 (** val fst : ('a1*'a2) -> 'a1 **)
 
 let fst = function
@@ -69,6 +75,11 @@ let rec sub n m =
       (fun l -> sub k l)
       m)
     n
+
+(** val eqb : bool -> bool -> bool **)
+
+let eqb b1 b2 =
+  if b1 then b2 else if b2 then false else true
 
 module Nat =
  struct
@@ -549,6 +560,75 @@ module Z =
       (fun p -> Coq_Pos.to_nat p)
       (fun _ -> 0)
       z0
+
+  (** val to_pos : Number.t -> Number.t **)
+
+  let to_pos z0 =
+    Number.case_integer
+      (fun _ -> Number.one)
+      (fun p -> p)
+      (fun _ -> Number.one)
+      z0
+
+  (** val pos_div_eucl : Number.t -> Number.t -> Number.t*Number.t **)
+
+  let rec pos_div_eucl a b =
+    Number.case_positive
+      (fun a' ->
+      let q0,r = pos_div_eucl a' b in
+      let r' = Number.add (Number.mul (Number.twice Number.one) r) Number.one
+      in
+      if Number.less r' b
+      then (Number.mul (Number.twice Number.one) q0),r'
+      else (Number.add (Number.mul (Number.twice Number.one) q0) Number.one),
+             (Number.sub r' b))
+      (fun a' ->
+      let q0,r = pos_div_eucl a' b in
+      let r' = Number.mul (Number.twice Number.one) r in
+      if Number.less r' b
+      then (Number.mul (Number.twice Number.one) q0),r'
+      else (Number.add (Number.mul (Number.twice Number.one) q0) Number.one),
+             (Number.sub r' b))
+      (fun _ ->
+      if Number.less_equal (Number.twice Number.one) b
+      then Number.zero,Number.one
+      else Number.one,Number.zero)
+      a
+
+  (** val div_eucl : Number.t -> Number.t -> Number.t*Number.t **)
+
+  let div_eucl a b =
+    Number.case_integer
+      (fun _ -> Number.zero,Number.zero)
+      (fun a' ->
+      Number.case_integer
+        (fun _ -> Number.zero,a)
+        (fun _ -> pos_div_eucl a' b)
+        (fun b' ->
+        let q0,r = pos_div_eucl a' b' in
+        (Number.case_integer
+           (fun _ -> (Number.opposite q0),Number.zero)
+           (fun _ ->
+           (Number.opposite (Number.add q0 Number.one)),(Number.add b r))
+           (fun _ ->
+           (Number.opposite (Number.add q0 Number.one)),(Number.add b r))
+           r))
+        b)
+      (fun a' ->
+      Number.case_integer
+        (fun _ -> Number.zero,a)
+        (fun _ ->
+        let q0,r = pos_div_eucl a' b in
+        (Number.case_integer
+           (fun _ -> (Number.opposite q0),Number.zero)
+           (fun _ ->
+           (Number.opposite (Number.add q0 Number.one)),(Number.sub b r))
+           (fun _ ->
+           (Number.opposite (Number.add q0 Number.one)),(Number.sub b r))
+           r))
+        (fun b' -> let q0,r = pos_div_eucl a' b' in q0,(Number.opposite r))
+        b)
+      a
  end
 
 (** val nth : int -> 'a1 list -> 'a1 -> 'a1 **)
@@ -563,6 +643,18 @@ let rec nth n l default =
               | _::t0 -> nth m t0 default)
     n
 
+(** val nth_error : 'a1 list -> int -> 'a1 option **)
+
+let rec nth_error l n =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> match l with
+              | [] -> None
+              | x::_ -> Some x)
+    (fun n0 -> match l with
+               | [] -> None
+               | _::l0 -> nth_error l0 n0)
+    n
+
 (** val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
 
 let rec map f = function
@@ -574,6 +666,12 @@ let rec map f = function
 let rec fold_right f a0 = function
 | [] -> a0
 | b::t0 -> f b (fold_right f a0 t0)
+
+(** val existsb : ('a1 -> bool) -> 'a1 list -> bool **)
+
+let rec existsb f = function
+| [] -> false
+| a::l0 -> (||) (f a) (existsb f l0)
 
 (** val forallb : ('a1 -> bool) -> 'a1 list -> bool **)
 
@@ -699,11 +797,25 @@ type family = { size : int; denominator : Number.t; matrices : zmat list }
 let count f =
   length f.matrices
 
+(** val letter : family -> int -> zmat **)
+
+let letter f t0 =
+  nth t0 f.matrices []
+
 (** val well_formed : family -> bool **)
 
 let well_formed f =
   (&&) (Number.less Number.zero f.denominator)
     (forallb (square f.size) f.matrices)
+
+(** val append : Number.t -> Number.t -> Number.t **)
+
+let rec append i j =
+  Number.case_positive
+    (fun ii -> Number.twice_plus_one (append ii j))
+    (fun ii -> Number.twice (append ii j))
+    (fun _ -> j)
+    i
 
 module PositiveMap =
  struct
@@ -746,6 +858,21 @@ module PositiveMap =
        (fun ii -> Node ((add ii v l), o, r))
        (fun _ -> Node (l, (Some v), r))
        i)
+
+  (** val xmapi : (key -> 'a1 -> 'a2) -> 'a1 t -> key -> 'a2 t **)
+
+  let rec xmapi f m i =
+    match m with
+    | Leaf -> Leaf
+    | Node (l, o, r) ->
+      Node ((xmapi f l (append i (Number.twice Number.one))),
+        (option_map (f i) o),
+        (xmapi f r (append i (Number.twice_plus_one Number.one))))
+
+  (** val mapi : (key -> 'a1 -> 'a2) -> 'a1 t -> 'a2 t **)
+
+  let mapi f m =
+    xmapi f m Number.one
  end
 
 type point = zvec*zvec
@@ -885,7 +1012,7 @@ let all_nonnegative f all =
     family -> q -> bool -> Number.t -> Number.t -> point list -> term list
     list -> term list list list -> bool **)
 
-let polytope f u nonnegative scale0 one all unit_lines image_lines =
+let polytope f u nonnegative scale0 one all unit_lines0 image_lines =
   let ps = number Number.one all in
   (&&)
     ((&&)
@@ -893,8 +1020,8 @@ let polytope f u nonnegative scale0 one all unit_lines image_lines =
         ((&&) (Number.less Number.zero scale0)
           (Number.less_equal Number.zero u.qnum))
         (if nonnegative then all_nonnegative f all else true))
-      (Nat.eqb (length unit_lines) f.size))
-    (match units nonnegative ps one 0 unit_lines with
+      (Nat.eqb (length unit_lines0) f.size))
+    (match units nonnegative ps one 0 unit_lines0 with
      | Some p ->
        let s,r = p in
        (&&) (Number.less r one)
@@ -1206,17 +1333,37 @@ let triangular d f =
         forallb (Number.equal Number.zero) (firstn d row0)) (skipn d m))
       f.matrices)
 
-(** val check_upper : family -> q -> (int*section) list -> bool **)
+(** val all_blocks :
+    (family -> 'a1 -> bool) -> family -> (int*'a1) list -> bool **)
 
-let rec check_upper f u = function
+let rec all_blocks check f = function
 | [] -> false
 | p::blocks' ->
   let d,s = p in
   (match blocks' with
-   | [] -> (&&) (Nat.eqb d f.size) (check_section f u s)
+   | [] -> (&&) (Nat.eqb d f.size) (check f s)
    | _::_ ->
-     (&&) ((&&) (triangular d f) (check_section (first_block d f) u s))
-       (check_upper (other_blocks d f) u blocks'))
+     (&&) ((&&) (triangular d f) (check (first_block d f) s))
+       (all_blocks check (other_blocks d f) blocks'))
+
+(** val some_block :
+    (family -> 'a1 -> bool) -> family -> (int*'a1) list -> bool **)
+
+let rec some_block check f = function
+| [] -> false
+| p::blocks' ->
+  let d,s = p in
+  (match blocks' with
+   | [] -> (&&) (Nat.eqb d f.size) (check f s)
+   | _::_ ->
+     (&&) (triangular d f)
+       ((||) (check (first_block d f) s)
+         (some_block check (other_blocks d f) blocks')))
+
+(** val check_upper : family -> q -> (int*section) list -> bool **)
+
+let check_upper f u =
+  all_blocks (fun f0 -> check_section f0 u) f
 
 (** val check_lower : family -> q -> int list -> int -> eigen -> bool **)
 
@@ -1406,31 +1553,32 @@ let digits =
 
 (** val roots_below : Number.t -> int -> Number.t -> Number.t -> Number.t **)
 
-let rec roots_below base k top bottom =
+let rec roots_below base0 k top bottom0 =
   (fun zero next n -> if n = 0 then zero () else next (n - 1))
     (fun _ -> unity)
     (fun k' ->
     Number.square_root
       (Number.mul unity
-        (if Number.less_equal bottom
+        (if Number.less_equal bottom0
               (Number.mul (Number.twice Number.one) top)
-         then Number.mul base
-                (roots_below base k'
+         then Number.mul base0
+                (roots_below base0 k'
                   (Number.sub (Number.mul (Number.twice Number.one) top)
-                    bottom) bottom)
-         else roots_below base k' (Number.mul (Number.twice Number.one) top)
-                bottom)))
+                    bottom0) bottom0)
+         else roots_below base0 k' (Number.mul (Number.twice Number.one) top)
+                bottom0)))
     k
 
 (** val power_below : Number.t -> int -> Number.t -> Number.t -> Number.t **)
 
-let rec power_below base whole top bottom =
+let rec power_below base0 whole top bottom0 =
   (fun zero next n -> if n = 0 then zero () else next (n - 1))
-    (fun _ -> roots_below base digits top bottom)
+    (fun _ -> roots_below base0 digits top bottom0)
     (fun k ->
-    if Number.less_equal bottom top
-    then Number.mul base (power_below base k (Number.sub top bottom) bottom)
-    else roots_below base digits top bottom)
+    if Number.less_equal bottom0 top
+    then Number.mul base0
+           (power_below base0 k (Number.sub top bottom0) bottom0)
+    else roots_below base0 digits top bottom0)
     whole
 
 type exponent_certificate = { order : int; bound : q; of_radius : certificate }
@@ -1438,15 +1586,15 @@ type exponent_certificate = { order : int; bound : q; of_radius : certificate }
 (** val below_power : scheme -> q -> int -> q -> bool **)
 
 let below_power a l order0 u =
-  let bottom = l.qden in
-  let top = Number.sub (Number.mul (Number.of_natural order0) bottom) l.qnum
+  let bottom0 = l.qden in
+  let top = Number.sub (Number.mul (Number.of_natural order0) bottom0) l.qnum
   in
   (&&)
     ((&&) (Number.less Number.zero l.qnum)
       (Number.less_equal Number.zero top))
     (Number.less_equal (Number.mul u.qnum unity)
-      (Number.mul (power_below (Number.of_natural a.arity) order0 top bottom)
-        u.qden))
+      (Number.mul
+        (power_below (Number.of_natural a.arity) order0 top bottom0) u.qden))
 
 (** val divides : scheme -> int -> bool **)
 
@@ -1459,18 +1607,21 @@ let divides a order0 =
         (mul order0 (sub a.arity (Stdlib.succ 0))))
       (sub (length a.coefficients) (Stdlib.succ 0)))
 
+(** val reducible : scheme -> int -> bool **)
+
+let reducible a order0 =
+  (&&)
+    ((&&)
+      ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a.arity)
+        (Number.less Number.zero a.common)) (divides a order0))
+    (Number.equal
+      (fold_right Number.add Number.zero (difference_symbol a order0))
+      (Number.mul (Number.of_natural a.arity) a.common))
+
 (** val reduces : scheme -> q -> int -> q -> bool **)
 
 let reduces a l order0 u =
-  (&&)
-    ((&&)
-      ((&&)
-        ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a.arity)
-          (Number.less Number.zero a.common)) (divides a order0))
-      (Number.equal
-        (fold_right Number.add Number.zero (difference_symbol a order0))
-        (Number.mul (Number.of_natural a.arity) a.common)))
-    (below_power a l order0 u)
+  (&&) (reducible a order0) (below_power a l order0 u)
 
 (** val check_exponent_lower : scheme -> q -> exponent_certificate -> bool **)
 
@@ -1632,7 +1783,714 @@ let encloses a l u order0 most least c =
 (** val check_exponent : scheme -> q -> q -> enclosure -> bool **)
 
 let check_exponent a l u cert =
-  let low = cert.lower_end in
-  (&&) (encloses a l u low.order low.bound cert.radius_least cert.shifts)
-    (check_radius { matrices_of = (difference_family a low.order); lower =
-      (Some cert.radius_least); upper = (Some low.bound) } low.of_radius)
+  let low0 = cert.lower_end in
+  (&&) (encloses a l u low0.order low0.bound cert.radius_least cert.shifts)
+    (check_radius { matrices_of = (difference_family a low0.order); lower =
+      (Some cert.radius_least); upper = (Some low0.bound) } low0.of_radius)
+
+type exact_number = { polynomial : Number.t list; disc_re : Number.t;
+                      disc_im : Number.t; disc_radius : Number.t;
+                      disc_scale : Number.t; root : int }
+
+(** val ztimes :
+    (Number.t*Number.t) -> (Number.t*Number.t) -> Number.t*Number.t **)
+
+let ztimes x y =
+  (Number.sub (Number.mul (fst x) (fst y)) (Number.mul (snd x) (snd y))),
+    (Number.add (Number.mul (fst x) (snd y)) (Number.mul (snd x) (fst y)))
+
+(** val zsquare : (Number.t*Number.t) -> Number.t **)
+
+let zsquare x =
+  Number.add (Number.mul (fst x) (fst x)) (Number.mul (snd x) (snd x))
+
+(** val taylor :
+    Number.t -> (Number.t*Number.t) -> Number.t list ->
+    Number.t*((Number.t*Number.t)*(Number.t*Number.t)) **)
+
+let rec taylor s x = function
+| [] -> Number.one,((Number.zero,Number.zero),(Number.zero,Number.zero))
+| c::p' ->
+  let k,p0 = taylor s x p' in
+  let v,d = p0 in
+  let xv = ztimes x v in
+  let xd = ztimes x d in
+  (Number.mul s k),(((Number.add (Number.mul c (Number.mul s k)) (fst xv)),
+  (snd xv)),((Number.add (Number.mul s (fst v)) (fst xd)),(Number.add
+                                                            (Number.mul s
+                                                              (snd v))
+                                                            (snd xd))))
+
+(** val majorants :
+    Number.t -> Number.t -> Number.t list ->
+    Number.t*(Number.t*(Number.t*Number.t)) **)
+
+let rec majorants s m = function
+| [] -> Number.one,(Number.zero,(Number.zero,Number.zero))
+| c::p' ->
+  let k,p0 = majorants s m p' in
+  let v,p1 = p0 in
+  let d,w = p1 in
+  (Number.mul s k),((Number.add (Number.mul (Number.abs c) (Number.mul s k))
+                      (Number.mul m v)),((Number.add (Number.mul s v)
+                                           (Number.mul m d)),(Number.add
+                                                               (Number.mul
+                                                                 (Number.mul
+                                                                   (Number.twice
+                                                                   Number.one)
+                                                                   s) d)
+                                                               (Number.mul m
+                                                                 w))))
+
+type place = { near_re : Number.t; near_im : Number.t;
+               near_radius : Number.t; near_scale : Number.t; low : Number.t;
+               high : Number.t; bottom : Number.t }
+
+(** val one_zero : exact_number -> bool **)
+
+let one_zero e =
+  let s = e.disc_scale in
+  let x = e.disc_re,e.disc_im in
+  let m =
+    Number.add (Number.add (Number.abs e.disc_re) (Number.abs e.disc_im))
+      e.disc_radius
+  in
+  let d = snd (snd (taylor s x e.polynomial)) in
+  let w = snd (snd (snd (majorants s m e.polynomial))) in
+  (&&)
+    ((&&) (Number.less Number.zero s)
+      (Number.less_equal Number.zero e.disc_radius))
+    (Number.less
+      (Number.mul (Number.mul e.disc_radius w) (Number.mul e.disc_radius w))
+      (Number.mul (Number.mul s s) (zsquare d)))
+
+(** val zero_there : Number.t list -> place -> bool **)
+
+let zero_there p h =
+  let s = h.near_scale in
+  let x = h.near_re,h.near_im in
+  let m =
+    Number.add (Number.add (Number.abs h.near_re) (Number.abs h.near_im))
+      (Number.mul (Number.twice Number.one) h.near_radius)
+  in
+  let _,p0 = taylor s x p in
+  let v,d = p0 in
+  let w = snd (snd (snd (majorants s m p))) in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) (Number.less Number.zero s)
+          (Number.less_equal Number.zero h.near_radius))
+        (Number.less Number.zero (zsquare d)))
+      (Number.less_equal
+        (Number.mul
+          (Number.mul (Number.twice (Number.twice Number.one))
+            (Number.mul s s)) (zsquare v))
+        (Number.mul (Number.mul h.near_radius h.near_radius) (zsquare d))))
+    (Number.less_equal
+      (Number.mul
+        (Number.mul
+          (Number.mul (Number.twice (Number.twice (Number.twice (Number.twice
+            Number.one)))) h.near_radius) w)
+        (Number.mul
+          (Number.mul (Number.twice (Number.twice (Number.twice (Number.twice
+            Number.one)))) h.near_radius) w))
+      (Number.mul (Number.mul s s) (zsquare d)))
+
+(** val check_number : exact_number -> place -> bool **)
+
+let check_number e h =
+  let s = e.disc_scale in
+  let n = h.near_scale in
+  let k = Number.of_natural e.root in
+  let dx = Number.sub (Number.mul h.near_re s) (Number.mul e.disc_re n) in
+  let dy = Number.sub (Number.mul h.near_im s) (Number.mul e.disc_im n) in
+  let slack =
+    Number.sub (Number.mul e.disc_radius n)
+      (Number.mul (Number.mul (Number.twice Number.one) h.near_radius) s)
+  in
+  let c = Number.power h.bottom k in
+  let size0 = Number.mul (Number.mul c c) (zsquare (h.near_re,h.near_im)) in
+  let lower0 =
+    Number.add (Number.mul (Number.power h.low k) n)
+      (Number.mul (Number.mul (Number.twice Number.one) h.near_radius) c)
+  in
+  let upper0 =
+    Number.sub (Number.mul (Number.power h.high k) n)
+      (Number.mul (Number.mul (Number.twice Number.one) h.near_radius) c)
+  in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&)
+                ((&&)
+                  ((&&) ((&&) (one_zero e) (zero_there e.polynomial h))
+                    (Number.less Number.zero k))
+                  (Number.less Number.zero h.low))
+                (Number.less Number.zero h.high))
+              (Number.less Number.zero h.bottom))
+            (Number.less_equal Number.zero slack))
+          (Number.less_equal
+            (Number.add (Number.mul dx dx) (Number.mul dy dy))
+            (Number.mul slack slack)))
+        (Number.less_equal (Number.mul lower0 lower0) size0))
+      (Number.less_equal Number.zero upper0))
+    (Number.less_equal size0 (Number.mul upper0 upper0))
+
+type base = { vectors : point list; conjugated : bool;
+              previous : (int*(int list*point)) option }
+
+type source =
+| FromBase of int
+| FromPoint of Number.t * int
+
+type image =
+| Link of Number.t * int * int
+| Below of Number.t * int * int
+| Inside of term list
+
+type body = { cone : bool; bases : base list;
+              given : (source*(point*image list)) list;
+              weight_one : Number.t; unit_one : Number.t;
+              unit_lines : term list list; first_base : int; full_turn : 
+              int }
+
+type vertex = { from : int; path : int list; shown : point; off : Number.t;
+                image_list : image list }
+
+(** val norm_pair : point -> Number.t **)
+
+let norm_pair x =
+  Number.add (norm1 (fst x)) (norm1 (snd x))
+
+(** val difference : Number.t -> Number.t -> point -> point -> point **)
+
+let difference a b x y =
+  (addmul a (fst x) (addmul b (fst y) [])),(addmul a (snd x)
+                                             (addmul b (snd y) []))
+
+(** val vanishes : zvec -> bool **)
+
+let vanishes =
+  forallb (Number.equal Number.zero)
+
+(** val run_pair : zmat list -> int list -> point -> point **)
+
+let run_pair ms w x =
+  (zrun ms w (fst x)),(zrun ms w (snd x))
+
+(** val closes :
+    Number.t -> Number.t list -> point -> point list -> point list -> bool **)
+
+let rec closes q0 p seed first0 second =
+  match p with
+  | [] ->
+    (match first0 with
+     | [] -> (match second with
+              | [] -> true
+              | _::_ -> false)
+     | _::_ -> false)
+  | c::p' ->
+    (match first0 with
+     | [] -> false
+     | x::first' ->
+       (match second with
+        | [] -> false
+        | y::second' ->
+          (&&)
+            ((&&)
+              (vanishes
+                (addmul (Number.opposite q0) (fst y)
+                  (addmul (Number.mul q0 c) (fst seed) (fst x))))
+              (vanishes
+                (addmul (Number.opposite q0) (snd y)
+                  (addmul (Number.mul q0 c) (snd seed) (snd x)))))
+            (closes q0 p' seed first' second')))
+
+(** val evaluate :
+    int -> Number.t -> Number.t -> Number.t -> Number.t -> point list ->
+    point*Number.t **)
+
+let rec evaluate n s c1 c2 rad = function
+| [] -> ([],[]),Number.zero
+| y::ys' ->
+  (match ys' with
+   | [] -> y,Number.zero
+   | _::_ ->
+     let p,e = evaluate n s c1 c2 rad ys' in
+     let u,v = p in
+     let cut = map (fun x -> Number.divide x s) in
+     ((addmul Number.one (fst y)
+        (cut (addmul c1 u (addmul (Number.opposite c2) v [])))),(addmul
+                                                                  Number.one
+                                                                  (snd y)
+                                                                  (cut
+                                                                    (addmul
+                                                                    c1 v
+                                                                    (addmul
+                                                                    c2 u []))))),
+     (Number.add
+       (Number.add
+         (Number.divide
+           (Number.add
+             (Number.mul
+               (Number.add (Number.add (Number.abs c1) (Number.abs c2))
+                 (Number.mul (Number.twice Number.one) rad)) e)
+             (Number.mul (Number.mul (Number.twice Number.one) rad)
+               (Number.add (norm1 u) (norm1 v)))) s) Number.one)
+       (Number.mul (Number.twice Number.one) (Number.of_natural n))))
+
+(** val column_sums : zmat -> zvec **)
+
+let column_sums m =
+  fold_right (fun row0 sums -> addmul Number.one (map Number.abs row0) sums)
+    [] m
+
+(** val column_norm : zmat -> Number.t **)
+
+let column_norm m =
+  largest_of (column_sums m)
+
+(** val base_right :
+    family -> Number.t list -> int -> base list -> base -> bool **)
+
+let base_right f p l =
+  let d = f.denominator in
+  let ms = f.matrices in
+  let in_alphabet = fun w -> forallb (fun t0 -> Nat.ltb t0 (count f)) w in
+  (fun bs b ->
+  match b.previous with
+  | Some p0 ->
+    let k,p1 = p0 in
+    let w,seed = p1 in
+    (match nth_error bs k with
+     | Some b' ->
+       (&&)
+         ((&&) ((&&) (in_alphabet w) (Nat.eqb (length w) l))
+           (eqb b.conjugated b'.conjugated))
+         (closes (Number.power d (Number.of_natural l)) p seed
+           (app (map (run_pair ms w) b'.vectors) (([],[])::[]))
+           (([],[])::b.vectors))
+     | None -> false)
+  | None -> true)
+
+(** val walk : base list -> int -> int -> (int*int list) option **)
+
+let rec walk bs m k =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> Some (k,[]))
+    (fun m' ->
+    match walk bs m' k with
+    | Some p0 ->
+      let k',w = p0 in
+      (match nth_error bs k' with
+       | Some b ->
+         (match b.previous with
+          | Some p1 ->
+            let k'',p2 = p1 in let w',_ = p2 in Some (k'',(app w w'))
+          | None -> None)
+       | None -> None)
+    | None -> None)
+    m
+
+(** val same_word : int list -> int list -> bool **)
+
+let rec same_word v w =
+  match v with
+  | [] -> (match w with
+           | [] -> true
+           | _::_ -> false)
+  | a::v' ->
+    (match w with
+     | [] -> false
+     | b::w' -> (&&) (Nat.eqb a b) (same_word v' w'))
+
+(** val agree : Number.t -> point list -> point list -> bool **)
+
+let rec agree sign xs ys =
+  match xs with
+  | [] -> (match ys with
+           | [] -> true
+           | _::_ -> false)
+  | x::xs' ->
+    (match ys with
+     | [] -> false
+     | y::ys' ->
+       (&&)
+         ((&&) (vanishes (addmul sign (fst y) (fst x)))
+           (vanishes (addmul sign (snd y) (snd x)))) (agree sign xs' ys'))
+
+(** val linked :
+    family -> base list -> int -> int list -> int -> int -> int list -> int
+    -> bool **)
+
+let linked f =
+  let ms = f.matrices in
+  (fun bs k v turns k' w turns' ->
+  match walk bs turns k with
+  | Some p0 ->
+    let j,v' = p0 in
+    (match walk bs turns' k' with
+     | Some p1 ->
+       let j',w' = p1 in
+       let v0 = app v v' in
+       let w0 = app w w' in
+       (&&) (Nat.eqb (length v0) (length w0))
+         ((||) ((&&) (Nat.eqb j j') (same_word v0 w0))
+           (match nth_error bs j with
+            | Some b ->
+              (match nth_error bs j' with
+               | Some b' ->
+                 let xs = map (run_pair ms v0) b.vectors in
+                 let ys = map (run_pair ms w0) b'.vectors in
+                 (&&) (eqb b.conjugated b'.conjugated)
+                   ((||) (agree (Number.opposite Number.one) xs ys)
+                     (agree Number.one xs ys))
+               | None -> false)
+            | None -> false))
+     | None -> false)
+  | None -> false)
+
+(** val led :
+    family -> base list -> int -> int list -> int -> (int*zvec list) option **)
+
+let led f =
+  let ms = f.matrices in
+  (fun bs k v turns ->
+  match walk bs turns k with
+  | Some p0 ->
+    let j,v' = p0 in
+    (match nth_error bs j with
+     | Some b ->
+       let v0 = app v v' in
+       Some ((length v0),(map (fun x -> zrun ms v0 (fst x)) b.vectors))
+     | None -> None)
+  | None -> None)
+
+(** val agree_at : int -> zvec list -> zvec list -> bool **)
+
+let rec agree_at i xs ys =
+  match xs with
+  | [] -> (match ys with
+           | [] -> true
+           | _::_ -> false)
+  | x::xs' ->
+    (match ys with
+     | [] -> false
+     | y::ys' ->
+       (&&) (Number.equal (nth i x Number.zero) (nth i y Number.zero))
+         (agree_at i xs' ys'))
+
+(** val at_most_point :
+    family -> place -> base list -> vertex -> int -> int -> vertex -> int ->
+    bool **)
+
+let at_most_point f h =
+  let n = f.size in
+  let d = f.denominator in
+  (fun bs x t0 turns y turns' ->
+  let m = letter f t0 in
+  let moved = mv m (fst x.shown) in
+  let equal_at = fun i ->
+    match led f bs x.from (t0::x.path) turns with
+    | Some p0 ->
+      let l,xs = p0 in
+      (match led f bs y.from y.path turns' with
+       | Some p1 ->
+         let l',ys = p1 in if Nat.eqb l l' then agree_at i xs ys else false
+       | None -> false)
+    | None -> false
+  in
+  let error = Number.mul (column_norm m) x.off in
+  forallb (fun i ->
+    (||) (equal_at i)
+      (Number.less_equal
+        (Number.mul h.bottom (Number.add (nth i moved Number.zero) error))
+        (Number.mul (Number.mul h.low d)
+          (Number.sub (nth i (fst y.shown) Number.zero) y.off)))) (seq 0 n))
+
+(** val base_positive : family -> place -> base -> bool **)
+
+let base_positive f h =
+  let n = f.size in
+  (fun b ->
+  let p0,e =
+    evaluate n h.near_scale h.near_re
+      (if b.conjugated then Number.opposite h.near_im else h.near_im)
+      h.near_radius b.vectors
+  in
+  let u,_ = p0 in
+  (&&) (forallb (fun y -> vanishes (snd y)) b.vectors)
+    (forallb (fun i ->
+      (||) (Number.less e (nth i u Number.zero))
+        (forallb (fun y ->
+          Number.equal (nth i (fst y) Number.zero) Number.zero) b.vectors))
+      (seq 0 n)))
+
+(** val make :
+    family -> place -> base list -> vertex PositiveMap.t -> source -> point
+    -> image list -> vertex option **)
+
+let make f h =
+  let n = f.size in
+  let d = f.denominator in
+  (fun bs known s v images0 ->
+  match s with
+  | FromBase k ->
+    (match nth_error bs k with
+     | Some b ->
+       let x,e =
+         evaluate n h.near_scale h.near_re
+           (if b.conjugated then Number.opposite h.near_im else h.near_im)
+           h.near_radius b.vectors
+       in
+       Some { from = k; path = []; shown = v; off =
+       (Number.add e
+         (norm_pair (difference Number.one (Number.opposite Number.one) x v)));
+       image_list = images0 }
+     | None -> None)
+  | FromPoint (i, t0) ->
+    (match PositiveMap.find i known with
+     | Some parent ->
+       let m = letter f t0 in
+       let moved = (mv m (fst parent.shown)),(mv m (snd parent.shown)) in
+       let whole =
+         Number.add
+           (Number.add
+             (Number.mul (Number.mul h.bottom (column_norm m)) parent.off)
+             (norm_pair
+               (difference h.bottom (Number.opposite (Number.mul d h.low))
+                 moved v)))
+           (Number.mul (Number.mul d (Number.sub h.high h.low)) (norm_pair v))
+       in
+       if Nat.ltb t0 (count f)
+       then Some { from = parent.from; path = (t0::parent.path); shown = v;
+              off =
+              (Number.add (Number.divide whole (Number.mul d h.low))
+                Number.one); image_list = images0 }
+       else None
+     | None -> None))
+
+(** val build :
+    family -> place -> base list -> Number.t -> (source*(point*image list))
+    list -> vertex PositiveMap.t -> vertex list -> (vertex
+    PositiveMap.t*vertex list) option **)
+
+let rec build f h bs i given0 known all =
+  match given0 with
+  | [] -> Some (known,all)
+  | p0::rest ->
+    let s,p1 = p0 in
+    let v,images0 = p1 in
+    (match make f h bs known s v images0 with
+     | Some x ->
+       build f h bs (Number.successor i) rest (PositiveMap.add i x known)
+         (x::all)
+     | None -> None)
+
+(** val image_right :
+    family -> place -> base list -> bool -> vertex PositiveMap.t -> points ->
+    Number.t -> Number.t -> Number.t -> Number.t -> Number.t -> vertex -> int
+    -> image -> bool **)
+
+let image_right f h =
+  let d = f.denominator in
+  (fun bs cone0 known ps weight one s r eps x t0 i ->
+  match i with
+  | Link (j, turns, turns') ->
+    (match PositiveMap.find j known with
+     | Some y -> linked f bs x.from (t0::x.path) turns y.from y.path turns'
+     | None -> false)
+  | Below (j, turns, turns') ->
+    (match PositiveMap.find j known with
+     | Some y -> (&&) cone0 (at_most_point f h bs x t0 turns y turns')
+     | None -> false)
+  | Inside ts ->
+    let m = letter f t0 in
+    (match line cone0 ps weight d ((mv m (fst x.shown)),(mv m (snd x.shown)))
+             ts with
+     | Some p0 ->
+       let w,rest = p0 in
+       let rest0 =
+         Number.add (Number.add rest (Number.mul (Number.mul d w) eps))
+           (Number.mul (Number.mul weight (column_norm m)) eps)
+       in
+       Number.less_equal
+         (Number.mul h.bottom
+           (Number.add (Number.mul (Number.mul w d) (Number.sub one r))
+             (Number.mul rest0 s)))
+         (Number.mul (Number.mul (Number.mul h.low weight) d)
+           (Number.sub one r))
+     | None -> false))
+
+(** val images_right :
+    family -> place -> base list -> bool -> vertex PositiveMap.t -> points ->
+    Number.t -> Number.t -> Number.t -> Number.t -> Number.t -> vertex -> int
+    -> int -> image list -> bool **)
+
+let rec images_right f h bs cone0 known ps weight one s r eps x t0 left l =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> true)
+    (fun left' ->
+    match l with
+    | [] -> false
+    | i::l' ->
+      (&&) (image_right f h bs cone0 known ps weight one s r eps x t0 i)
+        (images_right f h bs cone0 known ps weight one s r eps x (Stdlib.succ
+          t0) left' l'))
+    left
+
+(** val below : family -> Number.t list -> int -> place -> body -> bool **)
+
+let below f p l h =
+  let n = f.size in
+  (fun b ->
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) (Number.less Number.zero b.weight_one)
+          (Nat.eqb (length b.unit_lines) n))
+        (forallb (base_right f p l b.bases) b.bases))
+      (if b.cone
+       then (&&) (all_nonnegative f []) (forallb (base_positive f h) b.bases)
+       else true))
+    (match build f h b.bases Number.one b.given PositiveMap.empty [] with
+     | Some p0 ->
+       let known,all = p0 in
+       let ps = PositiveMap.mapi (fun _ v -> v.shown) known in
+       let eps = largest_of (map (fun v -> v.off) all) in
+       (match units b.cone ps b.unit_one 0 b.unit_lines with
+        | Some p1 ->
+          let s,r = p1 in
+          let r0 = Number.add r (Number.mul s eps) in
+          (&&) (Number.less r0 b.unit_one)
+            (forallb (fun x ->
+              images_right f h b.bases b.cone known ps b.weight_one
+                b.unit_one s r0 eps x 0 (count f) x.image_list) all)
+        | None -> false)
+     | None -> false))
+
+(** val reached : family -> Number.t list -> int -> place -> body -> bool **)
+
+let reached f p l h =
+  let n = f.size in
+  (fun b ->
+  (&&)
+    ((&&) (forallb (base_right f p l b.bases) b.bases)
+      (Nat.ltb 0 b.full_turn))
+    (match walk b.bases b.full_turn b.first_base with
+     | Some p0 ->
+       let k,_ = p0 in
+       (match nth_error b.bases b.first_base with
+        | Some x ->
+          let p1,e =
+            evaluate n h.near_scale h.near_re
+              (if x.conjugated then Number.opposite h.near_im else h.near_im)
+              h.near_radius x.vectors
+          in
+          let u,v = p1 in
+          (&&) (Nat.eqb k b.first_base)
+            (existsb (fun i ->
+              (||) (Number.less e (Number.abs (nth i u Number.zero)))
+                (Number.less e (Number.abs (nth i v Number.zero)))) (seq 0 n))
+        | None -> false)
+     | None -> false))
+
+type exact_section =
+| Bounded of section
+| Attains of bool * body
+
+(** val positive_zero : exact_number -> place -> bool **)
+
+let positive_zero e h =
+  (&&) (Number.equal e.disc_im Number.zero)
+    (Number.less h.near_radius h.near_re)
+
+(** val block_below :
+    exact_number -> place -> family -> exact_section -> bool **)
+
+let block_below e h f = function
+| Bounded s0 ->
+  check_section f { qnum = h.low; qden = (Z.to_pos h.bottom) } s0
+| Attains (transposed, b) ->
+  (&&) (if b.cone then positive_zero e h else true)
+    (below (if transposed then transpose f else f) e.polynomial e.root h b)
+
+(** val block_reaches :
+    exact_number -> place -> family -> exact_section -> bool **)
+
+let block_reaches e h f = function
+| Bounded _ -> false
+| Attains (transposed, b) ->
+  reached (if transposed then transpose f else f) e.polynomial e.root h b
+
+type exact_certificate = { number_place : place; exact_basis : basis option;
+                           exact_blocks : (int*exact_section) list }
+
+(** val check_blocks : family -> exact_number -> exact_certificate -> bool **)
+
+let check_blocks f e c =
+  let h = c.number_place in
+  (&&) (all_blocks (block_below e h) f c.exact_blocks)
+    (some_block (block_reaches e h) f c.exact_blocks)
+
+(** val check_number_and_blocks :
+    family -> exact_number -> exact_certificate -> bool **)
+
+let check_number_and_blocks f e c =
+  (&&) ((&&) (well_formed f) (check_number e c.number_place))
+    (match c.exact_basis with
+     | Some b -> (&&) (basis_valid f.size b) (check_blocks (in_basis f b) e c)
+     | None -> check_blocks f e c)
+
+(** val check_exact_radius :
+    family -> exact_number -> q option -> q option -> exact_certificate ->
+    bool **)
+
+let check_exact_radius f e lower0 upper0 c =
+  let h = c.number_place in
+  (&&)
+    ((&&) (check_number_and_blocks f e c)
+      (match lower0 with
+       | Some l ->
+         Number.less_equal (Number.mul l.qnum h.bottom)
+           (Number.mul h.low l.qden)
+       | None -> true))
+    (match upper0 with
+     | Some u ->
+       Number.less_equal (Number.mul h.high u.qden)
+         (Number.mul u.qnum h.bottom)
+     | None -> true)
+
+(** val check_exact_exponent :
+    scheme -> int -> exact_number -> q option -> q option ->
+    exact_certificate -> stability -> bool **)
+
+let check_exact_exponent a order0 e lower0 upper0 c shifts0 =
+  let h = c.number_place in
+  let q0 = Z.to_pos h.bottom in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&) (reducible a order0)
+                (Nat.leb (Stdlib.succ 0) (length a.coefficients)))
+              (check_stable a shifts0)) (Number.less h.bottom h.low))
+          (Number.less h.high
+            (Number.mul
+              (Number.power (Number.of_natural a.arity)
+                (Number.of_natural order0)) h.bottom)))
+        (check_number_and_blocks (difference_family a order0) e c))
+      (match lower0 with
+       | Some l ->
+         (||) (Number.less_equal l.qnum Number.zero)
+           (below_power a l order0 { qnum = h.high; qden = q0 })
+       | None -> true))
+    (match upper0 with
+     | Some u -> above_power a u order0 { qnum = h.low; qden = q0 }
+     | None -> true)

@@ -1,6 +1,8 @@
 
 val negb : bool -> bool
 
+val option_map : ('a1 -> 'a2) -> 'a1 option -> 'a2 option
+
 val fst : ('a1*'a2) -> 'a1
 
 val snd : ('a1*'a2) -> 'a2
@@ -21,6 +23,8 @@ val add : int -> int -> int
 val mul : int -> int -> int
 
 val sub : int -> int -> int
+
+val eqb : bool -> bool -> bool
 
 module Nat :
  sig
@@ -120,13 +124,23 @@ module Z :
   val compare : Number.t -> Number.t -> comparison
 
   val to_nat : Number.t -> int
+
+  val to_pos : Number.t -> Number.t
+
+  val pos_div_eucl : Number.t -> Number.t -> Number.t*Number.t
+
+  val div_eucl : Number.t -> Number.t -> Number.t*Number.t
  end
 
 val nth : int -> 'a1 list -> 'a1 -> 'a1
 
+val nth_error : 'a1 list -> int -> 'a1 option
+
 val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
 
 val fold_right : ('a2 -> 'a1 -> 'a1) -> 'a1 -> 'a2 list -> 'a1
+
+val existsb : ('a1 -> bool) -> 'a1 list -> bool
 
 val forallb : ('a1 -> bool) -> 'a1 list -> bool
 
@@ -170,7 +184,11 @@ type family = { size : int; denominator : Number.t; matrices : zmat list }
 
 val count : family -> int
 
+val letter : family -> int -> zmat
+
 val well_formed : family -> bool
+
+val append : Number.t -> Number.t -> Number.t
 
 module PositiveMap :
  sig
@@ -187,6 +205,10 @@ module PositiveMap :
   val find : key -> 'a1 t -> 'a1 option
 
   val add : key -> 'a1 -> 'a1 t -> 'a1 t
+
+  val xmapi : (key -> 'a1 -> 'a2) -> 'a1 t -> key -> 'a2 t
+
+  val mapi : (key -> 'a1 -> 'a2) -> 'a1 t -> 'a2 t
  end
 
 type point = zvec*zvec
@@ -294,6 +316,10 @@ val other_blocks : int -> family -> family
 
 val triangular : int -> family -> bool
 
+val all_blocks : (family -> 'a1 -> bool) -> family -> (int*'a1) list -> bool
+
+val some_block : (family -> 'a1 -> bool) -> family -> (int*'a1) list -> bool
+
 val check_upper : family -> q -> (int*section) list -> bool
 
 val check_lower : family -> q -> int list -> int -> eigen -> bool
@@ -356,6 +382,8 @@ val below_power : scheme -> q -> int -> q -> bool
 
 val divides : scheme -> int -> bool
 
+val reducible : scheme -> int -> bool
+
 val reduces : scheme -> q -> int -> q -> bool
 
 val check_exponent_lower : scheme -> q -> exponent_certificate -> bool
@@ -394,3 +422,140 @@ val above_power : scheme -> q -> int -> q -> bool
 val encloses : scheme -> q -> q -> int -> q -> q -> stability -> bool
 
 val check_exponent : scheme -> q -> q -> enclosure -> bool
+
+type exact_number = { polynomial : Number.t list; disc_re : Number.t;
+                      disc_im : Number.t; disc_radius : Number.t;
+                      disc_scale : Number.t; root : int }
+
+val ztimes : (Number.t*Number.t) -> (Number.t*Number.t) -> Number.t*Number.t
+
+val zsquare : (Number.t*Number.t) -> Number.t
+
+val taylor :
+  Number.t -> (Number.t*Number.t) -> Number.t list ->
+  Number.t*((Number.t*Number.t)*(Number.t*Number.t))
+
+val majorants :
+  Number.t -> Number.t -> Number.t list ->
+  Number.t*(Number.t*(Number.t*Number.t))
+
+type place = { near_re : Number.t; near_im : Number.t;
+               near_radius : Number.t; near_scale : Number.t; low : Number.t;
+               high : Number.t; bottom : Number.t }
+
+val one_zero : exact_number -> bool
+
+val zero_there : Number.t list -> place -> bool
+
+val check_number : exact_number -> place -> bool
+
+type base = { vectors : point list; conjugated : bool;
+              previous : (int*(int list*point)) option }
+
+type source =
+| FromBase of int
+| FromPoint of Number.t * int
+
+type image =
+| Link of Number.t * int * int
+| Below of Number.t * int * int
+| Inside of term list
+
+type body = { cone : bool; bases : base list;
+              given : (source*(point*image list)) list;
+              weight_one : Number.t; unit_one : Number.t;
+              unit_lines : term list list; first_base : int; full_turn : 
+              int }
+
+type vertex = { from : int; path : int list; shown : point; off : Number.t;
+                image_list : image list }
+
+val norm_pair : point -> Number.t
+
+val difference : Number.t -> Number.t -> point -> point -> point
+
+val vanishes : zvec -> bool
+
+val run_pair : zmat list -> int list -> point -> point
+
+val closes :
+  Number.t -> Number.t list -> point -> point list -> point list -> bool
+
+val evaluate :
+  int -> Number.t -> Number.t -> Number.t -> Number.t -> point list ->
+  point*Number.t
+
+val column_sums : zmat -> zvec
+
+val column_norm : zmat -> Number.t
+
+val base_right : family -> Number.t list -> int -> base list -> base -> bool
+
+val walk : base list -> int -> int -> (int*int list) option
+
+val same_word : int list -> int list -> bool
+
+val agree : Number.t -> point list -> point list -> bool
+
+val linked :
+  family -> base list -> int -> int list -> int -> int -> int list -> int ->
+  bool
+
+val led :
+  family -> base list -> int -> int list -> int -> (int*zvec list) option
+
+val agree_at : int -> zvec list -> zvec list -> bool
+
+val at_most_point :
+  family -> place -> base list -> vertex -> int -> int -> vertex -> int ->
+  bool
+
+val base_positive : family -> place -> base -> bool
+
+val make :
+  family -> place -> base list -> vertex PositiveMap.t -> source -> point ->
+  image list -> vertex option
+
+val build :
+  family -> place -> base list -> Number.t -> (source*(point*image list))
+  list -> vertex PositiveMap.t -> vertex list -> (vertex PositiveMap.t*vertex
+  list) option
+
+val image_right :
+  family -> place -> base list -> bool -> vertex PositiveMap.t -> points ->
+  Number.t -> Number.t -> Number.t -> Number.t -> Number.t -> vertex -> int
+  -> image -> bool
+
+val images_right :
+  family -> place -> base list -> bool -> vertex PositiveMap.t -> points ->
+  Number.t -> Number.t -> Number.t -> Number.t -> Number.t -> vertex -> int
+  -> int -> image list -> bool
+
+val below : family -> Number.t list -> int -> place -> body -> bool
+
+val reached : family -> Number.t list -> int -> place -> body -> bool
+
+type exact_section =
+| Bounded of section
+| Attains of bool * body
+
+val positive_zero : exact_number -> place -> bool
+
+val block_below : exact_number -> place -> family -> exact_section -> bool
+
+val block_reaches : exact_number -> place -> family -> exact_section -> bool
+
+type exact_certificate = { number_place : place; exact_basis : basis option;
+                           exact_blocks : (int*exact_section) list }
+
+val check_blocks : family -> exact_number -> exact_certificate -> bool
+
+val check_number_and_blocks :
+  family -> exact_number -> exact_certificate -> bool
+
+val check_exact_radius :
+  family -> exact_number -> q option -> q option -> exact_certificate -> bool
+
+val check_exact_exponent :
+  scheme -> int -> exact_number -> q option -> q option -> exact_certificate
+  -> stability -> bool

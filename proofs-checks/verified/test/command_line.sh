@@ -1,5 +1,5 @@
 #!/bin/sh
-# Exit codes, --show, and the theorem on primal:n=5 as it is checked in. Usage: command_line.sh PROGRAM CORPUS
+# Exit codes, --show, and the theorems on primal:n=5 as they are checked in. Usage: command_line.sh PROGRAM CORPUS
 set -eu
 program=$1
 corpus=$2
@@ -47,6 +47,28 @@ expect 2 --mask "$hat" --arity 2 --lower 1 --upper C2 bspline-1.cert
 expect 2 --mask "$hat" --arity 2 bspline-1.cert --within 1/100,1 --lower 9/10
 expect 2 --mask '[1,1,1,1]/2' --arity 2 --lower 1 trapezoid-reduced.cert
 expect 64 --mask "$hat" --lower 1 bspline-1.cert
+four='[-1,0,9,16,9,0,-1]/16@-3'
+exactly() {
+  code=$1
+  shift
+  expect "$code" --mask "$four" --arity 2 "$@" four-point-exact.cert
+}
+exactly 0 --exact '4-log|[-4,1]@4,0,1|^1/1' --show
+echo "$output" | grep -q '^exactly 4 less the logarithm, .* of the zero within 1 of 4 + i 0 of'
+echo "$output" | grep -qx 'coefficient of x^1 is 1'
+exactly 0 --exact '4-log|[-4,1]@4,0,1|^1/1' --lower 2 --upper 2
+exactly 1 --exact '4-log|[-4,1]@4,0,1|^1/1' --lower 201/100
+exactly 1 --exact '4-log|[-4,1]@4,0,1|^1/1' --upper 199/100
+exactly 1 --exact '3-log|[-4,1]@4,0,1|^1/1'
+exactly 1 --exact '4-log|[-4,1]@4,0,1|^1/2'
+exactly 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --logarithm 1
+for exact in '' '4-log' '|[-4,1]@4,0,1|^1/1' '4-log|[-4,0]@4,0,1|^1/1' '4-log|[-4]@4,0,1|^1/1' '4-log|[-4,1]@4,0|^1/1' \
+  '4-log|[-4,1]@4,0,0|^1/1' '4-log|[-4,1]@4,0,1|^1/0' '4-log|[-4,1]@4,0,1|' 'x-log|[-4,1]@4,0,1|^1/1' \
+  '4-log|[-4,,1]@4,0,1|^1/1'; do
+  exactly 64 --exact "$exact"
+done
+expect 64 --matrices slow.mat --exact '1-log|[81,-270,100]@47/20,0,1/10|^1/2' slow-exact.cert
+expect 1 --matrices slow.mat --exact '|[81,-270,100]@7/20,0,1/10|^1/2' slow-exact.cert
 expect 2 --mask "$hat" --arity 2 bspline-1.cert
 expect 64 --mask "$hat" --arity 2 --matrices golden.mat --lower 1 bspline-1.cert
 expect 64 --mask "$hat" --arity 17 --lower 1 bspline-1.cert
@@ -58,5 +80,10 @@ expect 0 --matrices golden.mat --upper 2 --show golden.cert
 echo "$output" | grep -qx 'row 1 1'
 
 cd "$here/accept"
-# shellcheck disable=SC2046
-"$program" $(cut -d ' ' -f 2- claims.txt) --theorem S5 primal-5.cert | diff - "$here/../theory/S5.v"
+# theorem CLAIM NAME: as it is checked in
+theorem() {
+  # shellcheck disable=SC2046
+  "$program" $(grep "^$1 " claims.txt | cut -d ' ' -f 2-) --theorem "$2" "$1.cert" | diff - "$here/../theory/$2.v"
+}
+theorem primal-5 S5
+theorem primal-5-exact S5Exact

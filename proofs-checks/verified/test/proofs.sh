@@ -2,7 +2,7 @@
 # Compiles the proofs anew, lets coqchk check what was compiled, extracts the checker and compares it with the source
 # that is checked in, and compares the axioms of the theorems with assumptions.txt. coqchk has no fast evaluation: it
 # leaves out the files that prove by computation, which the kernel of coqc has checked. At last coqc checks what
-# --theorem prints of a mask. Usage: proofs.sh DIRECTORY PROGRAM CORPUS
+# --theorem prints of masks and matrices. Usage: proofs.sh DIRECTORY PROGRAM CORPUS
 set -eu
 if ! command -v coqc >/dev/null; then
   echo "no Coq: skipped"
@@ -21,7 +21,7 @@ modules=
 for file in $(sed 1d _CoqProject); do
   coqc -Q . Subcert "$file" >"${file%.v}.out"
   case $file in
-    S5.v | Scheme.v | Assumptions.v | Extract.v) ;;
+    S5.v | S5Exact.v | Scheme.v | Assumptions.v | Extract.v) ;;
     *) modules="$modules Subcert.${file%.v}" ;;
   esac
 done
@@ -32,9 +32,16 @@ diff "$here/test/assumptions.txt" Assumptions.out
 # shellcheck disable=SC2086
 coqchk -silent -o -Q . Subcert $modules
 theorem() {
-  # shellcheck disable=SC2086
-  (cd "$3" && "$2" --mask '[-1,0,9,16,9,0,-1]/16@-3' --arity 2 --lower 2 $4 --theorem Four four-point.cert) >"$1.v"
-  coqc -Q . Subcert "$1.v"
+  name=$1
+  shift
+  (cd "$corpus" && "$program" "$@" --theorem "$name") >"$name.v"
+  coqc -Q . Subcert "$name.v"
 }
-theorem FourLower "$2" "$3" ""
-theorem FourBoth "$2" "$3" "--upper 2"
+program=$2
+corpus=$3
+four='[-1,0,9,16,9,0,-1]/16@-3'
+theorem FourLower --mask "$four" --arity 2 --lower 2 four-point.cert
+theorem FourBoth --mask "$four" --arity 2 --lower 2 --upper 2 four-point.cert
+theorem FourExact --mask "$four" --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' four-point-exact.cert
+theorem ConeExact --matrices golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' golden-cone-exact.cert
+theorem BlocksExact --matrices slow-blocks.mat --exact '|[81,-270,100]@47/20,0,1/10|^1/2' blocks-exact.cert

@@ -1,5 +1,5 @@
 (* The axioms that the theorems rest on. *)
-From Subcert Require Import Radius Existence Check Exponent Enclosure Scheme.
+From Subcert Require Import Radius Existence Check Exponent Enclosure Exact Scheme.
 
 Print Assumptions radius_exists.
 Print Assumptions check_radius_sound.
@@ -7,3 +7,6 @@ Print Assumptions check_exponent_lower_sound.
 Print Assumptions check_exponent_sound.
 Print Assumptions S5_radius.
 Print Assumptions S5_exponent.
+Print Assumptions check_exact_radius_sound.
+Print Assumptions check_exact_exponent_sound.
+Print Assumptions S5_exact.

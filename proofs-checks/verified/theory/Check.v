@@ -198,32 +198,71 @@ Proof.
   apply I in J. apply Z.eqb_eq in J. auto.
 Qed.
 
-(* One section for each diagonal block. *)
-Fixpoint check_upper (F : family) (u : Q) (blocks : list (nat * section)) : bool :=
+(* One section for each diagonal block, all of them right, or at least one *)
+Fixpoint all_blocks {S : Type} (check : family -> S -> bool) (F : family) (blocks : list (nat * S)) : bool :=
   match blocks with
   | [] => false
-  | [(d, s)] => Nat.eqb d (size F) && check_section F u s
-  | (d, s) :: blocks' => triangular d F && check_section (first_block d F) u s && check_upper (other_blocks d F) u blocks'
+  | [(d, s)] => Nat.eqb d (size F) && check F s
+  | (d, s) :: blocks' => triangular d F && check (first_block d F) s && all_blocks check (other_blocks d F) blocks'
   end.
 
-Theorem upper_sound blocks : forall F u, well_formed F = true -> check_upper F u blocks = true ->
-  radius_at_most (size F) (count F) (real F) (real_of u).
+Fixpoint some_block {S : Type} (check : family -> S -> bool) (F : family) (blocks : list (nat * S)) : bool :=
+  match blocks with
+  | [] => false
+  | [(d, s)] => Nat.eqb d (size F) && check F s
+  | (d, s) :: blocks' => triangular d F && (check (first_block d F) s || some_block check (other_blocks d F) blocks')
+  end.
+
+Definition check_upper (F : family) (u : Q) : list (nat * section) -> bool := all_blocks (fun F => check_section F u) F.
+
+Lemma growth_first d F x : growth d (count (first_block d F)) (real (first_block d F)) x <-> growth d (count F) (real F) x.
 Proof.
-  induction blocks as [|[d s] blocks IH]; intros F u WF H. discriminate.
+  unfold first_block at 1. rewrite count_map. split; intros G; eapply growth_ext; try apply G; intros; [|symmetry]; apply first_entry; auto.
+Qed.
+
+Lemma growth_other d F x :
+  growth (size F - d) (count (other_blocks d F)) (real (other_blocks d F)) x <-> growth (size F - d) (count F) (rest d (real F)) x.
+Proof.
+  unfold other_blocks at 1. rewrite count_map. split; intros G; eapply growth_ext; try apply G; intros; [|symmetry]; apply other_entry; auto.
+Qed.
+
+Theorem all_blocks_sound {S : Type} (check : family -> S -> bool) u :
+  (forall F s, well_formed F = true -> check F s = true -> radius_at_most (size F) (count F) (real F) u) ->
+  forall blocks F, well_formed F = true -> all_blocks check F blocks = true -> radius_at_most (size F) (count F) (real F) u.
+Proof.
+  intros Sound. induction blocks as [|[d s] blocks IH]; intros F WF H. discriminate.
   destruct blocks as [|b blocks].
-  - simpl in H. apply andb_prop in H. destruct H as [_ H]. eapply section_sound; eauto.
-  - assert (H' : triangular d F && check_section (first_block d F) u s && check_upper (other_blocks d F) u (b :: blocks) = true) by exact H.
+  - simpl in H. apply andb_prop in H. destruct H as [_ H]. eauto.
+  - assert (H' : triangular d F && check (first_block d F) s && all_blocks check (other_blocks d F) (b :: blocks) = true) by exact H.
     clear H. apply andb_prop in H'. destruct H' as [H H3]. apply andb_prop in H. destruct H as [H1 H2].
     apply triangular_spec in H1. destruct H1 as [Hd HT].
-    apply section_sound in H2; [|apply first_well_formed; auto]. apply IH in H3; [|apply other_well_formed; auto].
+    apply Sound in H2; [|apply first_well_formed; auto]. apply IH in H3; [|apply other_well_formed; auto].
     replace (size F) with (n d (size F - d)) by (unfold n; lia).
     apply blocks_at_most.
     + exact HT.
-    + intros r Hr H0. specialize (H2 r Hr H0). unfold first_block in H2. rewrite count_map in H2. simpl size in H2.
-      eapply growth_ext; [|apply H2]. intros. apply first_entry; auto.
-    + intros r Hr H0. specialize (H3 r Hr H0). unfold other_blocks in H3. rewrite count_map in H3. simpl size in H3.
-      eapply growth_ext; [|apply H3]. intros. apply other_entry; auto.
+    + intros r Hr H0. apply growth_first. apply H2; auto.
+    + intros r Hr H0. apply growth_other. apply H3; auto.
 Qed.
+
+Theorem some_block_sound {S : Type} (check : family -> S -> bool) l :
+  (forall F s, well_formed F = true -> check F s = true -> radius_at_least (size F) (count F) (real F) l) ->
+  forall blocks F, well_formed F = true -> some_block check F blocks = true -> radius_at_least (size F) (count F) (real F) l.
+Proof.
+  intros Sound. induction blocks as [|[d s] blocks IH]; intros F WF H. discriminate.
+  destruct blocks as [|b blocks].
+  - simpl in H. apply andb_prop in H. destruct H as [_ H]. eauto.
+  - assert (H' : triangular d F && (check (first_block d F) s || some_block check (other_blocks d F) (b :: blocks)) = true) by exact H.
+    clear H. apply andb_prop in H'. destruct H' as [H1 H]. apply triangular_spec in H1. destruct H1 as [Hd HT].
+    replace (size F) with (n d (size F - d)) by (unfold n; lia). apply orb_prop in H. destruct H as [H|H].
+    + apply Sound in H; [|apply first_well_formed; auto]. apply first_at_least. exact HT.
+      intros r Hr G. apply H; auto. apply growth_first. auto.
+    + apply IH in H; [|apply other_well_formed; auto]. apply rest_at_least. exact HT.
+      intros r Hr G. apply H; auto. apply growth_other. auto.
+Qed.
+
+Theorem upper_sound blocks F u : well_formed F = true -> check_upper F u blocks = true ->
+  radius_at_most (size F) (count F) (real F) (real_of u).
+Proof. apply all_blocks_sound. intros G s WF H. eapply section_sound; eauto. Qed.
 
 (* A product of one of the blocks, after some that are skipped. *)
 Fixpoint check_lower (F : family) (l : Q) (sizes : list nat) (block : nat) (e : eigen) : bool :=
@@ -242,13 +281,11 @@ Proof.
   - apply andb_prop in H. destruct H as [H1 H2]. apply triangular_spec in H1. destruct H1 as [Hd HT].
     apply eigenvalue_sound in H2; [|apply first_well_formed; auto].
     replace (size F) with (n d (size F - d)) by (unfold n; lia).
-    apply first_at_least. exact HT. intros r Hr G. apply H2; auto. unfold first_block. rewrite count_map. simpl size.
-    eapply growth_ext; [|apply G]. intros. symmetry. apply first_entry; auto.
+    apply first_at_least. exact HT. intros r Hr G. apply H2; auto. apply growth_first. auto.
   - apply andb_prop in H. destruct H as [H1 H2]. apply triangular_spec in H1. destruct H1 as [Hd HT].
     apply IHblock in H2; [|apply other_well_formed; auto].
     replace (size F) with (n d (size F - d)) by (unfold n; lia).
-    apply rest_at_least. exact HT. intros r Hr G. apply H2; auto. unfold other_blocks. rewrite count_map. simpl size.
-    eapply growth_ext; [|apply G]. intros. symmetry. apply other_entry; auto.
+    apply rest_at_least. exact HT. intros r Hr G. apply H2; auto. apply growth_other. auto.
 Qed.
 
 (* ---- another basis --------------------------------------------------------------------------------------------- *)

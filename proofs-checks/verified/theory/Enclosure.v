@@ -335,7 +335,7 @@ Theorem enclosure_of_radius a l u m most least c : encloses a l u m most least c
 Proof.
   intros H T RU RL. unfold encloses in H. repeat rewrite andb_true_iff in H. destruct H as [[[H1 H2] H3] H4]. apply Nat.leb_le in H3.
   assert (HA : (2 <= arity a)%nat /\ 0 < common a).
-  { unfold reduces in H1. repeat rewrite andb_true_iff in H1. destruct H1 as [[[[HA HD] _] _] _].
+  { unfold reduces, reducible in H1. repeat rewrite andb_true_iff in H1. destruct H1 as [[[[HA HD] _] _] _].
     apply Nat.leb_le in HA. apply Z.ltb_lt in HD. auto. }
   destruct HA as [HA HD].
   destruct (limit_of_radius a l m most H1 RU) as [phi [Lim [Ex [Td [Cl Up]]]]]. exists phi. split; auto. split; auto.

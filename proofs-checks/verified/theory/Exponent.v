@@ -256,27 +256,27 @@ Proof.
 Qed.
 
 (* All but the radius *)
-Definition reduces (a : scheme) (l : Q) (order : nat) (u : Q) : bool :=
+Definition reducible (a : scheme) (order : nat) : bool :=
   (2 <=? arity a)%nat && (0 <? common a) && divides a order &&
-  (fold_right Z.add 0 (difference_symbol a order) =? Z.of_nat (arity a) * common a) && below_power a l order u.
+  (fold_right Z.add 0 (difference_symbol a order) =? Z.of_nat (arity a) * common a).
+Definition reduces (a : scheme) (l : Q) (order : nat) (u : Q) : bool := reducible a order && below_power a l order u.
 
 Definition refined_data (a : scheme) : nat -> Z -> R :=
   refined (arity a) (first a) (length (coefficients a) - 1) (coefficient (coefficients a) (common a) (first a)).
 
 (* The limit, and all that the checkers need of it *)
-Theorem limit_of_radius a l m u : reduces a l m u = true -> let T := difference_family a m in
-  radius_at_most (size T) (count T) (real T) (real_of u) ->
-  exists phi, limit_of a phi /\ exponent_at_least phi (real_of l) /\ tends (arity a) (refined_data a) phi /\
+Theorem limit_of_growth a lambda l m most : reducible a m = true -> exp lambda = INR (arity a) -> (0 < l <= INR m)%R ->
+  (most <= exp ((INR m - l) * lambda))%R -> let T := difference_family a m in
+  radius_at_most (size T) (count T) (real T) most ->
+  exists phi, limit_of a phi /\ exponent_at_least phi l /\ tends (arity a) (refined_data a) phi /\
   (forall i, subdivide (arity a) (first a) (length (coefficients a) - 1) (coefficient (coefficients a) (common a) (first a)) (fun _ => 1%R) i = 1%R) /\
   forall lambda g upper, exp lambda = INR (arity a) -> stable phi -> radius_at_least (size T) (count T) (real T) g -> (1 < g)%R ->
     (exp ((INR m - upper) * lambda) <= g)%R -> exponent_at_most phi upper.
 Proof.
-  intros H T HR. unfold reduces in H. repeat rewrite andb_true_iff in H.
-  destruct H as [[[[HA HO] HD] HT] HU]. set (A := arity a) in *.
+  intros H Hlog Hl HU T HR. unfold reducible in H. repeat rewrite andb_true_iff in H.
+  destruct H as [[[HA HO] HD] HT]. set (A := arity a) in *.
   apply Nat.leb_le in HA. apply Z.ltb_lt, IZR_lt in HO. apply Z.eqb_eq in HT.
   unfold divides in HD. apply andb_prop in HD. destruct HD as [HD HL]. apply same_spec in HD. apply Nat.leb_le in HL. fold A in HD, HL.
-  destruct (exp_onto (INR A) (arity_positive A HA)) as [lambda Hlog].
-  apply (below_power_sound lambda) in HU; auto. destruct HU as [Hl HU].
   set (b := difference_symbol a m) in *. set (q := quotient a m) in *. set (F := first a).
   set (L := (length (coefficients a) - 1)%nat) in *.
   assert (Hlen : length b = length q) by apply map_length. rewrite <- Hlen in HL.
@@ -298,7 +298,7 @@ Proof.
   { replace f with (coefficient b (common a) F) by (extensionality i; apply coefficient_shift).
     rewrite coefficient_total by (clear -HL; lia). rewrite HT, mult_IZR, <- INR_IZR_INZ. field. lra. }
   destruct (radius_exponent A (length b - 1) W (coefficient b (common a) 0) HA Sb W1 W2 L
-    ltac:(clear -HL; lia) lambda F (real_of u) m (real_of l) Hlog) as [phi [Lim [Td Ex]]]; auto.
+    ltac:(clear -HL; lia) lambda F most m l Hlog) as [phi [Lim [Td Ex]]]; auto.
   { intros r Hr H0. apply ET. apply HR; auto. }
   fold f in Lim, Td. exists phi. unfold limit_of, refined_data. fold A F L. rewrite EM.
   split; auto. split; auto. split; auto. split.
@@ -310,6 +310,21 @@ Proof.
   - intros lambda' g upper Hlog' St HG G1 GU.
     apply (radius_upper A (length b - 1) W (coefficient b (common a) 0) L F m lambda' phi g upper HA Sb W1 W2 HL Hlog' Td St); auto.
     intros r Hr G. apply HG; auto. apply ET. auto.
+Qed.
+
+Theorem limit_of_radius a l m u : reduces a l m u = true -> let T := difference_family a m in
+  radius_at_most (size T) (count T) (real T) (real_of u) ->
+  exists phi, limit_of a phi /\ exponent_at_least phi (real_of l) /\ tends (arity a) (refined_data a) phi /\
+  (forall i, subdivide (arity a) (first a) (length (coefficients a) - 1) (coefficient (coefficients a) (common a) (first a)) (fun _ => 1%R) i = 1%R) /\
+  forall lambda g upper, exp lambda = INR (arity a) -> stable phi -> radius_at_least (size T) (count T) (real T) g -> (1 < g)%R ->
+    (exp ((INR m - upper) * lambda) <= g)%R -> exponent_at_most phi upper.
+Proof.
+  intros H T HR. apply andb_prop in H. destruct H as [H HU].
+  assert (HA : (2 <= arity a)%nat).
+  { unfold reducible in H. repeat rewrite andb_true_iff in H. destruct H as [[[HA _] _] _]. apply Nat.leb_le; auto. }
+  destruct (exp_onto (INR (arity a)) (arity_positive (arity a) HA)) as [lambda Hlog].
+  apply (below_power_sound lambda) in HU; auto. destruct HU as [Hl HU].
+  apply (limit_of_growth a lambda (real_of l) m (real_of u)); auto.
 Qed.
 
 Theorem exponent_of_radius a l m u : reduces a l m u = true -> let T := difference_family a m in

@@ -1,6 +1,6 @@
 (* The checker as a program in OCaml, with the integers of zarith: of numbers only what ../number.ml lists is trusted. *)
 Require Import ZArith QArith.
-From Subcert Require Import Integers Sections Eigenvalue Quadratic Check Exponent Enclosure.
+From Subcert Require Import Integers Sections Eigenvalue Quadratic Check Exponent Enclosure Number Attained Exact.
 Require Import Extraction.
 
 Extraction Language OCaml.
@@ -23,6 +23,7 @@ Extract Inlined Constant Z.max => "Number.max".
 Extract Inlined Constant Z.eqb => "Number.equal".
 Extract Inlined Constant Z.leb => "Number.less_equal".
 Extract Inlined Constant Z.ltb => "Number.less".
+Extract Inlined Constant Z.div => "Number.divide".
 Extract Inlined Constant Z.pow => "Number.power".
 Extract Inlined Constant Z.sqrt => "Number.square_root".
 Extract Inlined Constant Z.sqrt_up => "Number.square_root_up".
@@ -32,4 +33,5 @@ Extract Inductive nat => "int" ["0" "Stdlib.succ"] "(fun zero next n -> if n = 0
 
 Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_valid first_block other_blocks transpose
   check_section value_entry derivative_entry product_columns zrun addmul well_formed check_exponent_lower reduces
-  power_below unity difference_family divides check_exponent check_stable value_matrix fine fine_start.
+  power_below unity difference_family divides check_exponent check_stable value_matrix fine fine_start
+  check_number block_below block_reaches check_exact_radius check_exact_exponent evaluate.

@@ -1,7 +1,8 @@
 (* The joint spectral radius of the difference matrices of primal:n=5, the primal least squares scheme of ten points and
    degree 1, and the Hoelder exponent of its limit, in the kernel of Coq alone: no extraction, no OCaml, no parser. *)
 Require Import Reals List ZArith QArith Lra Lia.
-From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Stability Exponent Enclosure S5 Shifts.
+From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Stability Exponent Enclosure
+  Complex Number Exact S5 Shifts S5Exact.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -47,4 +48,26 @@ Proof.
   - vm_compute. reflexivity.
   - intros r Hr H0. apply S5_difference_family. apply Gx. unfold real_of in Hr. simpl in Hr. lra.
   - intros r Hr G. apply S5_difference_family in G. apply Lx in G; auto. unfold real_of. simpl. lra.
+Qed.
+
+Definition S5_polynomial : list Z :=
+  [16777216; 75497472; 182452224; 461897728; (-763822080); 4373053440; (-13634355200); (-26514432000); 56755584000;
+   (-1258944768000); (-1657104480000); (-4205601000000); 6285766050000; 16740391500000; (-376658808750000); (-403563009375000);
+   756680642578125].
+
+(* The supremum of the exponents of the limit is 2 less the logarithm of z to the base 2, z the one zero of the polynomial
+   within 1/1000 of 1007/1000: 2^(2 - s) = |z|. *)
+Theorem S5_exact : exists phi s z lambda, limit_of S5_scheme phi /\ is_lub (exponents phi) s /\
+  value S5_polynomial z = real_number 0 /\ (cabs (cminus z (real_number (1007 / 1000))) <= 1 / 1000)%R /\
+  (forall y, value S5_polynomial y = real_number 0 -> (cabs (cminus y (real_number (1007 / 1000))) <= 1 / 1000)%R -> y = z) /\
+  exp lambda = 2%R /\ exp ((2 - s) * lambda) = cabs z.
+Proof.
+  destruct S5Exact_exact_exponent_holds as [[z [Iz Uz]] [phi [r [s [lambda [Lim [[_ [y [Iy Ey]]] [Hlog [Hs [Lub _]]]]]]]]]].
+  assert (C : complex_over 1007 0 1000 = real_number (1007 / 1000)) by (unfold complex_over, real_number; f_equal; lra).
+  assert (One : (IZR 1 / IZR 1000 = 1 / 1000)%R) by reflexivity.
+  unfold is_zero_of in *. cbn [polynomial disc_re disc_im disc_radius disc_scale] in *. rewrite C in *.
+  destruct Iz as [Z1 Z2]. exists phi, s, z, lambda. repeat (split; [assumption|]). split; [|split].
+  - intros x X1 X2. apply Uz. auto.
+  - rewrite Hlog. simpl. lra.
+  - rewrite <- (Uz y Iy). simpl root in Ey. rewrite pow_1 in Ey. rewrite <- Ey, <- Hs. reflexivity.
 Qed.

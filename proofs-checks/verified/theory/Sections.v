@@ -120,6 +120,122 @@ Proof.
   destruct (nth_in_or_default i x 0) as [I | ->]; [|lia]. apply H in I. lia.
 Qed.
 
+(* Each listed point is one for which the bound is to be shown, or at most eps from one. *)
+Section Near.
+Variables (n count : nat) (T : nat -> mat) (P : vec -> vec -> Prop) (ps : points) (eps : R).
+Let comb := combination n count T P.
+Hypothesis Eps : (0 <= eps)%R.
+Hypothesis Near : forall i p, PositiveMap.find i ps = Some p -> comb (vr (fst p)) (vr (snd p)) 1%R eps.
+
+Lemma combine_near ts : forall w x y, combine ps ts = Some (w, (x, y)) -> comb (vr x) (vr y) (IZR w) (IZR w * eps)%R /\ 0 <= w.
+Proof.
+  induction ts as [|[i [a b]] ts IH]; intros w x y H; cbn [combine] in H.
+  - inversion H; subst. rewrite vr_nil. split; [|lia]. rewrite Rmult_0_l. apply combination_zero.
+  - destruct (PositiveMap.find i ps) as [[x1 y1]|] eqn:E; [|discriminate].
+    destruct (combine ps ts) as [[w1 [u v]]|]; [|discriminate].
+    destruct (IH _ _ _ eq_refl) as [C Hw].
+    assert (D := combination_plus n count T P _ _ _ _ _ _ _ _ (combination_mult n count T P (IZR a) (IZR b) _ _ _ _ (Near _ _ E)) C).
+    cbn [fst snd] in D.
+    assert (M := zmodulus_bound a b). assert (Mn := zmodulus_nonneg a b).
+    assert (Le : (modulus (IZR a) (IZR b) * 1 + IZR w1 <= IZR (zmodulus a b + w1))%R) by (rewrite plus_IZR; lra).
+    assert (Le' : (modulus (IZR a) (IZR b) * eps + IZR w1 * eps <= IZR (zmodulus a b + w1) * eps)%R).
+    { rewrite plus_IZR, <- Rmult_plus_distr_r. apply Rmult_le_compat_r; auto. lra. }
+    destruct (Z.eqb_spec b 0) as [->|N]; inversion H; subst; split; try lia; rewrite !vr_addmul; (eapply combination_le; [|apply Le|apply Le']).
+    + replace (plus (scal (IZR a) (vr x1)) (vr u)) with (plus (plus (scal (IZR a) (vr x1)) (scal (- 0) (vr y1))) (vr u)).
+      replace (plus (scal (IZR a) (vr y1)) (vr v)) with (plus (plus (scal (IZR a) (vr y1)) (scal 0 (vr x1))) (vr v)).
+      exact D.
+      1, 2: extensionality j; unfold plus, scal; lra.
+    + rewrite opp_IZR.
+      replace (plus (scal (IZR a) (vr x1)) (plus (scal (- IZR b) (vr y1)) (vr u)))
+        with (plus (plus (scal (IZR a) (vr x1)) (scal (- IZR b) (vr y1))) (vr u)).
+      replace (plus (scal (IZR a) (vr y1)) (plus (scal (IZR b) (vr x1)) (vr v)))
+        with (plus (plus (scal (IZR a) (vr y1)) (scal (IZR b) (vr x1))) (vr v)).
+      exact D.
+      1, 2: extensionality j; unfold plus, scal; lra.
+Qed.
+
+Lemma line_near scale divisor tx ty ts w r : 0 <= divisor -> line false ps scale divisor (tx, ty) ts = Some (w, r) ->
+  comb (scal (IZR scale) (vr tx)) (scal (IZR scale) (vr ty)) (IZR (divisor * w)) (IZR r + IZR (divisor * w) * eps)%R /\ 0 <= w /\ 0 <= r.
+Proof.
+  intros HD H. unfold line in H. simpl fst in H. simpl snd in H.
+  destruct (combine ps ts) as [[w' [x y]]|] eqn:E; [|discriminate].
+  destruct (combine_near ts _ _ _ E) as [C Hw].
+  set (u := addmul (- divisor) x (addmul scale tx [])) in *.
+  set (v := addmul (- divisor) y (addmul scale ty [])) in *.
+  apply (combination_scal n count T P (IZR divisor)) in C.
+  rewrite Rabs_pos_eq, <- Rmult_assoc, <- mult_IZR in C by (apply IZR_le; auto).
+  assert (Eu : scal (IZR scale) (vr tx) = plus (scal (IZR divisor) (vr x)) (vr u)).
+  { unfold u. rewrite !vr_addmul, vr_nil, opp_IZR. extensionality i. unfold plus, scal, zero. lra. }
+  assert (Ev : scal (IZR scale) (vr ty) = plus (scal (IZR divisor) (vr y)) (vr v)).
+  { unfold v. rewrite !vr_addmul, vr_nil, opp_IZR. extensionality i. unfold plus, scal, zero. lra. }
+  inversion H; subst w' r. assert (P1 := norm1_nonneg u). assert (P2 := norm1_nonneg v). split; [|split; lia].
+  rewrite Eu, Ev. apply (combination_rest n count T P _ _ (vr u) (vr v)) in C.
+  eapply combination_le. exact C. apply Rle_refl. rewrite plus_IZR.
+  assert (N1 := norm_norm1 n u). assert (N2 := norm_norm1 n v). lra.
+Qed.
+
+(* Of cones only a bound is a combination. *)
+Lemma addmul_nil c x y : addmul c x y = [] -> x = [] /\ y = [].
+Proof. destruct x, y; simpl; intros H; try discriminate; auto. Qed.
+
+Lemma line_cone scale divisor tx ty ts w r : 0 <= divisor -> line true ps scale divisor (tx, ty) ts = Some (w, r) ->
+  ty = [] /\ 0 <= w /\ 0 <= r /\ exists y, comb y zero (IZR (divisor * w)) (IZR r + IZR (divisor * w) * eps)%R /\
+  forall i, (IZR scale * vr tx i <= y i)%R.
+Proof.
+  intros HD H. unfold line in H. simpl fst in H. simpl snd in H.
+  destruct (combine ps ts) as [[w' [x y]]|] eqn:E; [|discriminate].
+  destruct (combine_near ts _ _ _ E) as [C Hw].
+  set (u := addmul (- divisor) x (addmul scale tx [])) in *.
+  destruct (addmul (- divisor) y (addmul scale ty [])) eqn:EV; [|discriminate].
+  apply addmul_nil in EV. destruct EV as [-> EV]. apply addmul_nil in EV. destruct EV as [-> _].
+  inversion H; subst w' r. clear H. split; auto. split; auto. split. apply norm1_nonneg.
+  apply (combination_scal n count T P (IZR divisor)) in C.
+  rewrite Rabs_pos_eq, <- Rmult_assoc, <- mult_IZR in C by (apply IZR_le; auto).
+  apply (combination_rest n count T P _ _ (vr (positive_part u)) zero) in C. rewrite norm_zero, vr_nil in C.
+  replace (plus (scal (IZR divisor) zero) zero) with zero in C by (extensionality i; unfold plus, scal, zero; lra).
+  exists (plus (scal (IZR divisor) (vr x)) (vr (positive_part u))). split.
+  - eapply combination_le. exact C. apply Rle_refl. assert (N := norm_norm1 n (positive_part u)). lra.
+  - intros i. assert (Eu : (IZR scale * vr tx i = IZR divisor * vr x i + vr u i)%R).
+    { unfold u. rewrite !vr_addmul, vr_nil, opp_IZR. unfold plus, scal, zero. lra. }
+    rewrite Eu. unfold plus, scal. apply Rplus_le_compat_l.
+    unfold vr. assert (Q : nth i (positive_part u) 0 = Z.max 0 (nth i u 0)) by exact (map_nth (Z.max 0) u 0 i).
+    rewrite Q. apply IZR_le. lia.
+Qed.
+
+Lemma units_near nonnegative one lines : 0 < one ->
+  (forall k ts w t, line nonnegative ps one 1 (unit_at 1 k, []) ts = Some (w, t) ->
+     comb (scal (IZR one) (vr (unit_at 1 k))) (scal (IZR one) (vr [])) (IZR (1 * w)) (IZR t + IZR (1 * w) * eps)%R /\ 0 <= w /\ 0 <= t) ->
+  forall k s r, units nonnegative ps one k lines = Some (s, r) -> 0 <= s /\ 0 <= r /\
+  forall j, (k <= j < k + length lines)%nat -> comb (unit j) zero (IZR s / IZR one)%R ((IZR r + IZR s * eps) / IZR one)%R.
+Proof.
+  intros Ho HL. induction lines as [|ts lines IH]; intros k s r H; cbn [units] in H.
+  - inversion H; subst. split; [lia|]. split; [lia|]. simpl. intros; lia.
+  - destruct (line nonnegative ps one 1 (unit_at 1 k, []) ts) as [[w t]|] eqn:E; [|discriminate].
+    destruct (units nonnegative ps one (S k) lines) as [[s' r']|] eqn:EU; [|discriminate].
+    destruct (IH _ _ _ EU) as [Hs [Hr HI]]. inversion H; subst. clear H.
+    split; [lia|]. split; [lia|]. intros j Hj.
+    assert (O : (0 < IZR one)%R) by (apply IZR_lt; auto).
+    assert (O' : (0 < / IZR one)%R) by (apply Rinv_0_lt_compat; auto).
+    assert (More : forall a b c d, a <= Z.max a b /\ b <= Z.max a b /\ c <= Z.max c d /\ d <= Z.max c d) by (intros; lia).
+    assert (Sum : forall a b c d, a <= c -> b <= d -> (/ IZR one * (IZR b + IZR a * eps) <= (IZR d + IZR c * eps) / IZR one)%R).
+    { intros a b c d H1 H2. apply IZR_le in H1, H2. unfold Rdiv. rewrite Rmult_comm. apply Rmult_le_compat_r. lra.
+      assert (IZR a * eps <= IZR c * eps)%R by (apply Rmult_le_compat_r; auto). lra. }
+    destruct (Nat.eq_dec j k) as [->|N].
+    + apply HL in E. destruct E as [C [Hw Ht]]. apply (combination_scal n count T P (/ IZR one)) in C.
+      rewrite Rabs_pos_eq in C by lra. rewrite Z.mul_1_l in C.
+      eapply combination_le.
+      * replace (unit k) with (scal (/ IZR one) (scal (IZR one) (vr (unit_at 1 k)))).
+        replace zero with (scal (/ IZR one) (scal (IZR one) (vr []))). exact C.
+        -- rewrite vr_nil. extensionality i. unfold scal, zero. lra.
+        -- rewrite vr_unit. extensionality i. unfold scal. field. lra.
+      * unfold Rdiv. rewrite Rmult_comm. apply Rmult_le_compat_r. lra. apply IZR_le. lia.
+      * apply Sum; lia.
+    + eapply combination_le. apply HI. simpl in Hj. lia.
+      unfold Rdiv; apply Rmult_le_compat_r; [lra|]; apply IZR_le; lia.
+      assert (S := Sum s' r' (Z.max w s') (Z.max t r') ltac:(lia) ltac:(lia)). unfold Rdiv. rewrite Rmult_comm. auto.
+Qed.
+End Near.
+
 Section Polytope.
 Variables (F : family) (nonnegative : bool) (ps : points).
 Hypothesis WF : well_formed F = true.
@@ -129,30 +245,8 @@ Let T := real F.
 Definition Point (x y : vec) : Prop := exists i p, PositiveMap.find i ps = Some p /\ x = vr (fst p) /\ y = vr (snd p).
 Let comb := combination n (count F) T Point.
 
-Lemma combine_sound ts : forall w x y, combine ps ts = Some (w, (x, y)) -> comb (vr x) (vr y) (IZR w) 0 /\ 0 <= w.
-Proof.
-  induction ts as [|[i [a b]] ts IH]; intros w x y H; cbn [combine] in H.
-  - inversion H; subst. rewrite vr_nil. split; [|lia]. apply combination_zero.
-  - destruct (PositiveMap.find i ps) as [[x1 y1]|] eqn:E; [|discriminate].
-    destruct (combine ps ts) as [[w1 [u v]]|]; [|discriminate].
-    destruct (IH _ _ _ eq_refl) as [C Hw].
-    assert (P : Point (vr x1) (vr y1)) by (exists i, (x1, y1); auto).
-    assert (D := combination_point n (count F) T Point _ _ (IZR a) (IZR b) _ _ _ _ P C).
-    assert (M := zmodulus_bound a b). assert (Mn := zmodulus_nonneg a b).
-    destruct (Z.eqb_spec b 0) as [->|N]; inversion H; subst; split; try lia.
-    + rewrite !vr_addmul, plus_IZR. eapply combination_le; [| |apply Rle_refl].
-      replace (plus (scal (IZR a) (vr x1)) (vr u)) with (plus (plus (scal (IZR a) (vr x1)) (scal (- 0) (vr y1))) (vr u)).
-      replace (plus (scal (IZR a) (vr y1)) (vr v)) with (plus (plus (scal (IZR a) (vr y1)) (scal 0 (vr x1))) (vr v)).
-      exact D.
-      1, 2: extensionality j; unfold plus, scal; lra. lra.
-    + rewrite !vr_addmul, plus_IZR, opp_IZR. eapply combination_le; [| |apply Rle_refl].
-      replace (plus (scal (IZR a) (vr x1)) (plus (scal (- IZR b) (vr y1)) (vr u)))
-        with (plus (plus (scal (IZR a) (vr x1)) (scal (- IZR b) (vr y1))) (vr u)).
-      replace (plus (scal (IZR a) (vr y1)) (plus (scal (IZR b) (vr x1)) (vr v)))
-        with (plus (plus (scal (IZR a) (vr y1)) (scal (IZR b) (vr x1))) (vr v)).
-      exact D.
-      1, 2: extensionality j; unfold plus, scal; lra. lra.
-Qed.
+Lemma point_alone i p : PositiveMap.find i ps = Some p -> comb (vr (fst p)) (vr (snd p)) 1%R 0%R.
+Proof. intros E. apply combination_alone. exists i, p. auto. Qed.
 
 Hypothesis Nonnegative : nonnegative = true ->
   (forall t, (t < count F)%nat -> forall i j, (0 <= T t i j)%R) /\ (forall x y, Point x y -> y = zero /\ forall i, (0 <= x i)%R).
@@ -162,65 +256,24 @@ Lemma line_sound scale divisor tx ty ts w r : 0 <= divisor ->
   (nonnegative = true -> vr ty = zero /\ forall i, (0 <= IZR scale * vr tx i)%R) ->
   comb (scal (IZR scale) (vr tx)) (scal (IZR scale) (vr ty)) (IZR (divisor * w)) (IZR r) /\ 0 <= w /\ 0 <= r.
 Proof.
-  intros HD H HN. unfold line in H. simpl fst in H. simpl snd in H.
-  destruct (combine ps ts) as [[w' [x y]]|] eqn:E; [|discriminate].
-  destruct (combine_sound ts _ _ _ E) as [C Hw].
-  set (u := addmul (- divisor) x (addmul scale tx [])) in *.
-  set (v := addmul (- divisor) y (addmul scale ty [])) in *.
-  apply (combination_scal n (count F) T Point (IZR divisor)) in C.
-  rewrite Rabs_pos_eq, Rmult_0_r in C by (apply IZR_le; auto). rewrite <- mult_IZR in C.
-  assert (Eu : scal (IZR scale) (vr tx) = plus (scal (IZR divisor) (vr x)) (vr u)).
-  { unfold u. rewrite !vr_addmul, vr_nil, opp_IZR. extensionality i. unfold plus, scal, zero. lra. }
-  assert (Ev : scal (IZR scale) (vr ty) = plus (scal (IZR divisor) (vr y)) (vr v)).
-  { unfold v. rewrite !vr_addmul, vr_nil, opp_IZR. extensionality i. unfold plus, scal, zero. lra. }
-  destruct nonnegative.
-  - destruct v as [|a v']; [|discriminate]. inversion H; subst w' r. clear H.
-    split; [|split; [auto|apply norm1_nonneg]].
-    destruct (HN eq_refl) as [Ty Tx]. destruct (Nonnegative eq_refl) as [HT _].
-    assert (Y0 : scal (IZR divisor) (vr y) = zero).
-    { rewrite vr_nil, Ty in Ev. extensionality i. assert (D := f_equal (fun f => f i) Ev). cbv beta in D.
-      unfold plus, scal, zero in *. lra. }
+  intros HD H HN. destruct nonnegative.
+  - destruct (line_cone n (count F) T Point ps 0 (Rle_refl 0) point_alone scale divisor tx ty ts w r HD H) as [_ [Hw [Hr [y [C Hy]]]]].
+    split; [|split; auto]. destruct (HN eq_refl) as [Ty Tx]. destruct (Nonnegative eq_refl) as [HT _].
     rewrite Ty. replace (scal (IZR scale) zero) with zero by (extensionality i; unfold scal, zero; lra).
-    rewrite Y0 in C.
-    apply (combination_rest n (count F) T Point _ _ (vr (positive_part u)) zero) in C.
-    rewrite norm_zero, Rplus_0_l, Rplus_0_r in C.
-    replace (plus zero zero) with zero in C by (extensionality i; unfold plus, zero; lra).
-    eapply combination_below; auto. 2:{ eapply combination_le. exact C. apply Rle_refl. apply norm_norm1. }
-    intros i. split. apply Tx. rewrite Eu. unfold plus, scal. apply Rplus_le_compat_l.
-    unfold vr. assert (P : nth i (positive_part u) 0 = Z.max 0 (nth i u 0)) by exact (map_nth (Z.max 0) u 0 i).
-    rewrite P. apply IZR_le. lia.
-  - inversion H; subst w' r. assert (P1 := norm1_nonneg u). assert (P2 := norm1_nonneg v). split; [|split; lia].
-    rewrite Eu, Ev. apply (combination_rest n (count F) T Point _ _ (vr u) (vr v)) in C.
-    eapply combination_le. exact C. apply Rle_refl. rewrite plus_IZR.
-    assert (N1 := norm_norm1 n u). assert (N2 := norm_norm1 n v). lra.
+    eapply combination_below; [exact HT| |eapply combination_le; [exact C|apply Rle_refl|lra]].
+    intros i Hi. split. apply Tx. apply Hy.
+  - destruct (line_near n (count F) T Point ps 0 (Rle_refl 0) point_alone scale divisor tx ty ts w r HD H) as [C [Hw Hr]].
+    split; auto. eapply combination_le. exact C. apply Rle_refl. lra.
 Qed.
 
 Lemma units_sound one lines : 0 < one -> forall k s r, units nonnegative ps one k lines = Some (s, r) -> 0 <= s /\ 0 <= r /\
   forall j, (k <= j < k + length lines)%nat -> comb (unit j) zero (IZR s / IZR one) (IZR r / IZR one).
 Proof.
-  intros Ho. induction lines as [|ts lines IH]; intros k s r H; cbn [units] in H.
-  - inversion H; subst. split; [lia|]. split; [lia|]. simpl. intros; lia.
-  - destruct (line nonnegative ps one 1 (unit_at 1 k, []) ts) as [[w t]|] eqn:E; [|discriminate].
-    destruct (units nonnegative ps one (S k) lines) as [[s' r']|] eqn:EU; [|discriminate].
-    destruct (IH _ _ _ EU) as [Hs [Hr HI]]. inversion H; subst. clear H.
-    split; [lia|]. split; [lia|]. intros j Hj.
-    assert (O : (0 < IZR one)%R) by (apply IZR_lt; auto).
-    assert (O' : (0 < / IZR one)%R) by (apply Rinv_0_lt_compat; auto).
-    destruct (Nat.eq_dec j k) as [->|N].
-    + apply line_sound in E; [|lia|].
-      * destruct E as [C [Hw Ht]]. apply (combination_scal n (count F) T Point (/ IZR one)) in C.
-        rewrite Rabs_pos_eq in C by lra. rewrite Z.mul_1_l in C.
-        eapply combination_le.
-        -- replace (unit k) with (scal (/ IZR one) (scal (IZR one) (vr (unit_at 1 k)))).
-           replace zero with (scal (/ IZR one) (scal (IZR one) (vr []))). exact C.
-           ++ rewrite vr_nil. extensionality i. unfold scal, zero. lra.
-           ++ rewrite vr_unit. extensionality i. unfold scal. field. lra.
-        -- unfold Rdiv. rewrite Rmult_comm. apply Rmult_le_compat_r. lra. apply IZR_le. lia.
-        -- unfold Rdiv. rewrite Rmult_comm. apply Rmult_le_compat_r. lra. apply IZR_le. lia.
-      * intros _. split. apply vr_nil. intros i. rewrite vr_unit. unfold scal, unit, identity.
-        destruct (Nat.eqb i k); lra.
-    + eapply combination_le. apply HI. simpl in Hj. lia.
-      all: unfold Rdiv; apply Rmult_le_compat_r; [lra|]; apply IZR_le; lia.
+  intros Ho k s r H. destruct (units_near n (count F) T Point ps 0 (Rle_refl 0) nonnegative one lines Ho) with (k := k) (s := s) (r := r) as [Hs [Hr C]]; auto.
+  - intros j ts w t HL. destruct (line_sound one 1 (unit_at 1 j) [] ts w t ltac:(lia) HL) as [D [Hw Ht]].
+    + intros _. split. apply vr_nil. intros i. rewrite vr_unit. unfold scal, unit, identity. apply IZR_lt in Ho. destruct (Nat.eqb i j); lra.
+    + split; auto. eapply combination_le. exact D. apply Rle_refl. lra.
+  - split; auto. split; auto. intros j Hj. eapply combination_le. apply C; auto. apply Rle_refl. right. f_equal. lra.
 Qed.
 
 Section Bound.
@@ -309,6 +362,17 @@ Proof.
   - rewrite PositiveMap.gso in H by auto. right. eapply IHall; eauto.
 Qed.
 
+Lemma all_nonnegative_matrices F : well_formed F = true -> forall all, all_nonnegative F all = true ->
+  forall t, (t < count F)%nat -> forall i j, (0 <= real F t i j)%R.
+Proof.
+  intros WF all H t Ht i j. assert (D := denominator_positive F WF). unfold all_nonnegative in H. apply andb_prop in H. destruct H as [HM _].
+  rewrite forallb_forall in HM. unfold real. apply Rmult_le_pos; [|left; apply Rinv_0_lt_compat; auto].
+  apply IZR_le. unfold entry. assert (I : In (letter F t) (matrices F)) by (apply nth_In; auto).
+  apply HM in I. rewrite forallb_forall in I.
+  destruct (nth_in_or_default i (letter F t) []) as [J | ->]; [|rewrite nth_nil; lia].
+  apply vector_nonnegative_nth, I; auto.
+Qed.
+
 Theorem polytope_sound F u nonnegative scale one all unit_lines image_lines : well_formed F = true ->
   polytope F u nonnegative scale one all unit_lines image_lines = true ->
   radius_at_most (size F) (count F) (real F) (real_of u).
@@ -323,14 +387,8 @@ Proof.
   assert (D := denominator_positive F WF).
   assert (N0 : nonnegative = true -> (forall t, (t < count F)%nat -> forall i j, (0 <= real F t i j)%R) /\
     forall x y, In (x, y) all -> vr y = zero /\ forall i, (0 <= vr x i)%R).
-  { intros ->. unfold all_nonnegative in H3. apply andb_prop in H3. destruct H3 as [HM HP].
-    rewrite forallb_forall in HM, HP. split.
-    - intros t Ht i j. unfold real. apply Rmult_le_pos; [|left; apply Rinv_0_lt_compat; auto].
-      apply IZR_le. unfold entry. assert (I : In (letter F t) (matrices F)) by (apply nth_In; auto).
-      apply HM in I. rewrite forallb_forall in I.
-      destruct (nth_in_or_default i (letter F t) []) as [J | ->]; [|rewrite nth_nil; lia].
-      apply vector_nonnegative_nth, I; auto.
-    - intros x y I. apply HP in I. simpl in I. apply andb_prop in I. destruct I as [I1 I2].
+  { intros ->. split. apply (all_nonnegative_matrices F WF all H3). apply andb_prop in H3. destruct H3 as [_ HP]. rewrite forallb_forall in HP.
+    intros x y I. apply HP in I. simpl in I. apply andb_prop in I. destruct I as [I1 I2].
       destruct y; [|discriminate]. split. apply vr_nil. intros i. apply IZR_le, vector_nonnegative_nth; auto. }
   assert (N1 : nonnegative = true -> (forall t, (t < count F)%nat -> forall i j, (0 <= real F t i j)%R) /\
     forall x y, Point ps x y -> y = zero /\ forall i, (0 <= x i)%R).

@@ -147,12 +147,21 @@ Proof.
   intros w A B _ _ _ _ _. unfold reach. rewrite run_zero, cnorm_real, norm_zero. lra.
 Qed.
 
-Lemma combination_point x y a b u v s r : Point x y -> combination u v s r ->
-  combination (plus (plus (scal a x) (scal (- b) y)) u) (plus (plus (scal a y) (scal b x)) v) (modulus a b + s) r.
+Lemma combination_alone x y : Point x y -> combination x y 1 0.
+Proof. intros HP w A B Hw HA HB H1 H2. specialize (H1 x y HP). lra. Qed.
+
+Lemma combination_plus x y u v a r b s : combination x y a r -> combination u v b s ->
+  combination (plus x u) (plus y v) (a + b) (r + s).
 Proof.
-  intros HP HC w A B Hw HA HB H1 H2. eapply Rle_trans. apply reach_plus. rewrite reach_mult.
-  specialize (HC w A B Hw HA HB H1 H2). assert (M := modulus_nonneg a b).
-  assert (modulus a b * reach w x y <= modulus a b * A) by (apply Rmult_le_compat_l; auto). lra.
+  intros H H' w A B Hw HA HB H1 H2. specialize (H w A B Hw HA HB H1 H2). specialize (H' w A B Hw HA HB H1 H2).
+  eapply Rle_trans. apply reach_plus. lra.
+Qed.
+
+Lemma combination_mult a b x y s r : combination x y s r ->
+  combination (plus (scal a x) (scal (- b) y)) (plus (scal a y) (scal b x)) (modulus a b * s) (modulus a b * r).
+Proof.
+  intros H w A B Hw HA HB H1 H2. specialize (H w A B Hw HA HB H1 H2). rewrite reach_mult. assert (M := modulus_nonneg a b).
+  apply (Rmult_le_compat_l (modulus a b)) in H; auto. lra.
 Qed.
 
 Lemma combination_rest x y u v a r : combination x y a r ->
@@ -179,20 +188,20 @@ Qed.
 
 (* With non-negative matrices a larger combination will do. *)
 Lemma run_nonnegative : (forall t, (t < count)%nat -> forall i j, 0 <= T t i j) -> forall w x, letters count w ->
-  (forall i, 0 <= x i) -> forall i, 0 <= run n T w x i.
+  (forall i, (i < n)%nat -> 0 <= x i) -> forall i, (i < n)%nat -> 0 <= run n T w x i.
 Proof.
-  intros HT. induction w; simpl; intros x Hw Hx i; auto. inversion Hw; subst.
+  intros HT. induction w; simpl; intros x Hw Hx i Hi; auto. inversion Hw; subst.
   apply sum_nonneg; intros. apply Rmult_le_pos; auto.
 Qed.
 
 Lemma combination_below x y a r : (forall t, (t < count)%nat -> forall i j, 0 <= T t i j) ->
-  (forall i, 0 <= x i <= y i) -> combination y zero a r -> combination x zero a r.
+  (forall i, (i < n)%nat -> 0 <= x i <= y i) -> combination y zero a r -> combination x zero a r.
 Proof.
   intros HT Hxy HC w A B Hw HA HB H1 H2. eapply Rle_trans; [|apply (HC w A B); auto].
   unfold reach. rewrite run_zero, !cnorm_real. apply sum_le; intros i Hi.
   assert (Hx : 0 <= run n T w x i) by (apply run_nonnegative; auto; apply Hxy).
   assert (Hd : 0 <= run n T w (plus y (scal (-1) x)) i).
-  { apply run_nonnegative; auto. intros j. unfold plus, scal. specialize (Hxy j). lra. }
+  { apply run_nonnegative; auto. intros j Hj. unfold plus, scal. specialize (Hxy j Hj). lra. }
   rewrite run_plus, run_scal in Hd. unfold plus, scal in Hd.
   rewrite !Rabs_pos_eq; lra.
 Qed.

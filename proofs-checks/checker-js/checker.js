@@ -115,6 +115,35 @@ var check_certificate = (() => {
     for (let k = 0; k < factors.length; ++k) if (factors[k]) total += factors[k] * vectors[k];
     return total;
   };
+  // Polynomials with integer coefficients, from that of z^0 on
+  function product_of(x, y) {
+    const width = bits(largest(x)) + bits(largest(y)) + bits(BigInt(x.length)) + 2;
+    allow_bits(4 * width * (x.length + y.length));
+    spend(1, width * x.length, width * y.length);
+    spend(4 * (x.length + y.length), width);
+    return unpack(pack(x, width) * pack(y, width), width, x.length + y.length - 1);
+  }
+  function quotient_of(x, y) {  // without remainder, null where there is none; the last coefficient of y is not 0
+    const rest = x.slice(), n = y.length - 1, size = bits(largest(y)), quotient = [];
+    for (let i = x.length - 1 - n; i >= 0; --i) {
+      const c = rest[i + n] / y[n];
+      spend(y.length + 1, bits(c), size);
+      y.forEach((value, k) => { rest[i + k] -= c * value; });
+      if (rest[i + n]) return null;
+      quotient[i] = c;
+    }
+    return rest.every(value => !value) ? quotient : null;
+  }
+  function shifted_signs(p, {n, d}) {  // of the coefficients of p(x + n/d)
+    const top = p.length - 1, size = top * (bits(n) + bits(d)) + bits(largest(p)) + top;
+    allow_bits(size * p.length);
+    spend(top * top / 2, size, bits(n));
+    spend(2 * top, size, size);
+    const c = p.map((x, i) => x * d ** BigInt(top - i));
+    for (let i = 0; i < top; ++i) for (let k = top - 1; k >= i; --k) c[k] += c[k + 1] * n;
+    return c.map(x => x < 0n ? -1 : x > 0n ? 1 : 0);
+  }
+  const sign_changes = signs => signs.filter(x => x).filter((x, i, all) => i && x !== all[i - 1]).length;
 
   // ---- Matrices: arrays of rows of integers. A family: {size, den, matrices}, each matrix divided by den. -----------
   const range_of = n => Array.from({length: n}, (_, i) => i);
@@ -289,7 +318,8 @@ var check_certificate = (() => {
     return all;
   }
   // The family of control matrices on an interval, in the order of 6.1; that of the T_t where there is no interval
-  function control_family({arity, degree, q, b, size}, interval) {
+  function control_family(symbol, interval) {
+    const {arity, degree, q, b, size} = symbol;
     demand(size <= 256, 'transition matrices larger than 256');
     let weights = form_of(q, interval, degree);
     const turn = weights[0] < 0n ? -1n : 1n;
@@ -303,7 +333,7 @@ var check_certificate = (() => {
     const entry = (i, j) => i >= 0 && i < entries.length ? entries[i][j] : 0n;
     const matrices = range_of(arity).flatMap(t => weights.map((_, l) =>
       range_of(size).map(j => range_of(size).map(k => entry(arity * j + t - k, l)))));
-    return {size, den, weights, matrices};
+    return {size, den, weights, matrices, symbol: interval ? null : symbol};
   }
 
   // ---- 5.5, 6.2: positive polynomials -------------------------------------------------------------------------------
@@ -950,7 +980,7 @@ var check_certificate = (() => {
     }
     return true;
   }
-  const section_form = "expected 'norm', 'polytope' or 'quadratic' and its numbers";
+  const section_form = "expected 'norm', 'polytope', 'quadratic' or 'single' and its numbers";
   function read_quadratic(reader, {size, den, matrices}, fields, rounding) {
     demand(!rounding, section_form);
     demand(fields.length === 2 || (fields.length === 3 && fields[2].startsWith('group:')),
@@ -1040,13 +1070,79 @@ var check_certificate = (() => {
     demand(total === BigInt(letters) ** BigInt(longest), tree);
   }
 
+  // ---- 4.11: one spectral radius ------------------------------------------------------------------------------------
+  const half_of = x => x.slice((x.length - 1) / 2);  // a symmetric polynomial from its middle on
+  const with_mirror = x => product_of(x, x.slice().reverse());  // x(z) x(1/z)
+  function lowest_terms({arity, q, b}) {  // b(z) = sum b_i z^i / D with the least D
+    const numbers = b.map(p => p[0]), D = numbers.reduce(gcd, q[0]);
+    return {arity, D: q[0] / D, b: numbers.map(x => x / D)};
+  }
+  function read_single(reader, {symbol}, fields, rounding, exact) {
+    demand(symbol && !rounding, section_form);
+    demand(fields.length === 2, "expected 'single', a bound and the digits of a factor");
+    const bound = rational(fields[0]), q_bits = small(fields[1], 0, 4096);
+    const centred = lowest_terms(symbol), {b} = centred;
+    demand(bound.n >= 0n, 'the bound of a radius is negative');
+    demand(b.length % 2 && b.every((x, i) => x === b[b.length - 1 - i]),
+           'one spectral radius needs a symmetric mask with an odd number of coefficients');
+    const s = reader.read('square', 1, 1000).map(integer);
+    demand(s[0] && s[s.length - 1], 'a polynomial of squares begins or ends with 0');
+    const quotient = quotient_of(b, with_mirror(s));
+    demand(quotient, 'the square does not divide the mask');
+    const [h, q] = [half_of(quotient), half_of(with_mirror(reader.read('factor', 1, 1000).map(integer)))];
+    const e = range_of(Math.max(h.length, q.length)).map(i => ((h[i] || 0n) << BigInt(2 * q_bits)) - (q[i] || 0n));
+    demand(e[0] >= 2n * norm(e.slice(1)), 'the cosine polynomial is not shown to be a sum of squares');
+    const {P, r} = read_recurrence(reader, centred);
+    demand(!sign_changes(shifted_signs(P, bound)), 'the recurrence may have a zero above the bound');
+    demand(!exact || (exact.L === 1 && exact.real && exact.y[0] > 0n), 'one spectral radius is a positive zero');
+    return {value: bound, level: 1, attained: Boolean(exact), order: exact && order_of_pole(P, r(), exact)};
+  }
+  function read_recurrence(reader, {arity, D, b}) {  // P, and a function for r times D^(d - 1)
+    const P = reader.read('recurrence', 2, 1000).map(integer), d = P.length - 1, m = [];
+    demand(P[d], 'the last coefficient of a recurrence is 0');
+    const c = (b.length - 1) / 2, size = Math.floor(c / (arity - 1)) + 1, at = i => b[c + i] || 0n;
+    const C = range_of(size).map(j => range_of(size).map(k => at(arity * j - k) + (k ? at(arity * j + k) : 0n)));
+    const entries = C.flat().filter(y => y).length, growth = bits(largest_of(C));
+    let x = identity(size)[0], total = x.map(() => 0n);  // x is D^n x_n
+    for (const p of P) {
+      const length = bits(largest(x)), memory = bits(largest(total)) + bits(p) + bits(D) + length;
+      m.push(x[0]);
+      spend(2 * entries, length, growth);
+      spend(size, bits(p), length);
+      spend(size, bits(D), memory);
+      allow_bits(memory * (size + P.length) * 2);
+      total = total.map((y, j) => y * D + p * x[j]);
+      x = C.map(row => combine(row, x));
+    }
+    demand(total.every(y => !y), 'the recurrence is wrong');
+    const r = () => {
+      spend(d, d * bits(D), d * bits(D));
+      return product_of(P, m.slice(0, d).map((x, n) => x * D ** BigInt(d - 1 - n)).reverse()).slice(d);
+    };
+    return {P, r};
+  }
+  function order_of_pole(P, r, {p, h, y, m, eps, low}) {  // of F at z, the only pole at LOW or above
+    const divide = (x, times_p = 0) => {
+      const quotient = quotient_of(x, p);
+      return quotient ? divide(quotient, times_p + 1) : [times_p, x];
+    };
+    const [k] = divide(P), [j, rest] = divide(r), signs = shifted_signs(P, low);
+    const zeros = sign_changes(signs) + signs.findIndex(x => x);
+    demand(j < k && zeros === k, 'the exact radius may not be the largest zero of the recurrence');
+    const slope = horner(rest.map((x, i) => abs(x) * BigInt(i)).slice(1), m), value = horner(rest, fraction(y[0], h));
+    demand(less(times(eps, slope), abs_of(value)), 'the exact radius may be no pole');
+    return k - j;
+  }
+
   // ---- Blocks, product and sections: goal.above(radius, length) and goal.below(value, level) demand what the claim ne
   function read_section(reader, number, family, first_column, rounding, exact) {
     const [kind, ...fields] = reader.read(`block ${number}`, 1, 20);
     demand(kind !== 'norm' || fields.length === 1, "wrong number of fields after 'norm'");
     if (kind === 'norm') return check_norm(family, small(fields[0], 1, 64), first_column, rounding);
-    demand(kind === 'polytope' || kind === 'quadratic', section_form);
-    return (kind === 'polytope' ? read_polytope : read_quadratic)(reader, family, fields, rounding, exact);
+    const kinds = [['polytope', read_polytope], ['quadratic', read_quadratic], ['single', read_single]];
+    const read = new Map(kinds).get(kind);
+    demand(read, section_form);
+    return read(reader, family, fields, rounding, exact);
   }
   function prove(reader, family, goal, options = {}) {
     const {first_column = false, rounding = null, product = read_product, exact = null} = options;
@@ -1057,16 +1153,18 @@ var check_certificate = (() => {
       const {radius, length} = product(reader, blocks, rounding);
       if (goal.above) goal.above(radius, length);
     }
-    let some = false;
+    const sections = [];
     if (goal.below || exact || reader.peek() === 'block')
       blocks.forEach((block, i) => {
-        const {value, level, attained} = read_section(reader, i, block, first_column && !in_blocks, rounding, exact);
+        const section = read_section(reader, i, block, first_column && !in_blocks, rounding, exact);
+        const {value, level, attained} = section;
         demand(!exact || attained || !less(power(exact.low, level), value),
                'the bound of a block is above the exact radius');
         if (goal.below) goal.below(value, level);
-        some = some || attained;
+        sections.push(section);
       });
-    demand(!exact || some, 'no block attains the exact radius');
+    demand(!exact || sections.some(section => section.attained), 'no block attains the exact radius');
+    return sections;
   }
   const unproved_product = "the product's spectral radius does not prove the claim";
   const no_exponent = 'the product proves no exponent below the number of sum rules';
@@ -1120,8 +1218,40 @@ var check_certificate = (() => {
       };
     if (interval) return goal.below || goal.above ? check_intervals(reader, symbol, goal, interval) : undefined;
     const family = control_family(symbol, null), rounding = within && rounding_of(curve, within, family);
-    prove(reader, family, goal, {first_column: true, rounding, exact});
+    const sections = prove(reader, family, goal, {first_column: true, rounding, exact});
+    const with_log = exact && reader.peek() === 'logarithm';
+    const P = with_log ? read_logarithm(reader, exact, curve, order, sections) : undefined;
+    demand(claim.logarithm === undefined || P === claim.logarithm, 'the logarithm of the claim is not proved');
     if (again) check_convergence(reader, claim.curve);
+  }
+  const other_power = 'products grow with another power';
+  // 4.12: the P of the line
+  function read_logarithm(reader, {low, high}, curve, order, sections) {
+    const [first, ...norm_fields] = reader.read('logarithm', 1, 3), P = small(first, 0, 256);
+    const base = BigInt(curve.arity), [{order: pole}] = sections;
+    const cycles = sections.filter(({attained}) => attained).length;
+    let e = 0;  // base^e is the largest power up to HIGH
+    while (!less(high, base ** BigInt(e + 1))) ++e;
+    if (less(base ** BigInt(e), low)) {  // the exponent is no integer
+      const lower = ({attained, value, level}) => attained || less(value, power(low, level));
+      demand(!norm_fields.length, "expected 'logarithm' and a number, as the exponent is no integer");
+      demand(pole || (cycles === 1 && sections.every(lower)), 'more than one block has the exact radius');
+      demand(P === (pole ? pole - 1 : 0), other_power);
+      return P;
+    }
+    demand(!less(low, high), 'the exponent may be an integer');
+    const family = control_family(divided_symbol(curve, order - e), null);  // of a_s
+    if (norm_fields.length) {
+      demand(norm_fields.length === 2 && norm_fields[0] === 'norm' && !P, "expected 'logarithm 0 norm LEVEL'");
+      const {value} = check_norm(family, small(norm_fields[1], 1, 64), true, null);
+      demand(!less(1n, value), 'the norm of products is above 1');
+      return P;
+    }
+    demand(pole && e % 2 === 0, 'the differences of this order need a norm');
+    const {P: Q, r} = read_recurrence(reader, lowest_terms(family.symbol)), one = fraction(1n);
+    const number = {p: [-1n, 1n], h: 1n, y: [1n, 0n], m: one, eps: fraction(0n), low: one};
+    demand(P === order_of_pole(Q, r(), number) - 1, other_power);
+    return P;
   }
   function check_intervals(reader, symbol, goal, {low, high}) {
     for (let from = low; less(from, high);) {
@@ -1134,14 +1264,10 @@ var check_certificate = (() => {
   }
   function read_reduced(reader, curve) {  // 4.9: the mask b of OTHER, a(z) p(z) = p(z^A) b(z) up to a power of z
     const [p, b] = reader.read('reduced', 2).map(text => read_curve(text, curve.arity, null)), by = curve.arity;
-    const product = (x, y) => {
-      const width = bits(largest(x)) + bits(largest(y)) + 12;
-      return unpack(pack(x, width) * pack(y, width), width, x.length + y.length - 1);
-    };
     const [a_i, p_i, b_i] = [curve, p, b].map(({a}) => a.map(x => x[0]));
     demand(sum(p_i), 'the factor of the reduced mask is 0 at 1');
-    const left = product(a_i, p_i), spread = range_of((p_i.length - 1) * by + 1).map(i => i % by ? 0n : p_i[i / by]);
-    const right = product(spread, b_i);
+    const left = product_of(a_i, p_i), spread = range_of((p_i.length - 1) * by + 1).map(i => i % by ? 0n : p_i[i / by]);
+    const right = product_of(spread, b_i);
     demand(left.length === right.length && left.every((x, i) => x * b.q[0] === right[i] * curve.q[0]),
            'the reduced mask is not that of the mask and the factor');
     return b;
@@ -1492,11 +1618,13 @@ var check_certificate = (() => {
        subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to the
                      base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: without
                      M-log; beside bounds, or without)
+       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)
 a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'arity', 'for', 'within', 'surface', 'dilation', 'matrices', 'lower', 'upper', 'exact'];
+    const names = ['mask', 'arity', 'for', 'within', 'surface', 'dilation', 'matrices', 'lower', 'upper', 'exact',
+                   'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
       const option = words[i].startsWith('--') ? words[i].slice(2) : 'FILE';
@@ -1510,11 +1638,11 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const rough = has('upper') && options.upper.startsWith('C');
     const curve = has('mask', 'arity') && none('surface', 'dilation', 'matrices') && !(has('for') && has('within')) &&
       (!has('upper') || some('lower', 'for', 'exact') || (rough && none('within'))) && !(rough && has('within')) &&
-      !(has('exact') && some('for', 'within'));
+      !(has('exact') && some('for', 'within')) && !(has('logarithm') && none('exact'));
     const surface = has('surface', 'dilation') && some('lower', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'within', 'matrices');
+      none('mask', 'arity', 'for', 'within', 'matrices', 'logarithm');
     const radius = has('matrices') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'within', 'surface', 'dilation');
+      none('mask', 'arity', 'for', 'within', 'surface', 'dilation', 'logarithm');
     demand(has('FILE') && (curve || surface || radius), usage);
     return {options, rough, kind: curve ? check_curve : surface ? check_surface : check_radius};
   }
@@ -1523,6 +1651,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const {options, rough, kind} = read_options(words);
     const claim = {options, kind, lower: options.lower === undefined ? null : rational(options.lower), upper: null};
     if (options.exact !== undefined) read_exact(options.exact, kind !== check_radius);
+    if (options.logarithm !== undefined) claim.logarithm = small(options.logarithm, 0, 256);
     if (rough) claim.rough = small(options.upper.slice(1), 1, 500);
     else if (options.upper !== undefined) claim.upper = rational(options.upper);
     if (kind === check_surface) {
@@ -1558,11 +1687,13 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function text_of({options, kind, lower, upper, rough, interval}) {
     const relation = interval ? ' < ' : ' <= ', number = x => x.d === 1n ? `${x.n}` : `${x.n}/${x.d}`;
     let what = kind === check_radius ? 'joint spectral radius' : 'Hoelder exponent';
-    const exact = options.exact !== undefined, number_itself = exact ? `${what} = ${options.exact}` : what;
+    const exact = options.exact !== undefined, power =
+      options.logarithm === undefined ? '' : ` with |log h|^${options.logarithm}`;
+    const number_itself = exact ? `${what} = ${options.exact}` : what;
     if (rough) what = `${lower || exact ? `${number_itself} and ` : ''}no C^${rough} limits`;
     else what = lower || upper || exact ? number_itself : 'stable integer shifts';
     const ends = !lower && interval && upper && !sign(upper) ? 'no convergence'
-      : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}`;
+      : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}${power}`;
     const subject = kind === check_radius ? options.matrices : kind === check_surface
       ? `${options.surface} with dilation ${options.dilation}` : `${options.mask} with arity ${options.arity}`;
     return `${ends} of ${subject}` + (interval ? ` for all ${options.for}` : '') +

@@ -21,6 +21,10 @@ if (words.length === 1 && words[0] === '--many') {
   lines.on('line', line => console.log(JSON.stringify(check_certificate(JSON.parse(line), read_text))));
 } else {
   const {exit, line} = check_certificate(words, read_text);
-  (exit > 1 ? console.error : console.log)(line);
   process.exitCode = exit;
+  try {
+    fs.writeSync(exit > 1 ? 2 : 1, line + '\n');
+  } catch (error) {  // 0 is left with only where the claim was printed
+    process.exitCode = exit || 1;
+  }
 }

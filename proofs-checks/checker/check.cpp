@@ -6,6 +6,7 @@
 #include "parameter.hpp"
 #include "quadratic.hpp"
 #include "rounding.hpp"
+#include "single.hpp"
 #include "surface.hpp"
 
 #include <algorithm>
@@ -44,6 +45,7 @@ struct Claim {
   std::optional<ExactRadius> exact;  // of the radius; of an exponent: exact_order less its logarithm
   std::size_t exact_order = 0;
   std::string exact_text;
+  std::optional<std::size_t> logarithm;
   std::string head, text, subject, file;  // its line in a certificate; what to print; of what; the certificate
 };
 
@@ -67,9 +69,10 @@ class Checker {
       read_reduced();
     else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
       read_intervals(family);
-    else
+    else {
       read_bounds(family, claim_.arity != 0);
-    require(!exact_ || attained_, not_attained);
+      show_attained(claim_.mask);
+    }
     reader_.take("end", 0, 0);
     require(reader_.at_end(), "text after 'end'");
   }
@@ -112,7 +115,7 @@ class Checker {
     require(product(mask, 1, other.denominator) == product(other, claim_.arity, mask.denominator),
             "the reduced mask is not that of the mask and the factor");
     read_bounds(read_scheme(other), true);
-    require(!exact_ || attained_, not_attained);
+    show_attained(other);
     exact_.reset();
     const std::size_t sum_rules = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 500);
     lower_.reset();
@@ -146,6 +149,8 @@ class Checker {
       const Fields fields = reader_.take("block " + std::to_string(i), 2, 8);
       if (fields[0] == "norm")
         read_norm(blocks[i], fields, first_columns && !divided ? 1 : blocks[i].size);
+      else if (fields[0] == "single" && first_columns && !divided && entry_error_ == 0)
+        use_single(read_single(family, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
       else if (fields[0] == "quadratic" && entry_error_ == 0)
         use_upper_bound(read_quadratic(blocks[i], fields, reader_, arithmetic_), 1);
       else
@@ -157,7 +162,7 @@ class Checker {
   Family read_scheme(const Mask& mask) {
     const bool of_values = claim_.dilation && reader_.at("differences");
     const Fields order = reader_.take(of_values ? "differences" : "sum-rules", 1, claim_.arity != 0 ? 2 : 1);
-    const std::size_t sum_rules = parse_size(order[0], 1, 500);
+    const std::size_t sum_rules = sum_rules_ = parse_size(order[0], 1, 500);
     if (claim_.dilation) {
       show_exponent(classes(*claim_.dilation), 1, sum_rules);
       require(!of_values || !claim_.lower || *claim_.lower <= mpz_class(sum_rules),
@@ -372,7 +377,12 @@ class Checker {
   /// Section 4.6, with the first columns of the products.
   void read_norm(const Family& family, const Fields& fields, std::size_t columns) {
     require(fields.size() == 2, "wrong number of fields after 'norm'");
-    const std::size_t n = family.size, level = parse_size(fields[1], 1, 64);
+    const std::size_t level = parse_size(fields[1], 1, 64);
+    use_upper_bound(norm_of_products(family, level, columns) + change_of(family, level), level);
+  }
+
+  mpq_class norm_of_products(const Family& family, std::size_t level, std::size_t columns) {
+    const std::size_t n = family.size;
     require(power(family.count(), level) * columns * n * n * 20 <= max_work, too_much_work);
     mpz_class largest = 0;
     for (std::size_t k = 0; k < columns; ++k) {
@@ -380,7 +390,7 @@ class Checker {
       unit[k] = 1;
       largest = std::max(largest, largest_norm(family, unit, level));
     }
-    use_upper_bound(ratio(largest, power(family.denominator, level).get_num()) + change_of(family, level), level);
+    return ratio(largest, power(family.denominator, level).get_num());
   }
 
   /// The largest 1-norm of product * x over all products of this many matrices.
@@ -402,22 +412,64 @@ class Checker {
   void use_polytope(const Polytope& body) {
     if (exact_ && reader_.at("cycle")) {
       check_attained(body, *exact_, reader_, arithmetic_);
-      attained_ = true;
+      ++attaining_;
       show_upper_bound(body.bound, 1);
     } else {
       use_upper_bound(body.bound, 1);
     }
   }
+  void use_single(const SingleRadius& single) {
+    attaining_ = 1;
+    by_single_ = true;
+    power_ = single.power;
+    show_upper_bound(single.bound, 1);
+  }
 
   /// Compares the proved JSR(block)^exponent <= value with what is to be shown of each block.
-  void use_upper_bound(const mpq_class& value, std::size_t exponent) const {
-    require(!exact_ || value <= power(exact_->low, exponent), "the bound of a block is above the exact radius");
+  void use_upper_bound(const mpq_class& value, std::size_t exponent) {
+    const mpq_class low = exact_ ? power(exact_->low, exponent) : value + 1;
+    require(value <= low, "the bound of a block is above the exact radius");
+    below_ = below_ && value < low;
     show_upper_bound(value, exponent);
   }
   void show_upper_bound(const mpq_class& value, std::size_t exponent) const {
     if (!upper_) return;
     const mpq_class proved = power(value, root_), wanted = power(*upper_, exponent);
     require(*upper_ >= 0 && (strict_ ? proved < wanted : proved <= wanted), "the bound does not prove the claim");
+  }
+
+  /// Some block has the exact radius; and section 4.12.
+  void show_attained(const std::optional<Mask>& mask) {
+    if (!exact_) return;
+    require(attaining_ > 0, not_attained);
+    if (claim_.arity != 0 && reader_.at("logarithm")) read_logarithm(*mask);
+    require(!claim_.logarithm || logarithm_ == claim_.logarithm, "the logarithm of the claim is not proved");
+  }
+
+  void read_logarithm(const Mask& mask) {
+    const Fields fields = reader_.take("logarithm", 1, 3);
+    logarithm_ = parse_size(fields[0], 0, 256);
+    std::size_t order = sum_rules_;  // of the differences whose growth tells the modulus
+    mpz_class least = 1;             // power of the arity that is not below the radius
+    for (; least < exact_->low; least *= claim_.arity) --order;
+    if (least > exact_->high) {
+      require(fields.size() == 1, "expected 'logarithm' and a number, as the exponent is no integer");
+      require(by_single_ || (attaining_ == 1 && below_), "more than one block has the exact radius");
+      require(logarithm_ == power_, "products grow with another power");
+      return;
+    }
+    require(exact_->low == exact_->high, "the exponent may be an integer");
+    const Family family = transition_family(mask, claim_.arity, order);
+    if (fields.size() > 1) {
+      require(fields.size() == 3 && fields[1] == "norm" && logarithm_ == 0, "expected 'logarithm 0 norm LEVEL'");
+      require(norm_of_products(family, parse_size(fields[2], 1, 64), 1) <= 1, "the norm of products is above 1");
+    } else {
+      require(by_single_ && (sum_rules_ - order) % 2 == 0, "the differences of this order need a norm");
+      ExactRadius one;
+      one.polynomial = {-1, 1};
+      one.re = one.near_re = one.low = one.high = 1;
+      require(logarithm_ == read_power(family, one, reader_, arithmetic_), "products grow with another power");
+    }
   }
 
   const Claim& claim_;
@@ -433,7 +485,12 @@ class Checker {
   std::size_t root_ = 1;
   std::optional<ExactRadius> exact_;
   std::size_t exact_order_ = 0;
-  bool attained_ = false;  // by a block
+  std::size_t sum_rules_ = 0;
+  std::size_t attaining_ = 0;  // blocks that have the exact radius
+  bool below_ = true;          // the other blocks have smaller ones
+  bool by_single_ = false;     // or one spectral radius tells it,
+  std::size_t power_ = 0;      // and how products grow
+  std::optional<std::size_t> logarithm_;
 };
 
 // ---- the command line ------------------------------------------------------------------------------------------
@@ -453,6 +510,7 @@ constexpr const char* usage =
     "                     base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: "
     "without\n"
     "                     M-log; beside bounds, or without)\n"
+    "       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)\n"
     "a mask and no bounds: its integer shifts are stable\n"
     "prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)\n"
     "exit 64: wrong usage, 65: malformed MATRICES, 66: missing file";
@@ -462,7 +520,7 @@ using Options = std::map<std::string, std::optional<std::string>>;
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name : {"--mask", "--arity", "--for", "--within", "--surface", "--dilation", "--matrices", "--lower",
-                           "--upper", "--exact", "FILE"})
+                           "--upper", "--exact", "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -496,13 +554,14 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
   const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
              &surface = given["--surface"], &dilation = given["--dilation"], &matrices = given["--matrices"],
-             &lower = given["--lower"], &upper = given["--upper"], &exact = given["--exact"], &file = given["FILE"];
+             &lower = given["--lower"], &upper = given["--upper"], &exact = given["--exact"],
+             &logarithm = given["--logarithm"], &file = given["FILE"];
   const bool rough = upper && upper->starts_with('C');
   require(file && mask.has_value() + surface.has_value() + matrices.has_value() == 1 &&
               mask.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&
               (mask || !(range || rounding)) && !(range && rounding) && !(exact && (range || rounding)) &&
               (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
-              (!rough || (mask && !rounding)),
+              (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)),
           usage);
   Claim claim;
   claim.file = *file;
@@ -513,6 +572,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     std::tie(claim.exact, claim.exact_order) = parse_exact(*exact, !matrices);
     claim.exact_text = *exact;
   }
+  if (logarithm) claim.logarithm = parse_size(*logarithm, 0, 256);
   if (range) claim.range = parse_range(*range);
   if (rounding) claim.rounding = parse_rounding(*rounding);
   if (mask) read_scheme_claim("arity", *mask, *arity, claim);
@@ -537,7 +597,8 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (diverges) claim.text = "no convergence";
   if (rough) claim.text = number + "no C^" + upper->substr(1) + " limits";
   claim.text = (lower ? claim.lower->get_str() + relation : "") + claim.text +
-               (upper && !diverges && !rough ? relation + claim.upper->get_str() : "") + " of " + claim.subject;
+               (upper && !diverges && !rough ? relation + claim.upper->get_str() : "") +
+               (logarithm ? " with |log h|^" + *logarithm : "") + " of " + claim.subject;
   if (range) {
     claim.head += " " + *range;
     claim.text += " for all " + *range;
@@ -561,7 +622,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
   } catch (const Rejected& rejected) {
     const std::string prefix = rejected.code == 0 ? "" : rejected.code == 1 ? "REJECTED " : "subcert-check: ";
     (rejected.code <= 1 ? out : errors) << prefix << rejected.why << std::endl;
-    return rejected.code;
+    return out ? rejected.code : 1;
   } catch (const std::exception& error) {
     out << "REJECTED " << error.what() << ", line 0" << std::endl;
     return 1;

@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
 """Changes accepted certificates at random, as the mutation test of subcert-check does, and offers each to both checkers
 with the true claim and with others: both must say the same and name the same line.
-Usage: agree.py SUBCERT_CHECK NODE MAIN_JS ACCEPT_DIRECTORY MUTANTS [SEED]"""
+Usage: agree.py SUBCERT_CHECK_MANY NODE MAIN_JS ACCEPT_DIRECTORY MUTANTS [SEED]"""
 import json
+import os
 import random
 import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from fractions import Fraction
+from itertools import accumulate
 from pathlib import Path
 
-checker, node, main, directory, wanted = sys.argv[1:6]
+many, node, main, directory, wanted = sys.argv[1:6]
 directory, wanted, seed = Path(directory).resolve(), int(wanted), int(sys.argv[6]) if len(sys.argv) > 6 else 20261123
 chance = random.Random(seed)
 TOO_MUCH_WORK = "more work than the checker allows"  # each checker counts its own work
@@ -19,9 +21,10 @@ TOO_MUCH_WORK = "more work than the checker allows"  # each checker counts its o
 
 def claims_of(options):
     """The claim of a line of claims.txt and others with the same subject: with one end, with other ends, rough, and if it
-    is exact with and without its number, and with other numbers."""
+    is exact with and without its number, with other numbers and powers of logarithms."""
     values = dict(zip(options[::2], options[1::2]))
-    lower, upper, exact = (values.pop(option, None) for option in ("--lower", "--upper", "--exact"))
+    names = ("--lower", "--upper", "--exact", "--logarithm")
+    lower, upper, exact, power = (values.pop(option, None) for option in names)
     if "--matrices" in values:
         values["--matrices"] = str(directory / values["--matrices"])
     subject = [word for pair in values.items() for word in pair]
@@ -36,9 +39,11 @@ def claims_of(options):
             ends.append((lower, str(Fraction(lower or 0) + step)))
     ends.append((lower, "C" + str(chance.randint(1, 4))))
     numbers = [None] if exact is None else [exact, exact, exact, None, change_field(exact).replace("\0", "")]
-    return [subject + [word for option, value in (("--lower", low), ("--upper", high), ("--exact", number))
-                       if value is not None for word in (option, value)]
-            for number in numbers for low, high in ends]
+    powers = [power] if power is None else [power, None, "0", "1", "2"]
+    claims = [(low, high, number, chance.choice(powers)) for number in numbers for low, high in ends]
+    claims[0] = (lower, upper, exact, power)
+    return [subject + [word for option, value in zip(names, claim) if value is not None for word in (option, value)]
+            for claim in claims]
 
 
 def change_number(field, by):
@@ -135,11 +140,6 @@ def mutant(lines):
     return text[:chance.randrange(len(text) + 1)] if chance.random() < 0.01 else text
 
 
-def run_checker(words):
-    done = subprocess.run([checker, *words], capture_output=True, check=False)
-    return done.returncode, (done.stdout or done.stderr).decode("latin-1").strip()
-
-
 def same(one, other):
     (code, line), (other_code, other_line) = one, other
     if code == 0:
@@ -147,39 +147,83 @@ def same(one, other):
     return code == other_code and (code > 1 or line.rpartition(", line ")[2] == other_line.rpartition(", line ")[2])
 
 
-def feed(stream, commands):  # beside the reading of answers: pipes hold little
-    stream.write("".join(json.dumps(words) + "\n" for words in commands))
-    stream.flush()
+class Checker:
+    """One that answers many command lines, in a process of its own."""
+
+    def __init__(self, command, encoded, decoded):
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.encoded, self.decoded = encoded, decoded
+
+    def feed(self, commands):  # beside the reading of answers: pipes hold little
+        self.process.stdin.write(b"".join(map(self.encoded, commands)))
+        self.process.stdin.flush()
+
+    def answer(self):
+        line = self.process.stdout.readline()
+        if not line:
+            raise SystemExit(f"{self.process.args}: ended with {self.process.wait()}")
+        return self.decoded(line)
+
+
+def encoded_first(words):
+    return b"%d\0" % len(words) + b"".join(word.encode() + b"\0" for word in words)
+
+
+def decoded_first(line):
+    code, _, text = line.decode("latin-1").partition(" ")
+    return int(code), text.strip()
+
+
+def decoded_second(line):
+    answer = json.loads(line)
+    return answer["exit"], answer["line"]
+
+
+def campaign(seed, wanted):
+    """Numbers of mutants, of verified claims, of claims with too much work, and the failures."""
+    chance.seed(seed)
+    count = verified = work = 0
+    failures = []
+    first = Checker([many], encoded_first, decoded_first)
+    second = Checker([node, main, "--many"], lambda words: (json.dumps(words) + "\n").encode(), decoded_second)
+    with tempfile.TemporaryDirectory(dir="/dev/shm" if os.path.isdir("/dev/shm") else None) as folder, \
+            ThreadPoolExecutor(2) as pool:
+        while count < wanted:
+            commands = []
+            for k in range(min(400, wanted - count)):
+                count += 1
+                file = Path(folder) / f"{k}.cert"
+                claims, lines = chance.choices(cases, cum_weights=weights)[0]
+                file.write_bytes(mutant(lines))
+                commands += [claim + [str(file)] for claim in [claims[0], *chance.sample(claims[1:], 2)]]
+            for checker in first, second:
+                pool.submit(checker.feed, commands)
+            for words in commands:
+                one, other = first.answer(), second.answer()
+                verified += one[0] == 0
+                if "internal error" in other[1]:
+                    failures.append((words, one[1], other[1], b""))
+                elif TOO_MUCH_WORK in one[1] or TOO_MUCH_WORK in other[1]:
+                    work += 1
+                elif not same(one, other):
+                    failures.append((words, one[1], other[1], Path(words[-1]).read_bytes()))
+    for checker in first, second:
+        checker.process.stdin.close()
+        checker.process.wait()
+    return count, verified, work, failures
 
 
 cases = []
 for entry in (directory / "claims.txt").read_text().splitlines():
     name, *options = entry.split()
     cases.append((claims_of(options), (directory / f"{name}.cert").read_text().splitlines()))
-count = verified = work = 0
-failures = []
-with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool, \
-        subprocess.Popen([node, main, "--many"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as second:
-    while count < wanted:
-        commands = []
-        for k in range(min(400, wanted - count)):
-            count += 1
-            file = Path(folder) / f"{k}.cert"
-            claims, lines = chance.choice(cases)
-            file.write_bytes(mutant(lines))
-            commands += [claim + [str(file)] for claim in [claims[0], *chance.sample(claims[1:], 2)]]
-        first = list(pool.map(run_checker, commands))
-        pool.submit(feed, second.stdin, commands)
-        for words, (code, line) in zip(commands, first):
-            answer = json.loads(second.stdout.readline())
-            result = answer["exit"], answer["line"]
-            verified += code == 0
-            if "internal error" in result[1]:
-                failures.append((words, line, result[1], b""))
-            elif TOO_MUCH_WORK in line or TOO_MUCH_WORK in result[1]:
-                work += 1
-            elif not same((code, line), result):
-                failures.append((words, line, result[1], Path(words[-1]).read_bytes()))
+# long ones take long, and have few lines that are unlike all others: they come less often
+weights = list(accumulate(1 / (2000 + sum(map(len, lines))) for _, lines in cases))
+workers = os.cpu_count() or 1
+with ProcessPoolExecutor(workers) as pool:
+    parts = list(pool.map(campaign, range(seed, seed + workers), [-(-wanted // workers)] * workers))
+count, verified, work = (sum(part[i] for part in parts) for i in range(3))
+failures = [failure for part in parts for failure in part[3]]
 print(f"{count} mutants (seed {seed}): {verified} claims verified, {work} times too much work, {len(failures)} failures")
 for words, line, other, text in failures[:12]:
     print(" ".join(words), "\n ", line[:200], "\n ", other[:200])

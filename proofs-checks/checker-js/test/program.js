@@ -21,6 +21,8 @@ assert.deepStrictEqual(run(...claim('2', file)), [0, `${verified}\n`, '']);
 assert.deepStrictEqual(run(...claim('3', file)), [1, 'REJECTED the bound does not prove the claim, line 11\n', '']);
 assert.deepStrictEqual(run(...claim('2', 'none')), [66, '', 'subcert-check: cannot read none\n']);
 assert.strictEqual(run('--unknown')[0], 64);
+const full = fs.openSync('/dev/full', 'w');
+assert.strictEqual(spawnSync(process.execPath, [here('main.js'), ...claim('2', file)], {stdio: ['ignore', full, 'ignore']}).status, 1);
 
 const page = vm.createContext({});
 vm.runInContext(fs.readFileSync(here('checker.js'), 'utf8'), page);
@@ -36,7 +38,9 @@ const start = 'subcert-certificate 3\nexponent [1,2,1]/2 2\nbounds - -\nsum-rule
 const {check_certificate} = require(here('checker.js'));
 for (const text of ['', '\n', '\0', start, `${start}block 0 polytope 268435456 4096 4096\n${'vertex 0\n'.repeat(9)}`,
                     `${start}block 0 norm 64\n`, `${start}product 0 1 0${' 0'.repeat(4096)}\n`, ' '.repeat(2 ** 24 + 2),
-                    `${start}block 0 quadratic 1 1${'0'.repeat(1999)}\nform 1\nword${' 0'.repeat(1000)}\n`]) {
+                    `${start}block 0 quadratic 1 1${'0'.repeat(1999)}\nform 1\nword${' 0'.repeat(1000)}\n`,
+                    `${start.replace('rules 1', 'rules 2')}block 0 single 1 4096\nsquare 1\nfactor${' 0'.repeat(1000)}\n` +
+                      `recurrence${` 1${'0'.repeat(1999)}`.repeat(1000)}\n`]) {
   const answer = check_certificate(['--mask', '[1,2,1]/2', '--arity', '2', '--lower', '1/2', 'x'], () => text);
   assert.strictEqual(answer.exit, 1);
   assert.match(answer.line, /^REJECTED .*, line \d+$/);

@@ -14,6 +14,7 @@ from fractions import Fraction as Q
 from pathlib import Path
 
 import make_surfaces
+import single_cases
 
 BITS = 64
 ONE = 1 << BITS
@@ -606,6 +607,22 @@ def main(out):
                                                         f"product 0 {value} 0 0", near - width, near + width))
     write("surface-exact", exactly(made["tension-surface"], quarter, "0-log", [1, -10, 20], "9/25", "1/10",
                                    [(0, "-", [0], seed_of([1, -10, 20], quarter, "-", [0]))]))
+    # one factor fewer than there are: the sequences of sum 0 are a block, the other one has the radius 1
+    mask = [Q(c, 24) for c in (-1, 1, 13, 22, 13, 1, -1)]
+    columns, inverse = [[1, 0, 0], [-1, 1, 0], [0, -1, 1]], [[1, 0, 0], [1, 1, 0], [1, 1, 1]]
+    part = [[row[:2] for row in multiply(multiply(inverse, m), columns)[:2]] for m in transition(mask, 2, 3)]
+    case = ["--mask", "[-1,1,13,22,13,1,-1]/24", "--arity", "2"], [
+        "subcert-certificate 3", "exponent [-1,1,13,22,13,1,-1]/24 2", "bounds - -", "sum-rules 3", "stability", "blocks 2 1",
+        *(f"{head} " + " ".join(map(str, row)) for head, rows in (("basis", columns), ("inverse", inverse)) for row in rows),
+        *polytope(part, [0], True)[0], "block 1 polytope 1 0 4", "vertex 1", "unit 0 0:16", "image 0 0 0:16", "image 0 1 0:16",
+        "logarithm 0", "end"]
+    case = exactly(case, part, "3-log", [-5, 3], "5/3", "1/10", [(0, "-", [0], seed_of([-5, 3], part, "-", [0]))],
+                   root=("root 5/3 0 0 13/8 7/4", 5 / 3))
+    write("blocks-exponent-exact", ([*case[0], "--logarithm", "0"], case[1]))
+    for name, options, lines in single_cases.ACCEPTED:
+        case = options.split()
+        body = lines.split("; ") if lines else body
+        write(name, (case, ["subcert-certificate 3", f"exponent {case[1]} {case[3]}", *body]))
     (out / "claims.txt").write_text("\n".join(cases) + "\n")
 
 

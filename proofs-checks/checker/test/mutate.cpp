@@ -90,7 +90,7 @@ std::vector<Case> read_cases(const std::string& directory) {
     Claim subject;
     std::optional<mpq_class> lower, upper;
     std::optional<int> rough;  // no derivatives of this order
-    std::optional<std::string> exact;
+    std::optional<std::string> exact, logarithm;
     bool exponent = false, is_range = false;
     for (std::string option, value; words >> option >> value;) {
       if (option == "--lower") lower = mpq_class(value);
@@ -100,7 +100,8 @@ std::vector<Case> read_cases(const std::string& directory) {
       else if (option == "--upper")
         upper = mpq_class(value);
       if (option == "--exact") exact = value;
-      if (option == "--lower" || option == "--upper" || option == "--exact") continue;
+      if (option == "--logarithm") logarithm = value;
+      if (option == "--lower" || option == "--upper" || option == "--exact" || option == "--logarithm") continue;
       exponent = exponent || option == "--mask" || option == "--surface";
       subject.insert(subject.end(), {option, option == "--matrices" ? directory + "/" + value : value});
     }
@@ -142,6 +143,12 @@ std::vector<Case> read_cases(const std::string& directory) {
         if (text.starts_with("root ")) c.false_numbers.back().root = with_other_root(text, factor);
     }
     if (exact) c.claim.insert(c.claim.end(), {"--exact", *exact});
+    if (logarithm) {
+      Claim other = c.claim;
+      other.insert(other.end(), {"--logarithm", *logarithm == "0" ? "1" : "0"});
+      c.false_claims.push_back(other);
+      c.claim.insert(c.claim.end(), {"--logarithm", *logarithm});
+    }
     cases.push_back(c);
   }
   return cases;

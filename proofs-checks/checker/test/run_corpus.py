@@ -69,6 +69,10 @@ if mode == "usage":
                 "|[-1,1]@1,0,1|^1/1", "log|[-1,1]@1,0,1|^1/1", "501-log|[-1,1]@1,0,1|^1/1", "-1-log|[-1,1]@1,0,1|^1/1")),
             (64, "--mask [w,1] --arity 2 --for w=0..1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
             (64, "--mask [1,1] --arity 2 --within 1/9,1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --logarithm 1 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm 257 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm -1 golden.cert"),
+            (64, f"{golden} --exact |[-1,1]@1,0,1|^1/1 --logarithm 0 golden.cert"),
             (64, "--mask [w,1]/(w --arity 2 --for w=0..1 golden.cert"), (64, "--mask [w,1]/() --arity 2 --for w=0..1 golden.cert"),
             (64, "--mask [1,1]/(2) --arity 2 --lower 1 golden.cert"),
             (64, "--surface [[1,1],[1,1]] --lower 1 golden.cert"), (64, "--mask [1,1] --dilation [2] --lower 1 golden.cert"),
@@ -106,7 +110,7 @@ else:
         if mode == "accept":
             values = dict(zip(arguments[::2], arguments[1::2]))
             lower, upper, range_, within = (values.get(f"--{option}") for option in ("lower", "upper", "for", "within"))
-            exact = values.pop("--exact", None)
+            exact, logarithm = values.pop("--exact", None), values.pop("--logarithm", None)
             what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
             what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts"
             subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
@@ -116,7 +120,8 @@ else:
             if rough:
                 what = (f"{what} and no C^" if lower or exact else "no C^") + upper[1:] + " limits"
             text = "VERIFIED " + (f"{Fraction(lower)} {relation} " if lower else "") + what
-            text += (f" {relation} {Fraction(upper)}" if upper and not rough else "") + f" of {subject}"
+            text += f" {relation} {Fraction(upper)}" if upper and not rough else ""
+            text += (f" with |log h|^{logarithm}" if logarithm else "") + f" of {subject}"
             text = text.replace("Hoelder exponent < 0", "no convergence") + (f" for all {range_}" if range_ else "")
             text += f" for all masks within={within}" if within else ""
             expect(name, result == (0, text, ""), result)

@@ -7,6 +7,8 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
+#include <subcert/analysis/regularity/radius/single_radius.hpp>
+#include <subcert/analysis/symbol/sum_of_squares.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
@@ -149,6 +151,24 @@ const bool polytope_benchmarks = [] {
   }
   return true;
 }();
+
+/// The interpolating schemes with 2 n points: one spectral radius, and the sum of squares of its certificate.
+Mask deslauriers_dubuc(long n) {
+  const Mask mask = make_scheme("dd:n=" + std::to_string(n)).mask;
+  return divided_difference_scheme(mask, sum_rules(mask));
+}
+
+void BM_single_spectral_radius(benchmark::State& state) {
+  const Mask mask = deslauriers_dubuc(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(single_spectral_radius(mask));
+}
+BENCHMARK(BM_single_spectral_radius)->Arg(5)->Arg(20)->Arg(60)->Unit(benchmark::kMillisecond);
+
+void BM_sum_of_squares(benchmark::State& state) {
+  const LaurentPolynomial symbol = single_spectral_radius(deslauriers_dubuc(state.range(0))).symbol;
+  for (auto _ : state) benchmark::DoNotOptimize(sum_of_squares(symbol));
+}
+BENCHMARK(BM_sum_of_squares)->Arg(5)->Arg(20)->Arg(60)->Unit(benchmark::kMillisecond);
 
 void BM_limit_values(benchmark::State& state) {
   const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0))).mask;

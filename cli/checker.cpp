@@ -14,6 +14,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <ostream>
 #include <system_error>
 
 extern char** environ;
@@ -59,8 +60,11 @@ CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::
 }
 
 Certificate verified(const Certificate& certificate, const std::string& matrices) {
-  std::string folder = (std::filesystem::temp_directory_path() / "subcert-XXXXXX").string();
-  if (!mkdtemp(folder.data())) throw std::system_error(errno, std::generic_category(), "checker: " + folder);
+  const char* temporary = std::getenv("TMPDIR");
+  std::string folder = fmt::format("{}/subcert-XXXXXX", temporary && *temporary ? temporary : "/tmp");
+  if (!mkdtemp(folder.data()))
+    fail(ErrorKind::missing_file, "cannot make a folder for temporary files, {}: {}", folder,
+         std::generic_category().message(errno));
   const struct Remove {
     std::filesystem::path folder;
     ~Remove() {
@@ -81,15 +85,30 @@ Certificate verified(const Certificate& certificate, const std::string& matrices
   return bounds;
 }
 
+CertificateClaim write_verified(const std::string& file, const Certificate& certificate, const std::string& matrices) {
+  const Certificate accepted = verified(certificate, matrices);
+  if (matrices.empty()) {
+    runtime::write_file(file, accepted.text);
+  } else {  // both or neither
+    runtime::write_stream(file + ".matrices", [&](std::ostream& stream) {
+      if (stream << matrices << std::flush) runtime::write_file(file, accepted.text);
+    });
+  }
+  return accepted.claim;
+}
+
 Json claim_json(const CertificateClaim& claim) {
   return {{"lower", optional_json(claim.lower)},
           {"upper", optional_json(claim.upper)},
-          {"exact", optional_json(claim.exact)}};
+          {"exact", optional_json(claim.exact)},
+          {"logarithm", optional_json(claim.logarithm)}};
 }
 
 std::string verified_text(const std::string& file, const CertificateClaim& claim) {
   return fmt::format("certificate  {}, verified: {}\n", file,
-                     claim.exact ? "the bounds, and that the product attains the radius" : "the bounds");
+                     claim.logarithm ? "the bounds, that the product attains the radius, and the modulus of continuity"
+                     : claim.exact   ? "the bounds, and that the product attains the radius"
+                                     : "the bounds");
 }
 
 }  // namespace subcert::cli

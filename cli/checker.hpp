@@ -26,6 +26,11 @@ CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::
 /// neither, and missing_file where there is no checker. Cost: at most two runs of the checker.
 Certificate verified(const Certificate& certificate, const std::string& matrices = {});
 
+/// Writes that, and the matrices as FILE.matrices; returns what it claims. Errors: as verified(), and nothing is
+/// written then; missing_file.
+CertificateClaim write_verified(const std::string& file, const Certificate& certificate,
+                                const std::string& matrices = {});
+
 /// What was written.
 Json claim_json(const CertificateClaim& claim);
 std::string verified_text(const std::string& file, const CertificateClaim& claim);

@@ -11,7 +11,6 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/certificates/matrices_file.hpp>
-#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -142,13 +141,8 @@ ExitCode run(const JsrOptions& options) {
   sharpen(radius, family, wanted.bits, budget.deadline);
   options.end_progress();
   std::optional<CertificateClaim> claim;
-  if (!options.certificate.empty()) {
-    const std::string matrices = matrices_text(family);
-    const Certificate certificate = verified(radius_certificate(family, radius), matrices);
-    runtime::write_file(options.certificate + ".matrices", matrices);
-    runtime::write_file(options.certificate, certificate.text);
-    claim = certificate.claim;
-  }
+  if (!options.certificate.empty())
+    claim = write_verified(options.certificate, radius_certificate(family, radius), matrices_text(family));
   std::vector<int> word = radius.product.word;
   if (lift)
     for (int& letter : word) letter = lift->letters[static_cast<std::size_t>(letter)];

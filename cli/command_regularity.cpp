@@ -5,7 +5,6 @@
 #include "regularity_page.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <algorithm>
 
@@ -41,26 +40,15 @@ ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budg
   const RegularityPage page = compute(std::move(scheme), options, wanted_width(options), budget);
   std::optional<CertificateClaim> claim;
   if (!options.certificate.empty()) {
-    // Other arguments may prove more than rational numbers do.
-    const Rational radius = page.regularity.certifiable().proved_upper();
     const int rules = page.regularity.bounds.sum_rules;
-    if (!(radius < power(Rational(page.scheme.mask.arity()), rules)))
-      fail(ErrorKind::usage, "--certificate: rational numbers prove nothing positive about {}",
-           page.scheme.specification);
-    const Certificate certificate = verified(
-        exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding));
-    runtime::write_file(options.certificate, certificate.text);
-    claim = certificate.claim;
+    if (!(page.regularity.radius.proved_upper() < power(Rational(page.scheme.mask.arity()), rules)))
+      fail(ErrorKind::usage, "--certificate: nothing positive is proved about {}", page.scheme.specification);
+    claim = write_verified(options.certificate,
+                           exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding));
   }
-  if (options.json) {
-    Json json = page.json();
-    if (claim) json["certificate"] = claim_json(*claim);
-    options.answer(json);
-  } else {
-    options.answer(page.text() + (claim ? verified_text(options.certificate, *claim) +
-                                              certificate_text(page.regularity.deciding(), *claim)
-                                        : ""));
-  }
+  Json json = page.json();
+  if (claim) json["certificate"] = claim_json(*claim);
+  options.answer(json, page.text() + (claim ? verified_text(options.certificate, *claim) : ""));
   if (page.regularity.converges.is_no()) return failed;
   return page.regularity.converges.is_yes() && page.complete ? done : undecided;
 }
@@ -72,11 +60,8 @@ ExitCode run(MultivariateScheme scheme, const RegularityOptions& options, const 
                                                                        !options.certificate.empty());
   options.end_progress();
   std::optional<CertificateClaim> claim;
-  if (!options.certificate.empty()) {
-    const Certificate certificate = verified(surface_certificate(page.scheme.mask, page.regularity));
-    runtime::write_file(options.certificate, certificate.text);
-    claim = certificate.claim;
-  }
+  if (!options.certificate.empty())
+    claim = write_verified(options.certificate, surface_certificate(page.scheme.mask, page.regularity));
   Json json = page.json();
   if (claim) json["certificate"] = claim_json(*claim);
   options.answer(json, page.text() + (claim ? verified_text(options.certificate, *claim) : ""));

@@ -61,8 +61,9 @@ void add_verify(Command& app) {
                                 [=] { return run(*options); });
   command.option("FILE", options->files, "Certificates, or folders of them").required();
   command.option("--claim", options->claim,
-                 "What is to be proved, as '1.99 <= primal:n=5 <= 2', '2 <= four-point:w for w=1/20..1/10', or "
-                 "'radius FILE <= 3/2', in place of what the certificate says of itself");
+                 "What is to be proved, as '1.99 <= primal:n=5 <= 2', '2 <= four-point:w for w=1/20..1/10', "
+                 "'radius FILE <= 3/2', or 'dd:n=2 = 4-log|[-4,1]@4,0,1/1000|^1/1 with |log h|^1', in place of what "
+                 "the certificate says of itself");
 }
 
 }  // namespace subcert::cli

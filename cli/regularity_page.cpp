@@ -48,7 +48,7 @@ std::string rounding_text(const MaskRounding& rounding) {
 
 Json RegularityPage::json() const {
   const HolderBounds& bounds = regularity.bounds;
-  const JointSpectralRadius &radius = regularity.radius, &rational = regularity.certifiable();
+  const JointSpectralRadius& radius = regularity.radius;
   Json by_level = Json::array();
   for (const HolderBound& bound : bounds.levels) by_level.push_back(bound.exponent.lower_text(12));
   const LogarithmicFactor& logarithm = regularity.logarithm;
@@ -65,8 +65,8 @@ Json RegularityPage::json() const {
           {"closed", radius.is_closed()},
           {"method", method_text(radius)},
           {"product", word_text(radius.product.word)},
-          {"vertices", rational.vertices()},
-          {"blocks", rational.by_blocks() ? Json(rational.by_blocks()->triangular.sizes) : Json()},
+          {"vertices", radius.vertices()},
+          {"blocks", radius.by_blocks() ? Json(radius.by_blocks()->triangular.sizes) : Json()},
           {"stable", regularity.stable.is_yes()},
           {"stability", regularity.stable.reason},
           {"logarithm",
@@ -125,7 +125,7 @@ std::string RegularityPage::text() const {
        << last.levels << "|| = " << to_decimal(last.norm, 12, Rounding::nearest) << "\n"
        << "radius       " << enclosure_text(radius.radius, 15) << "  (joint spectral radius, "
        << sized_method_text(radius) << ")\n";
-  if (const BlockProof* blocks = regularity.certifiable().by_blocks())
+  if (const BlockProof* blocks = radius.by_blocks())
     page << "blocks       " << sizes_text(blocks->triangular.sizes) << "\n";
   if (!radius.product.word.empty())
     page << "product      " << word_text(radius.product.word) << "  (radius "
@@ -137,18 +137,6 @@ std::string RegularityPage::text() const {
   if (sobolev) page << "Sobolev      " << sobolev_text(*sobolev, regularity.stable) << "\n";
   if (!complete) page << "budget       the polytope did not close; the enclosure reached is printed\n";
   return page.str();
-}
-
-std::string certificate_text(const HolderRegularity& regularity, const CertificateClaim& claim) {
-  if (!regularity.radius.is_closed()) return "";
-  const Rational sharp = *regularity.radius.radius.lower * (1 + power(Rational(10), -12));
-  if (regularity.certifiable().proved_upper() <= sharp) return "";
-  const auto decimal = [](const std::optional<std::string>& end, Rounding rounding) {
-    return to_decimal(*parse_rational(*end), 12, rounding);
-  };
-  return "certificate  proves only " + decimal(claim.lower, Rounding::down) + " <= exponent" +
-         (claim.upper ? " <= " + decimal(claim.upper, Rounding::up) : "") + ": no polytope closed, and " +
-         method_text(regularity.radius) + " has no certificate\n";
 }
 
 }  // namespace subcert::cli

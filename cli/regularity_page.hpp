@@ -26,7 +26,4 @@ struct RegularityPage {
   Json reduced_json() const;
 };
 
-/// A line where the certificate proves less than the answer says.
-std::string certificate_text(const HolderRegularity& regularity, const CertificateClaim& claim);
-
 }  // namespace subcert::cli

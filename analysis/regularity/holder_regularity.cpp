@@ -70,33 +70,28 @@ GrowthPower growth_at_integer(const Mask& mask, const HolderRegularity& regulari
   return growth;
 }
 
-/// Makes one transition matrix the product, in the block where its leading eigenvalue is.
-void prove_letter(const MatrixFamily& family, int letter, JointSpectralRadius& radius, const Deadline& deadline) {
-  auto* by_blocks = std::get_if<BlockProof>(&radius.proof);
-  if (!by_blocks) {
-    radius.product = prove_product(family, {letter}, deadline);
-    return;
-  }
-  for (std::size_t k = 0; k < by_blocks->blocks.size(); ++k) {
-    ProductEvidence evidence = prove_product(by_blocks->triangular.block(k), {letter}, deadline);
-    if (k > 0 && *evidence.radius.lower <= *radius.product.radius.lower) continue;
-    radius.product = std::move(evidence);
-    by_blocks->leading = k;
-  }
-}
-
-/// By norms, products and polytopes. Domain: `derived` is the divided difference scheme of the largest order.
-JointSpectralRadius radius_by_rational_numbers(const Mask& derived, const SingleRadius& single, const NormProof& norms,
-                                               const Budget& budget, HolderProof proof) {
+/// Of the divided difference scheme of the largest order: by one spectral radius, or else by norms, products and
+/// polytopes.
+JointSpectralRadius radius_of(const Mask& derived, const SingleRadius& single, const NormProof& norms,
+                              const Budget& budget) {
   JointSpectralRadius result;
+  if (single.applies.is_yes()) {
+    const CoefficientGrowth& growth = single.growth;
+    result = {growth.radius,
+              {},
+              {Truth::yes, single.applies.reason},
+              {growth.power, growth.power},
+              SingleRadiusProof{single.symbol, growth}};
+    // The radius is an eigenvalue of this letter.
+    result.product = {{single.letter}, {*growth.radius.lower, 0}, growth.radius, {}};
+    if (growth.radius.is_exact()) result.product.exact = growth.radius.lower;
+    return result;
+  }
+  if (derived.symbol().length() <= most_rows * (derived.arity() - 1))
+    return joint_spectral_radius(transition_matrices(derived), budget, norms);
   result.proof = norms;
   result.radius.upper = norms.bound();
   result.exact = {Truth::unknown, "the matrices are too large for polytopes"};
-  if (derived.symbol().length() > most_rows * (derived.arity() - 1)) return result;
-  const MatrixFamily family = transition_matrices(derived);
-  if (!single.applies.is_yes() || proof == HolderProof::certificate)
-    result = joint_spectral_radius(family, budget, norms);
-  if (single.applies.is_yes()) prove_letter(family, single.letter, result, budget.deadline);
   return result;
 }
 
@@ -171,7 +166,7 @@ Rational entry_error(const Mask& mask, const MaskRounding& rounding) {
 }
 
 /// Without a look at other masks.
-HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof,
+HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budget,
                                 const std::optional<MaskRounding>& rounding, int bits) {
   HolderRegularity result;
   result.bounds = holder_bounds(mask, levels, budget.deadline.after(0.5));
@@ -191,20 +186,7 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
     const HolderBound& best = result.bounds.best();
     result.stable = has_stable_shifts(mask);
     result.single = single_spectral_radius(derived);
-    result.radius = radius_by_rational_numbers(derived, result.single, {best.levels, best.norm}, budget, proof);
-  }
-  if (result.single.applies.is_yes()) {
-    result.rational = std::move(result.radius);
-    const CoefficientGrowth& growth = result.single.growth;
-    result.radius = {growth.radius,
-                     result.rational->product,
-                     {Truth::yes, result.single.applies.reason},
-                     {growth.power, growth.power},
-                     SingleRadiusProof{result.single.letter}};
-    // The letter attains the radius, whatever the time left for its own matrix gave.
-    ProductEvidence& product = result.radius.product;
-    if (product.word == std::vector<int>{result.single.letter} && !(*product.radius.lower > 0))
-      product.radius = growth.radius;
+    result.radius = radius_of(derived, result.single, {best.levels, best.norm}, budget);
   }
   // Two bits are lost by the logarithm and by both ends.
   if (result.radius.exact.is_yes() && derived.symbol().length() <= most_rows * (arity - 1))
@@ -230,14 +212,14 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
 
 HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& budget, HolderProof proof,
                                    const std::optional<MaskRounding>& rounding, int bits) {
-  if (rounding) return own_regularity(mask, levels, budget, proof, rounding, bits);
+  if (rounding) return own_regularity(mask, levels, budget, rounding, bits);
   ReducedMask other = reduced(mask);
   const bool needed = other.changes() && is_affine(other.mask) &&
                       (proof == HolderProof::certificate || has_stable_shifts(mask).is_no());
-  if (!needed) return own_regularity(mask, levels, budget, proof, rounding, bits);
-  HolderRegularity result = own_regularity(mask, levels, {budget.deadline.after(unstable_share), budget.memory}, proof,
+  if (!needed) return own_regularity(mask, levels, budget, rounding, bits);
+  HolderRegularity result = own_regularity(mask, levels, {budget.deadline.after(unstable_share), budget.memory},
                                            rounding, bits);
-  HolderRegularity stable = own_regularity(other.mask, levels, budget, proof, rounding, bits);
+  HolderRegularity stable = own_regularity(other.mask, levels, budget, rounding, bits);
   use_reduced(result, std::move(other), std::move(stable));
   return result;
 }

@@ -3,8 +3,8 @@
 
 #include "holder_bound.hpp"
 #include "radius/joint_spectral_radius.hpp"
+#include "radius/single_radius.hpp"
 #include "reduced_mask.hpp"
-#include "single_radius.hpp"
 
 #include <memory>
 
@@ -27,11 +27,8 @@ struct HolderRegularity {
   HolderBounds bounds;         ///< by norms of the difference scheme, level by level
   SingleRadius single;         ///< whether one spectral radius is enough
   JointSpectralRadius radius;  ///< of the transition matrices of the divided difference scheme of order sum_rules
-  /// The same radius by rational numbers alone, which a certificate can hold, where `radius` is a single spectral
-  /// radius.
-  std::optional<JointSpectralRadius> rational;
-  Decision converges;  ///< by the exponent, by a product that is too large, or as converges() decides
-  Decision stable;     ///< of the integer shifts; the upper end is claimed only where it is yes
+  Decision converges;          ///< by the exponent, by a product that is too large, or as converges() decides
+  Decision stable;             ///< of the integer shifts; the upper end is claimed only where it is yes
   /// Contains the Hoelder exponent of the limits; the lower end holds where it is positive, and then proves
   /// convergence. With stable shifts the upper end is never absent: it is at most the number of sum rules. With
   /// others it is that of the reduced mask.
@@ -44,7 +41,6 @@ struct HolderRegularity {
   /// Of a scheme that is proved to converge, `exponent` without what is negative; else no ends: a bound that is not
   /// positive proves nothing, not even convergence.
   Enclosure proved_exponent() const;
-  const JointSpectralRadius& certifiable() const { return rational ? *rational : radius; }
   /// What the exponent of a scheme that converges is from: this, or that of the reduced mask.
   const HolderRegularity& deciding() const;
 };
@@ -56,8 +52,8 @@ struct ReducedRegularity {
 
 inline const HolderRegularity& HolderRegularity::deciding() const { return reduced ? reduced->regularity : *this; }
 
-/// What is to be proved: the exponent by whichever argument is shortest, or also with rational numbers for a
-/// certificate.
+/// What is to be proved: the exponent by whichever argument is shortest, or so that there is a certificate, for which a
+/// reduced mask may be needed.
 enum class HolderProof { shortest, certificate };
 
 /// Domain: coset sums 1; levels >= 1; at most 256 rows in the transition matrices (larger masks keep the bounds by

@@ -33,4 +33,22 @@ struct RationalComplex {
 
 using ComplexVector = std::vector<RationalComplex>;
 
+/// |x|_1, real and imaginary parts apart.
+inline Rational one_norm(const ComplexVector& x) {
+  Rational sum = 0;
+  for (const RationalComplex& c : x) sum += abs(c.re) + abs(c.im);
+  return sum;
+}
+
+/// <v, w> / <v, v>: the number that w is of v, nearly or exactly. Domain: v not 0, of the size of w.
+inline RationalComplex rayleigh_quotient(const ComplexVector& v, const ComplexVector& w) {
+  RationalComplex sum;
+  Rational size = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    sum += v[i].conjugate() * w[i];
+    size += v[i].squared_modulus();
+  }
+  return (1 / size) * sum;
+}
+
 }  // namespace subcert

@@ -55,7 +55,13 @@ TEST_CASE("a certificate is asked for the claim that is stated") {
   CHECK(asked("2.1 <= dd:n=2").code == 1);
   CHECK(asked("1 <= primal:n=2").code == 1);
   CHECK(asked("3/2<=dd:n=2<=5/2").code == 0);
-  for (const char* bad : {"", "1 <= ", "x <= dd:n=2 <= 3", "1 <= dd:n=2 <= 2 <= 3", "dd:n=2 <= D2", "1 <= dd:n=", "1",
+  const std::string number = "four-point:w=1/16 = 4-log|[-4,1]@4,0,1/1000|^1/1";
+  CHECK(asked(number).code == 0);
+  CHECK(asked("1 <= " + number + " with |log h|^1 <= 2").code == 0);
+  CHECK(asked(number + " with |log h|^0").code == 1);
+  CHECK(asked("four-point:w=1/16 = 3-log|[-4,1]@4,0,1/1000|^1/1").code == 1);
+  for (const char* bad : {"dd:n=2 = 4-log", "dd:n=2 with |log h|^1", "dd:n=2 = 4-log|[-4,1]@4,0,1|^1/1 with |log h|^x",
+                          "", "1 <= ", "x <= dd:n=2 <= 3", "1 <= dd:n=2 <= 2 <= 3", "dd:n=2 <= D2", "1 <= dd:n=", "1",
                           "1 <= daubechies:n=2", "1 <= four-point:w for w"}) {
     CAPTURE(bad);
     CHECK(asked(bad).code == (*bad ? 64 : 0));  // an empty one is none

@@ -4,18 +4,22 @@
 #include "group_words.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/difference/level_norms.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/sum_of_squares.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace subcert {
 namespace {
 
 constexpr std::size_t least_inverted = 24;  // the size from which on an inverse proves a product
+constexpr int most_levels = 6;              // of the norms that bound differences
 
 /// A decimal of 15 places as a fraction in lowest terms; of 15 more than the zeros after the point for tiny numbers.
 std::string outward(const Rational& value, Rounding rounding) {
@@ -42,6 +46,13 @@ std::string numbers_text(const std::vector<Integer>& numbers) {
   std::string text;
   for (const Integer& number : numbers) text += " " + number.str();
   return text;
+}
+
+/// The head, and the coefficients from that of z^0 on.
+std::string polynomial_text(const std::string& head, const LaurentPolynomial& p) {
+  std::string text = head;
+  for (long k = 0; k <= (p.is_zero() ? 0 : p.highest()); ++k) text += " " + to_text(p.coefficient(k));
+  return text + "\n";
 }
 
 std::string group_text(const GroupWords& group) {
@@ -145,8 +156,13 @@ class SectionWriter {
     return text;
   }
 
-  std::string operator()(const SingleRadiusProof&) const {
-    fail(ErrorKind::domain, "certificate: need a proof in rational numbers, got a single spectral radius");
+  std::string operator()(const SingleRadiusProof& proof) const {
+    const auto squares = sum_of_squares(proof.symbol);
+    if (!squares) fail(ErrorKind::size, "certificate: the cosine polynomial is too near to 0 for a sum of squares");
+    const LaurentPolynomial factor = squares->factor * LaurentPolynomial(power(Rational(2), squares->bits));
+    return fmt::format("block {} single {} {}\n", block_, to_text(proof.growth.radius.upper.value()), squares->bits) +
+           polynomial_text("square", squares->square) + polynomial_text("factor", factor) +
+           polynomial_text("recurrence", proof.growth.recurrence);
   }
 
  private:
@@ -159,10 +175,15 @@ class SectionWriter {
 struct ExactRadius {
   std::string number, root;         // empty where nothing says so
   std::vector<std::string> cycles;  // block by block
+  bool grows_like_powers = false;   // products of length n have norms between multiples of radius^n
 };
 
 ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& radius) {
   if (!radius.exact.is_yes()) return {};
+  if (const auto* single = std::get_if<SingleRadiusProof>(&radius.proof)) {
+    const auto lines = exact_radius_lines(single->growth);
+    return lines ? ExactRadius{lines->number, lines->root, {}, single->growth.power == 0} : ExactRadius{};
+  }
   const BlockProof* blocks = radius.by_blocks();
   const std::size_t count = blocks ? blocks->blocks.size() : 1, leading = blocks ? blocks->leading : 0;
   const auto lines_of = [&](std::size_t i) -> std::optional<ExactRadiusLines> {
@@ -171,9 +192,11 @@ ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& 
   };
   const auto first = lines_of(leading);
   if (!first) return {};
-  ExactRadius exact{first->number, first->root, std::vector<std::string>(count)};
+  ExactRadius exact{first->number, first->root, std::vector<std::string>(count), true};
   for (std::size_t i = 0; i < count; ++i) {
-    if (i != leading && blocks->blocks[i].proved_upper() <= first->low) continue;
+    if (i != leading && blocks->blocks[i].proved_upper() < first->low) continue;
+    exact.grows_like_powers = exact.grows_like_powers && i == leading;
+    if (i != leading && blocks->blocks[i].proved_upper() == first->low) continue;
     const auto lines = i == leading ? first : lines_of(i);
     if (!lines || lines->number != first->number) return {};
     exact.cycles[i] = lines->cycles;
@@ -243,14 +266,42 @@ MatrixFamily family_of(const Mask& mask, const HolderRegularity& regularity) {
 /// `product`: the lower bound as well.
 std::string radius_text(const Mask& mask, const HolderRegularity& regularity, bool product,
                         std::vector<std::string> cycles = {}) {
-  const JointSpectralRadius& radius = regularity.certifiable();
+  const JointSpectralRadius& radius = regularity.radius;
   return blocks_text(radius) + (product ? product_text(family_of(mask, regularity), radius) : "") +
          SectionWriter(static_cast<std::size_t>(mask.arity()), std::move(cycles)).text(radius.proof);
 }
 
-/// What the rational numbers prove; the exponent may be known more sharply by other arguments.
+/// The power of the logarithm in the modulus of continuity, and the lines that prove it; nothing where they would not.
+std::optional<std::pair<int, std::string>> logarithm_lines(const Mask& mask, const HolderRegularity& regularity,
+                                                           const ExactRadius& exact) {
+  const LogarithmicFactor& factor = regularity.logarithm;
+  const int arity = mask.arity(), rules = regularity.bounds.sum_rules;
+  if (factor.at_most != factor.at_least) return std::nullopt;
+  std::string line = fmt::format("logarithm {}", factor.at_least);
+  const auto& value = regularity.radius.radius;
+  int order = rules;
+  Rational least = 1;
+  for (; least < *value.lower; least *= arity) --order;
+  const bool single = std::holds_alternative<SingleRadiusProof>(regularity.radius.proof);
+  if (least > *value.upper) {
+    if (!single && !exact.grows_like_powers) return std::nullopt;
+    return std::pair(factor.at_least, line + "\n");
+  }
+  const Mask scheme = divided_difference_scheme(mask, order);
+  if (single && (rules - order) % 2 == 0) {
+    const LaurentPolynomial& symbol = scheme.symbol();
+    const CoefficientGrowth growth = central_growth(symbol.shifted(-(symbol.lowest() + symbol.highest()) / 2), arity);
+    return std::pair(factor.at_least, line + "\n" + polynomial_text("recurrence", growth.recurrence));
+  }
+  const auto& norms = level_norms(scheme, most_levels).norms;
+  const auto small = std::find_if(norms.begin(), norms.end(), [](const Rational& norm) { return norm <= 1; });
+  if (small == norms.end()) return std::nullopt;
+  return std::pair(0, fmt::format("{} norm {}\n", line, small - norms.begin() + 1));
+}
+
+/// What the certificate proves; the exponent may be known more sharply.
 Rational lower_end(const Mask& mask, const HolderRegularity& regularity) {
-  return regularity.bounds.sum_rules - *log_ratio(regularity.certifiable().proved_upper(), mask.arity()).upper;
+  return regularity.bounds.sum_rules - *log_ratio(regularity.radius.proved_upper(), mask.arity()).upper;
 }
 
 /// The claim, and the lines from that of the sum rules on; those that come before are about what is exact.
@@ -262,7 +313,7 @@ struct ExponentLines {
 ExponentLines exponent_lines(const Mask& mask, const HolderRegularity& regularity,
                              const std::optional<MaskRounding>& rounding) {
   const int rules = regularity.bounds.sum_rules;
-  const JointSpectralRadius& radius = regularity.certifiable();
+  const JointSpectralRadius& radius = regularity.radius;
   ExponentLines result;
   result.claim.lower = outward(lower_end(mask, regularity), Rounding::down);
   const std::optional<Rational>& product = radius.product.radius.lower;
@@ -282,8 +333,11 @@ ExponentLines exponent_lines(const Mask& mask, const HolderRegularity& regularit
     result.claim.exact = fmt::format("{}-log{}", rules, exact.number);
     result.exact = exact_text(result.claim, exact);
   }
+  const auto logarithm = exact.number.empty() ? std::nullopt : logarithm_lines(mask, regularity, exact);
+  if (logarithm) result.claim.logarithm = logarithm->first;
   result.text = fmt::format("sum-rules {}{}\n{}", rules, full_text(upper && !by_product), upper ? "stability\n" : "") +
-                radius_text(mask, regularity, upper && by_product, std::move(exact.cycles));
+                radius_text(mask, regularity, upper && by_product, std::move(exact.cycles)) +
+                (logarithm ? logarithm->second : "");
   return result;
 }
 
@@ -322,10 +376,14 @@ std::string gram_text(const LatticeSequence& gram) {
 Certificate Certificate::of_bounds() const {
   Certificate result{{claim.lower, claim.upper}, {}};
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-    if (const std::string head = line.substr(0, line.find(' '));
-        head != "exact" && head != "root" && head != "cycle" && head != "seed" && head != "origin" && head != "same")
+  bool after_logarithm = false;  // its recurrence, not that of a section
+  for (std::string line; std::getline(lines, line);) {
+    const std::string head = line.substr(0, line.find(' '));
+    after_logarithm = head == "logarithm" || (after_logarithm && head == "recurrence");
+    if (!after_logarithm && head != "exact" && head != "root" && head != "cycle" && head != "seed" &&
+        head != "origin" && head != "same")
       result.text += line + "\n";
+  }
   return result;
 }
 

@@ -17,6 +17,8 @@ struct CertificateClaim {
   std::optional<std::string> upper;
   /// What the radius or the exponent is: `2-log|[-4,1]@4,0,1/1000|^1/1`, see SPEC.md, section 4.10.
   std::optional<std::string> exact = {};
+  /// Beside an exact exponent: the power of |log h| in the modulus of continuity, see section 4.12.
+  std::optional<int> logarithm = {};
 
   bool says_rough() const { return upper && upper->starts_with('C'); }
 };
@@ -32,8 +34,7 @@ struct Certificate {
 
 /// Proves bounds of the Hoelder exponent for this mask, or with `rounding` for all masks that are meant. Domain:
 /// `regularity` is that of the mask and the rounding. Shifts that are not stable: by the reduced mask. Errors: throws
-/// Error where the rational evidence (polytope or norms) proves nothing positive from below; what the
-/// single spectral radius proves beyond that has no certificate.
+/// Error where nothing positive is proved from below.
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity,
                                  const std::optional<MaskRounding>& rounding = std::nullopt);
 

@@ -30,8 +30,8 @@ std::vector<std::string> parts_of(const std::string& claim) {
 
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
-       "--claim '{}': expected [NUMBER <=] SUBJECT [<= NUMBER or C2], where SUBJECT is a scheme, 'FAMILY for "
-       "w=LOW..HIGH', or 'radius FILE'",
+       "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
+       "scheme, 'FAMILY for w=LOW..HIGH', or 'radius FILE'",
        claim);
 }
 
@@ -62,12 +62,23 @@ std::vector<std::string> stated_checker_arguments(const std::string& claim, cons
   const bool lower = parts.size() == 3 || (parts.size() == 2 && number(parts[0]));
   const std::size_t subject = lower ? 1 : 0;
   if (parts.size() > 3 || parts[subject].empty()) refuse(claim);
-  std::vector<std::string> arguments = subject_arguments(parts[subject]);
-  const auto add = [&](const char* name, const std::string& text, bool roughness) {
-    const auto value = number(text);
-    const bool order = roughness && text.size() > 1 && text[0] == 'C';
+  // What the number is, after a sign with blanks: specifications have signs without.
+  constexpr std::string_view is = " = ", logarithm = " with |log h|^";
+  const std::string& text = parts[subject];
+  const std::size_t equal = text.find(is), power = text.find(logarithm);
+  if (power != std::string::npos && (equal == std::string::npos || power < equal)) refuse(claim);
+  std::vector<std::string> arguments = subject_arguments(trimmed(text.substr(0, equal)));
+  if (equal != std::string::npos) {
+    const std::size_t begin = equal + is.size();
+    arguments.insert(arguments.end(), {"--exact", trimmed(text.substr(begin, power - begin))});
+    if (power != std::string::npos)
+      arguments.insert(arguments.end(), {"--logarithm", trimmed(text.substr(power + logarithm.size()))});
+  }
+  const auto add = [&](const char* name, const std::string& end, bool roughness) {
+    const auto value = number(end);
+    const bool order = roughness && end.size() > 1 && end[0] == 'C';
     if (!value && !order) refuse(claim);
-    arguments.insert(arguments.end(), {name, order ? text : to_text(*value)});
+    arguments.insert(arguments.end(), {name, order ? end : to_text(*value)});
   };
   if (lower) add("--lower", parts[0], false);
   if (parts.size() > subject + 1) add("--upper", parts[subject + 1], true);
@@ -104,8 +115,13 @@ std::vector<std::string> checker_arguments(const std::string& text, const std::s
     arguments.insert(arguments.end(), {"--for", range});
   if (lower != "-") arguments.insert(arguments.end(), {"--lower", lower});
   if (upper != "-") arguments.insert(arguments.end(), {"--upper", upper});
-  constexpr std::string_view is = "exact ";
+  constexpr std::string_view is = "exact ";  // the line after the bounds
   if (exact.starts_with(is)) arguments.insert(arguments.end(), {"--exact", exact.substr(is.size())});
+  constexpr std::string_view power = "\nlogarithm ";
+  if (const std::size_t at = text.find(power); at != std::string::npos && !exact.empty()) {
+    const std::size_t begin = at + power.size();
+    arguments.insert(arguments.end(), {"--logarithm", text.substr(begin, text.find_first_of(" \n", begin) - begin)});
+  }
   arguments.push_back(file);
   return arguments;
 }

@@ -2,12 +2,16 @@
 
 #include "group_words.hpp"
 
+#include <subcert/analysis/regularity/radius/subspace.hpp>
 #include <subcert/analysis/symbol/balls.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace subcert {
 namespace {
@@ -18,29 +22,10 @@ constexpr int radius_bits = 400;    // of the bounds of the radius
 constexpr int most_decimals = 100;  // of the point that names a zero
 constexpr std::size_t longest_cycle = 256;
 
-Rational absolute_sum(const RationalComplex& z) { return abs(z.re) + abs(z.im); }
-
-Rational one_norm(const ComplexVector& v) {
-  Rational sum = 0;
-  for (const RationalComplex& c : v) sum += absolute_sum(c);
-  return sum;
-}
-
 ComplexVector difference(const ComplexVector& a, const RationalComplex& factor, const ComplexVector& b) {
   ComplexVector result;
   for (std::size_t i = 0; i < a.size(); ++i) result.push_back(a[i] - factor * b[i]);
   return result;
-}
-
-/// <v, w> / <v, v>. Domain: v not 0.
-RationalComplex quotient(const ComplexVector& v, const ComplexVector& w) {
-  RationalComplex sum;
-  Rational size = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    sum += v[i].conjugate() * w[i];
-    size += v[i].squared_modulus();
-  }
-  return (1 / size) * sum;
 }
 
 bool is_near(const ComplexVector& v, const RationalComplex& factor, const ComplexVector& w) {
@@ -55,73 +40,44 @@ Rational rounded(const Rational& value, int bits, Rounding rounding) {
   return Rational(to_integer(value * unit, rounding)) / unit;
 }
 
-/// The integer multiple whose entries have no common divisor, the last one positive.
-std::vector<Integer> primitive(const std::vector<Rational>& values) {
-  Integer common = 1, divisor = 0;
-  for (const Rational& x : values) common = lcm(common, denominator(x));
-  std::vector<Integer> result;
-  for (const Rational& x : values) {
-    result.push_back(numerator(Rational(x * common)));
-    divisor = gcd(divisor, result.back());
-  }
-  for (Integer& x : result) x /= divisor;
-  return result;
-}
-
-std::vector<Integer> coefficients(const LaurentPolynomial& p) {
-  std::vector<Rational> values;
-  for (long k = 0; k <= p.highest(); ++k) values.push_back(p.coefficient(k));
-  return primitive(values);
-}
-
-RationalComplex value_at(const std::vector<Integer>& p, const RationalComplex& z) {
+RationalComplex value_at(const LaurentPolynomial& p, const RationalComplex& z) {
   RationalComplex value;
-  for (std::size_t k = p.size(); k-- > 0;) value = value * z + RationalComplex{Rational(p[k]), 0};
+  for (long k = p.highest(); k >= 0; --k) value = value * z + RationalComplex{p.coefficient(k), 0};
   return value;
-}
-
-std::vector<Integer> derivative(const std::vector<Integer>& p) {
-  std::vector<Integer> result;
-  for (std::size_t k = 1; k < p.size(); ++k) result.push_back(p[k] * k);
-  return result;
 }
 
 /// A zero of a polynomial: a point, how far from it the zero is at most, and a disc that holds no other zero.
 struct Zero {
-  std::vector<Integer> polynomial;
+  LaurentPolynomial polynomial;
   RationalComplex point, centre;
   Rational error, within;
 };
 
 /// Whether the disc around the centre has at most one zero.
-bool isolates(const std::vector<Integer>& p, const RationalComplex& centre, const Rational& within) {
-  const Rational size = absolute_sum(centre) + within;
+bool isolates(const LaurentPolynomial& p, const RationalComplex& centre, const Rational& within) {
+  const Rational size = one_norm({centre}) + within;
   Rational change = 0;
-  for (std::size_t k = p.size(); k-- > 2;) change = change * size + abs(Rational(p[k] * k * (k - 1)));
-  return change * change * within * within < value_at(derivative(p), centre).squared_modulus();
+  for (long k = p.highest(); k >= 2; --k) change = change * size + abs(p.coefficient(k)) * (k * (k - 1));
+  return change * change * within * within < value_at(p.derivative(), centre).squared_modulus();
 }
 
-std::optional<Zero> zero_near(const LaurentPolynomial& factor, const RationalComplex& approximation) {
-  Zero zero{coefficients(factor), {}, {}, 0, 0};
-  const std::vector<Integer>& p = zero.polynomial;
-  if (p.size() == 2) {
-    zero.point = {Rational(-p[0], p[1]), 0};
-  } else {
-    const ComplexBall near = ball_around(approximation, root_bits);
-    const std::vector<ComplexBall> zeros = complex_roots(factor, root_bits);
-    const auto closest = std::min_element(zeros.begin(), zeros.end(), [&](const ComplexBall& a, const ComplexBall& b) {
-      return abs(a - near).is_less(abs(b - near));
-    });
-    const Enclosure re = closest->real().enclosure(root_bits), im = imaginary_part(*closest).enclosure(root_bits);
-    if (!re.lower || !re.upper || !im.lower || !im.upper) return std::nullopt;
-    zero.point = {rounded((*re.lower + *re.upper) / 2, point_bits, Rounding::down),
-                  *im.lower <= 0 && 0 <= *im.upper ? Rational(0)
-                                                   : rounded((*im.lower + *im.upper) / 2, point_bits, Rounding::down)};
-  }
-  const Rational steep = value_at(derivative(p), zero.point).squared_modulus();
+/// A point of the ball; real where the ball has real points.
+std::optional<RationalComplex> point_of(const ComplexBall& ball) {
+  const Enclosure re = ball.real().enclosure(root_bits), im = imaginary_part(ball).enclosure(root_bits);
+  if (!re.is_bounded() || !im.is_bounded()) return std::nullopt;
+  const auto middle = [](const Enclosure& e) { return rounded((*e.lower + *e.upper) / 2, point_bits, Rounding::down); };
+  return RationalComplex{middle(re), im.contains(0) ? Rational(0) : middle(im)};
+}
+
+/// The zero of an irreducible polynomial in the ball.
+std::optional<Zero> zero_in(const ComplexBall& ball, const LaurentPolynomial& p) {
+  const auto rational = zero_of_linear(p);
+  const auto point = rational ? std::optional(RationalComplex{*rational, 0}) : point_of(ball);
+  if (!point) return std::nullopt;
+  Zero zero{p, *point, {}, 0, 0};
+  const Rational steep = value_at(p.derivative(), zero.point).squared_modulus();
   if (steep == 0) return std::nullopt;
-  const Rational squared = Rational((p.size() - 1) * (p.size() - 1)) * value_at(p, zero.point).squared_modulus() /
-                           steep;
+  const Rational squared = p.highest() * p.highest() * value_at(p, zero.point).squared_modulus() / steep;
   zero.error = squared == 0 ? Rational(0) : power(Rational(2), binary_exponent(squared) / 2 + 1);
   for (int decimals = 3; decimals < most_decimals; ++decimals) {
     const Rational unit = power(Rational(10), decimals);
@@ -136,13 +92,48 @@ std::optional<Zero> zero_near(const LaurentPolynomial& factor, const RationalCom
   return std::nullopt;
 }
 
+/// The irreducible factor that has the zero nearest to a point, and a ball that holds this zero.
+struct NearestZero {
+  PolynomialFactor factor;
+  ComplexBall ball;
+};
+
+std::optional<NearestZero> nearest_zero(const LaurentPolynomial& p, const RationalComplex& point) {
+  const ComplexBall near = ball_around(point, root_bits);
+  std::optional<NearestZero> best;
+  for (const PolynomialFactor& factor : irreducible_factors(p)) {
+    if (factor.polynomial.lowest() != 0) continue;
+    for (const ComplexBall& zero : complex_roots(factor.polynomial, root_bits))
+      if (!best || abs(zero - near).is_less(abs(best->ball - near))) best = {factor, zero};
+  }
+  return best;
+}
+
+std::string coefficients_text(const LaurentPolynomial& p) {
+  std::string text;
+  for (long k = 0; k <= p.highest(); ++k) text += (k == 0 ? "" : ",") + to_text(p.coefficient(k));
+  return text;
+}
+
+/// |z|^(1/length)
+ExactRadiusLines lines_of(const Zero& z, std::size_t length_of_cycles, const std::string& cycles) {
+  const Enclosure modulus = root_enclosure(z.point.squared_modulus(), 2, radius_bits);
+  const int length = static_cast<int>(length_of_cycles);
+  const Rational low = rounded(*root_enclosure(*modulus.lower - z.error, length, radius_bits).lower, radius_bits,
+                               Rounding::down),
+                 high = rounded(*root_enclosure(*modulus.upper + z.error, length, radius_bits).upper, radius_bits,
+                                Rounding::up);
+  return {fmt::format("|[{}]@{},{},{}|^1/{}", coefficients_text(z.polynomial), to_text(z.centre.re),
+                      to_text(z.centre.im), to_text(z.within), length),
+          fmt::format("root {} {} {} {} {}\n", to_text(z.point.re), to_text(z.point.im), to_text(z.error), to_text(low),
+                      to_text(high)),
+          cycles, low};
+}
+
 class Writer {
  public:
   Writer(const MatrixFamily& family, const PolytopeProof& polytope)
-      : polytope_(polytope),
-        origins_(polytope.origins),
-        words_(polytope.group, true),
-        parents_(origins_.vertices.size()) {
+      : polytope_(polytope), origins_(polytope.origins), words_(polytope.group, true) {
     for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
     for (const FamilySymmetry& element : polytope.group) maps_.push_back(element.map.matrix());
   }
@@ -150,52 +141,30 @@ class Writer {
   std::optional<ExactRadiusLines> run() {
     if (origins_.vertices.size() != polytope_.vertices.size()) return std::nullopt;
     std::string cycles, origins, same;
-    for (std::size_t v = 0; v < parents_.size(); ++v) {
+    for (std::size_t v = 0; v < origins_.vertices.size(); ++v) {
       const PolytopeOrigins::Vertex& origin = origins_.vertices[v];
+      std::optional<Image> parent;
       if (origin.parent >= 0)
-        parents_[v] = {static_cast<std::size_t>(origin.parent), static_cast<std::size_t>(origin.letter)};
-      else if (origin.cycle >= 0 && !(parents_[v] = place_before(v))) {
+        parent = {static_cast<std::size_t>(origin.parent), static_cast<std::size_t>(origin.letter)};
+      else if (origin.cycle >= 0 && !(parent = place_before(v))) {
         const auto lines = cycle_lines(v);
         if (!lines) return std::nullopt;
         cycles += *lines;
       }
-      if (parents_[v]) origins += fmt::format("origin {} {} {}\n", v, parents_[v]->first, parents_[v]->second);
+      if (!parent) continue;
+      children_.emplace(*parent, v);
+      origins += fmt::format("origin {} {} {}\n", v, parent->first, parent->second);
     }
     if (!zero_) return std::nullopt;
-    for (const PolytopeOrigins::Coincidence& image : origins_.coincidences)
-      if (!is_known(image))
-        same += fmt::format("same {} {} {}{}\n", image.vertex, image.letter, image.target, words_.word(image.element));
-    const Zero& z = *zero_;
-    const Enclosure modulus = root_enclosure(z.point.squared_modulus(), 2, radius_bits);
-    const int length = static_cast<int>(length_);
-    const Rational low = rounded(*root_enclosure(*modulus.lower - z.error, length, radius_bits).lower, radius_bits,
-                                 Rounding::down),
-                   high = rounded(*root_enclosure(*modulus.upper + z.error, length, radius_bits).upper, radius_bits,
-                                  Rounding::up);
-    return ExactRadiusLines{fmt::format("|[{}]@{},{},{}|^1/{}", joined(z.polynomial, ","), to_text(z.centre.re),
-                                        to_text(z.centre.im), to_text(z.within), length_),
-                            fmt::format("root {} {} {} {} {}\n", to_text(z.point.re), to_text(z.point.im),
-                                        to_text(z.error), to_text(low), to_text(high)),
-                            cycles + origins + same, low};
+    const std::set<Image> closing = closing_images();
+    for (const auto& [vertex, letter, target, element] : origins_.coincidences)
+      if (const Image image{vertex, letter}; !children_.contains(image) && !closing.contains(image))
+        same += fmt::format("same {} {} {}{}\n", vertex, letter, target, words_.word(element));
+    return lines_of(*zero_, length_, cycles + origins + same);
   }
 
  private:
   using Image = std::pair<std::size_t, std::size_t>;  // of a vertex under a matrix
-
-  static std::string joined(const std::vector<Integer>& numbers, const char* separator) {
-    std::string text;
-    for (const Integer& x : numbers) text += (text.empty() ? "" : separator) + x.str();
-    return text;
-  }
-
-  ComplexVector vertex(std::size_t index) const {
-    const Integer one = Integer(1) << polytope_.vertex_bits;
-    ComplexVector result;
-    for (std::size_t i = 0; i < polytope_.vertices[index].size(); ++i)
-      result.push_back({Rational(polytope_.vertices[index][i], one),
-                        polytope_.imaginary.empty() ? Rational(0) : Rational(polytope_.imaginary[index][i], one)});
-    return result;
-  }
 
   /// The vertex on the same cycle of which this one is the image, if it comes before.
   std::optional<Image> place_before(std::size_t v) const {
@@ -203,12 +172,12 @@ class Writer {
     const std::vector<int>& cycle = origins_.cycles[static_cast<std::size_t>(origin.cycle)];
     const int length = static_cast<int>(cycle.size()), place = (origin.place + length - 1) % length;
     const auto letter = static_cast<std::size_t>(cycle[static_cast<std::size_t>(place)]);
-    const ComplexVector goal = vertex(v);
+    const ComplexVector goal = polytope_.vertex(v);
     for (std::size_t u = 0; u < v; ++u) {
       const PolytopeOrigins::Vertex& other = origins_.vertices[u];
       if (other.parent >= 0 || other.cycle != origin.cycle || other.place != place) continue;
-      const ComplexVector image = matrices_[letter] * vertex(u);
-      if (one_norm(image) > 0 && is_near(goal, quotient(goal, image), image)) return Image{u, letter};
+      const ComplexVector image = matrices_[letter] * polytope_.vertex(u);
+      if (one_norm(image) > 0 && is_near(goal, rayleigh_quotient(goal, image), image)) return Image{u, letter};
     }
     return std::nullopt;
   }
@@ -218,7 +187,7 @@ class Writer {
     const PolytopeOrigins::Vertex& origin = origins_.vertices[v];
     std::vector<int> letters = origins_.cycles[static_cast<std::size_t>(origin.cycle)];
     std::rotate(letters.begin(), letters.begin() + origin.place, letters.end());
-    const ComplexVector start = vertex(v);
+    const ComplexVector start = polytope_.vertex(v);
     if (one_norm(start) == 0 || letters.size() > longest_cycle) return std::nullopt;
     ComplexVector moved = start;
     RationalMatrix product = RationalMatrix::identity(start.size());
@@ -230,14 +199,14 @@ class Writer {
       for (std::size_t e = 0; e < maps_.size(); ++e) {
         const RationalMatrix map = Rational(words_.sign(e)) * maps_[e];
         const ComplexVector image = map * moved;
-        const RationalComplex eigenvalue = quotient(start, image);
+        const RationalComplex eigenvalue = rayleigh_quotient(start, image);
         if (!is_near(start, eigenvalue, image)) continue;
         const auto seed = seed_of(map * product, eigenvalue, length);
         if (!seed) return std::nullopt;
         letters.resize(length);
         cycles_.emplace_back(v, letters);
         return fmt::format("cycle {} {} {}\nseed {}\n", v, words_.word(e).empty() ? "-" : words_.word(e),
-                           fmt::join(letters, " "), joined(*seed, " "));
+                           fmt::join(letters, " "), fmt::join(*seed, " "));
       }
     }
     return std::nullopt;
@@ -247,58 +216,46 @@ class Writer {
   std::optional<std::vector<Integer>> seed_of(const RationalMatrix& product, const RationalComplex& eigenvalue,
                                               std::size_t length) {
     const LaurentPolynomial characteristic = characteristic_polynomial(product);
-    const ComplexBall near = ball_around(eigenvalue, root_bits);
-    std::optional<PolynomialFactor> best;
-    std::optional<ComplexBall> distance;
-    for (const PolynomialFactor& factor : irreducible_factors(characteristic)) {
-      if (factor.polynomial.lowest() != 0) continue;
-      for (const ComplexBall& zero : complex_roots(factor.polynomial, root_bits))
-        if (const ComplexBall away(abs(zero - near)); !distance || abs(away).is_less(abs(*distance))) {
-          distance = away;
-          best = factor;
-        }
-    }
-    if (!best || best->multiplicity != 1) return std::nullopt;
+    const auto nearest = nearest_zero(characteristic, eigenvalue);
+    if (!nearest || nearest->factor.multiplicity != 1) return std::nullopt;
+    const LaurentPolynomial& p = nearest->factor.polynomial;
     if (!zero_) {
-      zero_ = zero_near(best->polynomial, eigenvalue);
+      zero_ = zero_in(nearest->ball, p);
       length_ = length;
     }
-    if (!zero_ || length_ != length || zero_->polynomial != coefficients(best->polynomial)) return std::nullopt;
-    const LaurentPolynomial others = *characteristic.exact_quotient(best->polynomial);
+    if (!zero_ || length_ != length || zero_->polynomial != p) return std::nullopt;
+    const LaurentPolynomial others = *characteristic.exact_quotient(p);
     for (std::size_t i = 0; i < product.rows(); ++i) {
       std::vector<Rational> seed(product.rows());
       for (long k = others.highest(); k >= 0; --k) {
         seed = product * seed;
         seed[i] += others.coefficient(k);
       }
-      if (std::any_of(seed.begin(), seed.end(), [](const Rational& x) { return x != 0; })) return primitive(seed);
+      if (std::any_of(seed.begin(), seed.end(), [](const Rational& x) { return x != 0; }))
+        return radius::primitive(seed);
     }
     return std::nullopt;
   }
 
-  /// Whether the image is a vertex by the lines `origin` and `cycle`.
-  bool is_known(const PolytopeOrigins::Coincidence& image) const {
-    const Image here{image.vertex, image.letter};
-    for (const auto& parent : parents_)
-      if (parent == here) return true;
+  /// The last image of each cycle, whose vertices are all known now.
+  std::set<Image> closing_images() const {
+    std::set<Image> images;
     for (const auto& [first, letters] : cycles_) {
-      std::size_t at = first;
-      for (std::size_t k = 0; k + 1 < letters.size(); ++k) {
-        const Image step{at, static_cast<std::size_t>(letters[k])};
-        const auto next = std::find(parents_.begin(), parents_.end(), std::optional(step));
-        if (next == parents_.end()) return false;
-        at = static_cast<std::size_t>(next - parents_.begin());
+      std::optional<std::size_t> at = first;
+      for (std::size_t k = 0; at && k + 1 < letters.size(); ++k) {
+        const auto next = children_.find({*at, static_cast<std::size_t>(letters[k])});
+        at = next == children_.end() ? std::nullopt : std::optional(next->second);
       }
-      if (here == Image{at, static_cast<std::size_t>(letters.back())}) return true;
+      if (at) images.emplace(*at, static_cast<std::size_t>(letters.back()));
     }
-    return false;
+    return images;
   }
 
   const PolytopeProof& polytope_;
   const PolytopeOrigins& origins_;
   GroupWords words_;
   std::vector<RationalMatrix> matrices_, maps_;
-  std::vector<std::optional<Image>> parents_;
+  std::map<Image, std::size_t> children_;                         // vertices that are images
   std::vector<std::pair<std::size_t, std::vector<int>>> cycles_;  // first vertices, and letters
   std::optional<Zero> zero_;
   std::size_t length_ = 0;
@@ -308,6 +265,13 @@ class Writer {
 
 std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const PolytopeProof& polytope) {
   return Writer(family, polytope).run();
+}
+
+std::optional<ExactRadiusLines> exact_radius_lines(const CoefficientGrowth& growth) {
+  const auto nearest = nearest_zero(growth.recurrence, {*growth.radius.lower, 0});
+  const auto zero = nearest ? zero_in(nearest->ball, nearest->factor.polynomial) : std::nullopt;
+  if (!zero) return std::nullopt;
+  return lines_of(*zero, 1, "");
 }
 
 }  // namespace subcert

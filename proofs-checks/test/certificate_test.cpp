@@ -273,6 +273,36 @@ TEST_CASE("a complex leading pair") {
   CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text));
 }
 
+TEST_CASE("one spectral radius: the exponent, what it is, and the modulus of continuity") {
+  struct Case {
+    const char* specification;
+    int logarithm;
+  };
+  // Rational and irrational numbers, several arities, an even mask, zeros on the unit circle, integers by norms and by
+  // recurrences, shifts that are not stable.
+  for (const auto& [specification, logarithm] :
+       {Case{"dd:n=2", 1}, Case{"dd:n=3", 0}, Case{"dd:n=6", 0}, Case{"four-point:w=1/20", 0},
+        Case{"bspline:degree=3,a=3", 0}, Case{"mask:[-5,-7,35,105,105,35,-7,-5]/128", 0}, Case{"bspline:degree=1", 0},
+        Case{"pseudo-spline:m=4,l=2", 0}, Case{"mask:[-1,0,9,16,9,0,-1]/16", 1}, Case{"mask:[1,2,2,2,1]/4", 0}}) {
+    CAPTURE(specification);
+    const Mask mask = make_scheme(specification).mask;
+    const HolderRegularity regularity = regularity_of(specification);
+    CHECK(regularity.deciding().radius.method() == JsrMethod::single_spectral_radius);
+    const Certificate certificate = exponent_certificate(mask, regularity);
+    const auto& [lower, upper, exact, power] = certificate.claim;
+    REQUIRE((lower && upper && exact));
+    REQUIRE(power == logarithm);
+    const std::string number = subject_of(mask) + " --exact '" + *exact + "'";
+    CHECK(proves(number + " --logarithm " + std::to_string(logarithm), *lower, *upper, certificate.text));
+    CHECK_FALSE(proves(number + " --logarithm " + std::to_string(1 - logarithm), "", "", certificate.text));
+    CHECK_FALSE(proves(number, to_text(*parse_rational(*lower) + Rational(1, 1000000)), "", certificate.text));
+    CHECK(proves(subject_of(mask), *lower, *upper, certificate.of_bounds().text));
+  }
+  // Where polytopes prove it.
+  const Certificate polytopes = exponent_certificate(make_scheme("primal:n=5").mask, regularity_of("primal:n=5"));
+  CHECK(polytopes.claim.logarithm == 0);
+}
+
 TEST_CASE("certificates say what an exponent or a radius is") {
   const auto proves_exactly = [](const std::string& subject, const Certificate& certificate) {
     const CertificateClaim& claim = certificate.claim;
@@ -458,8 +488,8 @@ TEST_CASE("reducible masks: certificates by blocks") {
   const LaurentPolynomial binary = LaurentPolynomial({1, 1}, 0).pow(4) * factor * rest;
   const Mask mask(binary * LaurentPolynomial(2 / binary(1)), 2);
   const HolderRegularity regularity = holder_regularity(mask, 8, {Deadline::in(30)}, HolderProof::certificate);
-  REQUIRE(regularity.certifiable().by_blocks());
-  CHECK(regularity.certifiable().by_blocks()->triangular.sizes.size() > 1);
+  REQUIRE(regularity.radius.by_blocks());
+  CHECK(regularity.radius.by_blocks()->triangular.sizes.size() > 1);
   CHECK(regularity.stable.is_no());
   const Certificate certificate = exponent_certificate(mask, regularity);
   CHECK(certificate.text.find("\nblocks ") != std::string::npos);
@@ -472,7 +502,7 @@ TEST_CASE("reducible masks: certificates by blocks") {
                                     LaurentPolynomial({2, 5, 1, 1}, 0);
   const Mask other(ternary * LaurentPolynomial(3 / ternary(1)), 3);
   const HolderRegularity second = holder_regularity(other, 6, {Deadline::in(30)}, HolderProof::certificate);
-  REQUIRE(second.certifiable().by_blocks());
+  REQUIRE(second.radius.by_blocks());
   const Certificate proof = exponent_certificate(other, second);
   CHECK(proves(subject_of(other), *proof.claim.lower, "", proof.text));
 }
@@ -708,8 +738,8 @@ TEST_CASE("certificates of curves are accepted, and prove no more than their env
     for (const RangeCertificate& piece : curve_certificates(scheme.mask, scheme.parameter, curve)) {
       const std::string subject = "--mask '" + scheme.mask.to_text(scheme.parameter) + "' --arity 2 --for " +
                                   scheme.parameter + "=" + to_text(piece.low) + ".." + to_text(piece.high);
-      const auto& [lower, upper, exact] = piece.certificate.claim;
-      CHECK_FALSE(exact);
+      const auto& [lower, upper, exact, logarithm] = piece.certificate.claim;
+      CHECK_FALSE((exact || logarithm));
       CAPTURE(subject, lower.value_or("-"), upper.value_or("-"));
       CHECK(proves(subject, lower.value_or(""), upper.value_or(""), piece.certificate.text));
       if (upper) CHECK_FALSE(proves(subject, *upper, "", piece.certificate.text));

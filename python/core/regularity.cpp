@@ -14,11 +14,12 @@ namespace {
 
 Budget budget_of(double seconds, std::size_t mebibytes) { return {Deadline::in(seconds), mebibytes << 20}; }
 
-/// The strongest one first: text, ends, matrices, and what the number is.
+/// The strongest one first: text, ends, matrices, what the number is, and the power of the logarithm.
 py::list to_list(const Certificate& certificate, const std::optional<std::string>& matrices = std::nullopt) {
   py::list result;
   const auto add = [&](const Certificate& one) {
-    result.append(py::make_tuple(one.text, one.claim.lower, one.claim.upper, matrices, one.claim.exact));
+    result.append(
+        py::make_tuple(one.text, one.claim.lower, one.claim.upper, matrices, one.claim.exact, one.claim.logarithm));
   };
   add(certificate);
   if (certificate.claim.exact) add(certificate.of_bounds());
@@ -62,10 +63,8 @@ py::dict holder_dict(const HolderEvidence& evidence) {
   return result;
 }
 
-/// Nothing where no rational evidence was looked for, or it proves nothing.
 py::object holder_certificate(const HolderEvidence& evidence) {
   const HolderRegularity& regularity = evidence.regularity;
-  if (regularity.certifiable().method() == JsrMethod::single_spectral_radius && !regularity.reduced) return py::none();
   return to_list(exponent_certificate(evidence.scheme.mask, regularity, evidence.scheme.rounding));
 }
 

@@ -41,13 +41,15 @@ class Certificate:
     """A proof that a small program of its own can follow. `lower` and `upper` are the bounds that it proves, as texts
     of fractions; None where it proves none. `matrices`: what a certificate of a joint spectral radius is about.
     `exact`: what the number is, as `4-log|[-4,1]@4,0,1/1000|^1/1`, where it proves that a product attains the
-    radius."""
+    radius. `logarithm`: the power of \\|log h\\| in the modulus of continuity, where it proves that; 0 says that the
+    exponent is attained."""
 
     text: str
     lower: Optional[str]
     upper: Optional[str]
     matrices: Optional[str] = None
     exact: Optional[str] = None
+    logarithm: Optional[int] = None
 
     def save(self, path: Path) -> None:
         """Writes it, and the matrices beside it as PATH.matrices: under another name first, then renamed."""
@@ -69,7 +71,9 @@ class Certificate:
             return dataclasses.replace(found, answer=found.answer.replace(path + ": ", ""))
 
 
-def strongest(found: list[tuple[str, Optional[str], Optional[str], Optional[str], Optional[str]]]) -> Certificate:
+def strongest(
+    found: list[tuple[str, Optional[str], Optional[str], Optional[str], Optional[str], Optional[int]]]
+) -> Certificate:
     """The first one that the checker accepts; of one alone nothing is asked."""
     certificates = [Certificate(*one) for one in found]
     for certificate in certificates[:-1]:
@@ -83,10 +87,10 @@ def verify(path: Path) -> Verification:
     Raises DataError for a file that is no certificate, MissingFileError where it cannot be read."""
     try:
         with open(path, encoding="ascii", errors="replace") as file:
-            head = file.read(2_000_000)
+            text = file.read(1 << 28)
     except OSError as error:
         raise MissingFileError(f"{os.fspath(path)}: {error.strerror}") from None
-    arguments = _core.checker_arguments(head, os.fspath(path))
+    arguments = _core.checker_arguments(text, os.fspath(path))
     run = subprocess.run([checker(), *arguments], capture_output=True, text=True, check=False)
     return Verification(run.returncode == 0, (run.stdout + run.stderr).strip())
 

@@ -48,6 +48,9 @@ def test_certificates(tmp_path):
     certificate.save(tmp_path / "s5.cert")
     found = subcert.verify(tmp_path / "s5.cert")
     assert found.accepted and "exponent" in found.answer
+    assert certificate.logarithm == 0 and "with |log h|^0" in found.answer
+    four = subcert.scheme("dd:n=2").holder().certificate
+    assert (four.lower, four.upper, four.logarithm) == ("2", "2", 1) and four.exact.startswith("4-log|[-4,1]@4,")
     text = (tmp_path / "s5.cert").read_text()
     lines = text.splitlines()
     lines[2] = f"bounds 3 {lines[2].split()[2]}"

@@ -377,6 +377,15 @@ class Certifier {
 
 }  // namespace
 
+ComplexVector PolytopeProof::vertex(std::size_t index) const {
+  const Integer one = Integer(1) << vertex_bits;
+  ComplexVector result;
+  for (std::size_t i = 0; i < vertices[index].size(); ++i)
+    result.push_back(
+        {Rational(vertices[index][i], one), imaginary.empty() ? Rational(0) : Rational(imaginary[index][i], one)});
+  return result;
+}
+
 bool PolytopeProof::is_flip_symmetric() const {
   return group.size() == 2 && group[1].map == SparseMap::reversal(group[1].map.size());
 }

@@ -6,6 +6,7 @@
 
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/rational_complex.hpp>
 
 namespace subcert {
 
@@ -62,6 +63,9 @@ struct PolytopeProof {
   std::vector<Rational> moduli;     ///< of the weights of each image, added up
   std::vector<Rational> residuals;  ///< 1-norms
   PolytopeOrigins origins;
+
+  /// With its denominators. Domain: index < vertices.size().
+  ComplexVector vertex(std::size_t index) const;
 
   /// Whether the group consists of the identity and the reversal of the coordinates.
   bool is_flip_symmetric() const;

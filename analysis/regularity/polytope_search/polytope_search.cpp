@@ -27,7 +27,7 @@ constexpr double clearly_ahead = 0.6;                     // ratio of the shares
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 // What a look for products costs: a multiplication of matrices for each product of so many letters as are usual.
-constexpr double seconds_per_operation = 2e-9;
+constexpr double seconds_per_product = 2e-9;  // of numbers
 constexpr int usual_length = 40;
 
 // Descending tolerance: by what the radius is exceeded at first, and how it falls.
@@ -114,7 +114,7 @@ class Search {
     options.budget = {deadline().at_most(share * seconds_), memory_of_products()};
     take(search_products(family_[0], options));
     const double d = static_cast<double>(family_[0].matrices.front().rows());
-    work_ += seconds_per_operation * d * d * d * static_cast<double>(family_[0].matrices.size()) * options.width *
+    work_ += seconds_per_product * d * d * d * static_cast<double>(family_[0].matrices.size()) * options.width *
              std::min(options.max_length, usual_length);
   }
 

@@ -17,13 +17,6 @@ constexpr const char* no_time = "no time was left to compare the images with the
 
 using RationalVector = std::vector<Rational>;
 
-/// |x|_1, real and imaginary parts apart.
-Rational one_norm(const ComplexVector& v) {
-  Rational sum = 0;
-  for (const RationalComplex& c : v) sum += abs(c.re) + abs(c.im);
-  return sum;
-}
-
 /// An upper bound for |ball - value|, real and imaginary parts apart; nothing where it is infinite.
 std::optional<Rational> distance(const ComplexBall& ball, const RationalComplex& value) {
   const ComplexBall difference = ball - ball_around(value, precision);
@@ -43,19 +36,6 @@ ComplexVector value_on(const LaurentPolynomial& p, const RationalMatrix& matrix,
     }
   }
   return sum;
-}
-
-/// <v, matrix v> / <v, v>. Domain: v not 0.
-RationalComplex rayleigh_quotient(const RationalMatrix& matrix, const ComplexVector& v) {
-  const ComplexVector moved = matrix * v;
-  RationalComplex sum{0, 0};
-  Rational size = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    sum.re += v[i].re * moved[i].re + v[i].im * moved[i].im;
-    sum.im += v[i].re * moved[i].im - v[i].im * moved[i].re;
-    size += v[i].re * v[i].re + v[i].im * v[i].im;
-  }
-  return {sum.re / size, sum.im / size};
 }
 
 RationalVector negated(RationalVector v) {
@@ -135,19 +115,10 @@ class Proof {
     return std::nullopt;
   }
 
-  ComplexVector vertex(std::size_t index) const {
-    const Integer one = Integer(1) << polytope_.vertex_bits;
-    ComplexVector result;
-    for (std::size_t i = 0; i < polytope_.vertices[index].size(); ++i)
-      result.push_back({Rational(polytope_.vertices[index][i], one),
-                        polytope_.imaginary.empty() ? Rational(0) : Rational(polytope_.imaginary[index][i], one)});
-    return result;
-  }
-
   /// The norm of M ... M source / radius^steps - (+-) target, by the rational polytope.
   Rational step_error(std::size_t source, const std::vector<int>& letters, std::size_t target) const {
-    ComplexVector moved = vertex(source);
-    const ComplexVector goal = vertex(target);
+    ComplexVector moved = polytope_.vertex(source);
+    const ComplexVector goal = polytope_.vertex(target);
     Enclosure scale = Enclosure::exactly(1);
     for (int t : letters) {
       moved = matrix(t) * moved;
@@ -217,10 +188,10 @@ class Proof {
     Cycle cycle{index, candidate_.products[static_cast<std::size_t>(index)].cycle, {}, root};
     for (const FamilySymmetry& element : polytope_.group) cycle.shifts.push_back(shift_of(cycle.word, element));
     const RationalMatrix product = product_from(cycle, place_of(root));
-    const ComplexVector v = vertex(root);
+    const ComplexVector v = polytope_.vertex(root);
     const auto characteristic = characteristic_polynomial(product, deadline_);
     if (one_norm(v) == 0 || !characteristic || !has_time_for_roots(*characteristic, deadline_)) return std::nullopt;
-    const ComplexBall quotient = ball_around(rayleigh_quotient(product, v), precision);
+    const ComplexBall quotient = ball_around(rayleigh_quotient(v, product * v), precision);
     LaurentPolynomial f, others;
     ComplexBall eigenvalue = ComplexBall::indeterminate(precision);
     std::vector<ComplexBall> zeros;
@@ -389,8 +360,8 @@ class Proof {
       for (const RationalComplex& c : v) result.push_back(c.re);
       return result;
     };
-    const RationalVector image = matrix(image_letter) * real_part(vertex(source)),
-                         goal = polytope_.group[element].map(real_part(vertex(target)));
+    const RationalVector image = matrix(image_letter) * real_part(polytope_.vertex(source)),
+                         goal = polytope_.group[element].map(real_part(polytope_.vertex(target)));
     // A norm of at most error_ says that no coordinate is larger than error_ times the largest of all vertices.
     const Rational off = error_ * Rational(largest_coordinate(), Integer(1) << polytope_.vertex_bits);
     for (std::size_t i = 0; i < image.size(); ++i) {
@@ -446,7 +417,7 @@ class Proof {
     from.letters.push_back(image_letter);
     RationalVector left, right;
     for (const auto& [origin, parts] : {std::pair(from.first, &left), std::pair(to.first, &right)})
-      for (const RationalComplex& c : vertex(origin)) {
+      for (const RationalComplex& c : polytope_.vertex(origin)) {
         if (c.im != 0) return false;
         parts->push_back(c.re);
       }

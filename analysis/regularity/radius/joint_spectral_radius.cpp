@@ -179,10 +179,9 @@ Rational JointSpectralRadius::proved_upper() const {
   if (const auto* norms = std::get_if<NormProof>(&proof)) return norms->bound();
   if (const auto* polytope = std::get_if<PolytopeProof>(&proof)) return polytope->bound;
   if (const auto* form = std::get_if<QuadraticProof>(&proof)) return form->bound;
-  const BlockProof* blocks = by_blocks();
-  require(blocks != nullptr, "proved_upper: need a proof in rational numbers, got a single spectral radius");
+  if (const auto* single = std::get_if<SingleRadiusProof>(&proof)) return *single->growth.radius.upper;
   Rational most = 0;
-  for (const JointSpectralRadius& block : blocks->blocks) most = std::max(most, block.proved_upper());
+  for (const JointSpectralRadius& block : by_blocks()->blocks) most = std::max(most, block.proved_upper());
   return most;
 }
 

@@ -6,6 +6,7 @@
 #include "block_triangular.hpp"
 #include "norm_of_products.hpp"
 #include "product.hpp"
+#include "single_radius.hpp"
 
 #include <variant>
 
@@ -20,9 +21,10 @@ struct BlockProof {
   std::size_t leading = 0;  ///< the block from which the product is formed
 };
 
-/// The radius is the spectral radius of one matrix by an argument that has no certificate (single_radius.hpp).
+/// The radius is the spectral radius of one matrix: of the transition matrices of this symbol.
 struct SingleRadiusProof {
-  int letter = 0;
+  LaurentPolynomial symbol;
+  CoefficientGrowth growth;
 };
 
 /// How the upper end is proved.
@@ -51,7 +53,7 @@ struct JointSpectralRadius {
   /// The ends of `radius` are within 1e-12 of each other, relatively: in practice the search closed with `product` as
   /// spectrum maximizing product.
   bool is_closed() const;
-  /// The upper bound that `proof` gives. Domain: not by a single spectral radius.
+  /// The upper bound that `proof` gives.
   Rational proved_upper() const;
   /// Of the leading block, where there are several.
   JsrMethod method() const;

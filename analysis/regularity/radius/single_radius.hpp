@@ -6,10 +6,12 @@
 namespace subcert {
 
 /// How the largest coefficient of b(z) b(z^a) ... b(z^(a^(n-1))) grows: between two positive multiples of n^power
-/// radius^n.
+/// radius^n. It is a linear recurrence for the vectors C^n e_0, C the central matrix, and the radius its largest real
+/// zero.
 struct CoefficientGrowth {
   Enclosure radius;  ///< one number exactly where it is rational
   int power = 0;
+  LaurentPolynomial recurrence = {};  ///< integer coefficients without a common factor, no negative exponents
 };
 
 /// Domain: b(z) = b(1/z), b >= 0 on the unit circle, b(1) > 0; arity >= 2. at most 401 central coefficients.
@@ -23,6 +25,7 @@ struct SingleRadius {
   Decision applies;  ///< yes, or no with the hypothesis that fails, or unknown where the mask is too long to decide
   CoefficientGrowth growth;
   int letter = 0;
+  LaurentPolynomial symbol = {};  ///< of the mask, centred
 };
 
 /// Domain: any mask; meant for the divided difference scheme of the largest order, as no lower order does better

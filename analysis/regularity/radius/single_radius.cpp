@@ -4,12 +4,24 @@
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
+#include <algorithm>
+
 namespace subcert {
 namespace {
 
 constexpr int radius_bits = 192;
 constexpr long most_central = 401;    // coefficients about the centre
 constexpr long most_for_sturm = 100;  // degree of the cosine polynomial
+
+/// Whether p(matrix) is 0 on the first unit vector.
+bool annihilates(const LaurentPolynomial& p, const RationalMatrix& matrix) {
+  std::vector<Rational> value(matrix.rows());
+  for (long k = p.highest(); k >= 0; --k) {
+    value = matrix * value;
+    value[0] += p.coefficient(k);
+  }
+  return std::all_of(value.begin(), value.end(), [](const Rational& x) { return x == 0; });
+}
 
 }  // namespace
 
@@ -26,9 +38,11 @@ CoefficientGrowth central_growth(const LaurentPolynomial& symbol, int arity) {
   const LaurentPolynomial denominator = characteristic_polynomial(matrix);
   const LaurentPolynomial common = minor.rows() == 0 ? LaurentPolynomial(1)
                                                      : gcd(denominator, characteristic_polynomial(minor));
-  const auto pole = largest_real_root(denominator.divided_by(common).quotient, radius_bits);
+  const LaurentPolynomial poles = denominator.divided_by(common).quotient;
+  const auto pole = largest_real_root(poles, radius_bits);
   require(pole && *pole->value.lower > 0, "central_growth: need a symbol that is non-negative on the unit circle");
-  return {pole->value, pole->multiplicity - 1};
+  const LaurentPolynomial recurrence = annihilates(poles, matrix) ? poles : denominator;
+  return {pole->value, pole->multiplicity - 1, recurrence * LaurentPolynomial(Rational(recurrence.denominator()))};
 }
 
 SingleRadius single_spectral_radius(const Mask& mask) {
@@ -43,7 +57,8 @@ SingleRadius single_spectral_radius(const Mask& mask) {
   const int letter = static_cast<int>(centred.highest() % (mask.arity() - 1));
   return {{Truth::yes, "the cosine polynomial of the difference mask is non-negative"},
           central_growth(centred, mask.arity()),
-          letter};
+          letter,
+          centred};
 }
 
 }  // namespace subcert

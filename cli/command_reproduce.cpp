@@ -6,6 +6,7 @@
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/overview.hpp>
+#include <subcert/reports/report_files.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
@@ -44,14 +45,11 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
   }
 }
 
-/// Checks all statements and writes errata.html beside the page.
-std::vector<reports::CheckedStatement> write_errata(const ReproduceOptions& options) {
+std::vector<reports::CheckedStatement> check_all_statements(const ReproduceOptions& options) {
   std::vector<const statements::Statement*> all;
   for (const statements::Statement& statement : statements::statements()) all.push_back(&statement);
-  auto checked = reports::check_statements(all, statements::Tier::quick, options.threads(),
-                                           [&](const std::string& id) { options.progress(id); });
-  runtime::write_file(std::filesystem::path(options.out) / "errata.html", reports::errata_page(checked));
-  return checked;
+  return reports::check_statements(all, statements::Tier::quick, options.threads(),
+                                   [&](const std::string& id) { options.progress(id); });
 }
 
 bool wants_colours() {
@@ -77,9 +75,9 @@ ExitCode run(ReproduceOptions& options) {
   };
   for (const std::string& paper : papers) findings.reports.push_back(reports::make_report(paper, report_options));
   if (!options.out.empty()) {
-    if (options.papers.empty() && options.only.empty()) findings.statements = write_errata(options);
+    if (options.papers.empty() && options.only.empty()) findings.statements = check_all_statements(options);
     options.progress("writing " + options.out);
-    reports::write_reports(findings.reports, options.out, options.threads());
+    reports::write_reports(findings, options.out, options.threads());
     runtime::write_file(std::filesystem::path(options.out) / "summary.txt", reports::full_list(findings));
   }
   options.end_progress();

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 namespace subcert::reports {
@@ -17,69 +16,11 @@ namespace {
 constexpr int places = 10, places_of_card = 4, places_of_variance = 5;
 constexpr long largest_grid = 21;  // rows and columns of a mask that are shown
 
-constexpr const char* style = R"css(
-<style>
-body { max-width: 76rem; }
-.cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr)); gap: .75rem; padding: 0;
-         margin: 1.5rem 0 0; list-style: none; }
-.cards a { display: block; height: 100%; padding: .6rem .7rem; border: 1px solid var(--line); border-radius: .5rem;
-           color: inherit; text-decoration: none; }
-.cards a:hover, .cards a:focus-visible { border-color: var(--link); background: var(--band); }
-.cards b { display: block; font-size: .85rem; overflow-wrap: anywhere; line-height: 1.3; }
-.cards small { color: var(--quiet); }
-.thumbnail { width: 100%; height: 5rem; }
-.none { display: flex; height: 5rem; align-items: center; color: var(--quiet); font-size: .85rem; }
-.plate { padding-top: .5rem; }
-.plate h2 { margin-top: 2.5rem; overflow-wrap: anywhere; font: 600 1.2rem "DejaVu Sans Mono", monospace; }
-.plate h2 a { color: inherit; text-decoration: none; }
-.subtitle { margin: -.25rem 0 .25rem; }
-dl { display: grid; grid-template-columns: max-content 1fr; gap: .3rem 1.2rem; margin: 1rem 0; font-size: .95rem; }
-dt { color: var(--quiet); }
-dd { margin: 0; min-width: 0; overflow-wrap: anywhere; font-variant-numeric: tabular-nums; }
-dd.mask { font-family: "DejaVu Sans Mono", monospace; font-size: .85rem; }
-.why { color: var(--quiet); }
-.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); gap: 1rem 1.5rem; }
-.pictures figure { margin: 0; }
-.picture { width: 100%; height: auto; display: block; }
-.grid { stroke: var(--line); fill: none; stroke-width: .7; }
-.zero { stroke: var(--quiet); fill: none; stroke-width: .9; }
-.ticks { fill: var(--quiet); font-size: 11px; text-anchor: middle; }
-.ticks .y { text-anchor: end; }
-.curve { fill: none; stroke-width: 2; stroke-linejoin: round; vector-effect: non-scaling-stroke; }
-.curve-1 { stroke: var(--curve-1); }
-.curve-2 { stroke: var(--curve-2); }
-.thin { stroke-width: 1; stroke-dasharray: 3 3; }
-.mark-2 { fill: var(--curve-2); }
-.level { fill-opacity: .13; stroke-width: .6; stroke-opacity: .8; }
-.above { fill: var(--curve-1); stroke: var(--curve-1); }
-.below { fill: var(--curve-2); stroke: var(--curve-2); }
-.coefficients { font-size: .82rem; margin: .25rem 0; }
-.coefficients td { padding: .12rem .45rem; border: 0; background: none; }
-.coefficients td.zero-coefficient { color: var(--line); }
-.note { border-left: 4px solid var(--open); padding: .1rem 0 .1rem .8rem; }
-@media print { .plate { break-inside: avoid; } }
-</style>
-)css";
-
-/// `primal-n-3-d-1`: what stays of a specification in a link.
-std::string slug(const std::string& text) {
-  constexpr std::size_t longest = 60;
-  std::string result;
-  for (const char c : text)
-    if (std::isalnum(static_cast<unsigned char>(c)))
-      result += c;
-    else if (!result.empty() && result.back() != '-' && result.size() < longest)
-      result += '-';
-  if (result.size() > longest) result.resize(longest);
-  while (!result.empty() && result.back() == '-') result.pop_back();
-  return result;
-}
-
 std::vector<std::string> anchors(const std::vector<Plate>& plates) {
   std::vector<std::string> result;
   std::map<std::string, int> seen;
   for (const Plate& plate : plates) {
-    const std::string name = slug(plate.specification());
+    const std::string name = formats::slug(plate.specification());
     const int before = seen[name]++;
     result.push_back(before == 0 ? name : fmt::format("{}--{}", name, before + 1));
   }
@@ -193,7 +134,7 @@ std::string plate_html(const Plate& plate, const std::string& anchor) {
     result += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, caption);
   };
   for (const PlatePicture& picture : plate.pictures)
-    figure(formats::svg(picture.panel, picture.name == "limit" ? anchor + "-limit" : ""), picture.caption);
+    figure(formats::plot(picture.panel, picture.name == "limit" ? anchor + "-limit" : ""), picture.caption);
   if (plate.surface)
     figure(formats::svg(*plate.surface, anchor + "-limit"),
            "<i>φ</i>: where it is at least 1/10, …, 9/10 of its maximum; in the other colour, at most 1/3 and 2/3 "
@@ -220,7 +161,7 @@ std::string card(const Plate& plate, const std::string& anchor) {
 std::string gallery_html(const std::vector<Plate>& plates) {
   const std::vector<std::string> names = anchors(plates);
   const bool several = plates.size() > 1;
-  std::string body = style;
+  std::string body;
   if (several) {
     body += fmt::format(
         "<h1>A gallery of subdivision schemes</h1>\n<p>{} schemes, each with its exact mask, its smoothness, "

@@ -7,7 +7,6 @@
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -57,15 +56,5 @@ Report make_report(const std::string& paper, const ReportOptions& options);
 /// `matrices`: what a certificate of a radius is about.
 formats::RowProof row_proof(const std::string& name, const Certificate& certificate, const ReportOptions& options,
                             const std::string& matrices = {});
-
-/// Writes DIR/index.html for the reports, with a link to DIR/errata.html where that is there, and for each table
-/// DIR/PAPER/ID.csv, .tex, .json, for each figure .svg, .png and .csv; for each certificate DIR/PAPER/NAME and NAME.js,
-/// which the page reads. Domain: jobs >= 1, the pictures drawn at a time. Errors: throws missing_file that names the
-/// file.
-void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder, int jobs);
-
-/// {"comparisons": [...], "experiments": [...], "tables": [...]} as in the contract; the experiments are those of
-/// experiment_json(), the tables those without printed counterpart.
-std::string reports_json(const std::vector<Report>& reports);
 
 }  // namespace subcert::reports

@@ -13,7 +13,4 @@ std::string check_button(const std::string& folder, const RowProof& proof);
 /// The script that gives the files of the proof to the page: PROOF.name + ".js" in the folder.
 std::string certificate_script(const std::string& folder, const RowProof& proof);
 
-/// The checker and what moves the buttons: the end of the body of a page with buttons.
-std::string check_scripts();
-
 }  // namespace subcert::formats

@@ -56,7 +56,7 @@ with tempfile.TemporaryDirectory() as folder:
     page = Path(folder) / "page"
     subprocess.run([subcert, "reproduce", "dyn-2015", "--only", "exponents", "--out", page], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    index = page / "index.html"
+    index = page / "dyn-2015.html"
     text = index.read_text()
     server = http.server.HTTPServer(("127.0.0.1", 0), Receiver)
     threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -72,7 +72,7 @@ with tempfile.TemporaryDirectory() as folder:
         server.shutdown()
 
 failures = [] if in_time else ["the page did not answer"]
-buttons = len(re.findall("<button class=check", text))
+buttons = len(re.findall("<button type=button class=check", text))
 if in_time and len(answers) != buttons + 3:
     failures.append(f"{len(answers)} answers of {buttons} buttons")
 for kind, name, mark, answer in answers:

@@ -9,7 +9,6 @@
 #include "paper_experiments.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 
 #include <fmt/format.h>
@@ -83,19 +82,6 @@ Report make_report(const std::string& paper, const ReportOptions& options) {
   Report report{paper, statements::citation(paper), {}};
   add_experiments(report, options);
   return report;
-}
-
-formats::RowProof row_proof(const std::string& name, const Certificate& certificate, const ReportOptions& options,
-                            const std::string& matrices) {
-  try {
-    const Certificate accepted = options.verified(certificate, matrices);
-    formats::RowProof proof{name, checker_arguments(accepted.text, name), {{name, accepted.text}}};
-    if (!matrices.empty()) proof.files.emplace(name + ".matrices", matrices);
-    return proof;
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::undecided) throw;
-    return {};
-  }
 }
 
 }  // namespace subcert::reports

@@ -26,21 +26,32 @@ std::string gzipped(const std::string& text) {
 
 std::string script_name(const std::string& folder, const RowProof& proof) { return folder + "/" + proof.name + ".js"; }
 
+nlohmann::json packed_files(const RowProof& proof) {
+  nlohmann::json files;
+  for (const auto& [name, text] : proof.files) files[name] = base64(gzipped(text));
+  return files;
+}
+
+std::string button(const std::string& certificate, const RowProof& proof) {
+  const std::string scheme = proof.scheme.empty() ? "" : " data-scheme=\"" + html(proof.scheme) + "\"";
+  return "<button type=button class=check data-certificate=\"" + html(certificate) + "\" data-words=\"" +
+         html(nlohmann::json(proof.words).dump()) + "\"" + scheme + ">check this proof here</button><output></output>";
+}
+
 }  // namespace
 
 std::string check_button(const std::string& folder, const RowProof& proof) {
   if (proof.name.empty()) return "";
-  return "<button type=button class=check data-certificate=\"" + html(script_name(folder, proof)) + "\" data-words=\"" +
-         html(nlohmann::json(proof.words).dump()) + "\"" +
-         (proof.scheme.empty() ? "" : " data-scheme=\"" + html(proof.scheme) + "\"") +
-         ">check this proof here</button><output></output> <a href=\"" + html(folder + "/" + proof.name) +
-         "\">file</a>";
+  return button(script_name(folder, proof), proof) + " <a href=\"" + html(folder + "/" + proof.name) + "\">file</a>";
+}
+
+std::string check_button_inside(const RowProof& proof) {
+  return button(proof.name, proof) + data_script("file:" + proof.name, packed_files(proof).dump());
 }
 
 std::string certificate_script(const std::string& folder, const RowProof& proof) {
-  nlohmann::json files;
-  for (const auto& [name, text] : proof.files) files[name] = base64(gzipped(text));
-  return "subcert_file(" + nlohmann::json(script_name(folder, proof)).dump() + ", " + files.dump() + ");\n";
+  return "subcert_file(" + nlohmann::json(script_name(folder, proof)).dump() + ", " + packed_files(proof).dump() +
+         ");\n";
 }
 
 }  // namespace subcert::formats

@@ -1,5 +1,5 @@
-// Files beside the page. A page that was opened from a file may not read other files, but it may run scripts: each is a
-// call of subcert_file with its own name and what it has to give.
+// Files beside the page, or inside it as #file:NAME. A page that was opened from a file may not read other files, but it
+// may run scripts: each is a call of subcert_file with its own name and what it has to give.
 'use strict';
 
 const loaded_files = new Map();  // of a name what the script of that name will give, and what is to be done then
@@ -9,6 +9,8 @@ function subcert_file(name, content) {
 }
 
 function load_file(script) {
+  const inside = document.getElementById('file:' + script);
+  if (inside) return Promise.resolve(JSON.parse(inside.textContent));
   if (!loaded_files.has(script)) {
     const entry = {};
     entry.content = new Promise((resolve, reject) => Object.assign(entry, {resolve, reject}));

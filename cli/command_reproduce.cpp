@@ -26,6 +26,7 @@ struct ReproduceOptions : CommonOptions {
   std::vector<std::string> papers;
   std::vector<std::string> only;
   std::optional<double> budget;
+  std::string baseline;
 };
 
 void require_known(const ReproduceOptions& options, const std::vector<std::string>& papers) {
@@ -61,6 +62,11 @@ ExitCode run(ReproduceOptions& options) {
   const Stopwatch stopwatch;
   const auto papers = options.papers.empty() ? reports::default_papers() : options.papers;
   require_known(options, papers);
+  std::optional<std::vector<reports::EarlierResult>> earlier;
+  if (!options.baseline.empty()) {
+    const std::string file = (std::filesystem::path(options.baseline) / "results.json").string();
+    earlier = reports::read_results(read_file(file), file);
+  }
   reports::Findings findings;
   std::mutex terminal;
   reports::ReportOptions report_options{options.only, options.threads(),
@@ -81,13 +87,18 @@ ExitCode run(ReproduceOptions& options) {
     runtime::write_file(std::filesystem::path(options.out) / "summary.txt", reports::full_list(findings));
   }
   options.end_progress();
+  const std::vector<reports::Result> all = reports::results(findings);
+  std::optional<std::vector<reports::Change>> changed;
+  if (earlier) changed = reports::changes(*earlier, all);
   if (options.json) {
-    std::cout << reports::reports_json(findings.reports) << "\n";
+    std::cout << reports::reports_json(findings.reports, changed) << "\n";
   } else {
     if (options.out.empty()) std::cout << reports::full_list(findings) << "\n";
     std::cout << reports::first_screen(findings, {wants_colours(), options.out, stopwatch.seconds()});
+    if (changed) std::cout << reports::changes_text(*changed, all.size(), options.baseline);
   }
-  return findings.as_recorded() ? done : failed;
+  const bool is_alarm = changed && std::ranges::any_of(*changed, &reports::Change::is_alarm);
+  return findings.as_recorded() && !is_alarm ? done : failed;
 }
 
 }  // namespace
@@ -110,6 +121,8 @@ void add_reproduce(Command& app) {
   command.option("--only", options->only, "Items, separated by commas").separated_by_commas();
   command.option("--budget", options->budget, "Seconds for the exponent of each surface (default: those of the page)")
       .within(0.001, 1e6);
+  command.option("--baseline", options->baseline,
+                 "Folder of an earlier run: says what changed, and fails where that matters");
   command.existing("--out").describe("Folder for index.html, tables and figures");
 }
 

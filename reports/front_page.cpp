@@ -5,40 +5,38 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 namespace subcert::reports {
 namespace {
 
 using formats::html;
 
-/// A kind of results, and what is said of those that are right.
+/// A kind of results, and what is said of those that are right and of those that are wrong.
 struct Kind {
   ResultKind kind;
   const char* name;
   const char* right;
+  const char* wrong;
 };
 
-constexpr Kind kinds[] = {{ResultKind::value, "printed values", "match"},
-                          {ResultKind::statement, "statements", "hold"},
-                          {ResultKind::claim, "claims about experiments", "are confirmed"}};
+constexpr Kind kinds[] = {{ResultKind::value, "printed values", "match", "excluded"},
+                          {ResultKind::statement, "statements", "hold", "misprinted or false"},
+                          {ResultKind::claim, "claims about experiments", "are confirmed", "not confirmed"}};
 
-/// One group of a score: its class, its size, what is said of it.
+/// One group of a score: its class and its size.
 struct Group {
   const char* name;
   int count;
-  const char* words;
 };
 
 std::vector<Group> groups(const Score& score) {
-  return {{"right", score.right, "right"},
-          {"wrong", score.wrong, "wrong or not shown"},
-          {"open", score.open, "open"},
-          {"uncheckable", score.uncheckable, "cannot be checked"}};
+  return {{"right", score.right}, {"wrong", score.wrong}, {"open", score.open}, {"uncheckable", score.uncheckable}};
 }
 
 std::string bar(const Score& score) {
   std::string parts;
-  for (const auto& [name, count, words] : groups(score))
+  for (const auto& [name, count] : groups(score))
     if (count > 0) parts += fmt::format("<span class=\"{}\" style=\"flex-grow:{}\"></span>", name, count);
   return "<span class=bar aria-hidden=true>" + parts + "</span>";
 }
@@ -110,19 +108,22 @@ constexpr const char* about_experiments =
 
 std::string score_bars(const std::vector<Result>& results, const std::string& paper) {
   std::string lines;
-  for (const auto& [kind, name, right] : kinds) {
+  for (const auto& [kind, name, right, wrong] : kinds) {
     const Score total = score(results, kind, paper);
     if (total.all() == 0) continue;
-    const std::string link = fmt::format("results.html#kind={}{}", to_text(kind),
+    const std::string link = fmt::format("results.html?kind={}{}", to_text(kind),
                                          paper.empty() ? "" : "&amp;paper=" + html(paper));
+    const std::map<std::string, std::string> words{
+        {"wrong", wrong}, {"open", "open"}, {"uncheckable", "cannot be checked"}};
     std::vector<std::string> others;
-    for (const auto& [group, count, words] : groups(total))
-      if (count > 0 && std::string(group) != "right")
-        others.push_back(group == std::string("uncheckable")
-                             ? fmt::format("{} {}", count, words)
-                             : fmt::format("<a href=\"{}&amp;verdict={}\">{} {}</a>", link, group, count, words));
-    lines += fmt::format("<li><a href=\"{}\"><b>{}</b> of {} {} {}</a><small>{}</small>{}</li>\n", link, total.right,
-                         total.checked(), name, right, fmt::join(others, ", "), bar(total));
+    for (const auto& [group, count] : groups(total))
+      if (const auto word = words.find(group); count > 0 && word != words.end())
+        others.push_back(fmt::format("<a href=\"{}&amp;verdict={}\">{} {}</a>", link, group, count, word->second));
+    const std::string head = total.checked() == 0
+                                 ? std::string(name)
+                                 : fmt::format("<b>{}</b> of {} {} {}", total.right, total.checked(), name, right);
+    lines += fmt::format("<li><a href=\"{}\">{}</a><small>{}</small>{}</li>\n", link, head, fmt::join(others, ", "),
+                         bar(total));
   }
   return lines.empty() ? "" : "<ul class=scores>\n" + lines + "</ul>\n";
 }

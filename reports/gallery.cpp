@@ -13,6 +13,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 
 #include <fmt/format.h>
@@ -200,6 +201,11 @@ void fill(Plate& plate, const MultivariateScheme& scheme, const PlateOptions& op
     plate.holder = regularity.exponent;
     plate.sobolev = regularity.sobolev;
   }
+  if (options.verified && plate.holder.lower && *plate.holder.lower > 0)
+    try_part(plate, {}, "certificate", [&] {
+      plate.proof = row_proof(formats::slug(scheme.specification) + ".cert",
+                              surface_certificate(scheme.mask, regularity), options.verified);
+    });
   if (plate.convergence.is_no())
     plate.notes.emplace_back("The scheme diverges: there is no limit function to draw.");
   else if (!plate.convergence.is_yes())

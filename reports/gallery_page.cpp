@@ -33,8 +33,8 @@ std::vector<std::string> anchors(const std::vector<Plate>& plates) {
 /// Plain text with the letters and signs that people use.
 std::string typeset(const std::string& text) {
   static const std::vector<std::pair<std::string, std::string>> words{
-      {"Hoelder", "Hölder"}, {"&gt;= ", "≥ "},      {"&lt;= ", "≤ "}, {" ... ", " … "},
-      {"phi(", "<i>φ</i>("}, {" psi", " <i>ψ</i>"}, {",", ",<wbr>"}};
+      {"Hoelder", "Hölder"},       {"&gt;= ", "≥ "},      {"&lt;= ", "≤ "},      {" ... ", " … "},
+      {"&lt;phi", "&lt;<i>φ</i>"}, {"phi(", "<i>φ</i>("}, {" psi", " <i>ψ</i>"}, {",", ",<wbr>"}};
   std::string result = formats::html(text);
   for (const auto& [from, to] : words)
     for (std::size_t at = result.find(from); at != std::string::npos; at = result.find(from, at + to.size()))

@@ -160,7 +160,7 @@ void write_reports(const Findings& findings, const std::filesystem::path& folder
   runtime::write_file(folder / "index.html", front_page(findings));
 }
 
-std::string reports_json(const std::vector<Report>& reports) {
+std::string reports_json(const std::vector<Report>& reports, const std::optional<std::vector<Change>>& changed) {
   Json json{{"comparisons", Json::array()}, {"experiments", Json::array()}, {"tables", Json::array()}};
   for (const Report& report : reports) {
     for (const formats::ComparisonTable* table : report.comparison_tables())
@@ -170,6 +170,11 @@ std::string reports_json(const std::vector<Report>& reports) {
       json["experiments"].push_back(Json::parse(experiments::experiment_json(ran)));
     for (const formats::Section& section : report.sections)
       for (const formats::PlainTable& table : section.tables) json["tables"].push_back(table_json(report, table));
+  }
+  if (changed) {
+    json["changes"] = Json::array();
+    for (const Change& one : *changed)
+      json["changes"].push_back({{"key", one.key}, {"change", one.text}, {"matters", one.is_alarm}});
   }
   return json.dump(2);
 }

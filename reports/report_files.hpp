@@ -1,7 +1,7 @@
 #pragma once
 /// What a run writes.
 
-#include "results.hpp"
+#include "baseline.hpp"
 
 #include <filesystem>
 #include <string>
@@ -15,7 +15,8 @@ namespace subcert::reports {
 void write_reports(const Findings& findings, const std::filesystem::path& folder, int jobs);
 
 /// {"comparisons": [...], "experiments": [...], "tables": [...]} as in the contract; the experiments are those of
-/// experiment_json(), the tables those without printed counterpart.
-std::string reports_json(const std::vector<Report>& reports);
+/// experiment_json(), the tables those without printed counterpart. With an earlier run beside it also
+/// "changes": [{"key", "change", "matters"}].
+std::string reports_json(const std::vector<Report>& reports, const std::optional<std::vector<Change>>& changed = {});
 
 }  // namespace subcert::reports

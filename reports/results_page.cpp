@@ -58,8 +58,10 @@ std::string results_page(const std::vector<Result>& results) {
     papers.insert(result.paper);
     rows += row(result);
   }
-  std::vector<std::pair<std::string, std::string>> verdict_choices{
-      {"right", "all that are right"}, {"wrong", "all that are wrong, or not shown"}, {"open", "all that are open"}},
+  std::vector<std::pair<std::string, std::string>> verdict_choices{{"right", "all that are right"},
+                                                                   {"wrong", "all that are wrong, or not shown"},
+                                                                   {"open", "all that are open"},
+                                                                   {"uncheckable", "all that cannot be checked"}},
       paper_choices;
   for (const Verdict verdict : verdicts) verdict_choices.emplace_back(to_text(verdict), to_text(verdict));
   for (const std::string& paper : papers) paper_choices.emplace_back(paper, paper);

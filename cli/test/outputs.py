@@ -16,7 +16,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 program, checker = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-OPTIONS = {"--out", "--plot", "--csv", "--certificate", "--journal", "--page", "--html"}  # those that name something to be written
+# those that name something to be written
+OPTIONS = {"--out", "--plot", "--csv", "--certificate", "--journal", "--page", "--html"}
 MAP = "map mask:[-w,0,1/2+w,1,1/2+w,0,-w] --over w=0..1/5 --over t=0..1 --property convergent --resolution 2"
 # a command, and what it can write: of files the ending is given where it matters, folders end with a slash
 COMMANDS = [

@@ -8,11 +8,11 @@ namespace {
 const std::string& page_style() {
   static const std::string style = R"css(
 :root { color-scheme: light dark; --ink: #1c2733; --page: #fff; --quiet: #5a6773; --line: #d9dfe5; --link: #0b559f;
-        --band: #eef3f7; --good: #1e7a43; --bad: #b3261e; --bad-band: #fdecea; --open: #8a5a00; --open-band: #fff7e0;
+        --band: #eef3f7; --good: #1e7a43; --good-band: #e6f5ec; --bad: #b3261e; --bad-band: #fdecea; --open: #8a5a00; --open-band: #fff7e0;
         --curve-1: #0b559f; --curve-2: #c0392b; --curve-3: #1e8449; }
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e3e8ee; --page: #12171d; --quiet: #9aa7b4; --line: #323c47; --link: #7fb8f0; --band: #1b232c;
-          --good: #6fce95; --bad: #ff8f85; --bad-band: #3a1f1d; --open: #e7b75a; --open-band: #33290f;
+          --good: #6fce95; --good-band: #173325; --bad: #ff8f85; --bad-band: #3a1f1d; --open: #e7b75a; --open-band: #33290f;
           --curve-1: #7fb8f0; --curve-2: #ff8f7a; --curve-3: #6fce95; }
   figure img { background: #fff; }
 }
@@ -54,21 +54,33 @@ details { margin: .5rem 0 1rem; }
 summary { cursor: pointer; }
 details li { margin: .2rem 0; }
 .summary td, .summary th { text-align: left; }
-.statements { width: 100%; table-layout: fixed; }
-.statements th, .statements td { white-space: normal; text-align: left; }
-.statements th:nth-child(1) { width: 16%; }
-.statements th:nth-child(2) { width: 44%; }
-.statements th:nth-child(3) { width: 14%; }
 @media print { body { max-width: none; } .scroll { overflow: visible; } }
-.claim { margin: 1.5rem 0; padding: .2rem 0 .2rem 1rem; border-left: 4px solid var(--bad); }
-.claim p { margin: .25rem 0; max-width: none; }
-.claim .head { font-weight: 600; }
-.claim code, td code { font-family: "DejaVu Sans Mono", monospace; font-size: .82rem; overflow-wrap: anywhere; }
-.label { color: var(--quiet); font-size: .82rem; display: inline-block; min-width: 6rem; }
 td.text, th.text { white-space: normal; text-align: left; min-width: 12rem; }
 .holds .verdict, .holds-for-all-n .verdict { color: var(--good); }
 .misprint .verdict, .false .verdict { color: var(--bad); }
 .not-checkable .verdict, .undecided .verdict { color: var(--open); }
+/* formulas and statements: begin */
+math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "TeX Gyre Termes Math", "DejaVu Math TeX Gyre",
+       math; font-size: 1.1em; line-height: normal; }
+.formula { overflow-x: auto; overflow-y: hidden; padding: .4rem .25rem; line-height: 2; }
+.statement { margin: 1.5rem 0; padding: .2rem 0 .2rem 1rem; border-left: 4px solid var(--line); }
+.statement.misprint, .statement.false { border-left-color: var(--bad); }
+.statement p { margin: .25rem 0; }
+.statement .head { font-weight: 600; }
+.statement dl { display: grid; grid-template-columns: 6rem minmax(0, 1fr); margin: .25rem 0; font-size: .92rem; }
+.statement dt, .label { color: var(--quiet); font-size: .82rem; }
+.statement dd { margin: 0; overflow-wrap: anywhere; }
+.statement details { margin: .25rem 0; font-size: .82rem; color: var(--quiet); }
+.statement pre { white-space: pre-wrap; overflow-wrap: anywhere; margin: .4rem 0; }
+.statement code, td code { font-family: "DejaVu Sans Mono", monospace; font-size: .82rem; overflow-wrap: anywhere; }
+.forms { display: flex; flex-wrap: wrap; gap: .5rem; margin: .5rem 0; }
+.forms > div { flex: 1 1 19rem; max-width: 100%; padding: .25rem .75rem; background: var(--band); }
+msup > :last-child, msub > :last-child, msubsup > * + * { font-feature-settings: "ssty" 1; }
+.changed { outline: 1px solid; outline-offset: 1px; }
+.printed .changed { color: var(--bad); background: var(--bad-band); }
+.corrected .changed { color: var(--good); background: var(--good-band); }
+@media (max-width: 40rem) { .statement dl { grid-template-columns: minmax(0, 1fr); } }
+/* formulas and statements: end */
 )css";
   return style;
 }

@@ -1,0 +1,382 @@
+#include "mathml.hpp"
+
+#include "html.hpp"
+#include "latex_math.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <tuple>
+
+namespace subcert::formats {
+namespace {
+
+using Kind = MathNode::Kind;
+using Nodes = std::span<const MathNode>;
+using Elements = std::vector<std::string>;
+
+/// TeX's: a fraction in display style has a numerator in text style, that one's a numerator in script style.
+enum class Style { display, text, script };
+Style inside_fraction(Style style) { return style == Style::display ? Style::text : Style::script; }
+
+bool is_leaf(const MathNode& node) {
+  return node.parts.empty() && node.kind != Kind::row && node.kind != Kind::space && !node.text.empty();
+}
+
+struct Leaves {
+  int all = 0, changed = 0;
+};
+Leaves leaves(const MathNode& node) {
+  Leaves sum;
+  if (is_leaf(node)) sum = {1, node.changed ? 1 : 0};
+  for (const MathNode& part : node.parts) {
+    const auto [all, changed] = leaves(part);
+    sum = {sum.all + all, sum.changed + changed};
+  }
+  return sum;
+}
+bool all_changed(const MathNode& node) {
+  const auto [all, changed] = leaves(node);
+  return all > 0 && all == changed;
+}
+
+/// Brackets around it have to grow: LaTeX's authors would use \left and \right.
+bool is_tall(const MathNode& node) {
+  switch (node.kind) {
+    case Kind::fraction:
+    case Kind::binomial: return true;
+    case Kind::subscript:
+    case Kind::superscript:
+    case Kind::scripts:
+    case Kind::accent: return node.atom == Atom::large || is_tall(node.parts.front());
+    default: return node.atom == Atom::large || std::ranges::any_of(node.parts, is_tall);
+  }
+}
+
+std::string tag(const std::string& name, const std::string& attributes, const std::string& content) {
+  return "<" + name + attributes + ">" + content + "</" + name + ">";
+}
+
+std::string joined(const Elements& elements) { return fmt::format("{}", fmt::join(elements, "")); }
+/// As one element.
+std::string one(const Elements& elements, const std::string& attributes = "") {
+  return elements.size() == 1 && attributes.empty() ? elements.front() : tag("mrow", attributes, joined(elements));
+}
+
+/// The classes of the neighbours of a node, none at the ends of a row.
+struct Neighbours {
+  std::optional<Atom> before, behind;
+};
+
+const MathNode* neighbour(Nodes row, std::size_t at, std::ptrdiff_t step) {
+  for (std::ptrdiff_t i = static_cast<std::ptrdiff_t>(at) + step; i >= 0 && i < std::ssize(row); i += step)
+    if (row[static_cast<std::size_t>(i)].kind != Kind::space) return &row[static_cast<std::size_t>(i)];
+  return nullptr;
+}
+
+Neighbours neighbours(Nodes row, std::size_t at) {
+  const MathNode *before = neighbour(row, at, -1), *behind = neighbour(row, at, 1);
+  Neighbours result;
+  if (before != nullptr && !(before->kind == Kind::word && before->text.back() == ' ')) result.before = before->atom;
+  if (behind != nullptr) result.behind = behind->kind == Kind::fenced ? Atom::open : behind->atom;
+  return result;
+}
+
+bool is_operand(const std::optional<Atom>& atom) { return atom == Atom::ordinary || atom == Atom::close; }
+
+constexpr const char* no_space = " lspace=\"0\" rspace=\"0\"";
+constexpr const char* still = " stretchy=\"false\"";
+constexpr const char* mark = " class=\"changed\"";
+constexpr const char* thin_space = "<mspace width=\"0.167em\"></mspace>";
+
+/// What TeX does and MathML's dictionary of operators does not: no spaces in scripts, signs, bars.
+std::string operator_attributes(const MathNode& node, const Neighbours& around, Style style) {
+  const bool small = style == Style::script;
+  switch (node.atom) {
+    case Atom::binary: {
+      const bool is_sign = node.text == "+" || node.text == "−" || node.text == "±" || node.text == "∓";
+      const bool between = is_operand(around.before) && around.behind && *around.behind != Atom::close &&
+                           *around.behind != Atom::relation && *around.behind != Atom::punctuation;
+      if (!between) return is_sign ? " form=\"prefix\"" : no_space;
+      return (is_sign ? " form=\"infix\"" : "") + std::string(small ? no_space : "");
+    }
+    case Atom::relation: return small ? no_space : node.text == "∣" ? " lspace=\"0.278em\" rspace=\"0.278em\"" : "";
+    case Atom::punctuation: return small ? no_space : node.text == ":" ? " lspace=\"0\" rspace=\"0.278em\"" : "";
+    case Atom::large:
+      return std::string(is_operand(around.before) && !small ? "" : " lspace=\"0\"") +
+             (around.behind == Atom::open || small ? " rspace=\"0\"" : "");
+    case Atom::open: return " form=\"prefix\"" + std::string(node.stretches ? "" : still);
+    case Atom::close: return " form=\"postfix\"" + std::string(node.stretches ? "" : still);
+    default: return node.text == "′" ? "" : no_space + std::string(is_bar(node) && !node.stretches ? still : "");
+  }
+}
+
+Elements row_elements(Nodes row, std::size_t from, std::size_t to, Style style, bool marked);
+Elements row_elements(Nodes row, Style style, bool marked) { return row_elements(row, 0, row.size(), style, marked); }
+
+/// `marked`: an element around it says already that it is changed.
+std::string element(const MathNode& node, const Neighbours& around, Style style, bool marked) {
+  const auto mark_of = [&](const MathNode& leaf) -> std::string { return !marked && leaf.changed ? mark : ""; };
+  const std::string changed = !marked && all_changed(node) ? mark : "";
+  marked = marked || !changed.empty();
+  const auto part = [&](std::size_t i, Style inner) { return element(node.parts[i], {}, inner, marked); };
+  const auto base = [&] { return element(node.parts[0], around, style, marked); };
+  const MathNode& first = node.parts.empty() ? node : node.parts[0];
+  const bool limits = style == Style::display &&
+                      ((node.atom == Atom::large && first.text != "∫") ||
+                       (node.atom == Atom::function && (first.text == "max" || first.text == "min" ||
+                                                        first.text == "sup" || first.text == "inf" ||
+                                                        first.text == "lim" || first.text == "det")));
+  switch (node.kind) {
+    case Kind::identifier: {
+      const auto letters = std::ranges::count_if(node.text, [](char c) { return (c & 0xc0) != 0x80; });
+      const bool plain = node.upright && letters == 1 && node.text.size() < 4;
+      return tag("mi", (plain ? " mathvariant=\"normal\"" : "") + changed, node.text);
+    }
+    case Kind::number: return tag("mn", changed, node.text);
+    case Kind::symbol: return tag("mo", operator_attributes(node, around, style) + changed, html(node.text));
+    case Kind::word: return tag("mtext", changed, html(node.text));
+    case Kind::space: return tag("mspace", " width=\"" + node.text + "em\"", "");
+    case Kind::row: return one(row_elements(node.parts, style, marked), changed);
+    case Kind::fenced: {
+      Elements content = row_elements(node.parts[1].parts, style, marked);
+      const bool grows = node.parts[0].stretches || node.parts[2].stretches || is_tall(node.parts[1]);
+      const auto bracket = [&](const MathNode& side) {
+        return tag("mo", (grows ? "" : still) + mark_of(side), html(side.text));
+      };
+      if (!node.parts[0].text.empty()) content.insert(content.begin(), bracket(node.parts[0]));
+      if (!node.parts[2].text.empty()) content.push_back(bracket(node.parts[2]));
+      return tag("mrow", changed, joined(content));
+    }
+    case Kind::subscript: return tag(limits ? "munder" : "msub", changed, base() + part(1, Style::script));
+    case Kind::superscript: return tag(limits ? "mover" : "msup", changed, base() + part(1, Style::script));
+    case Kind::scripts:
+      return tag(limits ? "munderover" : "msubsup", changed, base() + part(1, Style::script) + part(2, Style::script));
+    case Kind::fraction:
+      return tag("mfrac", changed, part(0, inside_fraction(style)) + part(1, inside_fraction(style)));
+    case Kind::small:
+      return tag("mfrac", " displaystyle=\"false\"" + changed, part(0, Style::script) + part(1, Style::script));
+    case Kind::binomial:
+      return tag("mrow", changed,
+                 "<mo>(</mo>" + tag("mfrac", " linethickness=\"0\"",
+                                    part(0, inside_fraction(style)) + part(1, inside_fraction(style))) +
+                     "<mo>)</mo>");
+    case Kind::root:
+      return node.parts.size() > 1 ? tag("mroot", changed, part(0, style) + part(1, Style::script))
+                                   : tag("msqrt", changed, part(0, style));
+    default:
+      return tag("mover", " accent=\"true\"" + changed,
+                 part(0, style) +
+                     tag("mo", (node.parts[1].stretches ? "" : still) + mark_of(node.parts[1]), node.parts[1].text));
+  }
+}
+
+/// A blank at an end of <mtext> is dropped.
+std::string with_hard_blanks(std::string text) {
+  const auto hard = [](std::string& part, std::size_t at) {
+    if (part[at] == ' ') part.replace(at, 1, "\u00a0");
+  };
+  hard(text, text.size() - 1);
+  if (text.size() > 1) hard(text, 0);
+  return text;
+}
+
+/// The end of the words with the same mark from `at` on, and their text.
+std::pair<std::size_t, std::string> words_from(Nodes row, std::size_t at, std::size_t to) {
+  std::string text;
+  const bool changed = row[at].changed;
+  for (; at < to && row[at].kind == Kind::word && row[at].changed == changed; ++at) text += row[at].text;
+  return {at, text};
+}
+
+/// Where the run of changed nodes ends that begins here, and how many there are, blanks aside.
+std::pair<std::size_t, int> changed_run(Nodes row, std::size_t at, std::size_t to) {
+  std::size_t end = at;
+  int count = 0;
+  for (; at < to && (row[at].kind == Kind::space || all_changed(row[at])); ++at)
+    if (row[at].kind != Kind::space) {
+      end = at + 1;
+      ++count;
+    }
+  return {end, count};
+}
+
+/// The nodes from..to of a row: one element for a run of changed ones.
+Elements row_elements(Nodes row, std::size_t from, std::size_t to, Style style, bool marked) {
+  Elements list;
+  for (std::size_t i = from; i < to;) {
+    const MathNode& node = row[i];
+    if (!marked && node.kind != Kind::space && all_changed(node))
+      if (const auto [end, count] = changed_run(row, i, to); count > 1) {
+        list.push_back(tag("mrow", mark, joined(row_elements(row, i, end, style, true))));
+        i = end;
+        continue;
+      }
+    if (node.kind == Kind::word) {
+      const auto [end, text] = words_from(row, i, to);
+      list.push_back(tag("mtext", !marked && node.changed ? mark : "", html(with_hard_blanks(text))));
+      i = end;
+      continue;
+    }
+    const Neighbours around = neighbours(row, i);
+    const bool is_name = node.atom == Atom::function;
+    if (is_name && is_operand(around.before)) list.push_back(thin_space);
+    list.push_back(element(node, around, style, marked));
+    if (is_name && (is_operand(around.behind) || around.behind == Atom::large || around.behind == Atom::function ||
+                    around.behind == Atom::open)) {
+      list.push_back("<mo>\u2061</mo>");
+      if (around.behind != Atom::open) list.push_back(thin_space);
+    }
+    ++i;
+  }
+  return list;
+}
+
+std::string trimmed(const std::string& word) {
+  const std::size_t begin = std::min(word.find_first_not_of(' '), word.size());
+  return word.substr(begin, word.find_last_not_of(' ') + 1 - begin);
+}
+
+std::string math(const Elements& elements, const std::string& attributes, std::string_view latex) {
+  std::string source = trimmed(std::string(latex));
+  std::ranges::replace(source, '\n', ' ');
+  return tag("math", attributes,
+             tag("semantics", "",
+                 one(elements) + tag("annotation", " encoding=\"application/x-tex\"", html(source))));
+}
+
+bool is_break(const MathNode& node) { return node.kind == Kind::space && std::stod(node.text) > 0.25; }
+
+std::string flowing(Nodes row, std::string_view latex) {
+  std::string text;
+  const auto glued = [&] { return text.empty() || text.back() == ' ' ? "" : "\u2060"; };
+  for (std::size_t i = 0; i < row.size();) {
+    if (is_break(row[i])) {
+      text += std::stod(row[i].text) < 1 ? " " : "\u2003 ";
+      ++i;
+    } else if (row[i].kind == Kind::word) {
+      const auto [end, words] = words_from(row, i, row.size());
+      if (words.front() != ' ') text += glued();
+      text += row[i].changed ? tag("span", mark, html(words)) : html(words);
+      i = end;
+    } else {
+      std::size_t end = i + 1;
+      while (end < row.size() && row[end].kind != Kind::word && !is_break(row[end])) ++end;
+      text += glued() + math(row_elements(row, i, end, Style::display, false), " displaystyle=\"true\"",
+                             latex.substr(row[i].begin, row[end - 1].end - row[i].begin));
+      i = end;
+    }
+  }
+  return text;
+}
+
+struct Leaf {
+  MathNode* node;
+  std::string key;
+  bool separates;  ///< a relation or a comma outside of brackets and arguments: what is equal on its sides stays so
+};
+
+void collect(MathNode& node, const std::string& role, bool top, std::vector<Leaf>& list) {
+  if (is_leaf(node))
+    list.push_back({&node, role + (node.kind == Kind::word ? " " + trimmed(node.text) : node.text),
+                    top && (node.atom == Atom::relation || node.atom == Atom::punctuation)});
+  const bool scripts = node.kind == Kind::subscript || node.kind == Kind::superscript || node.kind == Kind::scripts;
+  for (std::size_t i = 0; i < node.parts.size(); ++i) {
+    std::string inner = role;
+    if (scripts && i > 0) inner = node.kind == Kind::superscript || i == 2 ? "^" : "_";
+    if (node.kind == Kind::fraction || node.kind == Kind::small || node.kind == Kind::binomial)
+      inner = i == 0 ? "over " : "under ";
+    if (node.kind == Kind::root) inner = "root ";
+    if (node.kind == Kind::accent && i == 1) inner = "accent ";
+    collect(node.parts[i], inner, false, list);
+  }
+}
+
+/// Leaves a..a_end of the one and b..b_end of the other are equal or not.
+struct Block {
+  bool equal;
+  std::size_t a, a_end, b, b_end;
+
+  std::size_t size() const { return std::max(a_end - a, b_end - b); }
+};
+
+std::vector<Block> common_blocks(const std::vector<Leaf>& a, const std::vector<Leaf>& b) {
+  const std::size_t width = b.size() + 1;
+  std::vector<std::uint16_t> length((a.size() + 1) * width);  // of the longest common subsequence from (i, j) on
+  for (std::size_t i = a.size(); i-- > 0;)
+    for (std::size_t j = b.size(); j-- > 0;)
+      length[i * width + j] = a[i].key == b[j].key
+                                  ? static_cast<std::uint16_t>(length[(i + 1) * width + j + 1] + 1)
+                                  : std::max(length[(i + 1) * width + j], length[i * width + j + 1]);
+  std::vector<Block> blocks;
+  for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+    const bool equal = i < a.size() && j < b.size() && a[i].key == b[j].key;
+    const bool first = !equal && i < a.size() &&
+                       (j == b.size() || length[(i + 1) * width + j] >= length[i * width + j + 1]);
+    if (blocks.empty() || blocks.back().equal != equal || (equal && a[i].separates != a[i - 1].separates))
+      blocks.push_back({equal, i, i, j, j});
+    i += equal || first ? 1 : 0;
+    j += equal || !first ? 1 : 0;
+    blocks.back().a_end = i;
+    blocks.back().b_end = j;
+  }
+  return blocks;
+}
+
+/// Equal leaves between two larger changes count as changed.
+void drop_crumbs(std::vector<Block>& blocks, const std::vector<Leaf>& a) {
+  for (std::size_t i = 1; i + 1 < blocks.size();) {
+    Block &before = blocks[i - 1], &here = blocks[i], &behind = blocks[i + 1];
+    const bool crumb = here.equal && !before.equal && !behind.equal && !a[here.a].separates &&
+                       here.size() < before.size() && here.size() < behind.size();
+    if (!crumb) {
+      ++i;
+      continue;
+    }
+    before.a_end = behind.a_end;
+    before.b_end = behind.b_end;
+    const auto at = blocks.begin() + static_cast<std::ptrdiff_t>(i);
+    blocks.erase(at, at + 2);
+    i = std::max<std::size_t>(i, 2) - 1;
+  }
+}
+
+/// No bracket is marked without its partner where all between them is.
+void pair_brackets(MathNode& node) {
+  for (MathNode& part : node.parts) pair_brackets(part);
+  if (node.kind == Kind::fenced && (node.parts[0].changed || node.parts[2].changed) && all_changed(node.parts[1]))
+    node.parts[0].changed = node.parts[2].changed = true;
+}
+
+}  // namespace
+
+std::string mathml(std::string_view latex, bool block) {
+  const MathNode row = read_latex(latex);
+  return math(row_elements(row.parts, block ? Style::display : Style::text, false), block ? " display=\"block\"" : "",
+              latex);
+}
+
+std::string formula_html(std::string_view latex) { return flowing(read_latex(latex).parts, latex); }
+
+MarkedFormulas marked_difference(std::string_view printed, std::string_view corrected) {
+  MathNode first = read_latex(printed), second = read_latex(corrected);
+  std::vector<Leaf> a, b;
+  for (MathNode& node : first.parts) collect(node, "", true, a);
+  for (MathNode& node : second.parts) collect(node, "", true, b);
+  std::vector<Block> blocks = common_blocks(a, b);
+  drop_crumbs(blocks, a);
+  for (const Block& block : blocks) {
+    if (block.equal) continue;
+    for (std::size_t i = block.a; i < block.a_end; ++i) a[i].node->changed = true;
+    for (std::size_t i = block.b; i < block.b_end; ++i) b[i].node->changed = true;
+  }
+  pair_brackets(first);
+  pair_brackets(second);
+  return {flowing(first.parts, printed), flowing(second.parts, corrected)};
+}
+
+}  // namespace subcert::formats

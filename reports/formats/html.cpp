@@ -62,7 +62,9 @@ td.text, th.text { white-space: normal; text-align: left; min-width: 12rem; }
 /* formulas and statements: begin */
 math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "TeX Gyre Termes Math", "DejaVu Math TeX Gyre",
        math; font-size: 1.1em; line-height: normal; }
-.formula { overflow-x: auto; overflow-y: hidden; padding: .4rem .25rem; line-height: 2; }
+.formula { overflow-x: auto; overflow-y: hidden; padding: .15rem .25rem; line-height: 1.7; }
+.formula math { margin-block: .3em; }
+.formula .quad { margin-inline-end: 1em; }
 .statement { margin: 1.5rem 0; padding: .2rem 0 .2rem 1rem; border-left: 4px solid var(--line); }
 .statement.misprint, .statement.false { border-left-color: var(--bad); }
 .statement p { margin: .25rem 0; }
@@ -75,8 +77,8 @@ math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "TeX G
 .statement code, td code { font-family: "DejaVu Sans Mono", monospace; font-size: .82rem; overflow-wrap: anywhere; }
 .forms { display: flex; flex-wrap: wrap; gap: .5rem; margin: .5rem 0; }
 .forms > div { flex: 1 1 19rem; max-width: 100%; padding: .25rem .75rem; background: var(--band); }
-msup > :last-child, msub > :last-child, msubsup > * + * { font-feature-settings: "ssty" 1; }
-.changed { outline: 1px solid; outline-offset: 1px; }
+.changed { outline: 1px solid; border-radius: 2px; padding-block: .06em; }
+mo.changed { padding-block: .2em; }
 .printed .changed { color: var(--bad); background: var(--bad-band); }
 .corrected .changed { color: var(--good); background: var(--good-band); }
 @media (max-width: 40rem) { .statement dl { grid-template-columns: minmax(0, 1fr); } }

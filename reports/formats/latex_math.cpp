@@ -100,7 +100,7 @@ const Symbol* symbol(const std::string& token) {
 
 const std::map<std::string, const char*, std::less<>>& accents() {
   static const std::map<std::string, const char*, std::less<>> all{
-      {"bar", "¯"}, {"hat", "^"}, {"tilde", "~"}, {"dot", "˙"}, {"ddot", "¨"}, {"vec", "→"}, {"check", "ˇ"},
+      {"bar", "¯"}, {"hat", "ˆ"}, {"tilde", "˜"}, {"dot", "˙"}, {"ddot", "¨"}, {"vec", "→"}, {"check", "ˇ"},
       {"overline", "¯"}, {"widehat", "^"}, {"widetilde", "~"}};
   return all;
 }
@@ -406,6 +406,7 @@ class Reader {
         if (!open.empty()) {
           core = fence(done, open.back(), std::move(core));
           node.begin = core.begin;
+          node.atom = core.atom;
           if (scripted) node.height = std::max(node.height, core.height + 1);
           bounded(node);
           open.pop_back();

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -16,7 +17,7 @@ namespace subcert::formats {
 namespace {
 
 using Kind = MathNode::Kind;
-using Nodes = std::span<const MathNode>;
+using Row = std::span<const MathNode>;
 using Elements = std::vector<std::string>;
 
 /// TeX's: a fraction in display style has a numerator in text style, that one's a numerator in script style.
@@ -57,6 +58,10 @@ bool is_tall(const MathNode& node) {
   }
 }
 
+bool grows(const MathNode& fence) {
+  return fence.parts[0].stretches || fence.parts[2].stretches || is_tall(fence.parts[1]);
+}
+
 std::string tag(const std::string& name, const std::string& attributes, const std::string& content) {
   return "<" + name + attributes + ">" + content + "</" + name + ">";
 }
@@ -72,17 +77,22 @@ struct Neighbours {
   std::optional<Atom> before, behind;
 };
 
-const MathNode* neighbour(Nodes row, std::size_t at, std::ptrdiff_t step) {
+const MathNode* neighbour(Row row, std::size_t at, std::ptrdiff_t step) {
   for (std::ptrdiff_t i = static_cast<std::ptrdiff_t>(at) + step; i >= 0 && i < std::ssize(row); i += step)
     if (row[static_cast<std::size_t>(i)].kind != Kind::space) return &row[static_cast<std::size_t>(i)];
   return nullptr;
 }
 
-Neighbours neighbours(Nodes row, std::size_t at) {
+Neighbours neighbours(Row row, std::size_t at) {
   const MathNode *before = neighbour(row, at, -1), *behind = neighbour(row, at, 1);
   Neighbours result;
   if (before != nullptr && !(before->kind == Kind::word && before->text.back() == ' ')) result.before = before->atom;
-  if (behind != nullptr) result.behind = behind->kind == Kind::fenced ? Atom::open : behind->atom;
+  if (behind != nullptr) {
+    const bool scripted = behind->kind == Kind::subscript || behind->kind == Kind::superscript ||
+                          behind->kind == Kind::scripts;
+    const bool opens = (scripted ? behind->parts.front() : *behind).kind == Kind::fenced;
+    result.behind = opens ? Atom::open : behind->atom;
+  }
   return result;
 }
 
@@ -91,6 +101,9 @@ bool is_operand(const std::optional<Atom>& atom) { return atom == Atom::ordinary
 constexpr const char* no_space = " lspace=\"0\" rspace=\"0\"";
 constexpr const char* still = " stretchy=\"false\"";
 constexpr const char* mark = " class=\"changed\"";
+constexpr const char* prime = "′";
+/// Fonts have the prime raised already, and no browser takes their variant for exponents.
+constexpr const char* lowered = " scriptlevel=\"-1\" voffset=\"-0.45em\" height=\"0.3em\"";
 constexpr const char* thin_space = "<mspace width=\"0.167em\"></mspace>";
 
 /// What TeX does and MathML's dictionary of operators does not: no spaces in scripts, signs, bars.
@@ -106,17 +119,29 @@ std::string operator_attributes(const MathNode& node, const Neighbours& around, 
     }
     case Atom::relation: return small ? no_space : node.text == "∣" ? " lspace=\"0.278em\" rspace=\"0.278em\"" : "";
     case Atom::punctuation: return small ? no_space : node.text == ":" ? " lspace=\"0\" rspace=\"0.278em\"" : "";
-    case Atom::large:
-      return std::string(is_operand(around.before) && !small ? "" : " lspace=\"0\"") +
-             (around.behind == Atom::open || small ? " rspace=\"0\"" : "");
+    case Atom::large: return no_space;  // row_elements() sets them, outside of the limits
     case Atom::open: return " form=\"prefix\"" + std::string(node.stretches ? "" : still);
     case Atom::close: return " form=\"postfix\"" + std::string(node.stretches ? "" : still);
-    default: return node.text == "′" ? "" : no_space + std::string(is_bar(node) && !node.stretches ? still : "");
+    default: return no_space + std::string(is_bar(node) && !node.stretches ? still : "");
   }
 }
 
-Elements row_elements(Nodes row, std::size_t from, std::size_t to, Style style, bool marked);
-Elements row_elements(Nodes row, Style style, bool marked) { return row_elements(row, 0, row.size(), style, marked); }
+Elements row_elements(Row row, std::size_t from, std::size_t to, Style style, bool marked);
+Elements row_elements(Row row, Style style, bool marked) { return row_elements(row, 0, row.size(), style, marked); }
+
+/// Where the scripts are on a bracket that does not grow, they are on it alone, as in TeX: so an exponent behind
+/// (A^T A) is no higher than the one in it.
+std::string fenced(const MathNode& node, Style style, bool marked, const std::string& attributes,
+                   const std::string& script_tag = "", const std::string& scripts = "") {
+  Elements content = row_elements(node.parts[1].parts, style, marked);
+  const auto bracket = [&](const MathNode& side) {
+    return tag("mo", (grows(node) ? "" : still) + std::string(!marked && side.changed ? mark : ""), html(side.text));
+  };
+  if (!node.parts[0].text.empty()) content.insert(content.begin(), bracket(node.parts[0]));
+  if (!node.parts[2].text.empty()) content.push_back(bracket(node.parts[2]));
+  if (!script_tag.empty()) content.back() = tag(script_tag, "", content.back() + scripts);
+  return tag("mrow", attributes, joined(content));
+}
 
 /// `marked`: an element around it says already that it is changed.
 std::string element(const MathNode& node, const Neighbours& around, Style style, bool marked) {
@@ -124,7 +149,6 @@ std::string element(const MathNode& node, const Neighbours& around, Style style,
   const std::string changed = !marked && all_changed(node) ? mark : "";
   marked = marked || !changed.empty();
   const auto part = [&](std::size_t i, Style inner) { return element(node.parts[i], {}, inner, marked); };
-  const auto base = [&] { return element(node.parts[0], around, style, marked); };
   const MathNode& first = node.parts.empty() ? node : node.parts[0];
   const bool limits = style == Style::display &&
                       ((node.atom == Atom::large && first.text != "∫") ||
@@ -138,24 +162,24 @@ std::string element(const MathNode& node, const Neighbours& around, Style style,
       return tag("mi", (plain ? " mathvariant=\"normal\"" : "") + changed, node.text);
     }
     case Kind::number: return tag("mn", changed, node.text);
-    case Kind::symbol: return tag("mo", operator_attributes(node, around, style) + changed, html(node.text));
+    case Kind::symbol:
+      return node.text == prime ? tag("mpadded", lowered + changed, "<mo>′</mo>")
+                                : tag("mo", operator_attributes(node, around, style) + changed, html(node.text));
     case Kind::word: return tag("mtext", changed, html(node.text));
     case Kind::space: return tag("mspace", " width=\"" + node.text + "em\"", "");
     case Kind::row: return one(row_elements(node.parts, style, marked), changed);
-    case Kind::fenced: {
-      Elements content = row_elements(node.parts[1].parts, style, marked);
-      const bool grows = node.parts[0].stretches || node.parts[2].stretches || is_tall(node.parts[1]);
-      const auto bracket = [&](const MathNode& side) {
-        return tag("mo", (grows ? "" : still) + mark_of(side), html(side.text));
-      };
-      if (!node.parts[0].text.empty()) content.insert(content.begin(), bracket(node.parts[0]));
-      if (!node.parts[2].text.empty()) content.push_back(bracket(node.parts[2]));
-      return tag("mrow", changed, joined(content));
+    case Kind::fenced: return fenced(node, style, marked, changed);
+    case Kind::subscript:
+    case Kind::superscript:
+    case Kind::scripts: {
+      const std::string name = node.kind == Kind::subscript     ? limits ? "munder" : "msub"
+                               : node.kind == Kind::superscript ? limits ? "mover" : "msup"
+                                                                : limits ? "munderover" : "msubsup";
+      std::string scripts;
+      for (std::size_t i = 1; i < node.parts.size(); ++i) scripts += part(i, Style::script);
+      if (first.kind == Kind::fenced && !grows(first)) return fenced(first, style, marked, changed, name, scripts);
+      return tag(name, changed, element(first, around, style, marked) + scripts);
     }
-    case Kind::subscript: return tag(limits ? "munder" : "msub", changed, base() + part(1, Style::script));
-    case Kind::superscript: return tag(limits ? "mover" : "msup", changed, base() + part(1, Style::script));
-    case Kind::scripts:
-      return tag(limits ? "munderover" : "msubsup", changed, base() + part(1, Style::script) + part(2, Style::script));
     case Kind::fraction:
       return tag("mfrac", changed, part(0, inside_fraction(style)) + part(1, inside_fraction(style)));
     case Kind::small:
@@ -186,7 +210,7 @@ std::string with_hard_blanks(std::string text) {
 }
 
 /// The end of the words with the same mark from `at` on, and their text.
-std::pair<std::size_t, std::string> words_from(Nodes row, std::size_t at, std::size_t to) {
+std::pair<std::size_t, std::string> words_from(Row row, std::size_t at, std::size_t to) {
   std::string text;
   const bool changed = row[at].changed;
   for (; at < to && row[at].kind == Kind::word && row[at].changed == changed; ++at) text += row[at].text;
@@ -194,7 +218,7 @@ std::pair<std::size_t, std::string> words_from(Nodes row, std::size_t at, std::s
 }
 
 /// Where the run of changed nodes ends that begins here, and how many there are, blanks aside.
-std::pair<std::size_t, int> changed_run(Nodes row, std::size_t at, std::size_t to) {
+std::pair<std::size_t, int> changed_run(Row row, std::size_t at, std::size_t to) {
   std::size_t end = at;
   int count = 0;
   for (; at < to && (row[at].kind == Kind::space || all_changed(row[at])); ++at)
@@ -206,7 +230,7 @@ std::pair<std::size_t, int> changed_run(Nodes row, std::size_t at, std::size_t t
 }
 
 /// The nodes from..to of a row: one element for a run of changed ones.
-Elements row_elements(Nodes row, std::size_t from, std::size_t to, Style style, bool marked) {
+Elements row_elements(Row row, std::size_t from, std::size_t to, Style style, bool marked) {
   Elements list;
   for (std::size_t i = from; i < to;) {
     const MathNode& node = row[i];
@@ -223,14 +247,13 @@ Elements row_elements(Nodes row, std::size_t from, std::size_t to, Style style, 
       continue;
     }
     const Neighbours around = neighbours(row, i);
-    const bool is_name = node.atom == Atom::function;
-    if (is_name && is_operand(around.before)) list.push_back(thin_space);
+    const bool is_name = node.atom == Atom::function, stands_off = is_name || node.atom == Atom::large;
+    if (stands_off && is_operand(around.before)) list.push_back(thin_space);
     list.push_back(element(node, around, style, marked));
-    if (is_name && (is_operand(around.behind) || around.behind == Atom::large || around.behind == Atom::function ||
-                    around.behind == Atom::open)) {
-      list.push_back("<mo>\u2061</mo>");
-      if (around.behind != Atom::open) list.push_back(thin_space);
-    }
+    const bool applies = around.behind == Atom::ordinary || around.behind == Atom::large ||
+                         around.behind == Atom::function;
+    if (is_name && (applies || around.behind == Atom::open)) list.push_back("<mo>\u2061</mo>");
+    if (stands_off && applies) list.push_back(thin_space);
     ++i;
   }
   return list;
@@ -251,12 +274,14 @@ std::string math(const Elements& elements, const std::string& attributes, std::s
 
 bool is_break(const MathNode& node) { return node.kind == Kind::space && std::stod(node.text) > 0.25; }
 
-std::string flowing(Nodes row, std::string_view latex) {
+bool is_quad(const MathNode& node) { return node.kind == Kind::space && std::stod(node.text) >= 1; }
+
+std::string flowing(Row row, std::string_view latex) {
   std::string text;
   const auto glued = [&] { return text.empty() || text.back() == ' ' ? "" : "\u2060"; };
   for (std::size_t i = 0; i < row.size();) {
     if (is_break(row[i])) {
-      text += std::stod(row[i].text) < 1 ? " " : "\u2003 ";
+      text += is_quad(row[i]) && i > 0 && row[i - 1].kind == Kind::word ? "\u2003 " : " ";
       ++i;
     } else if (row[i].kind == Kind::word) {
       const auto [end, words] = words_from(row, i, row.size());
@@ -266,7 +291,9 @@ std::string flowing(Nodes row, std::string_view latex) {
     } else {
       std::size_t end = i + 1;
       while (end < row.size() && row[end].kind != Kind::word && !is_break(row[end])) ++end;
-      text += glued() + math(row_elements(row, i, end, Style::display, false), " displaystyle=\"true\"",
+      const bool wide = end < row.size() && is_quad(row[end]);
+      text += glued() + math(row_elements(row, i, end, Style::display, false),
+                             " displaystyle=\"true\"" + std::string(wide ? " class=\"quad\"" : ""),
                              latex.substr(row[i].begin, row[end - 1].end - row[i].begin));
       i = end;
     }
@@ -300,48 +327,64 @@ void collect(MathNode& node, const std::string& role, bool top, std::vector<Leaf
 struct Block {
   bool equal;
   std::size_t a, a_end, b, b_end;
-
-  std::size_t size() const { return std::max(a_end - a, b_end - b); }
 };
 
+/// Of the common subsequences one with the largest sum of its length and the number of neighbours in both that stay
+/// neighbours, so that it keeps together what belongs together.
 std::vector<Block> common_blocks(const std::vector<Leaf>& a, const std::vector<Leaf>& b) {
   const std::size_t width = b.size() + 1;
-  std::vector<std::uint16_t> length((a.size() + 1) * width);  // of the longest common subsequence from (i, j) on
+  // The largest sum from (i, j) on, where the leaves in front are no pair, and where they are one.
+  std::vector<std::array<std::uint16_t, 2>> best((a.size() + 1) * width, {0, 0});
+  const auto at = [&](std::size_t i, std::size_t j) -> std::array<std::uint16_t, 2>& { return best[i * width + j]; };
+  const auto is_pair = [&](std::size_t i, std::size_t j) {
+    return i < a.size() && j < b.size() && a[i].key == b[j].key;
+  };
+  const auto with_pair = [&](std::size_t i, std::size_t j, int behind_pair) {
+    return static_cast<std::uint16_t>(at(i + 1, j + 1)[1] + 1 + behind_pair);
+  };
   for (std::size_t i = a.size(); i-- > 0;)
     for (std::size_t j = b.size(); j-- > 0;)
-      length[i * width + j] = a[i].key == b[j].key
-                                  ? static_cast<std::uint16_t>(length[(i + 1) * width + j + 1] + 1)
-                                  : std::max(length[(i + 1) * width + j], length[i * width + j + 1]);
+      for (const int behind_pair : {0, 1}) {
+        const std::uint16_t without = std::max(at(i + 1, j)[0], at(i, j + 1)[0]);
+        at(i, j)[static_cast<std::size_t>(behind_pair)] =
+            is_pair(i, j) ? std::max(without, with_pair(i, j, behind_pair)) : without;
+      }
   std::vector<Block> blocks;
+  int behind_pair = 0;
   for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
-    const bool equal = i < a.size() && j < b.size() && a[i].key == b[j].key;
-    const bool first = !equal && i < a.size() &&
-                       (j == b.size() || length[(i + 1) * width + j] >= length[i * width + j + 1]);
+    const bool equal =
+        is_pair(i, j) && with_pair(i, j, behind_pair) == at(i, j)[static_cast<std::size_t>(behind_pair)];
+    const bool first = !equal && i < a.size() && (j == b.size() || at(i + 1, j)[0] >= at(i, j + 1)[0]);
     if (blocks.empty() || blocks.back().equal != equal || (equal && a[i].separates != a[i - 1].separates))
       blocks.push_back({equal, i, i, j, j});
     i += equal || first ? 1 : 0;
     j += equal || !first ? 1 : 0;
     blocks.back().a_end = i;
     blocks.back().b_end = j;
+    behind_pair = equal ? 1 : 0;
   }
   return blocks;
 }
 
-/// Equal leaves between two larger changes count as changed.
+constexpr std::size_t long_run = 4;
+
+/// Between two common separators, short runs of equal leaves amid changes count as changed where both forms changed in
+/// more leaves than stayed equal there.
 void drop_crumbs(std::vector<Block>& blocks, const std::vector<Leaf>& a) {
-  for (std::size_t i = 1; i + 1 < blocks.size();) {
-    Block &before = blocks[i - 1], &here = blocks[i], &behind = blocks[i + 1];
-    const bool crumb = here.equal && !before.equal && !behind.equal && !a[here.a].separates &&
-                       here.size() < before.size() && here.size() < behind.size();
-    if (!crumb) {
-      ++i;
-      continue;
+  const auto separates = [&](const Block& block) { return block.equal && a[block.a].separates; };
+  for (auto from = blocks.begin(); from != blocks.end();) {
+    const auto to = std::find_if(from + 1, blocks.end(), separates);
+    auto first = std::find_if(from, to, [](const Block& block) { return !block.equal; }), last = to;
+    while (last != first && (last - 1)->equal) --last;
+    std::size_t equal = 0, printed = 0, corrected = 0;
+    for (auto block = first; block != last; ++block) {
+      equal += block->equal ? block->a_end - block->a : 0;
+      printed += block->equal ? 0 : block->a_end - block->a;
+      corrected += block->equal ? 0 : block->b_end - block->b;
     }
-    before.a_end = behind.a_end;
-    before.b_end = behind.b_end;
-    const auto at = blocks.begin() + static_cast<std::ptrdiff_t>(i);
-    blocks.erase(at, at + 2);
-    i = std::max<std::size_t>(i, 2) - 1;
+    if (equal < std::min(printed, corrected))
+      for (; first != last; ++first) first->equal = first->equal && first->a_end - first->a >= long_run;
+    from = to;
   }
 }
 

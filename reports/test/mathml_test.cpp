@@ -100,18 +100,22 @@ TEST_CASE("every form of every statement is set in MathML") {
 TEST_CASE("typical formulas") {
   CHECK(inner("\\frac{1}{2n}") == "<mfrac><mn>1</mn><mrow><mn>2</mn><mi>n</mi></mrow></mfrac>");
   CHECK(inner("\\frac12n") == "<mrow><mfrac><mn>1</mn><mn>2</mn></mfrac><mi>n</mi></mrow>");
-  CHECK(inner("\\phi_n'") == "<msubsup><mi>ϕ</mi><mi>n</mi><mo>′</mo></msubsup>");
+  CHECK(inner("\\phi_n'") == "<msubsup><mi>ϕ</mi><mi>n</mi>"
+                            "<mpadded scriptlevel=\"-1\" voffset=\"-0.45em\" height=\"0.3em\"><mo>′</mo></mpadded>"
+                            "</msubsup>");
   CHECK(inner("x_1^{-1}") ==
         "<msubsup><mi>x</mi><mn>1</mn><mrow><mo form=\"prefix\">−</mo><mn>1</mn></mrow></msubsup>");
   CHECK(inner("\\sum_{j=1}^n j", true) ==
-        "<mrow><munderover><mo lspace=\"0\">∑</mo><mrow><mi>j</mi><mo lspace=\"0\" rspace=\"0\">=</mo><mn>1</mn></mrow>"
-        "<mi>n</mi></munderover><mi>j</mi></mrow>");
-  CHECK(inner("\\sum_j") == "<msub><mo lspace=\"0\">∑</mo><mi>j</mi></msub>");
+        "<mrow><munderover><mo lspace=\"0\" rspace=\"0\">∑</mo><mrow><mi>j</mi><mo lspace=\"0\" rspace=\"0\">=</mo><mn>1</mn></mrow>"
+        "<mi>n</mi></munderover><mspace width=\"0.167em\"></mspace><mi>j</mi></mrow>");
+  CHECK(inner("\\sum_j") == "<msub><mo lspace=\"0\" rspace=\"0\">∑</mo><mi>j</mi></msub>");
   CHECK(inner("\\|f\\|_\\infty") ==
-        "<msub><mrow><mo stretchy=\"false\">‖</mo><mi>f</mi><mo stretchy=\"false\">‖</mo></mrow>"
-        "<mi mathvariant=\"normal\">∞</mi></msub>");
+        "<mrow><mo stretchy=\"false\">‖</mo><mi>f</mi><msub><mo stretchy=\"false\">‖</mo>"
+        "<mi mathvariant=\"normal\">∞</mi></msub></mrow>");
   CHECK(inner("(a)^2") ==
-        "<msup><mrow><mo stretchy=\"false\">(</mo><mi>a</mi><mo stretchy=\"false\">)</mo></mrow><mn>2</mn></msup>");
+        "<mrow><mo stretchy=\"false\">(</mo><mi>a</mi><msup><mo stretchy=\"false\">)</mo><mn>2</mn></msup></mrow>");
+  CHECK(inner("(\\frac ab)^2") ==
+        "<msup><mrow><mo>(</mo><mfrac><mi>a</mi><mi>b</mi></mfrac><mo>)</mo></mrow><mn>2</mn></msup>");
   CHECK(inner("(\\frac ab)") == "<mrow><mo>(</mo><mfrac><mi>a</mi><mi>b</mi></mfrac><mo>)</mo></mrow>");
   CHECK(inner("\\left.a\\right|") == "<mrow><mi>a</mi><mo>|</mo></mrow>");
   CHECK(inner("\\bar{\\mathbf{a}}, \\mathbb{Z}, \\mathcal{L}, \\Pi") ==
@@ -120,6 +124,7 @@ TEST_CASE("typical formulas") {
   CHECK(inner("2\\sin x") == "<mrow><mn>2</mn><mspace width=\"0.167em\"></mspace><mi>sin</mi><mo>\u2061</mo>"
                              "<mspace width=\"0.167em\"></mspace><mi>x</mi></mrow>");
   CHECK(inner("a - b") == "<mrow><mi>a</mi><mo form=\"infix\">−</mo><mi>b</mi></mrow>");
+  CHECK(inner("a - (b)^2").starts_with("<mrow><mi>a</mi><mo form=\"infix\">−</mo>"));
   CHECK(inner("a, -b") == "<mrow><mi>a</mi><mo>,</mo><mo form=\"prefix\">−</mo><mi>b</mi></mrow>");
   CHECK(inner("\\sqrt[3]{x} \\binom nk") ==
         "<mrow><mroot><mi>x</mi><mn>3</mn></mroot><mrow><mo>(</mo><mfrac linethickness=\"0\"><mi>n</mi><mi>k</mi>"
@@ -149,7 +154,7 @@ TEST_CASE("bars and brackets find their partners, the others stand alone") {
 TEST_CASE("a long formula is several, with breaks between") {
   const std::string html = formula_html("S_n \\text{ is } C^1, \\quad n > 1");
   CHECK(html.find("</math> is <math") != std::string::npos);
-  CHECK(html.find("</math>\u2003 <math") != std::string::npos);
+  CHECK(html.find("class=\"quad\"") != std::string::npos);
   CHECK(html.find(">n &gt; 1</annotation>") != std::string::npos);
   CHECK(formula_html("\\text{lost}") == "lost");
   CHECK(formula_html("2n\\text{-point}").ends_with("</math>\u2060-point"));
@@ -192,7 +197,7 @@ TEST_CASE("what both forms have in common is not marked") {
   CHECK(marks("x_{-1} = 1", "x_0 = 1") == "−1 / 0");
   CHECK(marks("A^T B^{-1}", "B^{-1} A^T") == "AT / AT");
   CHECK(marks("n^2", "n2") == "2 / 2");                       // an exponent is no factor
-  CHECK(marks("\\hat A x", "A x") == "^ / ");                 // the accent alone
+  CHECK(marks("\\hat A x", "A x") == "ˆ / ");  // the accent alone
   CHECK(marks("\\frac{n}{2}", "\\frac{n}{3}") == "2 / 3");    //
   CHECK(marks("a + b = c", "d + e = c") == "a+b / d+e");      // no crumbs
   CHECK(marks("x = (r + 1) s", "x = (r - 1) s") == "+ / −");

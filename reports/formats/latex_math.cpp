@@ -225,7 +225,7 @@ class Reader {
     } else if (name == "mathbf" || name == "mathbb" || name == "mathcal") {
       std::string letters;
       for (const char c : plain_argument(whole)) letters += *in_alphabet(name, c);
-      leaf(nodes, Symbol{letters, Atom::ordinary, Kind::identifier, true}, begin);
+      leaf(nodes, Symbol{letters, Atom::ordinary, Kind::identifier}, begin);
     } else if (name == "left") {
       Nodes parts;
       delimiter(parts, whole);

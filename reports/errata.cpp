@@ -122,7 +122,8 @@ std::string errata_page(const std::vector<CheckedStatement>& checked) {
       "typed in as they stand and compared with what follows from the definitions, in exact arithmetic or with outward "
       "rounding. <b>holds-for-all-n</b>: proved for all admissible parameters; <b>holds</b>: on the range named; "
       "<b>misprint</b>: the printed form fails at the witness and the corrected form passes the same check; "
-      "<b>false</b>: it fails, and no change of a symbol saves it. The closed forms among the formulas are printed from "
+      "<b>false</b>: it fails, and no change of a symbol saves it. The closed forms among the formulas are printed "
+      "from "
       "what was checked; beside an erratum, <span class=\"printed\"><span class=changed>what the printed form has "
       "alone</span></span> and <span class=\"corrected\"><span class=changed>what the corrected one has "
       "alone</span></span> are marked. Formulas are MathML with their LaTeX text.</p>\n" +

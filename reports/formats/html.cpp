@@ -82,6 +82,7 @@ mo.changed { padding-block: .2em; }
 .printed .changed { color: var(--bad); background: var(--bad-band); }
 .corrected .changed { color: var(--good); background: var(--good-band); }
 @media (max-width: 40rem) { .statement dl { grid-template-columns: minmax(0, 1fr); } }
+@media print { .formula { overflow: visible; } }
 /* formulas and statements: end */
 )css";
   return style;

@@ -14,7 +14,7 @@ using Kind = MathNode::Kind;
 using Nodes = std::vector<MathNode>;
 
 constexpr std::size_t longest_text = 5000;
-constexpr int deepest = 50;    ///< nested arguments
+constexpr int deepest = 50;   ///< nested arguments
 constexpr int highest = 100;  ///< of a tree; matching brackets are levels, too
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
@@ -36,37 +36,102 @@ const Symbols& symbols() {
       for (const auto& [name, text] : glyphs) list[name] = {text, atom, kind, upright};
     };
     add(Atom::ordinary, Kind::identifier, false,
-        {{"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"},      {"delta", "δ"},    {"epsilon", "ϵ"}, {"varepsilon", "ε"},
-         {"zeta", "ζ"},  {"eta", "η"},   {"theta", "θ"},      {"vartheta", "ϑ"}, {"iota", "ι"},    {"kappa", "κ"},
-         {"lambda", "λ"}, {"mu", "μ"},   {"nu", "ν"},         {"xi", "ξ"},       {"pi", "π"},      {"varpi", "ϖ"},
-         {"rho", "ρ"},   {"varrho", "ϱ"}, {"sigma", "σ"},     {"varsigma", "ς"}, {"tau", "τ"},     {"upsilon", "υ"},
-         {"phi", "ϕ"},   {"varphi", "φ"}, {"chi", "χ"},       {"psi", "ψ"},      {"omega", "ω"},   {"partial", "∂"},
+        {{"alpha", "α"},  {"beta", "β"},   {"gamma", "γ"}, {"delta", "δ"},    {"epsilon", "ϵ"}, {"varepsilon", "ε"},
+         {"zeta", "ζ"},   {"eta", "η"},    {"theta", "θ"}, {"vartheta", "ϑ"}, {"iota", "ι"},    {"kappa", "κ"},
+         {"lambda", "λ"}, {"mu", "μ"},     {"nu", "ν"},    {"xi", "ξ"},       {"pi", "π"},      {"varpi", "ϖ"},
+         {"rho", "ρ"},    {"varrho", "ϱ"}, {"sigma", "σ"}, {"varsigma", "ς"}, {"tau", "τ"},     {"upsilon", "υ"},
+         {"phi", "ϕ"},    {"varphi", "φ"}, {"chi", "χ"},   {"psi", "ψ"},      {"omega", "ω"},   {"partial", "∂"},
          {"ell", "ℓ"}});
     add(Atom::ordinary, Kind::identifier, true,
-        {{"Gamma", "Γ"}, {"Delta", "Δ"}, {"Theta", "Θ"}, {"Lambda", "Λ"}, {"Xi", "Ξ"}, {"Pi", "Π"}, {"Sigma", "Σ"},
-         {"Upsilon", "Υ"}, {"Phi", "Φ"}, {"Psi", "Ψ"}, {"Omega", "Ω"}, {"nabla", "∇"}, {"infty", "∞"},
+        {{"Gamma", "Γ"},
+         {"Delta", "Δ"},
+         {"Theta", "Θ"},
+         {"Lambda", "Λ"},
+         {"Xi", "Ξ"},
+         {"Pi", "Π"},
+         {"Sigma", "Σ"},
+         {"Upsilon", "Υ"},
+         {"Phi", "Φ"},
+         {"Psi", "Ψ"},
+         {"Omega", "Ω"},
+         {"nabla", "∇"},
+         {"infty", "∞"},
          {"emptyset", "∅"}});
     add(Atom::ordinary, Kind::symbol, false,
-        {{"prime", "′"}, {"forall", "∀"}, {"exists", "∃"}, {"neg", "¬"}, {"dots", "…"}, {"ldots", "…"}, {"cdots", "⋯"},
-         {"vert", "|"}, {"|", "‖"}, {"Vert", "‖"}, {"%", "%"}, {"#", "#"}, {"&", "&"}, {"_", "_"}, {"$", "$"}});
+        {{"prime", "′"},
+         {"forall", "∀"},
+         {"exists", "∃"},
+         {"neg", "¬"},
+         {"dots", "…"},
+         {"ldots", "…"},
+         {"cdots", "⋯"},
+         {"vert", "|"},
+         {"|", "‖"},
+         {"Vert", "‖"},
+         {"%", "%"},
+         {"#", "#"},
+         {"&", "&"},
+         {"_", "_"},
+         {"$", "$"}});
     add(Atom::binary, Kind::symbol, false,
-        {{"pm", "±"}, {"mp", "∓"}, {"cdot", "⋅"}, {"times", "×"}, {"ast", "∗"}, {"star", "⋆"}, {"circ", "∘"},
-         {"bullet", "∙"}, {"otimes", "⊗"}, {"oplus", "⊕"}, {"cap", "∩"}, {"cup", "∪"}, {"setminus", "∖"},
-         {"wedge", "∧"}, {"vee", "∨"}, {"dagger", "†"}});
-    add(Atom::relation, Kind::symbol, false,
-        {{"leq", "≤"}, {"le", "≤"}, {"geq", "≥"}, {"ge", "≥"}, {"neq", "≠"}, {"ne", "≠"}, {"ll", "≪"}, {"gg", "≫"},
-         {"lt", "<"}, {"gt", ">"}, {"sim", "∼"}, {"simeq", "≃"}, {"approx", "≈"}, {"cong", "≅"}, {"equiv", "≡"},
-         {"propto", "∝"}, {"in", "∈"}, {"notin", "∉"}, {"ni", "∋"}, {"subset", "⊂"}, {"subseteq", "⊆"},
-         {"supset", "⊃"}, {"supseteq", "⊇"}, {"mid", "∣"}, {"parallel", "∥"}, {"perp", "⊥"}, {"to", "→"},
-         {"rightarrow", "→"}, {"leftarrow", "←"}, {"gets", "←"}, {"mapsto", "↦"}, {"Rightarrow", "⇒"},
-         {"Leftarrow", "⇐"}, {"Leftrightarrow", "⇔"}, {"iff", "⇔"}, {"implies", "⇒"}});
+        {{"pm", "±"},
+         {"mp", "∓"},
+         {"cdot", "⋅"},
+         {"times", "×"},
+         {"ast", "∗"},
+         {"star", "⋆"},
+         {"circ", "∘"},
+         {"bullet", "∙"},
+         {"otimes", "⊗"},
+         {"oplus", "⊕"},
+         {"cap", "∩"},
+         {"cup", "∪"},
+         {"setminus", "∖"},
+         {"wedge", "∧"},
+         {"vee", "∨"},
+         {"dagger", "†"}});
+    add(Atom::relation, Kind::symbol, false, {{"leq", "≤"},       {"le", "≤"},
+                                              {"geq", "≥"},       {"ge", "≥"},
+                                              {"neq", "≠"},       {"ne", "≠"},
+                                              {"ll", "≪"},        {"gg", "≫"},
+                                              {"lt", "<"},        {"gt", ">"},
+                                              {"sim", "∼"},       {"simeq", "≃"},
+                                              {"approx", "≈"},    {"cong", "≅"},
+                                              {"equiv", "≡"},     {"propto", "∝"},
+                                              {"in", "∈"},        {"notin", "∉"},
+                                              {"ni", "∋"},        {"subset", "⊂"},
+                                              {"subseteq", "⊆"},  {"supset", "⊃"},
+                                              {"supseteq", "⊇"},  {"mid", "∣"},
+                                              {"parallel", "∥"},  {"perp", "⊥"},
+                                              {"to", "→"},        {"rightarrow", "→"},
+                                              {"leftarrow", "←"}, {"gets", "←"},
+                                              {"mapsto", "↦"},    {"Rightarrow", "⇒"},
+                                              {"Leftarrow", "⇐"}, {"Leftrightarrow", "⇔"},
+                                              {"iff", "⇔"},       {"implies", "⇒"}});
     add(Atom::large, Kind::symbol, false,
-        {{"sum", "∑"}, {"prod", "∏"}, {"int", "∫"}, {"bigcup", "⋃"}, {"bigcap", "⋂"}, {"bigoplus", "⨁"},
+        {{"sum", "∑"},
+         {"prod", "∏"},
+         {"int", "∫"},
+         {"bigcup", "⋃"},
+         {"bigcap", "⋂"},
+         {"bigoplus", "⨁"},
          {"bigotimes", "⨂"}});
     add(Atom::open, Kind::symbol, false,
-        {{"{", "{"}, {"lbrace", "{"}, {"langle", "⟨"}, {"lfloor", "⌊"}, {"lceil", "⌈"}, {"lvert", "|"}, {"lVert", "‖"}});
+        {{"{", "{"},
+         {"lbrace", "{"},
+         {"langle", "⟨"},
+         {"lfloor", "⌊"},
+         {"lceil", "⌈"},
+         {"lvert", "|"},
+         {"lVert", "‖"}});
     add(Atom::close, Kind::symbol, false,
-        {{"}", "}"}, {"rbrace", "}"}, {"rangle", "⟩"}, {"rfloor", "⌋"}, {"rceil", "⌉"}, {"rvert", "|"}, {"rVert", "‖"}});
+        {{"}", "}"},
+         {"rbrace", "}"},
+         {"rangle", "⟩"},
+         {"rfloor", "⌋"},
+         {"rceil", "⌉"},
+         {"rvert", "|"},
+         {"rVert", "‖"}});
     add(Atom::punctuation, Kind::symbol, false, {{"colon", ":"}});
     for (const char* name : {"arg", "cos", "cot", "deg", "det", "dim", "exp", "gcd", "inf", "ker", "lim", "ln", "log",
                              "max", "min", "sin", "sup", "tan"})
@@ -78,14 +143,22 @@ const Symbols& symbols() {
 
 /// The characters that stand for themselves, or for one more beautiful.
 const Symbols& characters() {
-  static const Symbols all{{"+", {"+", Atom::binary}},      {"-", {"−", Atom::binary}},
-                           {"*", {"∗", Atom::binary}},      {"=", {"=", Atom::relation}},
-                           {"<", {"<", Atom::relation}},    {">", {">", Atom::relation}},
-                           {"(", {"(", Atom::open}},        {"[", {"[", Atom::open}},
-                           {")", {")", Atom::close}},       {"]", {"]", Atom::close}},
-                           {"!", {"!", Atom::close}},       {",", {",", Atom::punctuation}},
-                           {";", {";", Atom::punctuation}}, {":", {":", Atom::punctuation}},
-                           {"|", {"|"}},                    {"/", {"/"}},
+  static const Symbols all{{"+", {"+", Atom::binary}},
+                           {"-", {"−", Atom::binary}},
+                           {"*", {"∗", Atom::binary}},
+                           {"=", {"=", Atom::relation}},
+                           {"<", {"<", Atom::relation}},
+                           {">", {">", Atom::relation}},
+                           {"(", {"(", Atom::open}},
+                           {"[", {"[", Atom::open}},
+                           {")", {")", Atom::close}},
+                           {"]", {"]", Atom::close}},
+                           {"!", {"!", Atom::close}},
+                           {",", {",", Atom::punctuation}},
+                           {";", {";", Atom::punctuation}},
+                           {":", {":", Atom::punctuation}},
+                           {"|", {"|"}},
+                           {"/", {"/"}},
                            {".", {"."}}};
   return all;
 }
@@ -100,15 +173,15 @@ const Symbol* symbol(const std::string& token) {
 
 const std::map<std::string, const char*, std::less<>>& accents() {
   static const std::map<std::string, const char*, std::less<>> all{
-      {"bar", "¯"}, {"hat", "ˆ"}, {"tilde", "˜"}, {"dot", "˙"}, {"ddot", "¨"}, {"vec", "→"}, {"check", "ˇ"},
-      {"overline", "¯"}, {"widehat", "^"}, {"widetilde", "~"}};
+      {"bar", "¯"}, {"hat", "ˆ"},   {"tilde", "˜"},    {"dot", "˙"},     {"ddot", "¨"},
+      {"vec", "→"}, {"check", "ˇ"}, {"overline", "¯"}, {"widehat", "^"}, {"widetilde", "~"}};
   return all;
 }
 
 const std::map<std::string, const char*, std::less<>>& spaces() {
-  static const std::map<std::string, const char*, std::less<>> all{
-      {",", "0.167"}, {":", "0.222"}, {">", "0.222"}, {";", "0.278"}, {"!", "-0.167"},
-      {" ", "0.25"},  {"quad", "1"},  {"qquad", "2"}};
+  static const std::map<std::string, const char*, std::less<>> all{{",", "0.167"}, {":", "0.222"},  {">", "0.222"},
+                                                                   {";", "0.278"}, {"!", "-0.167"}, {" ", "0.25"},
+                                                                   {"quad", "1"},  {"qquad", "2"}};
   return all;
 }
 
@@ -126,8 +199,17 @@ std::optional<std::string> in_alphabet(const std::string& alphabet, char c) {
   static const std::map<std::string, std::map<char, char32_t>> exceptions{
       {"mathbb", {{'C', U'ℂ'}, {'H', U'ℍ'}, {'N', U'ℕ'}, {'P', U'ℙ'}, {'Q', U'ℚ'}, {'R', U'ℝ'}, {'Z', U'ℤ'}}},
       {"mathcal",
-       {{'B', U'ℬ'}, {'E', U'ℰ'}, {'F', U'ℱ'}, {'H', U'ℋ'}, {'I', U'ℐ'}, {'L', U'ℒ'}, {'M', U'ℳ'}, {'R', U'ℛ'},
-        {'e', U'ℯ'}, {'g', U'ℊ'}, {'o', U'ℴ'}}}};
+       {{'B', U'ℬ'},
+        {'E', U'ℰ'},
+        {'F', U'ℱ'},
+        {'H', U'ℋ'},
+        {'I', U'ℐ'},
+        {'L', U'ℒ'},
+        {'M', U'ℳ'},
+        {'R', U'ℛ'},
+        {'e', U'ℯ'},
+        {'g', U'ℊ'},
+        {'o', U'ℴ'}}}};
   if (const auto list = exceptions.find(alphabet); list != exceptions.end())
     if (const auto found = list->second.find(c); found != list->second.end()) return utf8(found->second);
   const char32_t upper = alphabet == "mathbf" ? U'𝐀' : alphabet == "mathbb" ? U'𝔸' : U'𝒜';
@@ -220,8 +302,7 @@ class Reader {
       words(nodes, whole);
     } else if (name == "mathrm" || name == "operatorname") {
       const std::string letters = plain_argument(whole);
-      leaf(nodes,
-           Symbol{letters, name == "mathrm" ? Atom::ordinary : Atom::function, Kind::identifier, true}, begin);
+      leaf(nodes, Symbol{letters, name == "mathrm" ? Atom::ordinary : Atom::function, Kind::identifier, true}, begin);
     } else if (name == "mathbf" || name == "mathbb" || name == "mathcal") {
       std::string letters;
       for (const char c : plain_argument(whole)) letters += *in_alphabet(name, c);
@@ -290,8 +371,8 @@ class Reader {
       if (c == '\\') {
         const std::string sign = token();
         if (sign.size() != 2 || std::string("%&_#${}").find(sign[1]) == std::string::npos)
-          fail(ErrorKind::domain, "formula in LaTeX, position {}: unknown command '{}' in {}", at_ + 1,
-               printable(sign), whole);
+          fail(ErrorKind::domain, "formula in LaTeX, position {}: unknown command '{}' in {}", at_ + 1, printable(sign),
+               whole);
         word += text_[++at_];
       } else {
         word += c == '\'' ? "’" : std::string(1, c);
@@ -430,8 +511,8 @@ class Reader {
     const std::size_t begin = done[from].begin, end = close.end, inside = done[from].end, outside = close.begin;
     Nodes parts{std::move(done[from])};
     const auto first = done.begin() + static_cast<std::ptrdiff_t>(from);
-    parts.push_back(made(Kind::row, Nodes(std::make_move_iterator(first + 1), std::make_move_iterator(done.end())),
-                         inside));
+    parts.push_back(
+        made(Kind::row, Nodes(std::make_move_iterator(first + 1), std::make_move_iterator(done.end())), inside));
     parts.back().end = outside;
     parts.push_back(std::move(close));
     done.erase(first, done.end());

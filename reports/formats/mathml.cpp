@@ -98,6 +98,10 @@ Neighbours neighbours(Row row, std::size_t at) {
 
 bool is_operand(const std::optional<Atom>& atom) { return atom == Atom::ordinary || atom == Atom::close; }
 
+bool is_sign(const MathNode& node) {
+  return node.kind == Kind::symbol && (node.text == "+" || node.text == "−" || node.text == "±" || node.text == "∓");
+}
+
 constexpr const char* no_space = " lspace=\"0\" rspace=\"0\"";
 constexpr const char* still = " stretchy=\"false\"";
 constexpr const char* mark = " class=\"changed\"";
@@ -111,11 +115,10 @@ std::string operator_attributes(const MathNode& node, const Neighbours& around, 
   const bool small = style == Style::script;
   switch (node.atom) {
     case Atom::binary: {
-      const bool is_sign = node.text == "+" || node.text == "−" || node.text == "±" || node.text == "∓";
       const bool between = is_operand(around.before) && around.behind && *around.behind != Atom::close &&
                            *around.behind != Atom::relation && *around.behind != Atom::punctuation;
-      if (!between) return is_sign ? " form=\"prefix\"" : no_space;
-      return (is_sign ? " form=\"infix\"" : "") + std::string(small ? no_space : "");
+      if (!between) return is_sign(node) ? " form=\"prefix\"" : no_space;
+      return (is_sign(node) ? " form=\"infix\"" : "") + std::string(small ? no_space : "");
     }
     case Atom::relation: return small ? no_space : node.text == "∣" ? " lspace=\"0.278em\" rspace=\"0.278em\"" : "";
     case Atom::punctuation: return small ? no_space : node.text == ":" ? " lspace=\"0\" rspace=\"0.278em\"" : "";
@@ -152,9 +155,9 @@ std::string element(const MathNode& node, const Neighbours& around, Style style,
   const MathNode& first = node.parts.empty() ? node : node.parts[0];
   const bool limits = style == Style::display &&
                       ((node.atom == Atom::large && first.text != "∫") ||
-                       (node.atom == Atom::function && (first.text == "max" || first.text == "min" ||
-                                                        first.text == "sup" || first.text == "inf" ||
-                                                        first.text == "lim" || first.text == "det")));
+                       (node.atom == Atom::function &&
+                        (first.text == "max" || first.text == "min" || first.text == "sup" || first.text == "inf" ||
+                         first.text == "lim" || first.text == "det")));
   switch (node.kind) {
     case Kind::identifier: {
       const auto letters = std::ranges::count_if(node.text, [](char c) { return (c & 0xc0) != 0x80; });
@@ -174,7 +177,8 @@ std::string element(const MathNode& node, const Neighbours& around, Style style,
     case Kind::scripts: {
       const std::string name = node.kind == Kind::subscript     ? limits ? "munder" : "msub"
                                : node.kind == Kind::superscript ? limits ? "mover" : "msup"
-                                                                : limits ? "munderover" : "msubsup";
+                               : limits                         ? "munderover"
+                                                                : "msubsup";
       std::string scripts;
       for (std::size_t i = 1; i < node.parts.size(); ++i) scripts += part(i, Style::script);
       if (first.kind == Kind::fenced && !grows(first)) return fenced(first, style, marked, changed, name, scripts);
@@ -185,10 +189,11 @@ std::string element(const MathNode& node, const Neighbours& around, Style style,
     case Kind::small:
       return tag("mfrac", " displaystyle=\"false\"" + changed, part(0, Style::script) + part(1, Style::script));
     case Kind::binomial:
-      return tag("mrow", changed,
-                 "<mo>(</mo>" + tag("mfrac", " linethickness=\"0\"",
-                                    part(0, inside_fraction(style)) + part(1, inside_fraction(style))) +
-                     "<mo>)</mo>");
+      return tag(
+          "mrow", changed,
+          "<mo>(</mo>" +
+              tag("mfrac", " linethickness=\"0\"", part(0, inside_fraction(style)) + part(1, inside_fraction(style))) +
+              "<mo>)</mo>");
     case Kind::root:
       return node.parts.size() > 1 ? tag("mroot", changed, part(0, style) + part(1, Style::script))
                                    : tag("msqrt", changed, part(0, style));
@@ -268,13 +273,15 @@ std::string math(const Elements& elements, const std::string& attributes, std::s
   std::string source = trimmed(std::string(latex));
   std::ranges::replace(source, '\n', ' ');
   return tag("math", attributes,
-             tag("semantics", "",
-                 one(elements) + tag("annotation", " encoding=\"application/x-tex\"", html(source))));
+             tag("semantics", "", one(elements) + tag("annotation", " encoding=\"application/x-tex\"", html(source))));
 }
 
 bool is_break(const MathNode& node) { return node.kind == Kind::space && std::stod(node.text) > 0.25; }
 
 bool is_quad(const MathNode& node) { return node.kind == Kind::space && std::stod(node.text) >= 1; }
+
+/// Leaves of a formula that is about as wide as the page. A longer one may break in front of its signs.
+constexpr int longest_line = 80;
 
 std::string flowing(Row row, std::string_view latex) {
   std::string text;
@@ -291,11 +298,20 @@ std::string flowing(Row row, std::string_view latex) {
     } else {
       std::size_t end = i + 1;
       while (end < row.size() && row[end].kind != Kind::word && !is_break(row[end])) ++end;
-      const bool wide = end < row.size() && is_quad(row[end]);
-      text += glued() + math(row_elements(row, i, end, Style::display, false),
-                             " displaystyle=\"true\"" + std::string(wide ? " class=\"quad\"" : ""),
-                             latex.substr(row[i].begin, row[end - 1].end - row[i].begin));
-      i = end;
+      text += glued();
+      const std::size_t begin = i;
+      int size = 0;
+      for (const MathNode& node : row.subspan(begin, end - begin)) size += leaves(node).all;
+      const bool is_long = size > longest_line;
+      for (std::size_t part = begin; part < end; part = i) {
+        for (++i; i < end && !(is_long && is_sign(row[i])); ++i) {
+        }
+        text += (part > begin ? "<wbr>" : "") +
+                math(row_elements(row, part, i, Style::display, false),
+                     " displaystyle=\"true\"" +
+                         std::string(i == end && end < row.size() && is_quad(row[end]) ? " class=\"quad\"" : ""),
+                     latex.substr(row[part].begin, row[i - 1].end - row[part].begin));
+      }
     }
   }
   return text;
@@ -304,7 +320,8 @@ std::string flowing(Row row, std::string_view latex) {
 struct Leaf {
   MathNode* node;
   std::string key;
-  bool separates;  ///< a relation or a comma outside of brackets and arguments: what is equal on its sides stays so
+  bool separates;        ///< a relation or a comma outside of brackets and arguments
+  std::size_t part = 0;  ///< the number of separators in front
 };
 
 void collect(MathNode& node, const std::string& role, bool top, std::vector<Leaf>& list) {
@@ -329,15 +346,27 @@ struct Block {
   std::size_t a, a_end, b, b_end;
 };
 
+/// Numbers the parts between the separators, which it returns.
+std::vector<std::string> separators(std::vector<Leaf>& list) {
+  std::vector<std::string> keys;
+  for (Leaf& leaf : list) {
+    leaf.part = keys.size();
+    if (leaf.separates) keys.push_back(leaf.key);
+  }
+  return keys;
+}
+
 /// Of the common subsequences one with the largest sum of its length and the number of neighbours in both that stay
-/// neighbours, so that it keeps together what belongs together.
-std::vector<Block> common_blocks(const std::vector<Leaf>& a, const std::vector<Leaf>& b) {
+/// neighbours, so that it keeps together what belongs together; part by part where the separators are the same, so that
+/// the numbers of a list are compared in their order.
+std::vector<Block> common_blocks(std::vector<Leaf>& a, std::vector<Leaf>& b) {
   const std::size_t width = b.size() + 1;
   // The largest sum from (i, j) on, where the leaves in front are no pair, and where they are one.
   std::vector<std::array<std::uint16_t, 2>> best((a.size() + 1) * width, {0, 0});
   const auto at = [&](std::size_t i, std::size_t j) -> std::array<std::uint16_t, 2>& { return best[i * width + j]; };
+  const bool by_parts = separators(a) == separators(b);
   const auto is_pair = [&](std::size_t i, std::size_t j) {
-    return i < a.size() && j < b.size() && a[i].key == b[j].key;
+    return i < a.size() && j < b.size() && a[i].key == b[j].key && (!by_parts || a[i].part == b[j].part);
   };
   const auto with_pair = [&](std::size_t i, std::size_t j, int behind_pair) {
     return static_cast<std::uint16_t>(at(i + 1, j + 1)[1] + 1 + behind_pair);
@@ -346,14 +375,14 @@ std::vector<Block> common_blocks(const std::vector<Leaf>& a, const std::vector<L
     for (std::size_t j = b.size(); j-- > 0;)
       for (const int behind_pair : {0, 1}) {
         const std::uint16_t without = std::max(at(i + 1, j)[0], at(i, j + 1)[0]);
-        at(i, j)[static_cast<std::size_t>(behind_pair)] =
-            is_pair(i, j) ? std::max(without, with_pair(i, j, behind_pair)) : without;
+        at(i, j)[static_cast<std::size_t>(behind_pair)] = is_pair(i, j)
+                                                              ? std::max(without, with_pair(i, j, behind_pair))
+                                                              : without;
       }
   std::vector<Block> blocks;
   int behind_pair = 0;
   for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
-    const bool equal =
-        is_pair(i, j) && with_pair(i, j, behind_pair) == at(i, j)[static_cast<std::size_t>(behind_pair)];
+    const bool equal = is_pair(i, j) && with_pair(i, j, behind_pair) == at(i, j)[static_cast<std::size_t>(behind_pair)];
     const bool first = !equal && i < a.size() && (j == b.size() || at(i + 1, j)[0] >= at(i, j + 1)[0]);
     if (blocks.empty() || blocks.back().equal != equal || (equal && a[i].separates != a[i - 1].separates))
       blocks.push_back({equal, i, i, j, j});
@@ -374,7 +403,7 @@ void drop_crumbs(std::vector<Block>& blocks, const std::vector<Leaf>& a) {
   const auto separates = [&](const Block& block) { return block.equal && a[block.a].separates; };
   for (auto from = blocks.begin(); from != blocks.end();) {
     const auto to = std::find_if(from + 1, blocks.end(), separates);
-    auto first = std::find_if(from, to, [](const Block& block) { return !block.equal; }), last = to;
+    auto first = std::find_if(from, to, [](const Block&block) { return !block.equal; }), last = to;
     while (last != first && (last - 1)->equal) --last;
     std::size_t equal = 0, printed = 0, corrected = 0;
     for (auto block = first; block != last; ++block) {

@@ -11,7 +11,8 @@ namespace subcert::formats {
 std::string mathml(std::string_view latex, bool block = false);
 
 /// The formula in display style as a run of `<math>` and words between which a line may break: at \quad and \; and in
-/// a \text, unless these stand inside of brackets or arguments. Domain and errors: those of read_latex().
+/// a \text, unless these stand inside of brackets or arguments, and in front of the signs of a very long sum. Domain
+/// and errors: those of read_latex().
 std::string formula_html(std::string_view latex);
 
 struct MarkedFormulas {
@@ -19,8 +20,9 @@ struct MarkedFormulas {
 };
 
 /// Both as formula_html(), with class `changed` on what they do not have in common. In common is a longest
-/// subsequence of leaves, preferably in long runs; leaves are equal with the same symbol in the same kind of place: an
-/// index, an exponent, a numerator and so on. A few equal leaves between more changed ones are marked, too. Domain and errors: those of read_latex().
+/// subsequence of leaves, preferably in long runs, or one of each part where relations and commas are the same; leaves
+/// are equal with the same symbol in the same kind of place: an index, an exponent, a numerator and so on. A few equal
+/// leaves between more changed ones are marked, too. Domain and errors: those of read_latex().
 MarkedFormulas marked_difference(std::string_view printed, std::string_view corrected);
 
 }  // namespace subcert::formats

@@ -8,11 +8,11 @@ namespace {
 const std::string& page_style() {
   static const std::string style = R"css(
 :root { color-scheme: light dark; --ink: #1c2733; --page: #fff; --quiet: #5a6773; --line: #d9dfe5; --link: #0b559f;
-        --band: #eef3f7; --good: #1e7a43; --good-band: #e6f5ec; --bad: #b3261e; --bad-band: #fdecea; --open: #8a5a00; --open-band: #fff7e0;
+        --band: #eef3f7; --good: #1e7a43; --bad: #b3261e; --bad-band: #fdecea; --open: #8a5a00; --open-band: #fff7e0;
         --curve-1: #0b559f; --curve-2: #c0392b; --curve-3: #1e8449; }
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e3e8ee; --page: #12171d; --quiet: #9aa7b4; --line: #323c47; --link: #7fb8f0; --band: #1b232c;
-          --good: #6fce95; --good-band: #173325; --bad: #ff8f85; --bad-band: #3a1f1d; --open: #e7b75a; --open-band: #33290f;
+          --good: #6fce95; --bad: #ff8f85; --bad-band: #3a1f1d; --open: #e7b75a; --open-band: #33290f;
           --curve-1: #7fb8f0; --curve-2: #ff8f7a; --curve-3: #6fce95; }
   figure img { background: #fff; }
 }
@@ -60,8 +60,10 @@ td.text, th.text { white-space: normal; text-align: left; min-width: 12rem; }
 .misprint .verdict, .false .verdict { color: var(--bad); }
 .not-checkable .verdict, .undecided .verdict { color: var(--open); }
 /* formulas and statements: begin */
-math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "TeX Gyre Termes Math", "DejaVu Math TeX Gyre",
-       math; font-size: 1.1em; line-height: normal; }
+:root { --good-band: #e6f5ec; }
+@media (prefers-color-scheme: dark) { :root { --good-band: #173325; } }
+math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "TeX Gyre Termes Math",
+       "DejaVu Math TeX Gyre", math; font-size: 1.1em; line-height: normal; }
 .formula { overflow-x: auto; overflow-y: hidden; padding: .15rem .25rem; line-height: 1.7; }
 .formula math { margin-block: .3em; }
 .formula .quad { margin-inline-end: 1em; }

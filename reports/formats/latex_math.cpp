@@ -6,6 +6,7 @@
 #include <cctype>
 #include <map>
 #include <optional>
+#include <sstream>
 
 namespace subcert::formats {
 namespace {
@@ -30,109 +31,33 @@ using Symbols = std::map<std::string, Symbol, std::less<>>;
 
 const Symbols& symbols() {
   static const Symbols all = [] {
-    using Glyphs = std::vector<std::pair<const char*, const char*>>;
     Symbols list;
-    const auto add = [&](Atom atom, Kind kind, bool upright, const Glyphs& glyphs) {
-      for (const auto& [name, text] : glyphs) list[name] = {text, atom, kind, upright};
+    const auto add = [&](Atom atom, Kind kind, bool upright, const char* glyphs) {
+      std::istringstream words(glyphs);
+      for (std::string name, text; words >> name >> text;) list[name] = {text, atom, kind, upright};
     };
     add(Atom::ordinary, Kind::identifier, false,
-        {{"alpha", "α"},  {"beta", "β"},   {"gamma", "γ"}, {"delta", "δ"},    {"epsilon", "ϵ"}, {"varepsilon", "ε"},
-         {"zeta", "ζ"},   {"eta", "η"},    {"theta", "θ"}, {"vartheta", "ϑ"}, {"iota", "ι"},    {"kappa", "κ"},
-         {"lambda", "λ"}, {"mu", "μ"},     {"nu", "ν"},    {"xi", "ξ"},       {"pi", "π"},      {"varpi", "ϖ"},
-         {"rho", "ρ"},    {"varrho", "ϱ"}, {"sigma", "σ"}, {"varsigma", "ς"}, {"tau", "τ"},     {"upsilon", "υ"},
-         {"phi", "ϕ"},    {"varphi", "φ"}, {"chi", "χ"},   {"psi", "ψ"},      {"omega", "ω"},   {"partial", "∂"},
-         {"ell", "ℓ"}});
+        "alpha α beta β gamma γ delta δ epsilon ϵ varepsilon ε zeta ζ eta η theta θ vartheta ϑ iota ι "
+        "kappa κ lambda λ mu μ nu ν xi ξ pi π varpi ϖ rho ρ varrho ϱ sigma σ varsigma ς tau τ "
+        "upsilon υ phi ϕ varphi φ chi χ psi ψ omega ω partial ∂ ell ℓ");
     add(Atom::ordinary, Kind::identifier, true,
-        {{"Gamma", "Γ"},
-         {"Delta", "Δ"},
-         {"Theta", "Θ"},
-         {"Lambda", "Λ"},
-         {"Xi", "Ξ"},
-         {"Pi", "Π"},
-         {"Sigma", "Σ"},
-         {"Upsilon", "Υ"},
-         {"Phi", "Φ"},
-         {"Psi", "Ψ"},
-         {"Omega", "Ω"},
-         {"nabla", "∇"},
-         {"infty", "∞"},
-         {"emptyset", "∅"}});
+        "Gamma Γ Delta Δ Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Upsilon Υ Phi Φ Psi Ψ Omega Ω nabla ∇ "
+        "infty ∞ emptyset ∅");
     add(Atom::ordinary, Kind::symbol, false,
-        {{"prime", "′"},
-         {"forall", "∀"},
-         {"exists", "∃"},
-         {"neg", "¬"},
-         {"dots", "…"},
-         {"ldots", "…"},
-         {"cdots", "⋯"},
-         {"vert", "|"},
-         {"|", "‖"},
-         {"Vert", "‖"},
-         {"%", "%"},
-         {"#", "#"},
-         {"&", "&"},
-         {"_", "_"},
-         {"$", "$"}});
+        "prime ′ forall ∀ exists ∃ neg ¬ dots … ldots … cdots ⋯ vert | | ‖ Vert ‖ % % # # & & "
+        "_ _ $ $");
     add(Atom::binary, Kind::symbol, false,
-        {{"pm", "±"},
-         {"mp", "∓"},
-         {"cdot", "⋅"},
-         {"times", "×"},
-         {"ast", "∗"},
-         {"star", "⋆"},
-         {"circ", "∘"},
-         {"bullet", "∙"},
-         {"otimes", "⊗"},
-         {"oplus", "⊕"},
-         {"cap", "∩"},
-         {"cup", "∪"},
-         {"setminus", "∖"},
-         {"wedge", "∧"},
-         {"vee", "∨"},
-         {"dagger", "†"}});
-    add(Atom::relation, Kind::symbol, false, {{"leq", "≤"},       {"le", "≤"},
-                                              {"geq", "≥"},       {"ge", "≥"},
-                                              {"neq", "≠"},       {"ne", "≠"},
-                                              {"ll", "≪"},        {"gg", "≫"},
-                                              {"lt", "<"},        {"gt", ">"},
-                                              {"sim", "∼"},       {"simeq", "≃"},
-                                              {"approx", "≈"},    {"cong", "≅"},
-                                              {"equiv", "≡"},     {"propto", "∝"},
-                                              {"in", "∈"},        {"notin", "∉"},
-                                              {"ni", "∋"},        {"subset", "⊂"},
-                                              {"subseteq", "⊆"},  {"supset", "⊃"},
-                                              {"supseteq", "⊇"},  {"mid", "∣"},
-                                              {"parallel", "∥"},  {"perp", "⊥"},
-                                              {"to", "→"},        {"rightarrow", "→"},
-                                              {"leftarrow", "←"}, {"gets", "←"},
-                                              {"mapsto", "↦"},    {"Rightarrow", "⇒"},
-                                              {"Leftarrow", "⇐"}, {"Leftrightarrow", "⇔"},
-                                              {"iff", "⇔"},       {"implies", "⇒"}});
-    add(Atom::large, Kind::symbol, false,
-        {{"sum", "∑"},
-         {"prod", "∏"},
-         {"int", "∫"},
-         {"bigcup", "⋃"},
-         {"bigcap", "⋂"},
-         {"bigoplus", "⨁"},
-         {"bigotimes", "⨂"}});
-    add(Atom::open, Kind::symbol, false,
-        {{"{", "{"},
-         {"lbrace", "{"},
-         {"langle", "⟨"},
-         {"lfloor", "⌊"},
-         {"lceil", "⌈"},
-         {"lvert", "|"},
-         {"lVert", "‖"}});
-    add(Atom::close, Kind::symbol, false,
-        {{"}", "}"},
-         {"rbrace", "}"},
-         {"rangle", "⟩"},
-         {"rfloor", "⌋"},
-         {"rceil", "⌉"},
-         {"rvert", "|"},
-         {"rVert", "‖"}});
-    add(Atom::punctuation, Kind::symbol, false, {{"colon", ":"}});
+        "pm ± mp ∓ cdot ⋅ times × ast ∗ star ⋆ circ ∘ bullet ∙ otimes ⊗ oplus ⊕ cap ∩ "
+        "cup ∪ setminus ∖ wedge ∧ vee ∨ dagger †");
+    add(Atom::relation, Kind::symbol, false,
+        "leq ≤ le ≤ geq ≥ ge ≥ neq ≠ ne ≠ ll ≪ gg ≫ lt < gt > sim ∼ simeq ≃ approx ≈ "
+        "cong ≅ equiv ≡ propto ∝ in ∈ notin ∉ ni ∋ subset ⊂ subseteq ⊆ supset ⊃ supseteq ⊇ "
+        "mid ∣ parallel ∥ perp ⊥ to → rightarrow → leftarrow ← gets ← mapsto ↦ Rightarrow ⇒ "
+        "Leftarrow ⇐ Leftrightarrow ⇔ iff ⇔ implies ⇒");
+    add(Atom::large, Kind::symbol, false, "sum ∑ prod ∏ int ∫ bigcup ⋃ bigcap ⋂ bigoplus ⨁ bigotimes ⨂");
+    add(Atom::open, Kind::symbol, false, "{ { lbrace { langle ⟨ lfloor ⌊ lceil ⌈ lvert | lVert ‖");
+    add(Atom::close, Kind::symbol, false, "} } rbrace } rangle ⟩ rfloor ⌋ rceil ⌉ rvert | rVert ‖");
+    add(Atom::punctuation, Kind::symbol, false, "colon :");
     for (const char* name : {"arg", "cos", "cot", "deg", "det", "dim", "exp", "gcd", "inf", "ker", "lim", "ln", "log",
                              "max", "min", "sin", "sup", "tan"})
       list[name] = {name, Atom::function, Kind::identifier, true};
@@ -197,7 +122,8 @@ std::string utf8(char32_t c) {
 /// A letter or digit in Unicode's alphabet for \mathbf, \mathbb or \mathcal, where there is one.
 std::optional<std::string> in_alphabet(const std::string& alphabet, char c) {
   static const std::map<std::string, std::map<char, char32_t>> exceptions{
-      {"mathbb", {{'C', U'ℂ'}, {'H', U'ℍ'}, {'N', U'ℕ'}, {'P', U'ℙ'}, {'Q', U'ℚ'}, {'R', U'ℝ'}, {'Z', U'ℤ'}}},
+      {"mathbb",
+       {{'C', U'ℂ'}, {'H', U'ℍ'}, {'N', U'ℕ'}, {'P', U'ℙ'}, {'Q', U'ℚ'}, {'R', U'ℝ'}, {'Z', U'ℤ'}}},  // not in a row
       {"mathcal",
        {{'B', U'ℬ'},
         {'E', U'ℰ'},
@@ -217,10 +143,6 @@ std::optional<std::string> in_alphabet(const std::string& alphabet, char c) {
   if (is_digit(c)) return zero == 0 ? std::nullopt : std::optional(utf8(zero + static_cast<char32_t>(c - '0')));
   if (!is_letter(c)) return std::nullopt;
   return utf8(upper + static_cast<char32_t>(c >= 'a' ? c - 'a' + 26 : c - 'A'));
-}
-
-bool has_scripts(const MathNode& node) {
-  return node.kind == Kind::subscript || node.kind == Kind::superscript || node.kind == Kind::scripts;
 }
 
 class Reader {
@@ -576,6 +498,34 @@ class Reader {
 }  // namespace
 
 bool is_bar(const MathNode& node) { return node.kind == Kind::symbol && (node.text == "|" || node.text == "‖"); }
+
+bool has_scripts(const MathNode& node) {
+  return node.kind == Kind::subscript || node.kind == Kind::superscript || node.kind == Kind::scripts;
+}
+
+bool is_leaf(const MathNode& node) {
+  return node.parts.empty() && node.kind != Kind::row && node.kind != Kind::space && !node.text.empty();
+}
+
+Leaves leaves(const MathNode& node) {
+  Leaves sum;
+  if (is_leaf(node)) sum = {1, node.changed ? 1 : 0};
+  for (const MathNode& part : node.parts) {
+    const auto [all, changed] = leaves(part);
+    sum = {sum.all + all, sum.changed + changed};
+  }
+  return sum;
+}
+
+bool all_changed(const MathNode& node) {
+  const auto [all, changed] = leaves(node);
+  return all > 0 && all == changed;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
 
 MathNode read_latex(std::string_view text) { return Reader(text).whole(); }
 

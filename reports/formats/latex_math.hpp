@@ -41,6 +41,20 @@ struct MathNode {
 
 /// `|` or a double bar.
 bool is_bar(const MathNode& node);
+/// It is seen, and has no parts.
+bool is_leaf(const MathNode& node);
+/// The base with an index, an exponent or both.
+bool has_scripts(const MathNode& node);
+
+struct Leaves {
+  int all = 0, changed = 0;
+};
+Leaves leaves(const MathNode& node);
+/// It has leaves, and all are.
+bool all_changed(const MathNode& node);
+
+/// Without blanks at its ends.
+std::string trimmed(const std::string& text);
 
 /// The formula as a row. Brackets and bars that match are one node with what is between them. Domain: at most 5000
 /// characters, 50 levels; \text holds plain UTF-8 without formulas, everything else is ASCII. Errors: throws a domain

@@ -19,10 +19,8 @@ struct MarkedFormulas {
   std::string printed, corrected;
 };
 
-/// Both as formula_html(), with class `changed` on what they do not have in common. In common is a longest
-/// subsequence of leaves, preferably in long runs, or one of each part where relations and commas are the same; leaves
-/// are equal with the same symbol in the same kind of place: an index, an exponent, a numerator and so on. A few equal
-/// leaves between more changed ones are marked, too. Domain and errors: those of read_latex().
+/// Both as formula_html(), with class `changed` on what mark_difference() marks: on the largest elements and runs of
+/// elements of which everything has changed. Domain and errors: those of read_latex().
 MarkedFormulas marked_difference(std::string_view printed, std::string_view corrected);
 
 }  // namespace subcert::formats

@@ -122,8 +122,8 @@ TEST_CASE("typical formulas") {
   CHECK(inner("(\\frac ab)") == "<mrow><mo>(</mo><mfrac><mi>a</mi><mi>b</mi></mfrac><mo>)</mo></mrow>");
   CHECK(inner("\\left.a\\right|") == "<mrow><mi>a</mi><mo>|</mo></mrow>");
   CHECK(inner("\\bar{\\mathbf{a}}, \\mathbb{Z}, \\mathcal{L}, \\Pi") ==
-        "<mrow><mover accent=\"true\"><mi>𝐚</mi><mo stretchy=\"false\">¯</mo></mover><mo>,</mo><mi>ℤ</mi><mo>,</mo>"
-        "<mi>ℒ</mi><mo>,</mo><mi mathvariant=\"normal\">Π</mi></mrow>");
+        "<mrow><mover accent=\"true\"><mi>𝐚</mi><mo stretchy=\"false\">¯</mo></mover><mo>,</mo><mi>ℤ</mi>"
+        "<mo>,</mo><mi>ℒ</mi><mo>,</mo><mi mathvariant=\"normal\">Π</mi></mrow>");
   CHECK(inner("2\\sin x") ==
         "<mrow><mn>2</mn><mspace width=\"0.167em\"></mspace><mi>sin</mi><mo>\u2061</mo>"
         "<mspace width=\"0.167em\"></mspace><mi>x</mi></mrow>");
@@ -205,6 +205,10 @@ TEST_CASE("what both forms have in common is not marked") {
   CHECK(marks("1, 2, 3", "2, 3, 4") == "1; 2; 3 / 2; 3; 4");  // a list in its order
   CHECK(marks("x_{-1} = 1", "x_0 = 1") == "−1 / 0");
   CHECK(marks("A^T B^{-1}", "B^{-1} A^T") == "AT / AT");
+  CHECK(marks("\\sqrt{a}\\sqrt{b}", "\\sqrt{ab}") == "ab / ab");  // no leaf tells them apart
+  CHECK(marks("x^{2}", "x^2") == " / ");
+  CHECK(marks("x^{a_b}", "x^a_b") == "b / b");
+  CHECK(marks("\\mathrm{d}", "d") == "d / d");
   CHECK(marks("n^2", "n2") == "2 / 2");                     // an exponent is no factor
   CHECK(marks("\\hat A x", "A x") == "ˆ / ");               // the accent alone
   CHECK(marks("\\frac{n}{2}", "\\frac{n}{3}") == "2 / 3");  //

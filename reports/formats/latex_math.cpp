@@ -29,38 +29,45 @@ struct Symbol {
 };
 using Symbols = std::map<std::string, Symbol, std::less<>>;
 
+/// `glyphs`: names and texts in turn.
+void add(Symbols& list, Atom atom, Kind kind, bool upright, const char* glyphs) {
+  std::istringstream words(glyphs);
+  for (std::string name, text; words >> name >> text;) list[name] = {text, atom, kind, upright};
+}
+
+/// The commands without arguments, and the accents; the text of a space is its width.
 const Symbols& symbols() {
   static const Symbols all = [] {
     Symbols list;
-    const auto add = [&](Atom atom, Kind kind, bool upright, const char* glyphs) {
-      std::istringstream words(glyphs);
-      for (std::string name, text; words >> name >> text;) list[name] = {text, atom, kind, upright};
-    };
-    add(Atom::ordinary, Kind::identifier, false,
+    add(list, Atom::ordinary, Kind::identifier, false,
         "alpha α beta β gamma γ delta δ epsilon ϵ varepsilon ε zeta ζ eta η theta θ vartheta ϑ iota ι "
         "kappa κ lambda λ mu μ nu ν xi ξ pi π varpi ϖ rho ρ varrho ϱ sigma σ varsigma ς tau τ "
         "upsilon υ phi ϕ varphi φ chi χ psi ψ omega ω partial ∂ ell ℓ");
-    add(Atom::ordinary, Kind::identifier, true,
+    add(list, Atom::ordinary, Kind::identifier, true,
         "Gamma Γ Delta Δ Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Upsilon Υ Phi Φ Psi Ψ Omega Ω nabla ∇ "
         "infty ∞ emptyset ∅");
-    add(Atom::ordinary, Kind::symbol, false,
+    add(list, Atom::ordinary, Kind::symbol, false,
         "prime ′ forall ∀ exists ∃ neg ¬ dots … ldots … cdots ⋯ vert | | ‖ Vert ‖ % % # # & & "
         "_ _ $ $");
-    add(Atom::binary, Kind::symbol, false,
+    add(list, Atom::binary, Kind::symbol, false,
         "pm ± mp ∓ cdot ⋅ times × ast ∗ star ⋆ circ ∘ bullet ∙ otimes ⊗ oplus ⊕ cap ∩ "
         "cup ∪ setminus ∖ wedge ∧ vee ∨ dagger †");
-    add(Atom::relation, Kind::symbol, false,
+    add(list, Atom::relation, Kind::symbol, false,
         "leq ≤ le ≤ geq ≥ ge ≥ neq ≠ ne ≠ ll ≪ gg ≫ lt < gt > sim ∼ simeq ≃ approx ≈ "
         "cong ≅ equiv ≡ propto ∝ in ∈ notin ∉ ni ∋ subset ⊂ subseteq ⊆ supset ⊃ supseteq ⊇ "
         "mid ∣ parallel ∥ perp ⊥ to → rightarrow → leftarrow ← gets ← mapsto ↦ Rightarrow ⇒ "
         "Leftarrow ⇐ Leftrightarrow ⇔ iff ⇔ implies ⇒");
-    add(Atom::large, Kind::symbol, false, "sum ∑ prod ∏ int ∫ bigcup ⋃ bigcap ⋂ bigoplus ⨁ bigotimes ⨂");
-    add(Atom::open, Kind::symbol, false, "{ { lbrace { langle ⟨ lfloor ⌊ lceil ⌈ lvert | lVert ‖");
-    add(Atom::close, Kind::symbol, false, "} } rbrace } rangle ⟩ rfloor ⌋ rceil ⌉ rvert | rVert ‖");
-    add(Atom::punctuation, Kind::symbol, false, "colon :");
-    for (const char* name : {"arg", "cos", "cot", "deg", "det", "dim", "exp", "gcd", "inf", "ker", "lim", "ln", "log",
-                             "max", "min", "sin", "sup", "tan"})
-      list[name] = {name, Atom::function, Kind::identifier, true};
+    add(list, Atom::large, Kind::symbol, false, "sum ∑ prod ∏ int ∫ bigcup ⋃ bigcap ⋂ bigoplus ⨁ bigotimes ⨂");
+    add(list, Atom::open, Kind::symbol, false, "{ { lbrace { langle ⟨ lfloor ⌊ lceil ⌈ lvert | lVert ‖");
+    add(list, Atom::close, Kind::symbol, false, "} } rbrace } rangle ⟩ rfloor ⌋ rceil ⌉ rvert | rVert ‖");
+    add(list, Atom::punctuation, Kind::symbol, false, "colon :");
+    add(list, Atom::function, Kind::identifier, true,
+        "arg arg cos cos cot cot deg deg det det dim dim exp exp gcd gcd inf inf ker ker lim lim ln ln log log "
+        "max max min min sin sin sup sup tan tan");
+    add(list, Atom::ordinary, Kind::accent, false,
+        "bar ¯ hat ˆ tilde ˜ dot ˙ ddot ¨ vec → check ˇ overline ¯ widehat ^ widetilde ~");
+    add(list, Atom::ordinary, Kind::space, false, ", 0.167 : 0.222 > 0.222 ; 0.278 ! -0.167 quad 1 qquad 2");
+    list[" "] = {"0.25", Atom::ordinary, Kind::space};
     return list;
   }();
   return all;
@@ -68,23 +75,17 @@ const Symbols& symbols() {
 
 /// The characters that stand for themselves, or for one more beautiful.
 const Symbols& characters() {
-  static const Symbols all{{"+", {"+", Atom::binary}},
-                           {"-", {"−", Atom::binary}},
-                           {"*", {"∗", Atom::binary}},
-                           {"=", {"=", Atom::relation}},
-                           {"<", {"<", Atom::relation}},
-                           {">", {">", Atom::relation}},
-                           {"(", {"(", Atom::open}},
-                           {"[", {"[", Atom::open}},
-                           {")", {")", Atom::close}},
-                           {"]", {"]", Atom::close}},
-                           {"!", {"!", Atom::close}},
-                           {",", {",", Atom::punctuation}},
-                           {";", {";", Atom::punctuation}},
-                           {":", {":", Atom::punctuation}},
-                           {"|", {"|"}},
-                           {"/", {"/"}},
-                           {".", {"."}}};
+  static const Symbols all = [] {
+    Symbols list;
+    add(list, Atom::ordinary, Kind::symbol, false, "| | / / . .");
+    add(list, Atom::ordinary, Kind::space, false, "~ 0.25");
+    add(list, Atom::binary, Kind::symbol, false, "+ + - − * ∗");
+    add(list, Atom::relation, Kind::symbol, false, "= = < < > >");
+    add(list, Atom::open, Kind::symbol, false, "( ( [ [");
+    add(list, Atom::close, Kind::symbol, false, ") ) ] ] ! !");
+    add(list, Atom::punctuation, Kind::symbol, false, ", , ; ; : :");
+    return list;
+  }();
   return all;
 }
 
@@ -94,20 +95,6 @@ const Symbol* symbol(const std::string& token) {
   const Symbols& known = is_command ? symbols() : characters();
   const auto found = known.find(is_command ? token.substr(1) : token);
   return found == known.end() ? nullptr : &found->second;
-}
-
-const std::map<std::string, const char*, std::less<>>& accents() {
-  static const std::map<std::string, const char*, std::less<>> all{
-      {"bar", "¯"}, {"hat", "ˆ"},   {"tilde", "˜"},    {"dot", "˙"},     {"ddot", "¨"},
-      {"vec", "→"}, {"check", "ˇ"}, {"overline", "¯"}, {"widehat", "^"}, {"widetilde", "~"}};
-  return all;
-}
-
-const std::map<std::string, const char*, std::less<>>& spaces() {
-  static const std::map<std::string, const char*, std::less<>> all{{",", "0.167"}, {":", "0.222"},  {">", "0.222"},
-                                                                   {";", "0.278"}, {"!", "-0.167"}, {" ", "0.25"},
-                                                                   {"quad", "1"},  {"qquad", "2"}};
-  return all;
 }
 
 std::string utf8(char32_t c) {
@@ -186,9 +173,6 @@ class Reader {
     } else if (is_letter(c)) {
       ++at_;
       leaf(nodes, Symbol{std::string(1, c), Atom::ordinary, Kind::identifier}, begin);
-    } else if (c == '~') {
-      ++at_;
-      leaf(nodes, Symbol{"0.25", Atom::ordinary, Kind::space}, begin);
     } else if (const Symbol* known = symbol(token())) {
       ++at_;
       leaf(nodes, *known, begin);
@@ -202,16 +186,15 @@ class Reader {
     const std::size_t begin = at_;
     const std::string whole = token(), name = whole.substr(1);
     at_ += whole.size();
-    if (const Symbol* known = symbol(whole)) {
-      leaf(nodes, *known, begin);
-      if (name == "dots" && operator_follows()) nodes.back().text = "⋯";
-    } else if (const auto width = spaces().find(name); width != spaces().end()) {
-      leaf(nodes, Symbol{width->second, Atom::ordinary, Kind::space}, begin);
-    } else if (const auto sign = accents().find(name); sign != accents().end()) {
+    const Symbol* known = symbol(whole);
+    if (known != nullptr && known->kind == Kind::accent) {
       Nodes parts{argument(whole)};
-      leaf(parts, Symbol{sign->second}, begin);
+      leaf(parts, Symbol{known->text}, begin);
       parts.back().stretches = name.starts_with("wide") || name == "overline";
       nodes.push_back(made(Kind::accent, std::move(parts), begin));
+    } else if (known != nullptr) {
+      leaf(nodes, *known, begin);
+      if (name == "dots" && operator_follows()) nodes.back().text = "⋯";
     } else if (name == "frac" || name == "dfrac" || name == "tfrac" || name == "binom") {
       MathNode top = argument(whole), bottom = argument(whole);
       nodes.push_back(made(name == "binom"   ? Kind::binomial

@@ -113,6 +113,7 @@ void add_reproduce(Command& app);
 void add_range(Command& app);
 void add_curve(Command& app);
 void add_gallery(Command& app);
+void add_compare(Command& app);
 void add_map(Command& app);
 void add_jsr(Command& app);
 void add_verify(Command& app);

@@ -1,5 +1,6 @@
 // subcert analyze SCHEME: one page about one scheme
 
+#include "checker.hpp"
 #include "family_page.hpp"
 #include "multivariate_page.hpp"
 #include "plot.hpp"
@@ -7,6 +8,8 @@
 
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/reports/gallery.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 
 namespace subcert::cli {
 namespace {
@@ -17,6 +20,7 @@ struct AnalyzeOptions : CommonOptions {
   int grid_level = 6;
   double budget = 10;
   std::string plot;
+  std::string html;
 };
 
 SchemePage make_page(Scheme scheme, const AnalyzeOptions& options) {
@@ -75,9 +79,10 @@ Decision analyze(const MultivariateScheme& scheme, const AnalyzeOptions& options
 
 ExitCode run(const AnalyzeOptions& options) {
   require_picture_name(options.plot);
+  const std::string picture = options.html.empty() ? "--plot" : "--html";
   if (has_parameter(options.scheme)) {
-    if (!options.plot.empty())
-      fail(ErrorKind::usage, "--plot: pictures are of single schemes; {} has a parameter", options.scheme);
+    if (!options.plot.empty() || !options.html.empty())
+      fail(ErrorKind::usage, "{}: pictures are of single schemes; {} has a parameter", picture, options.scheme);
     const FamilyPage page = family_page(make_parametric_scheme(options.scheme));
     options.answer(page.json, page.text);
     return done;
@@ -89,6 +94,9 @@ ExitCode run(const AnalyzeOptions& options) {
     if (convergence.is_no()) return refuse_unproved(options.scheme, "no limit function to draw", convergence);
     draw_limit(options.plot, scheme, convergence);
   }
+  if (!options.html.empty())
+    runtime::write_file(options.html, reports::gallery_html({reports::make_plate(
+                                          {options.scheme}, {.budget = options.budget, .verified = verified})}));
   return convergence.truth == Truth::unknown ? undecided : done;
 }
 
@@ -101,6 +109,7 @@ void add_analyze(Command& app) {
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
   command.option("--budget", options->budget, "Seconds for each proof").within(0.001, 1e6).with_default();
   command.option("--plot", options->plot, "Draw the basic limit function of one or two variables, as .svg or .png");
+  command.option("--html", options->html, "A page with pictures and the certificate, all in one file");
   add_scheme(command, options->scheme, true);
 }
 

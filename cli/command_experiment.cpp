@@ -3,7 +3,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/reports/report.hpp>
+#include <subcert/reports/report_files.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -67,7 +67,7 @@ ExitCode run(const ExperimentCommand& options) {
                                                                      {options.seed, options.runs, options.threads()});
   const formats::Section section = experiments::experiment_section(ran);
   if (!options.out.empty())
-    reports::write_reports({{chosen.paper, chosen.title, {section}, {ran}}}, options.out, options.threads());
+    reports::write_reports({{{chosen.paper, chosen.title, {section}, {ran}}}}, options.out, options.threads());
   options.end_progress();
   std::cout << (options.json ? experiments::experiment_json(ran) + "\n" : page(ran, section));
   return ran.result.all_confirmed() ? done : failed;

@@ -6,6 +6,7 @@
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/overview.hpp>
+#include <subcert/reports/report_files.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ struct ReproduceOptions : CommonOptions {
   std::vector<std::string> papers;
   std::vector<std::string> only;
   std::optional<double> budget;
+  std::string baseline;
 };
 
 void require_known(const ReproduceOptions& options, const std::vector<std::string>& papers) {
@@ -44,14 +46,11 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
   }
 }
 
-/// Checks all statements and writes errata.html beside the page.
-std::vector<reports::CheckedStatement> write_errata(const ReproduceOptions& options) {
+std::vector<reports::CheckedStatement> check_all_statements(const ReproduceOptions& options) {
   std::vector<const statements::Statement*> all;
   for (const statements::Statement& statement : statements::statements()) all.push_back(&statement);
-  auto checked = reports::check_statements(all, statements::Tier::quick, options.threads(),
-                                           [&](const std::string& id) { options.progress(id); });
-  runtime::write_file(std::filesystem::path(options.out) / "errata.html", reports::errata_page(checked));
-  return checked;
+  return reports::check_statements(all, statements::Tier::quick, options.threads(),
+                                   [&](const std::string& id) { options.progress(id); });
 }
 
 bool wants_colours() {
@@ -63,6 +62,11 @@ ExitCode run(ReproduceOptions& options) {
   const Stopwatch stopwatch;
   const auto papers = options.papers.empty() ? reports::default_papers() : options.papers;
   require_known(options, papers);
+  std::optional<std::vector<reports::EarlierResult>> earlier;
+  if (!options.baseline.empty()) {
+    const std::string file = (std::filesystem::path(options.baseline) / "results.json").string();
+    earlier = reports::read_results(read_file(file), file);
+  }
   reports::Findings findings;
   std::mutex terminal;
   reports::ReportOptions report_options{options.only, options.threads(),
@@ -77,19 +81,24 @@ ExitCode run(ReproduceOptions& options) {
   };
   for (const std::string& paper : papers) findings.reports.push_back(reports::make_report(paper, report_options));
   if (!options.out.empty()) {
-    if (options.papers.empty() && options.only.empty()) findings.statements = write_errata(options);
+    if (options.papers.empty() && options.only.empty()) findings.statements = check_all_statements(options);
     options.progress("writing " + options.out);
-    reports::write_reports(findings.reports, options.out, options.threads());
+    reports::write_reports(findings, options.out, options.threads());
     runtime::write_file(std::filesystem::path(options.out) / "summary.txt", reports::full_list(findings));
   }
   options.end_progress();
+  const std::vector<reports::Result> all = reports::results(findings);
+  std::optional<std::vector<reports::Change>> changed;
+  if (earlier) changed = reports::changes(*earlier, all);
   if (options.json) {
-    std::cout << reports::reports_json(findings.reports) << "\n";
+    std::cout << reports::reports_json(findings.reports, changed) << "\n";
   } else {
     if (options.out.empty()) std::cout << reports::full_list(findings) << "\n";
     std::cout << reports::first_screen(findings, {wants_colours(), options.out, stopwatch.seconds()});
+    if (changed) std::cout << reports::changes_text(*changed, all.size(), options.baseline);
   }
-  return findings.as_recorded() ? done : failed;
+  const bool is_alarm = changed && std::ranges::any_of(*changed, &reports::Change::is_alarm);
+  return findings.as_recorded() && !is_alarm ? done : failed;
 }
 
 }  // namespace
@@ -112,6 +121,8 @@ void add_reproduce(Command& app) {
   command.option("--only", options->only, "Items, separated by commas").separated_by_commas();
   command.option("--budget", options->budget, "Seconds for the exponent of each surface (default: those of the page)")
       .within(0.001, 1e6);
+  command.option("--baseline", options->baseline,
+                 "Folder of an earlier run: says what changed, and fails where that matters");
   command.existing("--out").describe("Folder for index.html, tables and figures");
 }
 

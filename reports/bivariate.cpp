@@ -52,7 +52,8 @@ formats::Comparison compare_published(const statements::PublishedCell& cell, con
           recorded_verdict(cell, verdict),
           note,
           source_text(cell),
-          to_text(regularity.stable.truth)};
+          to_text(regularity.stable.truth),
+          command_of(cell)};
 }
 
 }  // namespace

@@ -95,15 +95,26 @@ Verdict recorded_verdict(const statements::PublishedCell& cell, Verdict found) {
   return decided ? found : cell.recorded;
 }
 
+std::string command_of(const statements::PublishedCell& cell) {
+  const auto about = [&](std::string_view part) { return cell.quantity.find(part) != std::string::npos; };
+  const std::string command = cell.quantity == "mask"                                                 ? "mask"
+                              : cell.quantity == "support"                                            ? "analyze"
+                              : about("psi")                                                          ? "variance"
+                              : about("exponent") || about("bound after") || cell.quantity == "class" ? "regularity"
+                                                                                                      : "";
+  return command.empty() || !cell.over.empty() ? "" : fmt::format("subcert {} '{}'", command, cell.scheme);
+}
+
 formats::Comparison compare_number(const statements::PublishedCell& cell, const Enclosure& computed,
                                    const std::string& note) {
   const Verdict verdict = formats::compare(cell.printed, computed);
-  return {cell.row, cell.column,      cell.scheme, cell.printed, computed, verdict, recorded_verdict(cell, verdict),
-          note,     source_text(cell)};
+  return {cell.row, cell.column,       cell.scheme, cell.printed,    computed, verdict, recorded_verdict(cell, verdict),
+          note,     source_text(cell), "",          command_of(cell)};
 }
 
 formats::Comparison compare_text(const statements::PublishedCell& cell, const std::string& computed, Truth equal) {
-  return {cell.row, cell.column, cell.scheme, cell.printed, computed, comparison_verdict(equal), cell.recorded, ""};
+  return {cell.row,      cell.column, cell.scheme, cell.printed, computed,        comparison_verdict(equal),
+          cell.recorded, "",          "",          "",           command_of(cell)};
 }
 
 std::vector<std::string> schemes_of(const statements::PublishedTable& table) {

@@ -92,6 +92,9 @@ std::string source_text(const statements::PublishedCell& cell);
 /// machine (docs/comparison.md).
 Verdict recorded_verdict(const statements::PublishedCell& cell, Verdict found);
 
+/// What a reader types to see this value again; empty where only the table as a whole can be computed.
+std::string command_of(const statements::PublishedCell& cell);
+
 formats::Comparison compare_number(const statements::PublishedCell& cell, const Enclosure& computed,
                                    const std::string& note = "");
 

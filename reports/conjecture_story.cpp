@@ -182,6 +182,7 @@ formats::Section conjecture_7_section(ComputedQuantities& quantities) {
       "every power of n.";
   section.tables.push_back(limits(courses));
   section.figures.push_back(plot(courses, suggested));
+  section.evidence = section.figures.back().panels.back();
   return section;
 }
 

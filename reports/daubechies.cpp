@@ -52,7 +52,9 @@ Report report_daubechies(const ReportOptions& options) {
       const HolderRegularity& regularity = computed.exponent(scheme.specification);
       const Enclosure& exponent = regularity.exponent;
       table.proofs.push_back(row_proof(fmt::format("D{}.cert", 2 * n),
-                                       exponent_certificate(scheme.mask, regularity, scheme.rounding), options));
+                                       exponent_certificate(scheme.mask, regularity, scheme.rounding),
+                                       options.verified));
+      table.proofs.back().scheme = scheme.specification;
       table.rows.push_back({fmt::format("D{}", 2 * n), formats::fixed_text(exponent, 12),
                             exponent.is_bounded() ? to_decimal(*exponent.upper - *exponent.lower, 2, Rounding::up) : "",
                             fmt::format("{}", fmt::join(regularity.radius.product.word, "")),

@@ -179,10 +179,12 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
                             regularity.radius.exact.is_yes() ? "yes" : "unknown"});
       const Mask mask = make_scheme(statements::specification(family, n)).mask;
       table.proofs.push_back(
-          row_proof(fmt::format("{}-{}.cert", family, n), exponent_certificate(mask, regularity), options));
+          row_proof(fmt::format("{}-{}.cert", family, n), exponent_certificate(mask, regularity), options.verified));
+      table.proofs.back().scheme = statements::specification(family, n);
       bound_curve.points.emplace_back(n, std::stod(bound));
       upper_curve.points.emplace_back(n, high.convert_to<double>());
       lower_curve.points.emplace_back(n, low.convert_to<double>());
+      lower_curve.values.push_back(fmt::format("n = {}: {}", n, table.rows.back()[3]));
     }
     if (closed) lower_curve.label = "exponent";
     std::vector<formats::Curve> curves{bound_curve, lower_curve};

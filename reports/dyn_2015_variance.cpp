@@ -2,10 +2,13 @@
 
 #include "computed_quantities.hpp"
 
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/figure_sentences.hpp>
 #include <subcert/schemes/specification.hpp>
+
+#include <algorithm>
 
 namespace subcert::reports {
 
@@ -50,6 +53,24 @@ formats::ComparisonTable compare_table_3(const statements::PublishedTable& table
     result.comparisons.push_back(comparison);
   }
   return result;
+}
+
+/// Printed over certified values, by n.
+formats::Panel printed_over_certified(const statements::PublishedTable& published,
+                                      const formats::ComparisonTable& compared) {
+  formats::Panel panel{"Table 3: printed / certified", "n", "", {}, true};
+  for (std::size_t i = 0; i < published.cells.size(); ++i) {
+    const statements::PublishedCell& cell = published.cells[i];
+    const auto& certified = std::get<Enclosure>(compared.comparisons[i].computed);
+    if (!certified.upper || *certified.upper <= 0) continue;
+    auto curve = std::ranges::find(panel.curves, cell.quantity, &formats::Curve::label);
+    if (curve == panel.curves.end()) curve = panel.curves.insert(curve, {cell.quantity, {}, true, false});
+    curve->points.emplace_back(cell.n.value(),
+                               Rational(read_decimal(cell.printed).value / *certified.upper).convert_to<double>());
+    curve->values.push_back(fmt::format("{}: printed {}, certified {}", cell.scheme, cell.printed,
+                                        compared.comparisons[i].computed_text()));
+  }
+  return panel;
 }
 
 formats::Curve variance_curve(int n, int degree, const std::string& label) {
@@ -138,6 +159,7 @@ formats::Section variance_section(const ReportOptions& options, ComputedQuantiti
     quantities.say("table3");
     section.comparisons.push_back(compare_table_3(quantities.published("table3"), quantities));
     section.paragraphs.push_back("Table 3: " + verdict_sentence(section.comparisons.back()));
+    section.evidence = printed_over_certified(quantities.published("table3"), section.comparisons.back());
     section.finding = section.paragraphs.back() + " One truncated sum has the digits of " +
                       std::to_string(quantities.recipes().cells_given()) + " of them.";
     section.paragraphs.push_back(

@@ -106,6 +106,9 @@ formats::Comparison compare_range(const statements::PublishedCell& cell, int job
       cell.row, cell.column, family.specification, cell.printed, std::string("nothing"), Verdict::open, cell.recorded,
       "",       ""};
   comparison.source = source_text(cell);
+  comparison.command = fmt::format("subcert range '{}' --over {}={}..{} --property {}", family.specification, letter,
+                                   to_text(printed->low - 2 * length), to_text(printed->high + 2 * length),
+                                   cell.quantity.substr(0, cell.quantity.find(exactly)));
   const auto proved = proved_about(found, (printed->low + printed->high) / 2, width);
   if (proved) comparison.computed = fmt::format("{} < {} < {}", proved->low.text(), letter, proved->high.text());
   const std::size_t at = cell.printed.find(letter);

@@ -1,16 +1,19 @@
 #include "gallery.hpp"
 
 #include "formats/data_figure.hpp"
+#include "formats/html.hpp"
 #include "formats/limit_figure.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 
 #include <fmt/format.h>
@@ -95,7 +98,7 @@ void try_part(Plate& plate, const Deadline& deadline, const std::string& name, P
   }
 }
 
-void add_exponents(Plate& plate, const Scheme& scheme, const Budget& budget) {
+void add_exponents(Plate& plate, const Scheme& scheme, const PlateOptions& options, const Budget& budget) {
   plate.sum_rules = sum_rules(scheme.mask);
   plate.convergence = converges(scheme.mask, {levels_of_norms, budget.deadline.after(sobolev_share)});
   if (plate.convergence.is_no()) return;
@@ -105,13 +108,33 @@ void add_exponents(Plate& plate, const Scheme& scheme, const Budget& budget) {
       if (sobolev) plate.sobolev = sobolev->exponent;
     });
   try_part(plate, {}, "Hölder exponent", [&] {
-    const HolderRegularity regularity = holder_regularity(scheme.mask, levels_of_norms, budget, HolderProof::shortest,
-                                                          scheme.rounding);
+    const HolderRegularity regularity = holder_regularity(
+        scheme.mask, levels_of_norms, budget, options.verified ? HolderProof::certificate : HolderProof::shortest,
+        scheme.rounding);
     if (regularity.converges.truth != Truth::unknown) plate.convergence = regularity.converges;
     plate.stable = regularity.stable;
     plate.exact = regularity.deciding().radius.exact;
     plate.holder = regularity.proved_exponent();
+    if (options.verified && plate.holder.lower && *plate.holder.lower > 0)
+      plate.proof = row_proof(formats::slug(scheme.specification) + ".cert",
+                              exponent_certificate(scheme.mask, regularity, scheme.rounding), options.verified);
   });
+}
+
+/// The exact values at the integers, as text and as marks.
+void add_integers(Plate& plate, formats::Panel& panel, const Mask& mask) {
+  constexpr std::size_t longest_text = 600, longest_number = 40;
+  const LimitValues integers = limit_values(mask, 0);
+  formats::Curve marks{"exact values", {}, true, false};
+  for (std::size_t i = 0; i < integers.values.size(); ++i) {
+    const std::string at = to_text(integers.point(i)), value = to_text(integers.values[i]);
+    if (value.size() > longest_number) return;
+    marks.points.emplace_back(integers.point(i).convert_to<double>(), integers.values[i].convert_to<double>());
+    marks.values.push_back(fmt::format("phi({}) = {}", at, value));
+    plate.at_integers += (i ? ", " : "") + marks.values.back();
+  }
+  if (plate.at_integers.size() > longest_text) plate.at_integers.clear();
+  panel.curves.push_back(std::move(marks));
 }
 
 void add_pictures(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
@@ -121,6 +144,7 @@ void add_pictures(Plate& plate, const Scheme& scheme, const PlateOptions& option
     formats::Panel panel = formats::limit_panel(mask, "", formats::DrawnLimit::values);
     const std::string caption = "<i>φ</i>, the basic limit function" + panel.title;  // : unit sequence, for long masks
     panel.title = "The basic limit function" + panel.title;
+    if (!scheme.rounding) add_integers(plate, panel, mask);
     plate.pictures.push_back({"limit", caption, std::move(panel)});
   });
   plate.derivatives = proved_smoothness(mask, {levels_of_norms, deadline.after(smoothness_share)}).order;
@@ -155,7 +179,7 @@ void add_pictures(Plate& plate, const Scheme& scheme, const PlateOptions& option
 }
 
 void fill(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
-  add_exponents(plate, scheme, {Deadline::in(options.budget), options.memory});
+  add_exponents(plate, scheme, options, {Deadline::in(options.budget), options.memory});
   if (plate.convergence.is_yes())
     add_pictures(plate, scheme, options);
   else
@@ -177,6 +201,11 @@ void fill(Plate& plate, const MultivariateScheme& scheme, const PlateOptions& op
     plate.holder = regularity.exponent;
     plate.sobolev = regularity.sobolev;
   }
+  if (options.verified && plate.holder.lower && *plate.holder.lower > 0)
+    try_part(plate, {}, "certificate", [&] {
+      plate.proof = row_proof(formats::slug(scheme.specification) + ".cert",
+                              surface_certificate(scheme.mask, regularity), options.verified);
+    });
   if (plate.convergence.is_no())
     plate.notes.emplace_back("The scheme diverges: there is no limit function to draw.");
   else if (!plate.convergence.is_yes())

@@ -5,6 +5,7 @@
 
 #include "formats/figure.hpp"
 #include "formats/surface_figure.hpp"
+#include "row_proof.hpp"
 
 #include <subcert/schemes/specification.hpp>
 
@@ -18,6 +19,7 @@ struct PlateOptions {
   double budget = 5;                          ///< seconds for the proofs about each scheme
   std::size_t memory = std::size_t{1} << 30;  ///< bytes
   bool open = false;                          ///< the polygon that is refined
+  Verified verified = {};                     ///< who is asked about certificates; nobody: there are none
 };
 
 /// A picture of a plate.
@@ -45,6 +47,8 @@ struct Plate {
   std::optional<Rational> mean_variance;
   std::vector<PlatePicture> pictures;
   std::optional<formats::DrawnSurface> surface;
+  std::string at_integers;                 ///< exact values of the limit, as text; empty where they are too long
+  std::optional<formats::RowProof> proof;  ///< of the exponent
   std::vector<std::string> notes;
 
   const std::string& specification() const;
@@ -58,5 +62,12 @@ Plate make_plate(const GalleryScheme& scheme, const PlateOptions& options);
 
 /// One page, all in one file: an index of pictures where there are several plates, then the plates.
 std::string gallery_html(const std::vector<Plate>& plates);
+
+/// One page, all in one file: what is known of the schemes side by side, their functions in one picture, then the
+/// plates. Domain: at least one plate.
+std::string comparison_html(const std::vector<Plate>& plates);
+
+/// Pictures that all have of which several plates have one, each with the curves of all of these.
+std::vector<PlatePicture> overlaid(const std::vector<Plate>& plates);
 
 }  // namespace subcert::reports

@@ -1,124 +1,51 @@
+#include "formats/check_in_page.hpp"
 #include "formats/comparison.hpp"
 #include "formats/html.hpp"
+#include "formats/surface_view.hpp"
 #include "formats/svg.hpp"
 #include "gallery.hpp"
+#include "plate_facts.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 namespace subcert::reports {
 namespace {
 
-constexpr int places = 10, places_of_card = 4, places_of_variance = 5;
+constexpr int places_of_card = 4;
 constexpr long largest_grid = 21;  // rows and columns of a mask that are shown
-
-constexpr const char* style = R"css(
-<style>
-body { max-width: 76rem; }
-.cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr)); gap: .75rem; padding: 0;
-         margin: 1.5rem 0 0; list-style: none; }
-.cards a { display: block; height: 100%; padding: .6rem .7rem; border: 1px solid var(--line); border-radius: .5rem;
-           color: inherit; text-decoration: none; }
-.cards a:hover, .cards a:focus-visible { border-color: var(--link); background: var(--band); }
-.cards b { display: block; font-size: .85rem; overflow-wrap: anywhere; line-height: 1.3; }
-.cards small { color: var(--quiet); }
-.thumbnail { width: 100%; height: 5rem; }
-.none { display: flex; height: 5rem; align-items: center; color: var(--quiet); font-size: .85rem; }
-.plate { padding-top: .5rem; }
-.plate h2 { margin-top: 2.5rem; overflow-wrap: anywhere; font: 600 1.2rem "DejaVu Sans Mono", monospace; }
-.plate h2 a { color: inherit; text-decoration: none; }
-.subtitle { margin: -.25rem 0 .25rem; }
-dl { display: grid; grid-template-columns: max-content 1fr; gap: .3rem 1.2rem; margin: 1rem 0; font-size: .95rem; }
-dt { color: var(--quiet); }
-dd { margin: 0; min-width: 0; overflow-wrap: anywhere; font-variant-numeric: tabular-nums; }
-dd.mask { font-family: "DejaVu Sans Mono", monospace; font-size: .85rem; }
-.why { color: var(--quiet); }
-.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); gap: 1rem 1.5rem; }
-.pictures figure { margin: 0; }
-.picture { width: 100%; height: auto; display: block; }
-.grid { stroke: var(--line); fill: none; stroke-width: .7; }
-.zero { stroke: var(--quiet); fill: none; stroke-width: .9; }
-.ticks { fill: var(--quiet); font-size: 11px; text-anchor: middle; }
-.ticks .y { text-anchor: end; }
-.curve { fill: none; stroke-width: 2; stroke-linejoin: round; vector-effect: non-scaling-stroke; }
-.curve-1 { stroke: var(--curve-1); }
-.curve-2 { stroke: var(--curve-2); }
-.thin { stroke-width: 1; stroke-dasharray: 3 3; }
-.mark-2 { fill: var(--curve-2); }
-.level { fill-opacity: .13; stroke-width: .6; stroke-opacity: .8; }
-.above { fill: var(--curve-1); stroke: var(--curve-1); }
-.below { fill: var(--curve-2); stroke: var(--curve-2); }
-.coefficients { font-size: .82rem; margin: .25rem 0; }
-.coefficients td { padding: .12rem .45rem; border: 0; background: none; }
-.coefficients td.zero-coefficient { color: var(--line); }
-.note { border-left: 4px solid var(--open); padding: .1rem 0 .1rem .8rem; }
-@media print { .plate { break-inside: avoid; } }
-</style>
-)css";
-
-/// `primal-n-3-d-1`: what stays of a specification in a link.
-std::string slug(const std::string& text) {
-  constexpr std::size_t longest = 60;
-  std::string result;
-  for (const char c : text)
-    if (std::isalnum(static_cast<unsigned char>(c)))
-      result += c;
-    else if (!result.empty() && result.back() != '-' && result.size() < longest)
-      result += '-';
-  if (result.size() > longest) result.resize(longest);
-  while (!result.empty() && result.back() == '-') result.pop_back();
-  return result;
-}
 
 std::vector<std::string> anchors(const std::vector<Plate>& plates) {
   std::vector<std::string> result;
   std::map<std::string, int> seen;
   for (const Plate& plate : plates) {
-    const std::string name = slug(plate.specification());
+    const std::string name = formats::slug(plate.specification());
     const int before = seen[name]++;
     result.push_back(before == 0 ? name : fmt::format("{}--{}", name, before + 1));
   }
   return result;
 }
 
-/// The sign that people use for `>=` and `<=`.
-std::string number_html(const Enclosure& enclosure, int digits) {
-  std::string text = formats::fixed_text(enclosure, digits);
-  if (text.starts_with(">= ")) return "≥ " + text.substr(3);
-  if (text.starts_with("<= ")) return "≤ " + text.substr(3);
-  if (const auto dots = text.find(" ... "); dots != std::string::npos) return text.replace(dots, 5, " … ");
-  if (enclosure.is_exact()) return to_text(*enclosure.lower);
-  return text;
-}
-
-std::string why(const Decision& decision) {
-  const char* word = decision.is_yes() ? "yes" : decision.is_no() ? "no" : "not decided";
-  return decision.reason.empty() ? word
-                                 : fmt::format("{} <span class=why>{}</span>", word, formats::html(decision.reason));
-}
-
-std::string fact(const std::string& name, const std::string& value, const std::string& kind = "") {
-  return fmt::format("<dt>{}</dt><dd{}>{}</dd>\n", name, kind.empty() ? "" : " class=" + kind, value);
-}
-
-std::string mask_html(const Scheme& scheme) {
-  const LaurentPolynomial& symbol = scheme.mask.symbol();
-  constexpr std::size_t longest = 1200;
-  std::string text = symbol.to_mask_text();
-  if (scheme.rounding || text.size() > longest) {
-    text.clear();
-    for (const Rational& coefficient : symbol.coefficients())
-      text += (text.empty() ? "" : ",") + to_decimal(coefficient, places, Rounding::nearest);
-    text = fmt::format("[{}]@{}, to {} digits; subcert mask prints it exactly", text, symbol.lowest(), places);
-  }
-  std::string result;  // lines may break behind commas
-  for (const char c : formats::html(text)) result += c == ',' ? ",<wbr>" : std::string(1, c);
+/// Plain text with the letters and signs that people use.
+std::string typeset(const std::string& text) {
+  static const std::vector<std::pair<std::string, std::string>> words{
+      {"Hoelder", "Hölder"},       {"&gt;= ", "≥ "},      {"&lt;= ", "≤ "},      {" ... ", " … "},
+      {"&lt;phi", "&lt;<i>φ</i>"}, {"phi(", "<i>φ</i>("}, {" psi", " <i>ψ</i>"}, {",", ",<wbr>"}};
+  std::string result = formats::html(text);
+  for (const auto& [from, to] : words)
+    for (std::size_t at = result.find(from); at != std::string::npos; at = result.find(from, at + to.size()))
+      result.replace(at, from.size(), to);
   return result;
+}
+
+std::string value_html(const Fact& fact) {
+  const bool strong = fact.name.starts_with("Hoelder") && fact.value.find_first_of("0123456789") != std::string::npos;
+  return (strong ? "<b>" + typeset(fact.value) + "</b>" : typeset(fact.value)) +
+         (fact.remark.empty() ? "" : " <span class=why>" + typeset(fact.remark) + "</span>");
 }
 
 std::string mask_html(const MultivariateScheme& scheme) {
@@ -143,38 +70,16 @@ std::string mask_html(const MultivariateScheme& scheme) {
       rows, common.str(), low[0], low[1], formats::html(scheme.mask.dilation().to_text()));
 }
 
-std::string holder_html(const Plate& plate) {
-  if (plate.convergence.is_no()) return "none";
-  if (!plate.holder.lower) return "not proved";
-  std::string text = "<b>" + number_html(plate.holder, places) + "</b>";
-  if (!plate.holder.upper)
-    text += " <span class=why>a lower bound; the shifts are not proved stable</span>";
-  else if (plate.exact.is_yes())
-    text += " <span class=why>enclosed with proof; a product attains the radius</span>";
-  else
-    text += " <span class=why>enclosed with proof</span>";
-  return text;
-}
-
-std::string facts(const Plate& plate) {
+std::string facts_html(const Plate& plate) {
   std::string result = "<dl>\n";
-  result += fact("mask", std::visit([](const auto& one) { return mask_html(one); }, plate.scheme),
-                 std::holds_alternative<Scheme>(plate.scheme) ? "mask" : "");
-  result += fact("sum rules", std::to_string(plate.sum_rules));
-  result += fact("converges", why(plate.convergence));
-  result += fact("Hölder exponent", holder_html(plate));
-  if (plate.convergence.is_yes() && plate.sobolev)
-    result += fact("Sobolev exponent", number_html(*plate.sobolev, places));
-  if (plate.convergence.is_yes() && plate.derivatives >= 0)
-    result += fact("continuous derivatives", fmt::format("{} proved", plate.derivatives));
-  if (plate.convergence.is_yes()) result += fact("stable shifts", why(plate.stable));
-  if (plate.largest_variance) result += fact("max <i>ψ</i>", number_html(*plate.largest_variance, places_of_variance));
-  if (plate.mean_variance) {
-    const std::string exact = to_text(*plate.mean_variance);
-    constexpr std::size_t longest = 40;
-    result += fact("mean of <i>ψ</i>", to_decimal(*plate.mean_variance, places, Rounding::nearest) +
-                                           (exact.size() <= longest ? " = " + exact : ""));
+  for (const Fact& fact : facts(plate)) {
+    const auto* surface = fact.name == "mask" ? std::get_if<MultivariateScheme>(&plate.scheme) : nullptr;
+    result += fmt::format("<dt>{}</dt><dd{}>{}</dd>\n", typeset(fact.name),
+                          fact.name == "mask" && !surface ? " class=mask" : "",
+                          surface ? mask_html(*surface) : value_html(fact));
   }
+  if (plate.proof && !plate.proof->name.empty())
+    result += "<dt>certificate</dt><dd class=proof>" + formats::check_button_inside(*plate.proof) + "</dd>\n";
   return result + "</dl>\n";
 }
 
@@ -185,7 +90,7 @@ std::string plate_html(const Plate& plate, const std::string& anchor) {
       anchor, formats::html(plate.specification()), formats::html(plate.title()));
   if (!plate.key.empty())
     result += fmt::format("<p class=place>[{}] {}</p>\n", plate.key, formats::html(reference(plate.key)));
-  result += facts(plate);
+  result += facts_html(plate);
   for (const std::string& note : plate.notes) result += "<p class=note>" + formats::html(note) + "</p>\n";
   if (plate.pictures.empty() && !plate.surface) return result + "</article>\n";
   result += "<div class=pictures>\n";
@@ -193,11 +98,12 @@ std::string plate_html(const Plate& plate, const std::string& anchor) {
     result += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, caption);
   };
   for (const PlatePicture& picture : plate.pictures)
-    figure(formats::svg(picture.panel, picture.name == "limit" ? anchor + "-limit" : ""), picture.caption);
+    figure(formats::plot(picture.panel, picture.name == "limit" ? anchor + "-limit" : ""), picture.caption);
   if (plate.surface)
     figure(formats::svg(*plate.surface, anchor + "-limit"),
            "<i>φ</i>: where it is at least 1/10, …, 9/10 of its maximum; in the other colour, at most 1/3 and 2/3 "
            "of a negative minimum");
+  if (plate.surface) figure(formats::surface_view(*plate.surface), "<i>φ</i>, to be turned");
   return result + "</div>\n</article>\n";
 }
 
@@ -208,8 +114,8 @@ std::string card(const Plate& plate, const std::string& anchor) {
   return fmt::format("<li><a href=\"#{}\">{}<b>{}</b><small>{}{}</small></a></li>\n", anchor,
                      drawn ? formats::thumbnail(anchor + "-limit") : "<span class=none>no limits</span>",
                      formats::html(plate.specification()),
-                     plate.convergence.is_no()    ? "diverges"
-                     : plate.holder.lower         ? "Hölder " + number_html(plate.holder, places_of_card)
+                     plate.convergence.is_no() ? "diverges"
+                     : plate.holder.lower      ? "Hölder " + typeset(formats::fixed_text(plate.holder, places_of_card))
                      : plate.convergence.is_yes() ? "converges"
                                                   : "not decided",
                      plate.key.empty() ? "" : "<br>[" + plate.key + "]");
@@ -220,7 +126,7 @@ std::string card(const Plate& plate, const std::string& anchor) {
 std::string gallery_html(const std::vector<Plate>& plates) {
   const std::vector<std::string> names = anchors(plates);
   const bool several = plates.size() > 1;
-  std::string body = style;
+  std::string body;
   if (several) {
     body += fmt::format(
         "<h1>A gallery of subdivision schemes</h1>\n<p>{} schemes, each with its exact mask, its smoothness, "
@@ -234,6 +140,50 @@ std::string gallery_html(const std::vector<Plate>& plates) {
   return formats::html_page(several ? "A gallery of subdivision schemes"
                                     : formats::html(plates.empty() ? "" : plates.front().specification()),
                             body);
+}
+
+std::vector<PlatePicture> overlaid(const std::vector<Plate>& plates) {
+  std::vector<PlatePicture> pictures;
+  for (const char* name : {"limit", "derivative-1", "derivative-2", "variance"}) {
+    PlatePicture all{name, "", {}};
+    for (const Plate& plate : plates)
+      for (const PlatePicture& picture : plate.pictures) {
+        if (picture.name != name) continue;
+        if (all.panel.curves.empty()) all = {name, picture.caption, {picture.panel.title, "x", "", {}}};
+        all.panel.curves.push_back({plate.specification(), picture.panel.curves.front().points});
+      }
+    if (all.panel.curves.size() > 1) pictures.push_back(std::move(all));
+  }
+  return pictures;
+}
+
+std::string comparison_html(const std::vector<Plate>& plates) {
+  const std::vector<std::string> names = anchors(plates);
+  std::vector<std::vector<Fact>> known;
+  for (const Plate& plate : plates) known.push_back(facts(plate));
+  std::string table = "<tr><th></th>";
+  for (std::size_t i = 0; i < plates.size(); ++i)
+    table += fmt::format("<th class=text><a href=\"#{}\">{}</a></th>", names[i],
+                         formats::html(plates[i].specification()));
+  table += "</tr>\n";
+  for (const std::string& name : fact_names(known)) {
+    table += fmt::format("<tr><th>{}</th>", typeset(name));
+    for (const std::vector<Fact>& list : known) {
+      const auto fact = std::ranges::find(list, name, &Fact::name);
+      table += fmt::format("<td class=text>{}</td>", fact == list.end() ? "" : value_html(*fact));
+    }
+    table += "</tr>\n";
+  }
+  std::string pictures;
+  for (const PlatePicture& picture : overlaid(plates))
+    pictures += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", formats::plot(picture.panel),
+                            picture.caption);
+  std::string body = fmt::format(
+      "<h1>{} schemes side by side</h1>\n<div class=scroll tabindex=0 role=region aria-label=\"What is known\"><table "
+      "class=comparison>\n{}</table></div>\n<div class=pictures>\n{}</div>\n",
+      plates.size(), table, pictures);
+  for (std::size_t i = 0; i < plates.size(); ++i) body += plate_html(plates[i], names[i]);
+  return formats::html_page("Subdivision schemes side by side", body);
 }
 
 }  // namespace subcert::reports

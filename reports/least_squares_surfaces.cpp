@@ -90,6 +90,24 @@ std::vector<std::string> fit_findings(const std::vector<FitAndProduct>& pairs) {
   return sentences;
 }
 
+/// The exponent of each fit over that of its tensor product: what is proved of both, from below.
+formats::Panel fits_beside_products(const std::vector<FitAndProduct>& pairs) {
+  formats::Panel panel{"Hoelder exponents of fits and of tensor products", "tensor product", "fit", {}};
+  formats::Curve fits{"a scheme", {}, true, false}, equal{"as smooth", {}};
+  double most = 0;
+  for (const FitAndProduct& pair : pairs) {
+    const Enclosure &fit = pair.fit.regularity.exponent, &product = pair.product.regularity.exponent;
+    if (!fit.lower || !product.lower) continue;
+    fits.points.emplace_back(product.lower->convert_to<double>(), fit.lower->convert_to<double>());
+    fits.values.push_back(fmt::format("{}: {}, tensor product {}", pair.fit.specification, pair.fit.holder_text(),
+                                      pair.product.holder_text()));
+    most = std::max({most, fits.points.back().first, fits.points.back().second});
+  }
+  equal.points = {{0, 0}, {most, most}};
+  panel.curves = {fits, equal};
+  return panel;
+}
+
 formats::Section fits_section(const ReportOptions& options) {
   std::vector<std::string> specifications;
   for (const GridScheme& scheme : grid_schemes()) {
@@ -114,6 +132,12 @@ formats::Section fits_section(const ReportOptions& options) {
   for (const char* key : {"MLZD15", "MH", "MB16", "DHHS15"})
     section.paragraphs.push_back(fmt::format("[{}] {}", key, statements::reference(key)));
   section.finding = fit_findings(pairs).front();
+  section.figures.push_back(
+      {"fits-plot",
+       "Fits and tensor products",
+       "Proved lower ends of the Hoelder exponents: below the line the tensor product is smoother.",
+       1,
+       {fits_beside_products(pairs)}});
   formats::PlainTable table{"least-squares", "Least squares on grids", surface_facts_head({"scheme", "papers"}), {}};
   table.head.insert(table.head.end(), {"tensor product of", "its Hoelder", "its Sobolev"});
   for (const FitAndProduct& pair : pairs) {

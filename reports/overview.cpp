@@ -11,50 +11,6 @@ namespace {
 constexpr std::size_t screen_width = 100;
 constexpr std::size_t most_alarms = 10;
 
-/// How many of some kind there are, and how many the papers have right.
-struct Score {
-  int right = 0, wrong = 0, open = 0, uncheckable = 0;
-
-  void add(Verdict verdict) {
-    const Truth truth = truth_of(verdict);
-    const bool no_check = verdict == Verdict::not_checkable || verdict == Verdict::not_reproducible;
-    ++(truth == Truth::yes ? right : truth == Truth::no ? wrong : no_check ? uncheckable : open);
-  }
-  int checked() const { return right + wrong + open; }
-  int all() const { return checked() + uncheckable; }
-  /// `81 of 114 values match (1 open, 18 cannot be checked)`: of those that can be checked, and what is left.
-  std::string text(const std::string& what, const std::string& hold) const {
-    if (all() == 0) return "";
-    if (checked() == 0) return fmt::format("{} {} cannot be checked", uncheckable, what);
-    std::vector<std::string> left;
-    if (open > 0) left.push_back(fmt::format("{} open", open));
-    if (uncheckable > 0) left.push_back(fmt::format("{} cannot be checked", uncheckable));
-    return fmt::format("{} of {} {} {}{}", right, checked(), what, hold,
-                       left.empty() ? "" : fmt::format(" ({})", fmt::join(left, ", ")));
-  }
-};
-
-Score values_of(const Report& report) {
-  Score score;
-  for (const formats::ComparisonTable* table : report.comparison_tables())
-    for (const formats::Comparison& comparison : table->comparisons) score.add(comparison.verdict);
-  return score;
-}
-
-Score claims_of(const Report& report) {
-  Score score;
-  for (const experiments::RanExperiment& ran : report.experiments)
-    for (const experiments::DecidedClaim& claim : ran.result.claims) score.add(claim.finding);
-  return score;
-}
-
-Score statements_of(const Findings& findings, const std::string& paper) {
-  Score score;
-  for (const CheckedStatement& one : findings.statements)
-    if (one.statement->paper() == paper) score.add(one.outcome.verdict);
-  return score;
-}
-
 std::string coloured(const std::string& text, const char* code, bool colours) {
   return colours ? fmt::format("\033[{}m{}\033[0m", code, text) : text;
 }
@@ -91,34 +47,32 @@ std::string verdict_text(Verdict found, Verdict recorded) {
   return to_text(found) + (found == recorded ? "" : " [recorded: " + to_text(recorded) + "]");
 }
 
-/// Everything that is not right, or not as recorded; `only_alarms` leaves out what is as recorded.
-std::vector<std::string> deviations(const Findings& findings, bool only_alarms) {
-  std::vector<std::string> lines;
-  const auto add = [&](Verdict found, Verdict recorded, const std::string& what) {
-    if (found != recorded || (!only_alarms && truth_of(found) == Truth::no))
-      lines.push_back(verdict_text(found, recorded) + "  " + what);
-  };
-  for (const Report& report : findings.reports) {
-    for (const formats::ComparisonTable* table : report.comparison_tables())
-      for (const formats::Comparison& c : table->comparisons)
-        add(c.verdict, c.recorded,
-            fmt::format("{} {}: {}: printed {}, computed {}{}", report.paper, table->id, c.cell(), c.printed,
-                        c.computed_text(), c.note.empty() ? "" : " (" + c.note + ")"));
-    for (const experiments::RanExperiment& ran : report.experiments)
-      for (const experiments::DecidedClaim& c : ran.result.claims)
-        add(c.finding, c.recorded, fmt::format("{}: {} ({})", ran.experiment->id, c.sentence, c.numbers));
+std::string line_of(const Result& result) {
+  std::string text = verdict_text(result.verdict, result.recorded) + "  ";
+  switch (result.kind) {
+    case ResultKind::value:
+      text += fmt::format("{} {}: {}: printed {}, computed {}", result.paper, result.item, result.subject,
+                          result.printed, result.computed);
+      break;
+    case ResultKind::claim: return text + fmt::format("{}: {} ({})", result.item, result.subject, result.computed);
+    case ResultKind::statement: text += fmt::format("{} ({}): {}", result.key, result.item, result.subject);
   }
-  for (const CheckedStatement& one : findings.statements)
-    add(one.outcome.verdict, one.statement->recorded,
-        fmt::format("{} ({}): {}{}", one.statement->id, one.statement->place, one.statement->paraphrase,
-                    one.outcome.witness.empty() ? "" : " Witness: " + one.outcome.witness));
+  return text + (result.note.empty() ? "" : " (" + result.note + ")");
+}
+
+/// Everything that is not right, or not as recorded; `only_alarms` leaves out what is as recorded.
+std::vector<std::string> deviations(const std::vector<Result>& all, bool only_alarms) {
+  std::vector<std::string> lines;
+  for (const Result& result : all)
+    if (result.verdict != result.recorded || (!only_alarms && truth_of(result.verdict) == Truth::no))
+      lines.push_back(line_of(result));
   return lines;
 }
 
-std::string paper_lines(const Findings& findings, const Report& report, bool colours) {
-  std::vector<std::string> counts{values_of(report).text("printed values", "match"),
-                                  statements_of(findings, report.paper).text("statements", "hold"),
-                                  claims_of(report).text("claims", "confirmed")};
+std::string paper_lines(const std::vector<Result>& all, const Report& report, bool colours) {
+  std::vector<std::string> counts{score(all, ResultKind::value, report.paper).text("printed values", "match"),
+                                  score(all, ResultKind::statement, report.paper).text("statements", "hold"),
+                                  score(all, ResultKind::claim, report.paper).text("claims", "confirmed")};
   std::erase(counts, "");
   return coloured(wrapped(short_citation(report.citation), "  "), "1", colours) +
          (counts.empty() ? "" : wrapped(fmt::format("{}", fmt::join(counts, ", ")), "    "));
@@ -181,28 +135,22 @@ std::string experiment_line(const experiments::RanExperiment& ran) {
 
 }  // namespace
 
-bool Findings::as_recorded() const {
-  return std::ranges::all_of(reports, &Report::as_recorded) &&
-         std::ranges::all_of(statements, &CheckedStatement::as_recorded);
-}
-
 std::string first_screen(const Findings& findings, const ScreenOptions& options) {
   std::string text = "What the papers print, recomputed\n\n";
-  for (const Report& report : findings.reports) text += paper_lines(findings, report, options.colours);
+  const std::vector<Result> all = results(findings);
+  for (const Report& report : findings.reports) text += paper_lines(all, report, options.colours);
   std::string points;
   for (const Report& report : findings.reports)
     for (const formats::Section& section : report.sections)
       if (!section.finding.empty()) points += wrapped(section.finding, "  - ");
-  Score statements;
-  for (const CheckedStatement& one : findings.statements) statements.add(one.outcome.verdict);
-  if (statements.wrong > 0)
+  if (const Score statements = score(all, ResultKind::statement); statements.wrong > 0)
     points += wrapped(
         fmt::format(
             "{} of {} statements are misprinted or false, each with a witness and, where there is one, its correction.",
             statements.wrong, statements.all()),
         "  - ");
   if (!points.empty()) text += "\n" + coloured("What matters", "1", options.colours) + "\n" + points;
-  const auto alarms = deviations(findings, true);
+  const auto alarms = deviations(all, true);
   text += "\n";
   for (std::size_t i = 0; i < std::min(alarms.size(), most_alarms); ++i)
     text += coloured(wrapped(alarms[i], "  ! "), "31", options.colours);
@@ -223,16 +171,17 @@ std::string first_screen(const Findings& findings, const ScreenOptions& options)
 
 std::string full_list(const Findings& findings) {
   std::string text;
+  const std::vector<Result> all = results(findings);
   for (const Report& report : findings.reports) {
     text += report.citation + "\n\n";
     if (report.listed) text += tables_text(report);
     for (const formats::ComparisonTable* table : report.comparison_tables()) text += table_line(*table);
     for (const experiments::RanExperiment& ran : report.experiments) text += experiment_line(ran);
-    if (const Score score = statements_of(findings, report.paper); score.all() > 0)
-      text += "  " + score.text("statements", "hold") + "\n";
+    if (const Score statements = score(all, ResultKind::statement, report.paper); statements.all() > 0)
+      text += "  " + statements.text("statements", "hold") + "\n";
     text += "\n";
   }
-  for (const std::string& line : deviations(findings, false)) text += line + "\n";
+  for (const std::string& line : deviations(all, false)) text += line + "\n";
   return text;
 }
 

@@ -1,22 +1,11 @@
 #pragma once
 /// What `subcert reproduce` says in a terminal: a first screen, and the full list for a file.
 
-#include "errata.hpp"
-#include "report.hpp"
+#include "results.hpp"
 
 #include <string>
-#include <vector>
 
 namespace subcert::reports {
-
-/// Everything a run has found. `statements` is empty where they were not checked.
-struct Findings {
-  std::vector<Report> reports;
-  std::vector<CheckedStatement> statements = {};
-
-  /// Whether all verdicts are the recorded ones.
-  bool as_recorded() const;
-};
 
 struct ScreenOptions {
   bool colours = false;  ///< escape sequences of a terminal

@@ -3,11 +3,9 @@
 
 #include "experiments/experiment.hpp"
 #include "formats/section.hpp"
-
-#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include "row_proof.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -39,9 +37,7 @@ struct ReportOptions {
   std::uint64_t seed = 1;  ///< of the experiments
   std::size_t runs = 50;   ///< samples of the noise in each experiment, 4 times as many beside printed values
   std::optional<double> budget = {};  ///< seconds for the exponent of each surface; nothing for those of the report
-  /// What a checker accepts of a certificate, and of matrices that it is about; without it what needs no such question.
-  std::function<Certificate(const Certificate&, const std::string& matrices)> verified =
-      [](const Certificate& certificate, const std::string&) { return certificate.of_bounds(); };
+  Verified verified = bounds_alone;   ///< of the certificates on the page
 };
 
 /// The papers and collections that can be reproduced, those that are where none is named, and the items of each.
@@ -52,20 +48,5 @@ std::vector<std::string> report_items(const std::string& paper);
 
 /// Recomputes the paper and compares. Errors: throws a domain error for an unknown paper or item.
 Report make_report(const std::string& paper, const ReportOptions& options);
-
-/// The proof of a row of a table, by the certificate that a checker accepts; without a name where it accepts none.
-/// `matrices`: what a certificate of a radius is about.
-formats::RowProof row_proof(const std::string& name, const Certificate& certificate, const ReportOptions& options,
-                            const std::string& matrices = {});
-
-/// Writes DIR/index.html for the reports, with a link to DIR/errata.html where that is there, and for each table
-/// DIR/PAPER/ID.csv, .tex, .json, for each figure .svg, .png and .csv; for each certificate DIR/PAPER/NAME and NAME.js,
-/// which the page reads. Domain: jobs >= 1, the pictures drawn at a time. Errors: throws missing_file that names the
-/// file.
-void write_reports(const std::vector<Report>& reports, const std::filesystem::path& folder, int jobs);
-
-/// {"comparisons": [...], "experiments": [...], "tables": [...]} as in the contract; the experiments are those of
-/// experiment_json(), the tables those without printed counterpart.
-std::string reports_json(const std::vector<Report>& reports);
 
 }  // namespace subcert::reports

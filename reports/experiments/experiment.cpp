@@ -95,6 +95,7 @@ formats::PlainTable claims_table(const RanExperiment& ran) {
     table.row_classes.push_back(c.finding == Verdict::confirmed       ? "match"
                                 : c.finding == Verdict::not_confirmed ? "mismatch"
                                                                       : "open");
+    table.row_ids.push_back(claim_key(*ran.experiment, table.row_ids.size()));
   }
   return table;
 }
@@ -116,6 +117,10 @@ RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptio
   result.figures = std::move(measured.figures);
   result.surface_figures = std::move(measured.surface_figures);
   return {&experiment, options, std::move(result)};
+}
+
+std::string claim_key(const Experiment& experiment, std::size_t index) {
+  return fmt::format("{}-{}-claim-{}", experiment.paper, experiment.id, index + 1);
 }
 
 formats::Section experiment_section(const RanExperiment& ran) {

@@ -89,6 +89,9 @@ struct RanExperiment {
 /// what it names but was not measured.
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options);
 
+/// The name of the link to the claim with this index, unique over all papers.
+std::string claim_key(const Experiment& experiment, std::size_t index);
+
 /// As a section of a page: the setup, the claims as a table, and the experiment's tables and figures.
 formats::Section experiment_section(const RanExperiment& ran);
 

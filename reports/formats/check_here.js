@@ -1,29 +1,6 @@
 // The buttons that check a proof in the page. The checker is the text of #checker; a certificate is a script beside the
-// page, as pages that were opened from a file may not read other files. Each check runs in a worker of its own.
+// page: file names, and their texts, compressed by gzip, in base64. Each check runs in a worker of its own.
 'use strict';
-
-const certificates = new Map();  // of a name what the script of that name will give, and what is to be done then
-
-// Called by the script of a certificate: file names, and their texts, compressed by gzip, in base64.
-function subcert_certificate(name, files) {
-  certificates.get(name).resolve(files);
-}
-
-function load(script) {
-  if (!certificates.has(script)) {
-    const entry = {};
-    entry.files = new Promise((resolve, reject) => Object.assign(entry, {resolve, reject}));
-    certificates.set(script, entry);
-    const element = document.createElement('script');
-    element.onerror = () => {
-      certificates.delete(script);
-      entry.reject(new Error(script + ' is not beside this page'));
-    };
-    element.src = script;
-    document.head.append(element);
-  }
-  return certificates.get(script).files;
-}
 
 async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0));
@@ -52,7 +29,7 @@ async function check_here(button) {
   answer.className = '';
   answer.textContent = 'checking ...';
   try {
-    const packed = await load(button.dataset.certificate), files = {};
+    const packed = await load_file(button.dataset.certificate), files = {};
     for (const name in packed) files[name] = await unpacked(packed[name]);
     const {exit, line, seconds} = await verdict_of(JSON.parse(button.dataset.words), files);
     answer.className = exit === 0 ? 'proved' : 'refused';

@@ -33,8 +33,9 @@ struct Comparison {
   Verdict verdict;
   Verdict recorded;  ///< the verdict that this version of the toolkit is known to reach
   std::string note;
-  std::string source = {};  ///< `[KEY] reference`, where a table is gathered from many
-  std::string stable = {};  ///< whether the shifts are stable, where exponents depend on it
+  std::string source = {};   ///< `[KEY] reference`, where a table is gathered from many
+  std::string stable = {};   ///< whether the shifts are stable, where exponents depend on it
+  std::string command = {};  ///< that computes this value again; empty where only the whole table is
 
   /// `[KEY]`.
   std::string source_key() const { return source.substr(0, source.find(']') + 1); }

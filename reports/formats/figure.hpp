@@ -16,6 +16,15 @@ struct Curve {
   bool marked = false;      ///< points with marks, as for a sequence over n
   bool joined = true;       ///< a line through the points; else marks alone
   std::string colour = {};  ///< as "#0b559f"; empty: by place in the panel
+  std::vector<std::string> values =
+      {};  ///< what a page tells of each point, as an exact number; empty: its coordinates
+};
+
+/// What is enclosed: x, lower end, upper end.
+struct Band {
+  std::string label;
+  std::vector<std::array<double, 3>> ends;
+  std::string colour = {};
 };
 
 /// Rectangles x_low, x_high, y_low, y_high, filled; at least one.
@@ -35,6 +44,7 @@ struct Panel {
   bool equal_units = false;       ///< the same scale on both axes, as for curves in the plane
   bool log_x = false;
   std::vector<Cells> cells = {};  ///< under the curves
+  std::vector<Band> bands = {};   ///< between them
 };
 
 /// Panels side by side, at most `columns` in a row.

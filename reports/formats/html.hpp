@@ -9,8 +9,14 @@ namespace subcert::formats {
 /// The text with &, <, > and quotes escaped.
 std::string html(const std::string& text);
 
-/// A page: its title, the style sheet of all pages, and the body.
+/// What stays of a text in a link: letters, digits, and single hyphens for the rest; at most 60 characters.
+std::string slug(const std::string& text);
+
+/// A page: its title, the style sheet of all pages, the body, and those scripts that something in the body needs.
 std::string html_page(const std::string& title, const std::string& body);
+
+/// Data for the scripts of a page, as the JSON text of an element with this id.
+std::string data_script(const std::string& id, const std::string& json);
 
 /// What a summary counts: its place on the page, its name, the counts.
 struct SummaryRow {

@@ -57,7 +57,9 @@ const Symbols& symbols() {
         "cong ≅ equiv ≡ propto ∝ in ∈ notin ∉ ni ∋ subset ⊂ subseteq ⊆ supset ⊃ supseteq ⊇ "
         "mid ∣ parallel ∥ perp ⊥ to → rightarrow → leftarrow ← gets ← mapsto ↦ Rightarrow ⇒ "
         "Leftarrow ⇐ Leftrightarrow ⇔ iff ⇔ implies ⇒");
-    add(list, Atom::large, Kind::symbol, false, "sum ∑ prod ∏ int ∫ bigcup ⋃ bigcap ⋂ bigoplus ⨁ bigotimes ⨂");
+    add(list, Atom::large, Kind::symbol, false,
+        "sum ∑ prod ∏ int ∫ bigcup ⋃ bigcap ⋂ bigoplus ⨁ "
+        "bigotimes ⨂");
     add(list, Atom::open, Kind::symbol, false, "{ { lbrace { langle ⟨ lfloor ⌊ lceil ⌈ lvert | lVert ‖");
     add(list, Atom::close, Kind::symbol, false, "} } rbrace } rangle ⟩ rfloor ⌋ rceil ⌉ rvert | rVert ‖");
     add(list, Atom::punctuation, Kind::symbol, false, "colon :");
@@ -108,23 +110,14 @@ std::string utf8(char32_t c) {
 
 /// A letter or digit in Unicode's alphabet for \mathbf, \mathbb or \mathcal, where there is one.
 std::optional<std::string> in_alphabet(const std::string& alphabet, char c) {
-  static const std::map<std::string, std::map<char, char32_t>> exceptions{
-      {"mathbb",
-       {{'C', U'ℂ'}, {'H', U'ℍ'}, {'N', U'ℕ'}, {'P', U'ℙ'}, {'Q', U'ℚ'}, {'R', U'ℝ'}, {'Z', U'ℤ'}}},  // not in a row
-      {"mathcal",
-       {{'B', U'ℬ'},
-        {'E', U'ℰ'},
-        {'F', U'ℱ'},
-        {'H', U'ℋ'},
-        {'I', U'ℐ'},
-        {'L', U'ℒ'},
-        {'M', U'ℳ'},
-        {'R', U'ℛ'},
-        {'e', U'ℯ'},
-        {'g', U'ℊ'},
-        {'o', U'ℴ'}}}};
-  if (const auto list = exceptions.find(alphabet); list != exceptions.end())
-    if (const auto found = list->second.find(c); found != list->second.end()) return utf8(found->second);
+  static const Symbols exceptions = [] {
+    Symbols list;
+    add(list, Atom::ordinary, Kind::identifier, false,
+        "mathbbC ℂ mathbbH ℍ mathbbN ℕ mathbbP ℙ mathbbQ ℚ mathbbR ℝ mathbbZ ℤ mathcalB ℬ mathcalE ℰ "
+        "mathcalF ℱ mathcalH ℋ mathcalI ℐ mathcalL ℒ mathcalM ℳ mathcalR ℛ mathcale ℯ mathcalg ℊ mathcalo ℴ");
+    return list;
+  }();
+  if (const auto found = exceptions.find(alphabet + c); found != exceptions.end()) return found->second.text;
   const char32_t upper = alphabet == "mathbf" ? U'𝐀' : alphabet == "mathbb" ? U'𝔸' : U'𝒜';
   const char32_t zero = alphabet == "mathbf" ? U'𝟎' : alphabet == "mathbb" ? U'𝟘' : 0;
   if (is_digit(c)) return zero == 0 ? std::nullopt : std::optional(utf8(zero + static_cast<char32_t>(c - '0')));

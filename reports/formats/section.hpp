@@ -6,6 +6,7 @@
 #include "surface_figure.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct RowProof {
   std::string name;                          ///< of the certificate
   std::vector<std::string> words;            ///< the command line of the checker
   std::map<std::string, std::string> files;  ///< texts by their names
+  std::string scheme = {};                   ///< whose exponent it proves; may be empty
 };
 
 /// A table of our own, without printed counterpart.
@@ -27,6 +29,7 @@ struct PlainTable {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> row_classes = {};  ///< how the page marks each row; empty for no marks
   std::vector<RowProof> proofs = {};          ///< of each row; empty for none
+  std::vector<std::string> row_ids = {};      ///< names of links to the rows; empty for none
 };
 
 /// One part of the page. Items that were not asked for have no section.
@@ -39,6 +42,7 @@ struct Section {
   std::vector<Figure> figures = {};
   std::vector<SurfaceFigure> surface_figures = {};
   std::string finding = {};  ///< one sentence for the first screen, if a reader must know it; made of what was computed
+  std::optional<Panel> evidence = {};  ///< the picture beside it; without it that of the first figure
 };
 
 }  // namespace subcert::formats

@@ -6,15 +6,17 @@
 #include <gnuplot-iostream.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 namespace subcert::formats {
 namespace {
 
-/// The points 0, ..., count - 1 that are drawn: all, or some 200 of them with both ends; closed directions end with 0.
-std::vector<std::size_t> drawn_indices(std::size_t count, bool closed) {
-  const std::size_t step = count / 200 + 1;
+/// The points 0, ..., count - 1 that are drawn: all, or at most so many of them with both ends; closed directions end
+/// with 0.
+std::vector<std::size_t> drawn_indices(std::size_t count, bool closed, std::size_t most) {
+  const std::size_t step = count / most + 1;
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < count; i += step) result.push_back(i);
   if (closed)
@@ -25,11 +27,11 @@ std::vector<std::size_t> drawn_indices(std::size_t count, bool closed) {
 }
 
 /// Rows of points with an empty line after each, as splot reads a grid.
-std::string grid_text(const DrawnSurface& surface) {
+std::string grid_text(const DrawnSurface& surface, std::size_t most) {
   std::ostringstream text;
   text.precision(9);
-  for (const std::size_t j : drawn_indices(surface.rows, surface.closed_y)) {
-    for (const std::size_t i : drawn_indices(surface.columns, surface.closed_x)) {
+  for (const std::size_t j : drawn_indices(surface.rows, surface.closed_y, most)) {
+    for (const std::size_t i : drawn_indices(surface.columns, surface.closed_x, most)) {
       const auto& p = surface.points[j * surface.columns + i];
       text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
     }
@@ -38,7 +40,8 @@ std::string grid_text(const DrawnSurface& surface) {
   return text.str();
 }
 
-void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, const std::string& terminal,
+/// `most`: points in a direction.
+void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, std::size_t most, const std::string& terminal,
           const std::filesystem::path& target) {
   const std::size_t rows = (surfaces.size() + columns - 1) / columns;
   Gnuplot gnuplot(gnuplot_command);
@@ -56,7 +59,7 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, const 
                                       "\nunset tics\nunset border\n")
             << "set pm3d depthorder " << (coarse ? "border lc rgb '#303030' lw 0.4\n" : "noborder\n")
             << "splot '-' with pm3d\n"
-            << grid_text(surface) << "e\n";
+            << grid_text(surface, most) << "e\n";
   }
   gnuplot << "unset multiplot\nunset output\n";
   gnuplot.flush();
@@ -70,10 +73,13 @@ void draw(const SurfaceFigure& figure, const std::filesystem::path& folder) {
 }
 
 void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file, std::size_t columns) {
-  const char* terminal = file.extension() == ".svg" ? "svg font 'DejaVu Sans,12' background rgb 'white'"
-                                                    : "pngcairo font 'DejaVu Sans,11'";
+  const bool is_svg = file.extension() == ".svg";
+  const char* terminal = is_svg ? "svg font 'DejaVu Sans,12' background rgb 'white'" : "pngcairo font 'DejaVu Sans,11'";
+  // Each facet of an SVG is a line of text.
+  const double count = static_cast<double>(surfaces.size());
+  const std::size_t most = is_svg ? std::max<std::size_t>(20, static_cast<std::size_t>(120 / std::sqrt(count))) : 200;
   write_picture(file, [&](const std::filesystem::path& target) {
-    plot(surfaces, columns == 0 ? surfaces.size() : std::min(columns, surfaces.size()), terminal, target);
+    plot(surfaces, columns == 0 ? surfaces.size() : std::min(columns, surfaces.size()), most, terminal, target);
   });
 }
 

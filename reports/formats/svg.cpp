@@ -5,6 +5,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,69 +19,101 @@ namespace {
 using Point = std::pair<double, double>;
 
 constexpr double width = 420, height = 260, left = 56, right = 12, top = 12, bottom = 30;
-constexpr double invisible = 1.0 / 6;  // pixels
-constexpr double flat = 1e-4;          // relative heights below this are drawn as nothing
+constexpr double room_of_label = 15;    // below for the name of x, above for that of y
+constexpr double invisible = 1.0 / 40;  // pixels; readers zoom
+constexpr double flat = 1e-4;           // relative heights below this are drawn as nothing
 constexpr int positive_levels = 10, negative_levels = 3;
+constexpr std::size_t colours = 6;  // --curve-1 ... of the style sheet
+
+/// An axis and the part of it that is drawn; on a logarithmic one in powers of ten.
+struct Axis {
+  bool logarithmic = false;
+  double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
+
+  double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
+  bool has(double value) const { return !logarithmic || value > 0; }
+  void include(double value) {
+    require(std::isfinite(value), "svg: need finite points, got {}", value);
+    if (!has(value)) return;
+    low = std::min(low, scaled(value));
+    high = std::max(high, scaled(value));
+  }
+  void widen(double share) {
+    const double least = std::max(std::abs(low), std::abs(high)) * flat;
+    const double size = high - low > least ? high - low : least > 0 ? least : 1;
+    const double more = share * size + std::max(0.0, size - (high - low)) / 2;
+    low -= more;
+    high += more;
+  }
+  /// In parts of the length that is drawn.
+  double place(double value) const { return (scaled(value) - low) / (high - low); }
+};
 
 /// The part of the plane that is drawn, and where it stands in the picture.
 struct Frame {
-  double x_low, x_high, y_low, y_high;
+  Axis across, up;
+  double above = top, below = bottom;  ///< rooms
 
-  static Frame around(const std::vector<Point>& points) {
-    constexpr double most = std::numeric_limits<double>::max();
-    Frame frame{most, -most, most, -most};
-    for (const auto& [x, y] : points) {
-      require(std::isfinite(x) && std::isfinite(y), "svg: need finite points, got {}, {}", x, y);
-      frame = {std::min(frame.x_low, x), std::max(frame.x_high, x), std::min(frame.y_low, y),
-               std::max(frame.y_high, y)};
-    }
-    require(!points.empty(), "svg: need at least one point, got none");
-    return frame;
-  }
-  void widen(double share_x, double share_y) {
-    const auto grow = [](double& low, double& high, double share) {
-      const double least = std::max(std::abs(low), std::abs(high)) * flat;
-      const double size = high - low > least ? high - low : least > 0 ? least : 1;
-      const double more = share * size + std::max(0.0, size - (high - low)) / 2;
-      low -= more;
-      high += more;
-    };
-    grow(x_low, x_high, share_x);
-    grow(y_low, y_high, share_y);
+  static Frame around(const std::vector<Point>& points, Axis across = {}, Axis up = {}) {
+    for (const auto& [x, y] : points)
+      if (across.has(x) && up.has(y)) across.include(x), up.include(y);
+    require(across.low <= across.high, "svg: need at least one point, got none");
+    return {across, up};
   }
   /// Makes room so that a unit is as long on both axes.
   void equalise() {
-    const double x_unit = (width - left - right) / (x_high - x_low),
-                 y_unit = (height - top - bottom) / (y_high - y_low);
-    const double unit = std::min(x_unit, y_unit);
-    const double x_more = (width - left - right) / unit - (x_high - x_low);
-    const double y_more = (height - top - bottom) / unit - (y_high - y_low);
-    x_low -= x_more / 2, x_high += x_more / 2, y_low -= y_more / 2, y_high += y_more / 2;
+    const double unit = std::min(drawn_width() / (across.high - across.low), drawn_height() / (up.high - up.low));
+    const double x_more = drawn_width() / unit - (across.high - across.low);
+    const double y_more = drawn_height() / unit - (up.high - up.low);
+    across.low -= x_more / 2, across.high += x_more / 2, up.low -= y_more / 2, up.high += y_more / 2;
   }
-  double x(double value) const { return left + (value - x_low) / (x_high - x_low) * (width - left - right); }
-  double y(double value) const {
-    return height - bottom - (value - y_low) / (y_high - y_low) * (height - top - bottom);
-  }
+  double drawn_width() const { return width - left - right; }
+  double drawn_height() const { return height - above - below; }
+  double x(double value) const { return left + across.place(value) * drawn_width(); }
+  double y(double value) const { return height - below - up.place(value) * drawn_height(); }
+  bool has(const Point& point) const { return across.has(point.first) && up.has(point.second); }
   Point operator()(const Point& point) const { return {x(point.first), y(point.second)}; }
 };
 
 /// Numbers on an axis, and how they are written.
 struct Ticks {
   std::vector<double> values;
-  int places;
+  int places = 0;
+  bool powers = false;
 
   std::string text(double value) const {
     constexpr int most_places = 6;
+    if (powers) return "10" + superscript(std::lround(std::log10(value)));
     return places <= most_places ? fmt::format("{:.{}f}", value, places) : fmt::format("{:.2g}", value);
+  }
+
+ private:
+  static std::string superscript(long exponent) {
+    static const char* const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                         "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    std::string text;
+    for (const char c : std::to_string(exponent)) text += c == '-' ? "\u207b" : digits[c - '0'];
+    return text;
   }
 };
 
-/// Multiples of 1, 2 or 5 times a power of ten, four to nine of them.
-Ticks ticks(double low, double high) {
+/// Multiples of 1, 2 or 5 times a power of ten, four to nine of them; powers of ten on a logarithmic axis that has two.
+Ticks ticks(const Axis& axis) {
+  constexpr double most_powers = 7;
+  if (axis.logarithmic && axis.high - axis.low >= 2) {
+    Ticks result{{}, 0, true};
+    const double step = std::ceil((axis.high - axis.low) / most_powers);
+    for (double power = std::ceil(axis.low / step) * step; power <= axis.high; power += step)
+      result.values.push_back(std::pow(10, power));
+    return result;
+  }
+  const double low = axis.logarithmic ? std::pow(10, axis.low) : axis.low,
+               high = axis.logarithmic ? std::pow(10, axis.high) : axis.high;
   const double rough = (high - low) / 5, unit = std::pow(10, std::floor(std::log10(rough)));
   const double step = unit * (rough / unit < 1.5 ? 1 : rough / unit < 3.5 ? 2 : rough / unit < 7.5 ? 5 : 10);
   Ticks result{{}, std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)))};
-  for (double tick = std::ceil(low / step); tick * step <= high; ++tick) result.values.push_back(tick * step + 0.0);
+  for (double tick = std::ceil(low / step); tick * step <= high; ++tick)
+    if (axis.has(tick * step)) result.values.push_back(tick * step + 0.0);
   return result;
 }
 
@@ -116,32 +149,47 @@ std::vector<Point> visible(const std::vector<Point>& points) {
 /// The steps of a path through the points.
 std::string steps(const std::vector<Point>& points) {
   std::string result;
-  for (const auto& [x, y] : visible(points)) result += fmt::format("{}{:.1f},{:.1f}", result.empty() ? 'M' : ' ', x, y);
+  for (const auto& [x, y] : visible(points)) result += fmt::format("{}{:.2f},{:.2f}", result.empty() ? 'M' : ' ', x, y);
   return result;
 }
 
-std::string axes(const Frame& frame) {
+std::string axes(const Frame& frame, const std::string& x_label = "", const std::string& y_label = "") {
+  const double floor = height - frame.below;
   std::string lines, texts;
-  const Ticks across = ticks(frame.x_low, frame.x_high), up = ticks(frame.y_low, frame.y_high);
+  const Ticks across = ticks(frame.across), up = ticks(frame.up);
   for (const double tick : across.values) {
-    lines += fmt::format("M{0:.1f},{1}V{2}", frame.x(tick), top, height - bottom);
-    texts += fmt::format("<text x=\"{:.1f}\" y=\"{}\">{}</text>", frame.x(tick), height - bottom + 18,
-                         across.text(tick));
+    lines += fmt::format("M{0:.1f},{1}V{2}", frame.x(tick), frame.above, floor);
+    texts += fmt::format("<text x=\"{:.1f}\" y=\"{}\">{}</text>", frame.x(tick), floor + 18, across.text(tick));
   }
   for (const double tick : up.values) {
     lines += fmt::format("M{0},{1:.1f}H{2}", left, frame.y(tick), width - right);
     texts += fmt::format("<text class=\"y\" x=\"{}\" y=\"{:.1f}\">{}</text>", left - 7, frame.y(tick) + 4,
                          up.text(tick));
   }
-  std::string zero;
-  if (frame.y_low < 0 && frame.y_high > 0)
+  std::string zero, labels;
+  if (!frame.up.logarithmic && frame.up.low < 0 && frame.up.high > 0)
     zero = fmt::format("<path class=\"zero\" d=\"M{},{:.1f}H{}\"/>", left, frame.y(0), width - right);
-  return fmt::format("<path class=\"grid\" d=\"{}\"/>{}<g class=\"ticks\">{}</g>", lines, zero, texts);
+  if (!x_label.empty())
+    labels = fmt::format("<text class=\"x\" x=\"{}\" y=\"{}\">{}</text>", (left + width - right) / 2, height - 3,
+                         html(x_label));
+  if (!y_label.empty())
+    labels += fmt::format("<text class=\"above\" x=\"{}\" y=\"11\">{}</text>", left - 7, html(y_label));
+  return fmt::format(
+      "<g class=\"axes\"><path class=\"grid\" d=\"{}\"/>{}<g class=\"ticks\">{}</g></g>"
+      "<g class=\"labels\">{}</g>",
+      lines, zero, texts, labels);
 }
 
-std::string picture(const std::string& title, const std::string& content) {
-  return fmt::format("<svg class=\"picture\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}</svg>", width,
-                     height, html(title), content);
+/// The picture; what moves when a reader zooms is clipped.
+std::string picture(const std::string& title, const Frame& frame, const std::string& fixed, const std::string& moving,
+                    const std::string& kind = "") {
+  return fmt::format(
+      "<svg class=\"picture{}\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" data-across=\"{:.12g} {:.12g}{}\" "
+      "data-up=\"{:.12g} {:.12g}{}\">{}<svg class=\"window\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
+      "viewBox=\"{} {} {} {}\"><g class=\"moving\">{}</g></svg></svg>",
+      kind, width, height, html(title), frame.across.low, frame.across.high, frame.across.logarithmic ? " log" : "",
+      frame.up.low, frame.up.high, frame.up.logarithmic ? " log" : "", fixed, left, frame.above, frame.drawn_width(),
+      frame.drawn_height(), left, frame.above, frame.drawn_width(), frame.drawn_height(), moving);
 }
 
 std::string id_attribute(const std::string& id) { return id.empty() ? "" : fmt::format(" id=\"{}\"", html(id)); }
@@ -203,26 +251,117 @@ struct LevelLines {
 
 }  // namespace
 
+namespace {
+
+std::string colour_of(const std::string& colour) {
+  return colour.empty() ? "" : fmt::format(" style=\"--colour:{}\"", html(colour));
+}
+
+/// What a reader is told of each point, where there is more to tell than a line through them shows.
+std::string told_points(const Curve& curve) {
+  constexpr std::size_t most = 3000;
+  const bool seen_in_line = !curve.marked && curve.joined && curve.values.empty();
+  if (seen_in_line || curve.points.size() > most) return "";
+  nlohmann::json points = nlohmann::json::array();
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const auto& [x, y] = curve.points[i];
+    points.push_back({x, y});
+    if (i < curve.values.size()) points.back().push_back(curve.values[i]);
+  }
+  return fmt::format(" data-points=\"{}\"", html(points.dump()));
+}
+
+std::string cells_of(const Frame& frame, const Cells& cells) {
+  std::string path;
+  for (const auto& [x_low, x_high, y_low, y_high] : cells.rectangles)
+    path += fmt::format("M{:.2f},{:.2f}H{:.2f}V{:.2f}H{:.2f}Z", frame.x(x_low), frame.y(y_low), frame.x(x_high),
+                        frame.y(y_high), frame.x(x_low));
+  return fmt::format("<g class=\"series cells\" data-label=\"{}\" style=\"--colour:{}\"><path d=\"{}\"/></g>",
+                     html(cells.label), html(cells.colour), path);
+}
+
+std::string band_of(const Frame& frame, const Band& band, std::size_t colour) {
+  std::vector<Point> low, high;
+  for (const auto& [x, least, most] : band.ends)
+    if (frame.has({x, least}) && frame.has({x, most})) {
+      low.push_back(frame({x, least}));
+      high.push_back(frame({x, most}));
+    }
+  if (low.empty()) return "";
+  std::ranges::reverse(high);
+  low.insert(low.end(), high.begin(), high.end());
+  return fmt::format("<g class=\"series band colour-{}\" data-label=\"{}\"{}><path d=\"{}Z\"/></g>", colour,
+                     html(band.label), colour_of(band.colour), steps(low));
+}
+
+std::string curve_of(const Frame& frame, const Curve& curve, std::size_t colour, const std::string& id) {
+  std::vector<Point> points;
+  for (const Point& point : curve.points)
+    if (frame.has(point)) points.push_back(frame(point));
+  if (points.empty()) return "";
+  std::string content;
+  if (curve.joined)
+    content += fmt::format("<path{} class=\"curve{}\" d=\"{}\"/>", id_attribute(id), curve.marked ? " thin" : "",
+                           steps(points));
+  if (curve.marked || !curve.joined) {
+    std::string marks;
+    for (const auto& [x, y] : points) marks += fmt::format("M{:.2f},{:.2f}h0", x, y);
+    content += fmt::format("<path class=\"marks\" d=\"{}\"/>", marks);
+  }
+  return fmt::format("<g class=\"series colour-{}\" data-label=\"{}\"{}{}>{}</g>", colour, html(curve.label),
+                     colour_of(curve.colour), told_points(curve), content);
+}
+
+}  // namespace
+
 std::string svg(const Panel& panel, const std::string& id) {
   std::vector<Point> all;
   for (const Curve& curve : panel.curves) all.insert(all.end(), curve.points.begin(), curve.points.end());
-  Frame frame = Frame::around(all);
-  frame.widen(panel.equal_units ? 0.04 : 0, 0.06);
+  for (const Band& band : panel.bands)
+    for (const auto& [x, low, high] : band.ends) all.insert(all.end(), {{x, low}, {x, high}});
+  for (const Cells& cells : panel.cells)
+    for (const auto& [x_low, x_high, y_low, y_high] : cells.rectangles)
+      all.insert(all.end(), {{x_low, y_low}, {x_high, y_high}});
+  Frame frame = Frame::around(all, {panel.log_x}, {panel.log_y});
+  const bool has_marks = std::ranges::any_of(panel.curves, [](const Curve& c) { return c.marked || !c.joined; });
+  frame.across.widen(panel.equal_units ? 0.04 : has_marks ? 0.03 : 0);
+  frame.up.widen(panel.cells.empty() ? 0.06 : 0);
   if (panel.equal_units) frame.equalise();
-  std::string content = panel.equal_units ? "" : axes(frame);
-  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-    const Curve& curve = panel.curves[i];
-    std::vector<Point> points;
-    std::ranges::transform(curve.points, std::back_inserter(points), frame);
-    if (points.empty()) continue;
-    if (curve.joined)
-      content += fmt::format("<path{} class=\"curve curve-{}{}\" d=\"{}\"/>", i == 0 ? id_attribute(id) : "", i + 1,
-                             curve.marked ? " thin" : "", steps(points));
-    if (curve.marked)
-      for (const auto& [x, y] : points)
-        content += fmt::format("<circle class=\"mark mark-{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\"/>", i + 1, x, y);
-  }
-  return picture(panel.title, content);
+  if (!panel.equal_units && !panel.x_label.empty()) frame.below += room_of_label;
+  if (!panel.equal_units && !panel.y_label.empty()) frame.above += room_of_label;
+  std::string content;
+  for (const Cells& cells : panel.cells) content += cells_of(frame, cells);
+  for (std::size_t i = 0; i < panel.bands.size(); ++i) content += band_of(frame, panel.bands[i], i % colours + 1);
+  for (std::size_t i = 0; i < panel.curves.size(); ++i)
+    content += curve_of(frame, panel.curves[i], i % colours + 1, i == 0 ? id : "");
+  return picture(panel.title, frame, panel.equal_units ? "" : axes(frame, panel.x_label, panel.y_label), content,
+                 panel.equal_units ? " plane" : "");
+}
+
+std::string legend(const Panel& panel) {
+  std::string result;
+  const auto add = [&](const std::string& label, const std::string& classes, const std::string& colour) {
+    if (!label.empty())
+      result += fmt::format("<button type=button class=\"key {}\" aria-pressed=true{}>{}</button>\n", classes,
+                            colour_of(colour), html(label));
+  };
+  for (const Cells& cells : panel.cells) add(cells.label, "cells", cells.colour);
+  for (std::size_t i = 0; i < panel.bands.size(); ++i)
+    add(panel.bands[i].label, fmt::format("band colour-{}", i % colours + 1), panel.bands[i].colour);
+  for (std::size_t i = 0; i < panel.curves.size(); ++i)
+    add(panel.curves[i].label, fmt::format("colour-{}", i % colours + 1), panel.curves[i].colour);
+  return result.empty() ? "" : "<div class=legend>" + result + "</div>\n";
+}
+
+std::string preview(const Panel& panel) {
+  Panel bare = panel;
+  bare.x_label.clear(), bare.y_label.clear();
+  std::string text = svg(bare);
+  return "<svg class=\"preview\"" + text.substr(std::string("<svg class=\"picture\"").size());
+}
+
+std::string plot(const Panel& panel, const std::string& id) {
+  return "<div class=plot>" + svg(panel, id) + legend(panel) + "</div>\n";
 }
 
 std::string thumbnail(const std::string& id) {
@@ -256,7 +395,7 @@ std::string svg(const DrawnSurface& surface, const std::string& id) {
   };
   if (most > 0) draw(1, most, positive_levels, "above");
   if (least < 0) draw(-1, -least, negative_levels, "below");
-  return picture(surface.title, axes(frame) + fmt::format("<g{}>{}</g>", id_attribute(id), levels));
+  return picture(surface.title, frame, axes(frame), fmt::format("<g{}>{}</g>", id_attribute(id), levels), " plane");
 }
 
 }  // namespace subcert::formats

@@ -8,11 +8,20 @@
 
 namespace subcert::formats {
 
-/// The axes of a panel and its curves; points less than a sixth of a pixel off a line are left out. The i-th curve has
-/// the colour --curve-i, marked and joined ones are thin. Of the panel the title is for those who cannot see; labels,
-/// legend and cells are left to the page. `id`, where given, names the first curve for thumbnail(). Domain: at least
-/// one point, all finite.
+/// The axes of a panel with its cells, bands and curves, in this order; points less than a fortieth of a pixel off a
+/// line are left out, and what is not positive on a logarithmic axis. The title is for those who cannot see. The page's
+/// script lets readers zoom, move, and read the points of curves; `id`, where given, names the first curve for
+/// thumbnail(). Domain: at least one point, all finite.
 std::string svg(const Panel& panel, const std::string& id = "");
+
+/// The labels of cells, bands and curves, which the page's script makes switches; nothing where there are none.
+std::string legend(const Panel& panel);
+
+/// The picture small, without labels and for the eye alone. Domain: units that need not be equal.
+std::string preview(const Panel& panel);
+
+/// The picture with its legend.
+std::string plot(const Panel& panel, const std::string& id = "");
 
 /// The curve with this id of a picture on the same page, small.
 std::string thumbnail(const std::string& id);

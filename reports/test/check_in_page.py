@@ -2,34 +2,18 @@
 """The buttons of the page, clicked in a browser without a window. Usage: check_in_page.py SUBCERT BROWSER
 
 The page is opened from a file. Each proof must be verified; with another upper end, or with another certificate under its
-name, it must not be. The page sends its answers to a port of this machine."""
-import http.server
-import json
+name, it must not be."""
 import re
 import subprocess
 import sys
 import tempfile
-import threading
 from pathlib import Path
 
+from browser import answers_of
+
 subcert, browser = sys.argv[1:3]
-answers = []
-arrived = threading.Event()
-
-
-class Receiver(http.server.BaseHTTPRequestHandler):
-    def do_POST(self):
-        answers.extend(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
-        self.send_response(204)
-        self.end_headers()
-        arrived.set()
-
-    def log_message(self, *_):
-        pass
-
 
 CLICKS = """
-(async () => {
   const answers = [], buttons = [...document.querySelectorAll('button.check')];
   const click = async (button, kind) => {
     button.click();
@@ -48,31 +32,20 @@ CLICKS = """
   await click(buttons[1], 'another certificate');
   buttons[2].dataset.certificate = 'none.js';
   await click(buttons[2], 'no certificate');
-  await fetch('http://127.0.0.1:PORT/', {method: 'POST', mode: 'no-cors', body: JSON.stringify(answers)});
-})();
+  return answers;
 """
 
 with tempfile.TemporaryDirectory() as folder:
-    page = Path(folder) / "page"
-    subprocess.run([subcert, "reproduce", "dyn-2015", "--only", "exponents", "--out", page], check=True,
+    subprocess.run([subcert, "reproduce", "dyn-2015", "--only", "exponents", "--out", folder], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    index = page / "index.html"
-    text = index.read_text()
-    server = http.server.HTTPServer(("127.0.0.1", 0), Receiver)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    clicks = CLICKS.replace("PORT", str(server.server_port))
-    index.write_text(text.replace("</body>", f"<script>{clicks}</script></body>"))
-    process = subprocess.Popen([browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/profile",
-                                index.as_uri()], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    try:
-        in_time = arrived.wait(240)
-    finally:
-        process.kill()
-        process.wait()
-        server.shutdown()
+    page = Path(folder) / "dyn-2015.html"
+    text = page.read_text()
+    answers = answers_of(browser, page, CLICKS, seconds=240)
 
+in_time = answers is not None
+answers = answers or []
 failures = [] if in_time else ["the page did not answer"]
-buttons = len(re.findall("<button class=check", text))
+buttons = len(re.findall("<button type=button class=check", text))
 if in_time and len(answers) != buttons + 3:
     failures.append(f"{len(answers)} answers of {buttons} buttons")
 for kind, name, mark, answer in answers:

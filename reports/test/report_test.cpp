@@ -2,7 +2,7 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/folder.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
-#include <subcert/reports/report.hpp>
+#include <subcert/reports/report_files.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <nlohmann/json.hpp>
@@ -58,7 +58,7 @@ TEST_CASE("unknown papers and items are refused") {
 TEST_CASE("a report is written whole, in every format") {
   const Folder folder;
   const Report report = make_report("dyn-2015", {{"masks", "table1", "levels"}, 2, {}});
-  write_reports({report}, folder.path, 2);
+  write_reports({{report}}, folder.path, 2);
   const fs::path inside = folder.path / "dyn-2015";
   for (const char* name : {"masks", "table1", "levels"})
     for (const char* ending : {".csv", ".json", ".tex"}) {
@@ -67,7 +67,7 @@ TEST_CASE("a report is written whole, in every format") {
     }
   CHECK(content(inside / "levels-plot.svg").find("</svg>") != std::string::npos);
   CHECK(content(inside / "levels-plot.png").substr(1, 3) == "PNG");
-  const std::string page = content(folder.path / "index.html");
+  const std::string page = content(folder.path / "dyn-2015.html");
   CHECK(page.find("1.649") != std::string::npos);
   CHECK(page.substr(page.size() - 8) == "</html>\n");
   const auto json = nlohmann::json::parse(content(inside / "table1.json"));

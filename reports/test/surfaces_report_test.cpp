@@ -2,6 +2,7 @@
 #include <subcert/cmake/folder.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/reports/overview.hpp>
+#include <subcert/reports/report_files.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <set>
@@ -40,8 +41,8 @@ TEST_CASE("a gathered table names its sources, on the page, in the data and in a
   Report report{"bivariate", "Bivariate schemes: a collection", {{"published", "Published smoothness", {}, {table}}}};
   report.listed = true;
   const Folder folder;
-  write_reports({report}, folder.path, 1);
-  CHECK(has(content(folder.path / "index.html"), "<td class=text>[Loo87] C. Loop: A thesis</td>"));
+  write_reports({{report}}, folder.path, 1);
+  CHECK(has(content(folder.path / "bivariate.html"), "<td class=text>[Loo87] C. Loop: A thesis</td>"));
   CHECK(has(content(folder.path / "bivariate" / "published.csv"), "\"note\",\"stable\",\"source\""));
   CHECK(has(content(folder.path / "bivariate" / "published.json"), "\"source\": \"[Loo87] C. Loop: A thesis\""));
   CHECK(has(content(folder.path / "bivariate" / "published.tex"), "& [Loo87] \\\\"));

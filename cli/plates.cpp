@@ -1,0 +1,79 @@
+#include "plates.hpp"
+
+#include <subcert/analysis/symbol/parallel.hpp>
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+
+namespace subcert::cli {
+namespace {
+
+Json curves_json(const reports::Plate& plate) {
+  Json curves = Json::array();
+  for (const reports::PlatePicture& picture : plate.pictures)
+    for (const formats::Curve& curve : picture.panel.curves)
+      curves.push_back({{"picture", picture.name}, {"label", curve.label}, {"points", curve.points}});
+  return curves;
+}
+
+Json mask_json(const Scheme& scheme) {
+  return {{"arity", scheme.mask.arity()},
+          {"first_index", scheme.mask.symbol().lowest()},
+          {"coefficients", numbers_json(scheme.mask.symbol().coefficients())}};
+}
+
+Json mask_json(const MultivariateScheme& scheme) {
+  return {{"dilation", scheme.mask.dilation().rows()}, {"mask", to_mask_text(scheme.mask)}};
+}
+
+Json plate_json(const reports::Plate& plate) {
+  Json json{{"scheme", plate.specification()},
+            {"title", plate.title()},
+            {"reference", plate.key.empty() ? Json() : Json(plate.key)},
+            {"mask", std::visit([](const auto& one) { return mask_json(one); }, plate.scheme)},
+            {"sum_rules", plate.sum_rules},
+            {"convergence", decision_json(plate.convergence)},
+            {"holder", plate.holder.lower ? enclosure_json(plate.holder) : Json()},
+            {"exact", plate.exact.is_yes()},
+            {"sobolev", enclosure_json(plate.sobolev)},
+            {"stable", decision_json(plate.stable)},
+            {"derivatives", plate.derivatives < 0 ? Json() : Json(plate.derivatives)},
+            {"variance_sup", enclosure_json(plate.largest_variance)},
+            {"variance_mean", plate.mean_variance ? Json(to_text(*plate.mean_variance)) : Json()},
+            {"notes", plate.notes},
+            {"curves", curves_json(plate)}};
+  return json;
+}
+
+}  // namespace
+
+std::vector<reports::Plate> make_plates(const std::vector<reports::GalleryScheme>& schemes,
+                                        const reports::PlateOptions& plate_options, const CommonOptions& options) {
+  std::vector<std::optional<reports::Plate>> made(schemes.size());
+  std::mutex mutex;
+  std::size_t finished = 0;
+  parallel_for_each(schemes.size(), options.threads(), [&](std::size_t i) {
+    made[i] = reports::make_plate(schemes[i], plate_options);
+    const std::scoped_lock lock(mutex);
+    options.progress(fmt::format("{} of {} schemes", ++finished, schemes.size()));
+  });
+  options.end_progress();
+  std::vector<reports::Plate> plates;
+  for (auto& plate : made) plates.push_back(std::move(*plate));
+  return plates;
+}
+
+Json plates_json(const std::vector<reports::Plate>& plates) {
+  Json all = Json::array();
+  for (const reports::Plate& plate : plates) all.push_back(plate_json(plate));
+  return {{"schemes", std::move(all)}};
+}
+
+ExitCode exit_code(const std::vector<reports::Plate>& plates) {
+  return std::ranges::any_of(plates, [](const reports::Plate& p) { return p.convergence.truth == Truth::unknown; })
+             ? undecided
+             : done;
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,182 @@
+#include "report_files.hpp"
+
+#include "formats/check_in_page.hpp"
+#include "formats/surface_view.hpp"
+#include "pages.hpp"
+
+#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace subcert::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json computed_json(const formats::Computed& computed) {
+  if (const auto* text = std::get_if<std::string>(&computed)) return {{"lower", *text}, {"upper", *text}};
+  const Enclosure& enclosure = std::get<Enclosure>(computed);
+  const int digits = enclosure.telling_digits(20);
+  return {{"lower", enclosure.lower_text(digits)}, {"upper", enclosure.upper_text(digits)}};
+}
+
+Json comparison_json(const formats::ComparisonTable& table, const formats::Comparison& comparison) {
+  Json json{{"paper", table.paper},
+            {"table", table.id},
+            {"cell", comparison.cell()},
+            {"scheme", comparison.scheme},
+            {"printed", comparison.printed},
+            {"computed", computed_json(comparison.computed)},
+            {"verdict", to_text(comparison.verdict)},
+            {"recorded", to_text(comparison.recorded)},
+            {"note", comparison.note}};
+  if (!comparison.source.empty()) json.update({{"stable", comparison.stable}, {"source", comparison.source}});
+  return json;
+}
+
+std::string escaped(const std::string& text, const std::string& special, const std::string& prefix) {
+  std::string result;
+  for (char c : text) {
+    if (special.find(c) != std::string::npos) result += prefix;
+    result += c;
+  }
+  return result;
+}
+
+std::string latex(const std::string& text) { return escaped(text, "_&%#$^", "\\"); }
+
+std::string csv_field(const std::string& text) {
+  std::string result = "\"";
+  for (char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+std::string csv(const std::vector<std::vector<std::string>>& rows) {
+  std::string result;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) result += (i ? "," : "") + csv_field(row[i]);
+    result += "\n";
+  }
+  return result;
+}
+
+std::string latex_table(const std::string& caption, const std::vector<std::vector<std::string>>& rows) {
+  std::string result = "% needs \\usepackage{booktabs}\n\\begin{table}\n  \\centering\n  \\caption{" + latex(caption) +
+                       "}\n  \\begin{tabular}{l" + std::string(rows.front().size() - 1, 'r') + "}\n    \\toprule\n";
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    result += "    ";
+    for (std::size_t i = 0; i < rows[r].size(); ++i) result += (i ? " & " : "") + latex(rows[r][i]);
+    result += r == 0 ? " \\\\\n    \\midrule\n" : " \\\\\n";
+  }
+  return result + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+}
+
+std::vector<std::vector<std::string>> rows_of(const formats::ComparisonTable& table) {
+  std::vector<std::vector<std::string>> rows{{"cell", "scheme", "printed", "computed", "verdict", "note"}};
+  for (const formats::Comparison& c : table.comparisons)
+    rows.push_back({c.cell(), c.scheme, c.printed, c.computed_text(), to_text(c.verdict), c.note});
+  if (!table.is_gathered()) return rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].push_back(i == 0 ? "stable" : table.comparisons[i - 1].stable);
+    rows[i].push_back(i == 0 ? "source" : table.comparisons[i - 1].source);
+  }
+  return rows;
+}
+
+std::vector<std::vector<std::string>> rows_of(const formats::PlainTable& table) {
+  std::vector<std::vector<std::string>> rows{table.head};
+  rows.insert(rows.end(), table.rows.begin(), table.rows.end());
+  return rows;
+}
+
+Json table_json(const Report& report, const formats::PlainTable& table) {
+  return {{"paper", report.paper}, {"table", table.id}, {"rows", rows_of(table)}};
+}
+
+std::string results_json(const std::vector<Result>& results) {
+  Json list = Json::array();
+  for (const Result& result : results) {
+    Json json{{"key", result.key},           {"kind", to_text(result.kind)},       {"paper", result.paper},
+              {"item", result.item},         {"subject", result.subject},          {"printed", result.printed},
+              {"computed", result.computed}, {"verdict", to_text(result.verdict)}, {"note", result.note},
+              {"command", result.command}};
+    if (result.enclosure) json["enclosure"] = computed_json(*result.enclosure);
+    list.push_back(std::move(json));
+  }
+  return Json{{"results", std::move(list)}}.dump(1) + "\n";
+}
+
+}  // namespace
+
+void write_reports(const Findings& findings, const std::filesystem::path& folder, int jobs) {
+  std::vector<std::function<void()>> pictures;
+  const std::vector<Result> all = results(findings);
+  for (const Report& report : findings.reports) {
+    const std::filesystem::path inside = folder / report.paper;
+    for (const formats::ComparisonTable* table : report.comparison_tables()) {
+      Json json{
+          {"paper", report.paper}, {"citation", report.citation}, {"table", table->id}, {"comparisons", Json::array()}};
+      for (const formats::Comparison& comparison : table->comparisons)
+        json["comparisons"].push_back(comparison_json(*table, comparison));
+      runtime::write_file(inside / (table->id + ".json"), json.dump(2) + "\n");
+      runtime::write_file(inside / (table->id + ".csv"), csv(rows_of(*table)));
+      auto rows = rows_of(*table);
+      for (auto& row : rows) {  // the rest is too wide for a page
+        row.erase(row.begin() + 5);
+        row.erase(row.begin() + 1);
+        if (const auto end = row.back().find(']'); table->is_gathered() && end != std::string::npos)
+          row.back().resize(end + 1);
+      }
+      runtime::write_file(inside / (table->id + ".tex"), latex_table(table->title, rows));
+    }
+    for (const formats::Section& section : report.sections) {
+      for (const formats::PlainTable& table : section.tables) {
+        for (const formats::RowProof& proof : table.proofs) {
+          if (proof.name.empty()) continue;
+          for (const auto& [name, text] : proof.files) runtime::write_file(inside / name, text);
+          runtime::write_file(inside / (proof.name + ".js"), formats::certificate_script(report.paper, proof));
+        }
+        const auto rows = rows_of(table);
+        runtime::write_file(inside / (table.id + ".json"), table_json(report, table).dump(2) + "\n");
+        runtime::write_file(inside / (table.id + ".csv"), csv(rows));
+        runtime::write_file(inside / (table.id + ".tex"), latex_table(table.title, rows));
+      }
+      for (const formats::Figure& figure : section.figures)
+        pictures.push_back([&figure, inside] { formats::draw(figure, inside); });
+      for (const formats::SurfaceFigure& figure : section.surface_figures) {
+        runtime::write_file(inside / (figure.id + ".surfaces.js"), formats::surface_script(figure, report.paper));
+        pictures.push_back([&figure, inside] { formats::draw(figure, inside); });
+      }
+    }
+  }
+  parallel_for_each(pictures.size(), jobs, [&](std::size_t i) { pictures[i](); });
+  for (const Report& report : findings.reports)
+    runtime::write_file(folder / (report.paper + ".html"), report_page(report, results(report, findings.statements)));
+  if (!findings.statements.empty()) runtime::write_file(folder / "errata.html", errata_page(findings.statements));
+  runtime::write_file(folder / "results.json", results_json(all));
+  runtime::write_file(folder / "results.html", results_page(all));
+  runtime::write_file(folder / "index.html", front_page(findings));
+}
+
+std::string reports_json(const std::vector<Report>& reports, const std::optional<std::vector<Change>>& changed) {
+  Json json{{"comparisons", Json::array()}, {"experiments", Json::array()}, {"tables", Json::array()}};
+  for (const Report& report : reports) {
+    for (const formats::ComparisonTable* table : report.comparison_tables())
+      for (const formats::Comparison& comparison : table->comparisons)
+        json["comparisons"].push_back(comparison_json(*table, comparison));
+    for (const experiments::RanExperiment& ran : report.experiments)
+      json["experiments"].push_back(Json::parse(experiments::experiment_json(ran)));
+    for (const formats::Section& section : report.sections)
+      for (const formats::PlainTable& table : section.tables) json["tables"].push_back(table_json(report, table));
+  }
+  if (changed) {
+    json["changes"] = Json::array();
+    for (const Change& one : *changed)
+      json["changes"].push_back({{"key", one.key}, {"change", one.text}, {"matters", one.is_alarm}});
+  }
+  return json.dump(2);
+}
+
+}  // namespace subcert::reports

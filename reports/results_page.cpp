@@ -1,0 +1,88 @@
+#include "formats/html.hpp"
+#include "pages.hpp"
+
+#include <fmt/ranges.h>
+
+#include <set>
+
+namespace subcert::reports {
+namespace {
+
+using formats::html;
+
+constexpr std::size_t longest_text = 400;  // of a cell; the rest stands where the link leads
+
+std::string shortened(const std::string& text) {
+  if (text.size() <= longest_text) return html(text);
+  std::size_t end = longest_text;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // inside a character of UTF-8
+  return html(text.substr(0, end)) + " ...";
+}
+
+/// The groups of verdicts that the bars of the other pages show.
+std::string group(Verdict verdict) {
+  Score one;
+  one.add(verdict);
+  return one.right ? "right" : one.wrong ? "wrong" : one.open ? "open" : "uncheckable";
+}
+
+std::string choice(const std::string& name, const std::string& all,
+                   const std::vector<std::pair<std::string, std::string>>& values) {
+  std::string options = fmt::format("<option value=\"\">{}</option>", all);
+  for (const auto& [value, text] : values)
+    options += fmt::format("<option value=\"{}\">{}</option>", html(value), html(text));
+  return fmt::format("<label>{} <select name={}>{}</select></label>\n", name, name, options);
+}
+
+std::string row(const Result& result) {
+  const std::string verdict = to_text(result.verdict);
+  return fmt::format(
+      "<tr class=\"{}\" data-verdict=\"{}\" data-truth=\"{}\" data-paper=\"{}\" data-kind=\"{}\"><td>{}<br>{}</td><td "
+      "class=text><a href=\"{}\">{}</a></td><td class=text>{}</td><td class=text>{}</td><td><span "
+      "class=verdict>{}</span>"
+      "</td><td class=text>{}<code class=again>{}</code></td></tr>\n",
+      verdict, verdict, group(result.verdict), html(result.paper), to_text(result.kind), html(result.paper),
+      html(result.item), html(result.link()), shortened(result.subject), shortened(result.printed),
+      shortened(result.computed), verdict, result.note.empty() ? "" : shortened(result.note) + "<br>",
+      html(result.command));
+}
+
+}  // namespace
+
+std::string results_page(const std::vector<Result>& results) {
+  std::set<Verdict> verdicts;
+  std::set<std::string> papers;
+  std::string rows;
+  for (const Result& result : results) {
+    verdicts.insert(result.verdict);
+    papers.insert(result.paper);
+    rows += row(result);
+  }
+  std::vector<std::pair<std::string, std::string>> verdict_choices{{"right", "all that are right"},
+                                                                   {"wrong", "all that are wrong, or not shown"},
+                                                                   {"open", "all that are open"},
+                                                                   {"uncheckable", "all that cannot be checked"}},
+      paper_choices;
+  for (const Verdict verdict : verdicts) verdict_choices.emplace_back(to_text(verdict), to_text(verdict));
+  for (const std::string& paper : papers) paper_choices.emplace_back(paper, paper);
+  const std::string form = choice("verdict", "any", verdict_choices) + choice("paper", "any", paper_choices) +
+                           choice("kind", "any",
+                                  {{"value", "printed values"},
+                                   {"statement", "statements"},
+                                   {"claim", "claims about experiments"}});
+  return formats::html_page(
+      "subcert: every result",
+      fmt::format(
+          "<p class=up><a href=\"index.html\">All papers</a></p>\n<h1>Every result</h1>\n<p>Printed values, statements "
+          "and claims, each with what was found and the command that finds it again. The links lead to the "
+          "places.</p>\n<form class=filter hidden>\n{}<label>search <input type=search name=search></label>\n<button "
+          "type=reset>all</button> <output></output></form>\n<div class=scroll tabindex=0 role=region "
+          "aria-label=\"Results\"><table "
+          "class=results>\n<thead><tr><th>paper</th><th class=text>what</th><th class=text>printed</th><th "
+          "class=text>found</th><th>verdict</th><th class=text>why, and again "
+          "by</th></tr></thead>\n<tbody>\n{}</tbody>\n"
+          "</table></div>\n",
+          form, rows));
+}
+
+}  // namespace subcert::reports

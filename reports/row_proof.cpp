@@ -1,0 +1,21 @@
+#include "row_proof.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
+
+namespace subcert::reports {
+
+formats::RowProof row_proof(const std::string& name, const Certificate& certificate, const Verified& verified,
+                            const std::string& matrices) {
+  try {
+    const Certificate accepted = verified(certificate, matrices);
+    formats::RowProof proof{name, checker_arguments(accepted.text, name), {{name, accepted.text}}};
+    if (!matrices.empty()) proof.files.emplace(name + ".matrices", matrices);
+    return proof;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::undecided) throw;
+    return {};
+  }
+}
+
+}  // namespace subcert::reports

@@ -99,30 +99,28 @@ const Symbol* symbol(const std::string& token) {
   return found == known.end() ? nullptr : &found->second;
 }
 
+/// Of a character beyond U+FFFF.
 std::string utf8(char32_t c) {
-  if (c < 0x80) return {static_cast<char>(c)};
-  std::string tail;
-  int lead = 0x40;
-  for (; c >= static_cast<char32_t>(lead) || tail.empty(); c >>= 6, lead >>= 1)
-    tail.insert(tail.begin(), static_cast<char>(0x80 | (c & 0x3f)));
-  return static_cast<char>((0xff ^ (2 * lead - 1)) | static_cast<int>(c)) + tail;
+  const auto byte = [&](int lead, int shift) {
+    return static_cast<char>(lead | (static_cast<int>(c >> shift) & 0x3f));
+  };
+  return {byte(0xf0, 18), byte(0x80, 12), byte(0x80, 6), byte(0x80, 0)};
 }
 
-/// A letter or digit in Unicode's alphabet for \mathbf, \mathbb or \mathcal, where there is one.
-std::optional<std::string> in_alphabet(const std::string& alphabet, char c) {
+/// In Unicode's alphabet for \mathbf, \mathbb or \mathcal. Domain: a letter, or a digit, which \mathcal does not have.
+std::string in_alphabet(const std::string& alphabet, char c) {
   static const Symbols exceptions = [] {
     Symbols list;
     add(list, Atom::ordinary, Kind::identifier, false,
-        "mathbbC ℂ mathbbH ℍ mathbbN ℕ mathbbP ℙ mathbbQ ℚ mathbbR ℝ mathbbZ ℤ mathcalB ℬ mathcalE ℰ "
-        "mathcalF ℱ mathcalH ℋ mathcalI ℐ mathcalL ℒ mathcalM ℳ mathcalR ℛ mathcale ℯ mathcalg ℊ mathcalo ℴ");
+        "mathbbC ℂ mathbbH ℍ mathbbN ℕ mathbbP ℙ mathbbQ ℚ mathbbR ℝ mathbbZ ℤ "
+        "mathcalB ℬ mathcalE ℰ mathcalF ℱ mathcalH ℋ mathcalI ℐ mathcalL ℒ mathcalM ℳ mathcalR ℛ "
+        "mathcale ℯ mathcalg ℊ mathcalo ℴ");
     return list;
   }();
   if (const auto found = exceptions.find(alphabet + c); found != exceptions.end()) return found->second.text;
-  const char32_t upper = alphabet == "mathbf" ? U'𝐀' : alphabet == "mathbb" ? U'𝔸' : U'𝒜';
-  const char32_t zero = alphabet == "mathbf" ? U'𝟎' : alphabet == "mathbb" ? U'𝟘' : 0;
-  if (is_digit(c)) return zero == 0 ? std::nullopt : std::optional(utf8(zero + static_cast<char32_t>(c - '0')));
-  if (!is_letter(c)) return std::nullopt;
-  return utf8(upper + static_cast<char32_t>(c >= 'a' ? c - 'a' + 26 : c - 'A'));
+  const bool bold = alphabet == "mathbf", blackboard = alphabet == "mathbb";
+  if (is_digit(c)) return utf8((bold ? U'𝟎' : U'𝟘') + static_cast<char32_t>(c - '0'));
+  return utf8((bold ? U'𝐀' : blackboard ? U'𝔸' : U'𝒜') + static_cast<char32_t>(c >= 'a' ? c - 'a' + 26 : c - 'A'));
 }
 
 class Reader {
@@ -203,7 +201,7 @@ class Reader {
       leaf(nodes, Symbol{letters, name == "mathrm" ? Atom::ordinary : Atom::function, Kind::identifier, true}, begin);
     } else if (name == "mathbf" || name == "mathbb" || name == "mathcal") {
       std::string letters;
-      for (const char c : plain_argument(whole)) letters += *in_alphabet(name, c);
+      for (const char c : plain_argument(whole)) letters += in_alphabet(name, c);
       leaf(nodes, Symbol{letters, Atom::ordinary, Kind::identifier}, begin);
     } else if (name == "left") {
       Nodes parts;

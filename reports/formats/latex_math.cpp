@@ -120,7 +120,8 @@ std::string in_alphabet(const std::string& alphabet, char c) {
   if (const auto found = exceptions.find(alphabet + c); found != exceptions.end()) return found->second.text;
   const bool bold = alphabet == "mathbf", blackboard = alphabet == "mathbb";
   if (is_digit(c)) return utf8((bold ? U'𝟎' : U'𝟘') + static_cast<char32_t>(c - '0'));
-  return utf8((bold ? U'𝐀' : blackboard ? U'𝔸' : U'𝒜') + static_cast<char32_t>(c >= 'a' ? c - 'a' + 26 : c - 'A'));
+  const int place = c >= 'a' ? c - 'a' + 26 : c - 'A';
+  return utf8((bold ? U'𝐀' : blackboard ? U'𝔸' : U'𝒜') + static_cast<char32_t>(place));
 }
 
 class Reader {

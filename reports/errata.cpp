@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/parallel.hpp>
 #include "formats/html.hpp"
+#include "formats/mathml.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -24,40 +25,46 @@ std::string verdict_html(const Outcome& outcome) {
   return "<span class=verdict>" + to_text(outcome.verdict) + "</span>";
 }
 
-std::string line(const std::string& label, const std::string& content, bool formula) {
+/// A row of a statement: a label and HTML.
+std::string line(const std::string& label, const std::string& content) {
   if (content.empty()) return "";
-  return "<p><span class=label>" + label + "</span> " +
-         (formula ? "<code>" + formats::html(content) + "</code>" : formats::html(content)) + "</p>\n";
+  return "<dt>" + label + "</dt><dd>" + content + "</dd>\n";
 }
 
-std::string erratum(const CheckedStatement& checked) {
+std::string formula(const std::string& content) { return "<div class=formula>" + content + "</div>"; }
+
+std::string source(const std::vector<std::string>& latex) {
+  std::string text;
+  for (const std::string& one : latex) text += "<pre><code>" + formats::html(one) + "</code></pre>";
+  return "<details><summary>LaTeX</summary>" + text + "</details>\n";
+}
+
+/// The printed and the corrected form side by side, where there is a corrected one.
+std::string forms(const std::string& printed, const std::string& corrected) {
+  if (corrected.empty() || corrected == printed) return formula(formats::formula_html(printed)) + source({printed});
+  const formats::MarkedFormulas both = formats::marked_difference(printed, corrected);
+  return "<div class=forms><div class=printed><span class=label>printed</span>" + formula(both.printed) +
+         "</div>\n<div class=corrected><span class=label>corrected</span>" + formula(both.corrected) +
+         "</div></div>\n" + source({printed, corrected});
+}
+
+std::string statement_html(const CheckedStatement& checked) {
   const Statement& statement = *checked.statement;
   const Outcome& outcome = checked.outcome;
-  return "<div class=\"claim " + to_text(outcome.verdict) + "\" id=\"" + statement.id + "\">\n<p class=head>" +
-         formats::html(statement.place) + " " + verdict_html(outcome) + "</p>\n" +
-         line("claim", statement.paraphrase, false) + line("printed", printed_latex(statement), true) +
-         line("witness", outcome.witness, false) + line("corrected", corrected_latex(statement), true) +
-         line("tried on", outcome.range, false) + line("remark", outcome.argument, false) +
-         line("id", statement.id, false) + "</div>\n";
+  return "<section class=\"statement " + to_text(outcome.verdict) + "\" id=\"" + statement.id + "\">\n<p class=head>" +
+         formats::html(statement.place) + " " + verdict_html(outcome) + "</p>\n<p>" +
+         formats::html(statement.paraphrase) + "</p>\n" +
+         forms(printed_latex(statement), is_wrong(outcome) ? corrected_latex(statement) : "") + "<dl>\n" +
+         line("witness", formats::html(outcome.witness)) + line("tried on", formats::html(outcome.range)) +
+         line(is_wrong(outcome) ? "remark" : "why", formats::html(outcome.argument)) +
+         line("id", "<code>" + statement.id + "</code>") + "</dl></section>\n";
 }
 
-std::string confirmation_row(const CheckedStatement& checked) {
-  const Statement& statement = *checked.statement;
-  const Outcome& outcome = checked.outcome;
-  return "<tr class=\"" + to_text(outcome.verdict) + "\" id=\"" + statement.id + "\"><th>" +
-         formats::html(statement.place) + "</th><td class=text>" + formats::html(statement.paraphrase) + "<br><code>" +
-         formats::html(printed_latex(statement)) + "</code></td><td>" + verdict_html(outcome) + "</td><td class=text>" +
-         formats::html(outcome.range) +
-         (outcome.argument.empty() ? "" : "<br><span class=computed>" + formats::html(outcome.argument) + "</span>") +
-         "</td></tr>\n";
-}
-
-std::string table_of(const std::vector<const CheckedStatement*>& checked) {
-  std::string rows;
-  for (const CheckedStatement* one : checked) rows += confirmation_row(*one);
-  return "<div class=scroll><table class=statements>\n<tr><th>place</th><th class=left>claim</th><th "
-         "class=left>verdict</th><th class=left>for which parameters, and why</th></tr>\n" +
-         rows + "</table></div>\n";
+std::string list_of(const std::string& heading, const std::vector<const CheckedStatement*>& checked) {
+  if (checked.empty()) return "";
+  std::string text = "<h3>" + heading + "</h3>\n";
+  for (const CheckedStatement* one : checked) text += statement_html(*one);
+  return text;
 }
 
 std::string summary(const std::vector<CheckedStatement>& checked) {
@@ -86,13 +93,8 @@ std::string paper_section(const statements::Paper& paper, const std::vector<Chec
         .push_back(&one);
   }
   if (wrong.empty() && right.empty() && open.empty()) return "";
-  std::string text = "<h2 id=\"" + paper.key + "\">" + paper.key + "</h2>\n<p class=citation>" +
-                     formats::html(paper.citation) + "</p>\n";
-  if (!wrong.empty()) text += "<h3>Errata</h3>\n";
-  for (const CheckedStatement* one : wrong) text += erratum(*one);
-  if (!right.empty()) text += "<h3>Confirmations</h3>\n" + table_of(right);
-  if (!open.empty()) text += "<h3>Not checked</h3>\n" + table_of(open);
-  return text;
+  return "<h2 id=\"" + paper.key + "\">" + paper.key + "</h2>\n<p class=citation>" + formats::html(paper.citation) +
+         "</p>\n" + list_of("Errata", wrong) + list_of("Confirmations", right) + list_of("Not checked", open);
 }
 
 }  // namespace
@@ -120,8 +122,11 @@ std::string errata_page(const std::vector<CheckedStatement>& checked) {
       "typed in as they stand and compared with what follows from the definitions, in exact arithmetic or with outward "
       "rounding. <b>holds-for-all-n</b>: proved for all admissible parameters; <b>holds</b>: on the range named; "
       "<b>misprint</b>: the printed form fails at the witness and the corrected form passes the same check; "
-      "<b>false</b>: it fails, and no change of a symbol saves it. Formulas are given in LaTeX; the closed forms among "
-      "them are printed from what was checked.</p>\n" +
+      "<b>false</b>: it fails, and no change of a symbol saves it. The closed forms among the formulas are printed "
+      "from "
+      "what was checked; beside an erratum, <span class=\"printed\"><span class=changed>what the printed form has "
+      "alone</span></span> and <span class=\"corrected\"><span class=changed>what the corrected one has "
+      "alone</span></span> are marked. Formulas are MathML with their LaTeX text.</p>\n" +
       summary(checked);
   for (const auto& paper : statements::papers()) body += paper_section(paper, checked);
   return formats::html_page("subcert: errata and confirmations", body);

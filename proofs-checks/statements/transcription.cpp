@@ -3,6 +3,8 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -150,7 +152,8 @@ std::vector<std::string> Transcriptions::words(const std::string& id, Form form)
 
 std::string Transcriptions::latex(const std::string& id, Form form) const {
   const std::string whole = trimmed(form_text(text(id), form));
-  if (whole.find('.') != std::string::npos || whole.front() == '[') return whole;
+  if (whole.front() == '[') return whole;
+  if (whole.find('.') != std::string::npos) return fmt::format("{}", fmt::join(words(id, form), ", \\; "));
   return formula(id, form).to_latex();
 }
 

@@ -44,7 +44,7 @@ class Transcriptions {
   std::vector<Formula> list(const std::string& id, Form form) const;
   /// Words between blanks, as in a row of a table.
   std::vector<std::string> words(const std::string& id, Form form) const;
-  /// LaTeX of a formula or of a list; words as they are.
+  /// LaTeX of a formula or of a list; words with commas between.
   std::string latex(const std::string& id, Form form) const;
 
  private:

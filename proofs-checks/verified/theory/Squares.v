@@ -2,7 +2,7 @@
    x_j x_k f_(j - k) are 0 or more, which passes on to products with p(z) p(1/z) and to f(z^A). *)
 Require Import Reals List ZArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Subdivision.
+From Subcert Require Import Radius Subdivision Growth.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -10,9 +10,7 @@ Open Scope R_scope.
 Fixpoint ahead (p : list R) (f : Z -> R) (i : Z) : R := match p with [] => 0 | c :: p' => c * f i + ahead p' f (i + 1)%Z end.
 Fixpoint back (p : list R) (f : Z -> R) (i : Z) : R := match p with [] => 0 | c :: p' => c * f i + back p' f (i - 1)%Z end.
 
-Fixpoint sum_of (p q : list R) : list R :=
-  match p, q with [], _ => q | _, [] => p | a :: p', b :: q' => (a + b) :: sum_of p' q' end.
-Fixpoint product_of (p q : list R) : list R := match p with [] => [] | c :: p' => sum_of (map (Rmult c) q) (0 :: product_of p' q) end.
+Fixpoint product_of (p q : list R) : list R := match p with [] => [] | c :: p' => padd (pscal c q) (0 :: product_of p' q) end.
 
 Definition even (f : Z -> R) : Prop := forall i, f (- i)%Z = f i.
 Definition positive (f : Z -> R) : Prop := forall x, 0 <= ahead x (back x f) 0.
@@ -78,22 +76,22 @@ Proof.
   rewrite ahead_linear. ring.
 Qed.
 
-Lemma ahead_sum_of p : forall q f i, ahead (sum_of p q) f i = ahead p f i + ahead q f i.
-Proof. induction p; intros [|b q] f i; cbn [sum_of ahead]; try ring. rewrite IHp. ring. Qed.
-Lemma back_sum_of p : forall q f i, back (sum_of p q) f i = back p f i + back q f i.
-Proof. induction p; intros [|b q] f i; cbn [sum_of back]; try ring. rewrite IHp. ring. Qed.
-Lemma ahead_scale c p f : forall i, ahead (map (Rmult c) p) f i = c * ahead p f i.
-Proof. induction p; intros i; cbn [map ahead]. ring. rewrite IHp. ring. Qed.
-Lemma back_scale c p f : forall i, back (map (Rmult c) p) f i = c * back p f i.
-Proof. induction p; intros i; cbn [map back]. ring. rewrite IHp. ring. Qed.
+Lemma ahead_padd p : forall q f i, ahead (padd p q) f i = ahead p f i + ahead q f i.
+Proof. induction p; intros [|b q] f i; cbn [padd ahead]; try ring. rewrite IHp. ring. Qed.
+Lemma back_padd p : forall q f i, back (padd p q) f i = back p f i + back q f i.
+Proof. induction p; intros [|b q] f i; cbn [padd back]; try ring. rewrite IHp. ring. Qed.
+Lemma ahead_scale c p f : forall i, ahead (pscal c p) f i = c * ahead p f i.
+Proof. unfold pscal. induction p; intros i; cbn [map ahead]. ring. rewrite IHp. ring. Qed.
+Lemma back_scale c p f : forall i, back (pscal c p) f i = c * back p f i.
+Proof. unfold pscal. induction p; intros i; cbn [map back]. ring. rewrite IHp. ring. Qed.
 
 Lemma ahead_product p q f : forall i, ahead (product_of p q) f i = ahead p (ahead q f) i.
 Proof.
-  induction p; intros i; cbn [product_of ahead]; auto. rewrite ahead_sum_of, ahead_scale. cbn [ahead]. rewrite IHp. ring.
+  induction p; intros i; cbn [product_of ahead]; auto. rewrite ahead_padd, ahead_scale. cbn [ahead]. rewrite IHp. ring.
 Qed.
 Lemma back_product p q f : forall i, back (product_of p q) f i = back p (back q f) i.
 Proof.
-  induction p; intros i; cbn [product_of back]; auto. rewrite back_sum_of, back_scale. cbn [back]. rewrite IHp. ring.
+  induction p; intros i; cbn [product_of back]; auto. rewrite back_padd, back_scale. cbn [back]. rewrite IHp. ring.
 Qed.
 
 Lemma ahead_app p q f : forall i, ahead (p ++ q) f i = ahead p f i + ahead q f (i + Z.of_nat (length p))%Z.
@@ -154,11 +152,11 @@ Theorem central f : even f -> positive f -> forall i, Rabs (f i) <= f 0%Z.
 Proof.
   intros E P i.
   assert (H : forall s k, s * s = 1 -> 0 <= f 0%Z + s * f (Z.of_nat k)).
-  { intros s k Hs. specialize (P (sum_of [1] (repeat 0 k ++ [s]))).
-    assert (A : forall g j, ahead (sum_of [1] (repeat 0 k ++ [s])) g j = g j + s * g (j + Z.of_nat k)%Z).
-    { intros g j. rewrite ahead_sum_of, ahead_padded. cbn [ahead]. ring. }
-    assert (B : forall g j, back (sum_of [1] (repeat 0 k ++ [s])) g j = g j + s * g (j - Z.of_nat k)%Z).
-    { intros g j. rewrite back_sum_of, back_padded. cbn [back]. ring. }
+  { intros s k Hs. specialize (P (padd [1] (repeat 0 k ++ [s]))).
+    assert (A : forall g j, ahead (padd [1] (repeat 0 k ++ [s])) g j = g j + s * g (j + Z.of_nat k)%Z).
+    { intros g j. rewrite ahead_padd, ahead_padded. cbn [ahead]. ring. }
+    assert (B : forall g j, back (padd [1] (repeat 0 k ++ [s])) g j = g j + s * g (j - Z.of_nat k)%Z).
+    { intros g j. rewrite back_padd, back_padded. cbn [back]. ring. }
     rewrite A, !B in P. replace (0 + Z.of_nat k - Z.of_nat k)%Z with 0%Z in P by lia.
     replace (0 - Z.of_nat k)%Z with (- Z.of_nat k)%Z in P by lia. replace (0 + Z.of_nat k)%Z with (Z.of_nat k) in P by lia. rewrite E in P.
     assert (X : s * (s * f 0%Z) = f 0%Z) by (rewrite <- Rmult_assoc, Hs; ring). lra. }

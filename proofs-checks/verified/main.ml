@@ -233,16 +233,16 @@ let read_lines family lower r sections =
           (chosen, hint)
       | _ -> assert false
   in
-  let sections = sections blocks in
+  let sections = sections divided blocks in
   skip r [ "logarithm"; "recurrence" ];
   line r "end";
   require (at_end r) "text after 'end'";
   (new_basis, (if divided then sizes else []), chosen, eigenvector, sections)
 
 (* What proves bounds of the radius. *)
-let read_proof family lower upper r =
-  let section i block =
-    let own, section, _ = Sections.read_section r i block upper in
+let read_proof ~single family lower upper r =
+  let section divided i block =
+    let own, section, _ = Sections.read_section ~single:(single && not divided) r i block upper in
     skip r [ "cycle"; "seed"; "origin"; "same" ];
     (match (own, upper) with
     | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
@@ -254,40 +254,46 @@ let read_proof family lower upper r =
     | None -> ());
     (block.size, section)
   in
-  let sections blocks = if upper = None && not (at r "block 0") then [] else List.mapi section blocks in
+  let sections divided blocks = if upper = None && not (at r "block 0") then [] else List.mapi (section divided) blocks in
   let new_basis, sizes, chosen, eigenvector, sections = read_lines family lower r sections in
   { new_basis; sections; sizes; chosen; eigenvector }
 
 (* What proves that the radius is the number. *)
-let read_exact_proof family (e, root) r =
+let read_exact_proof ~single family (e, root) r =
   let place = Attained_hint.place_of e root Attained_hint.least_bits in
   require (check_number e place) "no zero is proved so near";
   let low = Q.make place.low place.bottom in
-  let section i block =
-    let own, section, polytope = Sections.read_section r i block (Some low) in
-    match polytope with
-    | Some polytope when at r "cycle" -> (block, Either.Right (Attained_hint.read_lines r polytope e root place))
+  let section divided i block =
+    let own, section, polytope = Sections.read_section ~single:(single && not divided) r i block (Some low) in
+    match (section, polytope) with
+    | Single (squares, recurrence), _ ->
+        let pole = Single_hint.pole block squares recurrence e.polynomial in
+        require (simple_number e place) "one spectral radius is a positive zero";
+        require (no_larger block e.polynomial place pole) "the exact radius may not be the largest zero of the recurrence";
+        require (is_pole block e.polynomial place pole) "the exact radius may be no pole";
+        (block, `Whole (Leading pole))
+    | _, Some polytope when at r "cycle" -> (block, `Draft (Attained_hint.read_lines r polytope e root place))
     | _ ->
         require (Option.fold ~none:true ~some:(fun g -> Q.leq g low) own) "the bound of a block is above the exact radius";
         require (check_section block (bound_of low) section) "the bound of a block is above the exact radius";
-        (block, Either.Left section)
+        (block, `Whole (Bounded section))
   in
-  let exact_basis, _, _, _, sections = read_lines family None r (List.mapi section) in
-  let most least f = List.fold_left (fun m s -> match s with _, Either.Right draft -> max m (f draft) | _ -> m) least sections in
+  let exact_basis, _, _, _, sections = read_lines family None r (fun divided -> List.mapi (section divided)) in
+  let most least f = List.fold_left (fun m s -> match s with _, `Draft draft -> max m (f draft) | _ -> m) least sections in
   let margin = most 0 (fun d -> d.Attained_hint.margin) in
   let place = Attained_hint.place_of ~margin e root (most Attained_hint.least_bits (fun d -> d.Attained_hint.bits_needed)) in
   require (check_number e place) "no zero is proved so near";
   let written (block, section) =
     match section with
-    | Either.Left section -> (block.size, Bounded section)
-    | Either.Right draft ->
+    | `Whole section -> (block.size, section)
+    | `Draft draft ->
         let section = Attained_hint.write_out draft e root place in
         require (block_below e place block section) "an image may lie outside";
         require (block_reaches e place block section) "the eigenvector of a cycle may be zero where the vertex is large";
         (block.size, section)
   in
   let exact_blocks = List.map written sections in
-  require (List.exists (function _, Attains _ -> true | _ -> false) exact_blocks) "no block attains the exact radius";
+  require (List.exists (function _, Bounded _ -> false | _ -> true) exact_blocks) "no block attains the exact radius";
   { number_place = place; exact_basis; exact_blocks }
 
 let show claim =
@@ -313,11 +319,11 @@ let radius matrices lower upper exact file =
     read file 1 (fun r ->
         match read_head r (Printf.sprintf "radius %d %d" (List.length family.matrices) family.size) exact with
         | None ->
-            let certificate = read_proof family lower upper r in
+            let certificate = read_proof ~single:false family lower upper r in
             require (check_radius claim certificate) "the certificate does not prove the claim";
             fun name -> Theorem.print_radius name claim certificate
         | Some ((e, _) as number) ->
-            let certificate = read_exact_proof family number r in
+            let certificate = read_exact_proof ~single:false family number r in
             require (check_exact_radius family e claim.lower claim.upper certificate) "the certificate does not prove the claim";
             fun name -> Theorem.print_exact_radius name claim e certificate)
   in
@@ -379,7 +385,7 @@ let prove_bounds scheme order family lower upper r =
     Q.make (Z.max (Z.cdiv whole divisor) (Z.succ (Z.shift_left Z.one digits))) (Z.shift_left Z.one digits)
   in
   let least = Option.map least upper in
-  let low = { order; bound = bound_of bound; of_radius = read_proof family least (Some bound) r } in
+  let low = { order; bound = bound_of bound; of_radius = read_proof ~single:true family least (Some bound) r } in
   match (upper, least) with
   | Some u, Some g ->
       let both = { lower_end = low; radius_least = bound_of g; shifts = stable_shifts scheme } in
@@ -392,7 +398,7 @@ let prove_bounds scheme order family lower upper r =
 (* Of what the exponent is, with bounds or without *)
 let prove_number scheme order family lower upper exact ((e, _) as number) r =
   require (exact.order = Some order) "the exact exponent has another number before its logarithm";
-  let certificate = read_exact_proof family number r and lower = Option.map bound_of lower and upper = Option.map bound_of upper in
+  let certificate = read_exact_proof ~single:true family number r and lower = Option.map bound_of lower and upper = Option.map bound_of upper in
   let shifts = stable_shifts scheme in
   require (check_exact_exponent scheme order e lower upper certificate shifts) "the certificate does not prove the claim";
   fun name -> Theorem.print_exact_exponent name scheme order e lower upper certificate shifts

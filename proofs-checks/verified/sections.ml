@@ -379,8 +379,17 @@ let read_quadratic r family upper fields =
   let words = tree_of count first !all leaf longer (0, [||]) in
   (bound, Quadratic (Array.to_list (Array.map Array.to_list form), definite, words))
 
-(* The section, the bound that it shows if it says so itself, and more of a polytope. *)
-let read_section r number family upper =
+(* One spectral radius: the work is that of the recurrence. *)
+let read_single r family fields =
+  let bound, squares, recurrence = Single_hint.read r family fields in
+  let width = (2 * reach_of (List.length family.matrices) squares.symbol) + 1 and length = List.length recurrence in
+  spend (length * width * width * (1 + (length * Z.numbits family.denominator / 640)));
+  require (recurs family squares.symbol recurrence) "the recurrence is wrong";
+  require (Single_hint.bounded_by bound recurrence) "the recurrence may have a zero above the bound";
+  (Some bound, Single (squares, recurrence), None)
+
+(* The section, the bound that it shows if it says so itself, and more of a polytope. `single`: those of 4.11 are allowed. *)
+let read_section ~single r number family upper =
   let fields = take r (Printf.sprintf "block %d" number) 2 8 in
   let count = List.length family.matrices and n = family.size in
   match List.hd fields with
@@ -397,5 +406,5 @@ let read_section r number family upper =
   | "polytope" when List.length fields >= 4 ->
       let section, polytope = read_polytope r family fields in
       (None, section, Some polytope)
-  | "single" -> raise (Undecided "a single spectral radius is not decided here, but by subcert-check")
+  | "single" when single -> read_single r family fields
   | _ -> reject "expected 'norm', 'polytope' or 'quadratic' and its numbers"

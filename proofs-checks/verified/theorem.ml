@@ -20,6 +20,10 @@ let rec words = function
   | Word r -> "(Word " ^ root r ^ ")"
   | Words children -> "(Words " ^ list words children ^ ")"
 
+let squares s =
+  Printf.sprintf "(Squares %s %s %s %s %s %s)" (vector s.symbol) (integer s.content) (vector s.divisor) (vector s.cosine)
+    (vector s.factor) (natural s.bits)
+
 let section = function
   | Norm level -> "(Norm " ^ natural level ^ ")"
   | Polytope (nonnegative, transposed, scale, one, points, units, images) ->
@@ -28,6 +32,7 @@ let section = function
         (list (list term) units)
         (list (list (list term)) images)
   | Quadratic (form, definite, tree) -> Printf.sprintf "(Quadratic %s %s %s)" (matrix form) (root definite) (words tree)
+  | Single (s, recurrence) -> Printf.sprintf "(Single %s %s)" (squares s) (vector recurrence)
 
 let eigen e =
   Printf.sprintf "(Eigen %s %s %s %s %s %s %s %s\n%s %s %s)" (list natural e.word) (integer e.multiplier) (vector e.xr)
@@ -50,7 +55,7 @@ let print name modules claim certificate theorem =
   Printf.printf
     "(* Made by subcert-check-verified --theorem %s: the claim, its certificate, and the proof by computation. *)\n\
      Require Import Reals List ZArith QArith.\n\
-     From Subcert Require Import Radius Integers Sections Eigenvalue Quadratic Check%s.\n\
+     From Subcert Require Import Radius Integers Sections Eigenvalue Quadratic Single Check%s.\n\
      Import ListNotations.\n\
      Open Scope Z_scope.\n\n\
      Definition %s_%s.\n\n\
@@ -118,6 +123,9 @@ let exact_section = function
       Printf.sprintf "(Attains %b (Body %b %s\n%s\n%s %s\n%s\n%s %s))" transposed b.cone (list base b.bases)
         (list (pair source (pair point (list image))) b.given)
         (integer b.weight_one) (integer b.unit_one) (list (list term) b.unit_lines) (natural b.first_base) (natural b.full_turn)
+  | Leading c ->
+      Printf.sprintf "(Leading (Pole %s %s %s %s))" (squares c.squares_of) (vector c.recurrence) (natural c.multiplicity)
+        (vector c.cofactor)
 
 let exact_certificate c =
   let p = c.number_place in
@@ -125,7 +133,7 @@ let exact_certificate c =
     (integer p.near_scale) (integer p.low) (integer p.high) (integer p.bottom) (option basis c.exact_basis)
     (list (pair natural exact_section) c.exact_blocks)
 
-let exact_modules = " Subdivision Stability Exponent Enclosure Number Attained Exact"
+let exact_modules = " Subdivision Stability Exponent Enclosure Number Attained Largest Exact"
 
 let print_exact_radius name claim e c =
   print name exact_modules (Printf.sprintf "family : family := %s" (family claim.matrices_of)) (exact_certificate c)

@@ -552,6 +552,15 @@ module Z =
         y)
       x
 
+  (** val sgn : Number.t -> Number.t **)
+
+  let sgn z0 =
+    Number.case_integer
+      (fun _ -> Number.zero)
+      (fun _ -> Number.one)
+      (fun _ -> Number.opposite Number.one)
+      z0
+
   (** val to_nat : Number.t -> int **)
 
   let to_nat z0 =
@@ -654,6 +663,21 @@ let rec nth_error l n =
                | [] -> None
                | _::l0 -> nth_error l0 n0)
     n
+
+(** val last : 'a1 list -> 'a1 -> 'a1 **)
+
+let rec last l d =
+  match l with
+  | [] -> d
+  | a::l0 -> (match l0 with
+              | [] -> a
+              | _::_ -> last l0 d)
+
+(** val rev : 'a1 list -> 'a1 list **)
+
+let rec rev = function
+| [] -> []
+| x::l' -> app (rev l') (x::[])
 
 (** val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
 
@@ -790,6 +814,18 @@ let square n m =
   (&&) (Nat.eqb (length m) n)
     (forallb (fun row0 -> Nat.eqb (length row0) n) m)
 
+(** val same : zvec -> zvec -> bool **)
+
+let rec same x y =
+  match x with
+  | [] -> (match y with
+           | [] -> true
+           | _::_ -> false)
+  | a::x' ->
+    (match y with
+     | [] -> false
+     | b::y' -> (&&) (Number.equal a b) (same x' y'))
+
 type family = { size : int; denominator : Number.t; matrices : zmat list }
 
 (** val count : family -> int **)
@@ -922,14 +958,16 @@ let rec combine ps = function
     bool -> points -> Number.t -> Number.t -> point -> term list ->
     (Number.t*Number.t) option **)
 
-let line nonnegative ps scale0 divisor target ts =
+let line nonnegative ps scale0 divisor0 target ts =
   match combine ps ts with
   | Some p ->
     let w,p0 = p in
     let x,y = p0 in
-    let u = addmul (Number.opposite divisor) x (addmul scale0 (fst target) [])
+    let u =
+      addmul (Number.opposite divisor0) x (addmul scale0 (fst target) [])
     in
-    let v = addmul (Number.opposite divisor) y (addmul scale0 (snd target) [])
+    let v =
+      addmul (Number.opposite divisor0) y (addmul scale0 (snd target) [])
     in
     if nonnegative
     then (match v with
@@ -957,14 +995,14 @@ let rec units nonnegative ps one k = function
     bool -> points -> Number.t -> Number.t -> Number.t -> Number.t ->
     Number.t -> q -> point -> zmat list -> term list list -> bool **)
 
-let rec images nonnegative ps scale0 one divisor s r u p ms lines =
+let rec images nonnegative ps scale0 one divisor0 s r u p ms lines =
   match ms with
   | [] -> true
   | m::ms' ->
     (match lines with
      | [] -> false
      | ts::lines' ->
-       (match line nonnegative ps scale0 divisor
+       (match line nonnegative ps scale0 divisor0
                 ((mv m (fst p)),(mv m (snd p))) ts with
         | Some p0 ->
           let w,t0 = p0 in
@@ -972,26 +1010,26 @@ let rec images nonnegative ps scale0 one divisor s r u p ms lines =
             (Number.less_equal
               (Number.mul u.qden
                 (Number.add
-                  (Number.mul (Number.mul w divisor) (Number.sub one r))
+                  (Number.mul (Number.mul w divisor0) (Number.sub one r))
                   (Number.mul t0 s)))
-              (Number.mul (Number.mul (Number.mul u.qnum scale0) divisor)
+              (Number.mul (Number.mul (Number.mul u.qnum scale0) divisor0)
                 (Number.sub one r)))
-            (images nonnegative ps scale0 one divisor s r u p ms' lines')
+            (images nonnegative ps scale0 one divisor0 s r u p ms' lines')
         | None -> false))
 
 (** val all_images :
     bool -> points -> Number.t -> Number.t -> Number.t -> Number.t ->
     Number.t -> q -> zmat list -> point list -> term list list list -> bool **)
 
-let rec all_images nonnegative ps scale0 one divisor s r u ms all lines =
+let rec all_images nonnegative ps scale0 one divisor0 s r u ms all lines =
   match all with
   | [] -> true
   | p::all' ->
     (match lines with
      | [] -> false
      | l::lines' ->
-       (&&) (images nonnegative ps scale0 one divisor s r u p ms l)
-         (all_images nonnegative ps scale0 one divisor s r u ms all' lines'))
+       (&&) (images nonnegative ps scale0 one divisor0 s r u p ms l)
+         (all_images nonnegative ps scale0 one divisor0 s r u ms all' lines'))
 
 (** val vector_nonnegative : zvec -> bool **)
 
@@ -1272,6 +1310,146 @@ let quadratic f u p =
       (positive_form n Number.one (entry p) definite))
     (check_tree f u p [] (table n (fun i j -> if_equal i j Number.one)) words))
 
+type squares = { symbol : zvec; content : Number.t; divisor : zvec;
+                 cosine : zvec; factor : zvec; bits : int }
+
+(** val zproduct_of : zvec -> zvec -> zvec **)
+
+let rec zproduct_of p q0 =
+  match p with
+  | [] -> []
+  | c::p' -> addmul c q0 (Number.zero::(zproduct_of p' q0))
+
+(** val mirrored : zvec -> zvec **)
+
+let mirrored p =
+  zproduct_of p (rev p)
+
+(** val middle : zvec -> int **)
+
+let middle p =
+  Nat.div (length p) (Stdlib.succ (Stdlib.succ 0))
+
+(** val difference_of : squares -> int*zvec **)
+
+let difference_of s =
+  let m = middle s.cosine in
+  let d = sub (length s.factor) (Stdlib.succ 0) in
+  let mid = Nat.max m d in
+  mid,(addmul
+        (Number.power (Number.twice (Number.twice Number.one))
+          (Number.of_natural s.bits))
+        (app (repeat Number.zero (sub mid m)) s.cosine)
+        (map (Number.mul (Number.opposite Number.one))
+          (app (repeat Number.zero (sub mid d)) (mirrored s.factor))))
+
+(** val is_transition : family -> zvec -> bool **)
+
+let is_transition f b =
+  forallb (fun t0 ->
+    forallb (fun j ->
+      let at_ = add (mul (count f) j) t0 in
+      forallb (fun k ->
+        Number.equal (entry (letter f t0) j k)
+          (if Nat.leb k at_
+           then nth (sub at_ k) b Number.zero
+           else Number.zero)) (seq 0 f.size)) (seq 0 f.size))
+    (seq 0 (count f))
+
+(** val sum_of_squares : family -> squares -> bool **)
+
+let sum_of_squares f s =
+  let b = s.symbol in
+  let mid,e = difference_of s in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&)
+                ((&&)
+                  ((&&)
+                    ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) (count f))
+                      (Nat.leb (Stdlib.succ 0) f.size)) (same b (rev b)))
+                  (Nat.eqb (length b)
+                    (add (mul (Stdlib.succ (Stdlib.succ 0)) (middle b))
+                      (Stdlib.succ 0))))
+                (Nat.leb (sub (length b) (Stdlib.succ 0))
+                  (mul f.size (sub (count f) (Stdlib.succ 0)))))
+              (is_transition f b)) (Number.less Number.zero s.content))
+          (same b
+            (map (Number.mul s.content)
+              (zproduct_of (mirrored s.divisor) s.cosine))))
+        (Nat.eqb (add (middle b) (Stdlib.succ 0))
+          (add (length s.divisor) (middle s.cosine))))
+      (Nat.leb (Stdlib.succ 0) (length s.factor)))
+    (Number.less_equal (norm1 e)
+      (Number.mul (Number.twice Number.one) (nth mid e Number.zero)))
+
+(** val reach_of : int -> zvec -> int **)
+
+let reach_of a b =
+  Nat.div (middle b) (sub a (Stdlib.succ 0))
+
+(** val central_matrix : int -> zvec -> zmat **)
+
+let central_matrix a b =
+  let r = reach_of a b in
+  table (add (mul (Stdlib.succ (Stdlib.succ 0)) r) (Stdlib.succ 0))
+    (fun j i ->
+    let high0 = add (add (middle b) i) (mul (sub a (Stdlib.succ 0)) r) in
+    if Nat.leb (mul a j) high0
+    then nth (sub high0 (mul a j)) b Number.zero
+    else Number.zero)
+
+(** val applied :
+    zmat -> Number.t -> zvec -> Number.t list -> Number.t*zvec **)
+
+let rec applied m d x = function
+| [] -> Number.one,[]
+| c::p' ->
+  let k,v = applied m d x p' in
+  (Number.mul k d),(addmul (Number.mul c (Number.mul k d)) x (mv m v))
+
+(** val recurs : family -> zvec -> Number.t list -> bool **)
+
+let recurs f b p =
+  let _,v =
+    applied (central_matrix (count f) b) f.denominator
+      (unit_at Number.one (reach_of (count f) b)) p
+  in
+  forallb (Number.equal Number.zero) v
+
+(** val shifted_by :
+    Number.t -> Number.t -> Number.t list -> Number.t*zvec **)
+
+let rec shifted_by a q0 = function
+| [] -> Number.one,[]
+| c::p' ->
+  let k,s = shifted_by a q0 p' in
+  (Number.mul k q0),(addmul a s ((Number.mul c (Number.mul k q0))::s))
+
+(** val no_negative : zvec -> bool **)
+
+let no_negative p =
+  (&&) (forallb (Number.less_equal Number.zero) p)
+    (existsb (Number.less Number.zero) p)
+
+(** val one_sign : zvec -> bool **)
+
+let one_sign p =
+  (||) (no_negative p)
+    (no_negative (map (Number.mul (Number.opposite Number.one)) p))
+
+(** val single_section : family -> q -> squares -> Number.t list -> bool **)
+
+let single_section f u s p =
+  (&&)
+    ((&&) ((&&) (sum_of_squares f s) (recurs f s.symbol p))
+      (Number.less_equal Number.zero u.qnum))
+    (one_sign (snd (shifted_by u.qnum u.qden p)))
+
 (** val largest_norm : zmat list -> int -> zvec -> Number.t **)
 
 let rec largest_norm ms level0 x =
@@ -1302,6 +1480,7 @@ type section =
 | Polytope of bool * bool * Number.t * Number.t * point list * term list list
    * term list list list
 | Quadratic of zmat * square_root * word_tree
+| Single of squares * Number.t list
 
 (** val check_section : family -> q -> section -> bool **)
 
@@ -1311,6 +1490,7 @@ let check_section f u = function
   polytope (if transposed then transpose f else f) u nonnegative scale0 one
     all ul il
 | Quadratic (form, definite, words) -> quadratic f u form definite words
+| Single (sum, recurrence0) -> single_section f u sum recurrence0
 
 (** val first_block : int -> family -> family **)
 
@@ -1481,18 +1661,6 @@ let rec iterate m f l =
     (fun _ -> l)
     (fun k -> f (iterate k f l))
     m
-
-(** val same : Number.t list -> Number.t list -> bool **)
-
-let rec same x y =
-  match x with
-  | [] -> (match y with
-           | [] -> true
-           | _::_ -> false)
-  | a::x' ->
-    (match y with
-     | [] -> false
-     | b::y' -> (&&) (Number.equal a b) (same x' y'))
 
 (** val transition : int -> int -> Number.t list -> zmat list **)
 
@@ -2399,15 +2567,134 @@ let reached f p l h =
         | None -> false)
      | None -> false))
 
+(** val changes : Number.t -> Number.t list -> int **)
+
+let rec changes last0 = function
+| [] -> 0
+| x::l' ->
+  if Number.equal x Number.zero
+  then changes last0 l'
+  else add
+         (if Number.less (Number.mul x last0) Number.zero
+          then Stdlib.succ 0
+          else 0) (changes x l')
+
+(** val low_zeros : Number.t list -> int **)
+
+let rec low_zeros = function
+| [] -> 0
+| x::l' ->
+  if Number.equal x Number.zero then Stdlib.succ (low_zeros l') else 0
+
+(** val sign_count : Number.t list -> int **)
+
+let sign_count l =
+  add (low_zeros l) (changes Number.zero l)
+
+(** val middles : zmat -> Number.t -> int -> zvec -> int -> Number.t list **)
+
+let rec middles m d r x n =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> [])
+    (fun k ->
+    (Number.mul (nth r x Number.zero) (Number.power d (Number.of_natural k)))::
+    (middles m d r (mv m x) k))
+    n
+
+(** val numerator : Number.t list -> Number.t list -> Number.t list **)
+
+let rec numerator q0 middles0 =
+  match q0 with
+  | [] -> []
+  | _::q' -> (dot q' middles0)::(numerator q' middles0)
+
+(** val zpower_times :
+    int -> Number.t list -> Number.t list -> Number.t list **)
+
+let rec zpower_times l p q0 =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> q0)
+    (fun k -> zproduct_of p (zpower_times k p q0))
+    l
+
+type pole = { squares_of : squares; recurrence : Number.t list;
+              multiplicity : int; cofactor : Number.t list }
+
+(** val reduced : Number.t list -> pole -> Number.t list **)
+
+let reduced p c =
+  zpower_times c.multiplicity p c.cofactor
+
+(** val middles_of : family -> Number.t list -> pole -> Number.t list **)
+
+let middles_of f p c =
+  let b = c.squares_of.symbol in
+  let r = reach_of (count f) b in
+  middles (central_matrix (count f) b) f.denominator r (unit_at Number.one r)
+    (add (length c.recurrence) (length (reduced p c)))
+
+(** val satisfies :
+    Number.t list -> Number.t list -> Number.t list -> bool **)
+
+let satisfies p q0 middles0 =
+  (&&) (negb (Number.equal (last p Number.zero) Number.zero))
+    (forallb (fun n -> Number.equal (dot q0 (skipn n middles0)) Number.zero)
+      (seq 0 (sub (length p) (Stdlib.succ 0))))
+
+(** val pole_right : family -> Number.t list -> pole -> bool **)
+
+let pole_right f p c =
+  (&&)
+    ((&&) (sum_of_squares f c.squares_of)
+      (recurs f c.squares_of.symbol c.recurrence))
+    (satisfies c.recurrence (reduced p c) (middles_of f p c))
+
+(** val no_larger : family -> Number.t list -> place -> pole -> bool **)
+
+let no_larger f p h c =
+  let q0 = reduced p c in
+  (&&) ((&&) (pole_right f p c) (Nat.ltb c.multiplicity (length q0)))
+    (Nat.leb (sign_count (map Z.sgn (snd (shifted_by h.low h.bottom q0))))
+      c.multiplicity)
+
+(** val not_zero : Number.t list -> place -> bool **)
+
+let not_zero p h =
+  let s = h.near_scale in
+  let x = h.near_re,h.near_im in
+  let m =
+    Number.add (Number.add (Number.abs h.near_re) (Number.abs h.near_im))
+      (Number.mul (Number.twice Number.one) h.near_radius)
+  in
+  let v = fst (snd (taylor s x p)) in
+  let d = fst (snd (snd (majorants s m p))) in
+  Number.less
+    (Number.mul
+      (Number.mul (Number.mul (Number.twice Number.one) h.near_radius) d)
+      (Number.mul (Number.mul (Number.twice Number.one) h.near_radius) d))
+    (Number.mul (Number.mul s s) (zsquare v))
+
+(** val is_pole : family -> Number.t list -> place -> pole -> bool **)
+
+let is_pole f p h c =
+  (&&) ((&&) (pole_right f p c) (Nat.leb (Stdlib.succ 0) c.multiplicity))
+    (not_zero (numerator (reduced p c) (middles_of f p c)) h)
+
 type exact_section =
 | Bounded of section
 | Attains of bool * body
+| Leading of pole
 
 (** val positive_zero : exact_number -> place -> bool **)
 
 let positive_zero e h =
   (&&) (Number.equal e.disc_im Number.zero)
     (Number.less h.near_radius h.near_re)
+
+(** val simple_number : exact_number -> place -> bool **)
+
+let simple_number e h =
+  (&&) (positive_zero e h) (Nat.eqb e.root (Stdlib.succ 0))
 
 (** val block_below :
     exact_number -> place -> family -> exact_section -> bool **)
@@ -2418,6 +2705,7 @@ let block_below e h f = function
 | Attains (transposed, b) ->
   (&&) (if b.cone then positive_zero e h else true)
     (below (if transposed then transpose f else f) e.polynomial e.root h b)
+| Leading c -> (&&) (simple_number e h) (no_larger f e.polynomial h c)
 
 (** val block_reaches :
     exact_number -> place -> family -> exact_section -> bool **)
@@ -2426,6 +2714,7 @@ let block_reaches e h f = function
 | Bounded _ -> false
 | Attains (transposed, b) ->
   reached (if transposed then transpose f else f) e.polynomial e.root h b
+| Leading c -> (&&) (simple_number e h) (is_pole f e.polynomial h c)
 
 type exact_certificate = { number_place : place; exact_basis : basis option;
                            exact_blocks : (int*exact_section) list }

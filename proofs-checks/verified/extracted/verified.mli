@@ -123,6 +123,8 @@ module Z :
 
   val compare : Number.t -> Number.t -> comparison
 
+  val sgn : Number.t -> Number.t
+
   val to_nat : Number.t -> int
 
   val to_pos : Number.t -> Number.t
@@ -135,6 +137,10 @@ module Z :
 val nth : int -> 'a1 list -> 'a1 -> 'a1
 
 val nth_error : 'a1 list -> int -> 'a1 option
+
+val last : 'a1 list -> 'a1 -> 'a1
+
+val rev : 'a1 list -> 'a1 list
 
 val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
 
@@ -179,6 +185,8 @@ val products : zmat -> zmat -> zmat
 val zrun : zmat list -> int list -> zvec -> zvec
 
 val square : int -> zmat -> bool
+
+val same : zvec -> zvec -> bool
 
 type family = { size : int; denominator : Number.t; matrices : zmat list }
 
@@ -296,6 +304,37 @@ val check_tree : family -> q -> zmat -> int list -> zmat -> word_tree -> bool
 
 val quadratic : family -> q -> zmat -> square_root -> word_tree -> bool
 
+type squares = { symbol : zvec; content : Number.t; divisor : zvec;
+                 cosine : zvec; factor : zvec; bits : int }
+
+val zproduct_of : zvec -> zvec -> zvec
+
+val mirrored : zvec -> zvec
+
+val middle : zvec -> int
+
+val difference_of : squares -> int*zvec
+
+val is_transition : family -> zvec -> bool
+
+val sum_of_squares : family -> squares -> bool
+
+val reach_of : int -> zvec -> int
+
+val central_matrix : int -> zvec -> zmat
+
+val applied : zmat -> Number.t -> zvec -> Number.t list -> Number.t*zvec
+
+val recurs : family -> zvec -> Number.t list -> bool
+
+val shifted_by : Number.t -> Number.t -> Number.t list -> Number.t*zvec
+
+val no_negative : zvec -> bool
+
+val one_sign : zvec -> bool
+
+val single_section : family -> q -> squares -> Number.t list -> bool
+
 val largest_norm : zmat list -> int -> zvec -> Number.t
 
 val norm_section : family -> q -> int -> bool
@@ -307,6 +346,7 @@ type section =
 | Polytope of bool * bool * Number.t * Number.t * point list * term list list
    * term list list list
 | Quadratic of zmat * square_root * word_tree
+| Single of squares * Number.t list
 
 val check_section : family -> q -> section -> bool
 
@@ -355,8 +395,6 @@ val over_sigma : int -> Number.t list -> Number.t list
 
 val iterate :
   int -> (Number.t list -> Number.t list) -> Number.t list -> Number.t list
-
-val same : Number.t list -> Number.t list -> bool
 
 val transition : int -> int -> Number.t list -> zmat list
 
@@ -535,11 +573,43 @@ val below : family -> Number.t list -> int -> place -> body -> bool
 
 val reached : family -> Number.t list -> int -> place -> body -> bool
 
+val changes : Number.t -> Number.t list -> int
+
+val low_zeros : Number.t list -> int
+
+val sign_count : Number.t list -> int
+
+val middles : zmat -> Number.t -> int -> zvec -> int -> Number.t list
+
+val numerator : Number.t list -> Number.t list -> Number.t list
+
+val zpower_times : int -> Number.t list -> Number.t list -> Number.t list
+
+type pole = { squares_of : squares; recurrence : Number.t list;
+              multiplicity : int; cofactor : Number.t list }
+
+val reduced : Number.t list -> pole -> Number.t list
+
+val middles_of : family -> Number.t list -> pole -> Number.t list
+
+val satisfies : Number.t list -> Number.t list -> Number.t list -> bool
+
+val pole_right : family -> Number.t list -> pole -> bool
+
+val no_larger : family -> Number.t list -> place -> pole -> bool
+
+val not_zero : Number.t list -> place -> bool
+
+val is_pole : family -> Number.t list -> place -> pole -> bool
+
 type exact_section =
 | Bounded of section
 | Attains of bool * body
+| Leading of pole
 
 val positive_zero : exact_number -> place -> bool
+
+val simple_number : exact_number -> place -> bool
 
 val block_below : exact_number -> place -> family -> exact_section -> bool
 

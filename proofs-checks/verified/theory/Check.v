@@ -1,7 +1,7 @@
 (* The checker: claims about the joint spectral radius, certificates, and the theorem that what is accepted is true. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Upper Existence Blocks Integers Sections Eigenvalue Quadratic.
+From Subcert Require Import Radius Upper Existence Blocks Integers Sections Eigenvalue Quadratic Single.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -113,7 +113,8 @@ Inductive section :=
 | Norm (level : nat)
 | Polytope (nonnegative transposed : bool) (scale one : Z) (all : list point)
     (unit_lines : list (list term)) (image_lines : list (list (list term)))
-| Quadratic (form : zmat) (definite : square_root) (words : word_tree).
+| Quadratic (form : zmat) (definite : square_root) (words : word_tree)
+| Single (sum : squares) (recurrence : list Z).
 
 Definition check_section (F : family) (u : Q) (s : section) : bool :=
   match s with
@@ -121,18 +122,20 @@ Definition check_section (F : family) (u : Q) (s : section) : bool :=
   | Polytope nonnegative transposed scale one all ul il =>
       polytope (if transposed then transpose F else F) u nonnegative scale one all ul il
   | Quadratic form definite words => quadratic F u form definite words
+  | Single sum recurrence => single_section F u sum recurrence
   end.
 
 Theorem section_sound F u s : well_formed F = true -> check_section F u s = true ->
   radius_at_most (size F) (count F) (real F) (real_of u).
 Proof.
-  intros WF H. destruct s as [level|nonnegative transposed scale one all ul il|form definite words]; simpl in H.
+  intros WF H. destruct s as [level|nonnegative transposed scale one all ul il|form definite words|sum recurrence]; simpl in H.
   - eapply norm_sound; eauto.
   - destruct transposed.
     + apply transpose_sound. change (size F) with (size (transpose F)).
       eapply polytope_sound; eauto. apply transpose_well_formed; auto.
     + eapply polytope_sound; eauto.
   - eapply quadratic_sound; eauto.
+  - eapply single_sound; eauto.
 Qed.
 
 (* ---- diagonal blocks ------------------------------------------------------------------------------------------- *)

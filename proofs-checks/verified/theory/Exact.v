@@ -1,8 +1,8 @@
 (* What a radius or an exponent is exactly: the checkers, and the theorems that what they accept is true. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Existence Upper Blocks Integers Sections Eigenvalue Check Complex Number Attained
-  Subdivision Coefficients Stability Exponent Enclosure.
+From Subcert Require Import Radius Existence Upper Blocks Integers Sections Eigenvalue Single Check Complex Number Attained Largest
+  Subdivision Coefficients Growth Stability Exponent Enclosure.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -25,23 +25,27 @@ Definition exact_exponent_holds (a : scheme) (order : nat) (e : exact_number) (l
 
 (* ---- the checkers ------------------------------------------------------------------------------------------------ *)
 
-(* Of one diagonal block: a bound that is the number at most, or a polytope that attains it *)
-Inductive exact_section := Bounded (s : section) | Attains (transposed : bool) (b : body).
+(* Of one diagonal block: a bound that is the number at most, a polytope that attains it, or one spectral radius *)
+Inductive exact_section := Bounded (s : section) | Attains (transposed : bool) (b : body) | Leading (c : pole).
 
 (* The zero is real and positive, as cones need it. *)
 Definition positive_zero (e : exact_number) (h : place) : bool := (disc_im e =? 0) && (near_radius h <? near_re h).
+
+Definition simple_number (e : exact_number) (h : place) : bool := positive_zero e h && (root e =? 1)%nat.
 
 Definition block_below (e : exact_number) (h : place) (F : family) (s : exact_section) : bool :=
   match s with
   | Bounded s => check_section F (low h # Z.to_pos (bottom h)) s
   | Attains transposed b =>
       (if cone b then positive_zero e h else true) && below (if transposed then transpose F else F) (polynomial e) (root e) h b
+  | Leading c => simple_number e h && no_larger F (polynomial e) h c
   end.
 
 Definition block_reaches (e : exact_number) (h : place) (F : family) (s : exact_section) : bool :=
   match s with
   | Bounded _ => false
   | Attains transposed b => reached (if transposed then transpose F else F) (polynomial e) (root e) h b
+  | Leading c => simple_number e h && is_pole F (polynomial e) h c
   end.
 
 Record exact_certificate := Exact { number_place : place; exact_basis : option basis; exact_blocks : list (nat * exact_section) }.
@@ -120,15 +124,24 @@ Proof.
   apply andb_prop in H. destruct H as [H1 H2].
   assert (TW : forall G (b : bool), well_formed G = true -> well_formed (if b then transpose G else G) = true).
   { intros G [|] W; auto. apply transpose_well_formed; auto. }
+  assert (Simple : simple_number e h = true -> z' = real_number r /\ pvalue (reals (polynomial e)) r = 0%R).
+  { intros HS. apply andb_prop in HS. destruct HS as [HS HR1]. apply Nat.eqb_eq in HR1. apply (positive_zero_sound e h z') in HS; auto.
+    rewrite HR1, pow_1 in Rp. rewrite <- Rp in HS. split; auto. rewrite HS, value_real in Vz. apply (f_equal fst) in Vz. exact Vz. }
   split.
-  - revert H1. apply (all_blocks_sound (block_below e h) r); auto. intros G s W HB. destruct s as [s|tr b]; cbn [block_below] in HB.
+  - revert H1. apply (all_blocks_sound (block_below e h) r); auto. intros G s W HB. destruct s as [s|tr b|p]; cbn [block_below] in HB.
     + apply section_sound in HB; auto. rewrite real_of_low in HB by auto. intros g Hg H0. apply HB; auto. lra.
     + apply andb_prop in HB. destruct HB as [HC HB].
       assert (Cone : cone b = true -> z' = real_number (cabs z')).
       { intros EC. rewrite EC in HC. apply (positive_zero_sound e h); auto. }
       apply (below_sound _ _ _ _ z' r (TW G tr W) Vz Sc Sm N1 N2 R0 Rp HL Hlow Hcom B b Cone) in HB. destruct tr; auto. apply transpose_sound. exact HB.
-  - revert H2. apply (some_block_sound (block_reaches e h) r); auto. intros G s W HB. destruct s as [s|tr b]; cbn [block_reaches] in HB. discriminate.
-    apply (reached_sound _ _ _ _ z' r (TW G tr W) Vz Sc Sm N1 N2 R0 Rp HL) in HB. destruct tr; auto. apply transpose_least. exact HB.
+    + apply andb_prop in HB. destruct HB as [HS HB]. apply Simple in HS. destruct HS as [_ HS]. assert (HB' := HB).
+      unfold no_larger in HB'. cbv zeta in HB'. repeat rewrite andb_true_iff in HB'. destruct HB' as [[HP _] _].
+      apply (no_larger_sound G (polynomial e) p W HP h r HS); auto. apply B.
+  - revert H2. apply (some_block_sound (block_reaches e h) r); auto. intros G s W HB. destruct s as [s|tr b|p]; cbn [block_reaches] in HB. discriminate.
+    + apply (reached_sound _ _ _ _ z' r (TW G tr W) Vz Sc Sm N1 N2 R0 Rp HL) in HB. destruct tr; auto. apply transpose_least. exact HB.
+    + apply andb_prop in HB. destruct HB as [HS HB]. apply Simple in HS. destruct HS as [HZ HS]. assert (HB' := HB).
+      unfold is_pole in HB'. repeat rewrite andb_true_iff in HB'. destruct HB' as [[HP _] _]. rewrite HZ in N1, N2. cbn [fst snd real_number] in N1, N2.
+      apply (is_pole_sound G (polynomial e) p W HP h r HS); auto. apply IZR_le. auto.
 Qed.
 
 Lemma at_number_radius F r : (0 <= r)%R -> at_number F r -> is_radius (size F) (count F) (real F) r.

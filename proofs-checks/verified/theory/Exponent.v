@@ -34,9 +34,6 @@ Definition over_sigma (arity : nat) (l : list Z) : list Z :=
 Fixpoint iterate (m : nat) (f : list Z -> list Z) (l : list Z) : list Z :=
   match m with O => l | S k => f (iterate k f l) end.
 
-Fixpoint same (x y : list Z) : bool :=
-  match x, y with [], [] => true | a :: x', b :: y' => (a =? b) && same x' y' | _, _ => false end.
-
 (* (T_t)_jk = b_(arity j + t - k), for t = 0, ..., arity - 1 and j, k = 0, ..., size - 1. *)
 Definition transition (arity size : nat) (b : list Z) : list zmat :=
   map (fun t => map (fun j => let s := (arity * j + t)%nat in
@@ -141,12 +138,6 @@ Definition divides (a : scheme) (order : nat) : bool :=
   (length (quotient a order) - 1 + order * (arity a - 1) <=? length (coefficients a) - 1)%nat.
 
 (* ---- what it says of the symbols --------------------------------------------------------------------------------- *)
-
-Lemma same_spec x : forall y, same x y = true -> x = y.
-Proof.
-  induction x; intros [|b y] H; simpl in H; try discriminate; auto. apply andb_prop in H. destruct H as [H1 H2].
-  apply Z.eqb_eq in H1. f_equal; auto.
-Qed.
 
 Lemma coefficient_addmul l r e F i : coefficient (addmul 1 l (0 :: r)) e F i = (coefficient l e F i + coefficient r e F (i - 1))%R.
 Proof.

@@ -32,11 +32,20 @@ Fixpoint zrun (Ms : list zmat) (w : list nat) (x : zvec) : zvec :=
 Definition square (n : nat) (M : zmat) : bool :=
   Nat.eqb (length M) n && forallb (fun row => Nat.eqb (length row) n) M.
 
+Fixpoint same (x y : zvec) : bool :=
+  match x, y with [], [] => true | a :: x', b :: y' => (a =? b) && same x' y' | _, _ => false end.
+
 Definition vr (x : zvec) : vec := fun i => IZR (nth i x 0).
 Definition mr (M : zmat) : mat := fun i j => IZR (entry M i j).
 
 Lemma nth_nil {A} i (d : A) : nth i [] d = d.
 Proof. destruct i; auto. Qed.
+
+Lemma same_spec x : forall y, same x y = true -> x = y.
+Proof.
+  induction x; intros [|b y] H; simpl in H; try discriminate; auto. apply andb_prop in H. destruct H as [H1 H2].
+  apply Z.eqb_eq in H1. f_equal; auto.
+Qed.
 
 Lemma dot_nil x : dot x [] = 0.
 Proof. destruct x; auto. Qed.

@@ -15,6 +15,7 @@ PRIME = 4294967291
 MATRICES = [
     ("axis.mat", [[["1", "1"], ["0", "1/2"]]]),
     ("huge.mat", [[[str(HUGE)]]]),
+    ("zero.mat", [[["0"]]]),
     ("unit.mat", [[["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]]),
 ]
 
@@ -42,6 +43,7 @@ ACCEPTED = [
     # a product with an eigenvalue that may be 1 at no value of the parameter, but is not bounded away from 1
     ("corner-not-smooth-1", "--mask [w,1-w,1-w,w] --arity 2 --for w=1/10..1/5 --upper 1",
      "exponent [w,1-w,1-w,w] 2 w=1/10..1/5; bounds - 1; sum-rules 1; stability; to 1/5; product 0 1 0 0; end"),
+    ("zero", "--matrices zero.mat --upper 0", "radius 1 1; bounds - 0; block 0 norm 2; end"),
     # more bits than are looked at
     ("huge-inverse", f"--matrices huge.mat --lower {9 * 10**94} --upper {HUGE}",
      f"radius 1 1; bounds {9 * 10**94} {HUGE}; product 0 {HUGE + 10**75} 0 0; inverse 400; column 0 {(1 << 400) // 10**75}; "
@@ -53,9 +55,11 @@ ACCEPTED = [
      "radius 1 3; bounds - -; exact |[-1,1]@1,0,1/10|^1/1; root 1 0 0 1 1; blocks 1 1 1; basis 1 0 0; basis 0 1 0; "
      "basis 0 0 1; inverse 1 0 0; inverse 0 1 0; inverse 0 0 1; block 0 norm 1; block 1 norm 1; block 2 polytope 1 0 0; "
      "vertex 1; unit 0 0:1; image 0 0 0:1; cycle 0 - 0; seed 1; end"),
-    # classes of three and of two coefficients; classes of one coefficient
+    # classes of the mask with different numbers of coefficients, the longest one the first; classes of one coefficient
     ("ternary-stable", "--mask [w,1,1,1-w] --arity 3 --for w=0..1/4",
      "exponent [w,1,1,1-w] 3 w=0..1/4; bounds - -; sum-rules 1; stability; end"),
+    ("ternary-stable-last", "--mask [w,1/3,1/2,1-2*w,2/3,1/2,w] --arity 3 --for w=0..1/10",
+     "exponent [w,1/3,1/2,1-2*w,2/3,1/2,w] 3 w=0..1/10; bounds - -; sum-rules 1; stability; end"),
     ("haar-quotient-stable", "--mask [1+w,1+w]/(1+w) --arity 2 --for w=0..1",
      "exponent [1+w,1+w]/(1+w) 2 w=0..1; bounds - -; sum-rules 1; stability; end"),
     ("haar-rounded-stable", "--mask [1,1] --arity 2 --within 1/100,1",
@@ -80,6 +84,7 @@ REJECTED = [
     ("upper-large", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 2 --upper 20001/2",
      "an exponent is negative or too large", []),
     ("lower-large", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 20001/2", "too large", []),
+    ("zero-negative", "zero", "--matrices zero.mat --upper -1", "the bound does not prove the claim", []),
     ("root-double", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[16,-8,1]@4,0,1|^1/1",
      "no zero is proved so near", [("exact 4-log|[-4,1]@4,0,1|^1/1\n", "exact 4-log|[16,-8,1]@4,0,1|^1/1\n")]),
     ("axis-seed", "axis-exact", "--matrices axis.mat --exact |[1,-3,2]@1,0,1/10|^1/1",

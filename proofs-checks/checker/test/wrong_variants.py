@@ -124,7 +124,9 @@ def main():
             subprocess.run(compile_line + ["-c", str(source), "-o", str(target)], capture_output=True).returncode == 0
         )
 
-    files = sorted(sources.glob("*.cpp"))
+    # all but main.cpp are run as many.cpp does, in one process
+    many = test / "many.cpp"
+    files = [*sorted(sources.glob("*.cpp")), many]
     objects = {file: build / (file.stem + ".o") for file in files}
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         if not all(pool.map(lambda file: object_of(file, objects[file]), files)):
@@ -137,16 +139,17 @@ def main():
         try:
             if not object_of(source, target):
                 return "does not compile"
-            others = [str(objects[f]) for f in files if f != file]
+            others = [str(objects[f]) for f in files if f not in (file, many if file.stem == "main" else sources / "main.cpp")]
             linked = subprocess.run([arguments.compiler, str(target), *others, "-o", str(program), *libraries])
             if linked.returncode != 0:
                 return "does not compile"
             for mode, folder in (("reject", "reject"), ("accept", "accept"), ("usage", "accept")):
-                limits = ["sh", "-c", 'ulimit -v 2000000; exec "$@"', "limited"]
+                limits = ["sh", "-c", 'ulimit -v 2000000 -t 60; exec "$@"', "limited"]
+                checker = [program] if file.stem == "main" else ["many", program]
                 run = subprocess.run(
-                    limits
-                    + [sys.executable, "-B", str(test / "run_corpus.py"), str(program), mode, str(test / folder)],
+                    [*limits, sys.executable, "-B", test / "run_corpus.py", *checker, mode, test / folder],
                     capture_output=True,
+                    env={**os.environ, "SUBCERT_FIRST_FAILURE": "1"},
                 )
                 if run.returncode != 0:
                     return "fails"

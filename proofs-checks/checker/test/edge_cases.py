@@ -10,12 +10,17 @@ SMOOTHED = "[-1,1,7,9,9,7,1,-1]/16@-3"
 TRAPEZOID = "--surface [1,1,0,1,1]/2@0 --dilation [2]"
 HAT = "--surface [1,2,1]/2@-1 --dilation [2]"
 PRIME = 4294967291
+# rows of a form for which the last pivot of Lemma 17 is 0, or 1
+MARGIN, FIRST, MIDDLE = 2 * 2**128 + 2, 2**255 + 12345, 10**70
+LAST = MARGIN + (MIDDLE // math.isqrt(FIRST - MARGIN)) ** 2
 
 # name, rows of its matrices
 MATRICES = [
     ("axis.mat", [[["1", "1"], ["0", "1/2"]]]),
     ("huge.mat", [[[HUGE]]]),
     ("zero.mat", [[["0"]]]),
+    ("one.mat", [[["1"]]]),
+    ("ones.mat", [[["1", "0"], ["0", "1"]]]),
     ("small.mat", [[["1/2000"]]]),
     ("unit.mat", [[["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]]),
 ]
@@ -45,6 +50,11 @@ ACCEPTED = [
     ("corner-not-smooth-1", "--mask [w,1-w,1-w,w] --arity 2 --for w=1/10..1/5 --upper 1",
      "exponent [w,1-w,1-w,w] 2 w=1/10..1/5; bounds - 1; sum-rules 1; stability; to 1/5; product 0 1 0 0; end"),
     ("zero", "--matrices zero.mat --upper 0", "radius 1 1; bounds - 0; block 0 norm 2; end"),
+    # units and images with large residuals
+    ("unit-short", "--matrices one.mat --upper 5/2",
+     "radius 1 1; bounds - 5/2; block 0 polytope 1 2 0; vertex 5; unit 0 0:1; image 0 0; end"),
+    ("unit-long", "--matrices ones.mat --upper 9/8", "radius 1 2; bounds - 9/8; block 0 polytope 2 3 0; vertex 8 0; vertex 0 1; "
+     "unit 0 0:1; unit 1 1:8; image 0 0 0:1; image 1 0; end"),
     ("small", "--matrices small.mat --lower 0 --upper 1/2000",
      "radius 1 1; bounds 0 1/2000; product 0 1/2000 0 0; block 0 norm 1; end"),
     # more bits than are looked at
@@ -74,6 +84,8 @@ ACCEPTED = [
 # name, accepted case that is changed, other options or None, changes of its text
 CHANGED = [
     ("reduced-exact-rough", "reduced-exact", f"--mask {SMOOTHED} --arity 2 --upper C4", [("sum-rules 4\n", "sum-rules 4 full\n")]),
+    ("golden-group-word", "golden-group", None, [("unit 0 ", f"unit 0 0{16 * 'A'}:0 ")]),
+    ("golden-nonnegative-weight-0", "golden-nonnegative", None, [("unit 0 ", "unit 0 0:0 ")]),
     ("golden-weight-0", "golden", None, [("unit 0 ", "unit 0 0:0 ")]),
     ("golden-quadratic-large", "golden-quadratic", None, [("form 1\n", f"form {LARGE}\n"), ("form 0 1\n", f"form 0 {LARGE}\n")]),
     ("golden-minus", "golden", None, [("polytope 4 64 64\n", "polytope 4 64 64 group:1\ngenerator 0 1\nmap -1 0\nmap 0 -1\n")]),
@@ -87,6 +99,14 @@ REJECTED = [
      "an exponent is negative or too large", []),
     ("lower-large", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 20001/2", "too large", []),
     ("zero-negative", "zero", "--matrices zero.mat --upper -1", "the bound does not prove the claim", []),
+    ("index-high", "golden", None, "number outside 0..3", [("image 3 1 2:", "image 3 1 4:")]),
+    ("section-word", "golden", None, ", line 5", [("block 0 polytope", "block 0 polygon")]),
+    # a residual times the norm of unit vectors, which is 4/3; and 8
+    ("unit-norm", "unit-short", "--matrices one.mat --upper 5/4", "the bound does not prove the claim", []),
+    ("unit-norm-largest", "unit-long", "--matrices ones.mat --upper 1", "the bound does not prove the claim", []),
+    *((f"quadratic-pivot-{last}", "golden-quadratic", None, reason, [("form 1\n", f"form {FIRST}\n"),
+                                                                   ("form 0 1\n", f"form {MIDDLE} {LAST + last}\n")])
+      for last, reason in ((0, "the form is not positive definite"), (1, "a product is not below the bound in the quadratic form"))),
     ("root-double", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[16,-8,1]@4,0,1|^1/1",
      "no zero is proved so near", [("exact 4-log|[-4,1]@4,0,1|^1/1\n", "exact 4-log|[16,-8,1]@4,0,1|^1/1\n")]),
     ("axis-seed", "axis-exact", "--matrices axis.mat --exact |[1,-3,2]@1,0,1/10|^1/1",

@@ -52,7 +52,15 @@ CLICKS = """
 })();
 """
 
-with tempfile.TemporaryDirectory() as folder:
+# no page but the one that is given, and nothing from elsewhere
+FIREFOX = """user_pref("browser.aboutwelcome.enabled", false);
+user_pref("browser.shell.checkDefaultBrowser", false);
+user_pref("datareporting.policy.dataSubmissionEnabled", false);
+user_pref("termsofuse.bypassNotification", true);
+user_pref("app.update.enabled", false);
+"""
+
+with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
     page = Path(folder) / "page"
     subprocess.run([subcert, "reproduce", "dyn-2015", "--only", "exponents", "--out", page], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -62,8 +70,14 @@ with tempfile.TemporaryDirectory() as folder:
     threading.Thread(target=server.serve_forever, daemon=True).start()
     clicks = CLICKS.replace("PORT", str(server.server_port))
     index.write_text(text.replace("</body>", f"<script>{clicks}</script></body>"))
-    process = subprocess.Popen([browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/profile",
-                                index.as_uri()], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    profile = Path(folder) / "profile"
+    profile.mkdir()
+    options = ["--no-sandbox", "--disable-gpu", f"--user-data-dir={profile}"]
+    if "firefox" in Path(browser).name:
+        options = ["--no-remote", "--profile", profile]
+        (profile / "user.js").write_text(FIREFOX)
+    process = subprocess.Popen([browser, "--headless", *options, index.as_uri()], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
     try:
         in_time = arrived.wait(240)
     finally:

@@ -35,7 +35,6 @@ mpq_class power(const mpq_class& base, std::size_t exponent) {
 mpq_class power_lower(unsigned base, const mpq_class& exponent) {
   constexpr std::size_t precision = 320, steps = 128;
   const mpz_class whole = exponent.get_num() / exponent.get_den(), one = mpz_class(1) << precision;
-  require(exponent >= 0 && whole <= 10000, "an exponent is negative or too large");
   mpq_class rest = exponent - whole;
   mpz_class result = one, root = base * one;
   for (std::size_t i = 0; i < steps && rest > 0; ++i) {  // base^(exponent - whole) >= result / one * (root / one)^rest

@@ -19,6 +19,7 @@
 namespace subcert_check {
 namespace {
 
+constexpr unsigned most_exponent = 10'000;
 constexpr const char* not_attained = "no block attains the exact radius";
 
 /// |ROOT|^1/L, or M-log|ROOT|^1/L for an exponent; the radius and M.
@@ -163,6 +164,7 @@ class Checker {
     const bool of_values = claim_.dilation && reader_.at("differences");
     const Fields order = reader_.take(of_values ? "differences" : "sum-rules", 1, claim_.arity != 0 ? 2 : 1);
     const std::size_t sum_rules = sum_rules_ = parse_size(order[0], 1, 500);
+    const bool full = order.size() > 1, is_word_full = full && order[1] == "full";
     if (claim_.dilation) {
       show_exponent(classes(*claim_.dilation), 1, sum_rules);
       require(!of_values || !claim_.lower || *claim_.lower <= mpz_class(sum_rules),
@@ -191,13 +193,13 @@ class Checker {
       entry_error_ = entry_error(mask, claim_.arity, *claim_.rounding);
     }
     const Family family = transition_family(mask, claim_.arity, sum_rules);
-    if (order.size() > 1) {
-      require(order[1] == "full" && !claim_.rounding, "expected 'sum-rules M', or 'sum-rules M full' of one mask");
+    if (full) {
+      require(is_word_full && !claim_.rounding, "expected 'sum-rules M', or 'sum-rules M full' of one mask");
       check_full_sum_rules(family, mask.powers - 1, claim_.range.value_or(Range{}), arithmetic_);
-      const mpz_class full = sum_rules;
-      if (claim_.upper && (claim_.range ? *claim_.upper > full : *claim_.upper >= full)) lower_.reset();
+      const mpz_class end = sum_rules;
+      if (claim_.upper && (claim_.range ? *claim_.upper > end : *claim_.upper >= end)) lower_.reset();
     }
-    require(!claim_.rough || (order.size() > 1 && *claim_.rough >= sum_rules),
+    require(!claim_.rough || (full && *claim_.rough >= sum_rules),
             "less smoothness than that needs the full number of sum rules, and no more of them");
     return family;
   }
@@ -210,11 +212,14 @@ class Checker {
     if (claim_.lower) {
       const mpq_class& lower = *claim_.lower;
       require(lower > 0 || (claim_.range && lower == 0), "the lower end of an exponent must be positive");
-      require(lower <= 10000, "the lower end of an exponent is too large");
+      require(lower <= most_exponent, "the lower end of an exponent is too large");
       const mpz_class whole = lower.get_num() / lower.get_den() + 1;
       upper_ = factor * power_lower(base, whole - lower) / power(base, whole.get_ui());
     }
-    if (claim_.upper) lower_ = factor / power_lower(base, *claim_.upper);
+    if (claim_.upper) {
+      require(*claim_.upper >= 0 && *claim_.upper <= most_exponent, "an exponent is negative or too large");
+      lower_ = factor / power_lower(base, *claim_.upper);
+    }
   }
 
   /// The radius is below that of no exponent and above that of as many derivatives as there are sum rules.

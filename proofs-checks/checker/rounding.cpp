@@ -11,7 +11,6 @@ constexpr std::size_t max_power_bits = 1UL << 28;
 
 /// At least x >= 0, with few digits.
 mpq_class rounded_up(const mpq_class& x) {
-  if (x == 0) return x;
   const long shift = static_cast<long>(bits(x.get_num())) - static_cast<long>(bits(x.get_den())) - kept_bits;
   const mpz_class top = shift < 0 ? mpz_class(x.get_num() << -shift) : x.get_num(),
                   bottom = shift > 0 ? mpz_class(x.get_den() << shift) : x.get_den();

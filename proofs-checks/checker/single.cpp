@@ -108,7 +108,7 @@ class Recurrence {
     Vector sum(size), power(size);
     power[0] = 1;
     numerator_.resize(degree);
-    for (std::size_t k = 0; k <= degree; ++k) {
+    for (std::size_t k = 0;; ++k) {
       const mpz_class factor = times(polynomial_[k], scales[degree - k], arithmetic);
       for (std::size_t i = 0; i < size; ++i) arithmetic.add_product(sum[i], factor, power[i]);
       if (k == degree) break;

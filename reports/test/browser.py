@@ -2,6 +2,7 @@
 this machine."""
 import http.server
 import json
+import os
 import subprocess
 import tempfile
 import threading
@@ -19,6 +20,14 @@ class Receiver(http.server.BaseHTTPRequestHandler):
         pass
 
 
+# of a profile: no page but the one that is given, and nothing from elsewhere
+FIREFOX = """user_pref("browser.aboutwelcome.enabled", false);
+user_pref("browser.shell.checkDefaultBrowser", false);
+user_pref("datareporting.policy.dataSubmissionEnabled", false);
+user_pref("termsofuse.bypassNotification", true);
+user_pref("app.update.enabled", false);
+user_pref("layout.css.prefers-color-scheme.content-override", {scheme});
+"""
 LEAST_WINDOW = 500  # pixels; narrower ones are frames inside
 
 # Before any script of the page: what goes wrong is kept.
@@ -59,10 +68,16 @@ addEventListener('load', async () => {{
         frame.write_text(f"<iframe src='{changed.name}{link}' width={size[0]} height={size[1]} style='border:0'></iframe>",
                          encoding="utf-8")
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
-        process = subprocess.Popen(
-            [browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={profile}",
-             f"--window-size={size[0]},{size[1]}", f"--blink-settings=preferredColorScheme={0 if dark else 1}",
-             opened.resolve().as_uri() + link], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        options, scheme, environment = [], 0 if dark else 1, dict(os.environ)
+        if "firefox" in Path(browser).name:
+            options = ["--no-remote", "--profile", profile]
+            (Path(profile) / "user.js").write_text(FIREFOX.format(scheme=scheme), encoding="utf-8")
+            environment.update(MOZ_HEADLESS_WIDTH=str(size[0]), MOZ_HEADLESS_HEIGHT=str(size[1]))
+        else:
+            options = ["--no-sandbox", "--disable-gpu", f"--user-data-dir={profile}", f"--window-size={size[0]},{size[1]}",
+                       f"--blink-settings=preferredColorScheme={scheme}"]
+        process = subprocess.Popen([browser, "--headless", *options, opened.resolve().as_uri() + link], env=environment,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             server.arrived.wait(seconds)
         finally:

@@ -5,6 +5,7 @@ Usage: agree.py SUBCERT_CHECK_MANY NODE MAIN_JS ACCEPT_DIRECTORY MUTANTS [SEED]"
 import json
 import os
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -68,7 +69,7 @@ def change_field(field):
 
 def scale(lines, keyword, factor):
     def scaled(text):
-        return str(int(Fraction(text) * factor)) if text.lstrip("-").isdigit() and len(text) < 4000 else text
+        return str(int(Fraction(text) * factor)) if re.fullmatch("-?[0-9]{1,4000}", text) else text
 
     for i, line in enumerate(lines):
         words = line.split()

@@ -13,6 +13,7 @@ import sys
 from fractions import Fraction as Q
 from pathlib import Path
 
+import edge_cases
 import make_surfaces
 import single_cases
 
@@ -334,6 +335,30 @@ def level(mask, m, low, high, bound):
     return found
 
 
+def opposite(lines, vertex):
+    """The lines of a real section with the opposite of a vertex in its place."""
+    place = [i for i, line in enumerate(lines) if line.startswith("vertex")][vertex]
+    result = []
+    for i, line in enumerate(lines):
+        words = line.split(" ")
+        negated = words[0] == "image" and words[1] == str(vertex)
+        for k, word in enumerate(words[1:], 1):
+            index, colon, weight = word.rpartition(":")
+            if i == place or (colon and (index == str(vertex)) != negated):
+                words[k] = f"{index}{colon}{-int(weight)}"
+        result.append(" ".join(words))
+    return result
+
+
+def edited(lines, edits):
+    """The lines after replacements, each of which is made once."""
+    whole = "\n".join(lines) + "\n"
+    for old, new in edits:
+        assert old in whole, old
+        whole = whole.replace(old, new, 1)
+    return whole.split("\n")[:-1]
+
+
 def text(mask):
     return "[" + ",".join(map(str, mask)) + "]"
 
@@ -623,6 +648,18 @@ def main(out):
         case = options.split()
         body = lines.split("; ") if lines else body
         write(name, (case, ["subcert-certificate 3", f"exponent {case[1]} {case[3]}", *body]))
+    for name, family in edge_cases.MATRICES:
+        write_matrices(name, family)
+    for name, options, lines in edge_cases.ACCEPTED:
+        write(name, (options.split(), ["subcert-certificate 3", *lines.split("; ")]))
+    for name, base, options, edits in edge_cases.CHANGED:
+        write(name, (options.split() if options else made[base][0], edited(made[base][1], edits)))
+    write("slow-exact-opposite", (made["slow-exact"][0], opposite(made["slow-exact"][1], 1)))
+    # the same vertices for a cone
+    cone = {"unit 0": f"2:{ONE}", "unit 1": f"3:{2 * ONE}", "image 3 1": f"3:{23 * ONE // 18}", "image 4 0": f"4:{23 * ONE // 18}"}
+    lines = [next((f"{head} {terms}" for head, terms in cone.items() if line.startswith(f"{head} ")), line) for line in plain[1]]
+    lines = [f"{line} nonnegative" if line.startswith("block") else line for line in lines]
+    write("slow-cone-exact", exactly((plain[0], lines), slow, "", [81, -270, 100], "47/20", "1/10", [(0, "-", [1, 0], [1, 0])]))
     (out / "claims.txt").write_text("\n".join(cases) + "\n")
 
 

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Runs a checker on the corpus and on wrong command lines. Usage: run_corpus.py CHECKER... accept|reject|usage DIRECTORY
-Where CHECKER is several words it is started once, with --many: a command line in, a result out, as lists of JSON."""
+Where CHECKER is several words it is started once, with --many: a command line in, a result out, as lists of JSON. Where it is
+`many PROGRAM`, that is made of many.cpp. With SUBCERT_FIRST_FAILURE in the environment the first failure ends the run."""
 import json
+import os
 import subprocess
 import sys
 import tempfile
@@ -11,11 +13,18 @@ from pathlib import Path
 checker, mode, directory = sys.argv[1:-2], sys.argv[-2], Path(sys.argv[-1])
 failures = []
 server = None
-if len(checker) > 1:
+if checker[0] == "many":
+    server = subprocess.Popen(checker[1:], cwd=directory, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+elif len(checker) > 1:
     server = subprocess.Popen([*checker, "--many"], cwd=directory, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
 def run(arguments):
+    if checker[0] == "many":
+        server.stdin.write(b"".join(word.encode() + b"\0" for word in [str(len(arguments)), *arguments]))
+        server.stdin.flush()
+        code, _, line = server.stdout.readline().decode("latin-1").partition(" ")
+        return (int(code or -1), line.strip(), "") if code in ("", "0", "1") else (int(code), "", line.strip())
     if server:
         server.stdin.write(json.dumps(arguments) + "\n")
         server.stdin.flush()
@@ -28,6 +37,8 @@ def run(arguments):
 def expect(name, condition, result):
     if not condition:
         failures.append(f"{name}: {result}")
+        if "SUBCERT_FIRST_FAILURE" in os.environ:
+            sys.exit(failures[0])
 
 
 count = 0
@@ -94,6 +105,13 @@ if mode == "usage":
             (64, "--surface [[[[1,1],[1,1]]]] --dilation [2] --lower 1 golden.cert"),
             (64, "--surface 1,2,1 --dilation [2] --lower 1 golden.cert"),
             (64, "--surface [1,2,1]]/2 --dilation [2] --lower 1 golden.cert"),
+            (64, "--mask [1 --arity 2 --lower 1 golden.cert"), (64, "--mask [1,1]x --arity 2 --lower 1 golden.cert"),
+            (64, "--mask [1,0] --arity 2 --lower 1 golden.cert"), (64, "--mask [[1,1],[1,1]] --arity 2 --lower 1 golden.cert"),
+            (64, f"--mask [{'1,' * 1000}1] --arity 2 --lower 1 golden.cert"),
+            (64, "--mask [1,1] --arity 2 --for {=0..1 golden.cert"), (64, "--mask [1,1] --arity 2 --for _=0..1 golden.cert"),
+            (64, "--surface [1,1] --dilation 2 --lower 1 golden.cert"),
+            (64, "--surface [1,1] --dilation [2;2;2;2] --lower 1 golden.cert"),
+            (64, f"--matrices golden.mat --exact |[{'1,' * 257}1]@1,0,1|^1/1 golden.cert"),
             (65, f"--matrices {more} --upper 2 golden.cert"), (65, f"--matrices {many} --upper 2 golden.cert"),
             (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
             (66, f"{golden} none.cert"), (66, f"{golden} ."), (0, "--help"), (0, f"{golden} golden.cert")]:

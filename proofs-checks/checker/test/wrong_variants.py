@@ -3,9 +3,10 @@
 
     wrong_variants.py COMPILER GMP_FLAGS BUILD [--checks] [--only REGEX] [--list]
 
-A variant drops one check, or changes one comparison, rounding, end or sign. It is compiled, and run on the corpus until
-an outcome is wrong. Variants that no file can tell from the checker stand in `same.txt`, each with its reason. Prints the
-variants that survive; exit code 1 if there are any, or if a line of `same.txt` fits none."""
+A variant drops one check, or changes one comparison, condition, rounding, end or sign. All are compiled into one program,
+where a number in the environment chooses one; it is run on the corpus until an outcome is wrong. Variants that no file can
+tell from the checker stand in `same.txt`, each with its reason. Prints the variants that survive; exit code 1 if there are
+any, or if a line of `same.txt` fits none."""
 import argparse
 import concurrent.futures
 import os
@@ -18,41 +19,83 @@ from pathlib import Path
 test = Path(__file__).resolve().parent
 sources = test.parent
 
-# What is replaced by what, everywhere it occurs in code: a wrong comparison, end, rounding or sign.
+# What is looked for, what stands in its place, and what the variant does. `a < b` becomes `(a < Less) < b` and so on, which
+# keeps the order of evaluation; `a && b` becomes `(a && Right) && b`.
 CHANGES = [
-    (r" <= ", " < "),
-    (r" >= ", " > "),
-    (r"(?<!operator) < (?!=)", " <= "),
-    (r" > (?!=)", " >= "),
-    (r" == ", " != "),
-    (r" && ", " || "),
-    (r" \+ 1\b", ""),
-    (r" - 1\b", ""),
-    (r"mpz_cdiv_q\b", "mpz_fdiv_q"),
-    (r"mpz_fdiv_q\b", "mpz_cdiv_q"),
-    (r"std::max\(", "std::min("),
-    (r"max_element", "min_element"),
-    (r"\babs\(", "mpz_class("),
-    (r" \+= ", " -= "),
+    (r" <= ", " <= wrong::AtMost{%d} <= ", "<= -> <"),
+    (r" >= ", " >= wrong::AtLeast{%d} >= ", ">= -> >"),
+    (r"(?<!operator) < (?!=)", " < wrong::Less{%d} < ", "< -> <="),
+    (r" > (?!=)", " > wrong::Greater{%d} > ", "> -> >="),
+    (r" == ", " == wrong::Equal{%d} == ", "== -> !="),
+    (r" != ", " != wrong::Unequal{%d} != ", "!= -> =="),
+    (r" && ", " && wrong::Right{%d} && ", "&& -> the right side alone"),
+    (r" \+ 1\b", " + wrong::one(%d)", "+ 1 -> nothing"),
+    (r" - 1\b", " - wrong::one(%d)", "- 1 -> nothing"),
+    (r"mpz_cdiv_q\b", "(wrong::on(%d) ? mpz_fdiv_q : mpz_cdiv_q)", "mpz_cdiv_q -> mpz_fdiv_q"),
+    (r"mpz_fdiv_q\b", "(wrong::on(%d) ? mpz_cdiv_q : mpz_fdiv_q)", "mpz_fdiv_q -> mpz_cdiv_q"),
+    (r"std::max\(", "wrong::Max{%d}(", "max -> min"),
+    (r"std::min\(", "wrong::Min{%d}(", "min -> max"),
+    (r"std::max_element\(", "wrong::MaxElement{%d}(", "max_element -> min_element"),
+    (r"(?<![:\w])abs\(", "wrong::Abs{%d}(", "abs -> nothing"),
+    (r" \+= ", " += wrong::Sum{%d} += ", "+= -> -="),
 ]
+CHECK = "(wrong::on(%d) ? wrong::ignore : require)("
 
-
-def statement_end(text, begin):
-    """Where the parenthesis that opens at `begin` closes."""
-    depth, quoted = 0, None
-    for i in range(begin, len(text)):
-        c = text[i]
-        if quoted:
-            quoted = None if c == quoted and text[i - 1] != "\\" else quoted
-        elif c in "\"'":
-            quoted = c
-        elif c == "(":
-            depth += 1
-        elif c == ")":
-            depth -= 1
-            if depth == 0:
-                return i
-    raise ValueError("no closing parenthesis")
+HEADER = """
+#pragma once
+#include <gmpxx.h>
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <type_traits>
+namespace wrong {
+inline bool on(int id) {
+  static const int number = std::getenv("WRONG_VARIANT") ? std::atoi(std::getenv("WRONG_VARIANT")) : 0;
+  return number == id;
+}
+inline int one(int id) { return on(id) ? 0 : 1; }
+inline void ignore(bool, std::string_view) {}
+#define COMPARISON(Name, right, other)                                                                             \\
+  struct Name { int id; };                                                                                         \\
+  template <class T> struct Name##Of { const T& left; int id; };                                                   \\
+  template <class T> Name##Of<T> operator right(const T& left, Name mark) { return {left, mark.id}; }              \\
+  template <class T, class U> bool operator right(const Name##Of<T>& x, const U& y) {                              \\
+    return on(x.id) ? x.left other y : x.left right y;                                                             \\
+  }
+COMPARISON(AtMost, <=, <)
+COMPARISON(AtLeast, >=, >)
+COMPARISON(Less, <, <=)
+COMPARISON(Greater, >, >=)
+COMPARISON(Equal, ==, !=)
+COMPARISON(Unequal, !=, ==)
+struct Right { int id; };
+struct RightOf { bool left; explicit operator bool() const { return left; } };
+template <class T> RightOf operator&&(const T& left, Right mark) { return {static_cast<bool>(left) || on(mark.id)}; }
+struct Max {
+  int id;
+  template <class T> T operator()(const T& x, const T& y) const { return on(id) ? std::min(x, y) : std::max(x, y); }
+};
+struct Min {
+  int id;
+  template <class T> T operator()(const T& x, const T& y) const { return on(id) ? std::max(x, y) : std::min(x, y); }
+};
+struct MaxElement {
+  int id;
+  template <class T> T operator()(T x, T y) const { return on(id) ? std::min_element(x, y) : std::max_element(x, y); }
+};
+struct Abs {
+  int id;
+  template <class U> mpz_class operator()(const __gmp_expr<mpz_t, U>& x) const { return on(id) ? mpz_class(x) : mpz_class(abs(x)); }
+  template <class U> mpq_class operator()(const __gmp_expr<mpq_t, U>& x) const { return on(id) ? mpq_class(x) : mpq_class(abs(x)); }
+};
+struct Sum {
+  int id;
+  template <class U> mpz_class operator+=(const __gmp_expr<mpz_t, U>& x) const { return on(id) ? mpz_class(-x) : mpz_class(x); }
+  template <class U> mpq_class operator+=(const __gmp_expr<mpq_t, U>& x) const { return on(id) ? mpq_class(-x) : mpq_class(x); }
+  template <class T> requires(std::is_arithmetic_v<T>) T operator+=(T x) const { return static_cast<T>(on(id) ? -x : x); }
+};
+}  // namespace wrong
+"""
 
 
 def is_code(text, at):
@@ -65,38 +108,30 @@ def is_code(text, at):
 
 
 def variants(checks_only):
-    """(name, file, changed text) for every variant; the name is file, place in its function and change."""
+    """(name, file, begin, end, text) for every variant: what stands in place of a part of a file, with a place for the number;
+    the name is file, change with its column, and line."""
     for file in sorted(sources.glob("*.cpp")):
         text = file.read_text()
 
-        def variant(begin, end, new, what):
-            line = text[text.rfind("\n", 0, begin) + 1 : text.find("\n", begin)].strip()
-            return f"{file.name}: {what} in: {line}", file, text[:begin] + new + text[end:]
+        def variant(match, new, what):
+            line = text[text.rfind("\n", 0, match.start()) + 1 : text.find("\n", match.start())].strip()
+            return f"{file.name}: {what} in: {line}", file, match.start(), match.end(), new
 
         for match in re.finditer(r"\brequire\(", text):
-            if "void require" in text[match.start() - 5 : match.end()] or not is_code(text, match.start()):
-                continue
-            end = statement_end(text, match.end() - 1)
-            inside = text[match.end() : end]
-            yield variant(match.start(), end + 1, "static_cast<void>(" + first_argument(inside) + ")", "no check")
-        if checks_only:
-            continue
-        for old, new in CHANGES:
+            if "void require" not in text[match.start() - 5 : match.end()] and is_code(text, match.start()):
+                yield variant(match, CHECK, "no check")
+        for old, new, what in CHANGES if not checks_only else []:
             for match in re.finditer(old, text):
                 if is_code(text, match.start()):
-                    what = f"{match.group().strip()} -> {new.strip() or 'nothing'}"
-                    column = match.start() - text.rfind("\n", 0, match.start())
-                    yield variant(match.start(), match.end(), new, f"{what} at {column}")
+                    yield variant(match, new, f"{what} at {match.start() - text.rfind(chr(10), 0, match.start())}")
 
 
-def first_argument(inside):
-    depth = 0
-    for i, c in enumerate(inside):
-        depth += c in "([{"
-        depth -= c in ")]}"
-        if c == "," and depth == 0:
-            return inside[:i]
-    return inside
+def with_variants(file, numbered):
+    """The text of a file with those of the numbered variants that are in it."""
+    text = file.read_text()
+    for number, (_, _, begin, end, new) in sorted(numbered.items(), key=lambda item: -item[1][2]):
+        text = text[:begin] + new % number + text[end:]
+    return text
 
 
 def main():
@@ -105,61 +140,72 @@ def main():
     parser.add_argument("flags", help="of GMP, as one argument")
     parser.add_argument("build", type=Path)
     parser.add_argument("--only", default="", help="variants whose name this matches")
-    parser.add_argument("--checks", action="store_true", help="only dropped checks, some five minutes on two cores")
+    parser.add_argument("--checks", action="store_true", help="only dropped checks")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--list", action="store_true")
     arguments = parser.parse_args()
-    chosen = [v for v in variants(arguments.checks) if re.search(arguments.only, v[0])]
+    chosen = {n: v for n, v in enumerate(variants(arguments.checks), 1) if re.search(arguments.only, v[0])}
     if arguments.list:
-        print("\n".join(name for name, _, _ in chosen))
+        print("\n".join(name for name, *_ in chosen.values()))
         return 0
     build = arguments.build.resolve()
     build.mkdir(parents=True, exist_ok=True)
+    (build / "wrong.hpp").write_text(HEADER)
     flags = shlex.split(arguments.flags)
     libraries = [flag for flag in flags if not flag.startswith("-I")]
-    compile_line = [arguments.compiler, "-std=c++20", "-O1", "-w", f"-I{sources}", *(set(flags) - set(libraries))]
+    compile_line = [arguments.compiler, "-std=c++20", "-O1", "-w", f"-I{sources}", "-include", build / "wrong.hpp"]
+    compile_line += [flag for flag in flags if flag.startswith("-I")]
 
-    def object_of(source, target):
-        return (
-            subprocess.run(compile_line + ["-c", str(source), "-o", str(target)], capture_output=True).returncode == 0
-        )
+    def compiled(file):
+        """The numbers of the variants that do not compile."""
+        numbered, dropped = {n: v for n, v in chosen.items() if v[1] == file}, []
+        source = build / file.name
+        while True:
+            source.write_text(with_variants(file, numbered))
+            line = [*compile_line, "-c", source, "-o", source.with_suffix(".o")]
+            done = subprocess.run(line, capture_output=True, text=True, check=False)
+            if done.returncode == 0:
+                return dropped
+            lines = {int(n) for n in re.findall(rf"{re.escape(str(source))}:(\d+):\d+:", done.stderr)}
+            bad = [n for n, v in numbered.items() if file.read_text()[: v[2]].count("\n") + 1 in lines and v[4] != CHECK]
+            if not bad:
+                sys.exit(f"{file.name} does not compile\n{done.stderr}")
+            dropped += bad
+            for n in bad:
+                del numbered[n]
 
     files = sorted(sources.glob("*.cpp"))
-    objects = {file: build / (file.stem + ".o") for file in files}
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        if not all(pool.map(lambda file: object_of(file, objects[file]), files)):
-            sys.exit("the checker does not compile")
+        dropped = set(sum(pool.map(compiled, [*files, test / "many.cpp"]), []))
+    objects = [build / f"{file.stem}.o" for file in files if file.stem != "main"]
+    for program in ("main", "many"):
+        link = [arguments.compiler, build / f"{program}.o", *objects, "-o", build / program, *libraries]
+        subprocess.run(link, check=True)
 
-    def outcome(job):
-        index, (name, file, text) = job
-        source, target, program = (build / f"v{index}{suffix}" for suffix in (".cpp", ".o", ""))
-        source.write_text(text)
-        try:
-            if not object_of(source, target):
-                return "does not compile"
-            others = [str(objects[f]) for f in files if f != file]
-            linked = subprocess.run([arguments.compiler, str(target), *others, "-o", str(program), *libraries])
-            if linked.returncode != 0:
-                return "does not compile"
-            for mode, folder in (("reject", "reject"), ("accept", "accept"), ("usage", "accept")):
-                limits = ["sh", "-c", 'ulimit -v 2000000; exec "$@"', "limited"]
-                run = subprocess.run(
-                    limits
-                    + [sys.executable, "-B", str(test / "run_corpus.py"), str(program), mode, str(test / folder)],
-                    capture_output=True,
-                )
-                if run.returncode != 0:
-                    return "fails"
-            return "survives"
-        finally:
-            for path in (source, target, program):
-                path.unlink(missing_ok=True)
+    def outcome(numbered):
+        number, (_, file, *_) = numbered
+        if number in dropped:
+            return "do not compile"
+        for mode, folder in (("accept", "accept"), ("usage", "accept"), ("reject", "reject")):
+            limits = ["sh", "-c", 'ulimit -v 2000000 -t 60; exec "$@"', "limited"]
+            checker = [build / "main"] if file.stem == "main" else ["many", build / "many"]
+            run = subprocess.run(
+                [*limits, sys.executable, "-B", test / "run_corpus.py", *checker, mode, test / folder],
+                capture_output=True,
+                check=False,
+                env={**os.environ, "SUBCERT_FIRST_FAILURE": "1", "WRONG_VARIANT": str(number)},
+            )
+            if run.returncode != 0:
+                return "fail"
+        return "survive"
 
+    if outcome((0, (None, test / "many.cpp"))) != "survive":
+        sys.exit("the checker itself fails")
     counts, survivors = {}, []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        for (name, _, _), result in zip(chosen, pool.map(outcome, enumerate(chosen))):
+        for (name, *_), result in zip(chosen.values(), pool.map(outcome, chosen.items())):
             counts[result] = counts.get(result, 0) + 1
-            if result == "survives":
+            if result == "survive":
                 survivors.append(name)
                 print(name, flush=True)
     known = [line.split(" # ")[0] for line in (test / "same.txt").read_text().splitlines() if " # " in line]

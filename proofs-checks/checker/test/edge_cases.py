@@ -1,0 +1,145 @@
+"""Cases for sides of conditions that the other cases do not take."""
+import math
+
+PHI, ONE = 29847458893032750104, 1 << 64  # the golden ratio and 1, times 2^64
+LARGE = 10**80
+ROOT = math.isqrt(3 * 10**220)
+LONG = f"[{10**110 + ROOT},{3 * 10**110 + ROOT},{3 * 10**110 - ROOT},{10**110 - ROOT}]/{4 * 10**110}"  # Daubechies
+HUGE = f"{10**95 + 1}/{10**95}"
+SMOOTHED = "[-1,1,7,9,9,7,1,-1]/16@-3"
+TRAPEZOID = "--surface [1,1,0,1,1]/2@0 --dilation [2]"
+HAT = "--surface [1,2,1]/2@-1 --dilation [2]"
+PRIME = 4294967291
+# rows of a form for which the last pivot of Lemma 17 is 0, or 1
+MARGIN, FIRST, MIDDLE = 2 * 2**128 + 2, 2**255 + 12345, 10**70
+LAST = MARGIN + (MIDDLE // math.isqrt(FIRST - MARGIN)) ** 2
+
+# name, rows of its matrices
+MATRICES = [
+    ("axis.mat", [[["1", "1"], ["0", "1/2"]]]),
+    ("huge.mat", [[[HUGE]]]),
+    ("zero.mat", [[["0"]]]),
+    ("one.mat", [[["1"]]]),
+    ("ones.mat", [[["1", "0"], ["0", "1"]]]),
+    ("small.mat", [[["1/2000"]]]),
+    ("unit.mat", [[["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]]),
+]
+
+# name, options of the claim, and the lines after the first one
+ACCEPTED = [
+    # the word `full` where no line `stability` follows
+    ("hat-full-lower", "--mask [1,2,1]/2@-1 --arity 2 --lower 1",
+     "exponent [1,2,1]/2@-1 2; bounds 1 -; sum-rules 2 full; block 0 norm 1; end"),
+    # a coordinate of the eigenvector of a cone is 0
+    ("axis-exact", "--matrices axis.mat --exact |[-1,1]@1,0,1/10|^1/1",
+     "radius 1 2; bounds - -; exact |[-1,1]@1,0,1/10|^1/1; root 1 0 0 1 1; block 0 polytope 2 2 2 nonnegative; vertex 4 0; "
+     "vertex 0 1; unit 0 0:4; unit 1 1:16; image 0 0 0:4; image 1 0 0:1 1:2; cycle 0 - 0; seed 1 0; end"),
+    ("trapezoid-exact", f"{TRAPEZOID} --exact 0-log|[-1,2]@1/2,0,1/10|^1/1",
+     "surface [1,1,0,1,1]/2@0 [2]; bounds - -; exact 0-log|[-1,2]@1/2,0,1/10|^1/1; root 1/2 0 0 1/2 1/2; differences 2; "
+     "digits 0 1; values 1:1 2:1 3:1; space 1; vector 0:1 1:-1 3:-1 4:1; block 0 polytope 1 0 1; vertex 1; unit 0 0:2; "
+     "image 0 0 0:1; image 0 1; cycle 0 - 0; seed 1; end"),
+    ("trapezoid-lower", f"{TRAPEZOID} --lower 1",
+     "surface [1,1,0,1,1]/2@0 [2]; bounds 1 -; differences 2; digits 0 1; values 1:1 2:1 3:1; space 1; "
+     "vector 0:1 1:-1 3:-1 4:1; block 0 norm 1; end"),
+    ("hat-lower", f"{HAT} --lower 1", "surface [1,2,1]/2@-1 [2]; bounds 1 -; sum-rules 2; digits 0 1; space 1; "
+     "vector -1:1 0:-2 1:1; block 0 norm 1; end"),
+    # what a certificate has is checked, with numbers of more bits than are looked at
+    ("hat-lower-gram", f"{HAT} --lower 1", "surface [1,2,1]/2@-1 [2]; bounds 1 -; sum-rules 2; digits 0 1; space 1; "
+     f"vector -1:1 0:-2 1:1; gram 0:{4 * LARGE} 1:{LARGE}; block 0 norm 1; end"),
+    # a product with an eigenvalue that may be 1 at no value of the parameter, but is not bounded away from 1
+    ("corner-not-smooth-1", "--mask [w,1-w,1-w,w] --arity 2 --for w=1/10..1/5 --upper 1",
+     "exponent [w,1-w,1-w,w] 2 w=1/10..1/5; bounds - 1; sum-rules 1; stability; to 1/5; product 0 1 0 0; end"),
+    ("zero", "--matrices zero.mat --upper 0", "radius 1 1; bounds - 0; block 0 norm 2; end"),
+    # units and images with large residuals
+    ("unit-short", "--matrices one.mat --upper 5/2",
+     "radius 1 1; bounds - 5/2; block 0 polytope 1 2 0; vertex 5; unit 0 0:1; image 0 0; end"),
+    ("unit-long", "--matrices ones.mat --upper 9/8", "radius 1 2; bounds - 9/8; block 0 polytope 2 3 0; vertex 8 0; vertex 0 1; "
+     "unit 0 0:1; unit 1 1:8; image 0 0 0:1; image 1 0; end"),
+    ("small", "--matrices small.mat --lower 0 --upper 1/2000",
+     "radius 1 1; bounds 0 1/2000; product 0 1/2000 0 0; block 0 norm 1; end"),
+    # more bits than are looked at
+    ("huge-inverse", f"--matrices huge.mat --lower 9999/10000 --upper {HUGE}",
+     f"radius 1 1; bounds 9999/10000 {HUGE}; product 0 {10**95 + 1 + 10**75}/{10**95} 0 0; inverse 0; column 0 {10**20}; "
+     "block 0 norm 1; end"),
+    ("rounded-long", f"--mask {LONG} --arity 2 --within 1/100,2",
+     f"exponent {LONG} 2 within=1/100,2; bounds - -; sum-rules 2; stability; end"),
+    # three blocks of one radius, the last of which attains it
+    ("unit-exact", "--matrices unit.mat --exact |[-1,1]@1,0,1/10|^1/1",
+     "radius 1 3; bounds - -; exact |[-1,1]@1,0,1/10|^1/1; root 1 0 0 1 1; blocks 1 1 1; basis 1 0 0; basis 0 1 0; "
+     "basis 0 0 1; inverse 1 0 0; inverse 0 1 0; inverse 0 0 1; block 0 norm 1; block 1 norm 1; block 2 polytope 1 0 0; "
+     "vertex 1; unit 0 0:1; image 0 0 0:1; cycle 0 - 0; seed 1; end"),
+    # classes of the mask with different numbers of coefficients, the longest one the first; classes of one coefficient
+    ("ternary-stable", "--mask [w,1,1,1-w] --arity 3 --for w=0..1/4",
+     "exponent [w,1,1,1-w] 3 w=0..1/4; bounds - -; sum-rules 1; stability; end"),
+    ("ternary-stable-last", "--mask [w,1/3,1/2,1-2*w,2/3,1/2,w] --arity 3 --for w=0..1/10",
+     "exponent [w,1/3,1/2,1-2*w,2/3,1/2,w] 3 w=0..1/10; bounds - -; sum-rules 1; stability; end"),
+    ("haar-quotient-stable", "--mask [1+w,1+w]/(1+w) --arity 2 --for w=0..1",
+     "exponent [1+w,1+w]/(1+w) 2 w=0..1; bounds - -; sum-rules 1; stability; end"),
+    ("haar-rounded-stable", "--mask [1,1] --arity 2 --within 1/100,1",
+     "exponent [1,1] 2 within=1/100,1; bounds - -; sum-rules 1; stability; end"),
+    ("corner-stable-upper-case", "--mask [W,1-W,1-W,W] --arity 2 --for W=-1..499/1000",
+     "exponent [W,1-W,1-W,W] 2 W=-1..499/1000; bounds - -; sum-rules 1; stability; end"),
+]
+
+# name, accepted case that is changed, other options or None, changes of its text
+CHANGED = [
+    ("reduced-exact-rough", "reduced-exact", f"--mask {SMOOTHED} --arity 2 --upper C4", [("sum-rules 4\n", "sum-rules 4 full\n")]),
+    ("golden-group-word", "golden-group", None, [("unit 0 ", f"unit 0 0{16 * 'A'}:0 ")]),
+    ("golden-nonnegative-weight-0", "golden-nonnegative", None, [("unit 0 ", "unit 0 0:0 ")]),
+    ("golden-weight-0", "golden", None, [("unit 0 ", "unit 0 0:0 ")]),
+    ("golden-quadratic-large", "golden-quadratic", None, [("form 1\n", f"form {LARGE}\n"), ("form 0 1\n", f"form 0 {LARGE}\n")]),
+    ("golden-minus", "golden", None, [("polytope 4 64 64\n", "polytope 4 64 64 group:1\ngenerator 0 1\nmap -1 0\nmap 0 -1\n")]),
+]
+
+# name, accepted case that is changed, other options or None, reason, changes of its text
+REJECTED = [
+    ("upper-negative", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 2 --upper -1",
+     "an exponent is negative or too large", []),
+    ("upper-large", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 2 --upper 20001/2",
+     "an exponent is negative or too large", []),
+    ("lower-large", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 20001/2", "too large", []),
+    ("zero-negative", "zero", "--matrices zero.mat --upper -1", "the bound does not prove the claim", []),
+    ("index-high", "golden", None, "number outside 0..3", [("image 3 1 2:", "image 3 1 4:")]),
+    ("section-word", "golden", None, ", line 5", [("block 0 polytope", "block 0 polygon")]),
+    # a residual times the norm of unit vectors, which is 4/3; and 8
+    ("unit-norm", "unit-short", "--matrices one.mat --upper 5/4", "the bound does not prove the claim", []),
+    ("unit-norm-largest", "unit-long", "--matrices ones.mat --upper 1", "the bound does not prove the claim", []),
+    *((f"quadratic-pivot-{last}", "golden-quadratic", None, reason, [("form 1\n", f"form {FIRST}\n"),
+                                                                   ("form 0 1\n", f"form {MIDDLE} {LAST + last}\n")])
+      for last, reason in ((0, "the form is not positive definite"), (1, "a product is not below the bound in the quadratic form"))),
+    ("root-double", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[16,-8,1]@4,0,1|^1/1",
+     "no zero is proved so near", [("exact 4-log|[-4,1]@4,0,1|^1/1\n", "exact 4-log|[16,-8,1]@4,0,1|^1/1\n")]),
+    ("axis-seed", "axis-exact", "--matrices axis.mat --exact |[1,-3,2]@1,0,1/10|^1/1",
+     "may be negative", [("[-1,1]@1", "[1,-3,2]@1"), ("seed 1 0", "seed 0 1")]),
+    ("reduced-rounded", "rounded-hat", None, ", line 4",
+     [("sum-rules 1\n", "reduced [1] [1,2,1]/2@-1\nsum-rules 1\n")]),
+    ("reduced-surface", "trapezoid-reduced", None, "1 to 1000 coefficients, the first and the last not zero",
+     [("reduced [1,1] ", "reduced [[1,1],[1,1]] ")]),
+    ("reduced-long", "trapezoid-reduced", None, "1 to 1000 coefficients, the first and the last not zero",
+     [("reduced [1,1] ", f"reduced [{'1,' * 1000}1] ")]),
+    ("reduced-zero-last", "trapezoid-reduced", None, "1 to 1000 coefficients, the first and the last not zero",
+     [("reduced [1,1] ", "reduced [1,1,0] ")]),
+    ("single-rounded", "rounded-hat", None, "expected 'norm', 'polytope', 'quadratic' or 'single' and its numbers",
+     [("block 0 norm 1\n", "block 0 single 1 0\nsquare 1 1\nfactor 0\nrecurrence -1 1\n")]),
+    ("logarithm-norm-alone", "single-four-point", None, "expected 'logarithm 0 norm LEVEL'",
+     [("logarithm 1\nrecurrence 1 -2 1\n", "logarithm 0 norm\n")]),
+    ("logarithm-word", "single-four-point", None, "expected 'logarithm 0 norm LEVEL'",
+     [("logarithm 1\nrecurrence 1 -2 1\n", "logarithm 0 form 4\n")]),
+    ("determinant-0", "corner-not-smooth", "--mask [1/2*w,3/4+1/2*w,1-1/2*w,1/4-1/2*w] --arity 2 --for w=1/10..1/5 --upper 1",
+     "the characteristic polynomial of the product, with the other sign, is not positive",
+     [("[w,1-w,1-w,w]", "[1/2*w,3/4+1/2*w,1-1/2*w,1/4-1/2*w]"), ("product 0 11/10 0 0", "product 0 3/2 0 1")]),
+    ("polytope-fields", "golden", None, ", line 5",
+     [("polytope 4 64 64", "polytope 4 64")]),
+    ("quadratic-fields", "golden-quadratic", None, "expected 'quadratic', a number of words, a bound and perhaps a group",
+     [("quadratic 3 16181/10000", "quadratic 3 16181/10000 group:1 group:1")]),
+    ("turned-coefficients", "hat-turned", "--surface [3,4,1]/4@-1 --dilation [2] --lower 1",
+     "the dilation is not turned by symmetries", [("[1,2,1]/2@-1", "[3,4,1]/4@-1")]),
+    ("turned-twice", "turning-2", None, "the bound does not prove the claim",
+     [("digits ", "turned [0,2;-1,0]\ndigits ")]),
+    ("values-prime", "trapezoid-by-hand", None, "the differences do not span the space",
+     [("values 1:1 2:1 3:1", f"values 1:{PRIME} 2:{PRIME} 3:{PRIME}")]),
+    # dilations that are expanding and isotropic in other ways
+    *((f"dilation-{name}", "turning-3", f"--surface [[[1,2,1]]]/2@-1,0,0 --dilation {dilation} --lower 1",
+       "wrong number of fields", [("[0,0,2;1,0,0;0,1,0]", dilation)])
+      for name, dilation in (("twice", "[2,0,0;0,2,0;0,0,2]"), ("quarter-turn", "[0,-2,0;2,0,0;0,0,2]"))),
+]

@@ -89,14 +89,14 @@ ExitCode run(const AnalyzeOptions& options) {
   }
   const LinearScheme scheme = make_linear_scheme(options.scheme);
   require_drawable(options.plot, scheme);
+  if (!options.html.empty())
+    runtime::write_file(options.html, reports::gallery_html({reports::make_plate(
+                                          {options.scheme}, {.budget = options.budget, .verified = verified})}));
   const Decision convergence = std::visit([&](const auto& one) { return analyze(one, options); }, scheme);
   if (!options.plot.empty()) {
     if (convergence.is_no()) return refuse_unproved(options.scheme, "no limit function to draw", convergence);
     draw_limit(options.plot, scheme, convergence);
   }
-  if (!options.html.empty())
-    runtime::write_file(options.html, reports::gallery_html({reports::make_plate(
-                                          {options.scheme}, {.budget = options.budget, .verified = verified})}));
   return convergence.truth == Truth::unknown ? undecided : done;
 }
 

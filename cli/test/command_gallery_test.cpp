@@ -18,8 +18,10 @@ TEST_CASE("gallery: one page in one file") {
   // Nothing is drawn of what does not exist, and nothing is loaded.
   CHECK(text.find("The scheme diverges") != std::string::npos);
   CHECK(text.find("four-point-w-1-2-limit") == std::string::npos);
-  CHECK(text.find("http") == std::string::npos);
-  CHECK(text.find("<script") == std::string::npos);
+  for (const char* loading : {"src=", "href=\"http", "@import", "url("}) {
+    CAPTURE(loading);
+    CHECK(text.find(loading) == std::string::npos);
+  }
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);  // no temporary file is left
 }
 
@@ -35,7 +37,7 @@ TEST_CASE("gallery: the data") {
   std::vector<std::string> pictures;
   for (const auto& curve : data[1].at("curves")) pictures.push_back(curve.at("picture"));
   CHECK(pictures ==
-        std::vector<std::string>{"limit", "derivative-1", "derivative-2", "variance", "polygon", "polygon"});
+        std::vector<std::string>{"limit", "limit", "derivative-1", "derivative-2", "variance", "polygon", "polygon"});
   CHECK(data[2].at("stable").at("verdict") == "no");
   CHECK(data[2].at("holder").at("upper") == "2");
   // Of rounded coefficients neither variance nor Sobolev exponent is claimed.
@@ -52,4 +54,46 @@ TEST_CASE("gallery: wrong usage") {
   check_fails(run("gallery primal:n=2 --all"), 64, "--all: takes no schemes, got 'primal:n=2'");
   check_fails(run("gallery primal:n=2 --out /dev/null/page.html"), 66,
               "cannot write /dev/null/page.html: cannot make its folder: Not a directory");
+}
+
+TEST_CASE("compare: a line a fact, a column a scheme") {
+  const Folder folder;
+  const std::string page = (folder.path / "page.html").string();
+  const Run made = run("compare primal:n=2 four-point:w=1/16 --html " + page);
+  CAPTURE(made.err);
+  CHECK(made.code == 0);
+  CHECK(made.out.starts_with("scheme                  primal:n=2,d=1"));
+  CHECK(made.out.find("\nsum rules               2                          ") != std::string::npos);
+  const std::string text = content(page);
+  CHECK(text.find("2 schemes side by side") != std::string::npos);
+  CHECK(text.find("data-certificate=\"primal-n-2-d-1.cert\"") != std::string::npos);
+  CHECK(text.find("src=") == std::string::npos);
+  CHECK(run_json("compare primal:n=1 bspline:degree=3 --json").at("schemes").size() == 2);
+  // What diverges has no functions.
+  const std::string diverging = run("compare primal:n=1 four-point:w=1/2").out;
+  const std::size_t line = diverging.find("\nHoelder exponent        1 ");
+  REQUIRE(line != std::string::npos);
+  CHECK(diverging.substr(line + 1, diverging.find('\n', line + 1) - line - 1).ends_with(" none"));
+}
+
+TEST_CASE("compare and pages of one scheme: wrong usage") {
+  check_fails(run("compare primal:n=2"), 64, "compare: needs two schemes or more, got 'primal:n=2'");
+  CHECK(run("compare").code == 64);
+  CHECK(run("compare primal:n=2 primal:n=0").code == 64);
+  check_fails(run("analyze four-point:w --html page.html"), 64,
+              "--html: pictures are of single schemes; four-point:w has a parameter");
+  check_fails(run("analyze primal:n=2 --html /dev/null/page.html"), 66,
+              "cannot write /dev/null/page.html: cannot make its folder: Not a directory");
+}
+
+TEST_CASE("analyze: the page of a scheme holds its certificate") {
+  const Folder folder;
+  const std::string page = (folder.path / "page.html").string();
+  const Run made = run("analyze primal:n=2 --html " + page);
+  CHECK(made.code == 0);
+  CHECK(made.out.starts_with("scheme "));
+  const std::string text = content(page);
+  CHECK(text.find("id=\"file:primal-n-2-d-1.cert\"") != std::string::npos);
+  CHECK(text.find("phi(0) = ") != std::string::npos);
+  CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);
 }

@@ -4,7 +4,7 @@
 #include <subcert/proofs-checks/certificates/checker_arguments.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
 #include <subcert/reports/errata.hpp>
-#include <subcert/reports/report.hpp>
+#include <subcert/reports/report_files.hpp>
 
 #include <fmt/ranges.h>
 

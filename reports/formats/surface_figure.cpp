@@ -77,7 +77,7 @@ void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesys
   const char* terminal = is_svg ? "svg font 'DejaVu Sans,12' background rgb 'white'" : "pngcairo font 'DejaVu Sans,11'";
   // Each facet of an SVG is a line of text.
   const double count = static_cast<double>(surfaces.size());
-  const std::size_t most = is_svg ? std::max<std::size_t>(20, static_cast<std::size_t>(120 / std::sqrt(count))) : 200;
+  const std::size_t most = is_svg ? std::max<std::size_t>(20, static_cast<std::size_t>(100 / std::sqrt(count))) : 200;
   write_picture(file, [&](const std::filesystem::path& target) {
     plot(surfaces, columns == 0 ? surfaces.size() : std::min(columns, surfaces.size()), most, terminal, target);
   });

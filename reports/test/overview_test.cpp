@@ -16,10 +16,11 @@ formats::Comparison comparison(Verdict verdict, Verdict recorded) {
 Findings findings_with(std::size_t mismatches, std::size_t surprises) {
   Findings findings;
   for (int paper = 0; paper < 4; ++paper) {
-    Report report{"a-2015", "A. Author, B. Author: On " + std::string(90, 'x') + " y. Journal 1 (2015), 1-2.", {}};
+    const std::string key = "a-201" + std::to_string(paper);
+    Report report{key, "A. Author, B. Author: On " + std::string(90, 'x') + " y. Journal 1 (2015), 1-2.", {}};
     formats::Section section{"table1", "Table 1", {}};
     section.finding = "A sentence of " + std::string(120, '-') + " and then more than fits into a line of a terminal.";
-    section.comparisons.push_back({"a-2015", "table1", "A table", "Table 1", true, {}});
+    section.comparisons.push_back({key, "table1", "A table", "Table 1", true, {}});
     auto& cells = section.comparisons.back().comparisons;
     cells.push_back(comparison(Verdict::match, Verdict::match));
     cells.insert(cells.end(), mismatches, comparison(Verdict::mismatch, Verdict::mismatch));

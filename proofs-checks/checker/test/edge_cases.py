@@ -9,6 +9,7 @@ HUGE = f"{10**95 + 1}/{10**95}"
 SMOOTHED = "[-1,1,7,9,9,7,1,-1]/16@-3"
 TRAPEZOID = "--surface [1,1,0,1,1]/2@0 --dilation [2]"
 HAT = "--surface [1,2,1]/2@-1 --dilation [2]"
+BOUNDS = "bounds 323606797749959/200000000000000 323606797749999/200000000000000\n"  # of golden.cert
 PRIME = 4294967291
 # rows of a form for which the last pivot of Lemma 17 is 0, or 1
 MARGIN, FIRST, MIDDLE = 2 * 2**128 + 2, 2**255 + 12345, 10**70
@@ -50,6 +51,9 @@ ACCEPTED = [
     ("corner-not-smooth-1", "--mask [w,1-w,1-w,w] --arity 2 --for w=1/10..1/5 --upper 1",
      "exponent [w,1-w,1-w,w] 2 w=1/10..1/5; bounds - 1; sum-rules 1; stability; to 1/5; product 0 1 0 0; end"),
     ("zero", "--matrices zero.mat --upper 0", "radius 1 1; bounds - 0; block 0 norm 2; end"),
+    # a power of 4 with the exponent 1/2
+    ("quaternary-half", "--mask [2,3,4,4,2,1]/4 --arity 4 --lower 1/2",
+     "exponent [2,3,4,4,2,1]/4 4; bounds 1/2 -; sum-rules 1; block 0 norm 1; end"),
     # units and images with large residuals
     ("unit-short", "--matrices one.mat --upper 5/2",
      "radius 1 1; bounds - 5/2; block 0 polytope 1 2 0; vertex 5; unit 0 0:1; image 0 0; end"),
@@ -84,6 +88,8 @@ ACCEPTED = [
 # name, accepted case that is changed, other options or None, changes of its text
 CHANGED = [
     ("reduced-exact-rough", "reduced-exact", f"--mask {SMOOTHED} --arity 2 --upper C4", [("sum-rules 4\n", "sum-rules 4 full\n")]),
+    # the longest numbers
+    ("bounds-digits", "golden", None, [(BOUNDS, f"bounds {2000 * '9'} -{2000 * '9'}\n")]),
     ("golden-group-word", "golden-group", None, [("unit 0 ", f"unit 0 0{16 * 'A'}:0 ")]),
     ("golden-nonnegative-weight-0", "golden-nonnegative", None, [("unit 0 ", "unit 0 0:0 ")]),
     ("golden-weight-0", "golden", None, [("unit 0 ", "unit 0 0:0 ")]),
@@ -107,6 +113,7 @@ REJECTED = [
     *((f"quadratic-pivot-{last}", "golden-quadratic", None, reason, [("form 1\n", f"form {FIRST}\n"),
                                                                    ("form 0 1\n", f"form {MIDDLE} {LAST + last}\n")])
       for last, reason in ((0, "the form is not positive definite"), (1, "a product is not below the bound in the quadratic form"))),
+    ("bounds-digits-more", "golden", None, "number too long", [(BOUNDS, f"bounds 1 {2001 * '9'}\n")]),
     ("root-double", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[16,-8,1]@4,0,1|^1/1",
      "no zero is proved so near", [("exact 4-log|[-4,1]@4,0,1|^1/1\n", "exact 4-log|[16,-8,1]@4,0,1|^1/1\n")]),
     ("axis-seed", "axis-exact", "--matrices axis.mat --exact |[1,-3,2]@1,0,1/10|^1/1",

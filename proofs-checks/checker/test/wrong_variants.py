@@ -187,7 +187,7 @@ def main():
         if number in dropped:
             return "do not compile"
         for mode, folder in (("accept", "accept"), ("usage", "accept"), ("reject", "reject")):
-            limits = ["sh", "-c", 'ulimit -v 2000000 -t 60; exec "$@"', "limited"]
+            limits = ["sh", "-c", 'ulimit -v 2000000 -t 20; exec "$@"', "limited"]
             checker = [build / "main"] if file.stem == "main" else ["many", build / "many"]
             run = subprocess.run(
                 [*limits, sys.executable, "-B", test / "run_corpus.py", *checker, mode, test / folder],

@@ -108,7 +108,8 @@ void add_analyze(Command& app) {
                                 options, [=] { return run(*options); });
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
   command.option("--budget", options->budget, "Seconds for each proof").within(0.001, 1e6).with_default();
-  command.option("--plot", options->plot, "Draw the basic limit function of one or two variables, as .svg or .png");
+  command.option("--plot", options->plot,
+                 "Draw the basic limit function of one or two variables, as .svg, .png or .html");
   command.option("--html", options->html, "A page with pictures and the certificate, all in one file");
   add_scheme(command, options->scheme, true);
 }

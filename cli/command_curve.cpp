@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <sstream>
+#include <utility>
 
 namespace subcert::cli {
 namespace {
@@ -112,7 +113,7 @@ std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) 
   return page.str();
 }
 
-/// Both envelopes in runs without gaps, and the exponents at single values.
+/// Both envelopes in runs without gaps, what lies between them, and the exponents at single values.
 void draw(const ExponentCurve& curve, const ParametricScheme& scheme, const std::string& file) {
   const auto number = [](const Rational& value) { return value.convert_to<double>(); };
   formats::Panel panel{scheme.specification, std::string(1, scheme.parameter), "Hoelder exponent", {}};
@@ -135,6 +136,16 @@ void draw(const ExponentCurve& curve, const ParametricScheme& scheme, const std:
       joined = end.has_value();
     }
   }
+  formats::Band enclosed{"enclosed", {}};
+  for (const CurvePiece& piece : curve.pieces)
+    if (const Enclosure exponent = positive_part(piece.exponent); exponent.is_bounded()) {
+      const bool goes_on = !enclosed.ends.empty() && enclosed.ends.back()[0] == number(piece.proof.low);
+      if (!goes_on && !enclosed.ends.empty()) panel.bands.push_back(std::exchange(enclosed, {"", {}}));
+      for (const Rational& w : {piece.proof.low, piece.proof.high})
+        enclosed.ends.push_back({number(w), number(*exponent.lower), number(*exponent.upper)});
+    }
+  if (!enclosed.ends.empty()) panel.bands.push_back(std::move(enclosed));
+  for (formats::Band& band : panel.bands) band.colour = "#0b559f";
   formats::Curve points{"single values", {}, true, false, "#1e8449"};
   for (const CurvePoint& point : curve.special)
     if (point.exponent && point.exponent->lower && *point.exponent->lower > 0)
@@ -181,7 +192,7 @@ void add_curve(Command& app) {
   command.option("--pieces", options->pieces, "Intervals, more of them where the envelopes are far apart")
       .within(1, 100'000)
       .with_default();
-  command.option("--plot", options->plot, "Draw both envelopes, as .svg or .png");
+  command.option("--plot", options->plot, "Draw both envelopes, as .svg, .png or .html");
   command.option("--csv", options->csv, "Write the pieces as a table");
   command.option("--certificate", options->certificate, "Write a certificate for each piece into this folder");
   add_limits(command, *options);

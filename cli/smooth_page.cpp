@@ -174,8 +174,11 @@ formats::Figure SmoothPage::figure() const {
     panel.curves.push_back(drawn("limit", next++));
     if (!result.columns[c].deviations.empty()) ++next;
     if (bands) {
-      panel.curves.push_back(drawn("lower", next++));
-      panel.curves.push_back(drawn("upper", next++));
+      formats::Band band{"band", {}, "#c0392b"};
+      for (std::size_t o = 0; o < table[0]->size(); ++o)
+        band.ends.push_back({(*table[0])[o], (*table[next])[o], (*table[next + 1])[o]});
+      panel.bands.push_back(std::move(band));
+      next += 2;
     }
     figure.panels.push_back(panel);
   }

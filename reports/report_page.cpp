@@ -139,11 +139,7 @@ std::string caption_html(const std::string& paper, const Picture& figure, const 
 }
 
 std::string figure_html(const std::string& paper, const formats::Figure& figure) {
-  std::string panels;
-  for (const formats::Panel& panel : figure.panels)
-    panels += fmt::format("<div class=panel><h4>{}</h4>{}</div>\n", html(panel.title), formats::plot(panel));
-  return fmt::format("<figure id=\"{}-figure-{}\"><div class=\"panels columns-{}\">\n{}</div>{}</figure>\n", paper,
-                     figure.id, std::min<std::size_t>(figure.columns, figure.panels.size()), panels,
+  return fmt::format("<figure id=\"{}-figure-{}\">{}{}</figure>\n", paper, figure.id, formats::panels_html(figure),
                      caption_html(paper, figure, {"svg", "png", "csv"}));
 }
 

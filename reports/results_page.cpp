@@ -1,4 +1,5 @@
 #include "formats/html.hpp"
+#include "formats/mathml.hpp"
 #include "pages.hpp"
 
 #include <fmt/ranges.h>
@@ -17,6 +18,12 @@ std::string shortened(const std::string& text) {
   std::size_t end = longest_text;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // inside a character of UTF-8
   return html(text.substr(0, end)) + " ...";
+}
+
+/// Statements are formulas in LaTeX.
+std::string object_html(const Result& result, const std::string& text) {
+  if (text.empty() || result.kind != ResultKind::statement) return shortened(text);
+  return "<div class=formula>" + formats::formula_html(text) + "</div>";
 }
 
 /// The groups of verdicts that the bars of the other pages show.
@@ -42,8 +49,8 @@ std::string row(const Result& result) {
       "class=verdict>{}</span>"
       "</td><td class=text>{}<code class=again>{}</code></td></tr>\n",
       verdict, verdict, group(result.verdict), html(result.paper), to_text(result.kind), html(result.paper),
-      html(result.item), html(result.link()), shortened(result.subject), shortened(result.printed),
-      shortened(result.computed), verdict, result.note.empty() ? "" : shortened(result.note) + "<br>",
+      html(result.item), html(result.link()), shortened(result.subject), object_html(result, result.printed),
+      object_html(result, result.computed), verdict, result.note.empty() ? "" : shortened(result.note) + "<br>",
       html(result.command));
 }
 

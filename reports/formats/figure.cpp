@@ -1,6 +1,8 @@
 #include "figure.hpp"
 
 #include "gnuplot_text.hpp"
+#include "html.hpp"
+#include "svg.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -46,26 +48,27 @@ void plot(const Figure& figure, const std::string& terminal, const std::filesyst
             << (panel.cells.empty() ? "set autoscale\nset offsets graph 0, graph 0, graph 0.08, graph 0.03\n"
                                     : "set offsets 0, 0, 0, 0\n" + range_of(panel.cells))
             << "plot ";
-    for (std::size_t i = 0; i < panel.cells.size(); ++i)
-      gnuplot << (i ? ", " : "")
-              << "'-' using (($1+$2)/2):(($3+$4)/2):1:2:3:4 with boxxyerror fs solid noborder lc rgb "
-              << quoted(panel.cells[i].colour) << " title " << quoted(panel.cells[i].label)
-              << (i + 1 == panel.cells.size() && !panel.curves.empty() ? ", " : "");
-    for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-      const Curve& curve = panel.curves[i];
-      gnuplot << (i ? ", " : "") << "'-' with " << (!curve.joined ? "points" : curve.marked ? "linespoints" : "lines");
-      if (!curve.colour.empty()) gnuplot << " lc rgb " << quoted(curve.colour);
-      if (curve.label.empty())
-        gnuplot << " notitle";
-      else
-        gnuplot << " title " << quoted(curve.label);
-    }
+    std::vector<std::string> parts;
+    const auto titled = [](const std::string& label) {
+      return label.empty() ? std::string(" notitle") : " title " + quoted(label);
+    };
+    for (const Cells& cells : panel.cells)
+      parts.push_back("'-' using (($1+$2)/2):(($3+$4)/2):1:2:3:4 with boxxyerror fs solid noborder lc rgb " +
+                      quoted(cells.colour) + titled(cells.label));
+    for (std::size_t i = 0; i < panel.bands.size(); ++i)
+      parts.push_back("'-' using 1:2:3 with filledcurves fs transparent solid 0.2 noborder lc rgb " +
+                      quoted(panel.bands[i].colour.empty() ? colours[i % std::size(colours)] : panel.bands[i].colour) +
+                      titled(panel.bands[i].label));
+    for (const Curve& curve : panel.curves)
+      parts.push_back(std::string("'-' with ") +
+                      (!curve.joined  ? "points"
+                       : curve.marked ? "linespoints"
+                                      : "lines") +
+                      (curve.colour.empty() ? "" : " lc rgb " + quoted(curve.colour)) + titled(curve.label));
+    for (std::size_t i = 0; i < parts.size(); ++i) gnuplot << (i ? ", " : "") << parts[i];
     gnuplot << "\n";
-    for (const Cells& cells : panel.cells) {
-      for (const auto& [x_low, x_high, y_low, y_high] : cells.rectangles)
-        gnuplot << x_low << ' ' << x_high << ' ' << y_low << ' ' << y_high << '\n';
-      gnuplot << "e\n";
-    }
+    for (const Cells& cells : panel.cells) gnuplot.send1d(cells.rectangles);
+    for (const Band& band : panel.bands) gnuplot.send1d(band.ends);
     for (const Curve& curve : panel.curves) gnuplot.send1d(curve.points);
   }
   gnuplot << "unset multiplot\nunset output\n";
@@ -98,11 +101,11 @@ void draw(const Figure& figure, const std::filesystem::path& folder) {
 }
 
 bool is_picture_name(const std::filesystem::path& file) {
-  return file.extension() == ".svg" || file.extension() == ".png";
+  return file.extension() == ".svg" || file.extension() == ".png" || file.extension() == ".html";
 }
 
 void write_picture(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& plot) {
-  require(is_picture_name(file), "write_picture: need a name that ends in .svg or .png, got {}", file.string());
+  require(is_picture_name(file), "write_picture: need a name that ends in .svg, .png or .html, got {}", file.string());
   runtime::write_file_with(file, [&](const std::filesystem::path& target) {
     plot(target);
     if (!is_whole_picture(target, file.extension()))
@@ -114,6 +117,7 @@ void write_picture(const std::filesystem::path& file, const std::function<void(c
 }
 
 void draw_file(const Figure& figure, const std::filesystem::path& file) {
+  if (file.extension() == ".html") return runtime::write_file(file, html_page(html(figure.title), panels_html(figure)));
   const char* terminal = file.extension() == ".svg" ? "svg font 'DejaVu Sans,12' background rgb 'white'"
                                                     : "pngcairo font 'DejaVu Sans,11' fontscale 1.0";
   write_picture(file, [&](const std::filesystem::path& target) { plot(figure, terminal, target); });

@@ -1,5 +1,5 @@
 #pragma once
-/// Figures: data first, drawn by gnuplot as SVG and PNG.
+/// Figures: data first, drawn by gnuplot as SVG and PNG, and as pages that readers touch.
 
 #include <array>
 #include <filesystem>
@@ -60,12 +60,12 @@ struct Figure {
 /// gnuplot is missing or fails; the CSV file is written first.
 void draw(const Figure& figure, const std::filesystem::path& folder);
 
-/// Whether pictures have the ending of this name: .svg or .png.
+/// Whether pictures have the ending of this name: .svg, .png or .html.
 bool is_picture_name(const std::filesystem::path& file);
 
 /// Lets `plot` have gnuplot draw into the file that it is given, which then takes this name; gnuplot must have ended
-/// when `plot` returns. Errors: throws a domain error for another ending; missing_file where the file cannot be
-/// written, or gnuplot is missing or did not come to the end of the picture.
+/// when `plot` returns. Domain: .svg or .png. Errors: throws a domain error for another ending; missing_file where the
+/// file cannot be written, or gnuplot is missing or did not come to the end of the picture.
 void write_picture(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& plot);
 
 /// Writes one picture, its kind by the ending. Errors: as write_picture().

@@ -2,6 +2,10 @@
 
 #include "figure.hpp"
 #include "gnuplot_text.hpp"
+#include "html.hpp"
+#include "surface_view.hpp"
+
+#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <gnuplot-iostream.h>
 
@@ -73,6 +77,11 @@ void draw(const SurfaceFigure& figure, const std::filesystem::path& folder) {
 }
 
 void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file, std::size_t columns) {
+  if (file.extension() == ".html") {
+    std::string views;
+    for (const DrawnSurface& surface : surfaces) views += surface_view(surface);
+    return runtime::write_file(file, html_page(html(surfaces.front().title), views));
+  }
   const bool is_svg = file.extension() == ".svg";
   const char* terminal = is_svg ? "svg font 'DejaVu Sans,12' background rgb 'white'" : "pngcairo font 'DejaVu Sans,11'";
   // Each facet of an SVG is a line of text.

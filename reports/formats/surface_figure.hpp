@@ -34,7 +34,8 @@ struct SurfaceFigure {
 /// Writes FOLDER/ID.svg and FOLDER/ID.png. Errors: as draw_surfaces().
 void draw(const SurfaceFigure& figure, const std::filesystem::path& folder);
 
-/// Writes one picture with the surfaces side by side, at most `columns` in a row where it is not 0, as .svg or .png.
+/// Writes one picture with the surfaces side by side, at most `columns` in a row where it is not 0, as .svg or .png;
+/// or as .html, surfaces that turn.
 /// Errors: throws a domain error for another ending, missing_file where gnuplot is missing or fails.
 void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesystem::path& file,
                    std::size_t columns = 0);

@@ -364,6 +364,14 @@ std::string plot(const Panel& panel, const std::string& id) {
   return "<div class=plot>" + svg(panel, id) + legend(panel) + "</div>\n";
 }
 
+std::string panels_html(const Figure& figure) {
+  std::string panels;
+  for (const Panel& panel : figure.panels)
+    panels += fmt::format("<div class=panel><h4>{}</h4>{}</div>\n", html(panel.title), plot(panel));
+  return fmt::format("<div class=\"panels columns-{}\">\n{}</div>",
+                     std::min(static_cast<std::size_t>(figure.columns), figure.panels.size()), panels);
+}
+
 std::string thumbnail(const std::string& id) {
   return fmt::format("<svg class=\"thumbnail\" viewBox=\"{} 0 {} {}\" aria-hidden=\"true\"><use href=\"#{}\"/></svg>",
                      left - 6, width - left - right + 12, height - bottom + top, html(id));

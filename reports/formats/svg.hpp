@@ -26,6 +26,9 @@ std::string plot(const Panel& panel, const std::string& id = "");
 /// The curve with this id of a picture on the same page, small.
 std::string thumbnail(const std::string& id);
 
+/// The panels of a figure with their titles and legends, side by side where there is room.
+std::string panels_html(const Figure& figure);
+
 /// A function that vanishes outside of the grid: the sets where it is at least k/10 of its maximum, k = 1, ..., 9, one
 /// over the other, and in another colour those where it is at most k/3 of a negative minimum, k = 1, 2. Domain:
 /// heights; where they are no numbers the function is 0. Cost: linear in the points for each level.

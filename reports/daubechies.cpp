@@ -55,6 +55,7 @@ Report report_daubechies(const ReportOptions& options) {
                                        exponent_certificate(scheme.mask, regularity, scheme.rounding),
                                        options.verified));
       table.proofs.back().scheme = scheme.specification;
+      table.row_ids.push_back(fmt::format("daubechies-exponents-D{}", 2 * n));
       table.rows.push_back({fmt::format("D{}", 2 * n), formats::fixed_text(exponent, 12),
                             exponent.is_bounded() ? to_decimal(*exponent.upper - *exponent.lower, 2, Rounding::up) : "",
                             fmt::format("{}", fmt::join(regularity.radius.product.word, "")),

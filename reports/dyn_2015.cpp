@@ -180,7 +180,8 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
       const Mask mask = make_scheme(statements::specification(family, n)).mask;
       table.proofs.push_back(
           row_proof(fmt::format("{}-{}.cert", family, n), exponent_certificate(mask, regularity), options.verified));
-      table.proofs.back().scheme = statements::specification(family, n);
+      table.proofs.back().scheme = printed.cells[static_cast<std::size_t>(n) - 2].scheme;
+      table.row_ids.push_back(fmt::format("dyn-2015-exponents-{}-{}", family, n));
       bound_curve.points.emplace_back(n, std::stod(bound));
       upper_curve.points.emplace_back(n, high.convert_to<double>());
       lower_curve.points.emplace_back(n, low.convert_to<double>());

@@ -13,6 +13,9 @@ TEST_CASE("a curve is drawn, tabulated and verified") {
   CHECK(std::count(table.begin(), table.end(), '\n') == 13);
   CHECK(table.starts_with("from,to,lower,upper,product,convergence\n1/100,"));
   CHECK(content(picture).find("<svg") != std::string::npos);
+  const std::string touched = folder / "curve.html";
+  REQUIRE(run("curve four-point:w --over w=1/20..1/10 --pieces 4 --plot " + touched).code == 0);
+  CHECK(content(touched).find("class=\"key band colour-1\"") != std::string::npos);
   const Run verified = run("verify " + bundle);
   CHECK(verified.code == 0);
   CHECK(verified.out.find("00001-piece.cert: VERIFIED ") != std::string::npos);

@@ -18,7 +18,7 @@ struct RowProof {
   std::string name;                          ///< of the certificate
   std::vector<std::string> words;            ///< the command line of the checker
   std::map<std::string, std::string> files;  ///< texts by their names
-  std::string scheme = {};                   ///< whose exponent it proves; may be empty
+  std::string scheme = {};                   ///< whose exponent it proves, as cells name it; may be empty
 };
 
 /// A table of our own, without printed counterpart.

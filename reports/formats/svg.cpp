@@ -125,6 +125,7 @@ double distance(const Point& p, const Point& a, const Point& b) {
 
 /// Those of the points that a line through them needs (Douglas and Peucker).
 std::vector<Point> visible(const std::vector<Point>& points) {
+  if (points.empty()) return {};
   std::vector<bool> kept(points.size(), false);
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
   kept.front() = kept.back() = true;
@@ -258,14 +259,14 @@ std::string colour_of(const std::string& colour) {
 }
 
 /// What a reader is told of each point, where there is more to tell than a line through them shows.
-std::string told_points(const Curve& curve) {
+std::string told_points(const Frame& frame, const Curve& curve) {
   constexpr std::size_t most = 3000;
   const bool seen_in_line = !curve.marked && curve.joined && curve.values.empty();
   if (seen_in_line || curve.points.size() > most) return "";
   nlohmann::json points = nlohmann::json::array();
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    const auto& [x, y] = curve.points[i];
-    points.push_back({x, y});
+    if (!frame.has(curve.points[i])) continue;
+    points.push_back({curve.points[i].first, curve.points[i].second});
     if (i < curve.values.size()) points.back().push_back(curve.values[i]);
   }
   return fmt::format(" data-points=\"{}\"", html(points.dump()));
@@ -287,7 +288,6 @@ std::string band_of(const Frame& frame, const Band& band, std::size_t colour) {
       low.push_back(frame({x, least}));
       high.push_back(frame({x, most}));
     }
-  if (low.empty()) return "";
   std::ranges::reverse(high);
   low.insert(low.end(), high.begin(), high.end());
   return fmt::format("<g class=\"series band colour-{}\" data-label=\"{}\"{}><path d=\"{}Z\"/></g>", colour,
@@ -298,7 +298,6 @@ std::string curve_of(const Frame& frame, const Curve& curve, std::size_t colour,
   std::vector<Point> points;
   for (const Point& point : curve.points)
     if (frame.has(point)) points.push_back(frame(point));
-  if (points.empty()) return "";
   std::string content;
   if (curve.joined)
     content += fmt::format("<path{} class=\"curve{}\" d=\"{}\"/>", id_attribute(id), curve.marked ? " thin" : "",
@@ -309,7 +308,7 @@ std::string curve_of(const Frame& frame, const Curve& curve, std::size_t colour,
     content += fmt::format("<path class=\"marks\" d=\"{}\"/>", marks);
   }
   return fmt::format("<g class=\"series colour-{}\" data-label=\"{}\"{}{}>{}</g>", colour, html(curve.label),
-                     colour_of(curve.colour), told_points(curve), content);
+                     colour_of(curve.colour), told_points(frame, curve), content);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ let usage =
   \       subcert-check-verified --mask '[c0,c1,...]/D@first' --arity A --lower P/Q [--upper P/Q] [--show] FILE\n\
   \       subcert-check-verified --matrices MATRICES --exact '|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE    (what the radius is)\n\
   \       subcert-check-verified --mask ... --arity A --exact 'M-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE\n\
+  \       subcert-check-verified --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
    exponents, and about surfaces, for which subcert-check is there\n\
@@ -234,10 +235,12 @@ let read_lines family lower r sections =
       | _ -> assert false
   in
   let sections = sections divided blocks in
+  let logarithm = if at r "logarithm" then take r "logarithm" 1 3 else [] in
+  let recurrence = at r "recurrence" in
   skip r [ "logarithm"; "recurrence" ];
   line r "end";
   require (at_end r) "text after 'end'";
-  (new_basis, (if divided then sizes else []), chosen, eigenvector, sections)
+  (new_basis, (if divided then sizes else []), chosen, eigenvector, sections, (logarithm, recurrence))
 
 (* What proves bounds of the radius. *)
 let read_proof ~single family lower upper r =
@@ -255,7 +258,7 @@ let read_proof ~single family lower upper r =
     (block.size, section)
   in
   let sections divided blocks = if upper = None && not (at r "block 0") then [] else List.mapi (section divided) blocks in
-  let new_basis, sizes, chosen, eigenvector, sections = read_lines family lower r sections in
+  let new_basis, sizes, chosen, eigenvector, sections, _ = read_lines family lower r sections in
   { new_basis; sections; sizes; chosen; eigenvector }
 
 (* What proves that the radius is the number. *)
@@ -278,7 +281,7 @@ let read_exact_proof ~single family (e, root) r =
         require (check_section block (bound_of low) section) "the bound of a block is above the exact radius";
         (block, `Whole (Bounded section))
   in
-  let exact_basis, _, _, _, sections = read_lines family None r (fun divided -> List.mapi (section divided)) in
+  let exact_basis, _, _, _, sections, modulus = read_lines family None r (fun divided -> List.mapi (section divided)) in
   let most least f = List.fold_left (fun m s -> match s with _, `Draft draft -> max m (f draft) | _ -> m) least sections in
   let margin = most 0 (fun d -> d.Attained_hint.margin) in
   let place = Attained_hint.place_of ~margin e root (most Attained_hint.least_bits (fun d -> d.Attained_hint.bits_needed)) in
@@ -294,7 +297,7 @@ let read_exact_proof ~single family (e, root) r =
   in
   let exact_blocks = List.map written sections in
   require (List.exists (function _, Bounded _ -> false | _ -> true) exact_blocks) "no block attains the exact radius";
-  { number_place = place; exact_basis; exact_blocks }
+  ({ number_place = place; exact_basis; exact_blocks }, modulus)
 
 let show claim =
   let text q = Q.to_string (Q.make q.qnum q.qden) in
@@ -323,7 +326,7 @@ let radius matrices lower upper exact file =
             require (check_radius claim certificate) "the certificate does not prove the claim";
             fun name -> Theorem.print_radius name claim certificate
         | Some ((e, _) as number) ->
-            let certificate = read_exact_proof ~single:false family number r in
+            let certificate, _ = read_exact_proof ~single:false family number r in
             require (check_exact_radius family e claim.lower claim.upper certificate) "the certificate does not prove the claim";
             fun name -> Theorem.print_exact_radius name claim e certificate)
   in
@@ -395,16 +398,38 @@ let prove_bounds scheme order family lower upper r =
       require (check_exponent_lower scheme l low) "the certificate does not prove the claim";
       fun name -> Theorem.print_exponent name scheme l low
 
+(* What the lines `logarithm` and `recurrence` are worth. *)
+let modulus_proof scheme order certificate power (fields, recurrence) =
+  require (fields <> []) "the logarithm of the claim is not proved";
+  require (size (List.hd fields) 0 256 = power) "the logarithm of the claim is not proved";
+  let place = certificate.number_place in
+  let rec below j reached = if Z.gt (Z.mul reached place.bottom) place.high then j - 1 else below (j + 1) (Z.mul reached (Z.of_int scheme.arity)) in
+  let below = below 0 Z.one in
+  match fields with
+  | [ _; "norm"; level ] when power = 0 ->
+      let level = size level 1 64 and n = (difference_family scheme (order - below)).size in
+      let work = (float_of_int scheme.arity ** float_of_int level) *. float_of_int (n * n * n) in
+      require (work <= float_of_int Sections.max_work) "more work than this checker allows";
+      Whole (below, level)
+  | [ _ ] when power = 0 && (not recurrence) && attains_alone certificate -> Between below
+  | _ -> raise (Sections.Undecided "this modulus of continuity is not decided here, but by subcert-check")
+
 (* Of what the exponent is, with bounds or without *)
-let prove_number scheme order family lower upper exact ((e, _) as number) r =
+let prove_number scheme order family lower upper logarithm exact ((e, _) as number) r =
   require (exact.order = Some order) "the exact exponent has another number before its logarithm";
-  let certificate = read_exact_proof ~single:true family number r and lower = Option.map bound_of lower and upper = Option.map bound_of upper in
+  let certificate, modulus = read_exact_proof ~single:true family number r and lower = Option.map bound_of lower and upper = Option.map bound_of upper in
   let shifts = stable_shifts scheme in
-  require (check_exact_exponent scheme order e lower upper certificate shifts) "the certificate does not prove the claim";
-  fun name -> Theorem.print_exact_exponent name scheme order e lower upper certificate shifts
+  match logarithm with
+  | None ->
+      require (check_exact_exponent scheme order e lower upper certificate shifts) "the certificate does not prove the claim";
+      fun name -> Theorem.print_exact_exponent name scheme order e lower upper certificate shifts
+  | Some power ->
+      let proof = modulus_proof scheme order certificate power modulus in
+      require (check_logarithm scheme order e lower upper certificate shifts proof) "the modulus of continuity is not proved";
+      fun name -> Theorem.print_logarithm name scheme order e lower upper certificate shifts proof
 
 (* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
-let exponent mask arity lower upper exact file =
+let exponent mask arity lower upper exact logarithm file =
   let scheme = read_mask mask arity in
   let theorem =
     read file 1 (fun r ->
@@ -431,17 +456,20 @@ let exponent mask arity lower upper exact file =
         require (degree <= 256 * (scheme.arity - 1)) "transition matrices larger than 256";
         let family = difference_family scheme order in
         match (number, exact, lower) with
-        | Some number, Some exact, _ -> prove_number scheme order family lower upper exact number r
+        | Some number, Some exact, _ -> prove_number scheme order family lower upper logarithm exact number r
         | _, _, Some lower -> prove_bounds scheme order family lower upper r
         | _ -> assert false)
   in
-  ( Printf.sprintf "%sHoelder exponent%s%s of %s with arity %s"
+  ( Printf.sprintf "%sHoelder exponent%s%s%s of %s with arity %s"
       (side lower (fun l -> l ^ " <= "))
       (number_text exact)
       (side upper (fun u -> " <= " ^ u))
+      (match logarithm with Some p -> Printf.sprintf " with |log h|^%d" p | None -> "")
       mask arity,
     theorem,
-    fun () -> show_exponent scheme lower upper exact )
+    fun () ->
+      show_exponent scheme lower upper exact;
+      Option.iter (Printf.printf "the modulus of continuity of the last derivative has the power %d of the logarithm\n") logarithm )
 
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
@@ -462,11 +490,15 @@ let check arguments =
       radius (get "--matrices") (bound "--lower") (bound "--upper") exact (get "FILE")
     end
     else if
-      only [ "--mask"; "--arity"; "--upper"; "--exact" ] && (has "--lower" || has "--exact" || not (has "--arity")) && not rough
+      only [ "--mask"; "--arity"; "--upper"; "--exact"; "--logarithm" ]
+      && (has "--lower" || has "--exact" || not (has "--arity"))
+      && not rough
     then begin
       require (has "--mask" && has "--arity" && (has "--lower" || has "--exact")) usage;
+      require (has "--exact" || not (has "--logarithm")) usage;
+      let logarithm = Option.map (fun p -> size p 0 256) (find "--logarithm") in
       let exact = Option.map (read_exact true) (find "--exact") in
-      exponent (get "--mask") (get "--arity") (bound "--lower") (bound "--upper") exact (get "FILE")
+      exponent (get "--mask") (get "--arity") (bound "--lower") (bound "--upper") exact logarithm (get "FILE")
     end
     else
       raise

@@ -142,6 +142,19 @@ let print_exact_radius name claim e c =
         Proof. apply (check_exact_radius_sound _ _ _ _ %s_certificate). %s"
        name (number e) (option fraction claim.lower) (option fraction claim.upper) name by_computation)
 
+let modulus_proof = function
+  | Between below -> "(Between " ^ natural below ^ ")"
+  | Whole (below, level) -> Printf.sprintf "(Whole %s %s)" (natural below) (natural level)
+
+let print_logarithm name s order e lower upper c shifts p =
+  print name (exact_modules ^ " Modulus Logarithm")
+    (Printf.sprintf "%s.\n\nDefinition %s_shifts := %s" (scheme_of s) name (stability shifts))
+    (exact_certificate c)
+    (Printf.sprintf
+       "logarithm_holds : logarithm_holds %s_scheme %s\n%s %s %s 0.\n\
+        Proof. apply (check_logarithm_sound _ _ _ _ _ %s_certificate %s_shifts %s). %s"
+       name (natural order) (number e) (option fraction lower) (option fraction upper) name name (modulus_proof p) by_computation)
+
 let print_exact_exponent name s order e lower upper c shifts =
   print name exact_modules
     (Printf.sprintf "%s.\n\nDefinition %s_shifts := %s" (scheme_of s) name (stability shifts))

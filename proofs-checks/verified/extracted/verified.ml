@@ -2783,3 +2783,79 @@ let check_exact_exponent a order0 e lower0 upper0 c shifts0 =
     (match upper0 with
      | Some u -> above_power a u order0 { qnum = h.low; qden = q0 }
      | None -> true)
+
+type modulus_proof =
+| Between of int
+| Whole of int * int
+
+(** val zvalue : Number.t list -> Number.t -> Number.t **)
+
+let rec zvalue p x =
+  match p with
+  | [] -> Number.zero
+  | c::p' -> Number.add c (Number.mul x (zvalue p' x))
+
+(** val is_power : exact_number -> Number.t -> bool **)
+
+let is_power e x =
+  let t0 = Number.power x (Number.of_natural e.root) in
+  let d = Number.sub (Number.mul t0 e.disc_scale) e.disc_re in
+  (&&)
+    ((&&) (Number.equal (zvalue e.polynomial t0) Number.zero)
+      (Number.less Number.zero x))
+    (Number.less_equal
+      (Number.add (Number.mul d d) (Number.mul e.disc_im e.disc_im))
+      (Number.mul e.disc_radius e.disc_radius))
+
+(** val attains_alone : exact_certificate -> bool **)
+
+let attains_alone c =
+  match c.exact_basis with
+  | Some _ -> false
+  | None ->
+    (match c.exact_blocks with
+     | [] -> false
+     | p::l ->
+       let _,e = p in
+       (match e with
+        | Attains (_, _) -> (match l with
+                             | [] -> true
+                             | _::_ -> false)
+        | _ -> false))
+
+(** val check_modulus :
+    scheme -> int -> exact_number -> exact_certificate -> modulus_proof ->
+    bool **)
+
+let check_modulus a order0 e c m =
+  let h = c.number_place in
+  let a0 = Number.of_natural a.arity in
+  (match m with
+   | Between below0 ->
+     (&&)
+       ((&&) ((&&) (attains_alone c) (Nat.ltb below0 order0))
+         (Number.less
+           (Number.mul (Number.power a0 (Number.of_natural below0)) h.bottom)
+           h.low))
+       (Number.less h.high
+         (Number.mul
+           (Number.power a0 (Number.of_natural (add below0 (Stdlib.succ 0))))
+           h.bottom))
+   | Whole (below0, level0) ->
+     let k = sub order0 below0 in
+     let t0 = difference_family a k in
+     (&&)
+       ((&&)
+         ((&&)
+           ((&&) (Nat.ltb below0 order0)
+             (is_power e (Number.power a0 (Number.of_natural below0))))
+           (reducible a k)) (well_formed t0))
+       (norm_section t0 { qnum = Number.one; qden = Number.one } level0))
+
+(** val check_logarithm :
+    scheme -> int -> exact_number -> q option -> q option ->
+    exact_certificate -> stability -> modulus_proof -> bool **)
+
+let check_logarithm a order0 e lower0 upper0 c shifts0 m =
+  (&&) (check_exact_exponent a order0 e lower0 upper0 c shifts0)
+    (check_modulus a order0 e c m)

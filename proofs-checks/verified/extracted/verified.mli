@@ -629,3 +629,20 @@ val check_exact_radius :
 val check_exact_exponent :
   scheme -> int -> exact_number -> q option -> q option -> exact_certificate
   -> stability -> bool
+
+type modulus_proof =
+| Between of int
+| Whole of int * int
+
+val zvalue : Number.t list -> Number.t -> Number.t
+
+val is_power : exact_number -> Number.t -> bool
+
+val attains_alone : exact_certificate -> bool
+
+val check_modulus :
+  scheme -> int -> exact_number -> exact_certificate -> modulus_proof -> bool
+
+val check_logarithm :
+  scheme -> int -> exact_number -> q option -> q option -> exact_certificate
+  -> stability -> modulus_proof -> bool

@@ -36,8 +36,15 @@ def decided(name, arguments):
     if "--matrices" in options:
         return True
     ends = options - {"--mask", "--arity"}
-    if not {"--mask", "--arity"} <= options or not ends <= {"--lower", "--upper", "--exact"} or not ends & {"--lower", "--exact"}:
+    known = {"--lower", "--upper", "--exact", "--logarithm"}
+    if not {"--mask", "--arity"} <= options or not ends <= known or not ends & {"--lower", "--exact"}:
         return False
+    # Of moduli of continuity those without a logarithm: shown by a norm, or with a polytope that is the only block.
+    if "--logarithm" in options and "\nlogarithm " in text:
+        by_norm = re.search(r"^logarithm 0 norm ", text, re.MULTILINE)
+        alone = "\nlogarithm 0\n" in text and "\nblocks " not in text and "\nblock 0 single " not in text
+        if not (by_norm or alone):
+            return False
     order = re.search(r"^sum-rules (\d{1,3}) full$", text, re.MULTILINE)
     upper = arguments[arguments.index("--upper") + 1] if "--upper" in options else "0"
     full = upper.startswith("C") or (order and Fraction(upper) >= int(order[1]))
@@ -82,7 +89,11 @@ for line in (directory / "claims.txt").read_text().splitlines():
         for old, new in (("|[", "|[7,"), ("]@", ",7]@"), ("^1/", "^1/1")):
             changed = [a.replace(old, new) if a == number else a for a in arguments]
             compare(f"{name} with {changed}", [*changed, f"{name}.cert"], False if decided(name, changed) else None)
-        arguments = without("--exact", arguments)
+        if "--logarithm" in arguments:
+            at = arguments.index("--logarithm") + 1
+            changed = arguments[:at] + [str(int(arguments[at]) + 1)] + arguments[at + 1 :]
+            compare(f"{name} with {changed}", [*changed, f"{name}.cert"], False if decided(name, changed) else None)
+        arguments = without("--logarithm", without("--exact", arguments))
         if "--lower" in arguments:
             compare(name, [*arguments, f"{name}.cert"])
     if "--mask" in arguments and decided(name, without("--upper", arguments)) and directory.name == "accept":

@@ -828,7 +828,7 @@ Lemma gmapped (known : PositiveMap.t vertex) i v : PositiveMap.find i (PositiveM
   exists x, PositiveMap.find i known = Some x /\ v = shown x.
 Proof. rewrite PositiveMap.gmapi. destruct (PositiveMap.find i known); simpl; intros H; inversion H; eauto. Qed.
 
-Theorem below_sound b : (cone b = true -> z = real_number (cabs z)) -> below F p L h b = true -> radius_at_most n (count F) T r.
+Theorem below_sound b : (cone b = true -> z = real_number (cabs z)) -> below F p L h b = true -> grows_at_most n (count F) T r.
 Proof.
   intros HC H. unfold below in H. repeat rewrite andb_true_iff in H. destruct H as [[[[H1 H2] H3] H0] H4].
   apply Z.ltb_lt in H1. apply Nat.eqb_eq in H2. set (bs := bases b) in *.

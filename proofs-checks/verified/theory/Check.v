@@ -44,7 +44,7 @@ Proof.
 Qed.
 
 Theorem norm_sound F u level : well_formed F = true -> norm_section F u level = true ->
-  radius_at_most (size F) (count F) (real F) (real_of u).
+  grows_at_most (size F) (count F) (real F) (real_of u).
 Proof.
   intros WF H. unfold norm_section in H. apply andb_prop in H. destruct H as [H H3]. apply andb_prop in H. destruct H as [H1 H2].
   apply Z.leb_le in H1. apply Nat.ltb_lt in H2. rewrite forallb_forall in H3.
@@ -99,13 +99,16 @@ Qed.
 Lemma count_map (f : zmat -> zmat) F n d : count (Family n d (map f (matrices F))) = count F.
 Proof. apply map_length. Qed.
 
-Lemma transpose_sound F u : radius_at_most (size F) (count (transpose F)) (real (transpose F)) u ->
-  radius_at_most (size F) (count F) (real F) u.
+Lemma transpose_growth F r : growth (size F) (count (transpose F)) (real (transpose F)) r -> growth (size F) (count F) (real F) r.
 Proof.
-  intros H. apply transposed_at_most. intros r Hr H0. specialize (H r Hr H0). unfold transpose in H. rewrite count_map in H.
+  intros H. apply growth_transposed. unfold transpose in H. rewrite count_map in H.
   eapply growth_ext; [|apply H]. intros t i j Ht Hi Hj. unfold transposed, real. simpl denominator. f_equal.
   unfold mr. rewrite letter_map by auto. unfold columns. rewrite entry_table; auto.
 Qed.
+
+Lemma transpose_sound F u : radius_at_most (size F) (count (transpose F)) (real (transpose F)) u ->
+  radius_at_most (size F) (count F) (real F) u.
+Proof. intros H r Hr H0. apply transpose_growth, H; auto. Qed.
 
 (* ---- sections -------------------------------------------------------------------------------------------------- *)
 
@@ -129,7 +132,7 @@ Theorem section_sound F u s : well_formed F = true -> check_section F u s = true
   radius_at_most (size F) (count F) (real F) (real_of u).
 Proof.
   intros WF H. destruct s as [level|nonnegative transposed scale one all ul il|form definite words|sum recurrence]; simpl in H.
-  - eapply norm_sound; eauto.
+  - apply grows_radius. eapply norm_sound; eauto.
   - destruct transposed.
     + apply transpose_sound. change (size F) with (size (transpose F)).
       eapply polytope_sound; eauto. apply transpose_well_formed; auto.

@@ -133,7 +133,7 @@ Proof.
     + apply andb_prop in HB. destruct HB as [HC HB].
       assert (Cone : cone b = true -> z' = real_number (cabs z')).
       { intros EC. rewrite EC in HC. apply (positive_zero_sound e h); auto. }
-      apply (below_sound _ _ _ _ z' r (TW G tr W) Vz Sc Sm N1 N2 R0 Rp HL Hlow Hcom B b Cone) in HB. destruct tr; auto. apply transpose_sound. exact HB.
+      apply (below_sound _ _ _ _ z' r (TW G tr W) Vz Sc Sm N1 N2 R0 Rp HL Hlow Hcom B b Cone) in HB. apply grows_radius in HB. destruct tr; auto. apply transpose_sound. exact HB.
     + apply andb_prop in HB. destruct HB as [HS HB]. apply Simple in HS. destruct HS as [_ HS]. assert (HB' := HB).
       unfold no_larger in HB'. cbv zeta in HB'. repeat rewrite andb_true_iff in HB'. destruct HB' as [[HP _] _].
       apply (no_larger_sound G (polynomial e) p W HP h r HS); auto. apply B.
@@ -204,10 +204,14 @@ Proof.
   apply Rmult_lt_compat_r; auto.
 Qed.
 
-Theorem check_exact_exponent_sound a order e lower upper c shifts : check_exact_exponent a order e lower upper c shifts = true ->
-  exact_exponent_holds a order e lower upper.
+Theorem exact_exponent_facts a order e lower upper c shifts : check_exact_exponent a order e lower upper c shifts = true ->
+  let T := difference_family a order in
+  one_number e /\ exists phi r s lambda, limit_of a phi /\ is_number e r /\ exp lambda = INR (arity a) /\
+  (exp ((INR order - s) * lambda) = r)%R /\ is_lub (exponents phi) s /\ within lower upper s /\
+  stable phi /\ (0 < s <= INR order)%R /\ is_radius (size T) (count T) (real T) r /\
+  (IZR (low (number_place c)) / IZR (bottom (number_place c)) <= r <= IZR (high (number_place c)) / IZR (bottom (number_place c)))%R.
 Proof.
-  intros H. unfold check_exact_exponent in H. cbv zeta in H. repeat rewrite andb_true_iff in H.
+  intros H T'. unfold check_exact_exponent in H. cbv zeta in H. repeat rewrite andb_true_iff in H.
   destruct H as [[[[[[[H1 H2] H3] H4] H5] H6] HL] HU]. set (h := number_place c) in *.
   destruct (number_and_blocks_sound _ e c H6) as [One [Lp [Cp [r [Nr [Rr [B1 B2]]]]]]]. fold h in Lp, Cp, B1, B2. split; auto.
   assert (HA : (2 <= arity a)%nat /\ 0 < common a).
@@ -228,12 +232,12 @@ Proof.
   assert (S1 : (s <= INR order)%R).
   { apply Rnot_lt_le. intros N. assert (exp ((INR order - s) * lambda) <= 1)%R; [|lra]. rewrite <- exp_0. apply exp_at_most.
     assert ((s - INR order) * lambda >= 0)%R by (apply Rle_ge, Rmult_le_pos; lra). lra. }
-  set (T := difference_family a order) in *. destruct Rr as [_ [Gr Lr]].
+  set (T := difference_family a order) in *. assert (Rr' := Rr). destruct Rr as [_ [Gr Lr]].
   destruct (limit_of_growth a lambda s order r H1 Hlog (conj S0 S1) ltac:(lra)) as [phi [Lim [Ex [Td [Cl Up]]]]].
   { intros g Hg _. apply Gr. auto. }
-  assert (Most : exponent_at_most phi s).
-  { apply (Up lambda r); auto; [|lra]. apply (accepted_stable a shifts); auto. }
-  exists phi, r, s, lambda. split; auto. split; auto. split; auto. split; auto. split; [|split].
+  assert (Stab : stable phi) by (apply (accepted_stable a shifts); auto).
+  assert (Most : exponent_at_most phi s) by (apply (Up lambda r); auto; lra).
+  exists phi, r, s, lambda. split; auto. split; auto. split; auto. split; auto. split; [|split; [|auto]]; [|split].
   - split. exact Most. intros b Hb. apply Rnot_lt_le. intros N. destruct (Ex b N) as [t [Ht Hbt]]. specialize (Hb t Ht). lra.
   - intros l ->. apply orb_prop in HL. destruct HL as [HL|HL].
     + apply Z.leb_le, IZR_le in HL. unfold real_of. assert (0 < / IZR (Zpos (Qden l)))%R by (apply Rinv_0_lt_compat, IZR_lt; lia). unfold Rdiv. nra.
@@ -241,6 +245,13 @@ Proof.
       assert (D : (INR order - s <= INR order - real_of l)%R) by (apply (exp_reflects _ _ lambda); auto; lra). lra.
   - intros u ->. apply (above_power_sound a u order _ lambda Hlog HA) in HU. destruct HU as [_ HU]. rewrite real_of_low in HU by auto.
     assert (D : (INR order - real_of u <= INR order - s)%R) by (apply (exp_reflects _ _ lambda); auto; lra). lra.
+Qed.
+
+Theorem check_exact_exponent_sound a order e lower upper c shifts : check_exact_exponent a order e lower upper c shifts = true ->
+  exact_exponent_holds a order e lower upper.
+Proof.
+  intros H. destruct (exact_exponent_facts a order e lower upper c shifts H) as [One [phi [r [s [lambda [H1 [H2 [H3 [H4 [H5 [H6 _]]]]]]]]]]].
+  split; auto. exists phi, r, s, lambda. auto 7.
 Qed.
 
 (* Whatever function the scheme converges to, and whatever the supremum of its exponents is: it is that number. *)

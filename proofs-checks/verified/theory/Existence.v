@@ -23,7 +23,7 @@ Qed.
 (* Products of one length bound the radius. *)
 Lemma level_bound n count T g level : (0 < level)%nat -> 0 <= g ->
   (forall w, letters count w -> length w = level -> forall k, (k < n)%nat -> norm n (run n T w (unit k)) <= g ^ level) ->
-  radius_at_most n count T g.
+  grows_at_most n count T g.
 Proof.
   intros Hl Hg H. apply (tree_bound n count T (norm n) g 1 1 (full count level)); auto; try lra; try (intros; lra).
   apply full_good with (level := level); auto; [|constructor].
@@ -69,7 +69,7 @@ Qed.
 
 Lemma level_at_most g k : (0 < k)%nat -> 0 <= g -> level k <= g ^ k -> radius_at_most n count T g.
 Proof.
-  intros Hk Hg H. apply (level_bound n count T g k); auto. intros w Hw Hl j Hj.
+  intros Hk Hg H. apply grows_radius, (level_bound n count T g k); auto. intros w Hw Hl j Hj.
   eapply Rle_trans. apply (grown_bound k); auto. eapply Rle_trans; [|apply H].
   apply (maximum_bound n (fun j => grown k (unit j))); auto.
 Qed.

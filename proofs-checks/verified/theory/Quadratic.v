@@ -293,7 +293,7 @@ Proof.
   assert (Hsf : 0 < sqrt f) by (apply sqrt_lt_R0; auto).
   assert (Hn : 0 <= INR n) by apply pos_INR.
   assert (Hlow : 0 < / ((INR n + 1) * sqrt f)) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra).
-  apply (tree_bound n (count F) (real F) N (real_of u) (/ ((INR n + 1) * sqrt f)) (sqrt c) (shape words)); auto.
+  apply grows_radius, (tree_bound n (count F) (real F) N (real_of u) (/ ((INR n + 1) * sqrt f)) (sqrt c) (shape words)); auto.
   - intros x. apply (Rmult_le_reg_l ((INR n + 1) * sqrt f)). apply Rmult_lt_0_compat; lra.
     rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by (apply Rgt_not_eq, Rmult_lt_0_compat; lra).
     assert (B : norm n x <= INR n * (sqrt f * N x)).

@@ -32,6 +32,8 @@ Definition is_radius (n count : nat) (T : nat -> mat) (x : R) : Prop :=
   0 <= x /\ (forall r, x < r -> growth n count T r) /\ (forall r, 0 <= r -> growth n count T r -> x <= r).
 
 Definition radius_at_most n count T u := forall r, u < r -> 0 < r -> growth n count T r.
+(* The same with products that grow like u^k themselves *)
+Definition grows_at_most n count T u := forall r, u <= r -> 0 < r -> growth n count T r.
 Definition radius_at_least n count T l := forall r, 0 <= r -> growth n count T r -> l <= r.
 
 (* ---- sums ------------------------------------------------------------------------------------------------------ *)
@@ -254,6 +256,9 @@ Proof.
     assert (a <= (a + b) / 2); [|lra]. apply La. lra. apply Ub. lra. }
   intros. apply Rle_antisym; auto.
 Qed.
+
+Lemma grows_radius n count T u : grows_at_most n count T u -> radius_at_most n count T u.
+Proof. intros H r Hr. apply H. lra. Qed.
 
 Lemma at_most n count T u x : radius_at_most n count T u -> 0 <= u -> is_radius n count T x -> x <= u.
 Proof.

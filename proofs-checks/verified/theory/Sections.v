@@ -402,7 +402,7 @@ Proof.
   assert (Ho : 0 < one) by lia.
   destruct (units_sound F nonnegative ps N1 one unit_lines Ho _ _ _ EU) as [_ [_ HU]].
   assert (O1 : (0 < IZR one)%R) by (apply IZR_lt; auto).
-  apply (polytope_bound (size F) (count F) (real F) (Point ps)
+  apply grows_radius, (polytope_bound (size F) (count F) (real F) (Point ps)
     (fold_right (fun p a => IZR (norm1 (fst p) + norm1 (snd p)) + a)%R 0%R all) (IZR s / IZR one) (IZR r / IZR one)).
   - clear. induction all; simpl. lra. apply Rplus_le_le_0_compat; auto. apply IZR_le.
     assert (P1 := norm1_nonneg (fst a)). assert (P2 := norm1_nonneg (snd a)). lia.

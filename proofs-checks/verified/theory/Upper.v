@@ -223,7 +223,7 @@ Theorem polytope_bound A0 S R g : 0 <= A0 -> 0 <= S -> 0 <= R < 1 -> 0 <= g ->
   (forall k, (k < n)%nat -> combination (unit k) zero S R) ->
   (forall x y t, Point x y -> (t < count)%nat ->
      exists a r, combination (apply n (T t) x) (apply n (T t) y) a r /\ 0 <= r /\ a + r * (S / (1 - R)) <= g) ->
-  radius_at_most n count T g.
+  grows_at_most n count T g.
 Proof.
   intros HA HS HR Hg HP HU HI.
   set (E := S / (1 - R)).
@@ -312,7 +312,7 @@ Qed.
 
 Variables (low high : R).
 Theorem tree_bound tr : 0 <= g -> 0 < low -> (forall x, low * norm n x <= N x) -> (forall x, N x <= high * norm n x) ->
-  good [] tr -> radius_at_most n count T g.
+  good [] tr -> grows_at_most n count T g.
 Proof.
   intros Hg Hlow HN1 HN2 Ht r Hr Hr0.
   destruct (good_cut [] tr Ht) as [depth H]. simpl in H.

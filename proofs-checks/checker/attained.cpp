@@ -163,7 +163,7 @@ class Attained {
     mpq_class slope = 0, powers = 1;
     for (std::size_t k = 1; k < degree; ++k, powers = rounded_up(powers * size))
       slope += mpz_class(k * norm(cycle.basis[k])) * powers;
-    const mpz_class off = ceiling(2 * away * slope * whole);
+    const mpq_class off = 2 * away * slope * whole;
     // (v_i U - U_i v) / U_i
     const Vector& given = body_.vertices[cycle.root];
     const auto coordinate = [&](std::size_t i) {
@@ -173,15 +173,15 @@ class Attained {
     for (std::size_t i = 1; i < n; ++i)
       if (norm(coordinate(i)) > norm(coordinate(largest))) largest = i;
     const Complex& pivot = vector[largest];
-    const mpz_class below = std::max(abs(pivot.re), abs(pivot.im)) - off;
+    const mpq_class below = std::max(abs(pivot.re), abs(pivot.im)) - off;
     require(below > 0, "the eigenvector of a cycle may be zero where the vertex is large");
-    mpz_class difference = off * (norm(coordinate(largest)) + norm(given));
+    mpq_class difference = off * (norm(coordinate(largest)) + norm(given));
     for (std::size_t i = 0; i < n; ++i) {
       const Complex left = times(coordinate(largest), vector[i], arithmetic_),
                     right = times(pivot, coordinate(i), arithmetic_);
       difference += norm(Complex{left.re - right.re, left.im - right.im});
     }
-    const mpq_class distance = ratio(difference, below);  // times vertex_one
+    const mpq_class distance = difference / below;  // times vertex_one
     for (std::size_t i = 0; body_.nonnegative && i < n; ++i)
       require(given[i] > distance ||
                   std::all_of(cycle.basis.begin(), cycle.basis.end(), [i](const Vector& y) { return y[i] == 0; }),

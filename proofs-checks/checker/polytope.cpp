@@ -124,7 +124,7 @@ Polytope read_polytope(Family family, const Fields& fields, const mpq_class& ent
   }
   require(most_residual < one, "the vertices do not span: a unit's residual is 1 or more");
   body.unit_norm = most_weights * body.vertex_one / (one - most_residual) + 1;  // at least E
-  mpz_class bound = 0;                                                          // over `one` * denominator
+  mpq_class bound = 0;                                                          // over `one` * denominator
   for (std::size_t j = 0; j < vertices; ++j)
     for (std::size_t t = 0; t < family.count(); ++t) {
       const Vector image = arithmetic.multiply(family.matrix(t), body.vertices[j], n);
@@ -134,11 +134,11 @@ Polytope read_polytope(Family family, const Fields& fields, const mpq_class& ent
       const auto& [weights, residual] = body.images.back();
       mpz_class length = 0;
       for (const mpz_class& x : body.vertices[j]) length += abs(x);
-      const mpz_class off = ceiling(entry_error * (length * n * body.weight_one * family.denominator));
+      const mpq_class off = entry_error * (length * n * body.weight_one * family.denominator);
       bound = std::max(bound,
-                       mpz_class(weights * family.denominator * body.vertex_one + (residual + off) * body.unit_norm));
+                       mpq_class(weights * family.denominator * body.vertex_one + (residual + off) * body.unit_norm));
     }
-  body.bound = ratio(bound, one * family.denominator);
+  body.bound = bound / (one * family.denominator);
   return body;
 }
 

@@ -10,6 +10,7 @@ SMOOTHED = "[-1,1,7,9,9,7,1,-1]/16@-3"
 TRAPEZOID = "--surface [1,1,0,1,1]/2@0 --dilation [2]"
 HAT = "--surface [1,2,1]/2@-1 --dilation [2]"
 BOUNDS = "bounds 323606797749959/200000000000000 323606797749999/200000000000000\n"  # of golden.cert
+DEGREE_256 = f"|[-1,{255 * '0,'}1]@1,0,1/1000000|^1/1"
 PRIME = 4294967291
 # rows of a form for which the last pivot of Lemma 17 is 0, or 1
 MARGIN, FIRST, MIDDLE = 2 * 2**128 + 2, 2**255 + 12345, 10**70
@@ -21,6 +22,8 @@ MATRICES = [
     ("huge.mat", [[[HUGE]]]),
     ("zero.mat", [[["0"]]]),
     ("one.mat", [[["1"]]]),
+    ("turned.mat", [[["1", "1"], ["1", "0"]], [["-1", "0"], ["-1", "0"]]]),  # opposite on the first unit vector
+    ("swap.mat", [[["0", "1"], ["1", "0"]]]),
     ("ones.mat", [[["1", "0"], ["0", "1"]]]),
     ("small.mat", [[["1/2000"]]]),
     ("unit.mat", [[["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]]),
@@ -54,6 +57,21 @@ ACCEPTED = [
     # a power of 4 with the exponent 1/2
     ("quaternary-half", "--mask [2,3,4,4,2,1]/4 --arity 4 --lower 1/2",
      "exponent [2,3,4,4,2,1]/4 4; bounds 1/2 -; sum-rules 1; block 0 norm 1; end"),
+    # errors of the entries, and of the zero, that are small beside the unit of the integers
+    ("rounded-hat-polytope", "--mask [1,2,1]/2@-1 --arity 2 --within 1/100,1 --lower 4/5",
+     "exponent [1,2,1]/2@-1 2 within=1/100,1; bounds 4/5 -; sum-rules 1; block 0 polytope 1 0 0; vertex 1; unit 0 0:1; "
+     "image 0 0 0:1; image 0 1 0:1; end"),
+    # an image with the norm 1, beside a vertex that attains it
+    ("ones-exact", "--matrices ones.mat --exact |[-1,1]@1,0,1/10|^1/1",
+     "radius 1 2; bounds - -; exact |[-1,1]@1,0,1/10|^1/1; root 1 0 0 1 1; block 0 polytope 2 0 0; vertex 1 0; vertex 0 1; "
+     "unit 0 0:1; unit 1 1:1; image 0 0 0:1; image 1 0 1:1; cycle 0 - 0; seed 1 0; end"),
+    ("one-exact-256", f"--matrices one.mat --exact {DEGREE_256}",
+     f"radius 1 1; bounds - -; exact {DEGREE_256}; root 1 0 0 1 1; block 0 polytope 1 0 0; vertex 1; unit 0 0:1; "
+     "image 0 0 0:1; cycle 0 - 0; seed 1; end"),
+    # an origin without any error
+    ("swap-exact", "--matrices swap.mat --exact |[-1,1]@1,0,1/10|^1/2",
+     "radius 1 2; bounds - -; exact |[-1,1]@1,0,1/10|^1/2; root 1 0 0 1 1; block 0 polytope 2 0 0; vertex 1 0; vertex 0 1; "
+     "unit 0 0:1; unit 1 1:1; image 0 0 1:1; image 1 0 0:1; cycle 0 - 0 0; seed 1 0; origin 1 0 0; end"),
     # units and images with large residuals
     ("unit-short", "--matrices one.mat --upper 5/2",
      "radius 1 1; bounds - 5/2; block 0 polytope 1 2 0; vertex 5; unit 0 0:1; image 0 0; end"),
@@ -88,6 +106,12 @@ ACCEPTED = [
 # name, accepted case that is changed, other options or None, changes of its text
 CHANGED = [
     ("reduced-exact-rough", "reduced-exact", f"--mask {SMOOTHED} --arity 2 --upper C4", [("sum-rules 4\n", "sum-rules 4 full\n")]),
+    ("four-point-exact-coarse", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[4,-5,1]@4,0,1/10|^1/1",
+     [("4-log|[-4,1]@4,0,1|", "4-log|[4,-5,1]@4,0,1/10|"), ("root 4 0 0 4 4", "root 4 0 1/100 399/100 401/100")]),
+    # all of the disc, and bounds that are no better
+    ("four-point-exact-wide", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[-4,1]@4,0,1/10|^1/1",
+     [("@4,0,1|", "@4,0,1/10|"), ("root 4 0 0 4 4", "root 4 0 1/10 39/10 41/10")]),
+    ("four-point-exact-word", "four-point-exact-group", None, [("cycle 0 - 0", f"cycle 0 {16 * 'A'} 0")]),
     # the longest numbers
     ("bounds-digits", "golden", None, [(BOUNDS, f"bounds {2000 * '9'} -{2000 * '9'}\n")]),
     ("golden-group-word", "golden-group", None, [("unit 0 ", f"unit 0 0{16 * 'A'}:0 ")]),
@@ -114,6 +138,11 @@ REJECTED = [
                                                                    ("form 0 1\n", f"form {MIDDLE} {LAST + last}\n")])
       for last, reason in ((0, "the form is not positive definite"), (1, "a product is not below the bound in the quadratic form"))),
     ("bounds-digits-more", "golden", None, "number too long", [(BOUNDS, f"bounds 1 {2001 * '9'}\n")]),
+    ("rounded-hat-polytope-high", "rounded-hat-polytope", "--mask [1,2,1]/2@-1 --arity 2 --within 1/100,1 --lower 19/20",
+     "the bound does not prove the claim", []),
+    ("origin-0", "ones-exact", None, ", line 15",
+     [("cycle 0 - 0\nseed 1 0\n", "cycle 1 - 0\nseed 0 1\norigin 0 0 0\n")]),
+    ("cone-origin-other", "slow-cone-exact", None, "too far", [("origin 4 2 0\n", "origin 4 2 1\n")]),
     ("root-double", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[16,-8,1]@4,0,1|^1/1",
      "no zero is proved so near", [("exact 4-log|[-4,1]@4,0,1|^1/1\n", "exact 4-log|[16,-8,1]@4,0,1|^1/1\n")]),
     ("axis-seed", "axis-exact", "--matrices axis.mat --exact |[1,-3,2]@1,0,1/10|^1/1",

@@ -652,6 +652,7 @@ def main(out):
         write_matrices(name, family)
     for name, options, lines in edge_cases.ACCEPTED:
         write(name, (options.split(), ["subcert-certificate 3", *lines.split("; ")]))
+    write("four-point-exact-group", (made["four-point-exact"][0], as_group(made["four-point-exact"][1])))
     for name, base, options, edits in edge_cases.CHANGED:
         write(name, (options.split() if options else made[base][0], edited(made[base][1], edits)))
     write("slow-exact-opposite", (made["slow-exact"][0], opposite(made["slow-exact"][1], 1)))

@@ -604,6 +604,11 @@ reject("same-source", "lone-exact", "not the vertex", replace("^same 1 1 2", "sa
 reject("same-word", "primal-exact", "unknown generator", replace("^(same .*)$", "\\1B"))
 reject("same-above", "golden-cone-exact", "not the vertex", lambda lines: replace("^same.*", "same 0 0 0f")(lines))
 reject("same-cone-none", "golden-cone-exact", outside, drop("same"))
+WEIGHT = edge_cases.ONE**2 // edge_cases.PHI
+reject("same-opposite", "golden-cone-exact", "not the vertex", lambda lines: [
+    *lines[:5], "block 0 polytope 2 64 64", f"vertex {edge_cases.PHI - 2} {edge_cases.ONE}", f"vertex 0 {edge_cases.ONE}",
+    f"unit 0 0:{WEIGHT} 1:{-WEIGHT}", f"unit 1 1:{edge_cases.ONE}", "image 0 0", "image 0 1", "image 1 0", "image 1 1", "cycle 0 - 0",
+    "seed 1 0", "same 0 1 0", "end"], "--matrices turned.mat --exact |[-1,-1,1]@8/5,0,1/10|^1/1")
 
 # one spectral radius, and logarithms
 reject("logarithm-blocks", "blocks-exponent-exact", "more than one block has the exact radius",

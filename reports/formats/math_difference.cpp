@@ -19,7 +19,12 @@ struct Leaf {
 
 void collect(MathNode& node, const std::string& role, bool top, std::vector<Leaf>& list) {
   if (is_leaf(node))
-    list.push_back({&node, role + (node.upright ? "upright " : " ") + trimmed(node.text),
+    list.push_back({&node,
+                    role +
+                        (node.kind == Kind::word ? "word "
+                         : node.upright          ? "upright "
+                                                 : " ") +
+                        trimmed(node.text),
                     top && (node.atom == Atom::relation || node.atom == Atom::punctuation)});
   for (std::size_t i = 0; i < node.parts.size(); ++i) {
     std::string inner;

@@ -215,6 +215,7 @@ TEST_CASE("what both forms have in common is not marked") {
   CHECK(marks("a + b = c", "d + e = c") == "a+b / d+e");    // no crumbs
   CHECK(marks("x = (r + 1) s", "x = (r - 1) s") == "+ / −");
   CHECK(marks("x = 2 (r + 1), y", "x = 2, y") == "(r+1) / ");
+  CHECK(marks("\\text{a} = 4, 5", "\\text{a, b}") == "=4,5 / , b");  // a comma of a text is none of a list
   CHECK(marks("S \\text{ is fast}", "S \\text{ is slow}") == "fast / slow");
   CHECK(marks("1 + \\text{two words}", "1") == "+; two words / ");
 }

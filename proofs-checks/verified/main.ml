@@ -411,8 +411,11 @@ let modulus_proof scheme order certificate power (fields, recurrence) =
       let work = (float_of_int scheme.arity ** float_of_int level) *. float_of_int (n * n * n) in
       require (work <= float_of_int Sections.max_work) "more work than this checker allows";
       Whole (below, level)
-  | [ _ ] when power = 0 && (not recurrence) && attains_alone certificate -> Between below
-  | _ -> raise (Sections.Undecided "this modulus of continuity is not decided here, but by subcert-check")
+  | [ _ ] when (not recurrence) && power = 0 && attains_alone certificate -> Between below
+  | _ ->
+      (match certificate.exact_blocks with
+      | [ (_, Leading pole) ] when not recurrence -> require (pole.multiplicity = power + 1) "products grow with another power"
+      | _ -> ()); raise (Sections.Undecided "this modulus of continuity is not decided here, but by subcert-check")
 
 (* Of what the exponent is, with bounds or without *)
 let prove_number scheme order family lower upper logarithm exact ((e, _) as number) r =
@@ -425,8 +428,8 @@ let prove_number scheme order family lower upper logarithm exact ((e, _) as numb
       fun name -> Theorem.print_exact_exponent name scheme order e lower upper certificate shifts
   | Some power ->
       let proof = modulus_proof scheme order certificate power modulus in
-      require (check_logarithm scheme order e lower upper certificate shifts proof) "the modulus of continuity is not proved";
-      fun name -> Theorem.print_logarithm name scheme order e lower upper certificate shifts proof
+      require (check_logarithm scheme order e lower upper certificate shifts proof power) "the modulus of continuity is not proved";
+      fun name -> Theorem.print_logarithm name scheme order e lower upper certificate shifts proof power
 
 (* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
 let exponent mask arity lower upper exact logarithm file =

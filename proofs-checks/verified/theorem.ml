@@ -146,14 +146,15 @@ let modulus_proof = function
   | Between below -> "(Between " ^ natural below ^ ")"
   | Whole (below, level) -> Printf.sprintf "(Whole %s %s)" (natural below) (natural level)
 
-let print_logarithm name s order e lower upper c shifts p =
+let print_logarithm name s order e lower upper c shifts p power =
   print name (exact_modules ^ " Modulus Logarithm")
     (Printf.sprintf "%s.\n\nDefinition %s_shifts := %s" (scheme_of s) name (stability shifts))
     (exact_certificate c)
     (Printf.sprintf
-       "logarithm_holds : logarithm_holds %s_scheme %s\n%s %s %s 0.\n\
+       "logarithm_holds : logarithm_holds %s_scheme %s\n%s %s %s %s.\n\
         Proof. apply (check_logarithm_sound _ _ _ _ _ %s_certificate %s_shifts %s). %s"
-       name (natural order) (number e) (option fraction lower) (option fraction upper) name name (modulus_proof p) by_computation)
+       name (natural order) (number e) (option fraction lower) (option fraction upper) (natural power) name name (modulus_proof p)
+       by_computation)
 
 let print_exact_exponent name s order e lower upper c shifts =
   print name exact_modules

@@ -2815,13 +2815,17 @@ let attains_alone c =
   | None ->
     (match c.exact_blocks with
      | [] -> false
-     | p::l ->
-       let _,e = p in
+     | p0::l ->
+       let _,e = p0 in
        (match e with
+        | Bounded _ -> false
         | Attains (_, _) -> (match l with
                              | [] -> true
                              | _::_ -> false)
-        | _ -> false))
+        | Leading p ->
+          (match l with
+           | [] -> Nat.eqb p.multiplicity (Stdlib.succ 0)
+           | _::_ -> false)))
 
 (** val check_modulus :
     scheme -> int -> exact_number -> exact_certificate -> modulus_proof ->
@@ -2854,8 +2858,9 @@ let check_modulus a order0 e c m =
 
 (** val check_logarithm :
     scheme -> int -> exact_number -> q option -> q option ->
-    exact_certificate -> stability -> modulus_proof -> bool **)
+    exact_certificate -> stability -> modulus_proof -> int -> bool **)
 
-let check_logarithm a order0 e lower0 upper0 c shifts0 m =
-  (&&) (check_exact_exponent a order0 e lower0 upper0 c shifts0)
-    (check_modulus a order0 e c m)
+let check_logarithm a order0 e lower0 upper0 c shifts0 m p =
+  (&&)
+    ((&&) (check_exact_exponent a order0 e lower0 upper0 c shifts0)
+      (check_modulus a order0 e c m)) (Nat.eqb p 0)

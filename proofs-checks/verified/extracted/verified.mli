@@ -645,4 +645,4 @@ val check_modulus :
 
 val check_logarithm :
   scheme -> int -> exact_number -> q option -> q option -> exact_certificate
-  -> stability -> modulus_proof -> bool
+  -> stability -> modulus_proof -> int -> bool

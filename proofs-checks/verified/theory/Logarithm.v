@@ -2,7 +2,7 @@
    Without a power of a logarithm: the exponent is attained. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Existence Upper Integers Sections Eigenvalue Single Check Complex Number Attained Largest Subdivision
+From Subcert Require Import Radius Existence Upper Integers Sections Eigenvalue Single Check Complex Number Attained Largest Sharp Subdivision
   Coefficients Growth Stability Modulus Exponent Enclosure Exact.
 Import ListNotations.
 Open Scope Z_scope.
@@ -25,7 +25,11 @@ Definition is_power (e : exact_number) (x : Z) : bool :=
   (zvalue (polynomial e) t =? 0) && (0 <? x) && (d * d + disc_im e * disc_im e <=? disc_radius e * disc_radius e).
 
 Definition attains_alone (c : exact_certificate) : bool :=
-  match exact_basis c, exact_blocks c with None, [(_, Attains _ _)] => true | _, _ => false end.
+  match exact_basis c, exact_blocks c with
+  | None, [(_, Attains _ _)] => true
+  | None, [(_, Leading p)] => (multiplicity p =? 1)%nat
+  | _, _ => false
+  end.
 
 Definition check_modulus (a : scheme) (order : nat) (e : exact_number) (c : exact_certificate) (m : modulus_proof) : bool :=
   let h := number_place c in let A := Z.of_nat (arity a) in
@@ -38,18 +42,12 @@ Definition check_modulus (a : scheme) (order : nat) (e : exact_number) (c : exac
   end.
 
 Definition check_logarithm (a : scheme) (order : nat) (e : exact_number) (lower upper : option Q) (c : exact_certificate)
-    (shifts : stability) (m : modulus_proof) : bool :=
-  check_exact_exponent a order e lower upper c shifts && check_modulus a order e c m.
+    (shifts : stability) (m : modulus_proof) (P : nat) : bool :=
+  check_exact_exponent a order e lower upper c shifts && check_modulus a order e c m && (P =? 0)%nat.
 
 (* ---- the largest coefficients from below ------------------------------------------------------------------------- *)
 
 Open Scope R_scope.
-
-Lemma finite_search (f : nat -> R) x w : (exists k, (k < w)%nat /\ x <= f k) \/ (forall k, (k < w)%nat -> f k < x).
-Proof.
-  induction w. right. intros. lia. destruct IHw as [[k [Hk H]]|H]. left. exists k. split; auto.
-  destruct (Rle_lt_dec x (f w)). left. exists w. split; auto. right. intros k Hk. destruct (Nat.eq_dec k w). subst; auto. apply H. lia.
-Qed.
 
 Section Least.
 Variables (A N W : nat) (b : Z -> R).
@@ -229,7 +227,6 @@ Proof.
   intros H HA Hr. unfold attains_alone in HA. unfold check_number_and_blocks in H. set (h := number_place c) in *.
   destruct (exact_basis c); [discriminate|]. repeat rewrite andb_true_iff in H. destruct H as [[WF HN] H].
   unfold check_blocks in H. apply andb_prop in H. destruct H as [H _].
-  destruct (exact_blocks c) as [|[d [s|tr b|p]] [|x l]]; try discriminate. cbn [all_blocks] in H. apply andb_prop in H. destruct H as [_ HB].
   destruct (check_number_sound e h HN) as [S [Rho [HL [Hlow [Hcom [z' [r' [Iz [Uz [N1 [N2 [R0 [Rp B]]]]]]]]]]]]].
   assert (Er : r = r').
   { destruct Hr as [Pr [y [Iy Ey]]]. rewrite (Uz y Iy), <- Rp in Ey. apply Rle_antisym; apply (pow_le_reg _ _ (root e)); auto; lra. }
@@ -237,6 +234,12 @@ Proof.
   assert (Sc : (0 < near_scale h)%Z) by (apply lt_IZR; auto).
   assert (Sm : (0 <= near_radius h)%Z).
   { apply le_IZR. apply (Rmult_le_reg_r (/ IZR (near_scale h))). apply Rinv_0_lt_compat; auto. unfold Rdiv in Rho. lra. }
+  destruct (exact_blocks c) as [|[d [s|tr b|p]] [|x l]]; try discriminate; cbn [all_blocks] in H; apply andb_prop in H; destruct H as [_ HB].
+  2:{ cbn [block_below] in HB. fold h in HB. apply andb_prop in HB. destruct HB as [HS HB]. apply Nat.eqb_eq in HA.
+    unfold simple_number in HS. apply andb_prop in HS. destruct HS as [HS HR1]. apply Nat.eqb_eq in HR1. apply (positive_zero_sound e h z') in HS; auto.
+    rewrite HR1, pow_1 in Rp. rewrite <- Rp in HS. rewrite HS, value_real in Vz. apply (f_equal fst) in Vz.
+    assert (HB' := HB). unfold no_larger in HB'. cbv zeta in HB'. repeat rewrite andb_true_iff in HB'. destruct HB' as [[HP _] _].
+    apply (sharp_growth F (polynomial e) p WF HP h r Vz R0); auto. apply B. }
   cbn [block_below] in HB. fold h in HB. apply andb_prop in HB. destruct HB as [HC HB].
   assert (Cone : cone b = true -> z' = real_number (cabs z')).
   { intros EC. rewrite EC in HC. apply (positive_zero_sound e h); auto. }
@@ -246,10 +249,10 @@ Proof.
 Qed.
 
 (* What the checker accepts is true. *)
-Theorem check_logarithm_sound a order e lower upper c shifts p : check_logarithm a order e lower upper c shifts p = true ->
-  logarithm_holds a order e lower upper 0.
+Theorem check_logarithm_sound a order e lower upper c shifts p P : check_logarithm a order e lower upper c shifts p P = true ->
+  logarithm_holds a order e lower upper P.
 Proof.
-  intros H. apply andb_prop in H. destruct H as [H HM].
+  intros H. apply andb_prop in H. destruct H as [H HP0]. apply Nat.eqb_eq in HP0. subst P. apply andb_prop in H. destruct H as [H HM].
   destruct (exact_exponent_facts a order e lower upper c shifts H) as [One [phi [r [s [lambda [Lim [Nr [Log [Es [Lub [Wi [Stab [S0 [Rr [B1 B2]]]]]]]]]]]]]]].
   split; auto. exists phi, r, s, lambda. split; auto. split; auto. split; auto. split; auto. split; auto. split; auto.
   unfold check_exact_exponent in H. cbv zeta in H. repeat rewrite andb_true_iff in H.

@@ -236,8 +236,7 @@ let read_lines family lower r sections =
   in
   let sections = sections divided blocks in
   let logarithm = if at r "logarithm" then take r "logarithm" 1 3 else [] in
-  let recurrence = at r "recurrence" in
-  skip r [ "logarithm"; "recurrence" ];
+  let recurrence = if logarithm <> [] && at r "recurrence" then Single_hint.polynomial r "recurrence" 2 else [] in
   line r "end";
   require (at_end r) "text after 'end'";
   (new_basis, (if divided then sizes else []), chosen, eigenvector, sections, (logarithm, recurrence))
@@ -270,7 +269,7 @@ let read_exact_proof ~single family (e, root) r =
     let own, section, polytope = Sections.read_section ~single:(single && not divided) r i block (Some low) in
     match (section, polytope) with
     | Single (squares, recurrence), _ ->
-        let pole = Single_hint.pole block squares recurrence e.polynomial in
+        let pole = Single_hint.make_pole block squares recurrence e.polynomial in
         require (simple_number e place) "one spectral radius is a positive zero";
         require (no_larger block e.polynomial place pole) "the exact radius may not be the largest zero of the recurrence";
         require (is_pole block e.polynomial place pole) "the exact radius may be no pole";
@@ -411,11 +410,21 @@ let modulus_proof scheme order certificate power (fields, recurrence) =
       let work = (float_of_int scheme.arity ** float_of_int level) *. float_of_int (n * n * n) in
       require (work <= float_of_int Sections.max_work) "more work than this checker allows";
       Whole (below, level)
-  | [ _ ] when (not recurrence) && power = 0 && attains_alone certificate -> Between below
+  | [ _ ] when recurrence = [] && power = 0 && attains_alone certificate -> Between below
   | _ ->
-      (match certificate.exact_blocks with
-      | [ (_, Leading pole) ] when not recurrence -> require (pole.multiplicity = power + 1) "products grow with another power"
-      | _ -> ()); raise (Sections.Undecided "this modulus of continuity is not decided here, but by subcert-check")
+      let undecided = Sections.Undecided "this modulus of continuity is not decided here, but by subcert-check" in
+      match certificate.exact_blocks with
+      | [ (_, Leading pole) ] when recurrence = [] ->
+          require (pole.multiplicity = power + 1) "products grow with another power";
+          raise undecided
+      | [ (_, Leading pole) ] ->
+          require (below mod 2 = 0) "the differences of this order need a norm";
+          let scale, above = Single_hint.pole_above scheme order below pole recurrence in
+          require (above.multiplicity = power + 1) "products grow with another power";
+          if power = 1 && pole.multiplicity = 1 then Double (below, scale, above) else raise undecided
+      | _ ->
+          require (recurrence = []) "the differences of this order need a norm";
+          raise undecided
 
 (* Of what the exponent is, with bounds or without *)
 let prove_number scheme order family lower upper logarithm exact ((e, _) as number) r =

@@ -62,10 +62,23 @@ let bounded_by bound recurrence = one_sign (snd (shifted_by (Q.num bound) (Q.den
 let rec divide_out times a p = match quotient a p with Some q -> divide_out (times + 1) q p | None -> (times, a)
 
 (* The zero of p as the largest one of the recurrence: its order as a pole, and the other factors. *)
-let pole family squares_of recurrence p =
+let make_pole family squares_of recurrence p =
   let arity = List.length family.matrices and b = squares_of.symbol in
   let r = reach_of arity b in
   let first = middles (central_matrix arity b) family.denominator r (unit_at Z.one r) (List.length recurrence) in
   let zeros, cofactor = divide_out 0 recurrence p and lost, _ = divide_out 0 (numerator recurrence first) p in
   require (zeros > lost) "the exact radius may not be the largest zero of the recurrence";
   { squares_of; recurrence; multiplicity = zeros - lost; cofactor }
+
+(* The pole at 1 for differences of `below` orders less, by whose number the family is multiplied so that its squares are
+   those of the section and powers of sigma. *)
+let pole_above scheme order below pole recurrence =
+  require (Z.sign (last recurrence) <> 0) "the last coefficient of a recurrence is 0";
+  let whole = Z.pow (Z.of_int scheme.arity) below and squares = pole.squares_of in
+  let common = Z.gcd squares.content whole in
+  let scale = Z.divexact whole common in
+  let symbol = List.map (Z.mul scale) (symbol_above scheme order below) in
+  require (List.length symbol <= (256 * (scheme.arity - 1)) + 1) "transition matrices larger than 256";
+  let divisor = iterate (below / 2) (times_sigma scheme.arity) squares.divisor in
+  let above = { squares with symbol; content = Z.divexact squares.content common; divisor } in
+  (scale, make_pole (family_above scheme order below scale) above recurrence at_one)

@@ -269,6 +269,7 @@ let read_exact_proof ~single family (e, root) r =
     let own, section, polytope = Sections.read_section ~single:(single && not divided) r i block (Some low) in
     match (section, polytope) with
     | Single (squares, recurrence), _ ->
+        Sections.spend_powers block squares.symbol (8 * List.length recurrence);
         let pole = Single_hint.make_pole block squares recurrence e.polynomial in
         require (simple_number e place) "one spectral radius is a positive zero";
         require (no_larger block e.polynomial place pole) "the exact radius may not be the largest zero of the recurrence";
@@ -404,11 +405,12 @@ let modulus_proof scheme order certificate power (fields, recurrence) =
   let place = certificate.number_place in
   let rec below j reached = if Z.gt (Z.mul reached place.bottom) place.high then j - 1 else below (j + 1) (Z.mul reached (Z.of_int scheme.arity)) in
   let below = below 0 Z.one in
+  require (0 <= below && below < order) "the exact radius is not below a power of the arity";
   match fields with
   | [ _; "norm"; level ] when power = 0 ->
-      let level = size level 1 64 and n = (difference_family scheme (order - below)).size in
-      let work = (float_of_int scheme.arity ** float_of_int level) *. float_of_int (n * n * n) in
-      require (work <= float_of_int Sections.max_work) "more work than this checker allows";
+      let level = size level 1 64 in
+      require (divides scheme (order - below)) "the mask has no sum rules of this order";
+      Sections.spend_norm (difference_family scheme (order - below)) level;
       Whole (below, level)
   | [ _ ] when recurrence = [] && power = 0 && attains_alone certificate -> Between below
   | _ ->
@@ -419,7 +421,12 @@ let modulus_proof scheme order certificate power (fields, recurrence) =
           raise undecided
       | [ (_, Leading pole) ] ->
           require (below mod 2 = 0) "the differences of this order need a norm";
-          let scale, above = Single_hint.pole_above scheme order below pole recurrence in
+          let scale = Single_hint.scale_above scheme below pole in
+          let family = family_above scheme order below scale in
+          require (family.size <= 256) "transition matrices larger than 256";
+          let symbol = List.map (Z.mul scale) (symbol_above scheme order below) in
+          Sections.spend_powers family symbol (8 * List.length recurrence);
+          let above = Single_hint.pole_above scheme below pole recurrence scale family symbol in
           require (above.multiplicity = power + 1) "products grow with another power";
           if power = 1 && pole.multiplicity = 1 then Double (below, scale, above) else raise undecided
       | _ ->

@@ -70,15 +70,15 @@ let make_pole family squares_of recurrence p =
   require (zeros > lost) "the exact radius may not be the largest zero of the recurrence";
   { squares_of; recurrence; multiplicity = zeros - lost; cofactor }
 
-(* The pole at 1 for differences of `below` orders less, by whose number the family is multiplied so that its squares are
-   those of the section and powers of sigma. *)
-let pole_above scheme order below pole recurrence =
+(* For differences of `below` orders less: what their family is multiplied by, above and below, so that its squares are those
+   of the section and powers of sigma; and the pole at 1. *)
+let scale_above scheme below pole =
+  let whole = Z.pow (Z.of_int scheme.arity) below in
+  Z.divexact whole (Z.gcd pole.squares_of.content whole)
+
+let pole_above scheme below pole recurrence scale family symbol =
   require (Z.sign (last recurrence) <> 0) "the last coefficient of a recurrence is 0";
-  let whole = Z.pow (Z.of_int scheme.arity) below and squares = pole.squares_of in
-  let common = Z.gcd squares.content whole in
-  let scale = Z.divexact whole common in
-  let symbol = List.map (Z.mul scale) (symbol_above scheme order below) in
-  require (List.length symbol <= (256 * (scheme.arity - 1)) + 1) "transition matrices larger than 256";
+  let squares = pole.squares_of in
+  let content = Z.divexact (Z.mul scale squares.content) (Z.pow (Z.of_int scheme.arity) below) in
   let divisor = iterate (below / 2) (times_sigma scheme.arity) squares.divisor in
-  let above = { squares with symbol; content = Z.divexact squares.content common; divisor } in
-  (scale, make_pole (family_above scheme order below scale) above recurrence at_one)
+  make_pole family { squares with symbol; content; divisor } recurrence at_one

@@ -39,8 +39,8 @@ def decided(name, arguments):
     known = {"--lower", "--upper", "--exact", "--logarithm"}
     if not {"--mask", "--arity"} <= options or not ends <= known or not ends & {"--lower", "--exact"}:
         return False
-    # Of moduli of continuity those without a logarithm, if they follow from a norm, or from the only block; and those with its
-    # first power that follow from a recurrence.
+    # Of moduli of continuity those without a logarithm, if they follow from a norm, or from the only block; and those with
+    # its first power that follow from a recurrence.
     if "--logarithm" in options and "\nlogarithm " in text:
         by_norm = re.search(r"^logarithm 0 norm ", text, re.MULTILINE)
         alone = "\nlogarithm 0\n" in text and "\nblocks " not in text and "\nlogarithm 0\nrecurrence " not in text

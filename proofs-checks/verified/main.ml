@@ -236,8 +236,7 @@ let read_lines family lower r sections =
   in
   let sections = sections divided blocks in
   let logarithm = if at r "logarithm" then take r "logarithm" 1 3 else [] in
-  let recurrence = at r "recurrence" in
-  skip r [ "logarithm"; "recurrence" ];
+  let recurrence = if logarithm <> [] && at r "recurrence" then Single_hint.polynomial r "recurrence" 2 else [] in
   line r "end";
   require (at_end r) "text after 'end'";
   (new_basis, (if divided then sizes else []), chosen, eigenvector, sections, (logarithm, recurrence))
@@ -270,7 +269,8 @@ let read_exact_proof ~single family (e, root) r =
     let own, section, polytope = Sections.read_section ~single:(single && not divided) r i block (Some low) in
     match (section, polytope) with
     | Single (squares, recurrence), _ ->
-        let pole = Single_hint.pole block squares recurrence e.polynomial in
+        Sections.spend_powers block squares.symbol (8 * List.length recurrence);
+        let pole = Single_hint.make_pole block squares recurrence e.polynomial in
         require (simple_number e place) "one spectral radius is a positive zero";
         require (no_larger block e.polynomial place pole) "the exact radius may not be the largest zero of the recurrence";
         require (is_pole block e.polynomial place pole) "the exact radius may be no pole";
@@ -405,14 +405,33 @@ let modulus_proof scheme order certificate power (fields, recurrence) =
   let place = certificate.number_place in
   let rec below j reached = if Z.gt (Z.mul reached place.bottom) place.high then j - 1 else below (j + 1) (Z.mul reached (Z.of_int scheme.arity)) in
   let below = below 0 Z.one in
+  require (0 <= below && below < order) "the exact radius is not below a power of the arity";
   match fields with
   | [ _; "norm"; level ] when power = 0 ->
-      let level = size level 1 64 and n = (difference_family scheme (order - below)).size in
-      let work = (float_of_int scheme.arity ** float_of_int level) *. float_of_int (n * n * n) in
-      require (work <= float_of_int Sections.max_work) "more work than this checker allows";
+      let level = size level 1 64 in
+      require (divides scheme (order - below)) "the mask has no sum rules of this order";
+      Sections.spend_norm (difference_family scheme (order - below)) level;
       Whole (below, level)
-  | [ _ ] when power = 0 && (not recurrence) && attains_alone certificate -> Between below
-  | _ -> raise (Sections.Undecided "this modulus of continuity is not decided here, but by subcert-check")
+  | [ _ ] when recurrence = [] && power = 0 && attains_alone certificate -> Between below
+  | _ ->
+      let undecided = Sections.Undecided "this modulus of continuity is not decided here, but by subcert-check" in
+      match certificate.exact_blocks with
+      | [ (_, Leading pole) ] when recurrence = [] ->
+          require (pole.multiplicity = power + 1) "products grow with another power";
+          raise undecided
+      | [ (_, Leading pole) ] ->
+          require (below mod 2 = 0) "the differences of this order need a norm";
+          let scale = Single_hint.scale_above scheme below pole in
+          let family = family_above scheme order below scale in
+          require (family.size <= 256) "transition matrices larger than 256";
+          let symbol = List.map (Z.mul scale) (symbol_above scheme order below) in
+          Sections.spend_powers family symbol (8 * List.length recurrence);
+          let above = Single_hint.pole_above scheme below pole recurrence scale family symbol in
+          require (above.multiplicity = power + 1) "products grow with another power";
+          if power = 1 && pole.multiplicity = 1 then Double (below, scale, above) else raise undecided
+      | _ ->
+          require (recurrence = []) "the differences of this order need a norm";
+          raise undecided
 
 (* Of what the exponent is, with bounds or without *)
 let prove_number scheme order family lower upper logarithm exact ((e, _) as number) r =
@@ -425,8 +444,8 @@ let prove_number scheme order family lower upper logarithm exact ((e, _) as numb
       fun name -> Theorem.print_exact_exponent name scheme order e lower upper certificate shifts
   | Some power ->
       let proof = modulus_proof scheme order certificate power modulus in
-      require (check_logarithm scheme order e lower upper certificate shifts proof) "the modulus of continuity is not proved";
-      fun name -> Theorem.print_logarithm name scheme order e lower upper certificate shifts proof
+      require (check_logarithm scheme order e lower upper certificate shifts proof power) "the modulus of continuity is not proved";
+      fun name -> Theorem.print_logarithm name scheme order e lower upper certificate shifts proof power
 
 (* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
 let exponent mask arity lower upper exact logarithm file =

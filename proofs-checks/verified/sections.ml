@@ -18,6 +18,13 @@ let spend_product family length =
   let n = family.size in
   spend (length * n * n * n * (1 + (length * Z.numbits family.denominator / 640)))
 
+(* All products of so many matrices *)
+let spend_norm family level =
+  let count = float_of_int (List.length family.matrices) and n = family.size in
+  let work = (count ** float_of_int level) *. float_of_int (n * n * n) in
+  require (work <= float_of_int max_work) "more work than this checker allows";
+  spend (int_of_float work * (1 + (level * Z.numbits family.denominator / 640)))
+
 (* Vectors are the real parts of coordinates and then, if complex, the imaginary ones. *)
 type vector = Z.t array
 
@@ -379,11 +386,15 @@ let read_quadratic r family upper fields =
   let words = tree_of count first !all leaf longer (0, [||]) in
   (bound, Quadratic (Array.to_list (Array.map Array.to_list form), definite, words))
 
+(* Middle coefficients of so many powers *)
+let spend_powers family symbol count =
+  let width = (2 * reach_of (List.length family.matrices) symbol) + 1 in
+  spend (count * width * width * (1 + (count * Z.numbits family.denominator / 640)))
+
 (* One spectral radius: the work is that of the recurrence. *)
 let read_single r family fields =
   let bound, squares, recurrence = Single_hint.read r family fields in
-  let width = (2 * reach_of (List.length family.matrices) squares.symbol) + 1 and length = List.length recurrence in
-  spend (length * width * width * (1 + (length * Z.numbits family.denominator / 640)));
+  spend_powers family squares.symbol (List.length recurrence);
   require (recurs family squares.symbol recurrence) "the recurrence is wrong";
   require (Single_hint.bounded_by bound recurrence) "the recurrence may have a zero above the bound";
   (Some bound, Single (squares, recurrence), None)
@@ -391,14 +402,11 @@ let read_single r family fields =
 (* The section, the bound that it shows if it says so itself, and more of a polytope. `single`: those of 4.11 are allowed. *)
 let read_section ~single r number family upper =
   let fields = take r (Printf.sprintf "block %d" number) 2 8 in
-  let count = List.length family.matrices and n = family.size in
   match List.hd fields with
   | "norm" ->
       require (List.length fields = 2) "wrong number of fields after 'norm'";
       let level = size (List.nth fields 1) 1 64 in
-      let work = (float_of_int count ** float_of_int level) *. float_of_int (n * n * n) in
-      require (work <= float_of_int max_work) "more work than this checker allows";
-      spend (int_of_float work * (1 + (level * Z.numbits family.denominator / 640)));
+      spend_norm family level;
       (None, Norm level, None)
   | "quadratic" ->
       let bound, section = read_quadratic r family upper fields in

@@ -62,10 +62,23 @@ let bounded_by bound recurrence = one_sign (snd (shifted_by (Q.num bound) (Q.den
 let rec divide_out times a p = match quotient a p with Some q -> divide_out (times + 1) q p | None -> (times, a)
 
 (* The zero of p as the largest one of the recurrence: its order as a pole, and the other factors. *)
-let pole family squares_of recurrence p =
+let make_pole family squares_of recurrence p =
   let arity = List.length family.matrices and b = squares_of.symbol in
   let r = reach_of arity b in
   let first = middles (central_matrix arity b) family.denominator r (unit_at Z.one r) (List.length recurrence) in
   let zeros, cofactor = divide_out 0 recurrence p and lost, _ = divide_out 0 (numerator recurrence first) p in
   require (zeros > lost) "the exact radius may not be the largest zero of the recurrence";
   { squares_of; recurrence; multiplicity = zeros - lost; cofactor }
+
+(* For differences of `below` orders less: what their family is multiplied by, above and below, so that its squares are those
+   of the section and powers of sigma; and the pole at 1. *)
+let scale_above scheme below pole =
+  let whole = Z.pow (Z.of_int scheme.arity) below in
+  Z.divexact whole (Z.gcd pole.squares_of.content whole)
+
+let pole_above scheme below pole recurrence scale family symbol =
+  require (Z.sign (last recurrence) <> 0) "the last coefficient of a recurrence is 0";
+  let squares = pole.squares_of in
+  let content = Z.divexact (Z.mul scale squares.content) (Z.pow (Z.of_int scheme.arity) below) in
+  let divisor = iterate (below / 2) (times_sigma scheme.arity) squares.divisor in
+  make_pole family { squares with symbol; content; divisor } recurrence at_one

@@ -117,15 +117,16 @@ let image = function
   | Below (i, a, b) -> Printf.sprintf "(Below %s %s %s)" (numeral i) (natural a) (natural b)
   | Inside terms -> "(Inside " ^ list term terms ^ ")"
 
+let pole c =
+  Printf.sprintf "(Pole %s %s %s %s)" (squares c.squares_of) (vector c.recurrence) (natural c.multiplicity) (vector c.cofactor)
+
 let exact_section = function
   | Bounded s -> "(Bounded " ^ section s ^ ")"
   | Attains (transposed, b) ->
       Printf.sprintf "(Attains %b (Body %b %s\n%s\n%s %s\n%s\n%s %s))" transposed b.cone (list base b.bases)
         (list (pair source (pair point (list image))) b.given)
         (integer b.weight_one) (integer b.unit_one) (list (list term) b.unit_lines) (natural b.first_base) (natural b.full_turn)
-  | Leading c ->
-      Printf.sprintf "(Leading (Pole %s %s %s %s))" (squares c.squares_of) (vector c.recurrence) (natural c.multiplicity)
-        (vector c.cofactor)
+  | Leading c -> "(Leading " ^ pole c ^ ")"
 
 let exact_certificate c =
   let p = c.number_place in
@@ -145,15 +146,17 @@ let print_exact_radius name claim e c =
 let modulus_proof = function
   | Between below -> "(Between " ^ natural below ^ ")"
   | Whole (below, level) -> Printf.sprintf "(Whole %s %s)" (natural below) (natural level)
+  | Double (below, scale, c) -> Printf.sprintf "(Double %s %s %s)" (natural below) (integer scale) (pole c)
 
-let print_logarithm name s order e lower upper c shifts p =
+let print_logarithm name s order e lower upper c shifts p power =
   print name (exact_modules ^ " Modulus Logarithm")
     (Printf.sprintf "%s.\n\nDefinition %s_shifts := %s" (scheme_of s) name (stability shifts))
     (exact_certificate c)
     (Printf.sprintf
-       "logarithm_holds : logarithm_holds %s_scheme %s\n%s %s %s 0.\n\
+       "logarithm_holds : logarithm_holds %s_scheme %s\n%s %s %s %s.\n\
         Proof. apply (check_logarithm_sound _ _ _ _ _ %s_certificate %s_shifts %s). %s"
-       name (natural order) (number e) (option fraction lower) (option fraction upper) name name (modulus_proof p) by_computation)
+       name (natural order) (number e) (option fraction lower) (option fraction upper) (natural power) name name (modulus_proof p)
+       by_computation)
 
 let print_exact_exponent name s order e lower upper c shifts =
   print name exact_modules

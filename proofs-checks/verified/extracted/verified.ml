@@ -2784,16 +2784,17 @@ let check_exact_exponent a order0 e lower0 upper0 c shifts0 =
      | Some u -> above_power a u order0 { qnum = h.low; qden = q0 }
      | None -> true)
 
-type modulus_proof =
-| Between of int
-| Whole of int * int
-
 (** val zvalue : Number.t list -> Number.t -> Number.t **)
 
 let rec zvalue p x =
   match p with
   | [] -> Number.zero
   | c::p' -> Number.add c (Number.mul x (zvalue p' x))
+
+type modulus_proof =
+| Between of int
+| Whole of int * int
+| Double of int * Number.t * pole
 
 (** val is_power : exact_number -> Number.t -> bool **)
 
@@ -2815,25 +2816,51 @@ let attains_alone c =
   | None ->
     (match c.exact_blocks with
      | [] -> false
-     | p::l ->
-       let _,e = p in
+     | p0::l ->
+       let _,e = p0 in
        (match e with
+        | Bounded _ -> false
         | Attains (_, _) -> (match l with
                              | [] -> true
                              | _::_ -> false)
-        | _ -> false))
+        | Leading p ->
+          (match l with
+           | [] -> Nat.eqb p.multiplicity (Stdlib.succ 0)
+           | _::_ -> false)))
+
+(** val symbol_above : scheme -> int -> int -> Number.t list **)
+
+let symbol_above a order0 below0 =
+  map
+    (Number.mul
+      (Number.power (Number.of_natural a.arity)
+        (Number.of_natural (sub order0 below0))))
+    (iterate below0 (times_sigma a.arity) (quotient a order0))
+
+(** val family_above : scheme -> int -> int -> Number.t -> family **)
+
+let family_above a order0 below0 scale0 =
+  let b = map (Number.mul scale0) (symbol_above a order0 below0) in
+  let size0 = matrix_size a.arity b in
+  { size = size0; denominator = (Number.mul scale0 a.common); matrices =
+  (transition a.arity size0 b) }
+
+(** val at_one : Number.t list **)
+
+let at_one =
+  (Number.opposite Number.one)::(Number.one::[])
 
 (** val check_modulus :
     scheme -> int -> exact_number -> exact_certificate -> modulus_proof ->
     bool **)
 
-let check_modulus a order0 e c m =
-  let h = c.number_place in
+let check_modulus a order0 e exact m =
+  let h = exact.number_place in
   let a0 = Number.of_natural a.arity in
   (match m with
    | Between below0 ->
      (&&)
-       ((&&) ((&&) (attains_alone c) (Nat.ltb below0 order0))
+       ((&&) ((&&) (attains_alone exact) (Nat.ltb below0 order0))
          (Number.less
            (Number.mul (Number.power a0 (Number.of_natural below0)) h.bottom)
            h.low))
@@ -2850,12 +2877,45 @@ let check_modulus a order0 e c m =
            ((&&) (Nat.ltb below0 order0)
              (is_power e (Number.power a0 (Number.of_natural below0))))
            (reducible a k)) (well_formed t0))
-       (norm_section t0 { qnum = Number.one; qden = Number.one } level0))
+       (norm_section t0 { qnum = Number.one; qden = Number.one } level0)
+   | Double (below0, scale0, c) ->
+     let t0 = family_above a order0 below0 scale0 in
+     (&&)
+       ((&&)
+         ((&&)
+           ((&&)
+             ((&&)
+               ((&&)
+                 ((&&)
+                   ((&&)
+                     ((&&)
+                       ((&&) (Nat.ltb below0 order0)
+                         (Nat.leb (Stdlib.succ 0) below0))
+                       (is_power e
+                         (Number.power a0 (Number.of_natural below0))))
+                     (attains_alone exact)) (Number.less Number.zero scale0))
+                 (well_formed t0))
+               (same c.squares_of.symbol
+                 (map (Number.mul scale0) (symbol_above a order0 below0))))
+             (Nat.leb (length c.squares_of.symbol) (length a.coefficients)))
+           (pole_right t0 at_one c))
+         (Nat.eqb c.multiplicity (Stdlib.succ (Stdlib.succ 0))))
+       (negb
+         (Number.equal
+           (zvalue (numerator (reduced at_one c) (middles_of t0 at_one c))
+             Number.one) Number.zero)))
+
+(** val power_of : modulus_proof -> int **)
+
+let power_of = function
+| Double (_, _, _) -> Stdlib.succ 0
+| _ -> 0
 
 (** val check_logarithm :
     scheme -> int -> exact_number -> q option -> q option ->
-    exact_certificate -> stability -> modulus_proof -> bool **)
+    exact_certificate -> stability -> modulus_proof -> int -> bool **)
 
-let check_logarithm a order0 e lower0 upper0 c shifts0 m =
-  (&&) (check_exact_exponent a order0 e lower0 upper0 c shifts0)
-    (check_modulus a order0 e c m)
+let check_logarithm a order0 e lower0 upper0 c shifts0 m p =
+  (&&)
+    ((&&) (check_exact_exponent a order0 e lower0 upper0 c shifts0)
+      (check_modulus a order0 e c m)) (Nat.eqb p (power_of m))

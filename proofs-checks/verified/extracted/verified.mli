@@ -630,19 +630,28 @@ val check_exact_exponent :
   scheme -> int -> exact_number -> q option -> q option -> exact_certificate
   -> stability -> bool
 
+val zvalue : Number.t list -> Number.t -> Number.t
+
 type modulus_proof =
 | Between of int
 | Whole of int * int
-
-val zvalue : Number.t list -> Number.t -> Number.t
+| Double of int * Number.t * pole
 
 val is_power : exact_number -> Number.t -> bool
 
 val attains_alone : exact_certificate -> bool
 
+val symbol_above : scheme -> int -> int -> Number.t list
+
+val family_above : scheme -> int -> int -> Number.t -> family
+
+val at_one : Number.t list
+
 val check_modulus :
   scheme -> int -> exact_number -> exact_certificate -> modulus_proof -> bool
 
+val power_of : modulus_proof -> int
+
 val check_logarithm :
   scheme -> int -> exact_number -> q option -> q option -> exact_certificate
-  -> stability -> modulus_proof -> bool
+  -> stability -> modulus_proof -> int -> bool

@@ -41,11 +41,13 @@ def decided(name, arguments):
     known = {"--lower", "--upper", "--exact", "--logarithm"}
     if not {"--mask", "--arity"} <= options or not ends <= known or not ends & {"--lower", "--exact"}:
         return False
-    # Of moduli of continuity those without a logarithm: shown by a norm, or with a polytope that is the only block.
+    # Of moduli of continuity those without a logarithm, if they follow from a norm, or from the only block; and those with
+    # its first power that follow from a recurrence.
     if "--logarithm" in options and "\nlogarithm " in text:
         by_norm = re.search(r"^logarithm 0 norm ", text, re.MULTILINE)
-        alone = "\nlogarithm 0\n" in text and "\nblocks " not in text and "\nblock 0 single " not in text
-        if not (by_norm or alone):
+        alone = "\nlogarithm 0\n" in text and "\nblocks " not in text and "\nlogarithm 0\nrecurrence " not in text
+        double = "\nlogarithm 1\nrecurrence " in text and "\nblock 0 single " in text
+        if not (by_norm or alone or double):
             return False
     order = re.search(r"^sum-rules (\d{1,3}) full$", text, re.MULTILINE)
     upper = arguments[arguments.index("--upper") + 1] if "--upper" in options else "0"

@@ -66,8 +66,10 @@ exactly 64 --lower 2 --logarithm 0
 expect 0 --mask '[1,2,1]/2' --arity 2 --exact '2-log|[-2,1]@2,0,1|^1/1' --logarithm 0 --show single-spline-2-1.cert
 echo "$output" | grep -q 'has the power 0 of the logarithm$'
 expect 1 --mask '[1,2,1]/2' --arity 2 --exact '2-log|[-2,1]@2,0,1|^1/1' --logarithm 1 single-spline-2-1.cert
-expect 2 --mask '[-1,0,9,16,9,0,-1]/16' --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --logarithm 1 \
+expect 0 --mask '[-1,0,9,16,9,0,-1]/16' --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --logarithm 1 \
   single-four-point.cert
+expect 2 --mask '[-1,1,13,22,13,1,-1]/24' --arity 2 --exact '3-log|[-5,3]@5/3,0,1/10|^1/1' --logarithm 0 \
+  blocks-exponent-exact.cert
 for exact in '' '4-log' '|[-4,1]@4,0,1|^1/1' '4-log|[-4,0]@4,0,1|^1/1' '4-log|[-4]@4,0,1|^1/1' '4-log|[-4,1]@4,0|^1/1' \
   '4-log|[-4,1]@4,0,0|^1/1' '4-log|[-4,1]@4,0,1|^1/0' '4-log|[-4,1]@4,0,1|' 'x-log|[-4,1]@4,0,1|^1/1' \
   '4-log|[-4,,1]@4,0,1|^1/1'; do

@@ -45,8 +45,10 @@ theorem FourBoth --mask "$four" --arity 2 --lower 2 --upper 2 four-point.cert
 theorem FourExact --mask "$four" --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' four-point-exact.cert
 theorem SingleLower --mask '[1,6,15,20,15,6,1]/32' --arity 2 --lower 3/2 single-transfer.cert
 theorem SingleExact --mask '[3,0,-25,0,150,256,150,0,-25,0,3]/256@-5' --arity 2 --exact '6-log|[-9,1]@9,0,1|^1/1' \
-  single-dd3.cert
+  --logarithm 0 single-dd3.cert
 theorem Logarithm3 --mask '[1,4,10,16,19,16,10,4,1]/27' --arity 3 --exact '4-log|[-3,1]@3,0,1|^1/1' --logarithm 0 \
   single-spline-3-3.cert
+theorem FourLogarithm --mask '[-1,0,9,16,9,0,-1]/16' --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --logarithm 1 \
+  single-four-point.cert
 theorem ConeExact --matrices golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' golden-cone-exact.cert
 theorem BlocksExact --matrices slow-blocks.mat --exact '|[81,-270,100]@47/20,0,1/10|^1/2' blocks-exact.cert

@@ -34,4 +34,4 @@ Extract Inductive nat => "int" ["0" "Stdlib.succ"] "(fun zero next n -> if n = 0
 Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_valid first_block other_blocks transpose
   check_section value_entry derivative_entry product_columns zrun addmul well_formed check_exponent_lower reduces
   power_below unity difference_family divides check_exponent check_stable value_matrix fine fine_start
-  check_number block_below block_reaches check_exact_radius check_exact_exponent check_logarithm evaluate.
+  check_number block_below block_reaches check_exact_radius check_exact_exponent check_logarithm symbol_above evaluate.

@@ -1,9 +1,9 @@
 (* Claims about the modulus of continuity beside exact exponents: the checker, and the theorem that what it accepts is true.
-   Without a power of a logarithm: the exponent is attained. *)
+   Without a power of a logarithm the exponent is attained. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Existence Upper Integers Sections Eigenvalue Single Check Complex Number Attained Largest Subdivision
-  Coefficients Growth Stability Modulus Exponent Enclosure Exact.
+From Subcert Require Import Radius Existence Upper Integers Sections Eigenvalue Single Check Complex Number Attained Largest Sharp Power Subdivision
+  Coefficients Growth Squares Descartes Stability Modulus Exponent Enclosure Exact.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -15,41 +15,54 @@ Definition logarithm_holds (a : scheme) (order : nat) (e : exact_number) (lower 
   (exp ((INR order - s) * lambda) = r)%R /\ is_lub (exponents phi) s /\ within lower upper s /\ has_modulus lambda s P phi.
 
 (* The number is between arity^below and arity^(below + 1), and products grow like its powers; or it is arity^below, and
-   products of so many matrices of another family have norms of at most 1. *)
-Inductive modulus_proof := Between (below : nat) | Whole (below level : nat).
-
-Fixpoint zvalue (p : list Z) (x : Z) : Z := match p with [] => 0 | c :: p' => c + x * zvalue p' x end.
+   products of so many matrices of another family have norms of at most 1, or its middle coefficients have a double pole at
+   1. The matrices of that family are of the order of the exponent, here times `scale` over `scale`. *)
+Inductive modulus_proof := Between (below : nat) | Whole (below level : nat) | Double (below : nat) (scale : Z) (c : pole).
 
 Definition is_power (e : exact_number) (x : Z) : bool :=
   let t := x ^ Z.of_nat (root e) in let d := t * disc_scale e - disc_re e in
   (zvalue (polynomial e) t =? 0) && (0 <? x) && (d * d + disc_im e * disc_im e <=? disc_radius e * disc_radius e).
 
 Definition attains_alone (c : exact_certificate) : bool :=
-  match exact_basis c, exact_blocks c with None, [(_, Attains _ _)] => true | _, _ => false end.
+  match exact_basis c, exact_blocks c with
+  | None, [(_, Attains _ _)] => true
+  | None, [(_, Leading p)] => (multiplicity p =? 1)%nat
+  | _, _ => false
+  end.
 
-Definition check_modulus (a : scheme) (order : nat) (e : exact_number) (c : exact_certificate) (m : modulus_proof) : bool :=
-  let h := number_place c in let A := Z.of_nat (arity a) in
+(* arity^(order - below) times the mask without so many factors, and its matrices *)
+Definition symbol_above (a : scheme) (order below : nat) : list Z :=
+  map (Z.mul (Z.of_nat (arity a) ^ Z.of_nat (order - below))) (iterate below (times_sigma (arity a)) (quotient a order)).
+Definition family_above (a : scheme) (order below : nat) (scale : Z) : family :=
+  let b := map (Z.mul scale) (symbol_above a order below) in let size := matrix_size (arity a) b in
+  Family size (scale * common a) (transition (arity a) size b).
+Definition at_one : list Z := [-1; 1].
+
+Definition check_modulus (a : scheme) (order : nat) (e : exact_number) (exact : exact_certificate) (m : modulus_proof) : bool :=
+  let h := number_place exact in let A := Z.of_nat (arity a) in
   match m with
   | Between below =>
-      attains_alone c && (below <? order)%nat && (A ^ Z.of_nat below * bottom h <? low h) && (high h <? A ^ Z.of_nat (below + 1) * bottom h)
+      attains_alone exact && (below <? order)%nat && (A ^ Z.of_nat below * bottom h <? low h) && (high h <? A ^ Z.of_nat (below + 1) * bottom h)
   | Whole below level =>
       let k := (order - below)%nat in let T := difference_family a k in
       (below <? order)%nat && is_power e (A ^ Z.of_nat below) && reducible a k && well_formed T && norm_section T (1 # 1) level
+  | Double below scale c =>
+      let T := family_above a order below scale in
+      (below <? order)%nat && (1 <=? below)%nat && is_power e (A ^ Z.of_nat below) && attains_alone exact && (0 <? scale) && well_formed T &&
+      same (symbol (squares_of c)) (map (Z.mul scale) (symbol_above a order below)) &&
+      (length (symbol (squares_of c)) <=? length (coefficients a))%nat &&
+      pole_right T at_one c && (multiplicity c =? 2)%nat && negb (zvalue (numerator (reduced at_one c) (middles_of T at_one c)) 1 =? 0)
   end.
 
+Definition power_of (m : modulus_proof) : nat := match m with Double _ _ _ => 1 | _ => 0 end.
+
 Definition check_logarithm (a : scheme) (order : nat) (e : exact_number) (lower upper : option Q) (c : exact_certificate)
-    (shifts : stability) (m : modulus_proof) : bool :=
-  check_exact_exponent a order e lower upper c shifts && check_modulus a order e c m.
+    (shifts : stability) (m : modulus_proof) (P : nat) : bool :=
+  check_exact_exponent a order e lower upper c shifts && check_modulus a order e c m && (P =? power_of m)%nat.
 
 (* ---- the largest coefficients from below ------------------------------------------------------------------------- *)
 
 Open Scope R_scope.
-
-Lemma finite_search (f : nat -> R) x w : (exists k, (k < w)%nat /\ x <= f k) \/ (forall k, (k < w)%nat -> f k < x).
-Proof.
-  induction w. right. intros. lia. destruct IHw as [[k [Hk H]]|H]. left. exists k. split; auto.
-  destruct (Rle_lt_dec x (f w)). left. exists w. split; auto. right. intros k Hk. destruct (Nat.eq_dec k w). subst; auto. apply H. lia.
-Qed.
 
 Section Least.
 Variables (A N W : nat) (b : Z -> R).
@@ -199,6 +212,112 @@ Proof.
 Qed.
 End Mask.
 
+Section Double.
+Variables (a : scheme) (order below : nat) (scale : Z) (c : pole) (lambda s : R) (phi : R -> R).
+Let A := arity a.
+Let F := first a.
+Let L := (length (coefficients a) - 1)%nat.
+Let k := (order - below)%nat.
+Let T := family_above a order below scale.
+Hypothesis Reducible : reducible a order = true.
+Hypothesis Below : (1 <= below < order)%nat.
+Hypothesis Scale : (0 < scale)%Z.
+Hypothesis WF : well_formed T = true.
+Hypothesis Same : symbol (squares_of c) = map (Z.mul scale) (symbol_above a order below).
+Hypothesis Short : (length (symbol (squares_of c)) <= length (coefficients a))%nat.
+Hypothesis Right : pole_right T at_one c = true.
+Hypothesis Twice : multiplicity c = 2%nat.
+Hypothesis NZ : zvalue (numerator (reduced at_one c) (middles_of T at_one c)) 1 <> 0%Z.
+Hypothesis Log : exp lambda = INR A.
+Hypothesis Es : s = INR k.
+Hypothesis Growth : growth (size (difference_family a order)) (count (difference_family a order)) (real (difference_family a order)) (exp (INR below * lambda)).
+Hypothesis Lim : limit_of a phi.
+Hypothesis Stab : stable phi.
+
+Theorem double_modulus : has_modulus lambda s 1 phi.
+Proof.
+  destruct (mask_facts a order Reducible) as [HA [HO [HL [Sb [W1 [W2 [EM [HT ET]]]]]]]]. fold A F L in HA, HL, EM, HT.
+  set (bl := difference_symbol a order) in *. set (N := (length bl - 1)%nat) in *. set (W := matrix_size (arity a) bl) in *. fold A in W, W1, ET.
+  set (bz := coefficient bl (common a) 0) in *. set (f := fun i => bz (i - F)%Z) in *.
+  assert (NL : (N <= L)%nat) by (revert HL; generalize (order * (A - 1))%nat; lia).
+  assert (Ok : order = (k + below)%nat) by (unfold k; lia).
+  assert (Sf : supported F N f) by (intros i Hi; apply Sb; lia).
+  apply ET in Growth. destruct (refined_bounded A N W bz HA Sb W1 W2 L NL F (exp (INR below * lambda)) (exp_pos _) Growth) as [C HC].
+  assert (Fit : forall j, (j < order)%nat -> (N + j * (A - 1) + A - 1 <= L)%nat).
+  { intros j Hj. generalize (Nat.mul_le_mono_r (S j) order (A - 1) Hj). rewrite Nat.mul_succ_l. revert HL. generalize (j * (A - 1))%nat (order * (A - 1))%nat. lia. }
+  assert (Tot : forall j, (j < order)%nat -> total F L (smoothed A j f) = INR A).
+  { intros j Hj. rewrite (smoothed_total A F L HA N); auto. specialize (Fit j Hj). lia. }
+  assert (G : forall j, (j < below)%nat -> exists D, forall n i, Rabs (refined A F L (smoothed A j f) n i) <= D * exp ((INR below - INR j) * lambda) ^ n).
+  { induction j; intros Hj.
+    - exists C. simpl INR at 2. rewrite Rminus_0_r. exact HC.
+    - destruct (IHj ltac:(lia)) as [D HD]. cbn [smoothed].
+      apply (smooth_growth A F L HA (N + j * (A - 1)) (smoothed A j f) D (exp ((INR below - INR j) * lambda))); auto.
+      + apply smoothed_supported; auto.
+      + apply Fit. lia.
+      + apply Tot. lia.
+      + apply exp_pos.
+      + rewrite <- exp_0, <- (Rmult_0_l lambda). apply (power_less A HA lambda Log). apply lt_INR in Hj. lra.
+      + right. rewrite <- (power_succ A lambda Log). f_equal. f_equal. rewrite S_INR. ring. }
+  destruct (G (below - 1)%nat ltac:(lia)) as [D HD]. set (c1 := smoothed A (below - 1) f) in *.
+  replace ((INR below - INR (below - 1)) * lambda) with lambda in HD by (rewrite minus_INR by lia; simpl; ring). rewrite Log in HD.
+  set (b := smoothed A below f).
+  assert (Eb : b = smooth A c1). { unfold b, c1. replace below with (S (below - 1)) at 1 by lia. reflexivity. }
+  destruct (smooth_growth_one A F L (N + (below - 1) * (A - 1)) c1 D HA ltac:(apply smoothed_supported; auto) ltac:(apply Fit; lia) ltac:(apply Tot; lia) HD) as [D' HD'].
+  rewrite <- Eb in HD'.
+  (* the symbol of the middle coefficients *)
+  set (sq := squares_of c). destruct (pole_facts T at_one c Right) as [Sq _]. fold sq in Sq.
+  destruct (Single.facts T sq Sq) as [_ [F2 [_ [F4 [F5 _]]]]]. fold sq in Same, Short. set (bs := symbol_above a order below) in *.
+  assert (Cnt : count T = A). { unfold T, family_above. cbv zeta. unfold count, transition. cbn [matrices]. rewrite map_length, seq_length. auto. }
+  set (Ns := (length (symbol sq) - 1)%nat) in *. set (bsz := symbol_at T sq).
+  assert (Es' : forall i, b i = bsz (i - F)%Z).
+  { intros i. unfold b. assert (PA : 0 < INR A) by (apply arity_positive; auto).
+    assert (Ef : f = fun j => (INR A ^ order * coefficient (quotient a order) (common a) F j)).
+    { extensionality j. unfold f, bz, bl. rewrite <- coefficient_shift. unfold difference_symbol. fold A. rewrite coefficient_map, (arity_power A HA). reflexivity. }
+    rewrite Ef, smoothed_scal. assert (It := coefficient_iterate A below (quotient a order) (common a) F HA i).
+    assert (E1 : bsz (i - F)%Z = INR A ^ k * coefficient (iterate below (times_sigma A) (quotient a order)) (common a) F i).
+    { rewrite <- (arity_power A HA), <- coefficient_map. change (Z.of_nat A ^ Z.of_nat k)%Z with (Z.of_nat (arity a) ^ Z.of_nat (order - below))%Z. fold bs.
+      rewrite coefficient_shift. unfold bsz, symbol_at, coefficient. rewrite Same. replace (i - F - 0)%Z with (i - F)%Z by lia.
+      destruct (i - F <? 0)%Z; auto. unfold T, family_above. cbn [denominator]. replace 0%Z with (scale * 0)%Z at 1 by lia. rewrite map_nth, !mult_IZR.
+      fold A bs. apply IZR_lt in Scale. unfold bs, symbol_above. fold A. field. lra. }
+    rewrite E1, It, Ok, pow_add. ring. }
+  assert (Bsup : forall i, (i < 0 \/ Z.of_nat Ns < i)%Z -> bsz i = 0) by (apply (symbol_support T sq Sq)).
+  rewrite Cnt in F5. fold Ns in F5.
+  assert (Ps : forall n i, refined A F L b n i = power A Ns bsz n (i - shift A F n)).
+  { intros n i. replace b with (fun i => bsz (i - F)%Z) by (extensionality j; rewrite Es'; auto).
+    apply (refined_power A Ns (size T) bsz HA Bsup F5 F2 L). unfold Ns, L. lia. }
+  assert (Pm : forall n, moments T sq n = power A Ns bsz n (0 - shift A (- Z.of_nat (middle (symbol sq))) n)).
+  { intros n. assert (P := power_shifted T sq Sq n (0 - shift A (- Z.of_nat (middle (symbol sq))) n)). rewrite Cnt in P. fold Ns bsz in P. rewrite P. unfold moments. f_equal. lia. }
+  assert (Tb : total F L b = INR A) by (apply Tot; lia).
+  assert (Ts : sum (Ns + 1) (fun l => bsz (Z.of_nat l)) = INR A).
+  { rewrite <- Tb. unfold total. rewrite (sum_ext (S L) _ (fun l => bsz (0 + Z.of_nat l)%Z)).
+    - symmetry. rewrite (sum_window bsz 0 (Ns + 1) 0 (S L)).
+      + apply sum_ext. intros. auto.
+      + intros l Hl. apply Bsup. lia.
+      + lia.
+      + unfold Ns, L. lia.
+    - intros l _. rewrite Es'. f_equal. lia. }
+  destruct (total_least A Ns (size T) bsz HA F5 F2 Ts) as [c0 [C0 Least]].
+  assert (Lm : forall n, (1 <= n)%nat -> c0 <= moments T sq n).
+  { intros n Hn. destruct (Least n Hn) as [i Hi]. rewrite pow1, Rmult_1_r in Hi. eapply Rle_trans. apply Hi.
+    assert (P := power_shifted T sq Sq n i). rewrite Cnt in P. fold Ns bsz in P. rewrite P. apply (powers_central T sq WF Sq). }
+  destruct (moments_linear T c WF Right c0 Twice NZ C0 Lm) as [kk [KK Lin]]. fold sq in Lin.
+  (* both together *)
+  assert (E1 : exp ((INR k - s) * lambda) = 1). { rewrite Es. replace ((INR k - INR k) * lambda) with 0 by ring. apply exp_0. }
+  unfold limit_of in Lim. fold A F L in Lim. rewrite EM in Lim. rewrite Ok, smoothed_add in Lim. fold f b in Lim.
+  apply (growth_modulus A F L HA lambda (N + below * (A - 1)) k (k - 1) 1 b s D' kk phi); auto.
+  - apply smoothed_supported; auto.
+  - rewrite Ok in HL. rewrite Nat.mul_add_distr_r in HL. lia.
+  - unfold k. lia.
+  - rewrite Es. rewrite minus_INR by (unfold k; lia). simpl. lra.
+  - right. unfold k. lia.
+  - intros n i. rewrite E1, pow1, pow_1, Rmult_1_r. apply HD'.
+  - intros n Hn. rewrite E1, pow1, pow_1, Rmult_1_r. specialize (Lin n Hn). rewrite Pm in Lin.
+    exists (0 - shift A (- Z.of_nat (middle (symbol sq))) n + shift A F n)%Z. rewrite Ps.
+    replace (0 - shift A (- Z.of_nat (middle (symbol sq))) n + shift A F n - shift A F n)%Z with (0 - shift A (- Z.of_nat (middle (symbol sq))) n)%Z by lia.
+    eapply Rle_trans. apply Lin. apply Rle_abs.
+Qed.
+End Double.
+
 (* ---- what is accepted is true ------------------------------------------------------------------------------------ *)
 
 Lemma value_integer p x : value p (real_number (IZR x)) = real_number (IZR (zvalue p x)).
@@ -229,7 +348,6 @@ Proof.
   intros H HA Hr. unfold attains_alone in HA. unfold check_number_and_blocks in H. set (h := number_place c) in *.
   destruct (exact_basis c); [discriminate|]. repeat rewrite andb_true_iff in H. destruct H as [[WF HN] H].
   unfold check_blocks in H. apply andb_prop in H. destruct H as [H _].
-  destruct (exact_blocks c) as [|[d [s|tr b|p]] [|x l]]; try discriminate. cbn [all_blocks] in H. apply andb_prop in H. destruct H as [_ HB].
   destruct (check_number_sound e h HN) as [S [Rho [HL [Hlow [Hcom [z' [r' [Iz [Uz [N1 [N2 [R0 [Rp B]]]]]]]]]]]]].
   assert (Er : r = r').
   { destruct Hr as [Pr [y [Iy Ey]]]. rewrite (Uz y Iy), <- Rp in Ey. apply Rle_antisym; apply (pow_le_reg _ _ (root e)); auto; lra. }
@@ -237,6 +355,12 @@ Proof.
   assert (Sc : (0 < near_scale h)%Z) by (apply lt_IZR; auto).
   assert (Sm : (0 <= near_radius h)%Z).
   { apply le_IZR. apply (Rmult_le_reg_r (/ IZR (near_scale h))). apply Rinv_0_lt_compat; auto. unfold Rdiv in Rho. lra. }
+  destruct (exact_blocks c) as [|[d [s|tr b|p]] [|x l]]; try discriminate; cbn [all_blocks] in H; apply andb_prop in H; destruct H as [_ HB].
+  2:{ cbn [block_below] in HB. fold h in HB. apply andb_prop in HB. destruct HB as [HS HB]. apply Nat.eqb_eq in HA.
+    unfold simple_number in HS. apply andb_prop in HS. destruct HS as [HS HR1]. apply Nat.eqb_eq in HR1. apply (positive_zero_sound e h z') in HS; auto.
+    rewrite HR1, pow_1 in Rp. rewrite <- Rp in HS. rewrite HS, value_real in Vz. apply (f_equal fst) in Vz.
+    assert (HB' := HB). unfold no_larger in HB'. cbv zeta in HB'. repeat rewrite andb_true_iff in HB'. destruct HB' as [[HP _] _].
+    apply (sharp_growth F (polynomial e) p WF HP h r Vz R0); auto. apply B. }
   cbn [block_below] in HB. fold h in HB. apply andb_prop in HB. destruct HB as [HC HB].
   assert (Cone : cone b = true -> z' = real_number (cabs z')).
   { intros EC. rewrite EC in HC. apply (positive_zero_sound e h); auto. }
@@ -246,10 +370,10 @@ Proof.
 Qed.
 
 (* What the checker accepts is true. *)
-Theorem check_logarithm_sound a order e lower upper c shifts p : check_logarithm a order e lower upper c shifts p = true ->
-  logarithm_holds a order e lower upper 0.
+Theorem check_logarithm_sound a order e lower upper c shifts p P : check_logarithm a order e lower upper c shifts p P = true ->
+  logarithm_holds a order e lower upper P.
 Proof.
-  intros H. apply andb_prop in H. destruct H as [H HM].
+  intros H. apply andb_prop in H. destruct H as [H HP0]. apply Nat.eqb_eq in HP0. subst P. apply andb_prop in H. destruct H as [H HM].
   destruct (exact_exponent_facts a order e lower upper c shifts H) as [One [phi [r [s [lambda [Lim [Nr [Log [Es [Lub [Wi [Stab [S0 [Rr [B1 B2]]]]]]]]]]]]]]].
   split; auto. exists phi, r, s, lambda. split; auto. split; auto. split; auto. split; auto. split; auto. split; auto.
   unfold check_exact_exponent in H. cbv zeta in H. repeat rewrite andb_true_iff in H.
@@ -259,7 +383,20 @@ Proof.
   assert (HN : check_number e h = true). { unfold check_number_and_blocks in HB. repeat rewrite andb_true_iff in HB. tauto. }
   assert (Cp : 0 < IZR (bottom h)). { destruct (check_number_sound e h HN) as [_ [_ [_ [_ [Cp _]]]]]. apply IZR_lt; auto. }
   assert (Ap : forall j, INR (arity a) ^ j = exp (INR j * lambda)) by (intros; rewrite <- Log, exp_power; auto).
-  destruct p as [below|below level]; cbn [check_modulus] in HM; cbv zeta in HM; fold h in HM; repeat rewrite andb_true_iff in HM.
+  assert (whole_number : forall below, (below < order)%nat -> is_power e (Z.of_nat (arity a) ^ Z.of_nat below) = true ->
+    r = exp (INR below * lambda) /\ s = INR (order - below)).
+  { intros below Hb HP.
+    assert (HZ : one_zero e = true /\ (0 < disc_scale e)%Z /\ (0 <= disc_radius e)%Z /\ (0 < root e)%nat).
+    { unfold check_number in HN. cbv zeta in HN. repeat rewrite andb_true_iff in HN. destruct HN as [[[[[[[[[[HN1 _] HNk] _] _] _] _] _] _] _] _].
+      apply Z.ltb_lt in HNk. split; auto. assert (HN2 := HN1). unfold one_zero in HN2. cbv zeta in HN2. repeat rewrite andb_true_iff in HN2.
+      destruct HN2 as [[Q1 Q2] _]. apply Z.ltb_lt in Q1. apply Z.leb_le in Q2. split; auto. split; auto. lia. }
+    destruct HZ as [OZ [DS [DR RT]]].
+    assert (Er : r = exp (INR below * lambda)).
+    { rewrite (is_power_sound e _ r DS RT DR (fun y z => one_zero_sound e y z OZ) HP Nr). rewrite (arity_power (arity a) HA), Ap. auto. }
+    assert (Sm : s = INR (order - below)).
+    { rewrite minus_INR by lia. rewrite Er in Es. assert (X : INR order - s <= INR below) by (apply (exp_reflects _ _ lambda); lra).
+      assert (Y : INR below <= INR order - s) by (apply (exp_reflects _ _ lambda); lra). lra. } auto. }
+  destruct p as [below|below level|below scale pl]; cbn [check_modulus power_of] in HM |- *; cbv zeta in HM; fold h in HM; repeat rewrite andb_true_iff in HM.
   - destruct HM as [[[HS Hb] HL] HH]. apply Nat.ltb_lt in Hb. apply Z.ltb_lt, IZR_lt in HL, HH. rewrite mult_IZR, (arity_power (arity a) HA), Ap in HL, HH.
     assert (L : exp (INR below * lambda) < r).
     { eapply Rlt_le_trans; [|apply B1]. apply (Rmult_lt_reg_r (IZR (bottom h))); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
@@ -280,16 +417,7 @@ Proof.
     assert (K3 : s < INR (order - below - 1) + 1) by (rewrite Ek; lra).
     exact (modulus_of_growth a order H1 lambda s (order - below - 1) phi Log K1 K2 (or_introl K3) G Le Lim Stab).
   - destruct HM as [[[[Hb HP] HR] WF] HNo]. apply Nat.ltb_lt in Hb.
-    assert (HZ : one_zero e = true /\ (0 < disc_scale e)%Z /\ (0 <= disc_radius e)%Z /\ (0 < root e)%nat).
-    { unfold check_number in HN. cbv zeta in HN. repeat rewrite andb_true_iff in HN. destruct HN as [[[[[[[[[[HN1 _] HNk] _] _] _] _] _] _] _] _].
-      apply Z.ltb_lt in HNk. split; auto. assert (HN2 := HN1). unfold one_zero in HN2. cbv zeta in HN2. repeat rewrite andb_true_iff in HN2.
-      destruct HN2 as [[Q1 Q2] _]. apply Z.ltb_lt in Q1. apply Z.leb_le in Q2. split; auto. split; auto. lia. }
-    destruct HZ as [OZ [DS [DR RT]]].
-    assert (Er : r = exp (INR below * lambda)).
-    { rewrite (is_power_sound e _ r DS RT DR (fun y z => one_zero_sound e y z OZ) HP Nr). rewrite (arity_power (arity a) HA), Ap. auto. }
-    assert (Sm : s = INR (order - below)).
-    { rewrite minus_INR by lia. rewrite Er in Es. assert (X : INR order - s <= INR below) by (apply (exp_reflects _ _ lambda); lra).
-      assert (Y : INR below <= INR order - s) by (apply (exp_reflects _ _ lambda); lra). lra. }
+    destruct (whole_number below Hb HP) as [Er Sm].
     apply norm_sound in HNo; auto. set (k := (order - below)%nat) in *. assert (Ek : INR (k - 1) = INR k - 1) by (rewrite minus_INR by lia; simpl; ring).
     assert (Eg : exp ((INR k - s) * lambda) = 1). { rewrite Sm. replace ((INR k - INR k) * lambda) with 0 by ring. apply exp_0. }
     assert (G : growth (size (difference_family a k)) (count (difference_family a k)) (real (difference_family a k)) (exp ((INR k - s) * lambda))).
@@ -298,4 +426,10 @@ Proof.
     assert (K1 : (k - 1 < k)%nat) by (unfold k; lia). assert (K2 : INR (k - 1) < s <= INR (k - 1) + 1) by (rewrite Ek; lra).
     assert (K3 : k = S (k - 1)) by (unfold k; lia).
     exact (modulus_of_growth a k HR lambda s (k - 1) phi Log K1 K2 (or_intror K3) G Le Lim Stab).
+  - destruct HM as [[[[[[[[[[Hb Hb1] HP] HS] Hsc] WF] Hsame] Hlen] HR] Hm] Hz]. apply Nat.ltb_lt in Hb. apply Nat.leb_le in Hb1, Hlen.
+    apply Z.ltb_lt in Hsc. apply same_spec in Hsame. apply Nat.eqb_eq in Hm. apply negb_true_iff, Z.eqb_neq in Hz.
+    destruct (whole_number below Hb HP) as [Er Sm].
+    assert (G : growth (size (difference_family a order)) (count (difference_family a order)) (real (difference_family a order)) (exp (INR below * lambda))).
+    { rewrite <- Er. apply (one_block_growth _ e c r HB HS Nr); [apply Rle_refl|exact R0]. }
+    exact (double_modulus a order below scale pl lambda s phi H1 (conj Hb1 Hb) Hsc WF Hsame Hlen HR Hm Hz Log Sm G Lim Stab).
 Qed.

@@ -23,6 +23,8 @@ MATRICES = [
     ("zero.mat", [[["0"]]]),
     ("one.mat", [[["1"]]]),
     ("turned.mat", [[["1", "1"], ["1", "0"]], [["-1", "0"], ["-1", "0"]]]),  # opposite on the first unit vector
+    ("first.mat", [[["1", "0"], ["0", "0"]]]),
+    ("eighth.mat", [[["1", "0"], ["0", "1/8"]]]),
     ("swap.mat", [[["0", "1"], ["1", "0"]]]),
     ("ones.mat", [[["1", "0"], ["0", "1"]]]),
     ("small.mat", [[["1/2000"]]]),
@@ -68,6 +70,14 @@ ACCEPTED = [
     ("one-exact-256", f"--matrices one.mat --exact {DEGREE_256}",
      f"radius 1 1; bounds - -; exact {DEGREE_256}; root 1 0 0 1 1; block 0 polytope 1 0 0; vertex 1; unit 0 0:1; "
      "image 0 0 0:1; cycle 0 - 0; seed 1; end"),
+    # the eigenvector (1, 0), and a vertex beside it: the first coordinate is that which both have
+    ("first-exact", "--matrices first.mat --exact |[-1,1]@1,0,1/10|^1/1",
+     "radius 1 2; bounds - -; exact |[-1,1]@1,0,1/10|^1/1; root 1 0 0 1 1; block 0 polytope 2 2 2; vertex 4 0; vertex 0 4; "
+     "unit 0 0:4; unit 1 1:4; image 0 0 0:4; image 1 0; cycle 0 - 0; seed 1 0; end"),
+    ("eighth-exact", "--matrices eighth.mat --exact |[-1,1]@1,0,1/10|^1/1",
+     "radius 1 2; bounds - -; exact |[-1,1]@1,0,1/10|^1/1; root 1 0 0 1 1; block 0 polytope 3 3 3 nonnegative; vertex 8 0; "
+     "vertex 1 8; vertex 4 4; unit 0 0:8; unit 1 1:8; image 0 0 0:8; image 1 0 2:2; image 2 0 0:4 1:1; cycle 0 - 0; "
+     "seed 1 0; same 1 0 2; end"),
     # an origin without any error
     ("swap-exact", "--matrices swap.mat --exact |[-1,1]@1,0,1/10|^1/2",
      "radius 1 2; bounds - -; exact |[-1,1]@1,0,1/10|^1/2; root 1 0 0 1 1; block 0 polytope 2 0 0; vertex 1 0; vertex 0 1; "
@@ -108,10 +118,13 @@ CHANGED = [
     ("reduced-exact-rough", "reduced-exact", f"--mask {SMOOTHED} --arity 2 --upper C4", [("sum-rules 4\n", "sum-rules 4 full\n")]),
     ("four-point-exact-coarse", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[4,-5,1]@4,0,1/10|^1/1",
      [("4-log|[-4,1]@4,0,1|", "4-log|[4,-5,1]@4,0,1/10|"), ("root 4 0 0 4 4", "root 4 0 1/100 399/100 401/100")]),
+    # an eigenvector with an imaginary coordinate where the vertex is large
+    *((f"rotation-exact-seed{sign}1", "rotation-exact", None, [("seed 1 0", f"seed 0 {sign}1")]) for sign in ("", "-")),
     # all of the disc, and bounds that are no better
     ("four-point-exact-wide", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[-4,1]@4,0,1/10|^1/1",
      [("@4,0,1|", "@4,0,1/10|"), ("root 4 0 0 4 4", "root 4 0 1/10 39/10 41/10")]),
     ("four-point-exact-word", "four-point-exact-group", None, [("cycle 0 - 0", f"cycle 0 {16 * 'A'} 0")]),
+    ("upper-10000", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 2 --upper 10000", []),
     # the longest numbers
     ("bounds-digits", "golden", None, [(BOUNDS, f"bounds {2000 * '9'} -{2000 * '9'}\n")]),
     ("golden-group-word", "golden-group", None, [("unit 0 ", f"unit 0 0{16 * 'A'}:0 ")]),
@@ -142,7 +155,22 @@ REJECTED = [
      "the bound does not prove the claim", []),
     ("origin-0", "ones-exact", None, ", line 15",
      [("cycle 0 - 0\nseed 1 0\n", "cycle 1 - 0\nseed 0 1\norigin 0 0 0\n")]),
+    # the error of a vertex is 1, with a coordinate above that of the eigenvector or below it
+    *((f"vertex-error-1{name}", "first-exact", None, "too far",
+       [("vertex 4 0\nvertex 0 4\nunit 0 0:4\nunit 1 1:4\n", f"vertex 2 {sign}1\nvertex 0 2\nunit 0 0:8 1:{other}4\nunit 1 1:8\n")])
+      for name, sign, other in (("", "", "-"), ("-below", "-", ""))),
+    ("vertex-first-largest", "first-exact", None, "too far",
+     [("vertex 4 0\nvertex 0 4\nunit 0 0:4\n", "vertex 4 4\nvertex 0 4\nunit 0 0:4 1:-4\n")]),
+    *((f"vertex-error-imaginary{name}", "rotation-exact", None, "too far",
+       [("polytope 1 0 64", "polytope 1 1 64"), ("vertex 1 0 0 -1", f"vertex 2 0 0 {im}")])
+      for name, im in (("", -3), ("-below", -1))),
+    # an error of 1/4, which the image is below without, and with an error of fewer coordinates
+    ("same-below-error", "eighth-exact", None, "not the vertex", [("vertex 8 0\n", "vertex 8 1\n")]),
     ("cone-origin-other", "slow-cone-exact", None, "too far", [("origin 4 2 0\n", "origin 4 2 1\n")]),
+    ("lower-10000", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 10000",
+     "the bound does not prove the claim", []),
+    ("reduced-1000", "trapezoid-reduced", None, "the reduced mask is not that of the mask and the factor",
+     [("reduced [1,1] ", f"reduced [{'1,' * 999}1] ")]),
     ("root-double", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[16,-8,1]@4,0,1|^1/1",
      "no zero is proved so near", [("exact 4-log|[-4,1]@4,0,1|^1/1\n", "exact 4-log|[16,-8,1]@4,0,1|^1/1\n")]),
     ("axis-seed", "axis-exact", "--matrices axis.mat --exact |[1,-3,2]@1,0,1/10|^1/1",

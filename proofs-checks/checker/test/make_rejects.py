@@ -566,6 +566,7 @@ exact_case("exact-not-unique-imaginary", "four-point-exact", "more than one zero
 coarse = "|[-8,12,-12,9,27]@-6/5,0,1/20|^1/1"
 exact_case("root-coarse-negative", "negative-exact", "may be zero", coarse, replace(r"^(root \S+ 0) .*", r"\1 1/24 1/2 2"))
 reject("root-coarse-conjugate", "conjugate-exact", "too far", replace(r"^(root \S+ \S+) .*", r"\1 1/20 1/2 2"))
+reject("root-coarse-conjugate-less", "conjugate-exact", "too far", replace(r"^(root \S+ \S+) .*", r"\1 1/80 1/2 2"))
 reject("origin-letter-high", "slow-exact", "number outside", replace("^origin 1 0 1", "origin 1 0 2"))
 reject("same-letter-high", "lone-exact", "number outside", replace("^same 1 1", "same 1 2"))
 reject("same-source-high", "lone-exact", "number outside", replace("^same 1 1", "same 3 1"))

@@ -381,7 +381,7 @@ let prove_bounds scheme order family lower upper r =
   let bound = Q.make (Z.fdiv (Z.shift_left power digits) unity) (Z.shift_left Z.one digits) in
   (* arity^(order - upper), rounded up *)
   let least u =
-    require (Q.sign u >= 0 && Q.lt u (Q.of_int 10_000)) "the upper end does not follow from a product";
+    require (Q.sign u >= 0 && Q.leq u (Q.of_int 10_000)) "an exponent is negative or too large";
     let divisor = power_below base order (Q.num u) (Q.den u) in
     let whole = Z.shift_left (Z.mul (Z.pow base order) unity) digits in
     (* above 1, where stability needs it *)

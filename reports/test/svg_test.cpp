@@ -39,8 +39,7 @@ formats::Panel polygon() {
 TEST_CASE("pictures: approved") {
   for (const auto& [name, panel] :
        {std::pair{"sequence", sequence()}, std::pair{"enclosed", enclosed()}, std::pair{"polygon", polygon()}}) {
-    const std::string file = std::string(SUBCERT_APPROVED) + "/" + name + ".html",
-                      text = formats::plot(panel) + "\n";
+    const std::string file = std::string(SUBCERT_APPROVED) + "/" + name + ".html", text = formats::plot(panel) + "\n";
     if (std::getenv("SUBCERT_APPROVE")) runtime::write_file(file, text);
     CAPTURE(file);
     CHECK(content(file) == text);

@@ -8,6 +8,7 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
+#include <subcert/proofs-checks/sweeps/number_list.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
@@ -156,14 +157,14 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
     formats::Curve bound_curve{"printed bound", {}, true}, upper_curve{"exponent, proved upper end", {}, true},
         lower_curve{"exponent, proved lower end", {}, true};
     bool closed = true;
-    std::string largest, above;  // the largest printed bound, and the n whose exponents are proved to exceed it
+    std::string largest;     // printed bound
+    std::vector<int> above;  // the n whose exponents are proved to exceed it
     for (const statements::PublishedCell& cell : printed.cells) largest = std::max(largest, cell.printed);
     for (int n = 2; n <= 10; ++n) {
       const HolderRegularity& regularity = quantities.exponent(statements::specification(family, n));
       const Rational low = *regularity.exponent.lower, high = *regularity.exponent.upper;
       const std::string bound = printed.cells[static_cast<std::size_t>(n) - 2].printed;
-      if (formats::compare(largest, Enclosure::at_least(low)) == Verdict::mismatch)
-        above += (above.empty() ? "" : ", ") + std::to_string(n);
+      if (formats::compare(largest, Enclosure::at_least(low)) == Verdict::mismatch) above.push_back(n);
       widest = std::max(widest, Rational(high - low));
       closed = closed && regularity.radius.is_closed();
       exact += regularity.radius.exact.is_yes() ? 1 : 0;
@@ -192,8 +193,8 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
     if (!closed) curves.push_back(upper_curve);
     figure.panels.push_back({std::string(family) + " schemes", "n", "", curves, false, "bottom right"});
     trend += std::string(trend.empty() ? "" : " ") + "For the " + family +
-             " schemes the exponent is proved to exceed " + largest + ", the largest printed bound, for n = " + above +
-             ".";
+             " schemes the exponent is proved to exceed " + largest +
+             ", the largest printed bound, for n = " + sweeps::number_list_text(above) + ".";
   }
   section.finding = "Tables 1 and 2 rise to n = 4 and then fall; the exponents do not. " + trend;
   section.paragraphs.push_back(

@@ -47,8 +47,11 @@ std::string title_of(const std::string& citation) {
   return citation.substr(0, citation.find(". ", colon == std::string::npos ? 0 : colon));
 }
 
+/// The first sentence of the text is its headline.
 std::string card(const std::string& link, const std::string& picture, const std::string& text) {
-  return fmt::format("<li class=finding><a href=\"{}\">{}<span>{}</span></a></li>\n", html(link), picture, html(text));
+  const std::size_t end = std::min(text.find(". "), text.size() - 1) + 1;
+  return fmt::format("<li class=finding><a href=\"{}\">{}<span><b>{}</b>{}</span></a></li>\n", html(link), picture,
+                     html(text.substr(0, end)), html(text.substr(end)));
 }
 
 /// What matters, each with its picture.

@@ -337,26 +337,36 @@ std::string svg(const Panel& panel, const std::string& id) {
                  panel.equal_units ? " plane" : "");
 }
 
-std::string legend(const Panel& panel) {
+namespace {
+
+/// What the labels of cells, bands and curves are written as: an element with the classes `key` and those of the
+/// colour.
+std::string keys(const Panel& panel, const char* element) {
   std::string result;
   const auto add = [&](const std::string& label, const std::string& classes, const std::string& colour) {
-    if (!label.empty())
-      result += fmt::format("<button type=button class=\"key {}\" aria-pressed=true{}>{}</button>\n", classes,
-                            colour_of(colour), html(label));
+    if (!label.empty()) result += fmt::format(fmt::runtime(element), classes, colour_of(colour), html(label));
   };
   for (const Cells& cells : panel.cells) add(cells.label, "cells", cells.colour);
   for (std::size_t i = 0; i < panel.bands.size(); ++i)
     add(panel.bands[i].label, fmt::format("band colour-{}", i % colours + 1), panel.bands[i].colour);
   for (std::size_t i = 0; i < panel.curves.size(); ++i)
     add(panel.curves[i].label, fmt::format("colour-{}", i % colours + 1), panel.curves[i].colour);
+  return result;
+}
+
+}  // namespace
+
+std::string legend(const Panel& panel) {
+  const std::string result = keys(panel, "<button type=button class=\"key {}\" aria-pressed=true{}>{}</button>\n");
   return result.empty() ? "" : "<div class=legend>" + result + "</div>\n";
 }
 
 std::string preview(const Panel& panel) {
-  Panel bare = panel;
-  bare.x_label.clear(), bare.y_label.clear();
-  std::string text = svg(bare);
-  return "<svg class=\"preview\"" + text.substr(std::string("<svg class=\"picture\"").size());
+  Panel titled = panel;
+  titled.y_label = panel.title;
+  const std::string text = svg(titled), names = keys(panel, "<span class=\"key {}\"{}>{}</span> ");
+  return "<svg class=\"preview\"" + text.substr(std::string("<svg class=\"picture\"").size()) +
+         (names.empty() ? "" : "<span class=keys>" + names + "</span>");
 }
 
 std::string plot(const Panel& panel, const std::string& id) {

@@ -17,7 +17,7 @@ std::string svg(const Panel& panel, const std::string& id = "");
 /// The labels of cells, bands and curves, which the page's script makes switches; nothing where there are none.
 std::string legend(const Panel& panel);
 
-/// The picture small, without labels and for the eye alone. Domain: units that need not be equal.
+/// The picture small, its title above and its labels below, for the eye alone.
 std::string preview(const Panel& panel);
 
 /// The picture with its legend.

@@ -1,6 +1,7 @@
 #include "family_radius.hpp"
 
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
+#include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
 #include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
 #include <subcert/analysis/regularity/radius/one_block.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>

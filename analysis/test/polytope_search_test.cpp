@@ -1,4 +1,5 @@
 // The search for an invariant polytope: what it finds, and that it keeps within its budget.
+#include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
 #include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -148,4 +149,54 @@ TEST_CASE("the polytope search keeps within its memory") {
     CHECK(peak_mebibytes() - before < mebibytes + 8);  // some arrays of the size of the family
 #endif
   }
+}
+
+namespace {
+
+/// D^-1 A D for random A with entries of hundredths, D = diag(1, 1000, ...), so that orbits are flat.
+MatrixFamily flat_family(std::size_t size, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::vector<RationalMatrix> matrices;
+  for (int t = 0; t < 2; ++t) {
+    RationalMatrix& a = matrices.emplace_back(size, size);
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < size; ++j)
+        a(i, j) = Rational(static_cast<long>(engine() % 201) - 100, 100) *
+                  power(Rational(1000), static_cast<long>(j) - static_cast<long>(i));
+  }
+  return MatrixFamily(std::move(matrices));
+}
+
+}  // namespace
+
+TEST_CASE("flat orbits are made round by exact coordinates, and the search closes there") {
+  const MatrixFamily family = flat_family(8, 7);
+  const radius::RoundFamily round = radius::round_family(family, Deadline::in(60));
+  REQUIRE(round.coordinates.differ());
+  for (std::size_t t = 0; t < family.count(); ++t) {
+    CHECK(radius::to_double(round.coordinates.to * family[t] * round.coordinates.from).entries() ==
+          round.family.matrices[t].entries());
+    CHECK(round.family.matrices[t].largest_modulus() < 1000);
+  }
+  const RationalMatrix product = round.coordinates.to * round.coordinates.from;
+  for (std::size_t i = 0; i < family.size(); ++i)
+    for (std::size_t j = 0; j < family.size(); ++j)
+      CHECK(abs(Rational(product(i, j) - (i == j ? 1 : 0))) < power(Rational(10), -100));
+  const SearchResult found = search_polytope(round.family);
+  CHECK(found.status == SearchStatus::closed);
+
+  // A round family keeps its coordinates.
+  CHECK_FALSE(radius::round_family({RationalMatrix::identity(3)}, Deadline::in(60)).coordinates.differ());
+}
+
+TEST_CASE("long vertices leave small differences between short ones to the linear program") {
+  // Points (1 - s, z), z small beside their distance to (0, +-10^6), which cost 10^-6 for a way of 1.
+  IncrementalSimplex simplex(PolytopeKind::real, GroupAction(2), {Deadline::in(60)});
+  simplex.add(Vector{1, 0});
+  simplex.add(Vector{0, 1e6});
+  const Membership inside = simplex.solve(Vector{1 - 2e-7, 0.1}, 1 - 1e-4, 1);
+  CHECK(inside.combined);
+  CHECK(std::abs(inside.upper - (1 - 1e-7)) < 1e-12);
+  const Membership outside = simplex.solve(Vector{1 - 2e-7, 0.3}, 1 - 1e-4, 1);
+  CHECK(outside.upper > 1 + 0.9e-7);
 }

@@ -1,4 +1,5 @@
 #include "candidate.hpp"
+#include "round_family.hpp"
 
 #include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
 #include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
@@ -11,13 +12,6 @@ namespace {
 constexpr int quick_length = 8, quick_width = 12;  // of the words of find_product, and how many are kept per length
 constexpr double quick_nearness = 5e-3;
 
-polytope::Matrix to_double(const RationalMatrix& m) {
-  polytope::Matrix result(m.rows(), m.columns());
-  for (std::size_t i = 0; i < m.rows(); ++i)
-    for (std::size_t j = 0; j < m.columns(); ++j) result(i, j) = m(i, j).convert_to<double>();
-  return result;
-}
-
 /// The search writes the letter applied first first, also where it applies transposed matrices.
 std::vector<int> from_left_to_right(std::vector<int> cycle, bool transposed) {
   if (!transposed) std::reverse(cycle.begin(), cycle.end());
@@ -26,28 +20,20 @@ std::vector<int> from_left_to_right(std::vector<int> cycle, bool transposed) {
 
 }  // namespace
 
-polytope::SearchFamily to_search_family(const MatrixFamily& family) {
-  polytope::SearchFamily result;
-  for (const RationalMatrix& m : family) result.matrices.push_back(to_double(m));
-  if (family.is_flip_symmetric()) {
-    result.symmetry = polytope::SymmetryGroup::flip();
-  } else if (family.group().size() > 1) {
-    std::vector<polytope::SymmetryGroup::Element> elements;
-    for (const FamilySymmetry& element : family.group())
-      elements.push_back({to_double(element.map.matrix()), to_double(element.map.inverse().matrix()),
-                          std::vector<int>(element.letters.begin(), element.letters.end())});
-    result.symmetry = polytope::SymmetryGroup(std::move(elements));
-  }
-  return result;
-}
-
 PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones, bool exact) {
   polytope::SearchOptions options{.budget = budget};
   options.cones = cones;
   options.exact = exact;
-  const polytope::SearchResult found = polytope::search_polytope(to_search_family(family), options);
+  // Cones keep the coordinates in which no entry is negative.
+  const RoundFamily round = cones && is_nonnegative(family) ? RoundFamily{to_search_family(family)}
+                                                            : round_family(family, budget.deadline);
+  const polytope::SearchResult found = polytope::search_polytope(round.family, options);
 
   PolytopeCandidate result;
+  if (round.coordinates.differ() && found.transposed)
+    result.coordinates = {transposed(round.coordinates.from), transposed(round.coordinates.to)};
+  else
+    result.coordinates = round.coordinates;
   result.kind = found.kind;
   result.transposed = found.transposed;
   result.closed = found.status == polytope::SearchStatus::closed;

@@ -2,8 +2,8 @@
 /// What the floating point search proposes, in words that the proof uses: the border between search and proof. Inner
 /// header. Nothing here is to be trusted.
 
-#include <subcert/analysis/regularity/polytope_search/product_search.hpp>
 #include "polytope_proof.hpp"
+#include "round_family.hpp"
 
 #include <complex>
 
@@ -16,7 +16,7 @@ struct PolytopeCandidate {
     std::vector<int> cycle;  ///< the letters in the order in which the matrices of the polytope are applied
   };
   struct Vertex {
-    std::vector<std::complex<double>> value;  ///< imaginary parts zero unless kind == complex
+    std::vector<std::complex<double>> value;  ///< in the coordinates of the search; real unless kind == complex
     int parent = -1;                          ///< value = A_letter vertices[parent] / scale; -1: a root
     int letter = -1;
     int cycle = -1;  ///< roots: index into products, or -1 for an extra vertex
@@ -38,6 +38,7 @@ struct PolytopeCandidate {
 
   PolytopeKind kind = PolytopeKind::real;
   bool transposed = false;        ///< the polytope belongs to the transposed matrices
+  SearchCoordinates coordinates;  ///< of the values of the vertices
   bool closed = false;            ///< every image is a vertex or inside
   double scale = 0;               ///< what images are divided by
   bool scale_is_radius = false;   ///< the scale is the averaged radius of the first product
@@ -46,9 +47,6 @@ struct PolytopeCandidate {
   std::vector<Vertex> vertices;
   std::vector<Image> images;  ///< one for every vertex and letter, ordered by vertex, then letter
 };
-
-/// The family in doubles, with its group. Domain: entries whose doubles are finite.
-polytope::SearchFamily to_search_family(const MatrixFamily& family);
 
 /// Searches a product and a polytope. `cones`: also those of a cone, where no entry is negative; `exact`: of the very
 /// radius of the product, where one closes. Domain: entries whose doubles are finite and not far from 1 in size.

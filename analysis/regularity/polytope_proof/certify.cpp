@@ -59,6 +59,13 @@ class Certifier {
     denominator_ = common_denominator(family);
     for (const RationalMatrix& m : family)
       matrices_.push_back(integer_multiple(candidate.transposed ? transposed(m) : m, denominator_));
+    if (const auto& [to, from] = candidate.coordinates; candidate.coordinates.differ()) {
+      // Of vectors that become as small as 1 over the entries of `from`, 64 bits are left.
+      to_search_bits_ = 64 + std::max(0L, binary_exponent(from).value_or(0));
+      for (std::size_t i = 0; i < size_; ++i)
+        for (std::size_t j = 0; j < size_; ++j)
+          to_search_.push_back(to_integer(to(i, j) * power(Rational(2), to_search_bits_), Rounding::down));
+    }
   }
 
   PolytopeOrigins origins() const {
@@ -152,12 +159,33 @@ class Certifier {
     return at->second;
   }
 
+  /// Whether combinations of so many terms are solved for in the coordinates of the search. Of fewer terms the residual
+  /// is to be small in those of the family, whose rounding the others enlarge.
+  bool solves_in_search(std::size_t terms) const { return !to_search_.empty() && terms >= size_; }
+
   template <class Scalar>
-  Scalar entry(const WeightedVertex& term, std::size_t i) const {
+  Scalar entry(const WeightedVertex& term, std::size_t i, bool in_search) const {
+    if (in_search) {  // where the flip is the reversal, too
+      const auto& value = candidate_.vertices[term.vertex].value;
+      const std::complex<double> c = value[term.element == 0 ? i : size_ - 1 - i];
+      if constexpr (std::is_same_v<Scalar, double>)
+        return c.real();
+      else
+        return term.conjugated ? std::conj(c) : c;
+    }
     if constexpr (std::is_same_v<Scalar, double>)
       return to_double(real_part(term, i), -vertex_bits);
     else
       return {to_double(real_part(term, i), -vertex_bits), to_double(imaginary_part(term, i), -vertex_bits)};
+  }
+
+  /// 2^to_search_bits_ times the vector in the coordinates of the search.
+  std::vector<Integer> in_search_coordinates(const std::vector<Integer>& x) const {
+    if (x.empty()) return x;
+    std::vector<Integer> result(size_, 0);
+    for (std::size_t i = 0; i < size_; ++i)
+      for (std::size_t j = 0; j < size_; ++j) mpz_addmul(result[i].get(), to_search_[i * size_ + j].get(), x[j].get());
+    return result;
   }
 
   /// target 2^weight_bits - denominator_ * (sum of weight * vertex), all times 2^vertex_bits.
@@ -267,6 +295,29 @@ class Certifier {
     for (WeightedVertex& term : terms) term.weight = (term.weight * numerator(factor)) / denominator(factor) + 1;
   }
 
+  /// The columns of a system for weights, one after the other.
+  template <class Scalar>
+  std::vector<Scalar> columns_of(const std::vector<WeightedVertex>& terms, const std::vector<Row>& rows,
+                                 bool in_search) const {
+    std::vector<Scalar> columns;
+    for (const WeightedVertex& term : terms)
+      for (const Row& row : rows) columns.push_back(row.factor * entry<Scalar>(term, row.index, in_search));
+    return columns;
+  }
+
+  /// Brings columns to length 1 or 0, and returns their lengths.
+  template <class Scalar>
+  static std::vector<double> normalise(std::vector<Scalar>& columns, std::size_t rows) {
+    std::vector<double> lengths;
+    for (std::size_t begin = 0; begin < columns.size(); begin += rows) {
+      double square = 0;
+      for (std::size_t k = begin; k < begin + rows; ++k) square += std::norm(columns[k]);
+      lengths.push_back(square > 0 ? std::sqrt(square) : 1);
+      for (std::size_t k = begin; k < begin + rows; ++k) columns[k] /= lengths.back();
+    }
+    return lengths;
+  }
+
   /// Corrects the weights until the residual is at the level of the rounding, in double precision steps against exact
   /// residuals.
   template <class Scalar>
@@ -274,15 +325,18 @@ class Certifier {
     if (terms.empty()) return;
     const std::vector<Row> rows = rows_to_meet(target, terms);
     if (rows.size() < terms.size()) return;
-    std::vector<Scalar> basis;
-    for (const WeightedVertex& term : terms)
-      for (const Row& row : rows) basis.push_back(row.factor * entry<Scalar>(term, row.index));
+    const bool in_search = solves_in_search(terms.size());
+    std::vector<Scalar> basis = columns_of<Scalar>(terms, rows, in_search);
+    // There vertices differ in length by many powers of ten.
+    const std::vector<double> lengths = in_search ? normalise(basis, rows.size())
+                                                  : std::vector<double>(terms.size(), 1);
     const polytope::PivotedQr<Scalar> factors(basis, rows.size(), terms.size());
     // Residuals are denominator_ * 2^(vertex_bits + weight_bits) times their value; weights 2^weight_bits times theirs.
     const long size = bit_size(denominator_);
     const double scale = 1 / to_double(denominator_, -size);
     for (int round_of = 0; round_of < refinements; ++round_of) {
-      const Target rest = residual(target, terms);
+      Target rest = residual(target, terms);
+      if (in_search) rest = {in_search_coordinates(rest.re), in_search_coordinates(rest.im)};
       long exponent = 0;  // of the largest part, so that small residuals keep their digits
       for (const auto* parts : {&rest.re, &rest.im})
         for (const Integer& c : *parts)
@@ -296,11 +350,11 @@ class Certifier {
           right.emplace_back(factor * to_double(rest.re[i], -exponent), factor * to_double(rest.im[i], -exponent));
       }
       std::vector<Scalar> correction = factors.solve(right);
-      for (Scalar& c : correction) c *= scale;
+      for (std::size_t k = 0; k < correction.size(); ++k) correction[k] *= scale / lengths[k];
       if (!std::all_of(correction.begin(), correction.end(), [](Scalar c) { return std::isfinite(std::abs(c)); }))
         return;
       // correction * 2^shift in units of 2^-weight_bits
-      const int shift = static_cast<int>(exponent - vertex_bits - size);
+      const int shift = static_cast<int>(exponent - vertex_bits - size - (in_search ? to_search_bits_ : 0));
       bool changed = false;
       const auto add = [&](Integer& weight, double c) {
         const Integer step = round_scaled(Real(c), shift);
@@ -331,9 +385,7 @@ class Certifier {
           all.push_back({v, element, conjugated, 0, 0, 0});
     std::vector<WeightedVertex> basis;
     if (!cone()) {
-      std::vector<Scalar> columns;
-      for (const WeightedVertex& term : all)
-        for (std::size_t i = 0; i < size_; ++i) columns.push_back(entry<Scalar>(term, i));
+      const auto columns = columns_of<Scalar>(all, rows_to_meet({}, {}), solves_in_search(all.size()));
       const polytope::PivotedQr<Scalar> factors(columns, size_, all.size());
       if (factors.rank() < size_) return false;
       const std::vector<std::size_t> pivots = factors.pivots();
@@ -368,6 +420,8 @@ class Certifier {
 
   const radius::PolytopeCandidate& candidate_;
   std::size_t size_;
+  std::vector<Integer> to_search_;  // 2^to_search_bits_ times the matrix, row by row; empty where it is the identity
+  long to_search_bits_ = 0;
   Integer denominator_ = 1;
   std::vector<std::vector<Integer>> matrices_;  // denominator_ times the matrices, transposed where the search was
   Real scale_ = 1;

@@ -31,6 +31,13 @@ RealVector operator*(const RealMatrix& a, const RealVector& x) {
   return result;
 }
 
+RealMatrix to_real(const RationalMatrix& m) {
+  RealMatrix result{m.rows(), std::vector<Real>(m.rows() * m.rows())};
+  for (std::size_t i = 0; i < m.rows(); ++i)
+    for (std::size_t j = 0; j < m.rows(); ++j) result(i, j) = Real(to_boost(m(i, j)));
+  return result;
+}
+
 OrbitPoint operator*(const RealMatrix& a, const OrbitPoint& v) { return {a * v.x, a * v.y}; }
 
 Real dot(const RealVector& x, const RealVector& y) {
@@ -113,29 +120,22 @@ OrbitPoint solve_shifted(const RealMatrix& a, const Real& shift_re, const Real& 
   return {RealVector(solution.begin(), middle), RealVector(middle, solution.end())};
 }
 
-/// Inverse iteration from a good start.
-EigenPair refine_eigenpair(const RealMatrix& a, OrbitPoint v) {
+/// Inverse iteration from a good start and a number near the eigenvalue.
+EigenPair refine_eigenpair(const RealMatrix& a, OrbitPoint v, const std::pair<Real, Real>& near) {
   const auto normalised = [](const OrbitPoint& w) { return scaled(w, 1 / sqrt(squared_norm(w)), 0); };
-  v = normalised(v);
-  const auto [re, im] = inner(v, a * v);
   const Real off = 1 + Real("1e-14");
-  for (int k = 0; k < 5; ++k) v = normalised(solve_shifted(a, re * off, im * off, v));
+  for (int k = 0; k < 5; ++k) v = normalised(solve_shifted(a, near.first * off, near.second * off, v));
   const auto [value_re, value_im] = inner(v, a * v);
   return {sqrt(value_re * value_re + value_im * value_im), v};
 }
 
 class OrbitWalk {
  public:
-  OrbitWalk(const MatrixFamily& family, const PolytopeCandidate& candidate) : candidate_(candidate) {
-    for (const RationalMatrix& m : family) {
-      RealMatrix real{m.rows(), std::vector<Real>(m.rows() * m.rows())};
-      for (std::size_t i = 0; i < m.rows(); ++i)
-        for (std::size_t j = 0; j < m.rows(); ++j) {
-          const Rational& entry = candidate.transposed ? m(j, i) : m(i, j);
-          real(i, j) = Real(to_boost(entry));
-        }
-      matrices_.push_back(std::move(real));
-    }
+  OrbitWalk(const MatrixFamily& family, const PolytopeCandidate& candidate)
+      : candidate_(candidate),
+        to_search_(to_real(candidate.coordinates.to)),
+        from_search_(to_real(candidate.coordinates.from)) {
+    for (const RationalMatrix& m : family) matrices_.push_back(to_real(candidate.transposed ? transposed(m) : m));
   }
 
   std::optional<Orbit> run(const Deadline& deadline) {
@@ -148,7 +148,7 @@ class OrbitWalk {
       else if (vertex.cycle >= 0)
         values.push_back(root(vertex));
       else
-        values.push_back(from_double(vertex.value, is_complex()));
+        values.push_back(from_search(from_double(vertex.value, is_complex())));
     }
     return Orbit{std::move(values), scale()};
   }
@@ -165,6 +165,9 @@ class OrbitWalk {
   bool is_complex() const { return candidate_.kind == PolytopeKind::complex; }
   const RealMatrix& matrix(int letter) const { return matrices_[static_cast<std::size_t>(letter)]; }
 
+  OrbitPoint in_search(const OrbitPoint& v) const { return to_search_.size == 0 ? v : to_search_ * v; }
+  OrbitPoint from_search(const OrbitPoint& v) const { return from_search_.size == 0 ? v : from_search_ * v; }
+
   const Real& scale() {
     if (!scale_) scale_ = candidate_.scale_is_radius && first_radius_ ? *first_radius_ : Real(candidate_.scale);
     return *scale_;
@@ -175,30 +178,37 @@ class OrbitWalk {
     const auto letter = [&cycle](int place) { return cycle[static_cast<std::size_t>(place) % cycle.size()]; };
     const int length = static_cast<int>(cycle.size());
     const OrbitPoint near = from_double(vertex.value, is_complex());
+    // w over v, in the coordinates of the search, where both are known well.
+    const auto ratio = [&](const OrbitPoint& v, const OrbitPoint& w) {
+      const auto [re, im] = inner(v, w);
+      const Real size = squared_norm(v);
+      return std::pair{Real(re / size), Real(im / size)};
+    };
     for (const Root& known : roots_) {
       if (known.cycle != vertex.cycle) continue;
       // Along the cycle from the first root of it that is known.
       OrbitPoint value = known.vector;
       for (int place = known.place; place != vertex.place; place = (place + 1) % length)
         value = scaled(matrix(letter(place)) * value, 1 / known.radius, 0);
-      const auto [re, im] = inner(value, near);
-      const Real size = squared_norm(value);
+      const auto [re, im] = ratio(in_search(value), near);
       // The search turns real eigenvectors as it likes; anything else is another eigenvector of the same product.
-      const Real turned = is_complex() ? Real(re / size) : Real(abs(re / size));
-      if (abs(turned - 1) > Real("1e-6") || abs(im / size) > Real("1e-6")) continue;
+      const Real turned = is_complex() ? re : Real(abs(re));
+      if (abs(turned - 1) > Real("1e-6") || abs(im) > Real("1e-6")) continue;
       return re < 0 ? scaled(value, -1, 0) : value;
     }
     RealMatrix product = matrix(letter(vertex.place));
     for (int k = 1; k < length; ++k) product = matrix(letter(vertex.place + k)) * product;
-    const EigenPair pair = refine_eigenpair(product, near);
+    const OrbitPoint start = from_search(near);
+    const EigenPair pair = refine_eigenpair(product, start, ratio(near, in_search(product * start)));
     const Real radius = pow(pair.modulus, 1 / Real(length));
     if (vertex.cycle == 0) first_radius_ = radius;
-    const auto [re, im] = inner(pair.vector, near);
+    const auto [re, im] = ratio(in_search(pair.vector), near);
     roots_.push_back({vertex.cycle, vertex.place, radius, scaled(pair.vector, re, im)});
     return roots_.back().vector;
   }
 
   const PolytopeCandidate& candidate_;
+  RealMatrix to_search_, from_search_;  // empty where both coordinates are the same
   std::vector<RealMatrix> matrices_;
   std::vector<Root> roots_;
   std::optional<Real> first_radius_, scale_;

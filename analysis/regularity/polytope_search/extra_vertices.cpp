@@ -9,6 +9,7 @@ namespace subcert::polytope {
 
 namespace {
 
+constexpr double longest_extra = 1e6;  // relative to the roots: rounding of longer ones would move the faces there
 constexpr double extra_reach = 0.3;    // how far orbits of extra vertices come towards the faces at the roots
 constexpr int orbit_generations = 20;  // of such an orbit; it reaches farthest in the first few
 constexpr std::size_t orbit_width = 16;
@@ -105,6 +106,8 @@ void PolytopeRun::add_extra_vertices() {
       for (std::size_t i = 0; i < dimension_; ++i) gram(i, j) += (u[i] * std::conj(u[j])).real();
   }
   const LargestValue largest(duals);
+  double length = 0;
+  for (const Node& root : vertices_) length = std::max(length, norm(root.value));
   OrthonormalVectors covered;  // by the images of the extra vertices under a dense group
   std::size_t begin = 0;
   for (const std::size_t size : coordinates_.blocks) {
@@ -122,8 +125,9 @@ void PolytopeRun::add_extra_vertices() {
       follow_orbit<Vector>({x}, matrices_, orbit_generations, orbit_width, options_.budget.deadline, largest,
                            [&](const Vector& y) { reach = std::max(reach, largest(y)); });
       if (!(reach > 0)) continue;
+      const double size = std::min(extra_reach / reach, longest_extra * length);
       Vector vertex(simplex_.dimension(), 0.0);
-      for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = x[i] * (extra_reach / reach);
+      for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = size * x[i];
       add({std::move(vertex)});
     }
     begin += size;

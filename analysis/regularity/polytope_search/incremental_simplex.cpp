@@ -1,4 +1,5 @@
 #include "incremental_simplex.hpp"
+#include "kernels.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 
@@ -42,6 +43,7 @@ int IncrementalSimplex::add(std::span<const double> vertex) {
   make_room(vertices_, stride_);
   vertices_.insert(vertices_.end(), vertex.begin(), vertex.end());
   vertices_.resize((count_ + 1) * stride_, 0.0);
+  lengths_.push_back(std::sqrt(kernels::dot(vertex.data(), vertex.data(), size_)));
   if (kind_ != PolytopeKind::nonnegative) {
     const std::size_t place = count_ % block_size;
     if (place == 0) {
@@ -124,11 +126,12 @@ void IncrementalSimplex::iterate(const Question& question, Membership& result) {
         store(question.warm, result, largest);
         return;
       }
-      found = choose_vertex();
+      found = choose_vertex() || choose_among_all();
     }
     if (found && pivot()) continue;
     return conclude(question, !found, result);
   }
+  conclude(question, false, result);
 }
 
 bool IncrementalSimplex::is_inside(const Question& question, Membership& result) {
@@ -136,6 +139,7 @@ bool IncrementalSimplex::is_inside(const Question& question, Membership& result)
   const bool sound = refine(question.x);
   result.upper = objective();
   if (!sound || result.upper > question.accept) return false;
+  result.combined = true;
   result.answer = Membership::Answer::inside;
   return true;
 }
@@ -145,7 +149,8 @@ void IncrementalSimplex::conclude(const Question& question, bool optimal, Member
   const bool sound = refine(question.x);
   result.upper = objective();
   if (optimal) result.lower = std::max(result.lower, result.upper * (1 - price_margin));
-  if (sound && result.upper <= question.accept && artificial_part() < no_artificial_part) {
+  result.combined = sound && artificial_part() < no_artificial_part;
+  if (result.combined && result.upper <= question.accept) {
     result.answer = Membership::Answer::inside;
   } else if (sound && optimal) {
     result.answer = Membership::Answer::outside;

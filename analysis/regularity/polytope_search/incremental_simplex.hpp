@@ -25,6 +25,7 @@ struct Membership {
   Answer answer = Answer::undecided;
   double lower = 0;
   double upper = 0;
+  bool combined = false;  ///< combination() is the point, with moduli that sum to `upper`
 };
 
 /// A column of a basis: an image of a vertex times a phase, or a unit vector or slack.
@@ -60,8 +61,9 @@ struct WarmStart {
 /// Unit vectors of prohibitive cost complete the basis while the vertices do not span; a point that needs them is
 /// never inside.
 ///
-/// Error: `inside` is answered only if the residual of the combination, after refinement, is below 1e-12 times the
-/// scale of the point, and a failed or unfinished program is `undecided`. No claim is rigorous: this is a search tool.
+/// Error: a combination is vouched for only if its residual, after refinement, is below 1e-12 times the scale of the
+/// point; a failed or unfinished program is `undecided`, but may have such a combination. No claim is rigorous: this is
+/// a search tool.
 /// Cost: O(dim^2) per pivot and O(dim * vertices) per full pricing, most pivots being priced on a short list.
 class IncrementalSimplex {
  public:
@@ -138,6 +140,9 @@ class IncrementalSimplex {
   double objective() const;
   double artificial_part() const;
   bool refine(std::span<const double> x);
+  double length_of(const BasisColumn& column) const {
+    return column.vertex < 0 ? 1 : lengths_[static_cast<std::size_t>(column.vertex)];
+  }
   bool ratio_test(Step& result);
   bool pivot();
 
@@ -149,6 +154,7 @@ class IncrementalSimplex {
   void fill_short_list(float largest);
   bool choose_slack();
   bool choose_vertex();
+  bool choose_among_all();
 
   // Starts.
   void start_cold(std::span<const double> x);
@@ -171,6 +177,7 @@ class IncrementalSimplex {
   Deadline deadline_;
 
   std::vector<double> vertices_;  // double precision, one column of length stride_ each
+  std::vector<double> lengths_;   // their Euclidean norms
   std::vector<float> blocks_;     // single precision, blocks of block_size vertices, coordinate major
   std::vector<float> prices_, peaks_;
   std::vector<std::size_t> short_list_;

@@ -246,9 +246,8 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
   const std::int64_t pivots = simplex_.pivots();
   const Membership m = simplex_.solve(x, 1 - comfortable_depth, reject, optimum ? nullptr : &pending.warm);
   count_work(simplex_.pivots() - pivots);
-  const bool decided = m.answer != Membership::Answer::undecided;
   const double same = kind_ == PolytopeKind::nonnegative ? same_in_cone : same_point;
-  if (m.answer != Membership::Answer::inside && (!decided || m.upper > 1 + same)) {
+  if (!m.combined || m.upper > 1 + same) {
     pending.key = std::sqrt(std::max(m.lower, 1.0) * std::min(m.upper, largest_norm));
     entry.norm = std::min(entry.norm, m.upper);
     return false;
@@ -258,7 +257,7 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
     const auto largest = std::max_element(terms.begin(), terms.end(), [](const auto& a, const auto& b) {
       return std::abs(a.coefficient) < std::abs(b.coefficient);
     });
-    if (std::abs(std::abs(largest->coefficient) - 1) <= same) {
+    if (std::abs(std::abs(largest->coefficient) - 1) <= same && is_term(x, *largest)) {
       entry.known = entry.identity = true;
       entry.norm = 1;
       set_terms(entry, {*largest});
@@ -274,6 +273,19 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
   entry.norm = m.upper;
   set_terms(entry, std::move(terms));
   return true;
+}
+
+// Whether x is the term up to rounding: where vertices are long, small coefficients of others move a point far. In a
+// cone it is only to be below it.
+bool PolytopeRun::is_term(const Vector& x, const CombinationTerm& term) const {
+  if (kind_ == PolytopeKind::nonnegative) return true;
+  ComplexVector w = complex_form(value(term.vertex));
+  coordinates_.action.apply(term.element, w.data());
+  if (term.conjugated) w = conjugate(std::move(w));
+  const ComplexVector z = complex_form(x);
+  double distance = 0;
+  for (std::size_t k = 0; k < dimension_; ++k) distance += std::norm(z[k] - term.coefficient * w[k]);
+  return distance <= same_point * same_point * squared_norm(z);
 }
 
 // Is x a multiple c of a vertex, |c| = 1 up to rounding? A linear program comes near that phase by many pivots only.

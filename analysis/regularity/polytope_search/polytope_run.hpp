@@ -76,6 +76,7 @@ class PolytopeRun {
 
   bool settle(Pending& pending, bool optimum = false);
   bool match(const Vector& x, Image& entry);
+  bool is_term(const Vector& x, const CombinationTerm& term) const;
   bool settle_fresh(const Deadline& deadline);
   void add_largest(const Deadline& deadline);
   void make_vertex(const Pending& pending);

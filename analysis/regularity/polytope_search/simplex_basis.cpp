@@ -99,15 +99,17 @@ bool IncrementalSimplex::ratio_test(Step& result) {
   fill_column(entering_.column, column_.data());
   kernels::multiply(work_.inverse.data(), stride_, size_, column_.data(), direction_.data());
   const double gain = kernels::dot(y_.data(), column_.data(), size_);
+  // Whether an entry is rounding is seen where the columns have equal lengths: extra vertices may be longer by far.
   double largest = 0;
-  for (std::size_t k = 0; k < size_; ++k) largest = std::max(largest, std::abs(direction_[k]));
+  for (std::size_t k = 0; k < size_; ++k)
+    largest = std::max(largest, std::abs(direction_[k]) * length_of(work_.columns[k]));
   const bool symmetric = kind_ != PolytopeKind::nonnegative;
   const double sign = symmetric && gain < 0 ? -1 : 1;
   breaks_.clear();
   for (std::size_t k = 0; k < size_; ++k) {
     const double l = lambda_[k], d = sign * direction_[k];
     const double down = symmetric && l < 0 ? -d : d;
-    if (down > pivot_tolerance * largest) breaks_.emplace_back(std::abs(l) / down, k);
+    if (down * length_of(work_.columns[k]) > pivot_tolerance * largest) breaks_.emplace_back(std::abs(l) / down, k);
   }
   if (breaks_.empty()) return false;
   double slope = entering_.column.cost - std::abs(gain);

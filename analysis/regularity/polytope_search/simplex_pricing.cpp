@@ -136,6 +136,20 @@ bool IncrementalSimplex::choose_slack() {
   return found;
 }
 
+// The same among all vertices: what single precision did not see. Cones are priced in double precision anyway.
+bool IncrementalSimplex::choose_among_all() {
+  if (kind_ == PolytopeKind::nonnegative) return false;
+  entering_.price = 1 + price_tolerance;
+  bool found = false;
+  for (std::size_t j = 0; j < count_; ++j) {
+    const EnteringColumn column = price_one(j, y_.data());
+    if (column.price <= entering_.price) continue;
+    entering_ = column;
+    found = true;
+  }
+  return found;
+}
+
 // The most profitable column of the short list; false where none lowers the objective.
 bool IncrementalSimplex::choose_vertex() {
   entering_.price = 1 + price_tolerance;

@@ -1,6 +1,6 @@
 #include "quadratic_proof.hpp"
 
-#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
+#include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
 #include "product_tree.hpp"
 

@@ -12,14 +12,15 @@
 namespace subcert::radius {
 namespace {
 
-constexpr slong precision = 320;
+constexpr slong least_precision = 320;  // bits of balls
+constexpr slong radius_bits = 240;
 constexpr const char* no_time = "no time was left to compare the images with the vertices";
 
 using RationalVector = std::vector<Rational>;
 
 /// An upper bound for |ball - value|, real and imaginary parts apart; nothing where it is infinite.
 std::optional<Rational> distance(const ComplexBall& ball, const RationalComplex& value) {
-  const ComplexBall difference = ball - ball_around(value, precision);
+  const ComplexBall difference = ball - ball_around(value, ball.bits());
   const Enclosure re = abs(difference.real()).enclosure(256), im = abs(imaginary_part(difference)).enclosure(256);
   if (!re.upper || !im.upper) return std::nullopt;
   return *re.upper + *im.upper;
@@ -47,7 +48,7 @@ class Proof {
  public:
   Proof(const MatrixFamily& family, const PolytopeCandidate& candidate, const PolytopeProof& polytope,
         const Rational& lower, const Deadline& deadline)
-      : candidate_(candidate), polytope_(polytope), lower_(lower), deadline_(deadline) {
+      : candidate_(candidate), polytope_(polytope), lower_(lower), radius_{lower, polytope.bound}, deadline_(deadline) {
     for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
   }
 
@@ -122,7 +123,7 @@ class Proof {
     Enclosure scale = Enclosure::exactly(1);
     for (int t : letters) {
       moved = matrix(t) * moved;
-      scale = {*scale.lower * lower_, *scale.upper * polytope_.bound};
+      scale = {*scale.lower * *radius_.lower, *scale.upper * *radius_.upper};
     }
     std::optional<Rational> best;
     for (int sign : {1, -1}) {
@@ -191,6 +192,9 @@ class Proof {
     const ComplexVector v = polytope_.vertex(root);
     const auto characteristic = characteristic_polynomial(product, deadline_);
     if (one_norm(v) == 0 || !characteristic || !has_time_for_roots(*characteristic, deadline_)) return std::nullopt;
+    // The powers of the product lose so many digits to each other in the projection.
+    const slong precision = least_precision +
+                            static_cast<slong>(v.size()) * std::max(0L, binary_exponent(product).value_or(0));
     const ComplexBall quotient = ball_around(rayleigh_quotient(v, product * v), precision);
     LaurentPolynomial f, others;
     ComplexBall eigenvalue = ComplexBall::indeterminate(precision);
@@ -213,7 +217,14 @@ class Proof {
     if (static_cast<long>(cycle.eigenspace.size()) != f.highest() * multiplicity) return std::nullopt;
     const Enclosure modulus = abs(eigenvalue).enclosure(256);
     if (!modulus.lower || *modulus.lower <= 0) return std::nullopt;
-    lower_ = std::min(lower_, *root_enclosure(*modulus.lower, static_cast<int>(cycle.word.size())).lower);
+    const int length = static_cast<int>(cycle.word.size());
+    const Enclosure radius{root_enclosure(*modulus.lower, length, radius_bits).lower,
+                           root_enclosure(*modulus.upper, length, radius_bits).upper};
+    lower_ = std::min(lower_, *radius.lower);
+    if (cycles_.empty())
+      radius_ = radius;
+    else
+      radius_ = {std::min(*radius_.lower, *radius.lower), std::max(*radius_.upper, *radius.upper)};
     const auto error = distance_to_eigenvector(product, v, f, others, eigenvalue);
     if (!error) return std::nullopt;
     cycle_of_root_.emplace(root, cycles_.size());
@@ -228,7 +239,7 @@ class Proof {
       const Enclosure im = imaginary_part(z).enclosure(256);
       return im.is_exact() && *im.lower == 0;
     };
-    const Ball nothing(0L, precision);
+    const Ball nothing(0L, zero.bits());
     int equal = 0;  // the zero itself
     for (const ComplexBall& other : zeros) {
       if (!nothing.is_less(abs(zero - other)))
@@ -244,6 +255,7 @@ class Proof {
   static std::optional<Rational> distance_to_eigenvector(const RationalMatrix& product, const ComplexVector& v,
                                                          const LaurentPolynomial& f, const LaurentPolynomial& others,
                                                          const ComplexBall& z) {
+    const slong precision = z.bits();
     std::vector<ComplexBall> projection(v.size(), ball_around({0, 0}, precision));
     ComplexVector moved = value_on(others, product, v);
     // f(x) / (x - z) has the coefficients b_k = f_{k+1} + z b_{k+1}.
@@ -443,7 +455,8 @@ class Proof {
 
   const PolytopeCandidate& candidate_;
   const PolytopeProof& polytope_;
-  Rational lower_;  // a lower bound for the radius of the product, by the very eigenvalue whose vector is used
+  Rational lower_;    // a lower bound for the radius of the product, by the very eigenvalue whose vector is used
+  Enclosure radius_;  // of the true vertices, each of which is an image over it; narrow once there is a cycle
   Deadline deadline_;
   std::vector<RationalMatrix> matrices_;
   std::vector<Cycle> cycles_;

@@ -5,7 +5,7 @@
 #include "scaling.hpp"
 #include "similarity.hpp"
 
-#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
+#include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>

@@ -1,0 +1,93 @@
+#include "round_family.hpp"
+
+#include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
+#include <subcert/analysis/symbol/ball_matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace subcert::radius {
+namespace {
+
+constexpr double round_enough = 1e-7;  // ratio of the eigenvalues of the shape, of which doubles resolve 1e-9
+constexpr int most_steps = 8;
+constexpr slong bits = 512;  // of `from`
+
+/// The mean of the matrix and its image under the flip.
+RationalMatrix commuting_with_flip(const RationalMatrix& matrix) {
+  const std::size_t n = matrix.rows();
+  RationalMatrix result(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) result(i, j) = (matrix(i, j) + matrix(n - 1 - i, n - 1 - j)) / 2;
+  return result;
+}
+
+/// A symmetric matrix that makes orbits rounder; nothing where they are round. With `flip` it commutes with it.
+std::optional<RationalMatrix> rounding_step(const std::vector<polytope::Matrix>& matrices, bool flip,
+                                            const Deadline& deadline) {
+  const polytope::OrbitShape orbit = polytope::orbit_shape(matrices, deadline);
+  const polytope::SymmetricDecomposition shape = polytope::symmetric_decomposition(orbit.shape);
+  const std::size_t n = shape.values.size();
+  if (orbit.radius_bound == 0 || shape.values.front() > round_enough * shape.values.back()) return std::nullopt;
+  RationalMatrix result(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      double entry = 0;
+      for (std::size_t k = 0; k < n; ++k)
+        entry += shape.vectors(i, k) * shape.vectors(j, k) * std::sqrt(shape.values.back() / shape.values[k]);
+      result(i, j) = result(j, i) = Rational(entry);
+    }
+  return flip ? commuting_with_flip(result) : result;
+}
+
+/// Nearly; nothing where balls do not resolve it.
+std::optional<RationalMatrix> inverse(const RationalMatrix& matrix) {
+  const auto columns = inverse_columns(matrix, {0, 0}, bits);
+  if (!columns) return std::nullopt;
+  RationalMatrix result(matrix.rows(), matrix.rows());
+  for (std::size_t j = 0; j < columns->size(); ++j)
+    for (std::size_t i = 0; i < columns->size(); ++i) result(i, j) = -(*columns)[j][i].re;
+  return result;
+}
+
+}  // namespace
+
+polytope::Matrix to_double(const RationalMatrix& m) {
+  polytope::Matrix result(m.rows(), m.columns());
+  for (std::size_t i = 0; i < m.rows(); ++i)
+    for (std::size_t j = 0; j < m.columns(); ++j) result(i, j) = m(i, j).convert_to<double>();
+  return result;
+}
+
+polytope::SearchFamily to_search_family(const MatrixFamily& family) {
+  polytope::SearchFamily result;
+  for (const RationalMatrix& m : family) result.matrices.push_back(to_double(m));
+  if (family.is_flip_symmetric()) {
+    result.symmetry = polytope::SymmetryGroup::flip();
+  } else if (family.group().size() > 1) {
+    std::vector<polytope::SymmetryGroup::Element> elements;
+    for (const FamilySymmetry& element : family.group())
+      elements.push_back({to_double(element.map.matrix()), to_double(element.map.inverse().matrix()),
+                          std::vector<int>(element.letters.begin(), element.letters.end())});
+    result.symmetry = polytope::SymmetryGroup(std::move(elements));
+  }
+  return result;
+}
+
+RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
+  RoundFamily result{to_search_family(family)};
+  const bool flip = family.is_flip_symmetric();
+  if (family.group().size() > 1 && !flip) return result;
+  for (int k = 0; k < most_steps && !deadline.expired(); ++k) {
+    const auto step = rounding_step(result.family.matrices, flip, deadline);
+    if (!step) break;
+    const RationalMatrix to = result.coordinates.differ() ? *step * result.coordinates.to : *step;
+    const auto from = inverse(to);
+    if (!from || deadline.expired()) break;
+    for (std::size_t t = 0; t < family.count(); ++t) result.family.matrices[t] = to_double(to * family[t] * *from);
+    result.coordinates = {to, *from};
+  }
+  return result;
+}
+
+}  // namespace subcert::radius

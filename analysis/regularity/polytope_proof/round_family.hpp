@@ -1,0 +1,34 @@
+#pragma once
+/// A family in doubles, in coordinates in which its orbits are round: the way from exact matrices to the search. Inner
+/// header.
+
+#include <subcert/analysis/regularity/polytope_search/product_search.hpp>
+#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/matrix_family.hpp>
+
+namespace subcert::radius {
+
+/// Coordinates y = to x of a search, where those of the family are x = from y. Without rows both are the same.
+struct SearchCoordinates {
+  RationalMatrix to{0, 0}, from{0, 0};
+  bool differ() const { return to.rows() > 0; }
+};
+
+struct RoundFamily {
+  polytope::SearchFamily family;  ///< in the coordinates of the search: to A from, rounded
+  SearchCoordinates coordinates = {};
+};
+
+/// Domain: entries whose doubles are finite.
+polytope::Matrix to_double(const RationalMatrix& matrix);
+
+/// The family in doubles, with its group. Domain: entries whose doubles are finite.
+polytope::SearchFamily to_search_family(const MatrixFamily& family);
+
+/// The same, but where orbits are so flat that doubles would lose what distinguishes their points, as for families that
+/// nearly have an invariant subspace, in other coordinates, which are found step by step and applied to the exact
+/// matrices. They commute with the flip; a family with another group keeps its coordinates. Cost: for each step, which
+/// makes orbits rounder by a factor of 10^4, an inverse in balls and three exact products for each matrix.
+RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline);
+
+}  // namespace subcert::radius

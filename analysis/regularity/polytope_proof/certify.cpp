@@ -18,8 +18,7 @@ namespace {
 using radius::Real;
 using radius::RealVector;
 
-constexpr int vertex_bits = 112;
-constexpr int weight_bits = 112;
+constexpr int least_bits = 112, most_bits = 192;  // of vertices and weights; orbits have 200
 constexpr int refinements = 4;
 constexpr int tight_bits = 20;  // cones: relatively nearer coordinates are to be met
 
@@ -53,13 +52,14 @@ class Certifier {
     polytope_.kind = candidate.kind;
     polytope_.transposed = candidate.transposed;
     polytope_.group = candidate.transposed ? transposed(family).group() : family.group();
-    polytope_.vertex_bits = vertex_bits;
-    polytope_.weight_bits = weight_bits;
     polytope_.origins = origins();
     denominator_ = common_denominator(family);
     for (const RationalMatrix& m : family)
       matrices_.push_back(integer_multiple(candidate.transposed ? transposed(m) : m, denominator_));
     if (const auto& [to, from] = candidate.coordinates; candidate.coordinates.differ()) {
+      // Polytopes are as flat as the orbits, and norms of residuals as large.
+      bits_ = static_cast<int>(std::clamp<long>(
+          least_bits + binary_exponent(to).value_or(0) + binary_exponent(from).value_or(0), least_bits, most_bits));
       // Of vectors that become as small as 1 over the entries of `from`, 64 bits are left.
       to_search_bits_ = 64 + std::max(0L, binary_exponent(from).value_or(0));
       for (std::size_t i = 0; i < size_; ++i)
@@ -81,10 +81,11 @@ class Certifier {
   }
 
   std::optional<PolytopeProof> run(const radius::Orbit& orbit, const Deadline& deadline) {
+    polytope_.vertex_bits = polytope_.weight_bits = bits_;
     take(orbit);
     const bool spans = is_complex() ? express_units<std::complex<double>>() : express_units<double>();
     if (!spans) return std::nullopt;
-    Integer largest = 0;  // bound times denominator * 2^(vertex_bits + weight_bits)
+    Integer largest = 0;  // bound times denominator * 2^(2 * bits_)
     for (const radius::PolytopeCandidate::Image& proposal : candidate_.images) {
       if (deadline.expired()) return std::nullopt;
       const Target target = image(static_cast<std::size_t>(proposal.letter), static_cast<std::size_t>(proposal.vertex));
@@ -95,17 +96,17 @@ class Certifier {
         refine<double>(target, terms);
       if (cone()) dominate(target, terms);
       const Integer moduli = finish(terms), rest = residual_size(target, terms);
-      largest = std::max(largest, Integer((moduli * denominator_ << vertex_bits) + rest * polytope_.unit_norm));
-      polytope_.moduli.emplace_back(moduli, Integer(1) << weight_bits);
-      polytope_.residuals.emplace_back(rest, denominator_ << (vertex_bits + weight_bits));
+      largest = std::max(largest, Integer((moduli * denominator_ << bits_) + rest * polytope_.unit_norm));
+      polytope_.moduli.emplace_back(moduli, Integer(1) << bits_);
+      polytope_.residuals.emplace_back(rest, denominator_ << (2 * bits_));
       polytope_.images.push_back(std::move(terms));
     }
-    polytope_.bound = Rational(largest, denominator_ << (vertex_bits + weight_bits));
+    polytope_.bound = Rational(largest, denominator_ << (2 * bits_));
     return std::move(polytope_);
   }
 
  private:
-  /// denominator_ * 2^vertex_bits times a vector; `im` is empty for real ones.
+  /// denominator_ * 2^bits_ times a vector; `im` is empty for real ones.
   struct Target {
     std::vector<Integer> re, im;
   };
@@ -114,7 +115,7 @@ class Certifier {
   void take(const radius::Orbit& orbit) {
     const auto rounded = [&](const RealVector& values) {
       std::vector<Integer> integers;
-      for (const Real& c : values) integers.push_back(round_scaled(cone() ? Real(abs(c)) : c, vertex_bits));
+      for (const Real& c : values) integers.push_back(round_scaled(cone() ? Real(abs(c)) : c, bits_));
       return integers;
     };
     for (const radius::OrbitPoint& vertex : orbit.vertices) {
@@ -174,9 +175,9 @@ class Certifier {
         return term.conjugated ? std::conj(c) : c;
     }
     if constexpr (std::is_same_v<Scalar, double>)
-      return to_double(real_part(term, i), -vertex_bits);
+      return to_double(real_part(term, i), -bits_);
     else
-      return {to_double(real_part(term, i), -vertex_bits), to_double(imaginary_part(term, i), -vertex_bits)};
+      return {to_double(real_part(term, i), -bits_), to_double(imaginary_part(term, i), -bits_)};
   }
 
   /// 2^to_search_bits_ times the vector in the coordinates of the search.
@@ -188,7 +189,7 @@ class Certifier {
     return result;
   }
 
-  /// target 2^weight_bits - denominator_ * (sum of weight * vertex), all times 2^vertex_bits.
+  /// target 2^bits_ - denominator_ * (sum of weight * vertex), all times 2^bits_.
   Target residual(const Target& target, const std::vector<WeightedVertex>& terms) const {
     Target result = target;
     for (std::size_t i = 0; i < size_; ++i) {
@@ -200,8 +201,8 @@ class Certifier {
         re -= term.imaginary * part;
         im += term.weight * part + term.imaginary * real_part(term, i);
       }
-      result.re[i] = (target.re[i] << weight_bits) - denominator_ * re;
-      if (is_complex()) result.im[i] = (target.im[i] << weight_bits) - denominator_ * im;
+      result.re[i] = (target.re[i] << bits_) - denominator_ * re;
+      if (is_complex()) result.im[i] = (target.im[i] << bits_) - denominator_ * im;
     }
     return result;
   }
@@ -235,7 +236,7 @@ class Certifier {
   std::vector<WeightedVertex> start_from(const radius::PolytopeCandidate::Image& proposal) const {
     std::vector<WeightedVertex> terms;
     for (const auto& term : proposal.terms) {
-      const auto weight = [&](double part) { return round_scaled(Real(part) * scale_, weight_bits); };
+      const auto weight = [&](double part) { return round_scaled(Real(part) * scale_, bits_); };
       WeightedVertex next{static_cast<std::size_t>(term.vertex),
                           term.element,
                           term.conjugated && is_complex(),
@@ -270,11 +271,10 @@ class Certifier {
       if (!cone()) {
         rows.push_back({i, 1});
       } else if (target.re[i] != 0) {
-        const Integer size = target.re[i] << weight_bits;
+        const Integer size = target.re[i] << bits_;
         if (abs(rest.re[i]) << tight_bits > size) continue;
-        rows.push_back(
-            {i, std::ldexp(1 / to_double(target.re[i], -bit_size(target.re[i])),
-                           static_cast<int>(bit_size(denominator_) + vertex_bits - bit_size(target.re[i])))});
+        rows.push_back({i, std::ldexp(1 / to_double(target.re[i], -bit_size(target.re[i])),
+                                      static_cast<int>(bit_size(denominator_) + bits_ - bit_size(target.re[i])))});
       }
     }
     return rows;
@@ -286,7 +286,7 @@ class Certifier {
     const Target rest = residual(target, terms);
     Rational factor = 1;
     for (std::size_t i = 0; i < size_; ++i) {
-      const Integer goal = target.re[i] << weight_bits, reached = goal - rest.re[i];
+      const Integer goal = target.re[i] << bits_, reached = goal - rest.re[i];
       if (rest.re[i] <= 0) continue;
       // A coordinate that no term has is left to the residual, and so is one that would cost more.
       if (reached > 0 && (rest.re[i] << tight_bits) < reached) factor = std::max(factor, Rational(goal, reached));
@@ -331,7 +331,7 @@ class Certifier {
     const std::vector<double> lengths = in_search ? normalise(basis, rows.size())
                                                   : std::vector<double>(terms.size(), 1);
     const polytope::PivotedQr<Scalar> factors(basis, rows.size(), terms.size());
-    // Residuals are denominator_ * 2^(vertex_bits + weight_bits) times their value; weights 2^weight_bits times theirs.
+    // Residuals are denominator_ * 2^(2 * bits_) times their value; weights 2^bits_ times theirs.
     const long size = bit_size(denominator_);
     const double scale = 1 / to_double(denominator_, -size);
     for (int round_of = 0; round_of < refinements; ++round_of) {
@@ -353,8 +353,8 @@ class Certifier {
       for (std::size_t k = 0; k < correction.size(); ++k) correction[k] *= scale / lengths[k];
       if (!std::all_of(correction.begin(), correction.end(), [](Scalar c) { return std::isfinite(std::abs(c)); }))
         return;
-      // correction * 2^shift in units of 2^-weight_bits
-      const int shift = static_cast<int>(exponent - vertex_bits - size - (in_search ? to_search_bits_ : 0));
+      // correction * 2^shift in units of 2^-bits_
+      const int shift = static_cast<int>(exponent - bits_ - size - (in_search ? to_search_bits_ : 0));
       bool changed = false;
       const auto add = [&](Integer& weight, double c) {
         const Integer step = round_scaled(Real(c), shift);
@@ -394,7 +394,7 @@ class Certifier {
     Integer most = 0, largest_residual = 0;
     for (std::size_t k = 0; k < (polytope_.is_flip_symmetric() ? (size_ + 1) / 2 : size_); ++k) {
       Target target{std::vector<Integer>(size_, 0), std::vector<Integer>(is_complex() ? size_ : 0, 0)};
-      target.re[k] = denominator_ << vertex_bits;
+      target.re[k] = denominator_ << bits_;
       std::vector<WeightedVertex> terms = basis;
       if (cone()) {
         const auto best = std::max_element(
@@ -402,7 +402,7 @@ class Certifier {
             [&](const WeightedVertex& a, const WeightedVertex& b) { return real_part(a, k) < real_part(b, k); });
         if (real_part(*best, k) <= 0) return false;
         terms = {*best};
-        terms.front().weight = ((Integer(1) << (vertex_bits + weight_bits)) / real_part(*best, k)) + 1;
+        terms.front().weight = ((Integer(1) << (2 * bits_)) / real_part(*best, k)) + 1;
       } else {
         refine<Scalar>(target, terms);
       }
@@ -410,10 +410,10 @@ class Certifier {
       largest_residual = std::max(largest_residual, residual_size(target, terms));
       polytope_.units.push_back(std::move(terms));
     }
-    const Integer one = denominator_ << (vertex_bits + weight_bits);
+    const Integer one = denominator_ << (2 * bits_);
     if (largest_residual >= one) return false;
     // E = S / (1 - R), rounded up to an integer.
-    const Rational norm = Rational(most, Integer(1) << weight_bits) / (1 - Rational(largest_residual, one));
+    const Rational norm = Rational(most, Integer(1) << bits_) / (1 - Rational(largest_residual, one));
     polytope_.unit_norm = numerator(norm) / denominator(norm) + 1;
     return true;
   }
@@ -422,6 +422,7 @@ class Certifier {
   std::size_t size_;
   std::vector<Integer> to_search_;  // 2^to_search_bits_ times the matrix, row by row; empty where it is the identity
   long to_search_bits_ = 0;
+  int bits_ = least_bits;  // of vertices and weights
   Integer denominator_ = 1;
   std::vector<std::vector<Integer>> matrices_;  // denominator_ times the matrices, transposed where the search was
   Real scale_ = 1;

@@ -125,9 +125,9 @@ void PolytopeRun::add_extra_vertices() {
       follow_orbit<Vector>({x}, matrices_, orbit_generations, orbit_width, options_.budget.deadline, largest,
                            [&](const Vector& y) { reach = std::max(reach, largest(y)); });
       if (!(reach > 0)) continue;
-      const double size = std::min(extra_reach / reach, longest_extra * length);
+      const double factor = std::min(extra_reach / reach, longest_extra * length);
       Vector vertex(simplex_.dimension(), 0.0);
-      for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = size * x[i];
+      for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = factor * x[i];
       add({std::move(vertex)});
     }
     begin += size;

@@ -210,7 +210,8 @@ def main():
                 print(name, flush=True)
     known = [line.split(" # ")[0] for line in (test / "same.txt").read_text().splitlines() if " # " in line]
     new = [name for name in survivors if name not in known]
-    gone = [name for name in known if name not in survivors] if not arguments.only else []
+    every, tried = {name for name, *_ in variants(False)}, {name for name, *_ in chosen.values()}
+    gone = [name for name in known if name not in every or (name in tried and name not in survivors)]
     for name in gone:
         print(f"same.txt, but told apart or not there: {name}")
     print(", ".join(f"{count} {result}" for result, count in sorted(counts.items())))

@@ -10,7 +10,6 @@ namespace subcert::polytope {
 namespace {
 
 constexpr double longest_extra = 1e6;  // relative to the roots: rounding of longer ones would move the faces there
-constexpr double extra_reach = 0.3;    // how far orbits of extra vertices come towards the faces at the roots
 constexpr int orbit_generations = 20;  // of such an orbit; it reaches farthest in the first few
 constexpr std::size_t orbit_width = 16;
 constexpr double nearly_kept = 0.999;      // cosine between a unit vector and its image
@@ -125,7 +124,7 @@ void PolytopeRun::add_extra_vertices() {
       follow_orbit<Vector>({x}, matrices_, orbit_generations, orbit_width, options_.budget.deadline, largest,
                            [&](const Vector& y) { reach = std::max(reach, largest(y)); });
       if (!(reach > 0)) continue;
-      const double factor = std::min(extra_reach / reach, longest_extra * length);
+      const double factor = std::min(extra_reach_ / reach, longest_extra * length);
       Vector vertex(simplex_.dimension(), 0.0);
       for (std::size_t i = 0; i < dimension_; ++i) vertex[i] = factor * x[i];
       add({std::move(vertex)});

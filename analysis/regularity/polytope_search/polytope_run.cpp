@@ -76,10 +76,11 @@ void restore_symmetry(ComplexVector& x, const GroupAction& action) {
 }  // namespace
 
 PolytopeRun::PolytopeRun(const SearchFamily& family, std::vector<Candidate> products, PolytopeKind kind, double scale,
-                         const SearchOptions& options)
+                         double extra_reach, const SearchOptions& options)
     : family_(family),
       kind_(kind),
       scale_(scale),
+      extra_reach_(extra_reach),
       options_(options),
       products_(std::move(products)),
       coordinates_(working_coordinates(family, kind, options.budget.deadline)),

@@ -14,10 +14,11 @@ class PolytopeRun {
  public:
   enum class State { open, closed };
 
-  /// Images are divided by scale >= radius of the first product. Nothing is done past the deadline of the budget, and
-  /// no vertex is added once the polytope and its report would fill the memory.
+  /// Images are divided by scale >= radius of the first product; orbits of extra vertices come so near to the faces at
+  /// the roots. Nothing is done past the deadline of the budget, and no vertex is added once the polytope and its
+  /// report would fill the memory. Domain: 0 < extra_reach < 1.
   PolytopeRun(const SearchFamily& family, std::vector<Candidate> products, PolytopeKind kind, double scale,
-              const SearchOptions& options);
+              double extra_reach, const SearchOptions& options);
 
   /// Works until closed, until that much work is done, until the deadline, or until full.
   State advance(double work, const Deadline& deadline);
@@ -102,7 +103,7 @@ class PolytopeRun {
 
   const SearchFamily& family_;
   PolytopeKind kind_;
-  double scale_;
+  double scale_, extra_reach_;
   SearchOptions options_;
   std::vector<Matrix> matrices_;  // in working coordinates, divided by scale_
   std::vector<Candidate> products_;

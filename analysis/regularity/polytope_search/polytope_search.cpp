@@ -21,6 +21,10 @@ constexpr double first_race = 0.6, all_races = 0.65, last_race = 0.5;
 // A polytope that closes mostly does so within a small multiple of the first look at the products; one that does not
 // gets a wider look for a better product, and more time each round.
 constexpr double first_patience = 20, later_patience = 30;
+// Small extra vertices need fewer others. Some polytopes close with large ones alone, or with a little more than the
+// radius after half as many vertices.
+constexpr double small_reach = 0.3, large_reach = 0.9;
+constexpr double large_share = 0.2;                       // of the time for races
 constexpr double least_race = 0.1;                        // seconds
 constexpr double least_slice = 0.02, largest_slice = 60;  // seconds of a run before it is the turn of the other one
 constexpr double clearly_ahead = 0.6;                     // ratio of the shares of open images
@@ -93,6 +97,7 @@ class Search {
       if (race(k + 1 == product_looks.size() ? rest : std::min(least_race + later_patience * (work_ - before), rest),
                2))
         return closed();
+      if (k == 1 && race_with_large_extras(large_share * all_races * seconds_)) return closed();
       if (work_ > last_race * seconds_ || races_.expired() || full()) break;
     }
     return enclosed();
@@ -163,7 +168,7 @@ class Search {
     }
     SearchOptions options = options_;
     options.budget.memory = memory;
-    return std::make_unique<PolytopeRun>(family_[side], std::move(products), kind, scale, options);
+    return std::make_unique<PolytopeRun>(family_[side], std::move(products), kind, scale, reach_, options);
   }
 
   // Whether the run of that side is clearly nearer to its end, judged by the share of its images that are still open.
@@ -199,6 +204,24 @@ class Search {
       }
       if (sides == 1 && runs_[0]) break;
       slice *= 1.5;
+    }
+    return false;
+  }
+
+  // A race of other polytopes, after which those so far go on.
+  bool race_with_large_extras(double seconds) {
+    if (kind() != PolytopeKind::real) return false;
+    const std::vector<Candidate> before = maximizing();
+    std::unique_ptr<PolytopeRun> others[2];
+    for (std::size_t side : {0, 1}) std::swap(runs_[side], others[side]);
+    reach_ = large_reach;
+    const bool closes = race(seconds, 2);
+    reach_ = small_reach;
+    if (closes) return true;
+    const bool same = std::ranges::equal(before, maximizing(), {}, &Candidate::word, &Candidate::word);
+    for (std::size_t side : {0, 1}) {
+      retire(runs_[side]);
+      if (same) std::swap(runs_[side], others[side]);
     }
     return false;
   }
@@ -249,6 +272,7 @@ class Search {
     const double radius = candidates_.front().radius;
     const std::size_t side = runs_[0] && runs_[1] && runs_[1]->open_share() < runs_[0]->open_share() ? 1 : 0;
     for (auto& run : runs_) retire(run);
+    reach_ = large_reach;
     // No image needs to come back to a vertex any more, so that real polytopes do for complex eigenvalues.
     const PolytopeKind simple = kind() == PolytopeKind::nonnegative ? PolytopeKind::nonnegative : PolytopeKind::real;
     double excess = first_excess;
@@ -282,6 +306,7 @@ class Search {
   std::vector<Candidate> candidates_;
   std::size_t maximizing_ = 0;
   std::unique_ptr<PolytopeRun> runs_[2];
+  double reach_ = small_reach;
   std::size_t winner_ = 0;
   SearchCounters counters_;
 };

@@ -118,11 +118,32 @@ class Certifier {
       for (const Real& c : values) integers.push_back(round_scaled(cone() ? Real(abs(c)) : c, bits_));
       return integers;
     };
-    for (const radius::OrbitPoint& vertex : orbit.vertices) {
+    for (std::size_t v = 0; v < orbit.vertices.size(); ++v) {
+      const radius::OrbitPoint& vertex = orbit.vertices[v];
       polytope_.vertices.push_back(rounded(vertex.x));
       if (vertex.is_complex()) polytope_.imaginary.push_back(rounded(vertex.y));
+      if (!to_search_.empty()) restore_flip(candidate_.vertices[v]);
     }
     scale_ = orbit.scale;
+  }
+
+  /// Where an extra vertex of the search is exactly even or odd under the flip, so is the last vertex taken: the way
+  /// from one to the other loses that to rounding.
+  void restore_flip(const radius::PolytopeCandidate::Vertex& vertex) {
+    if (vertex.parent >= 0 || vertex.cycle >= 0 || !polytope_.is_flip_symmetric()) return;
+    for (const int sign : {1, -1}) {
+      bool kept = true;
+      for (std::size_t i = 0; i < size_; ++i)
+        kept = kept && vertex.value[i] == static_cast<double>(sign) * vertex.value[size_ - 1 - i];
+      if (!kept) continue;
+      for (auto* parts : {&polytope_.vertices, &polytope_.imaginary}) {
+        if (parts->empty()) continue;
+        std::vector<Integer>& x = parts->back();
+        for (std::size_t i = 0; 2 * i + 1 < size_; ++i) x[size_ - 1 - i] = sign * x[i];
+        if (sign < 0 && size_ % 2 == 1) x[size_ / 2] = 0;
+      }
+      return;
+    }
   }
 
   bool cone() const { return polytope_.kind == PolytopeKind::nonnegative; }

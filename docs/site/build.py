@@ -83,7 +83,8 @@ class Tree:
     def theorems(self):
         """The text of the theorems as a page with MathML and, where TeX is installed, as PDF."""
         file = self.source / THEOREMS
-        tex = file.read_text(encoding="utf-8")
+        tex = re.sub(r"\\input\{(.*?)\}", lambda part: (file.parent / f"{part[1]}.tex").read_text(encoding="utf-8"),
+                     file.read_text(encoding="utf-8"))  # one source to download, and pandoc reads standard input
         title = re.sub(r"\\\\|\$|\s+", " ", re.search(r"\\title\{(.*)\}", tex)[1])
         body = re.sub(r"\\[bB]igg?[lr]?(?![a-zA-Z])", "", tex)  # MathML stretches brackets by itself
         body = re.sub(r"\\tag\{(.*?)\}", r"\\qquad\\text{(\1)}", body)
@@ -93,11 +94,11 @@ class Tree:
         sys.stderr.write(html.stderr)
         below_title = re.sub(r"(</?h)([1-5])", lambda tag: f"{tag[1]}{int(tag[2]) + 1}", html.stdout)
         folder = self.tree / pathlib.Path(THEOREMS).parent
-        shutil.copyfile(file, folder / file.name)
+        (folder / file.name).write_text(tex, encoding="utf-8")
         others = f"{{download}}`LaTeX source <{file.name}>`"
         if shutil.which("pdflatex"):
             for _ in range(2):
-                run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", f"-output-directory={folder}", file],
+                run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", file.name],
                     stdout=subprocess.DEVNULL, cwd=folder)
             others = f"{{download}}`PDF <{file.stem}.pdf>`, " + others
         else:

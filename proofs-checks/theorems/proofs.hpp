@@ -43,6 +43,13 @@ std::vector<Check> uniform_checks_7(const Constants& constants, int degree, int 
 std::vector<Check> uniform_checks_8_n(const Constants& constants, int degree, int threads);
 std::vector<Check> uniform_checks_8_d(const Constants& constants, int degree, int threads);
 
+/// Theorems P to S: convergence, Conjecture 8 in d from degree 1, 3 or 5 to all higher degrees, C_d < C_{d+2}.
+Constants convergence_constants(int degree);
+std::vector<Check> convergence_checks(const Constants& constants, int degree, int threads);
+Constants all_higher_constants(int degree);
+std::vector<Check> all_higher_checks(const Constants& constants, int degree, int threads);
+std::vector<Check> limits_grow_checks(const Constants& constants);
+
 Constants limit_constants_stated();
 std::vector<Check> limit_constants_checks(const Constants& constants);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
 namespace subcert::theorems {
@@ -113,11 +114,61 @@ void describe_limit_constants(Theorem& t) {
   t.values.emplace_back("nu", to_text(t.constants["nu-"]));
 }
 
+void describe_convergence(Theorem& t) {
+  const int degree = t.degrees.front();
+  t.title = "Convergence for every degree and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem P";
+  t.statement = {"S_n^d converges for all n >= 1 and all d <= 2n - 1.",
+                 "The response D_M of one fit of degree d on M > d points, read off in the middle, is below 1 in "
+                 "modulus except where sin w = 0, and the moduli of the transform of phi at xi + 2 pi k sum to at most "
+                 "max(|D_{2n-1}|, |D_{2n}|)(xi/2) <= 1.",
+                 "So the mean of psi_n is at most (K_{2n-1}(0) + K_{2n}(0))/2, K_M(0) the central weight."};
+  const std::string first = std::to_string((degree + 1) / 2);
+  t.ranges = {{"all d, all n", "the proof, with the two numbers (P.1), (P.2)"},
+              {"d = " + std::to_string(degree) + ", n >= " + first,
+               "for confirmation only: (P.3), (P.4) for the six smallest n"}};
+}
+
+void describe_all_higher(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string low = std::to_string(degree);
+  t.title = "Conjecture 8 in d from degree " + low + " to all higher degrees and every n";
+  if (degree == 1) {
+    t.text = "docs/theorems/variance-curves.tex, Theorem Q";
+    t.statement = {"psi_n^1(x) <= 1/(2n - 1) < psi_n^d(x') for all n >= 2, all odd 3 <= d <= 2n - 1 and all x, x'."};
+    t.ranges = {{"all d, all n", "a proof without a computer"},
+                {"2 <= n <= 8", "for confirmation only: exact values on a grid against the bounds of the proof"}};
+    return;
+  }
+  const std::string next = degree == 3 ? "5" : "11", lemma = degree == 3 ? "7" : "11", start = degree == 3 ? "6" : "10",
+                    first = degree == 3 ? "4" : "6";
+  t.text = "docs/theorems/variance-curves.tex, Theorem R";
+  t.statement = {"max psi_n^" + low + " < min psi_n^d for all odd d >= " + next + " and all n >= (d+1)/2."};
+  if (degree == 3) t.ranges = {{"d = 5", "conjecture-8-d --d 3"}};
+  const std::string degrees = "d >= " + lemma + ", ";
+  t.ranges.emplace_back(degrees + first + " <= n < " + start,
+                        "psi_n^" + low + " enclosed, psi_n^d from its polynomials");
+  t.ranges.emplace_back(degrees + "n >= " + start, "conjecture-7 --d " + low + ", and one inequality");
+}
+
+void describe_limits_grow(Theorem& t) {
+  t.title = "The limits of n max psi_n grow with the degree";
+  t.text = "docs/theorems/variance-curves.tex, Theorem S";
+  t.statement = {"C_d < gamma_d^2/2 < C_{d+2} for every odd d, gamma_d = d binom(d-1, (d-1)/2)/2^(d-1).",
+                 "C_d = d/pi + 1/(2 pi) - 1/(sqrt(3) pi^2) + o(1) as d grows.",
+                 "So for each pair d_1 > d_2 and all sufficiently large n, max psi_n^{d_2} < min psi_n^{d_1}."};
+  t.ranges = {{"d >= 9", "the proof, with one inequality at d = 9"},
+              {"d <= 7", "the digits of C_3, C_5, C_7"},
+              {"d <= 21", "for confirmation only: (S.3), (S.4)"}};
+}
+
 struct Entry {
   TheoremEntry entry;
   std::vector<Proof> proofs;
   std::vector<std::string> missing;  ///< for the degrees without proof
   bool together = false;             ///< one proof for all its degrees
+  /// The proof for a degree beyond those listed, where there is one for every odd degree.
+  std::function<Proof(int)> further = {};
 };
 
 /// A proof whose functions take the degree.
@@ -140,24 +191,52 @@ const std::vector<Entry>& entries() {
         "= 7",
         "the curves below that n_1, enclosed one by one"};
     std::vector<Entry> all;
-    all.push_back({{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", {}},
+    const std::string every = "every n >= (d+1)/2";
+    all.push_back({{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", every, {}},
                    {single(1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one),
                     uniform(3, uniform_constants_7, uniform_checks_7, describe_7),
                     uniform(5, uniform_constants_7, uniform_checks_7, describe_7)},
                    higher});
-    all.push_back({{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", {}},
+    all.push_back({{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", every, {}},
                    {single(1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one),
                     uniform(3, uniform_constants_8_n, uniform_checks_8_n, describe_8_n),
                     uniform(5, uniform_constants_8_n, uniform_checks_8_n, describe_8_n)},
                    higher});
-    all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", {}},
+    all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", "every n >= (d+3)/2", {}},
                    {uniform(1, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
                     uniform(3, uniform_constants_8_d, uniform_checks_8_d, describe_8_d)},
                    higher});
-    all.push_back({{"limit-constants", "the limits C_d of n max psi_n, printed together", {1, 3, 5, 7, 9}},
-                   {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
-                   {"stated digits for this degree"},
-                   true});
+    all.push_back(
+        {{"limit-constants", "the limits C_d of n max psi_n, printed together", "n to infinity", {1, 3, 5, 7, 9}},
+         {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
+         {"stated digits for this degree"},
+         true});
+    const auto convergence = [](int degree) {
+      return uniform(degree, convergence_constants, convergence_checks, describe_convergence);
+    };
+    all.push_back({{"convergence", "S_n^d converges", "every odd d, every n >= (d+1)/2", {}},
+                   {convergence(1), convergence(3), convergence(5)},
+                   {},
+                   false,
+                   convergence});
+    all.push_back(
+        {{"conjecture-8-d-all",
+          "psi of degree d < psi of all higher degrees everywhere (d = 5: from degree 11 on)",
+          "every n",
+          {}},
+         {uniform(1, all_higher_constants, all_higher_checks, describe_all_higher),
+          uniform(3, all_higher_constants, all_higher_checks, describe_all_higher),
+          uniform(5, all_higher_constants, all_higher_checks, describe_all_higher)},
+         {"an upper bound of psi_n for this degree; for the degrees 7 and 9 after 5, a sharper lower bound"}});
+    all.push_back({{"limit-constants-order", "C_d < C_{d+2}", "every odd d, n to infinity", {1}},
+                   {single(
+                       1, [] { return Constants(); }, limits_grow_checks, describe_limits_grow)},
+                   {},
+                   true,
+                   [](int degree) {
+                     return single(
+                         degree, [] { return Constants(); }, limits_grow_checks, describe_limits_grow);
+                   }});
     for (Entry& entry : all)
       if (!entry.together)
         for (const Proof& proof : entry.proofs) entry.entry.degrees.push_back(proof.degree);
@@ -172,12 +251,13 @@ const Entry& find(const std::string& id) {
   fail(ErrorKind::domain, "unknown theorem '{}'", id);
 }
 
-const Proof* find(const Entry& entry, int degree) {
+std::optional<Proof> find(const Entry& entry, int degree) {
+  if (entry.further) return entry.further(degree);
   const std::vector<int>& degrees = entry.entry.degrees;
-  if (std::find(degrees.begin(), degrees.end(), degree) == degrees.end()) return nullptr;
+  if (std::find(degrees.begin(), degrees.end(), degree) == degrees.end()) return std::nullopt;
   for (const Proof& proof : entry.proofs)
-    if (proof.degree == degree || entry.together) return &proof;
-  return nullptr;
+    if (proof.degree == degree || entry.together) return proof;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -202,7 +282,7 @@ const std::vector<TheoremEntry>& theorem_list() {
 }
 
 Constants stated_constants(const std::string& id, int degree) {
-  const Proof* proof = find(find(id), degree);
+  const std::optional<Proof> proof = find(find(id), degree);
   return proof ? proof->constants() : Constants();
 }
 
@@ -214,7 +294,7 @@ Theorem prove(const std::string& id, int degree, const Constants& constants, int
   theorem.id = id;
   theorem.degrees = {degree};
   theorem.title = entry.entry.title;
-  const Proof* proof = find(entry, degree);
+  const std::optional<Proof> proof = find(entry, degree);
   if (!proof) {
     theorem.missing = entry.missing;
     theorem.decision = {Truth::unknown, "nothing is proved for degree " + std::to_string(degree)};

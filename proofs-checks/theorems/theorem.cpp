@@ -129,6 +129,33 @@ void describe_convergence(Theorem& t) {
                "for confirmation only: (P.3), (P.4) for the six smallest n"}};
 }
 
+void describe_neighbours(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string low = std::to_string(degree), high = std::to_string(degree + 2),
+                    first = std::to_string((degree + 3) / 2);
+  t.degrees = {degree, degree + 2};
+  t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem T (c)";
+  t.statement = {"max psi_n^" + low + " < min psi_n^" + high + " for all n >= " + first + ".",
+                 "For smaller n the two schemes are the same, and so are the curves."};
+  t.ranges = {{"n >= 60", "bounds of mean and ripple that fall with n"},
+              {first + " <= n < 60", "exact means, and the bound U_n of the curve by the responses of both rules"}};
+}
+
+void describe_large_n(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string low = std::to_string(degree), high = std::to_string(degree + 2),
+                    start = std::to_string(std::max(60, degree * degree));
+  t.degrees = {degree, degree + 2};
+  t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and large n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem T (b)";
+  t.statement = {"max psi_n^d < min psi_n^{d+2} for every odd d >= 5 and all n >= max(60, d^2); here max psi_n^" + low +
+                 " < min psi_n^" + high + " for all n >= " + start + "."};
+  t.ranges = {{"n >= " + start,
+               degree <= 9 ? "bounds of mean and ripple that fall with n"
+                           : "bounds of mean and ripple at d = 9, n = 81; they fall with n, and for n = d^2 with d"}};
+}
+
 void describe_all_higher(Theorem& t) {
   const int degree = t.degrees.front();
   const std::string low = std::to_string(degree);
@@ -140,11 +167,14 @@ void describe_all_higher(Theorem& t) {
                 {"2 <= n <= 8", "for confirmation only: exact values on a grid against the bounds of the proof"}};
     return;
   }
-  const std::string next = degree == 3 ? "5" : "11", lemma = degree == 3 ? "7" : "11", start = degree == 3 ? "6" : "10",
+  const std::string next = degree == 3 ? "5" : "7", lemma = degree == 3 ? "7" : "11", start = degree == 3 ? "6" : "10",
                     first = degree == 3 ? "4" : "6";
   t.text = "docs/theorems/variance-curves.tex, Theorem R";
   t.statement = {"max psi_n^" + low + " < min psi_n^d for all odd d >= " + next + " and all n >= (d+1)/2."};
-  if (degree == 3) t.ranges = {{"d = 5", "conjecture-8-d --d 3"}};
+  if (degree == 3)
+    t.ranges = {{"d = 5", "conjecture-8-d --d 3"}};
+  else
+    t.ranges = {{"d = 7", "conjecture-8-d --d 5"}, {"d = 9", "conjecture-8-d --d 5 and --d 7"}};
   const std::string degrees = "d >= " + lemma + ", ";
   t.ranges.emplace_back(degrees + first + " <= n < " + start,
                         "psi_n^" + low + " enclosed, psi_n^d from its polynomials");
@@ -167,8 +197,8 @@ struct Entry {
   std::vector<Proof> proofs;
   std::vector<std::string> missing;  ///< for the degrees without proof
   bool together = false;             ///< one proof for all its degrees
-  /// The proof for a degree beyond those listed, where there is one for every odd degree.
-  std::function<Proof(int)> further = {};
+  /// Where it is proved for degrees beyond those listed: the proof, if this degree has one.
+  std::function<std::optional<Proof>(int)> further = {};
 };
 
 /// A proof whose functions take the degree.
@@ -204,8 +234,10 @@ const std::vector<Entry>& entries() {
                    higher});
     all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", "every n >= (d+3)/2", {}},
                    {uniform(1, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
-                    uniform(3, uniform_constants_8_d, uniform_checks_8_d, describe_8_d)},
-                   higher});
+                    uniform(3, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
+                    uniform(5, large_n_constants, neighbour_checks, describe_neighbours),
+                    uniform(7, large_n_constants, neighbour_checks, describe_neighbours)},
+                   {"the n below max(60, d^2), one by one; from there on see conjecture-8-d-large"}});
     all.push_back(
         {{"limit-constants", "the limits C_d of n max psi_n, printed together", "n to infinity", {1, 3, 5, 7, 9}},
          {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
@@ -219,24 +251,29 @@ const std::vector<Entry>& entries() {
                    {},
                    false,
                    convergence});
-    all.push_back(
-        {{"conjecture-8-d-all",
-          "psi of degree d < psi of all higher degrees everywhere (d = 5: from degree 11 on)",
-          "every n",
-          {}},
-         {uniform(1, all_higher_constants, all_higher_checks, describe_all_higher),
-          uniform(3, all_higher_constants, all_higher_checks, describe_all_higher),
-          uniform(5, all_higher_constants, all_higher_checks, describe_all_higher)},
-         {"an upper bound of psi_n for this degree; for the degrees 7 and 9 after 5, a sharper lower bound"}});
+    all.push_back({{"conjecture-8-d-all", "psi of degree d < psi of all higher degrees everywhere", "every n", {}},
+                   {uniform(1, all_higher_constants, all_higher_checks, describe_all_higher),
+                    uniform(3, all_higher_constants, all_higher_checks, describe_all_higher),
+                    uniform(5, all_higher_constants, all_higher_checks, describe_all_higher)},
+                   {"psi of degree d < psi of degree d + 2 for every n, from this degree up to 2 d + 1"}});
+    const auto far_out = [](int degree) -> std::optional<Proof> {
+      if (degree < 5) return std::nullopt;
+      return uniform(degree, large_n_constants, large_n_checks, describe_large_n);
+    };
+    all.push_back({{"conjecture-8-d-large",
+                    "psi of degree d < psi of degree d + 2 everywhere",
+                    "every odd d >= 5, every n >= max(60, d^2)",
+                    {}},
+                   {*far_out(5), *far_out(7), *far_out(9)},
+                   {"for the degrees 1 and 3 see conjecture-8-d"},
+                   false,
+                   far_out});
+    const auto none = [] { return Constants(); };
     all.push_back({{"limit-constants-order", "C_d < C_{d+2}", "every odd d, n to infinity", {1}},
-                   {single(
-                       1, [] { return Constants(); }, limits_grow_checks, describe_limits_grow)},
+                   {single(1, none, limits_grow_checks, describe_limits_grow)},
                    {},
                    true,
-                   [](int degree) {
-                     return single(
-                         degree, [] { return Constants(); }, limits_grow_checks, describe_limits_grow);
-                   }});
+                   [=](int degree) { return single(degree, none, limits_grow_checks, describe_limits_grow); }});
     for (Entry& entry : all)
       if (!entry.together)
         for (const Proof& proof : entry.proofs) entry.entry.degrees.push_back(proof.degree);

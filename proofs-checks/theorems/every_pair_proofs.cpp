@@ -1,0 +1,216 @@
+// Conjecture 8 in d for neighbouring odd degrees: for every degree from 5 on and all large n by bounds of mean and
+// ripple, and for single n by exact means. The numbers of the checks are those of docs/theorems/every-degree.tex.
+
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include "kernel.hpp"
+#include "proofs.hpp"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <vector>
+
+namespace subcert::theorems {
+namespace {
+
+constexpr int least_large_n = 60;
+
+const Rational stretch(8, 5);
+
+/// t_{2q}(0)^2/h_{2q} on M points. Domain: M > 2q.
+Rational squared_value(int q, int M) {
+  Rational result = (4 * q + 1) * power(central(q), 2) / M;
+  for (int i = 1; i <= q; ++i) result *= Rational(M * M - (2 * i - 1) * (2 * i - 1)) / (M * M - 4 * i * i);
+  return result;
+}
+
+/// K_M(0) of this degree.
+Rational central_weight(int degree, int M) {
+  if (M <= degree) return 1;
+  Rational sum = 0;
+  for (int q = 0; 2 * q < degree; ++q) sum += squared_value(q, M);
+  return sum;
+}
+
+/// What the mean of psi_n can lie below (K_{2n-1}(0) + K_{2n}(0))/2, and psi_n can deviate from its mean.
+struct LargeBounds {
+  Ball deficit;  ///< T
+  Ball ripple;   ///< Z
+};
+
+/// In the notation of the text. Domain: odd degree >= 5, n >= 60, n >= (degree - 2)^2.
+LargeBounds large_bounds(int degree, int n) {
+  const int d = degree, odd = 2 * n - 1, nu = d * (d + 1);
+  const Ball one(1, proof_bits), pi = Ball::pi(proof_bits), log_two = log(exactly(2));
+  const Ball gamma = exactly(d * central((d - 1) / 2)), a = sqrt(exactly(nu)), L = exactly(odd * odd - nu);
+  const Ball root_L = sqrt(L), b = exactly(stretch * stretch - 1), squared_beta = exactly(stretch * stretch);
+  const Ball s0 = exactly(stretch / odd) * a, z0 = sqrt(one - s0 * s0), zh = sqrt((one + z0).scaled(-1));
+  const Ball theta = one / (a * b * sqrt(b)), sigma = one + exactly(Rational(56 * n, 100)) / L;
+  const Ball constant = gamma / root_L * (one + exactly(2 * n) / L);
+  const auto envelope = [&](const Ball& u) {  // without u/(u^2 - nu)
+    const Ball square = u * u, X = square - nu, eta = (square + nu) / (X * sqrt(X));
+    return sqrt(sigma) * (sqrt(one + eta * eta) + eta);
+  };
+  const Ball u = exactly(odd) / sqrt(exactly(2));
+  const Ball delta = envelope(u) * gamma * u / (u * u - nu) + constant;
+
+  const Ball scale = gamma * gamma * sigma / root_L / (one - theta), root_b = sqrt(b), cube = b * root_b;
+  const Ball J = one / (cube * 3) + exactly(Rational(4, 5)) / (cube * b) + exactly(Rational(4, 7)) / (cube * b * b);
+  const Ball mu1 = scale / (a * root_b).scaled(1) * (one + squared_beta * theta), mu2 = scale * J / a.pow(3);
+  const Ball even_tail = (sqrt(mu1) + sqrt(mu2).scaled(1)).pow(2).scaled(1) / pi;
+  const Ball far = (even_tail + (sqrt(even_tail) + constant).pow(2)).scaled(-1);
+
+  Rational variation = 0;
+  for (int q = 0; 2 * q < d; ++q) variation += q * (2 * q + 1) * squared_value(q, 2 * n);
+  const Ball epsilon = exactly(central_weight(d, odd) - central_weight(d, 2 * n) + 2 * variation / (4 * n * n - d * d));
+  const Ball omega = ((one - z0) * sqrt(s0) + sqrt(epsilon)).pow(2) / (z0 * z0).scaled(2);
+
+  Rational double_factorial = 1;
+  for (int i = 3; i <= 2 * d + 1; i += 2) double_factorial *= i;
+  const Rational exponent = stretch * stretch * nu / (8 * d + 12);
+  const Ball x_low = exactly(exponent * (1 - power(Rational(d + 1, odd), 2)));
+  const Ball lambda = one * (d + 1) - exactly(exponent * power(Rational(2 * n, odd), 2)) / (zh * zh);
+  const Ball p = gamma / (zh * exactly(double_factorial)) * (exactly(stretch * Rational(n, odd)) * a / zh).pow(d + 1) *
+                 exp(-x_low.scaled(-1)) / lambda;
+  const Ball series = one / (one - exp(-(lambda * log(exactly(decimal("1.99"))))));
+  const Ball iota = s0.scaled(2) / (pi * zh * zh) * p * series / (lambda + 1);
+
+  const Ball p0 = p.scaled(-1) * series, C = envelope(a * exactly(2 * stretch)) * exactly(4 * stretch * stretch) /
+                                             exactly(4 * stretch * stretch - 1);
+  const Ball M1 = sqrt(exactly(central_weight(d, odd)) * omega) + far.scaled(-1);
+  const Ball M2 = iota.scaled(-2) + (exactly(decimal("2.05")) + p0) * far +
+                  (C * C * gamma * gamma * 3 / (pi * L * s0).scaled(1) + constant * constant * log(pi / s0.scaled(2))) /
+                      log_two;
+  const Ball Gamma = p0 + 1 + log(pi / s0.scaled(1)) / log_two;
+  return {iota + omega + far, (delta * (M1 + M2)).scaled(1) + (delta * delta * (omega + far + Gamma * M2)).scaled(1)};
+}
+
+/// From d = 9 on the inequalities at d = 9 suffice.
+int base_degree(int degree) { return std::min(degree, 9); }
+
+int large_n(int degree) { return std::max(least_large_n, degree * degree); }
+
+/// The coefficients of cos(2kw) in D_{2n-1}^2 - D_{2n}^2.
+std::vector<Rational> difference_of_squares(const Mask& mask, int n) {
+  std::vector<Rational> result(static_cast<std::size_t>(2 * n));
+  for (int x = 1 - 2 * n; x < 2 * n; ++x)
+    for (int y = x; y < 2 * n; y += 2) {
+      Rational term = mask.symbol().coefficient(x) * mask.symbol().coefficient(y);
+      if (x != y) term *= 2;
+      if (x % 2 != 0) term = -term;
+      result[static_cast<std::size_t>(y - x) / 2] += term;
+    }
+  return result;
+}
+
+/// An upper bound of the mean over a period of |the sum of coefficients[k] cos(k t)|.
+Ball mean_modulus(const std::vector<Rational>& coefficients, int cells) {
+  constexpr slong bits = 64;
+  const std::size_t size = coefficients.size(), period = 4 * static_cast<std::size_t>(cells);
+  const Ball pi = Ball::pi(bits);
+  std::vector<Ball> cosines, values, slopes;  // cos(2 pi i/period), 0 <= i < period
+  for (std::size_t i = 0; i < period; ++i)
+    cosines.push_back(cos(pi * static_cast<long>(i) / static_cast<long>(period / 2)));
+  Ball curvature(bits);
+  for (std::size_t k = 0; k < size; ++k) {
+    values.emplace_back(coefficients[k], bits);
+    slopes.push_back(values.back() * static_cast<long>(k));
+    curvature += abs(slopes.back()) * static_cast<long>(k);
+  }
+  const Ball half = pi / static_cast<long>(period / 2);  // of the width of a cell
+  const Ball tiny = Ball(1, bits).scaled(-bits);
+  Ball sum(bits);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i) {
+    Ball value(bits), slope(bits);
+    for (std::size_t k = 0; k < size; ++k) {
+      const std::size_t place = k * (2 * i + 1) % period;
+      value.add_product(values[k], cosines[place]);
+      slope.add_product(slopes[k], cosines[(place + period - period / 4) % period]);  // the sine
+    }
+    value = abs(value).upper_end();
+    const Ball rise = (abs(slope) * half + tiny).upper_end();
+    // The mean of |value + slope s| over |s| <= half increases with both moduli; it is the first if the rise is
+    // smaller, and the second, which is never less than the first, otherwise.
+    sum += rise.is_at_most(value) ? value : (value * value / rise + rise).scaled(-1);
+  }
+  return sum / cells + curvature * half * half / 6;
+}
+
+/// I_n, and a bound U_n of psi_n.
+struct ExactEnds {
+  Rational mean;
+  Rational ceiling;
+};
+
+ExactEnds exact_ends(int n, int degree) {
+  const Mask mask = make_scheme("primal:n=" + text(n) + ",d=" + text(degree)).mask;
+  const Enclosure modulus = mean_modulus(difference_of_squares(mask, n), 128 * n).enclosure();
+  if (!modulus.upper) fail(ErrorKind::undecided, "the difference of the two rules is not bounded at n = {}", n);
+  return {squared_l2_norm(mask),
+          (central_weight(degree, 2 * n - 1) + central_weight(degree, 2 * n) + *modulus.upper) / 2};
+}
+
+std::vector<Check> compute_single_checks(int degree, int threads) {
+  const int first = (degree + 3) / 2;
+  const auto count = static_cast<std::size_t>(least_large_n - first);
+  std::vector<ExactEnds> low(count), high(count);
+  parallel_for_each(2 * count, threads, [&](std::size_t i) {
+    const std::size_t k = count - 1 - i / 2;  // the long ones first
+    (i % 2 == 0 ? low : high)[k] = exact_ends(first + static_cast<int>(k), degree + static_cast<int>(i % 2) * 2);
+  });
+  std::vector<Check> checks;
+  for (std::size_t k = 0; k < count; ++k)
+    checks.push_back(less("T.5", "U + U' < 2 I'" + at(first + static_cast<int>(k)),
+                          Enclosure::exactly(low[k].ceiling + high[k].ceiling), Enclosure::exactly(2 * high[k].mean)));
+  return checks;
+}
+
+/// The n below 60, kept for the next call.
+const std::vector<Check>& single_checks(int degree, int threads) {
+  static std::mutex mutex;
+  static std::map<int, std::vector<Check>> known;
+  const std::lock_guard lock(mutex);
+  const auto found = known.find(degree);
+  return found != known.end() ? found->second
+                              : known.emplace(degree, compute_single_checks(degree, threads)).first->second;
+}
+
+}  // namespace
+
+Constants large_n_constants(int degree) {
+  struct Stated {
+    const char *T, *high, *low;
+  };
+  const int d = base_degree(degree);
+  const Stated s = d == 5   ? Stated{"0.7657", "0.2250", "0.2038"}
+                   : d == 7 ? Stated{"0.7023", "0.2540", "0.2246"}
+                            : Stated{"0.6131", "0.1870", "0.1667"};
+  const std::string where = " at d = " + text(d) + ", n = " + text(large_n(d));
+  return Constants({{"T", decimal(s.T), Side::above, "T.1", "2n T of degree d + 2" + where},
+                    {"Z'", decimal(s.high), Side::above, "T.2", "2n Z of degree d + 2" + where},
+                    {"Z", decimal(s.low), Side::above, "T.3", "2n Z of degree d" + where}});
+}
+
+std::vector<Check> large_n_checks(const Constants& c, int degree, int) {
+  const int d = base_degree(degree), n = large_n(d);
+  const LargeBounds low = large_bounds(d, n), high = large_bounds(d + 2, n);
+  return {defining(c, "T", "2n T of degree d + 2", high.deficit * (2 * n)),
+          defining(c, "Z'", "2n Z of degree d + 2", high.ripple * (2 * n)),
+          defining(c, "Z", "2n Z of degree d", low.ripple * (2 * n)),
+          less("T.4", "T + Z' + Z < (2d + 3) (binom(d+1, (d+1)/2)/2^(d+1))^2",
+               Enclosure::exactly(c["T"] + c["Z'"] + c["Z"]),
+               Enclosure::exactly((2 * d + 3) * power(central((d + 1) / 2), 2)))};
+}
+
+std::vector<Check> neighbour_checks(const Constants& c, int degree, int threads) {
+  std::vector<Check> checks = large_n_checks(c, degree, threads);
+  const std::vector<Check>& single = single_checks(degree, threads);
+  checks.insert(checks.end(), single.begin(), single.end());
+  return checks;
+}
+
+}  // namespace subcert::theorems

@@ -15,6 +15,7 @@ import sys
 
 import api
 import links
+import theorems
 
 PAGES = ["README.md", "CHANGELOG.md", "docs/**/*.md", "proofs-checks/*/*.md"]
 THEOREMS = "docs/theorems/variance-curves.tex"
@@ -83,8 +84,7 @@ class Tree:
     def theorems(self):
         """The text of the theorems as a page with MathML and, where TeX is installed, as PDF."""
         file = self.source / THEOREMS
-        tex = re.sub(r"\\input\{(.*?)\}", lambda part: (file.parent / f"{part[1]}.tex").read_text(encoding="utf-8"),
-                     file.read_text(encoding="utf-8"))  # one source to download, and pandoc reads standard input
+        tex = theorems.merged(file)  # one source to download, and pandoc reads standard input
         title = re.sub(r"\\\\|\$|\s+", " ", re.search(r"\\title\{(.*)\}", tex)[1])
         body = re.sub(r"\\[bB]igg?[lr]?(?![a-zA-Z])", "", tex)  # MathML stretches brackets by itself
         body = re.sub(r"\\tag\{(.*?)\}", r"\\qquad\\text{(\1)}", body)
@@ -97,9 +97,8 @@ class Tree:
         (folder / file.name).write_text(tex, encoding="utf-8")
         others = f"{{download}}`LaTeX source <{file.name}>`"
         if shutil.which("pdflatex"):
-            for _ in range(2):
-                run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", file.name],
-                    stdout=subprocess.DEVNULL, cwd=folder)
+            if theorems.build_pdf(folder, file.name).returncode:
+                raise RuntimeError(f"pdflatex does not read {THEOREMS}")
             others = f"{{download}}`PDF <{file.stem}.pdf>`, " + others
         else:
             print("site: no PDF of the theorems, as pdflatex is missing (Debian: texlive-latex-base)")

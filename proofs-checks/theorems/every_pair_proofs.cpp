@@ -6,6 +6,7 @@
 #include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include "every_pair.hpp"
 #include "kernel.hpp"
 #include "proofs.hpp"
 
@@ -26,67 +27,6 @@ Rational squared_value(int q, int M) {
   Rational result = (4 * q + 1) * power(central(q), 2) / M;
   for (int i = 1; i <= q; ++i) result *= Rational(M * M - (2 * i - 1) * (2 * i - 1)) / (M * M - 4 * i * i);
   return result;
-}
-
-/// K_M(0) of this degree.
-Rational central_weight(int degree, int M) {
-  if (M <= degree) return 1;
-  Rational sum = 0;
-  for (int q = 0; 2 * q < degree; ++q) sum += squared_value(q, M);
-  return sum;
-}
-
-/// What the mean of psi_n can lie below (K_{2n-1}(0) + K_{2n}(0))/2, and psi_n can deviate from its mean.
-struct LargeBounds {
-  Ball deficit;  ///< T
-  Ball ripple;   ///< Z
-};
-
-/// In the notation of the text. Domain: odd degree >= 5, n >= 60, n >= (degree - 2)^2.
-LargeBounds large_bounds(int degree, int n) {
-  const int d = degree, odd = 2 * n - 1, nu = d * (d + 1);
-  const Ball one(1, proof_bits), pi = Ball::pi(proof_bits), log_two = log(exactly(2));
-  const Ball gamma = exactly(d * central((d - 1) / 2)), a = sqrt(exactly(nu)), L = exactly(odd * odd - nu);
-  const Ball root_L = sqrt(L), b = exactly(stretch * stretch - 1), squared_beta = exactly(stretch * stretch);
-  const Ball s0 = exactly(stretch / odd) * a, z0 = sqrt(one - s0 * s0), zh = sqrt((one + z0).scaled(-1));
-  const Ball theta = one / (a * b * sqrt(b)), sigma = one + exactly(Rational(56 * n, 100)) / L;
-  const Ball constant = gamma / root_L * (one + exactly(2 * n) / L);
-  const auto envelope = [&](const Ball& u) {  // without u/(u^2 - nu)
-    const Ball square = u * u, X = square - nu, eta = (square + nu) / (X * sqrt(X));
-    return sqrt(sigma) * (sqrt(one + eta * eta) + eta);
-  };
-  const Ball u = exactly(odd) / sqrt(exactly(2));
-  const Ball delta = envelope(u) * gamma * u / (u * u - nu) + constant;
-
-  const Ball scale = gamma * gamma * sigma / root_L / (one - theta), root_b = sqrt(b), cube = b * root_b;
-  const Ball J = one / (cube * 3) + exactly(Rational(4, 5)) / (cube * b) + exactly(Rational(4, 7)) / (cube * b * b);
-  const Ball mu1 = scale / (a * root_b).scaled(1) * (one + squared_beta * theta), mu2 = scale * J / a.pow(3);
-  const Ball even_tail = (sqrt(mu1) + sqrt(mu2).scaled(1)).pow(2).scaled(1) / pi;
-  const Ball far = (even_tail + (sqrt(even_tail) + constant).pow(2)).scaled(-1);
-
-  Rational variation = 0;
-  for (int q = 0; 2 * q < d; ++q) variation += q * (2 * q + 1) * squared_value(q, 2 * n);
-  const Ball epsilon = exactly(central_weight(d, odd) - central_weight(d, 2 * n) + 2 * variation / (4 * n * n - d * d));
-  const Ball omega = ((one - z0) * sqrt(s0) + sqrt(epsilon)).pow(2) / (z0 * z0).scaled(2);
-
-  Rational double_factorial = 1;
-  for (int i = 3; i <= 2 * d + 1; i += 2) double_factorial *= i;
-  const Rational exponent = stretch * stretch * nu / (8 * d + 12);
-  const Ball x_low = exactly(exponent * (1 - power(Rational(d + 1, odd), 2)));
-  const Ball lambda = one * (d + 1) - exactly(exponent * power(Rational(2 * n, odd), 2)) / (zh * zh);
-  const Ball p = gamma / (zh * exactly(double_factorial)) * (exactly(stretch * Rational(n, odd)) * a / zh).pow(d + 1) *
-                 exp(-x_low.scaled(-1)) / lambda;
-  const Ball series = one / (one - exp(-(lambda * log(exactly(decimal("1.99"))))));
-  const Ball iota = s0.scaled(2) / (pi * zh * zh) * p * series / (lambda + 1);
-
-  const Ball p0 = p.scaled(-1) * series, C = envelope(a * exactly(2 * stretch)) * exactly(4 * stretch * stretch) /
-                                             exactly(4 * stretch * stretch - 1);
-  const Ball M1 = sqrt(exactly(central_weight(d, odd)) * omega) + far.scaled(-1);
-  const Ball M2 = iota.scaled(-2) + (exactly(decimal("2.05")) + p0) * far +
-                  (C * C * gamma * gamma * 3 / (pi * L * s0).scaled(1) + constant * constant * log(pi / s0.scaled(2))) /
-                      log_two;
-  const Ball Gamma = p0 + 1 + log(pi / s0.scaled(1)) / log_two;
-  return {iota + omega + far, (delta * (M1 + M2)).scaled(1) + (delta * delta * (omega + far + Gamma * M2)).scaled(1)};
 }
 
 /// From d = 9 on the inequalities at d = 9 suffice.
@@ -140,27 +80,13 @@ Ball mean_modulus(const std::vector<Rational>& coefficients, int cells) {
   return sum / cells + curvature * half * half / 6;
 }
 
-/// I_n, and a bound U_n of psi_n.
-struct ExactEnds {
-  Rational mean;
-  Rational ceiling;
-};
-
-ExactEnds exact_ends(int n, int degree) {
-  const Mask mask = make_scheme("primal:n=" + text(n) + ",d=" + text(degree)).mask;
-  const Enclosure modulus = mean_modulus(difference_of_squares(mask, n), 128 * n).enclosure();
-  if (!modulus.upper) fail(ErrorKind::undecided, "the difference of the two rules is not bounded at n = {}", n);
-  return {squared_l2_norm(mask),
-          (central_weight(degree, 2 * n - 1) + central_weight(degree, 2 * n) + *modulus.upper) / 2};
-}
-
 std::vector<Check> compute_single_checks(int degree, int threads) {
   const int first = (degree + 3) / 2;
   const auto count = static_cast<std::size_t>(least_large_n - first);
-  std::vector<ExactEnds> low(count), high(count);
+  std::vector<CurveEnds> low(count), high(count);
   parallel_for_each(2 * count, threads, [&](std::size_t i) {
     const std::size_t k = count - 1 - i / 2;  // the long ones first
-    (i % 2 == 0 ? low : high)[k] = exact_ends(first + static_cast<int>(k), degree + static_cast<int>(i % 2) * 2);
+    (i % 2 == 0 ? low : high)[k] = curve_ends(first + static_cast<int>(k), degree + static_cast<int>(i % 2) * 2);
   });
   std::vector<Check> checks;
   for (std::size_t k = 0; k < count; ++k)
@@ -180,6 +106,69 @@ const std::vector<Check>& single_checks(int degree, int threads) {
 }
 
 }  // namespace
+
+Rational central_weight(int degree, int M) {
+  if (M <= degree) return 1;
+  Rational sum = 0;
+  for (int q = 0; 2 * q < degree; ++q) sum += squared_value(q, M);
+  return sum;
+}
+
+LargeBounds large_bounds(int degree, int n) {
+  const int d = degree, odd = 2 * n - 1, nu = d * (d + 1);
+  const Ball one(1, proof_bits), pi = Ball::pi(proof_bits), log_two = log(exactly(2));
+  const Ball gamma = exactly(d * central((d - 1) / 2)), a = sqrt(exactly(nu)), L = exactly(odd * odd - nu);
+  const Ball root_L = sqrt(L), b = exactly(stretch * stretch - 1), squared_beta = exactly(stretch * stretch);
+  const Ball s0 = exactly(stretch / odd) * a, z0 = sqrt(one - s0 * s0), zh = sqrt((one + z0).scaled(-1));
+  const Ball theta = one / (a * b * sqrt(b)), sigma = one + exactly(Rational(56 * n, 100)) / L;
+  const Ball constant = gamma / root_L * (one + exactly(2 * n) / L);
+  const auto envelope = [&](const Ball& u) {  // without u/(u^2 - nu)
+    const Ball square = u * u, X = square - nu, eta = (square + nu) / (X * sqrt(X));
+    return sqrt(sigma) * (sqrt(one + eta * eta) + eta);
+  };
+  const Ball u = exactly(odd) / sqrt(exactly(2));
+  const Ball delta = envelope(u) * gamma * u / (u * u - nu) + constant;
+
+  const Ball scale = gamma * gamma * sigma / root_L / (one - theta), root_b = sqrt(b), cube = b * root_b;
+  const Ball J = one / (cube * 3) + exactly(Rational(4, 5)) / (cube * b) + exactly(Rational(4, 7)) / (cube * b * b);
+  const Ball mu1 = scale / (a * root_b).scaled(1) * (one + squared_beta * theta), mu2 = scale * J / a.pow(3);
+  const Ball even_tail = (sqrt(mu1) + sqrt(mu2).scaled(1)).pow(2).scaled(1) / pi;
+  const Ball far = (even_tail + (sqrt(even_tail) + constant).pow(2)).scaled(-1);
+
+  Rational variation = 0;
+  for (int q = 0; 2 * q < d; ++q) variation += q * (2 * q + 1) * squared_value(q, 2 * n);
+  const Ball epsilon = exactly(central_weight(d, odd) - central_weight(d, 2 * n) + 2 * variation / (4 * n * n - d * d));
+  const Ball omega = ((one - z0) * sqrt(s0) + sqrt(epsilon)).pow(2) / (z0 * z0).scaled(2);
+
+  Rational double_factorial = 1;
+  for (int i = 3; i <= 2 * d + 1; i += 2) double_factorial *= i;
+  const Rational exponent = stretch * stretch * nu / (8 * d + 12);
+  const Ball x_low = exactly(exponent * (1 - power(Rational(d + 1, odd), 2)));
+  const Ball lambda = one * (d + 1) - exactly(exponent * power(Rational(2 * n, odd), 2)) / (zh * zh);
+  const Ball p = gamma / (zh * exactly(double_factorial)) * (exactly(stretch * Rational(n, odd)) * a / zh).pow(d + 1) *
+                 exp(-x_low.scaled(-1)) / lambda;
+  const Ball series = one / (one - exp(-(lambda * log(exactly(decimal("1.99"))))));
+  const Ball iota = s0.scaled(2) / (pi * zh * zh) * p * series / (lambda + 1);
+
+  const Ball p0 = p.scaled(-1) * series, C = envelope(a * exactly(2 * stretch)) * exactly(4 * stretch * stretch) /
+                                             exactly(4 * stretch * stretch - 1);
+  const Ball both = sqrt(exactly(central_weight(d, odd)) * omega) + far.scaled(-1);
+  const Ball aliased = iota.scaled(-2) + (exactly(decimal("2.05")) + p0) * far +
+                       (C * C * gamma * gamma * 3 / (pi * L * s0).scaled(1) +
+                        constant * constant * log(pi / s0.scaled(2))) /
+                           log_two;
+  const Ball Gamma = p0 + 1 + log(pi / s0.scaled(1)) / log_two;
+  return {iota + omega + far,
+          (delta * (both + aliased)).scaled(1) + (delta * delta * (omega + far + Gamma * aliased)).scaled(1)};
+}
+
+CurveEnds curve_ends(int n, int degree) {
+  const Mask mask = make_scheme("primal:n=" + text(n) + ",d=" + text(degree)).mask;
+  const Enclosure modulus = mean_modulus(difference_of_squares(mask, n), 128 * n).enclosure();
+  if (!modulus.upper) fail(ErrorKind::undecided, "the difference of the two rules is not bounded at n = {}", n);
+  return {squared_l2_norm(mask),
+          (central_weight(degree, 2 * n - 1) + central_weight(degree, 2 * n) + *modulus.upper) / 2};
+}
 
 Constants large_n_constants(int degree) {
   struct Stated {

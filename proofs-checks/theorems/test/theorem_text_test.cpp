@@ -168,7 +168,8 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
       "sum prod int sup inf max min lim log sin cos sinh cosh exp to mapsto in notin ne le ge pm sim cdot dots infty "
       "partial "
       "lceil rceil alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu xi pi rho sigma tau varphi psi "
-      "Gamma Delta Pi Phi Psi Omega input H sqrt left right chi varpi nu epsilon omega iota mp langle rangle bar log "
+      "Gamma Delta Pi Phi Psi Omega input H sqrt left right chi varpi nu epsilon omega iota mp arcsin appendix Lambda "
+      "Im hline endhead langle rangle bar log "
       "medskip");
   for (std::string name; standard >> name;) known.insert(name);
   for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {

@@ -9,7 +9,7 @@ using namespace subcert::theorems;
 
 namespace {
 
-Mask primal(int n, int degree) {
+Mask least_squares(int n, int degree) {
   return make_scheme("primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree)).mask;
 }
 
@@ -18,7 +18,7 @@ Mask primal(int n, int degree) {
 TEST_CASE("the central weight is that of the masks") {
   for (int n = 1; n <= 7; ++n)
     for (int degree = 1; degree < 2 * n; degree += 2) {
-      const Mask mask = primal(n, degree);
+      const Mask mask = least_squares(n, degree);
       CHECK(mask.symbol().coefficient(0) == central_weight(degree, 2 * n - 1));
       Rational squares = 0;
       for (int x = 1 - 2 * n; x < 2 * n; x += 2) squares += power(mask.symbol().coefficient(x), 2);
@@ -31,7 +31,7 @@ TEST_CASE("exact values lie between the bounds by the responses of the two rules
     for (int degree = 1; degree < 2 * n; degree += 2) {
       CAPTURE(n, degree);
       const CurveEnds ends = curve_ends(n, degree);
-      const VarianceGrid grid = variance_grid(primal(n, degree), 4, false);
+      const VarianceGrid grid = variance_grid(least_squares(n, degree), 4, false);
       CHECK(grid.largest() <= ends.ceiling);
       CHECK(2 * ends.mean - ends.ceiling <= grid.smallest());
       CHECK(2 * ends.mean <= central_weight(degree, 2 * n - 1) + central_weight(degree, 2 * n));
@@ -43,7 +43,7 @@ TEST_CASE("exact means lie within the bounds for large n") {
     CAPTURE(n, degree);
     const LargeBounds bounds = large_bounds(degree, n);
     const Rational both = (central_weight(degree, 2 * n - 1) + central_weight(degree, 2 * n)) / 2;
-    const Rational lack = both - squared_l2_norm(primal(n, degree));
+    const Rational lack = both - squared_l2_norm(least_squares(n, degree));
     CHECK(lack > 0);
     CHECK(lack < *bounds.deficit.enclosure().lower);
     CHECK(*bounds.ripple.enclosure().lower > 0);

@@ -1,9 +1,10 @@
 // What holds for every degree: convergence, the order of the limits C_d, and Conjecture 8 in d from a low degree to all
 // higher ones. The numbers of the checks are those of docs/theorems/every-degree.tex.
 
+#include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>
-#include <subcert/schemes/specification.hpp>
 
+#include "every_pair.hpp"
 #include "kernel.hpp"
 #include "kernel_coefficients.hpp"
 #include "limit_constant.hpp"
@@ -20,8 +21,6 @@
 
 namespace subcert::theorems {
 namespace {
-
-Mask scheme(int n, int degree) { return make_scheme("primal:n=" + text(n) + ",d=" + text(degree)).mask; }
 
 int least_n(int degree) { return (degree + 1) / 2; }
 
@@ -105,14 +104,34 @@ std::vector<Check> checks_from_one() {
   const auto between = [](int n) { return exact(Rational(1, 2 * n - 1)); };
   for (int n = 2; n <= last; ++n)
     checks.push_back(less("Q.1", "max psi^1 < 1/(2n - 1) on a grid" + at(n),
-                          exact(variance_grid(scheme(n, 1), 4, false).largest()), between(n)));
+                          exact(variance_grid(primal_mask(n, 1), 4, false).largest()), between(n)));
   for (int n = 2; n <= last; ++n)
     checks.push_back(less("Q.2", "1/(2n - 1) < chi_3/(4n - 2)" + at(n), between(n), exact(variance_below(n, 3))));
   for (int n = 2; n <= last; ++n)
     for (int degree = 3; degree < 2 * n; degree += 2)
       checks.push_back(less("Q.3", "chi_d/(4n - 2) < min psi^d on a grid, d = " + text(degree) + at(n),
                             exact(variance_below(n, degree)),
-                            exact(variance_grid(scheme(n, degree), 4, false).smallest())));
+                            exact(variance_grid(primal_mask(n, degree), 4, false).smallest())));
+  return checks;
+}
+
+std::vector<Check> checks_from_seven() {
+  const int degree = 7, next = 15, middle = 18, start = 60;
+  std::vector<Check> checks;
+  for (int n = least_n(next); n < middle; ++n)
+    for (int higher = next; higher < 2 * n; higher += 2)
+      checks.push_back(less("R.3", "U of degree 7 < 2 I - U of degree " + text(higher) + at(n),
+                            exact(curve_ceiling(n, degree)),
+                            exact(2 * squared_l2_norm(primal_mask(n, higher)) - curve_ceiling(n, higher))));
+  for (int n = middle; n < start; ++n)
+    checks.push_back(less("R.4", "U of degree 7 < chi_15/(4n - 2)" + at(n), exact(curve_ceiling(n, degree)),
+                          exact(variance_below(n, next))));
+  const int points = 2 * start;
+  const Ball weights = exactly((points - 1) * central_weight(degree, points - 1) +
+                               points * central_weight(degree, points));
+  checks.push_back(less("R.5", "(2n - 1) K_{2n-1}(0) + 2n K_2n(0) + 4n Z < chi_15" + at(start),
+                        (weights + large_bounds(degree, start).ripple * (2 * points)).enclosure(),
+                        exact(reproduction_bound(next, 2 * points - 2))));
   return checks;
 }
 
@@ -136,7 +155,7 @@ std::vector<Check> convergence_checks(const Constants& c, int degree, int) {
                             less("P.2", "51 < 4 alpha-^3", exact(51), exact(4 * alpha * alpha * alpha))};
   std::vector<Check> responses;
   for (int n = least_n(degree); n < least_n(degree) + 6; ++n) {
-    const Mask mask = scheme(n, degree);
+    const Mask mask = primal_mask(n, degree);
     for (int M = std::max(2 * n - 1, degree + 1); M <= 2 * n; ++M) {
       checks.push_back(less("P.3", "|coefficients of D_M' - those of the lemma| < 10^-30 at M = " + text(M),
                             exact(derivative_error(mask, M, degree)), exact(tiny())));
@@ -149,7 +168,7 @@ std::vector<Check> convergence_checks(const Constants& c, int degree, int) {
 }
 
 Constants all_higher_constants(int degree) {
-  if (degree == 1) return Constants();
+  if (degree == 1 || degree == 7) return Constants();
   const std::string name = "c+_" + text(degree);
   for (const Constant& constant : uniform_constants_7(degree).all())
     if (constant.name == name) return Constants({constant});
@@ -158,6 +177,7 @@ Constants all_higher_constants(int degree) {
 
 std::vector<Check> all_higher_checks(const Constants& c, int degree, int threads) {
   if (degree == 1) return checks_from_one();
+  if (degree == 7) return checks_from_seven();
   const auto [next, start] = higher(degree);
   const std::string name = "c+_" + text(degree);
   std::vector<Check> checks{defining(c, name, "C_" + text(degree), limit_ball(degree))};

@@ -4,7 +4,6 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
-#include <subcert/schemes/specification.hpp>
 
 #include "every_pair.hpp"
 #include "kernel.hpp"
@@ -18,7 +17,7 @@
 namespace subcert::theorems {
 namespace {
 
-constexpr int least_large_n = 60;
+constexpr int least_large_n = 50;
 
 const Rational stretch(8, 5);
 
@@ -29,10 +28,8 @@ Rational squared_value(int q, int M) {
   return result;
 }
 
-/// From d = 9 on the inequalities at d = 9 suffice.
-int base_degree(int degree) { return std::min(degree, 9); }
-
-int large_n(int degree) { return std::max(least_large_n, degree * degree); }
+/// From d = 11 on the inequalities at d = 11 suffice.
+int base_degree(int degree) { return std::min(degree, 11); }
 
 /// The coefficients of cos(2kw) in D_{2n-1}^2 - D_{2n}^2.
 std::vector<Rational> difference_of_squares(const Mask& mask, int n) {
@@ -82,20 +79,22 @@ Ball mean_modulus(const std::vector<Rational>& coefficients, int cells) {
 
 std::vector<Check> compute_single_checks(int degree, int threads) {
   const int first = (degree + 3) / 2;
-  const auto count = static_cast<std::size_t>(least_large_n - first);
-  std::vector<CurveEnds> low(count), high(count);
-  parallel_for_each(2 * count, threads, [&](std::size_t i) {
-    const std::size_t k = count - 1 - i / 2;  // the long ones first
-    (i % 2 == 0 ? low : high)[k] = curve_ends(first + static_cast<int>(k), degree + static_cast<int>(i % 2) * 2);
+  const auto count = static_cast<std::size_t>(large_n(degree) - first);
+  std::vector<Rational> ceilings(count), means(count);
+  parallel_for_each(count, threads, [&](std::size_t i) {
+    const std::size_t k = count - 1 - i;  // the long ones first
+    const int n = first + static_cast<int>(k);
+    ceilings[k] = curve_ceiling(n, degree) + curve_ceiling(n, degree + 2);
+    means[k] = squared_l2_norm(primal_mask(n, degree + 2));
   });
   std::vector<Check> checks;
   for (std::size_t k = 0; k < count; ++k)
-    checks.push_back(less("T.5", "U + U' < 2 I'" + at(first + static_cast<int>(k)),
-                          Enclosure::exactly(low[k].ceiling + high[k].ceiling), Enclosure::exactly(2 * high[k].mean)));
+    checks.push_back(less("T.5", "U + U' < 2 I'" + at(first + static_cast<int>(k)), Enclosure::exactly(ceilings[k]),
+                          Enclosure::exactly(2 * means[k])));
   return checks;
 }
 
-/// The n below 60, kept for the next call.
+/// The n below those, kept for the next call.
 const std::vector<Check>& single_checks(int degree, int threads) {
   static std::mutex mutex;
   static std::map<int, std::vector<Check>> known;
@@ -150,34 +149,35 @@ LargeBounds large_bounds(int degree, int n) {
   const Ball series = one / (one - exp(-(lambda * log(exactly(decimal("1.99"))))));
   const Ball iota = s0.scaled(2) / (pi * zh * zh) * p * series / (lambda + 1);
 
-  const Ball p0 = p.scaled(-1) * series, C = envelope(a * exactly(2 * stretch)) * exactly(4 * stretch * stretch) /
-                                             exactly(4 * stretch * stretch - 1);
-  const Ball both = sqrt(exactly(central_weight(d, odd)) * omega) + far.scaled(-1);
-  const Ball aliased = iota.scaled(-2) + (exactly(decimal("2.05")) + p0) * far +
-                       (C * C * gamma * gamma * 3 / (pi * L * s0).scaled(1) +
-                        constant * constant * log(pi / s0.scaled(2))) /
-                           log_two;
+  const Ball near_turn = envelope(a * exactly(stretch)), first = near_turn * gamma * exactly(stretch) / (a * b);
+  const Ball spread = exactly(decimal("0.0315")) * (near_turn * gamma * squared_beta / b).pow(2) / exactly(odd * odd);
+  const Ball quarter = (sqrt((one - z0).pow(2) * s0 + spread) + sqrt(epsilon)).pow(2).scaled(-1);
+  const Ball p0 = p.scaled(-1) * series, mixed = sqrt(far * quarter);
+  const Ball both = sqrt(exactly(central_weight(d, odd)) * omega) + mixed + (delta * delta).scaled(-2);
+  const Ball aliased = iota.scaled(-2) + p0 * far +
+                       mixed * (first * exactly(decimal("6.8")) + constant * exactly(decimal("1.71")) * sqrt(pi / s0));
   const Ball Gamma = p0 + 1 + log(pi / s0.scaled(1)) / log_two;
   return {iota + omega + far,
           (delta * (both + aliased)).scaled(1) + (delta * delta * (omega + far + Gamma * aliased)).scaled(1)};
 }
 
-CurveEnds curve_ends(int n, int degree) {
-  const Mask mask = make_scheme("primal:n=" + text(n) + ",d=" + text(degree)).mask;
-  const Enclosure modulus = mean_modulus(difference_of_squares(mask, n), 128 * n).enclosure();
+Rational curve_ceiling(int n, int degree) {
+  const Enclosure modulus = mean_modulus(difference_of_squares(primal_mask(n, degree), n), 128 * n).enclosure();
   if (!modulus.upper) fail(ErrorKind::undecided, "the difference of the two rules is not bounded at n = {}", n);
-  return {squared_l2_norm(mask),
-          (central_weight(degree, 2 * n - 1) + central_weight(degree, 2 * n) + *modulus.upper) / 2};
+  return (central_weight(degree, 2 * n - 1) + central_weight(degree, 2 * n) + *modulus.upper) / 2;
 }
+
+int large_n(int degree) { return std::max(least_large_n, (degree * degree + 1) / 2); }
 
 Constants large_n_constants(int degree) {
   struct Stated {
     const char *T, *high, *low;
   };
   const int d = base_degree(degree);
-  const Stated s = d == 5   ? Stated{"0.7657", "0.2250", "0.2038"}
-                   : d == 7 ? Stated{"0.7023", "0.2540", "0.2246"}
-                            : Stated{"0.6131", "0.1870", "0.1667"};
+  const Stated s = d == 5   ? Stated{"0.7946", "0.1374", "0.1145"}
+                   : d == 7 ? Stated{"0.7375", "0.1716", "0.1374"}
+                   : d == 9 ? Stated{"0.7105", "0.2181", "0.1716"}
+                            : Stated{"0.6441", "0.1822", "0.1459"};
   const std::string where = " at d = " + text(d) + ", n = " + text(large_n(d));
   return Constants({{"T", decimal(s.T), Side::above, "T.1", "2n T of degree d + 2" + where},
                     {"Z'", decimal(s.high), Side::above, "T.2", "2n Z of degree d + 2" + where},

@@ -4,6 +4,7 @@
 #include "theorem.hpp"
 
 #include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/schemes/specification.hpp>
 
 namespace subcert::theorems {
 
@@ -14,6 +15,11 @@ inline Ball exactly(const Rational& value) { return Ball(value, proof_bits); }
 /// For claims: the number, and ` at n = 5`.
 inline std::string text(int n) { return std::to_string(n); }
 inline std::string at(int n) { return " at n = " + text(n); }
+
+/// S_n^d.
+inline Mask primal_mask(int n, int degree) {
+  return make_scheme("primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree)).mask;
+}
 
 /// C_d to 40 digits, kept for the next call.
 const Ball& limit_ball(int degree);
@@ -50,7 +56,7 @@ Constants all_higher_constants(int degree);
 std::vector<Check> all_higher_checks(const Constants& constants, int degree, int threads);
 std::vector<Check> limits_grow_checks(const Constants& constants);
 
-/// Theorem T: degree against degree + 2, for n >= max(60, degree^2), and for every n. Domain: odd degree >= 5.
+/// Theorem T: degree against degree + 2, for n >= max(50, degree^2/2), and for every n. Domain: odd degree >= 5.
 Constants large_n_constants(int degree);
 std::vector<Check> large_n_checks(const Constants& constants, int degree, int threads);
 std::vector<Check> neighbour_checks(const Constants& constants, int degree, int threads);

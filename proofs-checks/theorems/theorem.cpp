@@ -1,5 +1,6 @@
 #include "theorem.hpp"
 
+#include "every_pair.hpp"
 #include "proofs.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
@@ -138,22 +139,25 @@ void describe_neighbours(Theorem& t) {
   t.text = "docs/theorems/variance-curves.tex, Theorem T (c)";
   t.statement = {"max psi_n^" + low + " < min psi_n^" + high + " for all n >= " + first + ".",
                  "For smaller n the two schemes are the same, and so are the curves."};
-  t.ranges = {{"n >= 60", "bounds of mean and ripple that fall with n"},
-              {first + " <= n < 60", "exact means, and the bound U_n of the curve by the responses of both rules"}};
+  const std::string start = std::to_string(large_n(degree));
+  t.ranges = {
+      {"n >= " + start, "bounds of mean and ripple that fall with n"},
+      {first + " <= n < " + start, "exact means, and the bound U_n of the curve by the responses of both rules"}};
 }
 
 void describe_large_n(Theorem& t) {
   const int degree = t.degrees.front();
   const std::string low = std::to_string(degree), high = std::to_string(degree + 2),
-                    start = std::to_string(std::max(60, degree * degree));
+                    start = std::to_string(large_n(degree));
   t.degrees = {degree, degree + 2};
   t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and large n";
   t.text = "docs/theorems/variance-curves.tex, Theorem T (b)";
-  t.statement = {"max psi_n^d < min psi_n^{d+2} for every odd d >= 5 and all n >= max(60, d^2); here max psi_n^" + low +
-                 " < min psi_n^" + high + " for all n >= " + start + "."};
+  t.statement = {"max psi_n^d < min psi_n^{d+2} for every odd d >= 5 and all n >= max(50, d^2/2); here max psi_n^" +
+                 low + " < min psi_n^" + high + " for all n >= " + start + "."};
   t.ranges = {{"n >= " + start,
-               degree <= 9 ? "bounds of mean and ripple that fall with n"
-                           : "bounds of mean and ripple at d = 9, n = 81; they fall with n, and for n = d^2 with d"}};
+               degree <= 11
+                   ? "bounds of mean and ripple that fall with n"
+                   : "bounds of mean and ripple at d = 11, n = 61; they fall with n, and for 2n = d^2 + 1 with d"}};
 }
 
 void describe_all_higher(Theorem& t) {
@@ -167,18 +171,22 @@ void describe_all_higher(Theorem& t) {
                 {"2 <= n <= 8", "for confirmation only: exact values on a grid against the bounds of the proof"}};
     return;
   }
-  const std::string next = degree == 3 ? "5" : "7", lemma = degree == 3 ? "7" : "11", start = degree == 3 ? "6" : "10",
-                    first = degree == 3 ? "4" : "6";
   t.text = "docs/theorems/variance-curves.tex, Theorem R";
-  t.statement = {"max psi_n^" + low + " < min psi_n^d for all odd d >= " + next + " and all n >= (d+1)/2."};
-  if (degree == 3)
-    t.ranges = {{"d = 5", "conjecture-8-d --d 3"}};
-  else
-    t.ranges = {{"d = 7", "conjecture-8-d --d 5"}, {"d = 9", "conjecture-8-d --d 5 and --d 7"}};
-  const std::string degrees = "d >= " + lemma + ", ";
-  t.ranges.emplace_back(degrees + first + " <= n < " + start,
-                        "psi_n^" + low + " enclosed, psi_n^d from its polynomials");
-  t.ranges.emplace_back(degrees + "n >= " + start, "conjecture-7 --d " + low + ", and one inequality");
+  t.statement = {"max psi_n^" + low + " < min psi_n^d for all odd d > " + low + " and all n >= (d+1)/2."};
+  const int from = degree == 3 ? 7 : 2 * degree + 1;
+  for (int next = degree + 2; next < from; next += 2) {
+    std::string runs = "conjecture-8-d --d " + low;
+    for (int between = degree + 2; between < next; between += 2) runs += ", " + std::to_string(between);
+    t.ranges.emplace_back("d = " + std::to_string(next), runs);
+  }
+  const std::string lemma = "d >= " + std::to_string(from) + ", ", first = std::to_string((from + 1) / 2),
+                    start = degree == 3   ? "6"
+                            : degree == 5 ? "10"
+                                          : "60";
+  t.ranges.emplace_back(lemma + first + " <= n < " + start,
+                        "psi_n^" + low + " bounded for each n, psi_n^d from its polynomials");
+  t.ranges.emplace_back(lemma + "n >= " + start, degree == 7 ? "the bounds of conjecture-8-d-large --d 7"
+                                                             : "conjecture-7 --d " + low + ", and one inequality");
 }
 
 void describe_limits_grow(Theorem& t) {
@@ -236,8 +244,10 @@ const std::vector<Entry>& entries() {
                    {uniform(1, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
                     uniform(3, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
                     uniform(5, large_n_constants, neighbour_checks, describe_neighbours),
-                    uniform(7, large_n_constants, neighbour_checks, describe_neighbours)},
-                   {"the n below max(60, d^2), one by one; from there on see conjecture-8-d-large"}});
+                    uniform(7, large_n_constants, neighbour_checks, describe_neighbours),
+                    uniform(9, large_n_constants, neighbour_checks, describe_neighbours),
+                    uniform(11, large_n_constants, neighbour_checks, describe_neighbours)},
+                   {"the n below max(50, d^2/2), one by one; from there on see conjecture-8-d-large"}});
     all.push_back(
         {{"limit-constants", "the limits C_d of n max psi_n, printed together", "n to infinity", {1, 3, 5, 7, 9}},
          {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
@@ -254,7 +264,8 @@ const std::vector<Entry>& entries() {
     all.push_back({{"conjecture-8-d-all", "psi of degree d < psi of all higher degrees everywhere", "every n", {}},
                    {uniform(1, all_higher_constants, all_higher_checks, describe_all_higher),
                     uniform(3, all_higher_constants, all_higher_checks, describe_all_higher),
-                    uniform(5, all_higher_constants, all_higher_checks, describe_all_higher)},
+                    uniform(5, all_higher_constants, all_higher_checks, describe_all_higher),
+                    uniform(7, all_higher_constants, all_higher_checks, describe_all_higher)},
                    {"psi of degree d < psi of degree d + 2 for every n, from this degree up to 2 d + 1"}});
     const auto far_out = [](int degree) -> std::optional<Proof> {
       if (degree < 5) return std::nullopt;
@@ -262,9 +273,9 @@ const std::vector<Entry>& entries() {
     };
     all.push_back({{"conjecture-8-d-large",
                     "psi of degree d < psi of degree d + 2 everywhere",
-                    "every odd d >= 5, every n >= max(60, d^2)",
+                    "every odd d >= 5, every n >= max(50, d^2/2)",
                     {}},
-                   {*far_out(5), *far_out(7), *far_out(9)},
+                   {*far_out(5), *far_out(7), *far_out(9), *far_out(11)},
                    {"for the degrees 1 and 3 see conjecture-8-d"},
                    false,
                    far_out});

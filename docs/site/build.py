@@ -86,9 +86,7 @@ class Tree:
         file = self.source / THEOREMS
         tex = theorems.merged(file)  # one source to download, and pandoc reads standard input
         title = re.sub(r"\\\\|\$|\s+", " ", re.search(r"\\title\{(.*)\}", tex)[1])
-        body = re.sub(r"\\[bB]igg?[lr]?(?![a-zA-Z])", "", tex)  # MathML stretches brackets by itself
-        body = re.sub(r"\\tag\{(.*?)\}", r"\\qquad\\text{(\1)}", body)
-        body = re.sub(r"\\qed(?![a-zA-Z])", "◻", body)  # pandoc 2 makes other signs of it
+        body = theorems.for_page(tex)
         html = subprocess.run(["pandoc", "-f", "latex", "-t", "html", "--mathml", "--number-sections"],
                               input=body, capture_output=True, text=True, check=True)
         sys.stderr.write(html.stderr)

@@ -29,6 +29,17 @@ def merged(file):
                   file.read_text(encoding="utf-8"))
 
 
+def for_page(tex):
+    """What pandoc 2 reads as the PDF shows it: numbers of inequalities, the abstract, letters of the appendices."""
+    text = re.sub(r"\\[bB]igg?[lr]?(?![a-zA-Z])", "", tex)  # MathML stretches brackets by itself
+    text = re.sub(r"\\tag\{(.*?)\}", r"\\qquad\\text{(\1)}", text)
+    text = re.sub(r"\\qed(?![a-zA-Z])", "◻", text)  # pandoc makes other signs of it
+    text = re.sub(r"\\(begin|end)\{abstract\}", "", text)
+    text, mark, appendices = text.partition("\\appendix")
+    letters = iter("ABCDEF")
+    return text + mark + re.sub(r"\\section\{", lambda _: f"\\section*{{Appendix {next(letters)}: ", appendices)
+
+
 def build_pdf(folder, name):
     """Runs pdflatex until the references stand; what it says last."""
     for _ in range(3):

@@ -18,7 +18,7 @@ struct LargeBounds {
   Ball ripple;   ///< Z
 };
 
-/// Domain: odd degree >= 5, n >= 50, n >= (degree - 2)^2/2.
+/// Domain: odd degree >= 5, n >= 50, n >= 4 degree - 4.
 LargeBounds large_bounds(int degree, int n);
 
 /// At least U_n: psi_n <= U_n, and 2 I_n - U_n <= psi_n with its mean I_n. Domain: odd degree <= 2n - 1. Errors: throws

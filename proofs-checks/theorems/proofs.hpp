@@ -56,7 +56,7 @@ Constants all_higher_constants(int degree);
 std::vector<Check> all_higher_checks(const Constants& constants, int degree, int threads);
 std::vector<Check> limits_grow_checks(const Constants& constants);
 
-/// Theorem T: degree against degree + 2, for n >= max(50, degree^2/2), and for every n. Domain: odd degree >= 5.
+/// Theorem T: degree against degree + 2, for n >= large_n(degree), and for every n. Domain: odd degree >= 5.
 Constants large_n_constants(int degree);
 std::vector<Check> large_n_checks(const Constants& constants, int degree, int threads);
 std::vector<Check> neighbour_checks(const Constants& constants, int degree, int threads);

@@ -152,12 +152,13 @@ void describe_large_n(Theorem& t) {
   t.degrees = {degree, degree + 2};
   t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and large n";
   t.text = "docs/theorems/variance-curves.tex, Theorem T (b)";
-  t.statement = {"max psi_n^d < min psi_n^{d+2} for every odd d >= 5 and all n >= max(50, d^2/2); here max psi_n^" +
-                 low + " < min psi_n^" + high + " for all n >= " + start + "."};
-  t.ranges = {{"n >= " + start,
-               degree <= 11
-                   ? "bounds of mean and ripple that fall with n"
-                   : "bounds of mean and ripple at d = 11, n = 61; they fall with n, and for 2n = d^2 + 1 with d"}};
+  t.statement = {
+      "max psi_n^d < min psi_n^{d+2} for every odd d from 5 to 101 and all n >= max(50, 4d + 4), for d >= 103 and all "
+      "n >= (d^2 + 1)/2; here max psi_n^" +
+      low + " < min psi_n^" + high + " for all n >= " + start + "."};
+  t.ranges = {{"n >= " + start, "bounds of mean and ripple that fall with n"}};
+  if (degree > 11)
+    t.ranges.emplace_back("all d >= 13", "(T.6) for 13 <= d <= 103; from 103 on they fall with d, 2n = d^2 + 1");
 }
 
 void describe_all_higher(Theorem& t) {
@@ -247,7 +248,7 @@ const std::vector<Entry>& entries() {
                     uniform(7, large_n_constants, neighbour_checks, describe_neighbours),
                     uniform(9, large_n_constants, neighbour_checks, describe_neighbours),
                     uniform(11, large_n_constants, neighbour_checks, describe_neighbours)},
-                   {"the n below max(50, d^2/2), one by one; from there on see conjecture-8-d-large"}});
+                   {"the n below max(50, 4d + 4), one by one; from there on see conjecture-8-d-large"}});
     all.push_back(
         {{"limit-constants", "the limits C_d of n max psi_n, printed together", "n to infinity", {1, 3, 5, 7, 9}},
          {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
@@ -273,9 +274,9 @@ const std::vector<Entry>& entries() {
     };
     all.push_back({{"conjecture-8-d-large",
                     "psi of degree d < psi of degree d + 2 everywhere",
-                    "every odd d >= 5, every n >= max(50, d^2/2)",
+                    "every odd d >= 5, every n >= max(50, 4d+4), beyond d = 101 n >= (d^2+1)/2",
                     {}},
-                   {*far_out(5), *far_out(7), *far_out(9), *far_out(11)},
+                   {*far_out(5), *far_out(7), *far_out(9), *far_out(11), *far_out(13)},
                    {"for the degrees 1 and 3 see conjecture-8-d"},
                    false,
                    far_out});

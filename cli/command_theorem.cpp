@@ -19,14 +19,14 @@ struct TheoremOptions : CommonOptions {
 Json list_json() {
   Json list = Json::array();
   for (const TheoremEntry& entry : theorems::theorem_list())
-    list.push_back({{"id", entry.id}, {"title", entry.title}, {"degrees", entry.degrees}});
+    list.push_back({{"id", entry.id}, {"title", entry.title}, {"range", entry.range}, {"degrees", entry.degrees}});
   return {{"theorems", list}};
 }
 
 std::string list_text() {
   std::string text;
   for (const TheoremEntry& entry : theorems::theorem_list())
-    text += padded(entry.id, 17) + entry.title +
+    text += padded(entry.id, 23) + entry.title + "; " + entry.range +
             (entry.degrees.empty() ? "" : fmt::format("; proved for --d {}", fmt::join(entry.degrees, ", "))) + "\n";
   return text;
 }

@@ -12,6 +12,9 @@ TEST_CASE("theorems: proved, and unknown with what is missing") {
   const auto unknown = run_json("theorem conjecture-7 --d 7", 2);
   CHECK(unknown.at("verdict") == "unknown");
   CHECK_FALSE(unknown.at("missing").empty());
-  CHECK(run_json("theorem list").at("theorems").size() == 4);
+  const auto list = run_json("theorem list").at("theorems");
+  CHECK(list.size() == 8);
+  for (const auto& one : list) CHECK_FALSE(one.at("range").empty());
+  CHECK(run_json("theorem convergence --d 41").at("verdict") == "holds");
   CHECK(run("theorem").out == run("theorem list").out);
 }

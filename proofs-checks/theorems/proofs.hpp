@@ -4,6 +4,7 @@
 #include "theorem.hpp"
 
 #include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/schemes/specification.hpp>
 
 namespace subcert::theorems {
 
@@ -14,6 +15,11 @@ inline Ball exactly(const Rational& value) { return Ball(value, proof_bits); }
 /// For claims: the number, and ` at n = 5`.
 inline std::string text(int n) { return std::to_string(n); }
 inline std::string at(int n) { return " at n = " + text(n); }
+
+/// S_n^d.
+inline Mask primal_mask(int n, int degree) {
+  return make_scheme("primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree)).mask;
+}
 
 /// C_d to 40 digits, kept for the next call.
 const Ball& limit_ball(int degree);
@@ -42,6 +48,18 @@ Constants uniform_constants_8_d(int degree);
 std::vector<Check> uniform_checks_7(const Constants& constants, int degree, int threads);
 std::vector<Check> uniform_checks_8_n(const Constants& constants, int degree, int threads);
 std::vector<Check> uniform_checks_8_d(const Constants& constants, int degree, int threads);
+
+/// Theorems P to S: convergence, Conjecture 8 in d from degree 1, 3 or 5 to all higher degrees, C_d < C_{d+2}.
+Constants convergence_constants(int degree);
+std::vector<Check> convergence_checks(const Constants& constants, int degree, int threads);
+Constants all_higher_constants(int degree);
+std::vector<Check> all_higher_checks(const Constants& constants, int degree, int threads);
+std::vector<Check> limits_grow_checks(const Constants& constants);
+
+/// Theorem T: degree against degree + 2, for n >= large_n(degree), and for every n. Domain: odd degree >= 5.
+Constants large_n_constants(int degree);
+std::vector<Check> large_n_checks(const Constants& constants, int degree, int threads);
+std::vector<Check> neighbour_checks(const Constants& constants, int degree, int threads);
 
 Constants limit_constants_stated();
 std::vector<Check> limit_constants_checks(const Constants& constants);

@@ -1,11 +1,13 @@
 #include "theorem.hpp"
 
+#include "every_pair.hpp"
 #include "proofs.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
 namespace subcert::theorems {
@@ -113,11 +115,99 @@ void describe_limit_constants(Theorem& t) {
   t.values.emplace_back("nu", to_text(t.constants["nu-"]));
 }
 
+void describe_convergence(Theorem& t) {
+  const int degree = t.degrees.front();
+  t.title = "Convergence for every degree and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem P";
+  t.statement = {"S_n^d converges for all n >= 1 and all d <= 2n - 1.",
+                 "The response D_M of one fit of degree d on M > d points, read off in the middle, is below 1 in "
+                 "modulus except where sin w = 0, and the moduli of the transform of phi at xi + 2 pi k sum to at most "
+                 "max(|D_{2n-1}|, |D_{2n}|)(xi/2) <= 1.",
+                 "So the mean of psi_n is at most (K_{2n-1}(0) + K_{2n}(0))/2, K_M(0) the central weight."};
+  const std::string first = std::to_string((degree + 1) / 2);
+  t.ranges = {{"all d, all n", "the proof, with the two numbers (P.1), (P.2)"},
+              {"d = " + std::to_string(degree) + ", n >= " + first,
+               "for confirmation only: (P.3), (P.4) for the six smallest n"}};
+}
+
+void describe_neighbours(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string low = std::to_string(degree), high = std::to_string(degree + 2),
+                    first = std::to_string((degree + 3) / 2);
+  t.degrees = {degree, degree + 2};
+  t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem T (c)";
+  t.statement = {"max psi_n^" + low + " < min psi_n^" + high + " for all n >= " + first + ".",
+                 "For smaller n the two schemes are the same, and so are the curves."};
+  const std::string start = std::to_string(large_n(degree));
+  t.ranges = {
+      {"n >= " + start, "bounds of mean and ripple that fall with n"},
+      {first + " <= n < " + start, "exact means, and the bound U_n of the curve by the responses of both rules"}};
+}
+
+void describe_large_n(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string low = std::to_string(degree), high = std::to_string(degree + 2),
+                    start = std::to_string(large_n(degree));
+  t.degrees = {degree, degree + 2};
+  t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and large n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem T (b)";
+  t.statement = {
+      "max psi_n^d < min psi_n^{d+2} for every odd d from 5 to 101 and all n >= max(50, 4d + 4), for d >= 103 and all "
+      "n >= (d^2 + 1)/2; here max psi_n^" +
+      low + " < min psi_n^" + high + " for all n >= " + start + "."};
+  t.ranges = {{"n >= " + start, "bounds of mean and ripple that fall with n"}};
+  if (degree > 11)
+    t.ranges.emplace_back("all d >= 13", "(T.6) for 13 <= d <= 103; from 103 on they fall with d, 2n = d^2 + 1");
+}
+
+void describe_all_higher(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string low = std::to_string(degree);
+  t.title = "Conjecture 8 in d from degree " + low + " to all higher degrees and every n";
+  if (degree == 1) {
+    t.text = "docs/theorems/variance-curves.tex, Theorem Q";
+    t.statement = {"psi_n^1(x) <= 1/(2n - 1) < psi_n^d(x') for all n >= 2, all odd 3 <= d <= 2n - 1 and all x, x'."};
+    t.ranges = {{"all d, all n", "a proof without a computer"},
+                {"2 <= n <= 8", "for confirmation only: exact values on a grid against the bounds of the proof"}};
+    return;
+  }
+  t.text = "docs/theorems/variance-curves.tex, Theorem R";
+  t.statement = {"max psi_n^" + low + " < min psi_n^d for all odd d > " + low + " and all n >= (d+1)/2."};
+  const int from = degree == 3 ? 7 : 2 * degree + 1;
+  for (int next = degree + 2; next < from; next += 2) {
+    std::string runs = "conjecture-8-d --d " + low;
+    for (int between = degree + 2; between < next; between += 2) runs += ", " + std::to_string(between);
+    t.ranges.emplace_back("d = " + std::to_string(next), runs);
+  }
+  const std::string lemma = "d >= " + std::to_string(from) + ", ", first = std::to_string((from + 1) / 2),
+                    start = degree == 3   ? "6"
+                            : degree == 5 ? "10"
+                                          : "60";
+  t.ranges.emplace_back(lemma + first + " <= n < " + start,
+                        "psi_n^" + low + " bounded for each n, psi_n^d from its polynomials");
+  t.ranges.emplace_back(lemma + "n >= " + start, degree == 7 ? "the bounds of conjecture-8-d-large --d 7"
+                                                             : "conjecture-7 --d " + low + ", and one inequality");
+}
+
+void describe_limits_grow(Theorem& t) {
+  t.title = "The limits of n max psi_n grow with the degree";
+  t.text = "docs/theorems/variance-curves.tex, Theorem S";
+  t.statement = {"C_d < gamma_d^2/2 < C_{d+2} for every odd d, gamma_d = d binom(d-1, (d-1)/2)/2^(d-1).",
+                 "C_d = d/pi + 1/(2 pi) - 1/(sqrt(3) pi^2) + o(1) as d grows.",
+                 "So for each pair d_1 > d_2 and all sufficiently large n, max psi_n^{d_2} < min psi_n^{d_1}."};
+  t.ranges = {{"d >= 9", "the proof, with one inequality at d = 9"},
+              {"d <= 7", "the digits of C_3, C_5, C_7"},
+              {"d <= 21", "for confirmation only: (S.3), (S.4)"}};
+}
+
 struct Entry {
   TheoremEntry entry;
   std::vector<Proof> proofs;
   std::vector<std::string> missing;  ///< for the degrees without proof
   bool together = false;             ///< one proof for all its degrees
+  /// Where it is proved for degrees beyond those listed: the proof, if this degree has one.
+  std::function<std::optional<Proof>(int)> further = {};
 };
 
 /// A proof whose functions take the degree.
@@ -140,24 +230,62 @@ const std::vector<Entry>& entries() {
         "= 7",
         "the curves below that n_1, enclosed one by one"};
     std::vector<Entry> all;
-    all.push_back({{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", {}},
+    const std::string every = "every n >= (d+1)/2";
+    all.push_back({{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", every, {}},
                    {single(1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one),
                     uniform(3, uniform_constants_7, uniform_checks_7, describe_7),
                     uniform(5, uniform_constants_7, uniform_checks_7, describe_7)},
                    higher});
-    all.push_back({{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", {}},
+    all.push_back({{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", every, {}},
                    {single(1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one),
                     uniform(3, uniform_constants_8_n, uniform_checks_8_n, describe_8_n),
                     uniform(5, uniform_constants_8_n, uniform_checks_8_n, describe_8_n)},
                    higher});
-    all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", {}},
+    all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", "every n >= (d+3)/2", {}},
                    {uniform(1, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
-                    uniform(3, uniform_constants_8_d, uniform_checks_8_d, describe_8_d)},
-                   higher});
-    all.push_back({{"limit-constants", "the limits C_d of n max psi_n, printed together", {1, 3, 5, 7, 9}},
-                   {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
-                   {"stated digits for this degree"},
-                   true});
+                    uniform(3, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
+                    uniform(5, large_n_constants, neighbour_checks, describe_neighbours),
+                    uniform(7, large_n_constants, neighbour_checks, describe_neighbours),
+                    uniform(9, large_n_constants, neighbour_checks, describe_neighbours),
+                    uniform(11, large_n_constants, neighbour_checks, describe_neighbours)},
+                   {"the n below max(50, 4d + 4), one by one; from there on see conjecture-8-d-large"}});
+    all.push_back(
+        {{"limit-constants", "the limits C_d of n max psi_n, printed together", "n to infinity", {1, 3, 5, 7, 9}},
+         {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
+         {"stated digits for this degree"},
+         true});
+    const auto convergence = [](int degree) {
+      return uniform(degree, convergence_constants, convergence_checks, describe_convergence);
+    };
+    all.push_back({{"convergence", "S_n^d converges", "every odd d, every n >= (d+1)/2", {}},
+                   {convergence(1), convergence(3), convergence(5)},
+                   {},
+                   false,
+                   convergence});
+    all.push_back({{"conjecture-8-d-all", "psi of degree d < psi of all higher degrees everywhere", "every n", {}},
+                   {uniform(1, all_higher_constants, all_higher_checks, describe_all_higher),
+                    uniform(3, all_higher_constants, all_higher_checks, describe_all_higher),
+                    uniform(5, all_higher_constants, all_higher_checks, describe_all_higher),
+                    uniform(7, all_higher_constants, all_higher_checks, describe_all_higher)},
+                   {"psi of degree d < psi of degree d + 2 for every n, from this degree up to 2 d + 1"}});
+    const auto far_out = [](int degree) -> std::optional<Proof> {
+      if (degree < 5) return std::nullopt;
+      return uniform(degree, large_n_constants, large_n_checks, describe_large_n);
+    };
+    all.push_back({{"conjecture-8-d-large",
+                    "psi of degree d < psi of degree d + 2 everywhere",
+                    "every odd d >= 5, every n >= max(50, 4d+4), beyond d = 101 n >= (d^2+1)/2",
+                    {}},
+                   {*far_out(5), *far_out(7), *far_out(9), *far_out(11), *far_out(13)},
+                   {"for the degrees 1 and 3 see conjecture-8-d"},
+                   false,
+                   far_out});
+    const auto none = [] { return Constants(); };
+    all.push_back({{"limit-constants-order", "C_d < C_{d+2}", "every odd d, n to infinity", {1}},
+                   {single(1, none, limits_grow_checks, describe_limits_grow)},
+                   {},
+                   true,
+                   [=](int degree) { return single(degree, none, limits_grow_checks, describe_limits_grow); }});
     for (Entry& entry : all)
       if (!entry.together)
         for (const Proof& proof : entry.proofs) entry.entry.degrees.push_back(proof.degree);
@@ -172,12 +300,13 @@ const Entry& find(const std::string& id) {
   fail(ErrorKind::domain, "unknown theorem '{}'", id);
 }
 
-const Proof* find(const Entry& entry, int degree) {
+std::optional<Proof> find(const Entry& entry, int degree) {
+  if (entry.further) return entry.further(degree);
   const std::vector<int>& degrees = entry.entry.degrees;
-  if (std::find(degrees.begin(), degrees.end(), degree) == degrees.end()) return nullptr;
+  if (std::find(degrees.begin(), degrees.end(), degree) == degrees.end()) return std::nullopt;
   for (const Proof& proof : entry.proofs)
-    if (proof.degree == degree || entry.together) return &proof;
-  return nullptr;
+    if (proof.degree == degree || entry.together) return proof;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -202,7 +331,7 @@ const std::vector<TheoremEntry>& theorem_list() {
 }
 
 Constants stated_constants(const std::string& id, int degree) {
-  const Proof* proof = find(find(id), degree);
+  const std::optional<Proof> proof = find(find(id), degree);
   return proof ? proof->constants() : Constants();
 }
 
@@ -214,7 +343,7 @@ Theorem prove(const std::string& id, int degree, const Constants& constants, int
   theorem.id = id;
   theorem.degrees = {degree};
   theorem.title = entry.entry.title;
-  const Proof* proof = find(entry, degree);
+  const std::optional<Proof> proof = find(entry, degree);
   if (!proof) {
     theorem.missing = entry.missing;
     theorem.decision = {Truth::unknown, "nothing is proved for degree " + std::to_string(degree)};

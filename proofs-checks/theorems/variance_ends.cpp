@@ -1,8 +1,9 @@
 #include "variance_ends.hpp"
 
+#include "proofs.hpp"
+
 #include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
-#include <subcert/schemes/specification.hpp>
 
 #include <map>
 #include <mutex>
@@ -24,8 +25,7 @@ Memory& memory() {
 }
 
 VarianceEnds compute_ends(int n, int degree) {
-  const std::string scheme = "primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree);
-  const VarianceRange range = variance_range(make_scheme(scheme).mask);
+  const VarianceRange range = variance_range(primal_mask(n, degree));
   VarianceEnds ends{range.minimum, range.maximum, std::nullopt};
   if (range.slope && range.slope_reason.empty()) ends.slope = range.slope;
   return ends;

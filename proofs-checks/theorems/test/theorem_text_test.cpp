@@ -14,12 +14,23 @@ using namespace subcert::theorems;
 
 namespace {
 
-std::string source() {
-  std::ifstream stream(SUBCERT_THEOREM_TEXT);
+std::string file_text(const std::string& path) {
+  std::ifstream stream(path);
   std::ostringstream text;
   text << stream.rdbuf();
   REQUIRE(text.str().size() > 1000);
   return text.str();
+}
+
+/// The text with the files that it reads in their places.
+std::string source() {
+  const std::string path = SUBCERT_THEOREM_TEXT, folder = path.substr(0, path.rfind('/') + 1);
+  std::string text = file_text(path);
+  const std::regex input(R"(\\input\{([^}]*)\})");
+  for (std::smatch found; std::regex_search(text, found, input);)
+    text.replace(static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.length()),
+                 file_text(folder + found[1].str() + ".tex"));
+  return text;
 }
 
 std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
@@ -79,7 +90,13 @@ TEST_CASE("the text has the numbered inequalities that the program runs") {
     for (const Check& check : prove(id, 1).checks) run.insert(check.id);
     for (const Check& check : prove(id, 3).checks) run.insert(check.id);
   }
-  for (const Check& check : prove("conjecture-8-d", 1).checks) run.insert(check.id);
+  for (const char* id : {"conjecture-8-d", "convergence", "conjecture-8-d-all", "limit-constants-order"})
+    for (const Check& check : prove(id, 1).checks) run.insert(check.id);
+  for (int degree : {3, 7})
+    for (const Check& check : prove("conjecture-8-d-all", degree).checks) run.insert(check.id);
+  for (int degree : {5, 13})
+    for (const Check& check : prove("conjecture-8-d-large", degree).checks) run.insert(check.id);
+  run.insert("T.5");  // conjecture-8-d for the degree 5, a long test
   const auto tags = matches(source(), R"(\\tag\{([^}]*)\})");
   CHECK(as_set(tags).size() == tags.size());
   CHECK(as_set(tags) == run);
@@ -110,7 +127,19 @@ TEST_CASE("the tables of the text state the constants of the program") {
       if (degree == 3) ++rows;
     }
   }
-  CHECK(matches(text, R"((% [0-9]:))").size() == rows);
+  for (const Constant& one : stated_constants("convergence", 1).all()) {
+    check_cell(text, "P:" + one.name, 1, one);
+    ++rows;
+  }
+  for (int degree : {5, 7, 9, 11})
+    for (const Constant& one : stated_constants("conjecture-8-d-large", degree).all()) {
+      check_cell(text, "T:" + one.name, static_cast<std::size_t>(degree - 3) / 2, one);
+      if (degree == 5) ++rows;
+    }
+  for (int degree : {3, 5})
+    for (const Constant& one : stated_constants("conjecture-8-d-all", degree).all())
+      CHECK(constant(stated_constants("conjecture-7", degree), one.name).value == one.value);
+  CHECK(matches(text, R"((% [0-9A-Z]:))").size() == rows);
 }
 
 TEST_CASE("the source of the text is balanced and uses only macros that exist") {
@@ -133,15 +162,18 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
 
   std::set<std::string> known = as_set(matches(text, R"(\\newcommand\{\\([a-zA-Z]+)\})"));
   std::istringstream standard(
-      "documentclass usepackage newtheorem newcommand title author date begin end maketitle section subsection caption "
-      "label "
-      "ref cite bibitem emph texttt text tag qed operatorname mathbb hat frac tfrac binom bigl bigr Bigl Bigr quad "
+      "documentclass usepackage setlength textwidth oddsidemargin textheight topmargin emergencystretch newtheorem "
+      "newcommand title author date begin end maketitle section subsection caption "
+      "label ref cite bibitem emph texttt text tag qed operatorname mathbb hat frac tfrac binom bigl bigr Bigl Bigr "
+      "quad "
       "qquad "
       "sum prod int sup inf max min lim log sin cos sinh cosh exp to mapsto in notin ne le ge pm sim cdot dots infty "
       "partial "
       "lceil rceil alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu xi pi rho sigma tau varphi psi "
-      "Gamma "
-      "Delta Pi Phi Psi Omega");
+      "Gamma Delta Pi Phi Psi Omega input H sqrt left right chi varpi nu epsilon omega iota vartheta mp arcsin "
+      "appendix Lambda "
+      "Im hline endhead langle rangle bar log "
+      "medskip");
   for (std::string name; standard >> name;) known.insert(name);
   for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {
     CAPTURE(name);

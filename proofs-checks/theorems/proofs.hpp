@@ -1,15 +1,11 @@
 #pragma once
-/// The proofs behind theorem.hpp, one function each, for the sources of this floor.
+/// The proofs behind theorem.hpp, for the sources of this floor.
 
+#include "ledger.hpp"
+#include "scheme_family.hpp"
 #include "theorem.hpp"
 
-#include <subcert/analysis/symbol/balls.hpp>
-
 namespace subcert::theorems {
-
-constexpr slong proof_bits = 192;
-
-inline Ball exactly(const Rational& value) { return Ball(value, proof_bits); }
 
 /// For claims: the number, and ` at n = 5`.
 inline std::string text(int n) { return std::to_string(n); }
@@ -30,20 +26,21 @@ Ball excess_of_shells();
 
 Constants degree_one_constants_7();
 Constants degree_one_constants_8();
-std::vector<Check> degree_one_checks_7(const Constants& constants);
-std::vector<Check> degree_one_checks_8(const Constants& constants);
+std::vector<Check> degree_one_checks_7(const Constants& constants, int threads);
+std::vector<Check> degree_one_checks_8(const Constants& constants, int threads);
 
-/// Degrees 1, 3 and 5 by bounds that hold for all large n at once; 8_d compares a degree with the next odd one.
-/// uniform_start: the n_1 of a degree; the theorem on slopes begins later.
-int uniform_start(int degree, bool slopes);
+/// Of section 7 of the text, for one degree of one family; 8_d compares a degree with the one above it by 2. A ledger
+/// that does not hold ends with the inequality that misses. Domain: odd degree for the primal families.
+void uniform_7(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
+void uniform_8_n(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
+void uniform_8_d(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
+/// What uniform_7 states for the primal family.
 Constants uniform_constants_7(int degree);
-Constants uniform_constants_8_n(int degree);
-Constants uniform_constants_8_d(int degree);
-std::vector<Check> uniform_checks_7(const Constants& constants, int degree, int threads);
-std::vector<Check> uniform_checks_8_n(const Constants& constants, int degree, int threads);
-std::vector<Check> uniform_checks_8_d(const Constants& constants, int degree, int threads);
+/// The n_1 of a degree: the first of a few sizes for which the inequalities hold, or the last of them; kept for the
+/// next call.
+int uniform_start(const SchemeFamily& family, int degree);
 
 Constants limit_constants_stated();
-std::vector<Check> limit_constants_checks(const Constants& constants);
+std::vector<Check> limit_constants_checks(const Constants& constants, int threads);
 
 }  // namespace subcert::theorems

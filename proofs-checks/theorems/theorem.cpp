@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
 namespace subcert::theorems {
 namespace {
+
+constexpr int most_degree = 21;  ///< to which section 7 is tried
 
 /// One id and how each of its degrees is proved.
 struct Proof {
@@ -33,8 +36,8 @@ void describe_7_degree_one(Theorem& t) {
       "Second half. For n >= 2, psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") +
           " for all x; for n >= 64, |psi_n'(x)| < " + number("Delta") + "/(2n - 1/2)^6.",
       "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false."};
-  t.ranges = {{"1 <= n < 24", "psi_n and psi_n' enclosed over all of [0, 1], from exact values"},
-              {"24 <= n < 64", "mean with its proved remainder, ripple and slope of each n by the supersolution"},
+  t.ranges = {{"n = 1", "psi_1 = 1 - 2x + 2x^2 on [0, 1]"},
+              {"2 <= n < 64", "mean, ripple and slope of each n by the supersolution, for small n with exact values"},
               {"n >= 64", "the constants below, for all n at once"}};
 }
 
@@ -42,60 +45,79 @@ void describe_8_degree_one(Theorem& t) {
   t.title = "Conjecture 8 in n for degree 1 and every n";
   t.text = "docs/theorems/variance-curves.tex, Theorem A";
   t.statement = {"psi_{n+1}(x) < psi_n(x) for all n >= 1 and all x; even max psi_{n+1} < min psi_n."};
-  t.ranges = {{"1 <= n < 24", "psi_n enclosed over all of [0, 1], from exact values"},
-              {"24 <= n < 64", "mean with its proved remainder, ripple of each n by the supersolution"},
+  t.ranges = {{"n = 1", "psi_1 = 1 - 2x + 2x^2 on [0, 1]"},
+              {"2 <= n < 64", "mean and ripple of each n by the supersolution, for small n with exact values"},
               {"n >= 64", "the constants below, for all n at once"}};
 }
 
 std::string with_degree(const char* name, int degree) { return name + ("_" + std::to_string(degree)); }
 
 /// The two ranges of a proof of section 7.
-void describe_ranges(Theorem& t, int first, int first_uniform) {
-  const std::string start = std::to_string(first_uniform);
-  t.ranges = {{std::to_string(first) + " <= n < " + start, "psi_n enclosed over all of [0, 1], from exact values"},
-              {"n >= " + start, "the constants below, for all n at once"}};
+void describe_ranges(Theorem& t, int first, int start) {
+  const std::string n_1 = std::to_string(start);
+  t.ranges = {{std::to_string(first) + " <= n < " + n_1,
+               "mean, ripple and slope of each n by the supersolution, for small n with exact values"},
+              {"n >= " + n_1, "the constants below, for all n at once"}};
 }
 
-void describe_7(Theorem& t) {
+/// `conjecture` for degree d, of this family where it is not the one of the conjectures.
+std::string title_of(const std::string& conjecture, const SchemeFamily& family, const std::string& degrees) {
+  return conjecture + " for " + degrees + (family.id == "primal" ? "" : " of the " + family.title + " schemes") +
+         " and every n";
+}
+
+const char* proof_text(const SchemeFamily& family, const char* theorem) {
+  static std::string text;
+  return (text = std::string("docs/theorems/variance-curves.tex, Theorem ") + theorem +
+                 (family.id == "primal" ? "" : " and section 13"))
+      .c_str();
+}
+
+std::string size_text(const SchemeFamily& family) {
+  if (family.offset == 0) return "2n";
+  return "(2n " + std::string(family.offset < 0 ? "- " : "+ ") + to_text(absolute(family.offset)) + ")";
+}
+
+void describe_7(Theorem& t, const SchemeFamily& family) {
   const int degree = t.degrees.front();
-  const std::string d = std::to_string(degree), first = std::to_string((degree + 1) / 2),
-                    start = std::to_string(uniform_start(degree, true));
+  const std::string d = std::to_string(degree), first = std::to_string(family.least_n(degree)),
+                    start = std::to_string(uniform_start(family, degree)), N = size_text(family);
   const auto number = [&](const std::string& name) { return plain(t.constants[name]); };
-  t.title = "Conjecture 7 for degree " + d + " and every n";
-  t.text = "docs/theorems/variance-curves.tex, Theorem E";
+  t.title = title_of("Conjecture 7", family, "degree " + d);
+  t.text = proof_text(family, "E");
   t.statement = {
-      "First half. For all n >= " + first + " and all x, |(n - 1/4) psi_n(x)/C - 1| < " + number("beta") +
+      "First half. For all n >= " + first + " and all x, |" + N + " psi_n(x)/(2 C) - 1| < " + number("beta") +
           "/n^2; for n >= " + start + " even < " + number("beta_2") + "/n^2. Here C = lim n max psi_n, " +
           number(with_degree("c-", degree)) + " < C < " + number(with_degree("c+", degree)) + ".",
-      "So max psi_n = C/n (1 + 1/(4n) + O(1/n^2)): the rate 1/n is true, with its constant.",
+      "So max psi_n = 2 C/" + N + " (1 + O(1/n^2)): the rate 1/n is true, with its constant.",
       "Second half. For n >= " + first + ", psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") +
-          " for all x; for n >= " + start + ", |psi_n'(x)| < " + number(with_degree("Delta", degree)) +
-          "/(2n - 1/2)^5.",
+          " for all x; for n >= " + start + ", |psi_n'(x)| < " + number(with_degree("Delta", degree)) + "/" + N + "^5.",
       "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false.",
       "For smaller n the scheme is the one of a smaller degree."};
-  describe_ranges(t, (degree + 1) / 2, uniform_start(degree, true));
+  describe_ranges(t, family.least_n(degree), uniform_start(family, degree));
 }
 
-void describe_8_n(Theorem& t) {
+void describe_8_n(Theorem& t, const SchemeFamily& family) {
   const int degree = t.degrees.front();
-  const std::string first = std::to_string((degree + 1) / 2);
-  t.title = "Conjecture 8 in n for degree " + std::to_string(degree) + " and every n";
-  t.text = "docs/theorems/variance-curves.tex, Theorem D";
+  const std::string first = std::to_string(family.least_n(degree));
+  t.title = title_of("Conjecture 8 in n", family, "degree " + std::to_string(degree));
+  t.text = proof_text(family, "D");
   t.statement = {"psi_{n+1}(x) < psi_n(x) for all n >= " + first + " and all x; even max psi_{n+1} < min psi_n.",
                  "For smaller n the scheme is the one of a smaller degree."};
-  describe_ranges(t, (degree + 1) / 2, uniform_start(degree, false));
+  describe_ranges(t, family.least_n(degree), uniform_start(family, degree));
 }
 
-void describe_8_d(Theorem& t) {
+void describe_8_d(Theorem& t, const SchemeFamily& family) {
   const int degree = t.degrees.front(), next = degree + 2;
-  const std::string low = std::to_string(degree), high = std::to_string(next), first = std::to_string((next + 1) / 2);
+  const std::string low = std::to_string(degree), high = std::to_string(next),
+                    first = std::to_string(family.least_n(next));
   t.degrees = {degree, next};
-  t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and every n";
-  t.text = "docs/theorems/variance-curves.tex, Theorem F";
+  t.title = title_of("Conjecture 8 in d", family, "the degrees " + low + " and " + high);
+  t.text = proof_text(family, "F");
   t.statement = {"psi_n of degree " + low + " is smaller than psi_n of degree " + high +
                      " at all x, for all n >= " + first + "; even max psi_n^" + low + " < min psi_n^" + high + ".",
                  "For smaller n the two schemes are the same, and so are the curves."};
-  describe_ranges(t, (next + 1) / 2, std::max(uniform_start(degree, false), uniform_start(next, false)));
+  describe_ranges(t, family.least_n(next), std::max(uniform_start(family, degree), uniform_start(family, next)));
 }
 
 void describe_limit_constants(Theorem& t) {
@@ -118,49 +140,60 @@ struct Entry {
   std::vector<Proof> proofs;
   std::vector<std::string> missing;  ///< for the degrees without proof
   bool together = false;             ///< one proof for all its degrees
+  /// The proof for a degree beyond those listed, or of another family, where there is one.
+  std::function<std::optional<Proof>(int degree, const SchemeFamily&)> further = {};
 };
 
-/// A proof whose functions take the degree.
-Proof uniform(int degree, Constants (*constants)(int), std::vector<Check> (*checks)(const Constants&, int, int),
-              void (*describe)(Theorem&)) {
-  return {degree, [=] { return constants(degree); },
-          [=](const Constants& c, int threads) { return checks(c, degree, threads); }, describe};
-}
-
-/// A proof for one degree that needs no threads.
-Proof single(int degree, Constants (*constants)(), std::vector<Check> (*checks)(const Constants&),
-             void (*describe)(Theorem&)) {
-  return {degree, constants, [=](const Constants& c, int) { return checks(c); }, describe};
+/// A proof of section 7: its constants are found by the same run.
+using Run = void (*)(Ledger&, const SchemeFamily&, int degree, int threads);
+std::optional<Proof> found(int degree, const SchemeFamily& family, Run run,
+                           void (*describe)(Theorem&, const SchemeFamily&)) {
+  if (degree > most_degree) return std::nullopt;
+  return Proof{degree,
+               [=, &family] {
+                 Ledger ledger;
+                 run(ledger, family, degree, 1);
+                 return ledger.constants();
+               },
+               [=, &family](const Constants& constants, int threads) {
+                 Ledger ledger(&constants);
+                 run(ledger, family, degree, threads);
+                 return ledger.checks();
+               },
+               [=, &family](Theorem& t) { describe(t, family); }};
 }
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> list = [] {
-    const std::vector<std::string> higher{
-        "stated constants of section 7 of the text, which holds for every odd degree but begins at n_1 about 100 for d "
-        "= 7",
-        "the curves below that n_1, enclosed one by one"};
+    const std::vector<std::string> higher{"the machine of section 7 is run up to degree " + text(most_degree) +
+                                          "; beyond, the curves below n_1 take minutes"};
+
     std::vector<Entry> all;
-    all.push_back({{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", {}},
-                   {single(1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one),
-                    uniform(3, uniform_constants_7, uniform_checks_7, describe_7),
-                    uniform(5, uniform_constants_7, uniform_checks_7, describe_7)},
-                   higher});
-    all.push_back({{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", {}},
-                   {single(1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one),
-                    uniform(3, uniform_constants_8_n, uniform_checks_8_n, describe_8_n),
-                    uniform(5, uniform_constants_8_n, uniform_checks_8_n, describe_8_n)},
-                   higher});
-    all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", {}},
-                   {uniform(1, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
-                    uniform(3, uniform_constants_8_d, uniform_checks_8_d, describe_8_d)},
-                   higher});
-    all.push_back({{"limit-constants", "the limits C_d of n max psi_n, printed together", {1, 3, 5, 7, 9}},
-                   {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
-                   {"stated digits for this degree"},
-                   true});
-    for (Entry& entry : all)
-      if (!entry.together)
-        for (const Proof& proof : entry.proofs) entry.entry.degrees.push_back(proof.degree);
+    const std::string every = "every n >= (d+1)/2";
+    const std::vector<int> degrees{1, 3, 5, 7, 9, 11, 13}, pairs{1, 3, 5, 7, 9, 11};
+    all.push_back(
+        {{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", every, degrees},
+         {{1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one}},
+         higher,
+         false,
+         [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_7, describe_7); }});
+    all.push_back(
+        {{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", every, degrees},
+         {{1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one}},
+         higher,
+         false,
+         [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_8_n, describe_8_n); }});
+    all.push_back(
+        {{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", "every n >= (d+3)/2", pairs},
+         {},
+         higher,
+         false,
+         [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_8_d, describe_8_d); }});
+    all.push_back(
+        {{"limit-constants", "the limits C_d of n max psi_n, printed together", "n to infinity", {1, 3, 5, 7, 9}},
+         {{1, limit_constants_stated, limit_constants_checks, describe_limit_constants}},
+         {"stated digits for this degree"},
+         true});
     return all;
   }();
   return list;
@@ -172,12 +205,13 @@ const Entry& find(const std::string& id) {
   fail(ErrorKind::domain, "unknown theorem '{}'", id);
 }
 
-const Proof* find(const Entry& entry, int degree) {
+std::optional<Proof> find(const Entry& entry, int degree, const SchemeFamily& family) {
   const std::vector<int>& degrees = entry.entry.degrees;
-  if (std::find(degrees.begin(), degrees.end(), degree) == degrees.end()) return nullptr;
-  for (const Proof& proof : entry.proofs)
-    if (proof.degree == degree || entry.together) return &proof;
-  return nullptr;
+  if (family.id == "primal" && std::find(degrees.begin(), degrees.end(), degree) != degrees.end())
+    for (const Proof& proof : entry.proofs)
+      if (proof.degree == degree || entry.together) return proof;
+  if (entry.further) return entry.further(degree, family);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -201,20 +235,23 @@ const std::vector<TheoremEntry>& theorem_list() {
   return list;
 }
 
-Constants stated_constants(const std::string& id, int degree) {
-  const Proof* proof = find(find(id), degree);
+Constants stated_constants(const std::string& id, int degree, const std::string& family) {
+  const std::optional<Proof> proof = find(find(id), degree, scheme_family(family));
   return proof ? proof->constants() : Constants();
 }
 
-Theorem prove(const std::string& id, int degree, const Constants& constants, int threads) {
+Theorem prove(const std::string& id, int degree, const Constants& constants, int threads,
+              const std::string& family_id) {
   const Entry& entry = find(id);
-  if (degree < 1 || degree > 99 || degree % 2 == 0)
-    fail(ErrorKind::domain, "prove: need an odd degree from 1 to 99, got {}", degree);
+  const SchemeFamily& family = scheme_family(family_id);
+  const bool primal = family.evaluation == Evaluation::primal;
+  if (degree < 1 || degree > 99 || (primal && degree % 2 == 0))
+    fail(ErrorKind::domain, "prove: need {} degree from 1 to 99, got {}", primal ? "an odd" : "a", degree);
   Theorem theorem;
   theorem.id = id;
   theorem.degrees = {degree};
   theorem.title = entry.entry.title;
-  const Proof* proof = find(entry, degree);
+  const std::optional<Proof> proof = find(entry, degree, family);
   if (!proof) {
     theorem.missing = entry.missing;
     theorem.decision = {Truth::unknown, "nothing is proved for degree " + std::to_string(degree)};
@@ -222,8 +259,15 @@ Theorem prove(const std::string& id, int degree, const Constants& constants, int
   }
   theorem.constants = constants;
   theorem.checks = proof->checks(constants, threads);
-  proof->describe(theorem);
   theorem.decision = verdict(theorem.checks);
+  if (theorem.decision.truth != Truth::unknown) {
+    proof->describe(theorem);
+    return theorem;
+  }
+  for (const Check& check : theorem.checks)
+    if (!check.decision.is_yes())
+      theorem.missing.push_back("(" + check.id + ") " + check.claim + ": " + check.left.upper_text(6) +
+                                " is not below " + check.right.lower_text(6));
   return theorem;
 }
 

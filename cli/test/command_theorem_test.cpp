@@ -13,7 +13,8 @@ TEST_CASE("theorems: proved, and unknown with what is missing") {
   const auto dual = run_json("theorem conjecture-7 --d 2 --family dual");
   CHECK(dual.at("verdict") == "holds");
   CHECK(dual.at("d").at(0) == 2);
-  CHECK(run("theorem conjecture-7 --family bspline", 64).err.find("primal-odd") != std::string::npos);
+  check_fails(run("theorem conjecture-7 --family bspline"), 64,
+              "--family: bspline not in {primal,primal-odd,dual,dual-odd}; see 'subcert --help'");
   const auto unknown = run_json("theorem conjecture-7 --d 31", 2);
   CHECK(unknown.at("verdict") == "unknown");
   CHECK_FALSE(unknown.at("missing").empty());

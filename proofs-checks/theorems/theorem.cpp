@@ -66,16 +66,13 @@ std::string title_of(const std::string& conjecture, const SchemeFamily& family, 
          " and every n";
 }
 
-const char* proof_text(const SchemeFamily& family, const char* theorem) {
-  static std::string text;
-  return (text = std::string("docs/theorems/variance-curves.tex, Theorem ") + theorem +
-                 (family.id == "primal" ? "" : " and section 13"))
-      .c_str();
+std::string proof_text(const SchemeFamily& family, const std::string& theorem) {
+  return "docs/theorems/variance-curves.tex, Theorem " + theorem + (family.id == "primal" ? "" : " and Theorem G");
 }
 
 std::string size_text(const SchemeFamily& family) {
   if (family.offset == 0) return "2n";
-  return "(2n " + std::string(family.offset < 0 ? "- " : "+ ") + to_text(absolute(family.offset)) + ")";
+  return "(2n " + std::string(family.offset < 0 ? "- " : "+ ") + to_text(abs(family.offset)) + ")";
 }
 
 void describe_7(Theorem& t, const SchemeFamily& family) {
@@ -91,7 +88,9 @@ void describe_7(Theorem& t, const SchemeFamily& family) {
           number(with_degree("c-", degree)) + " < C < " + number(with_degree("c+", degree)) + ".",
       "So max psi_n = 2 C/" + N + " (1 + O(1/n^2)): the rate 1/n is true, with its constant.",
       "Second half. For n >= " + first + ", psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") +
-          " for all x; for n >= " + start + ", |psi_n'(x)| < " + number(with_degree("Delta", degree)) + "/" + N + "^5.",
+          " for all x; for n >= " + start + ", |psi_n'(x)| < " + number(with_degree("Delta", degree)) + "/N^5 and < " +
+          number(with_degree("R", degree)) + " N^(" + number(with_degree("r", degree)) + " - log2(N)/2), N = " + N +
+          ".",
       "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false.",
       "For smaller n the scheme is the one of a smaller degree."};
   describe_ranges(t, family.least_n(degree), uniform_start(family, degree));

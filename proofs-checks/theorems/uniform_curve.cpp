@@ -20,7 +20,7 @@ Rational rounded_down(const Ball& x) {
 }  // namespace
 
 UniformNumbers::UniformNumbers(Evaluation evaluation, int degree, const Rational& first_N)
-    : slope(uniform_bits), far(uniform_bits), degree_(degree), N_(first_N, uniform_bits) {
+    : slope(uniform_bits), any_decay(uniform_bits), far(uniform_bits), degree_(degree), N_(first_N, uniform_bits) {
   const UniformSymbol symbol(evaluation, degree, first_N, uniform_bits);
   const Rational M = evaluation == Evaluation::dual ? first_N : Rational(first_N - Rational(1, 2));
   difference_disc = symbol.disc_difference();
@@ -30,6 +30,7 @@ UniformNumbers::UniformNumbers(Evaluation evaluation, int degree, const Rational
   for (int j = 0; j < kept_factors; ++j)
     decays.push_back(
         symbol.decay(rounded_down(Ball(M, uniform_bits) * Ball::pi(uniform_bits).scaled(-j - 2))).upper_end());
+  any_decay = symbol.decay(1).upper_end();
   for (int octave = 0; octave + 1 < octaves; ++octave)
     for (int part = 0; part < UniformSymbol::parts; ++part) cells_.push_back(symbol.cell(octave, part));
   far = symbol.cell(octaves - 1, 0).factor.upper_end();

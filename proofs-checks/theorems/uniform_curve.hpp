@@ -20,6 +20,7 @@ class UniformNumbers {
   UniformSymbol::Disc slope_disc;       ///< what F bounds
   Ball slope;                           ///< E
   std::vector<Ball> decays;             ///< A_j, j < kept_factors
+  Ball any_decay;                       ///< A for all v >= 1
   Ball far;                             ///< alpha on v >= 2^12
 
   /// With a stated H. B: products of suprema of |m| over different shells.

@@ -90,11 +90,11 @@ UniformBounds section_7(Ledger& ledger, const SchemeFamily& family, int degree, 
                        (B * W + W.pow(2) / N.pow(kept_factors)).scaled(1));
   Ball triple(0, proof_bits);
   for (std::size_t j = 0; j < 3; ++j) triple = max(triple, product_of(numbers.decays, j, 3));
-  const Ball A3 = above("A'", "7.15", "the same product over 3 of these shells in a row",
-                        "largest A_j A_{j+1} A_{j+2}, j < 3", triple);
+  const Ball A_row = above("A'", "7.15", "the same product over 3 of these shells in a row",
+                           "largest A_j A_{j+1} A_{j+2}, j < 3", triple);
   const Ball Z = above("Z", "7.16", "all Z_j", "B (pi M_+/M_-) (pi E/2 + F/(1 - 2^-d))",
                        B * pi * most / fewest * (pi * E / 2 + F / (one - one.scaled(-degree))));
-  const Ball head = B * pi * E * 7 / fewest.scaled(1), kept = A3 * three * Z / N.pow(3);
+  const Ball head = B * pi * E * 7 / fewest.scaled(1), kept = A_row * three * Z / N.pow(3);
   const Ball zeta = above("zeta", "7.17", "Z_0", "14 B (pi/2) E/(2 M_-) + A' G^3 xi_3 Z/N_1^3", head + kept);
   ledger.need(less("7.18", "zeta" + end + " < 1", Enclosure::exactly(ledger["zeta" + end]), Enclosure::exactly(1)));
   if (!ledger.holds()) return result;
@@ -103,6 +103,16 @@ UniformBounds section_7(Ledger& ledger, const SchemeFamily& family, int degree, 
                        head * 7 / 8 + kept * 7 / 2 + Z / 96);
   result.Delta = above("Delta", "7.20", "N^5 D_n", "2 pi ((2/3) B W + V S (B + W/N_1^5)), V = A B G^5 xi_5/(1 - zeta)",
                        pi.scaled(1) * (B * W * 2 / 3 + A * B * five / (1 - zeta) * S * (B + W / N.pow(kept_factors))));
+  const Ball two(2, proof_bits), log_2 = log(two), ratio = N * N / (N * N - exactly(Rational(1, 4)));
+  const Ball r = above("r", "7.22", "log2 of the bound of M sin(w) |D_M(w)|, v >= 1", "log2(a G)",
+                       log2(numbers.any_decay * ratio));
+  // J = log2 N + delta shells are kept; the exponent is convex in delta.
+  const auto power = [&](const Ball& delta) {
+    return exp((delta * (r + exactly(half)) + delta * (delta - 1) / 2) * log_2);
+  };
+  const Ball kept_shells = B * max(power(log2(pi / 2)), power(log2(pi * (1 - 1 / N.scaled(1)) / 2) - 1));
+  above("R", "7.23", "N^(log2(N)/2 - r) D_n", "2 pi ((2/3) B Y/(1 - Y) + S (B + W/N_1^5)/(1 - zeta)) P",
+        pi.scaled(1) * kept_shells * (B * Y / (1 - Y) * 2 / 3 + S * (B + W / N.pow(kept_factors)) / (1 - zeta)));
   return result;
 }
 

@@ -118,6 +118,8 @@ TEST_CASE("the tables for section 7 state the constants that the program finds",
       CHECK(decimal(cells[4]) == stated["beta"]);
       CHECK(decimal(cells[5]) == stated["s"]);
       CHECK(decimal(cells[6]) == stated["Delta_" + std::to_string(degree)]);
+      CHECK(decimal(cells[7]) == stated["r_" + std::to_string(degree)]);
+      CHECK(decimal(cells[8]) == stated["R_" + std::to_string(degree)]);
     }
 }
 
@@ -149,7 +151,7 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
       "partial "
       "lceil rceil alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu xi pi rho sigma tau varphi psi "
       "Gamma "
-      "Delta Pi Phi Psi Omega Theta omega theta lfloor rfloor ln cdots footnotesize H");
+      "Delta Pi Phi Psi Omega Theta omega theta lfloor rfloor ln cdots scriptsize tabcolsep setlength varrho sqrt H");
   for (std::string name; standard >> name;) known.insert(name);
   for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {
     CAPTURE(name);

@@ -1,8 +1,11 @@
 // Conjectures 7 and 8 in n for degree 1 and every n. The numbers of the checks are those of docs/theorems/.
 
 #include "degree_one.hpp"
+#include "kernel.hpp"
 #include "proofs.hpp"
 #include "variance_ends.hpp"
+
+#include <subcert/analysis/symbol/ball_solvers.hpp>
 
 #include <algorithm>
 
@@ -128,6 +131,37 @@ Ball excess_of_shells() {
   return sum + (pi * pi).scaled(-20) / 15;
 }
 
+Ball first_harmonic() {
+  constexpr slong bits = 80;
+  constexpr int octaves = 9, factors_of_psi = 60;
+  const Ball pi = Ball::pi(bits);
+  const Kernel kernel(1, bits);
+  std::vector<Ball> cotangents;  // of theta_j + (pi/6) 2^-j
+  for (int j = 1; j <= factors_of_psi; ++j) {
+    const Ball angle = pi * (j % 2 == 0 ? 1 : 2) / 3 + (pi / 6).scaled(-j);
+    cotangents.push_back(cos(angle) / sin(angle));
+  }
+  const auto integrand = [&](const ComplexBall& s) {
+    const ComplexBall half = s.scaled(-1), one(Ball(1, bits));
+    ComplexBall value = kernel.product(s) * (cos(half) + kernel.transform(half) * Ball(-1, bits)).scaled(-1);
+    for (int j = 1; j <= factors_of_psi; ++j) {
+      const ComplexBall shift = s.scaled(-j - 1);
+      value *= cos(shift) + sin(shift) * -cotangents[static_cast<std::size_t>(j - 1)];
+    }
+    // The other factors: |cos e - cot(theta) sin e - 1| <= 2 |e| for |e| <= 1/4, |cot(theta)| <= 1.
+    const Ball rest = abs(s).scaled(-factors_of_psi);
+    if (!rest.is_less(Ball(1, bits).scaled(-4))) return ComplexBall::indeterminate(bits);
+    return value * one.widened(rest.scaled(1));
+  };
+  const Ball end = Ball(1, bits).scaled(octaves);
+  const Ball inside = integral(integrand, ComplexBall(-end), ComplexBall(end), 30, bits).real();
+  // Beyond 2^k |Phi| <= 2^(-k(k-1)/2), the middle factor is at most 0.54, |Psi| <= (2 e |s|)^(1/2); the octaves fall by
+  // more than a half.
+  const Ball first = (sqrt(exp(Ball(1, bits)).scaled(octaves + 2)) * exactly(Rational(54, 100)).with_bits(bits))
+                         .scaled(octaves - octaves * (octaves - 1) / 2);
+  return -inside.widened(first.scaled(2));
+}
+
 Constants degree_one_constants_8() { return Constants(common_constants()); }
 
 Constants degree_one_constants_7() {
@@ -139,7 +173,8 @@ Constants degree_one_constants_7() {
       {"Z", decimal("5.34"), Side::above, "6.2", "all Z_j, n >= n_1"},
       {"xi_3", decimal("18.95"), Side::above, "6.3", "product of 1/sin(pi 2^(-j-2)) over j < 3"},
       {"zeta", decimal("0.0922"), Side::above, "6.4", "Z_0, n >= n_1"},
-      {"Delta", decimal("4000000"), Side::above, "6.6", "N^6 D_n, n >= n_1"}};
+      {"Delta", decimal("4000000"), Side::above, "6.6", "N^6 D_n, n >= n_1"},
+      {"j", decimal("0.63"), Side::below, "12.1", "pi N^2/|transform of phi_n at pi| times |c_1|, n = 3, 11, 43, ..."}};
   list.insert(list.end(), more.begin(), more.end());
   return Constants(list);
 }
@@ -171,6 +206,8 @@ std::vector<Check> degree_one_checks_7(const Constants& c, int threads) {
                         ((1 / N.scaled(1) + 1).pow(2).scaled(-2) * inside).enclosure(),
                         Enclosure::exactly(c["beta_2"])));
   append(checks, slope_checks(c));
+  static const Ball harmonic = first_harmonic();
+  checks.push_back(defining(c, "j", "-J", harmonic));
   return checks;
 }
 

@@ -24,6 +24,10 @@ Ball degree_one_fourth_order();
 /// The sum of u/sin u - 1 over u = pi 2^(-i-1), i >= 0; for u <= 1/2 a term is at most u^2/5.
 Ball excess_of_shells();
 
+/// The integral that the first Fourier coefficient of psi_n tends to for n = 3, 11, 43, ..., scaled, and with a minus.
+/// Ref: docs/theorems/variance-curves.tex, the proof of Theorem I. Cost: a second.
+Ball first_harmonic();
+
 Constants degree_one_constants_7();
 Constants degree_one_constants_8();
 std::vector<Check> degree_one_checks_7(const Constants& constants, int threads);

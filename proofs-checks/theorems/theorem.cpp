@@ -27,7 +27,7 @@ std::string plain(const Rational& value) { return to_decimal(value, 40, Rounding
 void describe_7_degree_one(Theorem& t) {
   const auto number = [&](const char* name) { return plain(t.constants[name]); };
   t.title = "Conjecture 7 for degree 1 and every n";
-  t.text = "docs/theorems/variance-curves.tex, Theorems B and C";
+  t.text = "docs/theorems/variance-curves.tex, Theorems B, C and I";
   t.statement = {
       "First half. For all n >= 1 and all x, |(n - 1/4) psi_n(x)/c - 1| < " + number("beta") +
           "/n^2; for n >= 2 even < " + number("beta_2") + "/n^2. Here c = lim n max psi_n, " + number("c-") +
@@ -35,7 +35,8 @@ void describe_7_degree_one(Theorem& t) {
       "So max psi_n = c/n (1 + 1/(4n) + O(1/n^2)): the rate 1/n is true, with its constant.",
       "Second half. For n >= 2, psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") +
           " for all x; for n >= 64, |psi_n'(x)| < " + number("Delta") + "/(2n - 1/2)^6.",
-      "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false."};
+      "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false.",
+      "The true rate: log max |psi_n'| / (log n)^2 has the upper limit -1/(2 log 2), by (12.1) and conjecture-8-d."};
   t.ranges = {{"n = 1", "psi_1 = 1 - 2x + 2x^2 on [0, 1]"},
               {"2 <= n < 64", "mean, ripple and slope of each n by the supersolution, for small n with exact values"},
               {"n >= 64", "the constants below, for all n at once"}};

@@ -152,7 +152,7 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
       "lceil rceil alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu xi pi rho sigma tau varphi psi "
       "Gamma "
       "Delta Pi Phi Psi Omega Theta omega theta lfloor rfloor ln cdots scriptsize tabcolsep setlength sqrt limsup cot "
-      "rho H");
+      "rho nu H");
   for (std::string name; standard >> name;) known.insert(name);
   for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {
     CAPTURE(name);

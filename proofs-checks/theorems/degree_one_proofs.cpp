@@ -27,7 +27,7 @@ std::vector<Constant> common_constants() {
       {"kappa_0", decimal("0.01196"), Side::above, "2.2", "(Phi(pi)^-2 - 1 - pi^2/9) / pi^4"},
       {"mu", decimal("214.6"), Side::above, "2.3", "1/(2 pi) times the integral of s^4 M(s)^2"},
       {"K", decimal("197.3"), Side::above, "3.1", "N^5 times the remainder of the mean, n >= n_1"},
-      {"G", decimal("1.00002"), Side::above, "3.2", "N g, n >= n_1"},
+      {"G-1", decimal("0.00001538"), Side::above, "3.2", "N g - 1, n >= n_1"},
       {"sigma", decimal("0.717"), Side::above, "3.3", "sum of u/sin u - 1 over the shells"},
       {"h", decimal("1.111"), Side::above, "3.4", "(pi/4)/sin(pi/4)"},
       {"Y", decimal("0.0513"), Side::above, "3.5", "all Y_j, n >= n_1"},
@@ -60,7 +60,7 @@ std::vector<Check> common_checks(const Constants& c) {
       defining(c, "mu", "1/(2 pi) integral of s^4 M(s)^2", degree_one_moment()),
       defining(c, "K", "(8/9 + kappa_0) (1 - 1/(2 N_1))^-5 mu",
                (exactly(Rational(8, 9)) + stated("kappa_0")) * stated("mu") / (1 - 1 / N.scaled(1)).pow(5)),
-      defining(c, "G", "N_1^2 / (N_1^2 - 1/4)", square / (square - exactly(Rational(1, 4)))),
+      defining(c, "G-1", "N_1^2 / (N_1^2 - 1/4) - 1", square / (square - exactly(Rational(1, 4))) - 1),
       defining(c, "sigma", "sum of u_i/sin u_i - 1", excess_of_shells()),
       defining(c, "h", "(pi/4)/sin(pi/4)", pi.scaled(-2) / sin(pi.scaled(-2))),
       defining(c, "Y", "kappa (log2 n_1 + 1 + sigma)/(2 (2 n_1 - 1)) + h pi^2 (4 n_1 - 1)/(36 n_1^2)",
@@ -68,7 +68,8 @@ std::vector<Check> common_checks(const Constants& c) {
                    stated("h") * pi * pi * (4 * tail - 1) / (36 * tail * tail)),
       less("3.6", "Y < 1", Enclosure::exactly(c["Y"]), Enclosure::exactly(1)),
       defining(c, "xi", "product of 1/sin(pi 2^(-j-2)), j < 6", inverse_sines(factors)),
-      defining(c, "W", "xi G^6 Y/(1 - Y)", stated("xi") * stated("G").pow(factors) * stated("Y") / (1 - stated("Y"))),
+      defining(c, "W", "xi G^6 Y/(1 - Y)",
+               stated("xi") * (stated("G-1") + 1).pow(factors) * stated("Y") / (1 - stated("Y"))),
       defining(c, "Omega", "2 W + 2 W^2/N_1^6", (stated("W") + stated("W").pow(2) / N.pow(factors)).scaled(1)),
   };
 }
@@ -111,11 +112,11 @@ std::vector<Check> slope_checks(const Constants& c) {
                   defining(c, "xi_3", "product of 1/sin(pi 2^(-j-2)), j < 3", inverse_sines(3)),
                   defining(c, "zeta", "14 pi kappa/(4 (2 n_1 - 1)) + xi_3 G^3 Z/N_1^3",
                            pi * stated("kappa") * 14 / (4 * (2 * tail - 1)) +
-                               stated("xi_3") * stated("G").pow(3) * stated("Z") / N.pow(3)),
+                               stated("xi_3") * (stated("G-1") + 1).pow(3) * stated("Z") / N.pow(3)),
                   less("6.5", "zeta < 1", Enclosure::exactly(c["zeta"]), Enclosure::exactly(1)),
                   defining(c, "Delta", "(4 pi/3) (W + xi G^6 Z (1 + W/N_1^6)/(1 - zeta))",
                            pi.scaled(2) / 3 *
-                               (stated("W") + stated("xi") * stated("G").pow(factors) * stated("Z") *
+                               (stated("W") + stated("xi") * (stated("G-1") + 1).pow(factors) * stated("Z") *
                                                   (stated("W") / N.pow(factors) + 1) / (1 - stated("zeta")))),
                   less("6.7", "n_1^2 Delta/N_1^6 < s", (stated("Delta") * (tail * tail) / N.pow(6)).enclosure(),
                        Enclosure::exactly(c["s"]))});

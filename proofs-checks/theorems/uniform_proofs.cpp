@@ -73,8 +73,9 @@ UniformBounds section_7(Ledger& ledger, const SchemeFamily& family, int degree, 
                    Enclosure::exactly(Rational(1, 4))));
   ledger.need(less("7.21", "pi N_1 < 2^12", (pi * N).enclosure(), Enclosure::exactly(4096)));
   if (!ledger.holds()) return result;
-  const Ball B = above("B", "7.8", "products of |m| over different shells", "bound of products of sup |m| over shells",
-                       numbers.products(H).upper_end(), 6);
+  const Ball B = above("B-1", "7.8", "products of |m| over different shells, without 1",
+                       "bound of products of sup |m| over shells, without 1", numbers.products(H).upper_end() - 1) +
+                 1;
   result.K = above("K", "7.9", "N^3 times the remainder of the mean",
                    "bound of (2/pi) integral of M L + (1/pi) integral of (s/pi)^2 M^2", numbers.mean(H).upper_end());
   const Ball sigma = above("sigma", "7.10", "sum of u/sin u - 1 over the shells", "sum of u_i/sin u_i - 1",

@@ -206,6 +206,7 @@ std::vector<Check> degree_one_checks_7(const Constants& c, int threads) {
   checks.push_back(less("5.3", "(1 + 1/(2 N_1))^2/4 (13/36 + K/(2c N_1^2) + Omega/(2c N_1^3)) < beta_2",
                         ((1 / N.scaled(1) + 1).pow(2).scaled(-2) * inside).enclosure(),
                         Enclosure::exactly(c["beta_2"])));
+  checks.push_back(less("5.4", "beta_2 < beta", Enclosure::exactly(c["beta_2"]), Enclosure::exactly(c["beta"])));
   append(checks, slope_checks(c));
   static const Ball harmonic = first_harmonic();
   checks.push_back(defining(c, "j", "-J", harmonic));

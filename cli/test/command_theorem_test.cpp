@@ -9,7 +9,13 @@ TEST_CASE("theorems: proved, and unknown with what is missing") {
   CHECK(proved.at("verdict") == "holds");
   CHECK(proved.at("constants").size() == 13);
   for (const auto& check : proved.at("checks")) CHECK(check.at("verdict") == "holds");
-  const auto unknown = run_json("theorem conjecture-7 --d 7", 2);
+  CHECK(run_json("theorem conjecture-8-n --d 6").at("d").at(0) == 7);  // the same schemes
+  const auto dual = run_json("theorem conjecture-7 --d 2 --family dual");
+  CHECK(dual.at("verdict") == "holds");
+  CHECK(dual.at("d").at(0) == 2);
+  check_fails(run("theorem conjecture-7 --family bspline"), 64,
+              "--family: bspline not in {primal,primal-odd,dual,dual-odd}; see 'subcert --help'");
+  const auto unknown = run_json("theorem conjecture-7 --d 31", 2);
   CHECK(unknown.at("verdict") == "unknown");
   CHECK_FALSE(unknown.at("missing").empty());
   const auto list = run_json("theorem list").at("theorems");

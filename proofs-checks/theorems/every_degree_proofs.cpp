@@ -192,7 +192,7 @@ std::vector<Check> all_higher_checks(const Constants& c, int degree, int threads
   return checks;
 }
 
-std::vector<Check> limits_grow_checks(const Constants&) {
+std::vector<Check> limits_grow_checks(const Constants&, int) {
   const int first = 9;
   const Ball d(first, proof_bits), a = sqrt(d * (first + 1)), gamma = exactly(gamma_of(first));
   const Ball beta = exactly(Rational(7, 5)), e = exp(Ball(1, proof_bits)), one(1, proof_bits);

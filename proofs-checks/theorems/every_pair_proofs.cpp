@@ -1,17 +1,14 @@
 // Conjecture 8 in d for neighbouring odd degrees: for every degree from 5 on and all large n by bounds of mean and
-// ripple, and for single n by exact means. The numbers of the checks are those of docs/theorems/every-degree.tex.
+// ripple, and the bound of single curves. The numbers of the checks are those of docs/theorems/every-degree.tex.
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
 
 #include "every_pair.hpp"
 #include "kernel.hpp"
 #include "proofs.hpp"
 
 #include <algorithm>
-#include <map>
-#include <mutex>
 #include <vector>
 
 namespace subcert::theorems {
@@ -72,33 +69,6 @@ Ball mean_modulus(const std::vector<Rational>& coefficients, int cells) {
     sum += rise.is_at_most(value) ? value : (value * value / rise + rise).scaled(-1);
   }
   return sum / cells + curvature * half * half / 6;
-}
-
-std::vector<Check> compute_single_checks(int degree, int threads) {
-  const int first = (degree + 3) / 2;
-  const auto count = static_cast<std::size_t>(large_n(degree) - first);
-  std::vector<Rational> ceilings(count), means(count);
-  parallel_for_each(count, threads, [&](std::size_t i) {
-    const std::size_t k = count - 1 - i;  // the long ones first
-    const int n = first + static_cast<int>(k);
-    ceilings[k] = curve_ceiling(n, degree) + curve_ceiling(n, degree + 2);
-    means[k] = squared_l2_norm(primal_mask(n, degree + 2));
-  });
-  std::vector<Check> checks;
-  for (std::size_t k = 0; k < count; ++k)
-    checks.push_back(less("T.5", "U + U' < 2 I'" + at(first + static_cast<int>(k)), Enclosure::exactly(ceilings[k]),
-                          Enclosure::exactly(2 * means[k])));
-  return checks;
-}
-
-/// The n below those, kept for the next call.
-const std::vector<Check>& single_checks(int degree, int threads) {
-  static std::mutex mutex;
-  static std::map<int, std::vector<Check>> known;
-  const std::lock_guard lock(mutex);
-  const auto found = known.find(degree);
-  return found != known.end() ? found->second
-                              : known.emplace(degree, compute_single_checks(degree, threads)).first->second;
 }
 
 }  // namespace
@@ -189,7 +159,7 @@ std::vector<Check> large_n_checks(const Constants& c, int degree, int) {
     for (int d = 13; d <= 103; d += 2) {
       const int n = large_n(d);
       const LargeBounds low = large_bounds(d, n), high = large_bounds(d + 2, n);
-      checks.push_back(less("T.6", "2n (T' + Z' + Z)" + right + " at d = " + text(d) + ", n = " + text(n),
+      checks.push_back(less("T.5", "2n (T' + Z' + Z)" + right + " at d = " + text(d) + ", n = " + text(n),
                             ((high.deficit + high.ripple + low.ripple) * (2 * n)).enclosure(), gap(d)));
     }
     return checks;
@@ -200,13 +170,6 @@ std::vector<Check> large_n_checks(const Constants& c, int degree, int) {
           defining(c, "Z'", "2n Z of degree d + 2", high.ripple * (2 * n)),
           defining(c, "Z", "2n Z of degree d", low.ripple * (2 * n)),
           less("T.4", "T + Z' + Z" + right, Enclosure::exactly(c["T"] + c["Z'"] + c["Z"]), gap(degree))};
-}
-
-std::vector<Check> neighbour_checks(const Constants& c, int degree, int threads) {
-  std::vector<Check> checks = large_n_checks(c, degree, threads);
-  const std::vector<Check>& single = single_checks(degree, threads);
-  checks.insert(checks.end(), single.begin(), single.end());
-  return checks;
 }
 
 }  // namespace subcert::theorems

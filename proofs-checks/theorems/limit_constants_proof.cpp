@@ -95,7 +95,7 @@ Constants limit_constants_stated() {
   return Constants(list);
 }
 
-std::vector<Check> limit_constants_checks(const Constants& c) {
+std::vector<Check> limit_constants_checks(const Constants& c, int) {
   std::vector<Check> checks;
   for (std::size_t i = 0; i < stated_degrees().size(); ++i) {
     const int degree = stated_degrees()[i];

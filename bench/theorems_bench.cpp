@@ -1,7 +1,10 @@
-// Limit constants and the bounds of the degree-1 theorems. The counter `digits` stands beside the time.
+// Limit constants, the bounds of the degree-1 theorems, and those of single schemes. The counter `digits` stands beside
+// the time.
 
+#include <subcert/proofs-checks/theorems/curve_bounds.hpp>
 #include <subcert/proofs-checks/theorems/degree_one.hpp>
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -34,5 +37,19 @@ void BM_degree_one_bounds(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(degree_one_bounds(static_cast<int>(state.range(0))));
 }
 BENCHMARK(BM_degree_one_bounds)->Arg(10)->Arg(1000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+/// Arguments: n, degree, cells of each shell.
+void BM_curve_bounds(benchmark::State& state) {
+  const subcert::Mask mask =
+      subcert::make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=" + std::to_string(state.range(1))).mask;
+  for (auto _ : state) benchmark::DoNotOptimize(curve_bounds(mask, static_cast<int>(state.range(2))));
+  state.counters["ripple"] = curve_bounds(mask, static_cast<int>(state.range(2))).ripple.upper->convert_to<double>();
+}
+BENCHMARK(BM_curve_bounds)
+    ->Args({20, 5, 1})
+    ->Args({20, 5, 32})
+    ->Args({100, 5, 1})
+    ->Args({100, 5, 32})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -13,20 +13,21 @@ using theorems::TheoremEntry;
 struct TheoremOptions : CommonOptions {
   std::string id = "list";
   int degree = 1;
+  std::string family = "primal";
   bool all = false;
 };
 
 Json list_json() {
   Json list = Json::array();
   for (const TheoremEntry& entry : theorems::theorem_list())
-    list.push_back({{"id", entry.id}, {"title", entry.title}, {"degrees", entry.degrees}});
+    list.push_back({{"id", entry.id}, {"title", entry.title}, {"range", entry.range}, {"degrees", entry.degrees}});
   return {{"theorems", list}};
 }
 
 std::string list_text() {
   std::string text;
   for (const TheoremEntry& entry : theorems::theorem_list())
-    text += padded(entry.id, 17) + entry.title +
+    text += padded(entry.id, 23) + entry.title + "; " + entry.range +
             (entry.degrees.empty() ? "" : fmt::format("; proved for --d {}", fmt::join(entry.degrees, ", "))) + "\n";
   return text;
 }
@@ -37,9 +38,12 @@ ExitCode run(const TheoremOptions& options) {
     return done;
   }
   options.progress("theorem " + options.id);
-  const int degree = options.degree % 2 == 0 ? options.degree + 1 : options.degree;  // the same schemes
-  const Theorem theorem = theorems::prove(options.id, degree, theorems::stated_constants(options.id, degree),
-                                          options.threads());
+  // Primal schemes of even degree are those of the next odd one.
+  const bool primal = options.family.starts_with("primal");
+  const int degree = primal && options.degree % 2 == 0 ? options.degree + 1 : std::max(options.degree, 1);
+  const Theorem theorem = theorems::prove(options.id, degree,
+                                          theorems::stated_constants(options.id, degree, options.family),
+                                          options.threads(), options.family);
   options.end_progress();
   options.json ? options.answer(theorem_json(theorem)) : options.answer(theorem_text(theorem, options.all));
   return exit_code(theorem.decision.truth);
@@ -57,6 +61,9 @@ void add_theorem(Command& app) {
   command.option("ID", options->id, "list, or a theorem of the list").one_of(ids).with_default();
   command.option("--d", options->degree, "Degree; for conjecture-8-d the smaller one of two neighbouring odd degrees")
       .within(0, 98)
+      .with_default();
+  command.option("--family", options->family, "Family of the schemes, for the conjectures")
+      .one_of({"primal", "primal-odd", "dual", "dual-odd"})
       .with_default();
   command.flag("--all", options->all, "Every single inequality, also where many differ in n only");
 }

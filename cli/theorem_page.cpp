@@ -127,7 +127,9 @@ std::string theorem_text(const Theorem& theorem, bool all) {
     text << "  " << padded(constant.name, 9) << side_text(constant) << " " << padded(stated_text(constant), width)
          << "(" << constant.check << ")  " << constant.meaning << "\n";
   if (!theorem.ranges.empty()) text << "\nranges\n";
-  for (const auto& [range, means] : theorem.ranges) text << "  " << padded(range, 14) << means << "\n";
+  width = 14;
+  for (const auto& [range, means] : theorem.ranges) width = std::max(width, range.size() + 2);
+  for (const auto& [range, means] : theorem.ranges) text << "  " << padded(range, width) << means << "\n";
   if (!theorem.checks.empty()) text << "\n" << checks_text(theorem, all);
   text << "\nverdict: " << verdict_word(theorem.decision.truth) << " (" << theorem.decision.reason << ")\n";
   return text.str();

@@ -164,7 +164,8 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
       "What is true of the second half. As an upper bound it holds, as a rate it does not: for every degree max |psi'| "
       "falls faster than every power of n. Between n = " +
           std::to_string(decay_finding(2, first.slopes).rate_from) + " and n = " + last + " it falls " +
-          in_words(falls) + ". For d = 1, 3 and 5 there are explicit bounds for every n (docs/theorems/README.md)."};
+          in_words(falls) +
+          ". For the degrees up to 13 there are explicit bounds for every n (docs/theorems/README.md)."};
 }
 
 }  // namespace

@@ -9,9 +9,18 @@ TEST_CASE("theorems: proved, and unknown with what is missing") {
   CHECK(proved.at("verdict") == "holds");
   CHECK(proved.at("constants").size() == 13);
   for (const auto& check : proved.at("checks")) CHECK(check.at("verdict") == "holds");
-  const auto unknown = run_json("theorem conjecture-7 --d 7", 2);
+  CHECK(run_json("theorem conjecture-8-n --d 6").at("d").at(0) == 7);  // the same schemes
+  const auto dual = run_json("theorem conjecture-7 --d 2 --family dual");
+  CHECK(dual.at("verdict") == "holds");
+  CHECK(dual.at("d").at(0) == 2);
+  check_fails(run("theorem conjecture-7 --family bspline"), 64,
+              "--family: bspline not in {primal,primal-odd,dual,dual-odd}; see 'subcert --help'");
+  const auto unknown = run_json("theorem conjecture-7 --d 31", 2);
   CHECK(unknown.at("verdict") == "unknown");
   CHECK_FALSE(unknown.at("missing").empty());
-  CHECK(run_json("theorem list").at("theorems").size() == 4);
+  const auto list = run_json("theorem list").at("theorems");
+  CHECK(list.size() == 8);
+  for (const auto& one : list) CHECK_FALSE(one.at("range").empty());
+  CHECK(run_json("theorem convergence --d 41").at("verdict") == "holds");
   CHECK(run("theorem").out == run("theorem list").out);
 }

@@ -15,6 +15,7 @@ import sys
 
 import api
 import links
+import theorems
 
 PAGES = ["README.md", "CHANGELOG.md", "docs/**/*.md", "proofs-checks/*/*.md"]
 THEOREMS = "docs/theorems/variance-curves.tex"
@@ -83,22 +84,19 @@ class Tree:
     def theorems(self):
         """The text of the theorems as a page with MathML and, where TeX is installed, as PDF."""
         file = self.source / THEOREMS
-        tex = file.read_text(encoding="utf-8")
+        tex = theorems.merged(file)  # one source to download, and pandoc reads standard input
         title = re.sub(r"\\\\|\$|\s+", " ", re.search(r"\\title\{(.*)\}", tex)[1])
-        body = re.sub(r"\\[bB]igg?[lr]?(?![a-zA-Z])", "", tex)  # MathML stretches brackets by itself
-        body = re.sub(r"\\tag\{(.*?)\}", r"\\qquad\\text{(\1)}", body)
-        body = re.sub(r"\\qed(?![a-zA-Z])", "◻", body)  # pandoc 2 makes other signs of it
+        body = theorems.for_page(tex)
         html = subprocess.run(["pandoc", "-f", "latex", "-t", "html", "--mathml", "--number-sections"],
                               input=body, capture_output=True, text=True, check=True)
         sys.stderr.write(html.stderr)
         below_title = re.sub(r"(</?h)([1-5])", lambda tag: f"{tag[1]}{int(tag[2]) + 1}", html.stdout)
         folder = self.tree / pathlib.Path(THEOREMS).parent
-        shutil.copyfile(file, folder / file.name)
+        (folder / file.name).write_text(tex, encoding="utf-8")
         others = f"{{download}}`LaTeX source <{file.name}>`"
         if shutil.which("pdflatex"):
-            for _ in range(2):
-                run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", f"-output-directory={folder}", file],
-                    stdout=subprocess.DEVNULL, cwd=folder)
+            if theorems.build_pdf(folder, file.name).returncode:
+                raise RuntimeError(f"pdflatex does not read {THEOREMS}")
             others = f"{{download}}`PDF <{file.stem}.pdf>`, " + others
         else:
             print("site: no PDF of the theorems, as pdflatex is missing (Debian: texlive-latex-base)")

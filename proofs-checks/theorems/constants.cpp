@@ -1,5 +1,6 @@
 #include "constants.hpp"
 
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <stdexcept>
@@ -22,6 +23,14 @@ Constants Constants::broken(const std::string& name) const {
   // The constants are positive.
   constant.value *= constant.side == Side::above ? Rational(99, 100) : Rational(101, 100);
   return result;
+}
+
+Rational decimal(const std::string& text) {
+  const std::size_t exponent = text.find('e');
+  if (exponent == std::string::npos) return read_decimal(text).value;
+  const std::optional<Rational> value = parse_number(text);
+  if (!value) fail(ErrorKind::usage, "need a decimal number, got '{}'", text);
+  return *value;
 }
 
 }  // namespace subcert::theorems

@@ -1,7 +1,7 @@
 #pragma once
 /// The constants that a proof states: rounded decimals, each bounded by one inequality of the proof.
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers.hpp>
 
 #include <string>
 #include <utility>
@@ -39,7 +39,7 @@ class Constants {
   std::vector<Constant> list_;
 };
 
-/// A decimal as printed, `193.31`, without rounding. Errors: throws Error.
-inline Rational decimal(const std::string& text) { return read_decimal(text).value; }
+/// A decimal as printed, `193.31` or `7.8e-8`, without rounding. Errors: throws Error.
+Rational decimal(const std::string& text);
 
 }  // namespace subcert::theorems

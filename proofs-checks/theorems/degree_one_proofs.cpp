@@ -1,16 +1,19 @@
 // Conjectures 7 and 8 in n for degree 1 and every n. The numbers of the checks are those of docs/theorems/.
 
 #include "degree_one.hpp"
+#include "kernel.hpp"
 #include "proofs.hpp"
 #include "variance_ends.hpp"
+
+#include <subcert/analysis/symbol/ball_solvers.hpp>
 
 #include <algorithm>
 
 namespace subcert::theorems {
 namespace {
 
-/// Curves enclosed one by one below `turn`, means and ripples of each n below `tail`, all n at once from there on.
-constexpr int turn = 24, tail = 64;
+/// The bounds of each n below `tail`, all n at once from there on.
+constexpr int tail = 64;
 constexpr int factors = 6;  // of X_0 that are kept
 
 const Rational N_after_tail(4 * tail - 1, 2);
@@ -24,7 +27,7 @@ std::vector<Constant> common_constants() {
       {"kappa_0", decimal("0.01196"), Side::above, "2.2", "(Phi(pi)^-2 - 1 - pi^2/9) / pi^4"},
       {"mu", decimal("214.6"), Side::above, "2.3", "1/(2 pi) times the integral of s^4 M(s)^2"},
       {"K", decimal("197.3"), Side::above, "3.1", "N^5 times the remainder of the mean, n >= n_1"},
-      {"G", decimal("1.00002"), Side::above, "3.2", "N g, n >= n_1"},
+      {"G-1", decimal("0.00001538"), Side::above, "3.2", "N g - 1, n >= n_1"},
       {"sigma", decimal("0.717"), Side::above, "3.3", "sum of u/sin u - 1 over the shells"},
       {"h", decimal("1.111"), Side::above, "3.4", "(pi/4)/sin(pi/4)"},
       {"Y", decimal("0.0513"), Side::above, "3.5", "all Y_j, n >= n_1"},
@@ -57,7 +60,7 @@ std::vector<Check> common_checks(const Constants& c) {
       defining(c, "mu", "1/(2 pi) integral of s^4 M(s)^2", degree_one_moment()),
       defining(c, "K", "(8/9 + kappa_0) (1 - 1/(2 N_1))^-5 mu",
                (exactly(Rational(8, 9)) + stated("kappa_0")) * stated("mu") / (1 - 1 / N.scaled(1)).pow(5)),
-      defining(c, "G", "N_1^2 / (N_1^2 - 1/4)", square / (square - exactly(Rational(1, 4)))),
+      defining(c, "G-1", "N_1^2 / (N_1^2 - 1/4) - 1", square / (square - exactly(Rational(1, 4))) - 1),
       defining(c, "sigma", "sum of u_i/sin u_i - 1", excess_of_shells()),
       defining(c, "h", "(pi/4)/sin(pi/4)", pi.scaled(-2) / sin(pi.scaled(-2))),
       defining(c, "Y", "kappa (log2 n_1 + 1 + sigma)/(2 (2 n_1 - 1)) + h pi^2 (4 n_1 - 1)/(36 n_1^2)",
@@ -65,43 +68,29 @@ std::vector<Check> common_checks(const Constants& c) {
                    stated("h") * pi * pi * (4 * tail - 1) / (36 * tail * tail)),
       less("3.6", "Y < 1", Enclosure::exactly(c["Y"]), Enclosure::exactly(1)),
       defining(c, "xi", "product of 1/sin(pi 2^(-j-2)), j < 6", inverse_sines(factors)),
-      defining(c, "W", "xi G^6 Y/(1 - Y)", stated("xi") * stated("G").pow(factors) * stated("Y") / (1 - stated("Y"))),
+      defining(c, "W", "xi G^6 Y/(1 - Y)",
+               stated("xi") * (stated("G-1") + 1).pow(factors) * stated("Y") / (1 - stated("Y"))),
       defining(c, "Omega", "2 W + 2 W^2/N_1^6", (stated("W") + stated("W").pow(2) / N.pow(factors)).scaled(1)),
   };
 }
 
-/// min psi_n and max psi_n. Domain: n <= tail.
-struct Ends {
-  Enclosure minimum, maximum;
-};
-
-Ends compute_ends(int n) {
-  if (n < turn) return {variance_ends(n, 1).minimum, variance_ends(n, 1).maximum};
-  const Enclosure mean = degree_one_mean(n).mean;
-  const Rational ripple = *degree_one_bounds(n).ripple.upper;
-  return {{*mean.lower - ripple, mean.upper}, {mean.lower, *mean.upper + ripple}};
-}
-
-/// Kept for the next call.
-const Ends& ends(int n) {
-  static const std::vector<Ends> known = [] {
-    std::vector<Ends> result(1);
-    for (int k = 1; k <= tail; ++k) result.push_back(compute_ends(k));
-    return result;
-  }();
-  return known[static_cast<std::size_t>(n)];
+/// Of psi_n; psi_1 = 1 - 2x + 2x^2 on [0, 1].
+const VarianceEnds& ends(int n) {
+  static const VarianceEnds first{Enclosure::exactly(Rational(1, 2)), Enclosure::exactly(1), Enclosure::at_least(0)};
+  return n == 1 ? first : variance_ends(n, 1);
 }
 
 /// n^2 |(n - 1/4) psi/c - 1| for the larger and the smaller end of psi_n.
 std::vector<Check> deviation_checks(const Constants& c, const std::string& id, int n, const char* bound) {
-  const Ends& psi = ends(n);
+  const VarianceEnds& psi = ends(n);
   const Rational scale(4 * n - 1, 4), square = Rational(n) * n;
-  const auto excess = [&](const Rational& value, const char* limit) { return square * (scale * value / c[limit] - 1); };
-  const auto lack = [&](const Rational& value, const char* limit) { return -excess(value, limit); };
-  return {less(id, "n^2 ((n - 1/4) max psi_n/c - 1) < " + std::string(bound) + at(n),
-               {excess(*psi.maximum.lower, "c+"), excess(*psi.maximum.upper, "c-")}, Enclosure::exactly(c[bound])),
-          less(id, "n^2 (1 - (n - 1/4) min psi_n/c) < " + std::string(bound) + at(n),
-               {lack(*psi.minimum.upper, "c-"), lack(*psi.minimum.lower, "c+")}, Enclosure::exactly(c[bound]))};
+  // What the constants bound is the bound computed: the outer ends.
+  const Rational excess = square * (scale * *psi.maximum.upper / c["c-"] - 1),
+                 lack = square * (1 - scale * *psi.minimum.lower / c["c+"]);
+  return {less(id, "n^2 ((n - 1/4) max psi_n/c - 1) < " + std::string(bound) + at(n), Enclosure::exactly(excess),
+               Enclosure::exactly(c[bound])),
+          less(id, "n^2 (1 - (n - 1/4) min psi_n/c) < " + std::string(bound) + at(n), Enclosure::exactly(lack),
+               Enclosure::exactly(c[bound]))};
 }
 
 void append(std::vector<Check>& all, std::vector<Check> more) {
@@ -114,27 +103,22 @@ std::vector<Check> slope_checks(const Constants& c) {
   const Ball pi = Ball::pi(proof_bits), N = exactly(N_after_tail);
   const auto stated = [&](const char* name) { return exactly(c[name]); };
   for (int n = 2; n < tail; ++n) {
-    Enclosure slope = Enclosure::at_least(0);
-    if (n >= turn)
-      slope.upper = degree_one_bounds(n).slope.upper;
-    else if (variance_ends(n, 1).slope)
-      slope = *variance_ends(n, 1).slope;
-    for (auto* end : {&slope.lower, &slope.upper})
-      if (*end) **end *= n * n;
-    checks.push_back(less(n < turn ? "6.1" : "6.2", "n^2 max |psi_n'| < s" + at(n), slope, Enclosure::exactly(c["s"])));
+    Enclosure slope = ends(n).slope;
+    if (slope.upper) slope = Enclosure::exactly(*slope.upper * (n * n));
+    checks.push_back(less("6.1", "n^2 D_n < s" + at(n), slope, Enclosure::exactly(c["s"])));
   }
   append(checks, {defining(c, "Z", "pi kappa n_1/(2 n_1 - 1) + h pi^2/3",
                            pi * stated("kappa") * tail / (2 * tail - 1) + stated("h") * pi * pi / 3),
                   defining(c, "xi_3", "product of 1/sin(pi 2^(-j-2)), j < 3", inverse_sines(3)),
                   defining(c, "zeta", "14 pi kappa/(4 (2 n_1 - 1)) + xi_3 G^3 Z/N_1^3",
                            pi * stated("kappa") * 14 / (4 * (2 * tail - 1)) +
-                               stated("xi_3") * stated("G").pow(3) * stated("Z") / N.pow(3)),
-                  less("6.6", "zeta < 1", Enclosure::exactly(c["zeta"]), Enclosure::exactly(1)),
+                               stated("xi_3") * (stated("G-1") + 1).pow(3) * stated("Z") / N.pow(3)),
+                  less("6.5", "zeta < 1", Enclosure::exactly(c["zeta"]), Enclosure::exactly(1)),
                   defining(c, "Delta", "(4 pi/3) (W + xi G^6 Z (1 + W/N_1^6)/(1 - zeta))",
                            pi.scaled(2) / 3 *
-                               (stated("W") + stated("xi") * stated("G").pow(factors) * stated("Z") *
+                               (stated("W") + stated("xi") * (stated("G-1") + 1).pow(factors) * stated("Z") *
                                                   (stated("W") / N.pow(factors) + 1) / (1 - stated("zeta")))),
-                  less("6.8", "n_1^2 Delta/N_1^6 < s", (stated("Delta") * (tail * tail) / N.pow(6)).enclosure(),
+                  less("6.7", "n_1^2 Delta/N_1^6 < s", (stated("Delta") * (tail * tail) / N.pow(6)).enclosure(),
                        Enclosure::exactly(c["s"]))});
   return checks;
 }
@@ -148,6 +132,37 @@ Ball excess_of_shells() {
   return sum + (pi * pi).scaled(-20) / 15;
 }
 
+Ball first_harmonic() {
+  constexpr slong bits = 80;
+  constexpr int octaves = 9, factors_of_psi = 60;
+  const Ball pi = Ball::pi(bits);
+  const Kernel kernel(1, bits);
+  std::vector<Ball> cotangents;  // of theta_j + (pi/6) 2^-j
+  for (int j = 1; j <= factors_of_psi; ++j) {
+    const Ball angle = pi * (j % 2 == 0 ? 1 : 2) / 3 + (pi / 6).scaled(-j);
+    cotangents.push_back(cos(angle) / sin(angle));
+  }
+  const auto integrand = [&](const ComplexBall& s) {
+    const ComplexBall half = s.scaled(-1), one(Ball(1, bits));
+    ComplexBall value = kernel.product(s) * (cos(half) + kernel.transform(half) * Ball(-1, bits)).scaled(-1);
+    for (int j = 1; j <= factors_of_psi; ++j) {
+      const ComplexBall shift = s.scaled(-j - 1);
+      value *= cos(shift) + sin(shift) * -cotangents[static_cast<std::size_t>(j - 1)];
+    }
+    // The other factors: |cos e - cot(theta) sin e - 1| <= 2 |e| for |e| <= 1/4, |cot(theta)| <= 1.
+    const Ball rest = abs(s).scaled(-factors_of_psi);
+    if (!rest.is_less(Ball(1, bits).scaled(-4))) return ComplexBall::indeterminate(bits);
+    return value * one.widened(rest.scaled(1));
+  };
+  const Ball end = Ball(1, bits).scaled(octaves);
+  const Ball inside = integral(integrand, ComplexBall(-end), ComplexBall(end), 30, bits).real();
+  // Beyond 2^k |Phi| <= 2^(-k(k-1)/2), the middle factor is at most 0.54, |Psi| <= (2 e |s|)^(1/2); the octaves fall by
+  // more than a half.
+  const Ball first = (sqrt(exp(Ball(1, bits)).scaled(octaves + 2)) * exactly(Rational(54, 100)).with_bits(bits))
+                         .scaled(octaves - octaves * (octaves - 1) / 2);
+  return -inside.widened(first.scaled(2));
+}
+
 Constants degree_one_constants_8() { return Constants(common_constants()); }
 
 Constants degree_one_constants_7() {
@@ -155,19 +170,21 @@ Constants degree_one_constants_7() {
   const std::vector<Constant> more{
       {"beta", decimal("0.855"), Side::above, "5.1", "n^2 |(n - 1/4) psi_n/c - 1|, n >= 1"},
       {"beta_2", decimal("0.151"), Side::above, "5.2", "n^2 |(n - 1/4) psi_n/c - 1|, n >= 2"},
-      {"s", decimal("0.0575"), Side::above, "6.1", "n^2 |psi_n'|, n >= 2"},
-      {"Z", decimal("5.34"), Side::above, "6.3", "all Z_j, n >= n_1"},
-      {"xi_3", decimal("18.95"), Side::above, "6.4", "product of 1/sin(pi 2^(-j-2)) over j < 3"},
-      {"zeta", decimal("0.0922"), Side::above, "6.5", "Z_0, n >= n_1"},
-      {"Delta", decimal("4000000"), Side::above, "6.7", "N^6 D_n, n >= n_1"}};
+      {"s", decimal("0.139"), Side::above, "6.1", "n^2 |psi_n'|, n >= 2"},
+      {"Z", decimal("5.34"), Side::above, "6.2", "all Z_j, n >= n_1"},
+      {"xi_3", decimal("18.95"), Side::above, "6.3", "product of 1/sin(pi 2^(-j-2)) over j < 3"},
+      {"zeta", decimal("0.0922"), Side::above, "6.4", "Z_0, n >= n_1"},
+      {"Delta", decimal("4000000"), Side::above, "6.6", "N^6 D_n, n >= n_1"},
+      {"j", decimal("0.63"), Side::below, "12.1", "pi N^2/|transform of phi_n at pi| times |c_1|, n = 3, 11, 43, ..."}};
   list.insert(list.end(), more.begin(), more.end());
   return Constants(list);
 }
 
-std::vector<Check> degree_one_checks_8(const Constants& c) {
+std::vector<Check> degree_one_checks_8(const Constants& c, int threads) {
+  prepare_variance_ends(2, tail, {1}, threads);
   std::vector<Check> checks = common_checks(c);
   for (int n = 1; n < tail; ++n) {
-    checks.push_back(less(n + 1 < turn ? "4.1" : "4.2", "max psi_" + text(n + 1) + " < min psi_" + text(n),
+    checks.push_back(less(n == 1 ? "4.1" : "4.2", "max psi_" + text(n + 1) + " < min psi_" + text(n),
                           ends(n + 1).maximum, ends(n).minimum));
   }
   const Ball N = exactly(N_after_tail);
@@ -178,17 +195,21 @@ std::vector<Check> degree_one_checks_8(const Constants& c) {
   return checks;
 }
 
-std::vector<Check> degree_one_checks_7(const Constants& c) {
+std::vector<Check> degree_one_checks_7(const Constants& c, int threads) {
+  prepare_variance_ends(2, tail, {1}, threads);
   std::vector<Check> checks = common_checks(c);
   append(checks, deviation_checks(c, "5.1", 1, "beta"));
-  for (int n = 2; n < tail; ++n) append(checks, deviation_checks(c, n < turn ? "5.2" : "5.3", n, "beta_2"));
+  for (int n = 2; n < tail; ++n) append(checks, deviation_checks(c, "5.2", n, "beta_2"));
   const Ball N = exactly(N_after_tail), twice = exactly(2 * c["c-"]);
   const Ball inside = exactly(degree_one_second_coefficient()) + exactly(c["K"]) / twice / N.pow(2) +
                       exactly(c["Omega"]) / twice / N.pow(3);
-  checks.push_back(less("5.4", "(1 + 1/(2 N_1))^2/4 (13/36 + K/(2c N_1^2) + Omega/(2c N_1^3)) < beta_2",
+  checks.push_back(less("5.3", "(1 + 1/(2 N_1))^2/4 (13/36 + K/(2c N_1^2) + Omega/(2c N_1^3)) < beta_2",
                         ((1 / N.scaled(1) + 1).pow(2).scaled(-2) * inside).enclosure(),
                         Enclosure::exactly(c["beta_2"])));
+  checks.push_back(less("5.4", "beta_2 < beta", Enclosure::exactly(c["beta_2"]), Enclosure::exactly(c["beta"])));
   append(checks, slope_checks(c));
+  static const Ball harmonic = first_harmonic();
+  checks.push_back(defining(c, "j", "-J", harmonic));
   return checks;
 }
 

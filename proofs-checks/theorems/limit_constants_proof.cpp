@@ -1,7 +1,6 @@
 // The limits C_d with 32 digits by two methods, and the second coefficient for degree 1 against exact means.
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/schemes/specification.hpp>
 
 #include "degree_one.hpp"
 #include "limit_constant.hpp"
@@ -64,7 +63,7 @@ struct Observed {
 Observed second_coefficient_at_large() {
   const DegreeOneMean mean = degree_one_mean(large);
   const Ball N = exactly(Rational(4 * large - 1, 2)), leading = Ball::containing(mean.leading, proof_bits);
-  const Ball exact = exactly(squared_l2_norm(make_scheme("primal:n=" + std::to_string(large)).mask));
+  const Ball exact = exactly(squared_l2_norm(primal_mask(large, 1)));
   const Ball error = Ball::containing(mean.remainder, proof_bits) + exactly(*mean.aliases.upper);
   return {(exact / leading - 1) * N.pow(2), error / leading * N.pow(2)};
 }
@@ -96,7 +95,7 @@ Constants limit_constants_stated() {
   return Constants(list);
 }
 
-std::vector<Check> limit_constants_checks(const Constants& c) {
+std::vector<Check> limit_constants_checks(const Constants& c, int) {
   std::vector<Check> checks;
   for (std::size_t i = 0; i < stated_degrees().size(); ++i) {
     const int degree = stated_degrees()[i];

@@ -1,15 +1,19 @@
 #include "theorem.hpp"
 
+#include "every_pair.hpp"
 #include "proofs.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
 namespace subcert::theorems {
 namespace {
+
+constexpr int most_degree = 21;  ///< to which section 7 is tried
 
 /// One id and how each of its degrees is proved.
 struct Proof {
@@ -24,7 +28,7 @@ std::string plain(const Rational& value) { return to_decimal(value, 40, Rounding
 void describe_7_degree_one(Theorem& t) {
   const auto number = [&](const char* name) { return plain(t.constants[name]); };
   t.title = "Conjecture 7 for degree 1 and every n";
-  t.text = "docs/theorems/variance-curves.tex, Theorems B and C";
+  t.text = "docs/theorems/variance-curves.tex, Theorems B, C and I";
   t.statement = {
       "First half. For all n >= 1 and all x, |(n - 1/4) psi_n(x)/c - 1| < " + number("beta") +
           "/n^2; for n >= 2 even < " + number("beta_2") + "/n^2. Here c = lim n max psi_n, " + number("c-") +
@@ -32,9 +36,10 @@ void describe_7_degree_one(Theorem& t) {
       "So max psi_n = c/n (1 + 1/(4n) + O(1/n^2)): the rate 1/n is true, with its constant.",
       "Second half. For n >= 2, psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") +
           " for all x; for n >= 64, |psi_n'(x)| < " + number("Delta") + "/(2n - 1/2)^6.",
-      "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false."};
-  t.ranges = {{"1 <= n < 24", "psi_n and psi_n' enclosed over all of [0, 1], from exact values"},
-              {"24 <= n < 64", "mean with its proved remainder, ripple and slope of each n by the supersolution"},
+      "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false.",
+      "The true rate: log max |psi_n'| / (log n)^2 has the upper limit -1/(2 log 2), by (12.1) and conjecture-8-d."};
+  t.ranges = {{"n = 1", "psi_1 = 1 - 2x + 2x^2 on [0, 1]"},
+              {"2 <= n < 64", "mean, ripple and slope of each n by the supersolution, for small n with exact values"},
               {"n >= 64", "the constants below, for all n at once"}};
 }
 
@@ -42,60 +47,78 @@ void describe_8_degree_one(Theorem& t) {
   t.title = "Conjecture 8 in n for degree 1 and every n";
   t.text = "docs/theorems/variance-curves.tex, Theorem A";
   t.statement = {"psi_{n+1}(x) < psi_n(x) for all n >= 1 and all x; even max psi_{n+1} < min psi_n."};
-  t.ranges = {{"1 <= n < 24", "psi_n enclosed over all of [0, 1], from exact values"},
-              {"24 <= n < 64", "mean with its proved remainder, ripple of each n by the supersolution"},
+  t.ranges = {{"n = 1", "psi_1 = 1 - 2x + 2x^2 on [0, 1]"},
+              {"2 <= n < 64", "mean and ripple of each n by the supersolution, for small n with exact values"},
               {"n >= 64", "the constants below, for all n at once"}};
 }
 
 std::string with_degree(const char* name, int degree) { return name + ("_" + std::to_string(degree)); }
 
 /// The two ranges of a proof of section 7.
-void describe_ranges(Theorem& t, int first, int first_uniform) {
-  const std::string start = std::to_string(first_uniform);
-  t.ranges = {{std::to_string(first) + " <= n < " + start, "psi_n enclosed over all of [0, 1], from exact values"},
-              {"n >= " + start, "the constants below, for all n at once"}};
+void describe_ranges(Theorem& t, int first, int start) {
+  const std::string n_1 = std::to_string(start);
+  t.ranges = {{std::to_string(first) + " <= n < " + n_1,
+               "mean, ripple and slope of each n by the supersolution, for small n with exact values"},
+              {"n >= " + n_1, "the constants below, for all n at once"}};
 }
 
-void describe_7(Theorem& t) {
+/// `conjecture` for degree d, of this family where it is not the one of the conjectures.
+std::string title_of(const std::string& conjecture, const SchemeFamily& family, const std::string& degrees) {
+  return conjecture + " for " + degrees + (family.id == "primal" ? "" : " of the " + family.title + " schemes") +
+         " and every n";
+}
+
+std::string proof_text(const SchemeFamily& family, const std::string& theorem) {
+  return "docs/theorems/variance-curves.tex, Theorem " + theorem + (family.id == "primal" ? "" : " and Theorem G");
+}
+
+std::string size_text(const SchemeFamily& family) {
+  if (family.offset == 0) return "2n";
+  return "(2n " + std::string(family.offset < 0 ? "- " : "+ ") + to_text(abs(family.offset)) + ")";
+}
+
+void describe_7(Theorem& t, const SchemeFamily& family) {
   const int degree = t.degrees.front();
-  const std::string d = std::to_string(degree), first = std::to_string((degree + 1) / 2),
-                    start = std::to_string(uniform_start(degree, true));
+  const std::string d = std::to_string(degree), first = std::to_string(family.least_n(degree)),
+                    start = std::to_string(uniform_start(family, degree)), N = size_text(family);
   const auto number = [&](const std::string& name) { return plain(t.constants[name]); };
-  t.title = "Conjecture 7 for degree " + d + " and every n";
-  t.text = "docs/theorems/variance-curves.tex, Theorem E";
+  t.title = title_of("Conjecture 7", family, "degree " + d);
+  t.text = proof_text(family, "E");
   t.statement = {
-      "First half. For all n >= " + first + " and all x, |(n - 1/4) psi_n(x)/C - 1| < " + number("beta") +
+      "First half. For all n >= " + first + " and all x, |" + N + " psi_n(x)/(2 C) - 1| < " + number("beta") +
           "/n^2; for n >= " + start + " even < " + number("beta_2") + "/n^2. Here C = lim n max psi_n, " +
           number(with_degree("c-", degree)) + " < C < " + number(with_degree("c+", degree)) + ".",
-      "So max psi_n = C/n (1 + 1/(4n) + O(1/n^2)): the rate 1/n is true, with its constant.",
+      "So max psi_n = 2 C/" + N + " (1 + O(1/n^2)): the rate 1/n is true, with its constant.",
       "Second half. For n >= " + first + ", psi_n is C^1 and n^2 |psi_n'(x)| < " + number("s") +
-          " for all x; for n >= " + start + ", |psi_n'(x)| < " + number(with_degree("Delta", degree)) +
-          "/(2n - 1/2)^5.",
+          " for all x; for n >= " + start + ", |psi_n'(x)| < " + number(with_degree("Delta", degree)) + "/N^5 and < " +
+          number(with_degree("R", degree)) + " N^(" + number(with_degree("r", degree)) + " - log2(N)/2), N = " + N +
+          ".",
       "So max |psi_n'| = O(1/n^2) is true as a bound, and n^2 max |psi_n'| tends to 0: as a rate it is false.",
       "For smaller n the scheme is the one of a smaller degree."};
-  describe_ranges(t, (degree + 1) / 2, uniform_start(degree, true));
+  describe_ranges(t, family.least_n(degree), uniform_start(family, degree));
 }
 
-void describe_8_n(Theorem& t) {
+void describe_8_n(Theorem& t, const SchemeFamily& family) {
   const int degree = t.degrees.front();
-  const std::string first = std::to_string((degree + 1) / 2);
-  t.title = "Conjecture 8 in n for degree " + std::to_string(degree) + " and every n";
-  t.text = "docs/theorems/variance-curves.tex, Theorem D";
+  const std::string first = std::to_string(family.least_n(degree));
+  t.title = title_of("Conjecture 8 in n", family, "degree " + std::to_string(degree));
+  t.text = proof_text(family, "D");
   t.statement = {"psi_{n+1}(x) < psi_n(x) for all n >= " + first + " and all x; even max psi_{n+1} < min psi_n.",
                  "For smaller n the scheme is the one of a smaller degree."};
-  describe_ranges(t, (degree + 1) / 2, uniform_start(degree, false));
+  describe_ranges(t, family.least_n(degree), uniform_start(family, degree));
 }
 
-void describe_8_d(Theorem& t) {
+void describe_8_d(Theorem& t, const SchemeFamily& family) {
   const int degree = t.degrees.front(), next = degree + 2;
-  const std::string low = std::to_string(degree), high = std::to_string(next), first = std::to_string((next + 1) / 2);
+  const std::string low = std::to_string(degree), high = std::to_string(next),
+                    first = std::to_string(family.least_n(next));
   t.degrees = {degree, next};
-  t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and every n";
-  t.text = "docs/theorems/variance-curves.tex, Theorem F";
+  t.title = title_of("Conjecture 8 in d", family, "the degrees " + low + " and " + high);
+  t.text = proof_text(family, "F");
   t.statement = {"psi_n of degree " + low + " is smaller than psi_n of degree " + high +
                      " at all x, for all n >= " + first + "; even max psi_n^" + low + " < min psi_n^" + high + ".",
                  "For smaller n the two schemes are the same, and so are the curves."};
-  describe_ranges(t, (next + 1) / 2, std::max(uniform_start(degree, false), uniform_start(next, false)));
+  describe_ranges(t, family.least_n(next), std::max(uniform_start(family, degree), uniform_start(family, next)));
 }
 
 void describe_limit_constants(Theorem& t) {
@@ -113,54 +136,180 @@ void describe_limit_constants(Theorem& t) {
   t.values.emplace_back("nu", to_text(t.constants["nu-"]));
 }
 
+void describe_convergence(Theorem& t) {
+  const int degree = t.degrees.front();
+  t.title = "Convergence for every degree and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem P";
+  t.statement = {"S_n^d converges for all n >= 1 and all d <= 2n - 1.",
+                 "The response D_M of one fit of degree d on M > d points, read off in the middle, is below 1 in "
+                 "modulus except where sin w = 0, and the moduli of the transform of phi at xi + 2 pi k sum to at most "
+                 "max(|D_{2n-1}|, |D_{2n}|)(xi/2) <= 1.",
+                 "So the mean of psi_n is at most (K_{2n-1}(0) + K_{2n}(0))/2, K_M(0) the central weight."};
+  const std::string first = std::to_string((degree + 1) / 2);
+  t.ranges = {{"all d, all n", "the proof, with the two numbers (P.1), (P.2)"},
+              {"d = " + std::to_string(degree) + ", n >= " + first,
+               "for confirmation only: (P.3), (P.4) for the six smallest n"}};
+}
+
+void describe_large_n(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string low = std::to_string(degree), high = std::to_string(degree + 2),
+                    start = std::to_string(large_n(degree));
+  t.degrees = {degree, degree + 2};
+  t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and large n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem T (b)";
+  t.statement = {
+      "max psi_n^d < min psi_n^{d+2} for every odd d from 5 to 101 and all n >= max(50, 4d + 4), for d >= 103 and all "
+      "n >= (d^2 + 1)/2; here max psi_n^" +
+      low + " < min psi_n^" + high + " for all n >= " + start + "."};
+  t.ranges = {{"n >= " + start, "bounds of mean and ripple that fall with n"}};
+  if (degree > 11)
+    t.ranges.emplace_back("all d >= 13", "(T.5) for 13 <= d <= 103; from 103 on they fall with d, 2n = d^2 + 1");
+}
+
+void describe_all_higher(Theorem& t) {
+  const int degree = t.degrees.front();
+  const std::string low = std::to_string(degree);
+  t.title = "Conjecture 8 in d from degree " + low + " to all higher degrees and every n";
+  if (degree == 1) {
+    t.text = "docs/theorems/variance-curves.tex, Theorem Q";
+    t.statement = {"psi_n^1(x) <= 1/(2n - 1) < psi_n^d(x') for all n >= 2, all odd 3 <= d <= 2n - 1 and all x, x'."};
+    t.ranges = {{"all d, all n", "a proof without a computer"},
+                {"2 <= n <= 8", "for confirmation only: exact values on a grid against the bounds of the proof"}};
+    return;
+  }
+  t.text = "docs/theorems/variance-curves.tex, Theorem R";
+  t.statement = {"max psi_n^" + low + " < min psi_n^d for all odd d > " + low + " and all n >= (d+1)/2."};
+  const int from = degree == 3 ? 7 : 2 * degree + 1;
+  for (int next = degree + 2; next < from; next += 2) {
+    std::string runs = "conjecture-8-d --d " + low;
+    for (int between = degree + 2; between < next; between += 2) runs += ", " + std::to_string(between);
+    t.ranges.emplace_back("d = " + std::to_string(next), runs);
+  }
+  const std::string lemma = "d >= " + std::to_string(from) + ", ", first = std::to_string((from + 1) / 2),
+                    start = degree == 3   ? "6"
+                            : degree == 5 ? "10"
+                                          : "60";
+  t.ranges.emplace_back(lemma + first + " <= n < " + start,
+                        "psi_n^" + low + " bounded for each n, psi_n^d from its polynomials");
+  t.ranges.emplace_back(lemma + "n >= " + start, degree == 7 ? "the bounds of conjecture-8-d-large --d 7"
+                                                             : "conjecture-7 --d " + low + ", and one inequality");
+}
+
+void describe_limits_grow(Theorem& t) {
+  t.title = "The limits of n max psi_n grow with the degree";
+  t.text = "docs/theorems/variance-curves.tex, Theorem S";
+  t.statement = {"C_d < gamma_d^2/2 < C_{d+2} for every odd d, gamma_d = d binom(d-1, (d-1)/2)/2^(d-1).",
+                 "C_d = d/pi + 1/(2 pi) - 1/(sqrt(3) pi^2) + o(1) as d grows.",
+                 "So for each pair d_1 > d_2 and all sufficiently large n, max psi_n^{d_2} < min psi_n^{d_1}."};
+  t.ranges = {{"d >= 9", "the proof, with one inequality at d = 9"},
+              {"d <= 7", "the digits of C_3, C_5, C_7"},
+              {"d <= 21", "for confirmation only: (S.3), (S.4)"}};
+}
+
 struct Entry {
   TheoremEntry entry;
   std::vector<Proof> proofs;
   std::vector<std::string> missing;  ///< for the degrees without proof
   bool together = false;             ///< one proof for all its degrees
+  /// The proof for a degree beyond those listed, or of another family, where there is one.
+  std::function<std::optional<Proof>(int degree, const SchemeFamily&)> further = {};
 };
 
+/// A proof of section 7: its constants are found by the same run.
+using Run = void (*)(Ledger&, const SchemeFamily&, int degree, int threads);
+std::optional<Proof> found(int degree, const SchemeFamily& family, Run run,
+                           void (*describe)(Theorem&, const SchemeFamily&)) {
+  if (degree > most_degree) return std::nullopt;
+  return Proof{degree,
+               [=, &family] {
+                 Ledger ledger;
+                 run(ledger, family, degree, 1);
+                 return ledger.constants();
+               },
+               [=, &family](const Constants& constants, int threads) {
+                 Ledger ledger(&constants);
+                 run(ledger, family, degree, threads);
+                 return ledger.checks();
+               },
+               [=, &family](Theorem& t) { describe(t, family); }};
+}
+
 /// A proof whose functions take the degree.
-Proof uniform(int degree, Constants (*constants)(int), std::vector<Check> (*checks)(const Constants&, int, int),
-              void (*describe)(Theorem&)) {
+Proof by_degree(int degree, Constants (*constants)(int), std::vector<Check> (*checks)(const Constants&, int, int),
+                void (*describe)(Theorem&)) {
   return {degree, [=] { return constants(degree); },
           [=](const Constants& c, int threads) { return checks(c, degree, threads); }, describe};
 }
 
-/// A proof for one degree that needs no threads.
-Proof single(int degree, Constants (*constants)(), std::vector<Check> (*checks)(const Constants&),
-             void (*describe)(Theorem&)) {
-  return {degree, constants, [=](const Constants& c, int) { return checks(c); }, describe};
-}
-
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> list = [] {
-    const std::vector<std::string> higher{
-        "stated constants of section 7 of the text, which holds for every odd degree but begins at n_1 about 100 for d "
-        "= 7",
-        "the curves below that n_1, enclosed one by one"};
+    const std::vector<std::string> higher{"the machine of section 7 is run up to degree " + text(most_degree) +
+                                          "; beyond, the curves below n_1 take minutes"};
+
     std::vector<Entry> all;
-    all.push_back({{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", {}},
-                   {single(1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one),
-                    uniform(3, uniform_constants_7, uniform_checks_7, describe_7),
-                    uniform(5, uniform_constants_7, uniform_checks_7, describe_7)},
-                   higher});
-    all.push_back({{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", {}},
-                   {single(1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one),
-                    uniform(3, uniform_constants_8_n, uniform_checks_8_n, describe_8_n),
-                    uniform(5, uniform_constants_8_n, uniform_checks_8_n, describe_8_n)},
-                   higher});
-    all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", {}},
-                   {uniform(1, uniform_constants_8_d, uniform_checks_8_d, describe_8_d),
-                    uniform(3, uniform_constants_8_d, uniform_checks_8_d, describe_8_d)},
-                   higher});
-    all.push_back({{"limit-constants", "the limits C_d of n max psi_n, printed together", {1, 3, 5, 7, 9}},
-                   {single(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
-                   {"stated digits for this degree"},
-                   true});
-    for (Entry& entry : all)
-      if (!entry.together)
-        for (const Proof& proof : entry.proofs) entry.entry.degrees.push_back(proof.degree);
+    const std::string every = "every n >= (d+1)/2";
+    const auto primal = [](const SchemeFamily& family) { return family.id == "primal"; };
+    const std::vector<int> degrees{1, 3, 5, 7, 9, 11, 13}, pairs{1, 3, 5, 7, 9, 11};
+    all.push_back(
+        {{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", every, degrees},
+         {{1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one}},
+         higher,
+         false,
+         [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_7, describe_7); }});
+    all.push_back(
+        {{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", every, degrees},
+         {{1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one}},
+         higher,
+         false,
+         [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_8_n, describe_8_n); }});
+    all.push_back(
+        {{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", "every n >= (d+3)/2", pairs},
+         {},
+         higher,
+         false,
+         [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_8_d, describe_8_d); }});
+    all.push_back(
+        {{"limit-constants", "the limits C_d of n max psi_n, printed together", "n to infinity", {1, 3, 5, 7, 9}},
+         {{1, limit_constants_stated, limit_constants_checks, describe_limit_constants}},
+         {"stated digits for this degree"},
+         true});
+    all.push_back({{"convergence", "S_n^d converges", "every odd d, every n >= (d+1)/2", {1, 3, 5}},
+                   {},
+                   {"the lemma on the response, for another family"},
+                   false,
+                   [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
+                     if (!primal(family)) return std::nullopt;
+                     return by_degree(degree, convergence_constants, convergence_checks, describe_convergence);
+                   }});
+    all.push_back(
+        {{"conjecture-8-d-all", "psi of degree d < psi of all higher degrees everywhere", "every n", {1, 3, 5, 7}},
+         {},
+         {"psi of degree d < psi of degree d + 2 for every n, from this degree up to 2 d + 1"},
+         false,
+         [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
+           if (!primal(family) || degree > 7) return std::nullopt;
+           return by_degree(degree, all_higher_constants, all_higher_checks, describe_all_higher);
+         }});
+    all.push_back({{"conjecture-8-d-large",
+                    "psi of degree d < psi of degree d + 2 everywhere",
+                    "every odd d >= 5, every n >= max(50, 4d+4), beyond d = 101 n >= (d^2+1)/2",
+                    {5, 7, 9, 11, 13}},
+                   {},
+                   {"for the degrees 1 and 3, and for other families, see conjecture-8-d"},
+                   false,
+                   [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
+                     if (!primal(family) || degree < 5) return std::nullopt;
+                     return by_degree(degree, large_n_constants, large_n_checks, describe_large_n);
+                   }});
+    all.push_back({{"limit-constants-order", "C_d < C_{d+2}", "every odd d, n to infinity", {1}},
+                   {},
+                   {"the limits of another family"},
+                   true,
+                   [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
+                     if (!primal(family)) return std::nullopt;
+                     return Proof{degree, [] { return Constants(); }, limits_grow_checks, describe_limits_grow};
+                   }});
     return all;
   }();
   return list;
@@ -172,12 +321,13 @@ const Entry& find(const std::string& id) {
   fail(ErrorKind::domain, "unknown theorem '{}'", id);
 }
 
-const Proof* find(const Entry& entry, int degree) {
+std::optional<Proof> find(const Entry& entry, int degree, const SchemeFamily& family) {
   const std::vector<int>& degrees = entry.entry.degrees;
-  if (std::find(degrees.begin(), degrees.end(), degree) == degrees.end()) return nullptr;
-  for (const Proof& proof : entry.proofs)
-    if (proof.degree == degree || entry.together) return &proof;
-  return nullptr;
+  if (family.id == "primal" && std::find(degrees.begin(), degrees.end(), degree) != degrees.end())
+    for (const Proof& proof : entry.proofs)
+      if (proof.degree == degree || entry.together) return proof;
+  if (entry.further) return entry.further(degree, family);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -201,29 +351,40 @@ const std::vector<TheoremEntry>& theorem_list() {
   return list;
 }
 
-Constants stated_constants(const std::string& id, int degree) {
-  const Proof* proof = find(find(id), degree);
+Constants stated_constants(const std::string& id, int degree, const std::string& family) {
+  const std::optional<Proof> proof = find(find(id), degree, scheme_family(family));
   return proof ? proof->constants() : Constants();
 }
 
-Theorem prove(const std::string& id, int degree, const Constants& constants, int threads) {
+Theorem prove(const std::string& id, int degree, const Constants& constants, int threads,
+              const std::string& family_id) {
   const Entry& entry = find(id);
-  if (degree < 1 || degree > 99 || degree % 2 == 0)
-    fail(ErrorKind::domain, "prove: need an odd degree from 1 to 99, got {}", degree);
+  const SchemeFamily& family = scheme_family(family_id);
+  const bool primal = family.evaluation == Evaluation::primal;
+  if (degree < 1 || degree > 99 || (primal && degree % 2 == 0))
+    fail(ErrorKind::domain, "prove: need {} degree from 1 to 99, got {}", primal ? "an odd" : "a", degree);
   Theorem theorem;
   theorem.id = id;
   theorem.degrees = {degree};
   theorem.title = entry.entry.title;
-  const Proof* proof = find(entry, degree);
+  const std::optional<Proof> proof = find(entry, degree, family);
   if (!proof) {
     theorem.missing = entry.missing;
-    theorem.decision = {Truth::unknown, "nothing is proved for degree " + std::to_string(degree)};
+    theorem.decision = {Truth::unknown, "nothing is proved for degree " + std::to_string(degree) +
+                                            (family.id == "primal" ? "" : " of the " + family.title + " schemes")};
     return theorem;
   }
   theorem.constants = constants;
   theorem.checks = proof->checks(constants, threads);
-  proof->describe(theorem);
   theorem.decision = verdict(theorem.checks);
+  if (theorem.decision.truth != Truth::unknown) {
+    proof->describe(theorem);
+    return theorem;
+  }
+  for (const Check& check : theorem.checks)
+    if (!check.decision.is_yes())
+      theorem.missing.push_back("(" + check.id + ") " + check.claim + ": " + check.left.upper_text(6) +
+                                " is not below " + check.right.lower_text(6));
   return theorem;
 }
 

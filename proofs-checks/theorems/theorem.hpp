@@ -28,18 +28,21 @@ struct Theorem {
 struct TheoremEntry {
   std::string id;
   std::string title;
+  std::string range;         ///< of n, and of the degrees where they are not only those listed
   std::vector<int> degrees;  ///< for which it can be asked and is proved
 };
 
 const std::vector<TheoremEntry>& theorem_list();
 
-/// The constants as the text states them. Errors: throws a domain error for an unknown id.
-Constants stated_constants(const std::string& id, int degree);
+/// The constants as the text states them, or as they are found for a degree that the text does not name. `family` is
+/// that of a specification: primal, primal-odd, dual or dual-odd. Errors: throws a domain error for an unknown id.
+Constants stated_constants(const std::string& id, int degree, const std::string& family = "primal");
 
-/// Runs every inequality of the proof with these constants. Domain: odd degree, 1 <= degree <= 99; even degrees have
-/// the schemes of degree + 1. Errors: throws a domain error for an unknown id and for a degree beyond.
-/// Cost: seconds, for degree 5 half a minute on one thread.
-Theorem prove(const std::string& id, int degree, const Constants& constants, int threads = 1);
+/// Runs every inequality of the proof with these constants. Domain: 1 <= degree <= 99, odd for the primal families,
+/// whose even degrees have the schemes of degree + 1. Errors: throws a domain error for an unknown id or family and for
+/// a degree beyond. Cost: seconds, for degree 13 a quarter of a minute on one thread.
+Theorem prove(const std::string& id, int degree, const Constants& constants, int threads = 1,
+              const std::string& family = "primal");
 Theorem prove(const std::string& id, int degree);
 
 }  // namespace subcert::theorems

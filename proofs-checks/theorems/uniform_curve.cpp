@@ -2,12 +2,12 @@
 
 #include <map>
 #include <mutex>
-#include <utility>
+#include <tuple>
 
 namespace subcert::theorems {
 namespace {
 
-constexpr slong bits = 160;
+constexpr slong uniform_bits = 192;
 constexpr int octaves = 13;  ///< of s; beyond 2^13 a geometric series
 
 /// The largest multiple of 1/8 that is not above any point of the ball.
@@ -17,101 +17,97 @@ Rational rounded_down(const Ball& x) {
   return Rational(floor, 8);
 }
 
-Ball decays_from(const UniformSymbol& symbol, const Ball& M, int j) {
-  return symbol.decay(rounded_down(M * Ball::pi(bits).scaled(-j - 2)));
+}  // namespace
+
+UniformNumbers::UniformNumbers(Evaluation evaluation, int degree, const Rational& first_N)
+    : slope(uniform_bits), any_decay(uniform_bits), far(uniform_bits), degree_(degree), N_(first_N, uniform_bits) {
+  const UniformSymbol symbol(evaluation, degree, first_N, uniform_bits);
+  const Rational M = evaluation == Evaluation::dual ? first_N : Rational(first_N - Rational(1, 2));
+  difference_disc = symbol.disc_difference();
+  slope_disc = symbol.disc_slope();
+  for (UniformSymbol::Disc* disc : {&difference_disc, &slope_disc}) disc->bound = disc->bound.upper_end();
+  slope = symbol.slope().upper_end();
+  for (int j = 0; j < kept_factors; ++j)
+    decays.push_back(
+        symbol.decay(rounded_down(Ball(M, uniform_bits) * Ball::pi(uniform_bits).scaled(-j - 2))).upper_end());
+  any_decay = symbol.decay(1).upper_end();
+  for (int octave = 0; octave + 1 < octaves; ++octave)
+    for (int part = 0; part < UniformSymbol::parts; ++part) cells_.push_back(symbol.cell(octave, part));
+  far = symbol.cell(octaves - 1, 0).factor.upper_end();
+  growth_ = symbol.growth(power(Rational(2), octaves - 1));
 }
 
-/// Suprema over cells of s, R <= s <= R 2^octaves, of M and L, and the integrals that the mean needs.
-class MeanIntegrals {
- public:
-  MeanIntegrals(const UniformSymbol& symbol, int degree, const Ball& N)
-      : symbol_(symbol), degree_(degree), N_(N), near_(symbol.disc_difference()) {
-    for (int octave = 0; octave + 1 < octaves; ++octave)
-      for (int part = 0; part < UniformSymbol::parts; ++part) cells_.push_back(symbol.cell(octave, part));
-  }
-
-  /// Products of the suprema of max(1, factor) over the octaves, those below R included, squared: a shell meets two.
-  Ball products() const {
-    Ball result = near_product();
-    for (int octave = 0; octave + 1 < octaves; ++octave) {
-      Ball largest(1, bits);
-      for (int part = 0; part < UniformSymbol::parts; ++part) largest = max(largest, cell(octave, part).factor);
-      result = result * largest;
-    }
-    return result * result;
-  }
-
-  /// (2/pi) times the integral of M L plus (1/pi) times that of (s/pi)^2 M^2 over s >= pi N_1.
-  Ball mean() const {
-    const Ball pi = Ball::pi(bits), first = near_product();
-    const Ball near = first * near_ / (Ball(1, bits).scaled(degree_ + 1) - 1);  // L <= near s^(d+1) for s <= 2R
-    Ball integral = first * near / (degree_ + 2), far(bits);
-    std::vector<Ball> M, L;
-    Ball last_product(bits), last_square(bits), last_far(bits);
-    for (int octave = 0; octave < octaves; ++octave) {
-      last_product = last_square = last_far = Ball(bits);
-      for (int part = 0; part < UniformSymbol::parts; ++part) {
-        const Rational width = power(Rational(2), octave) / UniformSymbol::parts;
-        const Ball end(Rational(width * (UniformSymbol::parts + part + 1)), bits), step(width, bits);
-        const auto i = static_cast<std::size_t>(part);
-        if (octave == 0) {
-          M.push_back(first);
-          L.push_back(near * end.pow(degree_ + 1));
-        } else {
-          const UniformSymbol::Cell& half = cell(octave - 1, part);
-          L[i] = half.difference * M[i] + half.factor * L[i];
-          M[i] = half.factor * M[i];
-        }
-        last_product += M[i] * L[i] * step;
-        last_square += M[i].pow(2) * step;
-        if (!end.is_less(pi * N_)) last_far += (M[i] * end / pi).pow(2) * step;
-      }
-      integral += last_product;
-      far += last_far;
-    }
-    // Beyond: beta(v) <= a for v >= 2^12 R, and v beta(v) H(v)/v <= c.
-    const Rational from = power(Rational(2), octaves - 1);
-    const Ball a = symbol_.cell(octaves - 1, 0).factor, v(from, bits);
-    const UniformSymbol::Growth growth = symbol_.growth(from);
-    const Ball c = a * v * (growth.first + growth.zeroth / v), ratio = (a * a).scaled(1);
-    integral += ((c * last_square).scaled(1) / (1 - ratio) + ratio * last_product) / (1 - ratio);
-    far += last_far * ratio.scaled(2) / (1 - ratio.scaled(2));
-    return (integral.scaled(1) + far) / pi;
-  }
-
- private:
-  const UniformSymbol::Cell& cell(int octave, int part) const {
-    return cells_[static_cast<std::size_t>(octave * UniformSymbol::parts + part)];
-  }
-  /// The product of max(|m|, |khat|) over the octaves below R.
-  Ball near_product() const { return exp(near_ / N_.pow(2) / (1 - Ball(1, bits).scaled(-degree_ - 1))); }
-
-  const UniformSymbol& symbol_;
-  int degree_;
-  Ball N_, near_;
-  std::vector<UniformSymbol::Cell> cells_;
-};
-
-UniformNumbers compute_numbers(int degree, int first_n) {
-  const UniformSymbol symbol(degree, first_n, bits);
-  const Ball M(2 * first_n - 1, bits), N(Rational(4 * first_n - 1, 2), bits);
-  const MeanIntegrals integrals(symbol, degree, N);
-  UniformNumbers result{symbol.disc_difference().upper_end(), symbol.disc_slope().upper_end(),
-                        symbol.slope().upper_end(),           {},
-                        integrals.products().upper_end(),     integrals.mean().upper_end()};
-  for (int j = 0; j < kept_factors; ++j) result.decays.push_back(decays_from(symbol, M, j).upper_end());
+/// With N^2 |m(v/N) - khat(v)| <= H v^(d+1) where that holds, and the bound of both |m| and |khat|.
+UniformSymbol::Cell UniformNumbers::cell(int octave, int part, const Ball& H) const {
+  UniformSymbol::Cell result = cells_[static_cast<std::size_t>(octave * UniformSymbol::parts + part)];
+  const Rational end = power(Rational(2), octave) * Rational(UniformSymbol::parts + part + 1, UniformSymbol::parts);
+  if (end <= difference_disc.radius)
+    result.difference = min(result.difference, H * Ball(end, uniform_bits).pow(degree_ + 1));
+  result.factor = max(result.factor, result.transform + result.difference / N_.pow(2));
   return result;
 }
 
-}  // namespace
+/// Pi_0: the product of max(|m|, |khat|) over v, v/2, v/4, ... <= 1.
+Ball UniformNumbers::near_product(const Ball& H) const {
+  return exp(H / N_.pow(2) / (1 - Ball(1, uniform_bits).scaled(-degree_ - 1)));
+}
 
-const UniformNumbers& uniform_numbers(int degree, int first_n) {
+/// A shell meets at most two octaves.
+Ball UniformNumbers::products(const Ball& H) const {
+  Ball result = near_product(H);
+  for (int octave = 0; octave + 1 < octaves; ++octave) {
+    Ball largest(1, uniform_bits);
+    for (int part = 0; part < UniformSymbol::parts; ++part) largest = max(largest, cell(octave, part, H).factor);
+    result = result * largest;
+  }
+  return result * result;
+}
+
+/// (2/pi) times the integral of M L plus (1/pi) times that of (s/pi)^2 M^2 over s >= pi N_1.
+Ball UniformNumbers::mean(const Ball& H) const {
+  const Ball pi = Ball::pi(uniform_bits), first = near_product(H);
+  const Ball near = first * H / (Ball(1, uniform_bits).scaled(degree_ + 1) - 1);  // L <= near s^(d+1) for s <= 2
+  Ball integral = first * near / (degree_ + 2), beyond(uniform_bits);
+  std::vector<Ball> M, L;
+  Ball last_product(uniform_bits), last_square(uniform_bits), last_far(uniform_bits);
+  for (int octave = 0; octave < octaves; ++octave) {
+    last_product = last_square = last_far = Ball(uniform_bits);
+    for (int part = 0; part < UniformSymbol::parts; ++part) {
+      const Rational width = power(Rational(2), octave) / UniformSymbol::parts;
+      const Ball end(Rational(width * (UniformSymbol::parts + part + 1)), uniform_bits), step(width, uniform_bits);
+      const auto i = static_cast<std::size_t>(part);
+      if (octave == 0) {
+        M.push_back(first);
+        L.push_back(near * end.pow(degree_ + 1));
+      } else {
+        const UniformSymbol::Cell half = cell(octave - 1, part, H);
+        L[i] = half.difference * M[i] + half.factor * L[i];
+        M[i] = half.factor * M[i];
+      }
+      last_product += M[i] * L[i] * step;
+      last_square += M[i].pow(2) * step;
+      if (!end.is_less(pi * N_)) last_far += (M[i] * end / pi).pow(2) * step;
+    }
+    integral += last_product;
+    beyond += last_far;
+  }
+  // Beyond: alpha(v) <= a for v >= 2^12, and v alpha(v) H(v)/v <= c.
+  const Ball& a = far;
+  const Ball v(power(Rational(2), octaves - 1), uniform_bits), ratio = (a * a).scaled(1);
+  const Ball c = a * v * (growth_.first + growth_.zeroth / v);
+  integral += ((c * last_square).scaled(1) / (1 - ratio) + ratio * last_product) / (1 - ratio);
+  beyond += last_far * ratio.scaled(2) / (1 - ratio.scaled(2));
+  return (integral.scaled(1) + beyond) / pi;
+}
+
+const UniformNumbers& uniform_numbers(Evaluation evaluation, int degree, const Rational& first_N) {
   static std::mutex mutex;
-  static std::map<std::pair<int, int>, UniformNumbers> known;
+  static std::map<std::tuple<Evaluation, int, Rational>, UniformNumbers> known;
   const std::lock_guard lock(mutex);
-  const std::pair key(degree, first_n);
+  const std::tuple key(evaluation, degree, first_N);
   const auto found = known.find(key);
-  return found != known.end() ? found->second : known.emplace(key, compute_numbers(degree, first_n)).first->second;
+  return found != known.end() ? found->second
+                              : known.emplace(key, UniformNumbers(evaluation, degree, first_N)).first->second;
 }
 
 }  // namespace subcert::theorems

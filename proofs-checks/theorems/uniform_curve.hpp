@@ -1,5 +1,5 @@
 #pragma once
-/// Bounds of mean, ripple and slope of the variance curves of one odd degree for all n >= n_1, for the sources of
+/// Bounds of mean, ripple and slope of the variance curves of one degree for all sizes N >= N_1, for the sources of
 /// this floor. Proofs: docs/theorems/variance-curves.tex, section 7; its notation is used.
 
 #include "uniform_symbol.hpp"
@@ -12,17 +12,34 @@ namespace subcert::theorems {
 constexpr int kept_factors = 5;
 
 /// The numbers behind the stated constants of section 7: upper bounds, rounded upward and then exact.
-struct UniformNumbers {
-  Ball near_zero_difference;  ///< H_R
-  Ball near_zero_slope;       ///< E_R
-  Ball slope;                 ///< E
-  std::vector<Ball> decays;   ///< A_j, j < factors
-  Ball products;              ///< B: products of suprema of |m| over different shells
-  Ball mean;                  ///< K: N^3 |the integral of |transform|^2/(2 pi) over |xi| <= pi - 2 C_d/N|
+class UniformNumbers {
+ public:
+  UniformNumbers(Evaluation evaluation, int degree, const Rational& first_N);
+
+  UniformSymbol::Disc difference_disc;  ///< what H bounds, and how far it holds
+  UniformSymbol::Disc slope_disc;       ///< what F bounds
+  Ball slope;                           ///< E
+  std::vector<Ball> decays;             ///< A_j, j < kept_factors
+  Ball any_decay;                       ///< A for all v >= 1
+  Ball far;                             ///< alpha on v >= 2^12
+
+  /// With a stated H. B: products of suprema of |m| over different shells.
+  Ball products(const Ball& H) const;
+  /// K: N^3 |the integral of |transform|^2/(2 pi) over |xi| <= pi - 2 C_d/N|. Domain: far < 1/4, pi N_1 < 2^12.
+  Ball mean(const Ball& H) const;
+
+ private:
+  UniformSymbol::Cell cell(int octave, int part, const Ball& H) const;
+  Ball near_product(const Ball& H) const;
+
+  int degree_;
+  Ball N_;
+  std::vector<UniformSymbol::Cell> cells_;
+  UniformSymbol::Growth growth_;
 };
 
-/// For all n >= first_n; kept for the next call. Domain: odd degree, first_n large enough for the degree.
-/// Errors: throws undecided or std::logic_error where it is not. Cost: a second.
-const UniformNumbers& uniform_numbers(int degree, int first_n);
+/// Kept for the next call. Domain: as UniformSymbol. Errors: throws std::logic_error where N_1 is too small.
+/// Cost: for degree 13 a few seconds.
+const UniformNumbers& uniform_numbers(Evaluation evaluation, int degree, const Rational& first_N);
 
 }  // namespace subcert::theorems

@@ -1,21 +1,24 @@
 #include "variance_ends.hpp"
 
+#include "curve_bounds.hpp"
+#include "scheme_family.hpp"
+
 #include <subcert/analysis/symbol/parallel.hpp>
-#include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/analysis/variance/variance.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <algorithm>
 #include <map>
 #include <mutex>
-#include <string>
 
 namespace subcert::theorems {
 namespace {
 
-using Key = std::pair<int, int>;
+constexpr int cells_per_shell = 32;
 
 struct Memory {
   std::mutex mutex;
-  std::map<Key, VarianceEnds> known;
+  std::map<std::string, VarianceEnds> known;
 };
 
 Memory& memory() {
@@ -23,38 +26,63 @@ Memory& memory() {
   return result;
 }
 
-VarianceEnds compute_ends(int n, int degree) {
-  const std::string scheme = "primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree);
-  const VarianceRange range = variance_range(make_scheme(scheme).mask);
-  VarianceEnds ends{range.minimum, range.maximum, std::nullopt};
-  if (range.slope && range.slope_reason.empty()) ends.slope = range.slope;
+std::string primal_scheme(int n, int degree) { return scheme_family("primal").scheme(n, degree); }
+
+/// Between grid points psi differs from the nearer of their values by at most half a step times the slope.
+void narrow_by_grid(VarianceEnds& ends, const Mask& mask) {
+  const int level = mask.symbol().highest() - mask.symbol().lowest() < 24 ? 10 : 6;
+  const VarianceGrid grid = variance_grid(mask, level, false);
+  const Rational reach = *ends.slope.upper * grid.step() / 2;
+  ends.maximum = {std::max(*ends.maximum.lower, grid.largest()),
+                  std::min(*ends.maximum.upper, Rational(grid.largest() + reach))};
+  ends.minimum = {std::max(*ends.minimum.lower, Rational(grid.smallest() - reach)),
+                  std::min(*ends.minimum.upper, grid.smallest())};
+}
+
+VarianceEnds compute_ends(const std::string& scheme) {
+  const Mask mask = make_scheme(scheme).mask;
+  const CurveBounds bounds = curve_bounds(mask, cells_per_shell);
+  VarianceEnds ends{bounds.mean, bounds.mean, bounds.slope};
+  if (!bounds.ripple.upper) return {Enclosure::at_least(0), Enclosure::at_least(0), bounds.slope};
+  *ends.maximum.upper += *bounds.ripple.upper;
+  *ends.minimum.lower -= *bounds.ripple.upper;
+  if (bounds.slope.upper && *bounds.ripple.upper * 256 > *bounds.mean.lower) narrow_by_grid(ends, mask);
   return ends;
 }
 
-bool is_known(const Key& key) {
+bool is_known(const std::string& scheme) {
   const std::lock_guard lock(memory().mutex);
-  return memory().known.contains(key);
+  return memory().known.contains(scheme);
 }
 
 }  // namespace
 
-const VarianceEnds& variance_ends(int n, int degree) {
-  const Key key(n, degree);
-  if (!is_known(key)) {
-    VarianceEnds ends = compute_ends(n, degree);
+const VarianceEnds& variance_ends(const std::string& scheme) {
+  if (!is_known(scheme)) {
+    VarianceEnds ends = compute_ends(scheme);
     const std::lock_guard lock(memory().mutex);
-    memory().known.emplace(key, std::move(ends));
+    memory().known.emplace(scheme, std::move(ends));
   }
   const std::lock_guard lock(memory().mutex);
-  return memory().known.at(key);
+  return memory().known.at(scheme);
+}
+
+const VarianceEnds& variance_ends(int n, int degree) { return variance_ends(primal_scheme(n, degree)); }
+
+void prepare_variance_ends(const std::vector<std::string>& schemes, int threads) {
+  std::vector<std::string> open;
+  for (const std::string& scheme : schemes)
+    if (!is_known(scheme)) open.push_back(scheme);
+  // The costly ones first.
+  std::reverse(open.begin(), open.end());
+  parallel_for_each(open.size(), threads, [&](std::size_t i) { variance_ends(open[i]); });
 }
 
 void prepare_variance_ends(int first, int last, const std::vector<int>& degrees, int threads) {
-  std::vector<Key> keys;
-  for (int n = last; n >= first; --n)
-    for (int degree : degrees)
-      if (!is_known({n, degree})) keys.emplace_back(n, degree);
-  parallel_for_each(keys.size(), threads, [&](std::size_t i) { variance_ends(keys[i].first, keys[i].second); });
+  std::vector<std::string> schemes;
+  for (int n = first; n <= last; ++n)
+    for (int degree : degrees) schemes.push_back(primal_scheme(n, degree));
+  prepare_variance_ends(schemes, threads);
 }
 
 }  // namespace subcert::theorems

@@ -4,6 +4,7 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/proofs-checks/theorems/degree_one.hpp>
+#include <subcert/proofs-checks/theorems/proofs.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <cmath>
@@ -26,6 +27,19 @@ double transform(int n, double xi) {
   double result = 1;
   for (int j = 1; j <= 40; ++j) result *= symbol_half(n, std::ldexp(xi, -j));
   return std::abs(result);
+}
+
+/// By the closed form, fast.
+double symbol_half_closed(int n, double w) {
+  const double sine = std::sin(w);
+  if (std::abs(sine) < 1e-12) return std::cos(w) > 0 ? 1 : 0;
+  return (std::sin(2 * n * w) / (2 * n) + std::sin((2 * n - 1) * w) / (2 * n - 1)) / (2 * sine);
+}
+
+double transform_closed(int n, double xi) {
+  double result = 1;
+  for (int j = 1; j <= 45; ++j) result *= symbol_half_closed(n, std::ldexp(xi, -j));
+  return result;
 }
 
 double to_double(const Rational& x) { return x.convert_to<double>(); }
@@ -114,6 +128,25 @@ TEST_CASE("the proved remainder excludes a second coefficient that is wrong by o
   for (int sign : {-1, 1}) {
     const Rational shift = *mean.next.upper * sign / 100;
     CHECK_FALSE(mean.mean.contains(exact + shift));
+  }
+}
+
+TEST_CASE("the first Fourier coefficient of psi_n, scaled, tends to its limit for n = 3, 11, 43, ...") {
+  const double limit = first_harmonic().middle();
+  double before = 1;
+  for (int n : {3, 11, 43, 171}) {
+    const double N = 2 * n - 0.5;
+    const int steps = static_cast<int>(20 * N);
+    const double step = M_PI / steps;
+    double sum = 0;
+    for (int i = -steps; i <= steps; ++i)
+      sum += (std::abs(i) == steps ? 0.5 : 1) * transform_closed(n, i * step) *
+             transform_closed(n, 2 * M_PI - i * step);
+    const double error = std::abs(N * N * std::abs(sum * step / transform_closed(n, M_PI)) - limit);
+    CAPTURE(n, error);
+    CHECK(error < 0.6 * std::log2(N) / N);
+    CHECK(error < before);
+    before = error;
   }
 }
 

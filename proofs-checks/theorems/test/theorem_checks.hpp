@@ -10,11 +10,11 @@
 namespace subcert::theorems {
 
 /// Every inequality holds, and each constant, moved to its wrong side, fails the inequality that bounds it.
-inline void check_theorem(const std::string& id, int degree) {
-  const Constants stated = stated_constants(id, degree);
-  const Theorem theorem = prove(id, degree, stated, 2);
+inline void check_theorem(const std::string& id, int degree, const std::string& family = "primal") {
+  const Constants stated = stated_constants(id, degree, family);
+  const Theorem theorem = prove(id, degree, stated, 2, family);
   for (const Check& check : theorem.checks) {
-    CAPTURE(id, degree, check.id, check.claim, check.left.upper_text(), check.right.lower_text());
+    CAPTURE(id, family, degree, check.id, check.claim, check.left.upper_text(), check.right.lower_text());
     CHECK(check.decision.is_yes());
     CHECK(check.left.is_canonical());
     CHECK(check.right.is_canonical());
@@ -25,10 +25,10 @@ inline void check_theorem(const std::string& id, int degree) {
 
   std::set<std::string> names;
   for (const Constant& constant : stated.all()) {
-    CAPTURE(id, degree, constant.name, constant.check);
+    CAPTURE(id, family, degree, constant.name, constant.check);
     CHECK(constant.value > 0);
     CHECK(names.insert(constant.name).second);
-    const Theorem broken = prove(id, degree, stated.broken(constant.name));
+    const Theorem broken = prove(id, degree, stated.broken(constant.name), 1, family);
     CHECK(broken.decision.is_no());
     bool its_own = false;
     for (const Check& check : broken.checks)

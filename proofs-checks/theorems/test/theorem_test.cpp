@@ -3,6 +3,7 @@
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
+#include <subcert/proofs-checks/theorems/ledger.hpp>
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -10,12 +11,14 @@
 using namespace subcert;
 using namespace subcert::theorems;
 
-// One case, so that what several theorems compute is computed once. Degree 5 with all n below 60 is a long test.
+// One case, so that what several theorems compute is computed once.
 TEST_CASE("every inequality holds, and fails if its constant moves by a part in a hundred in the wrong direction",
           "[long]") {
   for (const TheoremEntry& entry : theorem_list())
     for (int degree : entry.degrees)
-      if (degree != 5) check_theorem(entry.id, degree);
+      if (degree <= 5 || entry.id == "limit-constants" || entry.id == "conjecture-8-d-all" ||
+          entry.id == "conjecture-8-d-large")
+        check_theorem(entry.id, degree);
 }
 
 TEST_CASE("the theorems agree with exact values on a grid") {
@@ -39,9 +42,40 @@ TEST_CASE("where nothing is proved the answer is unknown and says what is missin
   const Theorem theorem = prove("conjecture-7", 99);
   CHECK(theorem.decision.truth == Truth::unknown);
   CHECK_FALSE(theorem.missing.empty());
+  for (const auto& [id, degree] : {std::pair{"conjecture-8-d-all", 9}, {"conjecture-8-d-large", 3}}) {
+    CHECK(prove(id, degree).decision.truth == Truth::unknown);
+    CHECK_FALSE(prove(id, degree).missing.empty());
+  }
+  for (const char* id : {"convergence", "conjecture-8-d-all", "conjecture-8-d-large", "limit-constants-order"}) {
+    const Theorem other = prove(id, 5, {}, 1, "dual");
+    CHECK(other.decision.truth == Truth::unknown);
+    CHECK_FALSE(other.missing.empty());
+  }
   CHECK_FAILS(prove("conjecture-9", 1), domain);
   CHECK_FAILS(prove("conjecture-7", 2), domain);
   CHECK_FAILS(stated_constants("conjecture-7", 1)["nobody"], domain);
+}
+
+TEST_CASE("bounds that do not suffice refute nothing, and the answer says which inequality misses") {
+  Ledger ledger;
+  const Ball Y = ledger.state("Y", Side::above, "1", "", "two", exactly(Rational(2)));
+  ledger.need(less("2", "Y < 1", Enclosure::exactly(ledger["Y"]), Enclosure::exactly(1)));
+  CHECK_FALSE(ledger.holds());
+  CHECK(verdict(ledger.checks()).truth == Truth::unknown);
+  CHECK(Y.is_less(exactly(Rational(201, 100))));
+}
+
+TEST_CASE("a found constant is the number, rounded to its proved side, and depends on the constants as stated") {
+  Ledger found;
+  const Ball pi = Ball::pi(proof_bits);
+  const Ball first = found.state("a", Side::above, "1", "", "pi", pi);
+  found.state("b", Side::below, "2", "", "2 a", first.scaled(1), 3);
+  CHECK(found["a"] == decimal("3.142"));
+  CHECK(found["b"] == decimal("6.28"));
+  const Constants broken = found.constants().broken("a");
+  Ledger again(&broken);
+  CHECK(again.state("a", Side::above, "1", "", "pi", pi).is_less(pi));
+  CHECK_FALSE(again.holds());
 }
 
 TEST_CASE("a verdict is only as good as its weakest check") {
@@ -61,5 +95,11 @@ TEST_CASE("a verdict is only as good as its weakest check") {
 TEST_CASE("decimals") {
   CHECK(decimal("193.31") == Rational(19331, 100));
   CHECK(decimal("7") == 7);
-  for (const char* wrong : {"", ".", "1/2", "1.2.3", "x"}) CHECK_FAILS(decimal(wrong), usage);
+  CHECK(decimal("7.25e-8") == Rational(725, 100) / power(Rational(10), 8));
+  for (const char* wrong : {"", ".", "1/2", "1.2.3", "x", "1e", "e5"}) CHECK_FAILS(decimal(wrong), usage);
+}
+
+TEST_CASE("what holds for every degree can be asked for every degree") {
+  CHECK(prove("convergence", 33).decision.is_yes());
+  CHECK(prove("conjecture-8-d-large", 97).decision.is_yes());
 }

@@ -14,12 +14,23 @@ using namespace subcert::theorems;
 
 namespace {
 
-std::string source() {
-  std::ifstream stream(SUBCERT_THEOREM_TEXT);
+std::string file_text(const std::string& path) {
+  std::ifstream stream(path);
   std::ostringstream text;
   text << stream.rdbuf();
   REQUIRE(text.str().size() > 1000);
   return text.str();
+}
+
+/// The text with the files that it reads in their places.
+std::string source() {
+  const std::string path = SUBCERT_THEOREM_TEXT, folder = path.substr(0, path.rfind('/') + 1);
+  std::string text = file_text(path);
+  const std::regex input(R"(\\input\{([^}]*)\})");
+  for (std::smatch found; std::regex_search(text, found, input);)
+    text.replace(static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.length()),
+                 file_text(folder + found[1].str() + ".tex"));
+  return text;
 }
 
 std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
@@ -49,13 +60,6 @@ std::vector<std::string> row(const std::string& text, const std::string& key) {
   return {};
 }
 
-const Constant& constant(const Constants& constants, const std::string& name) {
-  for (const Constant& one : constants.all())
-    if (one.name == name) return one;
-  FAIL("no constant " << name);
-  throw std::logic_error(name);
-}
-
 /// "K" of "K_3"; names without a degree stay.
 std::string head(const std::string& name, int degree) {
   const std::string end = "_" + std::to_string(degree);
@@ -79,7 +83,12 @@ TEST_CASE("the text has the numbered inequalities that the program runs") {
     for (const Check& check : prove(id, 1).checks) run.insert(check.id);
     for (const Check& check : prove(id, 3).checks) run.insert(check.id);
   }
-  for (const Check& check : prove("conjecture-8-d", 1).checks) run.insert(check.id);
+  for (const char* id : {"conjecture-8-d", "convergence", "conjecture-8-d-all", "limit-constants-order"})
+    for (const Check& check : prove(id, 1).checks) run.insert(check.id);
+  for (int degree : {3, 7})
+    for (const Check& check : prove("conjecture-8-d-all", degree).checks) run.insert(check.id);
+  for (int degree : {5, 13})
+    for (const Check& check : prove("conjecture-8-d-large", degree).checks) run.insert(check.id);
   const auto tags = matches(source(), R"(\\tag\{([^}]*)\})");
   CHECK(as_set(tags).size() == tags.size());
   CHECK(as_set(tags) == run);
@@ -93,24 +102,53 @@ TEST_CASE("the tables of the text state the constants of the program") {
     ++rows;
   }
   for (const Constant& one : stated_constants("conjecture-8-n", 1).all()) check_cell(text, "1:" + one.name, 1, one);
-  for (int degree : {1, 3}) {
-    const Constants stated = stated_constants("conjecture-8-d", degree);
-    for (const Constant& one : stated.all()) {
-      const bool first = head(one.name, degree) != one.name;
-      const int of = first ? degree : degree + 2;
-      check_cell(text, "8:" + head(one.name, of), static_cast<std::size_t>(of + 1) / 2, one);
-      if (of == 1) ++rows;
+  rows += 4;  // n_1, beta_2, beta, s of the table for section 7
+  for (const Constant& one : stated_constants("conjecture-8-d", 1).all())
+    if (head(one.name, 1) != one.name) {
+      check_cell(text, "7:" + head(one.name, 1), 1, one);
+      ++rows;
     }
+  for (const Constant& one : stated_constants("convergence", 1).all()) {
+    check_cell(text, "P:" + one.name, 1, one);
+    ++rows;
   }
-  for (int degree : {3, 5}) {
-    for (const Constant& one : stated_constants("conjecture-8-n", degree).all())
-      CHECK(constant(stated_constants("conjecture-8-d", degree == 3 ? 1 : 3), one.name).value == one.value);
-    for (const Constant& one : stated_constants("conjecture-7", degree).all()) {
-      check_cell(text, "7:" + head(one.name, degree), static_cast<std::size_t>(degree - 1) / 2, one);
-      if (degree == 3) ++rows;
+  for (int degree : {5, 7, 9, 11})
+    for (const Constant& one : stated_constants("conjecture-8-d-large", degree).all()) {
+      check_cell(text, "T:" + one.name, static_cast<std::size_t>(degree - 3) / 2, one);
+      if (degree == 5) ++rows;
     }
+  for (int degree : {3, 5})
+    for (const Constant& one : stated_constants("conjecture-8-d-all", degree).all())
+      CHECK(stated_constants("conjecture-7", degree)[one.name] == one.value);
+  CHECK(matches(text, R"((% [0-9PT]:))").size() == rows);
+}
+
+TEST_CASE("the tables for section 7 state the constants that the program finds", "[long]") {
+  const std::string text = source();
+  const auto n_1 = [](const Theorem& theorem) {
+    return theorem.ranges.back().first.substr(std::string("n >= ").size());
+  };
+  for (int degree : {3, 5, 7, 9, 11, 13}) {
+    CAPTURE(degree);
+    const auto column = static_cast<std::size_t>(degree + 1) / 2;
+    for (const Constant& one : stated_constants("conjecture-7", degree).all())
+      check_cell(text, "7:" + head(one.name, degree), column, one);
+    CHECK(row(text, "7:n_1")[column] == n_1(prove("conjecture-7", degree)));
   }
-  CHECK(matches(text, R"((% [0-9]:))").size() == rows);
+  for (const char* family : {"primal-odd", "dual", "dual-odd"})
+    for (int degree = 1; degree <= 7; degree += family == std::string("primal-odd") ? 2 : 1) {
+      const std::string key = "F:" + (family + (":" + std::to_string(degree)));
+      CAPTURE(key);
+      const Constants stated = stated_constants("conjecture-7", degree, family);
+      const std::vector<std::string> cells = row(text, key);
+      CHECK(cells[2] == n_1(prove("conjecture-7", degree, stated, 2, family)));
+      CHECK(decimal(cells[3]) == stated["beta_2"]);
+      CHECK(decimal(cells[4]) == stated["beta"]);
+      CHECK(decimal(cells[5]) == stated["s"]);
+      CHECK(decimal(cells[6]) == stated["Delta_" + std::to_string(degree)]);
+      CHECK(decimal(cells[7]) == stated["r_" + std::to_string(degree)]);
+      CHECK(decimal(cells[8]) == stated["R_" + std::to_string(degree)]);
+    }
 }
 
 TEST_CASE("the source of the text is balanced and uses only macros that exist") {
@@ -133,15 +171,17 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
 
   std::set<std::string> known = as_set(matches(text, R"(\\newcommand\{\\([a-zA-Z]+)\})"));
   std::istringstream standard(
-      "documentclass usepackage newtheorem newcommand title author date begin end maketitle section subsection caption "
-      "label "
-      "ref cite bibitem emph texttt text tag qed operatorname mathbb hat frac tfrac binom bigl bigr Bigl Bigr quad "
+      "documentclass usepackage setlength textwidth oddsidemargin textheight topmargin emergencystretch newtheorem "
+      "newcommand title author date begin end maketitle section subsection caption "
+      "label ref cite bibitem emph texttt text tag qed operatorname mathbb hat frac tfrac binom bigl bigr Bigl Bigr "
+      "quad "
       "qquad "
       "sum prod int sup inf max min lim log sin cos sinh cosh exp to mapsto in notin ne le ge pm sim cdot dots infty "
       "partial "
       "lceil rceil alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu xi pi rho sigma tau varphi psi "
-      "Gamma "
-      "Delta Pi Phi Psi Omega");
+      "Gamma Delta Pi Phi Psi Omega Theta input H sqrt left right chi varpi nu epsilon omega iota vartheta theta mp "
+      "arcsin appendix Lambda "
+      "Im hline endhead langle rangle bar log medskip lfloor rfloor ln cdots scriptsize tabcolsep limsup cot");
   for (std::string name; standard >> name;) known.insert(name);
   for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {
     CAPTURE(name);

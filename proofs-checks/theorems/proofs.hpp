@@ -49,7 +49,7 @@ Constants uniform_constants_7(int degree);
 /// next call.
 int uniform_start(const SchemeFamily& family, int degree);
 
-/// Theorems P to S: convergence, Conjecture 8 in d from degree 1, 3 or 5 to all higher degrees, C_d < C_{d+2}.
+/// Theorems P to S: convergence, Conjecture 8 in d from degree 1, 3, 5 or 7 to all higher degrees, C_d < C_{d+2}.
 Constants convergence_constants(int degree);
 std::vector<Check> convergence_checks(const Constants& constants, int degree, int threads);
 Constants all_higher_constants(int degree);

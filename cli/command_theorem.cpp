@@ -12,7 +12,7 @@ using theorems::TheoremEntry;
 
 struct TheoremOptions : CommonOptions {
   std::string id = "list";
-  int degree = 1;
+  std::optional<int> degree = {};
   std::string family = "primal";
   bool all = false;
 };
@@ -32,6 +32,13 @@ std::string list_text() {
   return text;
 }
 
+/// Of those for which the theorem is proved.
+int least_degree(const std::string& id) {
+  for (const TheoremEntry& entry : theorems::theorem_list())
+    if (entry.id == id && !entry.degrees.empty()) return entry.degrees.front();
+  return 1;
+}
+
 ExitCode run(const TheoremOptions& options) {
   if (options.id == "list") {
     options.json ? options.answer(list_json()) : options.answer(list_text());
@@ -40,7 +47,8 @@ ExitCode run(const TheoremOptions& options) {
   options.progress("theorem " + options.id);
   // Primal schemes of even degree are those of the next odd one.
   const bool primal = options.family.starts_with("primal");
-  const int degree = primal && options.degree % 2 == 0 ? options.degree + 1 : std::max(options.degree, 1);
+  const int asked = options.degree.value_or(least_degree(options.id));
+  const int degree = primal && asked % 2 == 0 ? asked + 1 : std::max(asked, 1);
   const Theorem theorem = theorems::prove(options.id, degree,
                                           theorems::stated_constants(options.id, degree, options.family),
                                           options.threads(), options.family);
@@ -59,9 +67,11 @@ void add_theorem(Command& app) {
                                 "Computer-assisted theorems: runs every certified inequality of a proof",
                                 "subcert theorem conjecture-8-n --d 1", options, [=] { return run(*options); });
   command.option("ID", options->id, "list, or a theorem of the list").one_of(ids).with_default();
-  command.option("--d", options->degree, "Degree; for conjecture-8-d the smaller one of two neighbouring odd degrees")
-      .within(0, 98)
-      .with_default();
+  command
+      .option("--d", options->degree,
+              "Degree, by default the least of the list; for conjecture-8-d the smaller one of two neighbouring odd "
+              "degrees")
+      .within(0, 98);
   command.option("--family", options->family, "Family of the schemes, for the conjectures")
       .one_of({"primal", "primal-odd", "dual", "dual-odd"})
       .with_default();

@@ -109,6 +109,11 @@ Option Command::option(const std::string& name, std::optional<double>& target, c
       name, [&target](const double& value) { target = value; }, text));
 }
 
+Option Command::option(const std::string& name, std::optional<int>& target, const std::string& text) {
+  return Option(app_->add_option_function<int>(
+      name, [&target](const int& value) { target = value; }, text));
+}
+
 Option Command::option(const std::string& name, std::string& target, const std::string& text) {
   return Option(app_->add_option(name, target, text));
 }

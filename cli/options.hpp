@@ -72,6 +72,7 @@ class Command {
   Option option(const std::string& name, unsigned long& target, const std::string& text);
   Option option(const std::string& name, double& target, const std::string& text);
   Option option(const std::string& name, std::optional<double>& target, const std::string& text);
+  Option option(const std::string& name, std::optional<int>& target, const std::string& text);
   Option option(const std::string& name, std::string& target, const std::string& text);
   Option option(const std::string& name, std::vector<std::string>& target, const std::string& text);
   Option flag(const std::string& name, bool& target, const std::string& text);

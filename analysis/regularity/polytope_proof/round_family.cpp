@@ -3,7 +3,6 @@
 #include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
 #include <subcert/analysis/symbol/ball_matrix.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace subcert::radius {
@@ -22,21 +21,20 @@ RationalMatrix commuting_with_flip(const RationalMatrix& matrix) {
   return result;
 }
 
-/// A symmetric matrix that makes orbits rounder; nothing where they are round. With `flip` it commutes with it.
+/// A matrix that makes orbits rounder, symmetric up to rounding; nothing where they are round. With `flip` it commutes
+/// with it.
 std::optional<RationalMatrix> rounding_step(const std::vector<polytope::Matrix>& matrices, bool flip,
                                             const Deadline& deadline) {
   const polytope::OrbitShape orbit = polytope::orbit_shape(matrices, deadline);
   const polytope::SymmetricDecomposition shape = polytope::symmetric_decomposition(orbit.shape);
-  const std::size_t n = shape.values.size();
   if (orbit.radius_bound == 0 || shape.values.front() > round_enough * shape.values.back()) return std::nullopt;
+  polytope::Vector factors;
+  for (const double value : shape.values) factors.push_back(std::sqrt(shape.values.back() / value));
+  const polytope::Matrix step = polytope::composed(shape.vectors, factors);
+  const std::size_t n = factors.size();
   RationalMatrix result(n, n);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      double entry = 0;
-      for (std::size_t k = 0; k < n; ++k)
-        entry += shape.vectors(i, k) * shape.vectors(j, k) * std::sqrt(shape.values.back() / shape.values[k]);
-      result(i, j) = result(j, i) = Rational(entry);
-    }
+    for (std::size_t j = 0; j < n; ++j) result(i, j) = Rational(step(i, j));
   return flip ? commuting_with_flip(result) : result;
 }
 

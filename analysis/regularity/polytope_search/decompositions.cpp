@@ -27,6 +27,13 @@ SymmetricDecomposition symmetric_decomposition(const Matrix& matrix) {
   return result;
 }
 
+Matrix composed(const Matrix& vectors, const Vector& values) {
+  Matrix weighted = vectors;
+  for (std::size_t j = 0; j < weighted.columns(); ++j)
+    for (std::size_t i = 0; i < weighted.rows(); ++i) weighted(i, j) *= values[j];
+  return weighted * vectors.transposed();
+}
+
 Vector symmetric_eigenvalues(const Matrix& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(copy(matrix), Eigen::EigenvaluesOnly);
   return {solver.eigenvalues().begin(), solver.eigenvalues().end()};

@@ -13,6 +13,8 @@ struct SymmetricDecomposition {
   Matrix vectors;
 };
 SymmetricDecomposition symmetric_decomposition(const Matrix& matrix);
+/// vectors diag(values) vectors^T: a function of a symmetric matrix from those of its eigenvalues.
+Matrix composed(const Matrix& vectors, const Vector& values);
 /// Increasing. Domain: symmetric.
 Vector symmetric_eigenvalues(const Matrix& matrix);
 

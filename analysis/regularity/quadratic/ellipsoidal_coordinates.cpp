@@ -9,6 +9,7 @@
 namespace subcert::quadratic {
 namespace {
 
+using polytope::composed;
 using polytope::Matrix;
 using polytope::norm;
 using polytope::SymmetricDecomposition;
@@ -34,14 +35,6 @@ Matrix scaled(double factor, const Matrix& a) {
   Matrix result(a.rows(), a.columns());
   add(result, factor, a);
   return result;
-}
-
-/// vectors diag(values) vectors^T
-Matrix composed(const Matrix& vectors, const Vector& values) {
-  Matrix weighted = vectors;
-  for (std::size_t j = 0; j < weighted.columns(); ++j)
-    for (std::size_t i = 0; i < weighted.rows(); ++i) weighted(i, j) *= values[j];
-  return weighted * vectors.transposed();
 }
 
 /// exp(factor X). Domain: symmetric.

@@ -22,8 +22,10 @@ Mask deslauriers_dubuc_mask(int n, int arity) {
   return regression_mask(scheme);
 }
 
-Mask pseudo_spline_mask(int m, int l) {
-  require(0 <= l && l < m, "pseudo_spline_mask: need 0 <= l < m, got m = {}, l = {}", m, l);
+Mask pseudo_spline_mask(const Rational& m, int l) {
+  const Rational twice = 2 * m;
+  require(denominator(twice) == 1 && 0 <= l && l < m,
+          "pseudo_spline_mask: need 2m whole and 0 <= l < m, got m = {}, l = {}", to_text(m), l);
   // cos^2 and sin^2 of half the angle.
   const LaurentPolynomial cosine({Rational(1, 4), Rational(1, 2), Rational(1, 4)}, -1),
       sine({Rational(-1, 4), Rational(1, 2), Rational(-1, 4)}, -1);
@@ -31,9 +33,11 @@ Mask pseudo_spline_mask(int m, int l) {
   Rational binomial = 1;
   for (int j = 0; j <= l; ++j) {
     sum += LaurentPolynomial(binomial) * sine.pow(j) * cosine.pow(l - j);
-    binomial *= Rational(m + l - j, j + 1);
+    binomial *= (m + l - j) / (j + 1);
   }
-  return {LaurentPolynomial(2) * cosine.pow(m) * sum, 2};
+  const int orders = numerator(twice).convert_to<int>();
+  const LaurentPolynomial smoothing = LaurentPolynomial({Rational(1, 2), Rational(1, 2)}, 0).pow(orders);
+  return {LaurentPolynomial(2) * smoothing.shifted(-(orders + 1) / 2) * sum, 2};
 }
 
 Mask four_point_mask(const Rational& w) { return classical_families().front().mask.at(w); }

@@ -4,6 +4,8 @@
 #include "daubechies.hpp"
 #include "regression_text.hpp"
 
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -72,12 +74,16 @@ Scheme make_bspline(Fields& fields) {
 }
 
 Scheme make_pseudo_spline(Fields& fields) {
-  const long m = read_integer(fields.required("m"), "m", 1, 100);
-  const long l = read_integer(fields.required("l"), "l", 0, m - 1);
+  const Piece order = fields.required("m");
+  const Rational m = read_rational(order);
+  if (m < 1 || m > 100 || denominator(Rational(2 * m)) != 1) fail(order, "a multiple m of 1/2 with 1 <= m <= 100");
+  const long l = read_integer(fields.required("l"), "l", 0, ceil_index(m) - 1);
   fields.finish();
-  return {"pseudo-spline:m=" + number(m) + ",l=" + number(l),
-          "pseudo-spline of type II and order (" + number(m) + ", " + number(l) + ")",
-          pseudo_spline_mask(static_cast<int>(m), static_cast<int>(l))};
+  const std::string text = to_text(m);
+  return {"pseudo-spline:m=" + text + ",l=" + number(l),
+          (denominator(m) == 1 ? "pseudo-spline of type II and order (" : "dual pseudo-spline of order (") + text +
+              ", " + number(l) + ")",
+          pseudo_spline_mask(m, static_cast<int>(l))};
 }
 
 /// One scheme of each family, by the number that takes the place of its letter.

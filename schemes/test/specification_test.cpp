@@ -1,3 +1,4 @@
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/classical.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -161,6 +162,15 @@ TEST_CASE("classical families by name") {
     CHECK(make_scheme(text + std::to_string(m - 1)).mask.symbol() ==
           make_scheme("dd:n=" + std::to_string(m)).mask.symbol());
   }
+  CHECK(mask_of("pseudo-spline:m=3/2,l=0").symbol() == mask_of("bspline:degree=2").symbol());
+  CHECK(mask_of("pseudo-spline:m=5/2,l=1").symbol() == mask_of("dual-four-point:w=1/128").symbol());
+  for (int twice = 4; twice <= 12; ++twice) {
+    const auto degrees = polynomial_reproduction(
+        make_scheme("pseudo-spline:m=" + std::to_string(twice) + "/2,l=1").mask);
+    CHECK(degrees.generation_degree == twice - 1);
+    CHECK(degrees.reproduction_degree == 3);
+  }
+  CHECK(polynomial_reproduction(mask_of("pseudo-spline:m=3/2,l=1")).reproduction_degree == 2);
   CHECK(mask_of("pseudo-spline:m=3,l=1").symbol() == mask_of("mask:[-3,-8,12,72,110,72,12,-8,-3]/128").symbol());
 }
 

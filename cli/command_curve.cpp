@@ -105,7 +105,10 @@ std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) 
          << fmt::format("{} <= {} <= {}", number_text(begin.proof.low, Rounding::up), w,
                         number_text(curve.pieces[next - 1].proof.high, Rounding::down));
     if (hull.lower || hull.upper) page << ": exponent " << enclosure_text(hull, 5);
-    page << (product.empty() ? ", no upper end is proved" : ", product " + product) << "\n";
+    page << (!product.empty() ? ", product " + product
+             : hull.upper     ? ", the upper end from the sum rules"
+                              : ", no upper end is proved")
+         << "\n";
   }
   for (const CurvePoint& point : curve.special)
     page << "special      " << w << " = " << number_text(point.at.value) << ": " << why_text(point.at.why)

@@ -15,7 +15,7 @@ namespace {
 
 using namespace family;
 
-constexpr int first_share = 2, round_share = 8;  // of the pieces: at once, and then in each round
+constexpr int first_share = 2, round_share = 32;  // of the pieces: at once, and then in each round
 constexpr int least_share = 4096;                // of the range: no shorter piece is halved for a missing end
 constexpr double excess_share = 0.02;            // of an upper bound, for one piece: small beside its slope
 constexpr double most_seconds = 1;               // for one piece
@@ -25,12 +25,13 @@ constexpr int levels = 12;  // of norms, at special values
 
 class CurveSearch {
  public:
-  CurveSearch(const ParametricMask& mask, const LaurentPolynomial& unstable, const Segment& range,
-              const CurveOptions& options)
+  CurveSearch(const ParametricMask& mask, const LaurentPolynomial& unstable, const std::vector<CurvePoint>& special,
+              const Segment& range, const CurveOptions& options)
       : options_(options),
         arity_(mask.arity()),
         rules_(sum_rules(mask)),
         unstable_(unstable),
+        special_(special),
         radius_(transition_matrices(divided_difference_scheme(mask, rules_), range.low)),
         range_(range) {}
 
@@ -95,14 +96,28 @@ class CurveSearch {
       if (!result.proof.below) continue;
       result.exponent.upper = rules_ - *log_ratio(result.proof.below->modulus(), arity_).lower /
                                            Rational(static_cast<long>(word.size()));
-      break;
+      return result;
     }
+    result.exponent.upper = end_by_sum_rules(segment);
     return result;
+  }
+
+  /// An exponent above m is C^m, which takes m + 1 sum rules where the shifts are stable; so only single values go
+  /// beyond.
+  std::optional<Rational> end_by_sum_rules(const Segment& segment) const {
+    Rational end = rules_;
+    for (const CurvePoint& point : special_) {
+      if (*point.at.value.upper < segment.low || segment.high < *point.at.value.lower) continue;
+      if (!point.exponent || !point.exponent->upper) return std::nullopt;
+      end = std::max(end, *point.exponent->upper);
+    }
+    return end;
   }
 
   const CurveOptions& options_;
   int arity_, rules_;
   const LaurentPolynomial& unstable_;
+  const std::vector<CurvePoint>& special_;
   FamilyRadius radius_;
   Segment range_;  // what is asked for
 };
@@ -116,7 +131,6 @@ ExponentCurve exponent_curve(const ParametricMask& mask, const Rational& low, co
   ExponentCurve result;
   result.sum_rules = sum_rules(mask);
   const LaurentPolynomial unstable = unstable_values(mask, options.budget.deadline);
-  result.pieces = CurveSearch(mask, unstable, {low, high}, options).pieces();
   for (SpecialValue& value : single_values(mask, unstable, low, high, power(Rational(10), -9))) {
     CurvePoint point{std::move(value), std::nullopt};
     if (point.at.value.is_exact())
@@ -125,6 +139,7 @@ ExponentCurve exponent_curve(const ParametricMask& mask, const Rational& low, co
                            .exponent;
     result.special.push_back(std::move(point));
   }
+  result.pieces = CurveSearch(mask, unstable, result.special, {low, high}, options).pieces();
   return result;
 }
 

@@ -7,10 +7,11 @@ namespace subcert {
 
 /// Values of w from proof.low to proof.high. For all of them the exponent is at least the lower end, where that is
 /// positive: then the scheme converges; and below the upper end, or the scheme does not converge. A scheme whose upper
-/// end is not positive does not converge. The upper end is absent where shifts may be unstable for a value.
+/// end is not positive does not converge. The upper end is absent where shifts may be unstable for a value. Without a
+/// product that leads it is the number of sum rules, or the exponent at a single value that has more of them.
 struct CurvePiece {
   Enclosure exponent;
-  IntervalProof proof;  ///< proof.below names the product that leads
+  IntervalProof proof;  ///< proof.below names the product that leads, if one does
 };
 
 /// A single value, with the exponent that the scheme has there.

@@ -438,6 +438,28 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   return certificate;
 }
 
+namespace {
+
+/// The limits are not C^order for all values from `low` to `high` but those within `margin` of `away`, in order.
+void add_rough(std::vector<RangeCertificate>& certificates, const ParametricMask& mask, char letter,
+               const Rational& order, Rational low, const Rational& high, const std::vector<Enclosure>& away,
+               const Rational& margin) {
+  CertificateClaim claim;
+  claim.upper = "C" + to_text(order);
+  const auto add = [&](const Rational& end) {
+    if (low < end)
+      certificates.push_back({low, end, Truth::no, interval_certificate(mask, letter, low, end, claim, {})});
+  };
+  for (const Enclosure& value : away) {
+    if (*value.upper < low || *value.lower > high) continue;
+    add(*value.lower - margin);
+    low = *value.upper + margin;
+  }
+  add(high);
+}
+
+}  // namespace
+
 std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, char letter, const RangeProperty& property,
                                                  const PropertyRange& range, const Rational& margin) {
   using Kind = RangeProperty::Kind;
@@ -445,6 +467,8 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
              rough = property.kind == Kind::smooth && property.order >= range.sum_rules;
   if (!stable && !rough && range.proofs.empty()) return {};
   std::vector<RangeCertificate> certificates;
+  std::vector<Enclosure> special;  // looked at on their own
+  for (const SpecialValue& value : range.special) special.push_back(value.value);
   auto proof = range.proofs.begin();
   const auto add = [&](const Rational& low, const Rational& high, Truth holds, const CertificateClaim& claim,
                        const std::vector<IntervalProof>& proofs) {
@@ -453,19 +477,11 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
   };
   for (const RangePiece& piece : range.pieces) {
     if (piece.holds == Truth::unknown || (stable && piece.holds == Truth::no)) continue;
-    Rational low = piece.low_included ? piece.low : Rational(piece.low + margin);
+    const Rational low = piece.low_included ? piece.low : Rational(piece.low + margin);
     const Rational high = piece.high_included ? piece.high : Rational(piece.high - margin);
     CertificateClaim claim;
     if (rough) {
-      if (piece.holds == Truth::yes) continue;
-      claim.upper = "C" + to_text(property.order);
-      // Away from single values, which were looked at on their own.
-      for (const SpecialValue& value : range.special) {
-        if (*value.value.upper < low || *value.value.lower > high) continue;
-        add(low, *value.value.lower - margin, Truth::no, claim, {});
-        low = *value.value.upper + margin;
-      }
-      add(low, high, Truth::no, claim, {});
+      if (piece.holds == Truth::no) add_rough(certificates, mask, letter, property.order, low, high, special, margin);
       continue;
     }
     if (!stable) (piece.holds == Truth::yes ? claim.lower : claim.upper) = to_text(property.order);
@@ -478,6 +494,8 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
 
 std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, char letter, const ExponentCurve& curve) {
   const Rational strictly = power(Rational(10), -12);
+  std::vector<Enclosure> special;  // with more sum rules
+  for (const CurvePoint& point : curve.special) special.push_back(point.at.value);
   std::vector<RangeCertificate> certificates;
   const auto add = [&](const IntervalProof& proof, const CertificateClaim& claim) {
     certificates.push_back({proof.low, proof.high, claim.lower ? Truth::yes : Truth::unknown,
@@ -501,6 +519,8 @@ std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, cha
     }
     if (above.above) add(above, lower);
     if (below.below) add(below, upper);
+    if (piece.exponent.upper && !piece.proof.below)
+      add_rough(certificates, mask, letter, curve.sum_rules, piece.proof.low, piece.proof.high, special, strictly);
   }
   return certificates;
 }

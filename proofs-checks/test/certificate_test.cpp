@@ -734,7 +734,7 @@ TEST_CASE("certificates of curves are accepted, and prove no more than their env
   for (const char* text :
        {"four-point:w", "mask:[w^2,1/2,1-2*w^2,1/2,w^2]", "mask:[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]"}) {
     const ParametricScheme scheme = make_parametric_scheme(text);
-    const ExponentCurve curve = exponent_curve(scheme.mask, q("1/10"), 1, {8, 2, {Deadline::in(60)}});
+    const ExponentCurve curve = exponent_curve(scheme.mask, q("1/20"), 1, {8, 2, {Deadline::in(60)}});
     for (const RangeCertificate& piece : curve_certificates(scheme.mask, scheme.parameter, curve)) {
       const std::string subject = "--mask '" + scheme.mask.to_text(scheme.parameter) + "' --arity 2 --for " +
                                   scheme.parameter + "=" + to_text(piece.low) + ".." + to_text(piece.high);

@@ -20,7 +20,8 @@ using radius::RealVector;
 
 constexpr int least_bits = 112, most_bits = 192;  // of vertices and weights; orbits have 200
 constexpr int refinements = 4;
-constexpr int tight_bits = 20;  // cones: relatively nearer coordinates are to be met
+// Cones: relatively nearer coordinates are to be met, or fewer of them where that leads further below.
+constexpr int tight_bits = 20, tightest_bits = 40, tight_step = 5;
 
 Integer round_scaled(const Real& value, int bits) {
   return from_boost(boost::multiprecision::mpz_int(round(ldexp(value, bits))));
@@ -89,17 +90,18 @@ class Certifier {
     for (const radius::PolytopeCandidate::Image& proposal : candidate_.images) {
       if (deadline.expired()) return std::nullopt;
       const Target target = image(static_cast<std::size_t>(proposal.letter), static_cast<std::size_t>(proposal.vertex));
-      std::vector<WeightedVertex> terms = start_from(proposal);
-      if (is_complex())
-        refine<std::complex<double>>(target, terms);
-      else
-        refine<double>(target, terms);
-      if (cone()) dominate(target, terms);
-      const Integer moduli = finish(terms), rest = residual_size(target, terms);
-      largest = std::max(largest, Integer((moduli * denominator_ << bits_) + rest * polytope_.unit_norm));
-      polytope_.moduli.emplace_back(moduli, Integer(1) << bits_);
-      polytope_.residuals.emplace_back(rest, denominator_ << (2 * bits_));
-      polytope_.images.push_back(std::move(terms));
+      Combination combination = combined(target, proposal, tight_bits);
+      const Integer modulus_of_scale = round_scaled(scale_, bits_);
+      for (int bits = tight_bits + tight_step; cone() && bits <= tightest_bits; bits += tight_step) {
+        // What lies clearly below need not come further.
+        if (combination.moduli < modulus_of_scale - (modulus_of_scale >> tight_bits)) break;
+        if (Combination other = combined(target, proposal, bits); other.bound < combination.bound)
+          combination = std::move(other);
+      }
+      largest = std::max(largest, combination.bound);
+      polytope_.moduli.emplace_back(combination.moduli, Integer(1) << bits_);
+      polytope_.residuals.emplace_back(combination.rest, denominator_ << (2 * bits_));
+      polytope_.images.push_back(std::move(combination.terms));
     }
     polytope_.bound = Rational(largest, denominator_ << (2 * bits_));
     return std::move(polytope_);
@@ -110,6 +112,24 @@ class Certifier {
   struct Target {
     std::vector<Integer> re, im;
   };
+
+  /// An image as a combination of vertices and a residual, and what follows for its norm.
+  struct Combination {
+    std::vector<WeightedVertex> terms;
+    Integer moduli, rest, bound;  ///< times 2^bits_, denominator_ 2^(2 bits_), and that again
+  };
+  Combination combined(const Target& target, const radius::PolytopeCandidate::Image& proposal, int tight) const {
+    Combination result{start_from(proposal), 0, 0, 0};
+    if (is_complex())
+      refine<std::complex<double>>(target, result.terms, tight);
+    else
+      refine<double>(target, result.terms, tight);
+    if (cone()) dominate(target, result.terms);
+    result.moduli = finish(result.terms);
+    result.rest = residual_size(target, result.terms);
+    result.bound = (result.moduli * denominator_ << bits_) + result.rest * polytope_.unit_norm;
+    return result;
+  }
 
   /// The vertices, rounded.
   void take(const radius::Orbit& orbit) {
@@ -285,7 +305,7 @@ class Certifier {
 
   /// All coordinates; for the cone those that the combination meets up to rounding, relatively to their size, which
   /// may be tiny.
-  std::vector<Row> rows_to_meet(const Target& target, const std::vector<WeightedVertex>& terms) const {
+  std::vector<Row> rows_to_meet(const Target& target, const std::vector<WeightedVertex>& terms, int tight) const {
     std::vector<Row> rows;
     const Target rest = cone() ? residual(target, terms) : Target{};
     for (std::size_t i = 0; i < size_; ++i) {
@@ -293,7 +313,7 @@ class Certifier {
         rows.push_back({i, 1});
       } else if (target.re[i] != 0) {
         const Integer size = target.re[i] << bits_;
-        if (abs(rest.re[i]) << tight_bits > size) continue;
+        if (abs(rest.re[i]) << tight > size) continue;
         rows.push_back({i, std::ldexp(1 / to_double(target.re[i], -bit_size(target.re[i])),
                                       static_cast<int>(bit_size(denominator_) + bits_ - bit_size(target.re[i])))});
       }
@@ -342,9 +362,9 @@ class Certifier {
   /// Corrects the weights until the residual is at the level of the rounding, in double precision steps against exact
   /// residuals.
   template <class Scalar>
-  void refine(const Target& target, std::vector<WeightedVertex>& terms) const {
+  void refine(const Target& target, std::vector<WeightedVertex>& terms, int tight) const {
     if (terms.empty()) return;
-    const std::vector<Row> rows = rows_to_meet(target, terms);
+    const std::vector<Row> rows = rows_to_meet(target, terms, tight);
     if (rows.size() < terms.size()) return;
     const bool in_search = solves_in_search(terms.size());
     std::vector<Scalar> basis = columns_of<Scalar>(terms, rows, in_search);
@@ -406,7 +426,7 @@ class Certifier {
           all.push_back({v, element, conjugated, 0, 0, 0});
     std::vector<WeightedVertex> basis;
     if (!cone()) {
-      const auto columns = columns_of<Scalar>(all, rows_to_meet({}, {}), solves_in_search(all.size()));
+      const auto columns = columns_of<Scalar>(all, rows_to_meet({}, {}, tight_bits), solves_in_search(all.size()));
       const polytope::PivotedQr<Scalar> factors(columns, size_, all.size());
       if (factors.rank() < size_) return false;
       const std::vector<std::size_t> pivots = factors.pivots();
@@ -425,7 +445,7 @@ class Certifier {
         terms = {*best};
         terms.front().weight = ((Integer(1) << (2 * bits_)) / real_part(*best, k)) + 1;
       } else {
-        refine<Scalar>(target, terms);
+        refine<Scalar>(target, terms, tight_bits);
       }
       most = std::max(most, finish(terms));
       largest_residual = std::max(largest_residual, residual_size(target, terms));

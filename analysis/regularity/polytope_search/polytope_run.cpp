@@ -93,7 +93,10 @@ PolytopeRun::PolytopeRun(const SearchFamily& family, std::vector<Candidate> prod
     if (options_.budget.deadline.expired()) return;
     matrices_.push_back(coordinates_.change.to * a * coordinates_.change.from);
   }
-  cycles_ = leading_cycles(matrices_, products_, 1e-10, options_.budget.deadline);
+  // Of more than the radius one product is enough: no image has to come back to a root of the others.
+  const std::size_t roots = scale_ > products_.front().radius ? 1 : products_.size();
+  cycles_ = leading_cycles(matrices_, {products_.begin(), products_.begin() + static_cast<std::ptrdiff_t>(roots)},
+                           1e-10, options_.budget.deadline);
   for (Matrix& a : matrices_) a /= scale_;
   if (kind_ == PolytopeKind::nonnegative) {
     for (RootCycle& cycle : cycles_) {

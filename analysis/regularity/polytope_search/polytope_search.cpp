@@ -37,7 +37,8 @@ constexpr int usual_length = 40;
 // Descending tolerance: by what the radius is exceeded at first, and how it falls.
 constexpr double first_excess = 0.1, excess_factor = 0.4;
 constexpr double third_excess = 6e-4;  // encloses the logarithm to base 2 within 1e-3
-constexpr int excess_count = 24;       // the last is below the rounding of the radius
+constexpr int excess_count = 28;       // the last is below the rounding of the radius
+constexpr double inner_share = 0.1;    // of the excess, by which images are to be inside
 
 void check(const SearchFamily& family, const SearchOptions& options) {
   require(!family.matrices.empty(), "search_polytope: need at least one matrix, got {}", family.matrices.size());
@@ -279,6 +280,8 @@ class Search {
     for (int k = 0; k < excess_count && !deadline().expired(); ++k, excess *= excess_factor) {
       if (k == 3) excess = third_excess;
       const std::size_t held = std::min(bytes_of(best), memory_of_polytopes());
+      // An image that is inside by less than the excess need not become a vertex: it would by the radius itself.
+      options_.tolerance = std::min(options_.tolerance, inner_share * excess);
       auto run = start(side, radius * (1 + excess), simple, memory_of_polytopes() - held);
       if (run->advance(no_limit, deadline()) != PolytopeRun::State::closed) {
         retire(run);

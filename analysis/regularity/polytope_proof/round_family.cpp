@@ -30,12 +30,8 @@ std::optional<RationalMatrix> rounding_step(const std::vector<polytope::Matrix>&
   if (orbit.radius_bound == 0 || shape.values.front() > round_enough * shape.values.back()) return std::nullopt;
   polytope::Vector factors;
   for (const double value : shape.values) factors.push_back(std::sqrt(shape.values.back() / value));
-  const polytope::Matrix step = polytope::composed(shape.vectors, factors);
-  const std::size_t n = factors.size();
-  RationalMatrix result(n, n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) result(i, j) = Rational(step(i, j));
-  return flip ? commuting_with_flip(result) : result;
+  const RationalMatrix step = to_rational(polytope::composed(shape.vectors, factors));
+  return step;
 }
 
 /// Nearly; nothing where balls do not resolve it.
@@ -57,6 +53,13 @@ polytope::Matrix to_double(const RationalMatrix& m) {
   return result;
 }
 
+RationalMatrix to_rational(const polytope::Matrix& m) {
+  RationalMatrix result(m.rows(), m.columns());
+  for (std::size_t i = 0; i < m.rows(); ++i)
+    for (std::size_t j = 0; j < m.columns(); ++j) result(i, j) = Rational(m(i, j));
+  return result;
+}
+
 polytope::SearchFamily to_search_family(const MatrixFamily& family) {
   polytope::SearchFamily result;
   for (const RationalMatrix& m : family) result.matrices.push_back(to_double(m));
@@ -72,18 +75,23 @@ polytope::SearchFamily to_search_family(const MatrixFamily& family) {
   return result;
 }
 
+bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const RationalMatrix& step) {
+  const RationalMatrix kept = family.is_flip_symmetric() ? commuting_with_flip(step) : step;
+  const RationalMatrix to = round.coordinates.differ() ? kept * round.coordinates.to : kept;
+  const auto from = inverse(to);
+  if (!from) return false;
+  for (std::size_t t = 0; t < family.count(); ++t) round.family.matrices[t] = to_double(to * family[t] * *from);
+  round.coordinates = {to, *from};
+  return true;
+}
+
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
   RoundFamily result{to_search_family(family)};
   const bool flip = family.is_flip_symmetric();
   if (family.group().size() > 1 && !flip) return result;
   for (int k = 0; k < most_steps && !deadline.expired(); ++k) {
     const auto step = rounding_step(result.family.matrices, flip, deadline);
-    if (!step) break;
-    const RationalMatrix to = result.coordinates.differ() ? *step * result.coordinates.to : *step;
-    const auto from = inverse(to);
-    if (!from || deadline.expired()) break;
-    for (std::size_t t = 0; t < family.count(); ++t) result.family.matrices[t] = to_double(to * family[t] * *from);
-    result.coordinates = {to, *from};
+    if (!step || !change_coordinates(result, family, *step)) break;
   }
   return result;
 }

@@ -22,6 +22,9 @@ struct RoundFamily {
 /// Domain: entries whose doubles are finite.
 polytope::Matrix to_double(const RationalMatrix& matrix);
 
+/// Domain: finite entries.
+RationalMatrix to_rational(const polytope::Matrix& matrix);
+
 /// The family in doubles, with its group. Domain: entries whose doubles are finite.
 polytope::SearchFamily to_search_family(const MatrixFamily& family);
 
@@ -30,5 +33,9 @@ polytope::SearchFamily to_search_family(const MatrixFamily& family);
 /// matrices. They commute with the flip; a family with another group keeps its coordinates. Cost: for each step, which
 /// makes orbits rounder by a factor of 10^4, an inverse in balls and three exact products for each matrix.
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline);
+
+/// Goes on to the coordinates step y, exactly; false where balls do not resolve the way back. Domain: a step that
+/// commutes with the group of the family.
+bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const RationalMatrix& step);
 
 }  // namespace subcert::radius

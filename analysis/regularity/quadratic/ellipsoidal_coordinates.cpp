@@ -18,7 +18,7 @@ using polytope::Vector;
 constexpr double largest_power = 512;  // q: sums of such powers tell the largest term to a thousandth
 constexpr int steps_per_power = 200;
 constexpr std::size_t remembered = 20;  // steps of L-BFGS
-constexpr double settled = 1e-6;        // of the logarithm of the sum
+constexpr double settled = 1e-12;       // of the logarithm of the sum
 constexpr int most_halvings = 20;       // of a step
 constexpr double longest_step = 2;      // in the norm of the logarithm of the form
 constexpr double largest_condition = 1e13;
@@ -142,13 +142,16 @@ void descend(EllipsoidalCoordinates& at, double q, const Symmetry& symmetry, con
     EllipsoidalCoordinates next;
     for (int halvings = 0;; share /= 2) {
       const Matrix map = exponential(decomposed, share / 2), back = exponential(decomposed, -share / 2);
-      next = {map * at.to, {}, 0};
+      next = {map * at.to, {}, 0, at.ended_flat};
       for (const Matrix& b : at.matrices) next.matrices.push_back(map * b * back);
       there = value_of(next.matrices, q, symmetry);
       if (there.smooth <= here.smooth + 1e-4 * share * slope) break;
       if (++halvings == most_halvings) return;
     }
-    if (!is_well_conditioned(next.to)) return;
+    if (!is_well_conditioned(next.to)) {
+      at.ended_flat = true;
+      return;
+    }
     Matrix change = there.gradient;
     add(change, -1, here.gradient);
     memory.remember(scaled(share, direction), std::move(change));
@@ -166,7 +169,7 @@ EllipsoidalCoordinates ellipsoidal_coordinates(const polytope::SearchFamily& fam
                                                const Deadline& deadline) {
   const std::size_t n = family.matrices.front().rows();
   const Symmetry symmetry{family.symmetry, family.symmetry.adapted_coordinates(n)};
-  EllipsoidalCoordinates best{symmetry.adapted.to, {}, 0};
+  EllipsoidalCoordinates best{symmetry.adapted.to};
   for (const Matrix& a : family.matrices) best.matrices.push_back(best.to * a * symmetry.adapted.from);
   best.bound = value_of(best.matrices, 1, symmetry).bound;
   EllipsoidalCoordinates at = best;
@@ -174,6 +177,7 @@ EllipsoidalCoordinates ellipsoidal_coordinates(const polytope::SearchFamily& fam
     descend(at, q, symmetry, deadline);
     if (at.bound < best.bound) best = at;
   }
+  best.ended_flat = at.ended_flat;
   return best;
 }
 

@@ -10,6 +10,7 @@ struct EllipsoidalCoordinates {
   polytope::Matrix to;                     ///< x' = to x; the form is to^T to
   std::vector<polytope::Matrix> matrices;  ///< of the family, in these coordinates
   double bound = 0;                        ///< the largest of their norms: the joint spectral radius is not larger
+  bool ended_flat = false;                 ///< other forms may do better, but for doubles they are too flat from here
 };
 
 /// Minimises the largest norm over all coordinates: first the sum of the q-th powers of all squared singular values

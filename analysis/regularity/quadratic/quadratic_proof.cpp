@@ -17,6 +17,7 @@ using quadratic::ProductTree;
 constexpr double shape_share = 0.4, tree_share = 0.5;  // of the time that is left
 constexpr double most_work = 4e9;                      // of 10^10 that a checker may spend
 constexpr double work_per_second = 5e8;                // of one core, and some to spare
+constexpr int most_moves = 8;                          // of the exact matrices to other coordinates
 constexpr int form_bits = 48;                          // of the coordinates; the form has twice as many
 constexpr int bound_bits = 50;
 constexpr std::size_t guard_bits = 64, pivot_bits = 128;
@@ -46,13 +47,25 @@ Integers image_of_form(const Integers& m, const Integers& form, std::size_t n) {
   return result;
 }
 
+/// A family in coordinates in which its orbits are round, and those that make its norms small, counted from there.
+struct Shape {
+  radius::RoundFamily round;
+  EllipsoidalCoordinates coordinates;
+};
+
 /// The sum over the group of g^T P g, P the form of the rounded coordinates.
-Integers integer_form(const EllipsoidalCoordinates& coordinates, const MatrixFamily& family) {
+Integers integer_form(const Shape& shape, const MatrixFamily& family) {
   const std::size_t n = family.size();
-  const double unit = std::ldexp(1 / coordinates.to.largest_modulus(), form_bits);
-  RationalMatrix to(n, n), result(n, n);
+  RationalMatrix to = radius::to_rational(shape.coordinates.to), result(n, n);
+  long bits = form_bits;
+  if (const auto& [before, back] = shape.round.coordinates; shape.round.coordinates.differ()) {
+    to = to * before;
+    // Of what is flat as many digits are left.
+    bits += std::max(0L, binary_exponent(before).value_or(0) + binary_exponent(back).value_or(0));
+  }
+  const Rational unit = power(Rational(2), bits - binary_exponent(to).value_or(0));
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) to(i, j) = Integer(std::round(unit * coordinates.to(i, j)));
+    for (std::size_t j = 0; j < n; ++j) to(i, j) = to_integer(unit * to(i, j), Rounding::nearest);
   for (const FamilySymmetry& element : family.group()) {
     const RationalMatrix moved = to * element.map.matrix(), image = transposed(moved) * moved;
     for (std::size_t i = 0; i < n; ++i)
@@ -87,6 +100,25 @@ bool is_positive(Integers s, std::size_t n) {
     for (std::size_t j = k + 1; j < n; ++j) mpz_fdiv_q(row[j].get(), row[j].get(), row[k].get());
   }
   return true;
+}
+
+/// Where a form is too flat for doubles its coordinates are applied to the exact matrices, and the search goes on
+/// there.
+Shape shape_of(const MatrixFamily& family, double target, const Deadline& deadline) {
+  Shape shape{radius::round_family(family, deadline), {}};
+  shape.coordinates = quadratic::ellipsoidal_coordinates(shape.round.family, target, deadline);
+  const bool movable = family.group().size() <= 1 || family.is_flip_symmetric();
+  for (int k = 0; k < most_moves && movable && shape.coordinates.ended_flat && shape.coordinates.bound > target; ++k) {
+    radius::RoundFamily moved = shape.round;
+    if (deadline.expired() || !radius::change_coordinates(moved, family, radius::to_rational(shape.coordinates.to)))
+      break;
+    Shape next{std::move(moved), {}};
+    next.coordinates = quadratic::ellipsoidal_coordinates(next.round.family, target, deadline);
+    if (!(next.coordinates.bound < shape.coordinates.bound) || !is_positive(integer_form(next, family), family.size()))
+      break;
+    shape = std::move(next);
+  }
+  return shape;
 }
 
 /// Proves the leaves of a tree for bounds that grow until all hold.
@@ -203,18 +235,16 @@ QuadraticProof scaled(QuadraticProof proof, long exponent) {
 
 std::optional<QuadraticProof> prove_by_quadratic_form(const MatrixFamily& family, const Rational& target,
                                                       const Budget& budget) {
-  const polytope::SearchFamily doubles = radius::to_search_family(family);
-  if (std::all_of(doubles.matrices.begin(), doubles.matrices.end(), [](const auto& m) { return m.is_zero(); }))
+  if (std::all_of(family.begin(), family.end(), [](const RationalMatrix& m) { return one_norm(m) == 0; }))
     return std::nullopt;
   const double enough = (1 - 2 * slacks[0]) * target.convert_to<double>();
-  const EllipsoidalCoordinates coordinates = quadratic::ellipsoidal_coordinates(doubles, enough,
-                                                                                budget.deadline.after(shape_share));
+  const Shape shape = shape_of(family, enough, budget.deadline.after(shape_share));
   const Deadline tree_end = budget.deadline.after(tree_share);
   const double work = std::min(most_work, work_per_second * (1 - tree_share) * budget.deadline.remaining());
-  const ProductTree tree = quadratic::product_tree(coordinates, doubles.symmetry,
+  const ProductTree tree = quadratic::product_tree(shape.coordinates, shape.round.family.symmetry,
                                                    {enough, limbs_of(family), work, {tree_end, budget.memory / 2}});
   QuadraticProof result;
-  const Integers form = integer_form(coordinates, family);
+  const Integers form = integer_form(shape, family);
   if (!is_positive(form, family.size())) return std::nullopt;
   const auto bound = LeafProver(family, form, tree.bound).prove(tree.words, budget.deadline);
   if (!bound) return std::nullopt;

@@ -98,6 +98,16 @@ TEST_CASE("quadratic forms of families at the edge") {
     CHECK(std::all_of(word.begin(), word.end(), [](int letter) { return letter < 2; }));
 }
 
+TEST_CASE("forms that doubles do not hold") {
+  // Nearly a common eigenvector, in coordinates of very different lengths: the radius is above 1 by about 10^-12.
+  const Rational far = power(Rational(10), 8), near = power(Rational(10), -20), half(1, 2);
+  const auto proof = prove_by_quadratic_form({matrix({{1, far}, {0, half}}), matrix({{1, 0}, {near, half}})}, 0,
+                                             {Deadline::in(10)});
+  REQUIRE(proof);
+  CHECK(proof->bound > 1);
+  CHECK(proof->bound < 1 + power(Rational(10), -8));
+}
+
 TEST_CASE("bounds by forms are above the products") {
   Random random;
   for (int round = 0; round < 20; ++round) {

@@ -15,7 +15,8 @@ using polytope::norm;
 using polytope::SymmetricDecomposition;
 using polytope::Vector;
 
-constexpr double largest_power = 512;  // q: sums of such powers tell the largest term to a thousandth
+constexpr double largest_power = 512;   // q: sums of such powers tell the largest term to a thousandth
+constexpr double power_for_words = 16;  // where it begins for words: the form for letters is near
 constexpr int steps_per_power = 200;
 constexpr std::size_t remembered = 20;  // steps of L-BFGS
 constexpr double settled = 1e-12;       // of the logarithm of the sum
@@ -44,38 +45,53 @@ Matrix exponential(const SymmetricDecomposition& x, double factor) {
   return composed(x.vectors, values);
 }
 
+struct Products {
+  std::vector<Matrix> matrices;
+  std::vector<int> lengths;  ///< of their words; 0: only carried along
+};
+
+/// Products in coordinates x' = to x.
+struct Position {
+  Matrix to;
+  Products products;
+  double bound = 0;
+  bool ended_flat = false;
+};
+
 /// A group and coordinates in which its elements are orthogonal; steps along means over the group keep them so.
 struct Symmetry {
   const polytope::SymmetryGroup& group;
   polytope::CoordinateChange adapted;
 };
 
-/// log(sum_t trace (B_t^T B_t)^q) / (2 q), its gradient with respect to X where B_t becomes e^(X/2) B_t e^(-X/2), and
-/// the largest norm.
+/// log(sum_t trace (B_t^T B_t)^(q/l_t)) / (2 q), its gradient with respect to X where B_t becomes e^(X/2) B_t e^(-X/2),
+/// and the largest |B_t|^(1/l_t). Matrices with l_t = 0 do not count.
 struct Value {
   double smooth = 0, bound = 0;
   Matrix gradient;
 };
-Value value_of(const std::vector<Matrix>& matrices, double q, const Symmetry& symmetry) {
+Value value_of(const Products& products, double q, const Symmetry& symmetry) {
+  const auto& [matrices, lengths] = products;
   const std::size_t n = matrices.front().rows();
-  std::vector<SymmetricDecomposition> squares;
+  std::vector<SymmetricDecomposition> squares(matrices.size());
   double largest = 0;
-  for (const Matrix& b : matrices) {
-    squares.push_back(polytope::symmetric_decomposition(b.transposed() * b));
-    largest = std::max(largest, squares.back().values.back());
+  for (std::size_t t = 0; t < matrices.size(); ++t) {
+    if (lengths[t] == 0) continue;
+    squares[t] = polytope::symmetric_decomposition(matrices[t].transposed() * matrices[t]);
+    largest = std::max(largest, std::pow(std::max(squares[t].values.back(), 0.0), 1.0 / lengths[t]));
   }
   Value result{0, std::sqrt(largest), Matrix(n, n)};
   double sum = 0;
   for (std::size_t t = 0; t < matrices.size(); ++t) {
+    if (lengths[t] == 0) continue;
     Vector powers, less;
     for (const double value : squares[t].values) {
-      const double share = std::max(value, 0.0) / largest;
-      powers.push_back(std::pow(share, q));
-      less.push_back(std::pow(share, q - 1) / largest);
+      powers.push_back(value > 0 ? std::pow(std::pow(value, 1.0 / lengths[t]) / largest, q) : 0);
+      less.push_back(value > 0 ? powers.back() / value : 0);
       sum += powers.back();
     }
-    add(result.gradient, 1, composed(matrices[t] * squares[t].vectors, less));
-    add(result.gradient, -1, composed(squares[t].vectors, powers));
+    add(result.gradient, 1.0 / lengths[t], composed(matrices[t] * squares[t].vectors, less));
+    add(result.gradient, -1.0 / lengths[t], composed(squares[t].vectors, powers));
   }
   result.gradient /= 2 * sum;
   result.gradient = symmetry.group.mean(result.gradient, symmetry.adapted);
@@ -124,9 +140,9 @@ bool is_well_conditioned(const Matrix& to) {
 }
 
 /// Follows the gradient for one q, as far as the form stays well conditioned.
-void descend(EllipsoidalCoordinates& at, double q, const Symmetry& symmetry, const Deadline& deadline) {
+void descend(Position& at, double q, const Symmetry& symmetry, const Deadline& deadline) {
   Memory memory;
-  Value here = value_of(at.matrices, q, symmetry);
+  Value here = value_of(at.products, q, symmetry);
   for (int k = 0; k < steps_per_power && !deadline.expired(); ++k) {
     Matrix direction = memory.direction(here.gradient, q);
     double slope = inner(here.gradient, direction);
@@ -139,12 +155,12 @@ void descend(EllipsoidalCoordinates& at, double q, const Symmetry& symmetry, con
     const SymmetricDecomposition decomposed = polytope::symmetric_decomposition(direction);
     double share = std::min(1.0, longest_step / norm(direction.entries()));
     Value there;
-    EllipsoidalCoordinates next;
+    Position next;
     for (int halvings = 0;; share /= 2) {
       const Matrix map = exponential(decomposed, share / 2), back = exponential(decomposed, -share / 2);
-      next = {map * at.to, {}, 0, at.ended_flat};
-      for (const Matrix& b : at.matrices) next.matrices.push_back(map * b * back);
-      there = value_of(next.matrices, q, symmetry);
+      next = {map * at.to, {{}, at.products.lengths}, 0, at.ended_flat};
+      for (const Matrix& b : at.products.matrices) next.products.matrices.push_back(map * b * back);
+      there = value_of(next.products, q, symmetry);
       if (there.smooth <= here.smooth + 1e-4 * share * slope) break;
       if (++halvings == most_halvings) return;
     }
@@ -163,22 +179,48 @@ void descend(EllipsoidalCoordinates& at, double q, const Symmetry& symmetry, con
   }
 }
 
-}  // namespace
-
-EllipsoidalCoordinates ellipsoidal_coordinates(const polytope::SearchFamily& family, double target,
-                                               const Deadline& deadline) {
-  const std::size_t n = family.matrices.front().rows();
-  const Symmetry symmetry{family.symmetry, family.symmetry.adapted_coordinates(n)};
-  EllipsoidalCoordinates best{symmetry.adapted.to};
-  for (const Matrix& a : family.matrices) best.matrices.push_back(best.to * a * symmetry.adapted.from);
-  best.bound = value_of(best.matrices, 1, symmetry).bound;
-  EllipsoidalCoordinates at = best;
-  for (double q = 1; q <= largest_power && best.bound > target && !deadline.expired(); q *= 2) {
+/// The best of the descents for growing q.
+Position least(Position at, double q, double target, const Symmetry& symmetry, const Deadline& deadline) {
+  at.bound = value_of(at.products, q, symmetry).bound;
+  Position best = at;
+  for (; q <= largest_power && best.bound > target && !deadline.expired(); q *= 2) {
     descend(at, q, symmetry, deadline);
     if (at.bound < best.bound) best = at;
   }
   best.ended_flat = at.ended_flat;
   return best;
+}
+
+Symmetry symmetry_of(const polytope::SearchFamily& family) {
+  return {family.symmetry, family.symmetry.adapted_coordinates(family.matrices.front().rows())};
+}
+
+}  // namespace
+
+EllipsoidalCoordinates ellipsoidal_coordinates(const polytope::SearchFamily& family, double target,
+                                               const Deadline& deadline) {
+  const Symmetry symmetry = symmetry_of(family);
+  Position at{symmetry.adapted.to, {{}, std::vector<int>(family.matrices.size(), 1)}};
+  for (const Matrix& a : family.matrices)
+    at.products.matrices.push_back(symmetry.adapted.to * a * symmetry.adapted.from);
+  at = least(std::move(at), 1, target, symmetry, deadline);
+  return {std::move(at.to), std::move(at.products.matrices), at.bound, at.ended_flat};
+}
+
+EllipsoidalCoordinates coordinates_for_words(const EllipsoidalCoordinates& start, const polytope::SearchFamily& family,
+                                             const std::vector<std::vector<int>>& words, double target,
+                                             const Deadline& deadline) {
+  const std::size_t letters = start.matrices.size();
+  Position at{start.to, {start.matrices, std::vector<int>(letters, 0)}};
+  for (const std::vector<int>& word : words) {
+    Matrix product = Matrix::identity(start.to.rows());
+    for (const int letter : word) product = product * start.matrices[static_cast<std::size_t>(letter)];
+    at.products.matrices.push_back(std::move(product));
+    at.products.lengths.push_back(static_cast<int>(word.size()));
+  }
+  at = least(std::move(at), power_for_words, target, symmetry_of(family), deadline);
+  at.products.matrices.resize(letters, Matrix(0, 0));
+  return {std::move(at.to), std::move(at.products.matrices), at.bound, at.ended_flat};
 }
 
 }  // namespace subcert::quadratic

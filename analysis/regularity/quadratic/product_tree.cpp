@@ -31,6 +31,7 @@ class Tree {
   double bound() const { return nodes_[open_.top().second].bound; }
   /// Of an exact proof of the leaves.
   double work() const { return work_; }
+  std::size_t leaves() const { return open_.size(); }
   std::size_t bytes() const { return nodes_.size() * sizeof(Node) + open_.size() * sizeof(double) * entries(); }
 
   /// Splits the worst leaf; false where its word would be too long.
@@ -125,8 +126,8 @@ class Tree {
 ProductTree product_tree(const EllipsoidalCoordinates& coordinates, const polytope::SymmetryGroup& symmetry,
                          const TreeLimits& limits) {
   Tree tree(coordinates, symmetry, limits.limbs_per_letter);
-  while (tree.bound() > limits.target && tree.work() < limits.work && tree.bytes() < limits.budget.memory &&
-         !limits.budget.deadline.expired() && tree.grow()) {
+  while (tree.bound() > limits.target && tree.work() < limits.work && tree.leaves() < limits.leaves &&
+         tree.bytes() < limits.budget.memory && !limits.budget.deadline.expired() && tree.grow()) {
   }
   return tree.cut();
 }

@@ -14,11 +14,12 @@ namespace {
 using quadratic::EllipsoidalCoordinates;
 using quadratic::ProductTree;
 
-constexpr double shape_share = 0.4, tree_share = 0.5;  // of the time that is left
-constexpr double most_work = 4e9;                      // of 10^10 that a checker may spend
-constexpr double work_per_second = 5e8;                // of one core, and some to spare
-constexpr int most_moves = 8;                          // of the exact matrices to other coordinates
-constexpr int form_bits = 48;                          // of the coordinates; the form has twice as many
+constexpr double shape_share = 0.4, words_share = 0.25, tree_share = 0.5;  // of the time that is left
+constexpr std::size_t words_of_form = 64;                                  // that the form is made small for
+constexpr double most_work = 4e9;                                          // of 10^10 that a checker may spend
+constexpr double work_per_second = 5e8;                                    // of one core, and some to spare
+constexpr int most_moves = 8;                                              // of the exact matrices to other coordinates
+constexpr int form_bits = 48;  // of the coordinates; the form has twice as many
 constexpr int bound_bits = 50;
 constexpr std::size_t guard_bits = 64, pivot_bits = 128;
 constexpr std::size_t most_isometric = 10;  // the size of matrices
@@ -238,11 +239,19 @@ std::optional<QuadraticProof> prove_by_quadratic_form(const MatrixFamily& family
   if (std::all_of(family.begin(), family.end(), [](const RationalMatrix& m) { return one_norm(m) == 0; }))
     return std::nullopt;
   const double enough = (1 - 2 * slacks[0]) * target.convert_to<double>();
-  const Shape shape = shape_of(family, enough, budget.deadline.after(shape_share));
-  const Deadline tree_end = budget.deadline.after(tree_share);
-  const double work = std::min(most_work, work_per_second * (1 - tree_share) * budget.deadline.remaining());
-  const ProductTree tree = quadratic::product_tree(shape.coordinates, shape.round.family.symmetry,
-                                                   {enough, limbs_of(family), work, {tree_end, budget.memory / 2}});
+  Shape shape = shape_of(family, enough, budget.deadline.after(shape_share));
+  // A form for letters is not the best for words.
+  quadratic::TreeLimits limits{
+      enough, limbs_of(family), most_work, words_of_form, {budget.deadline, budget.memory / 2}};
+  ProductTree tree = quadratic::product_tree(shape.coordinates, shape.round.family.symmetry, limits);
+  if (tree.bound > enough) {
+    shape.coordinates = quadratic::coordinates_for_words(shape.coordinates, shape.round.family, tree.words, enough,
+                                                         budget.deadline.after(words_share));
+    limits.work = std::min(most_work, work_per_second * (1 - tree_share) * budget.deadline.remaining());
+    limits.leaves = std::numeric_limits<std::size_t>::max();
+    limits.budget.deadline = budget.deadline.after(tree_share);
+    tree = quadratic::product_tree(shape.coordinates, shape.round.family.symmetry, limits);
+  }
   QuadraticProof result;
   const Integers form = integer_form(shape, family);
   if (!is_positive(form, family.size())) return std::nullopt;

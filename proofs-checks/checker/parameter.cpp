@@ -55,8 +55,9 @@ mpz_class determinant(Vector matrix, std::size_t n, Arithmetic& arithmetic) {
   mpz_class last = 1;
   for (std::size_t k = 0; k + 1 < n; ++k) {
     const auto at = [&](std::size_t i, std::size_t j) -> mpz_class& { return matrix[j * n + i]; };
-    std::size_t pivot = k;
-    while (pivot < n && at(pivot, k) == 0) ++pivot;
+    const mpz_class* column = &at(0, k);
+    const mpz_class* nonzero = std::find_if(column + k, column + n, [](const mpz_class& x) { return x != 0; });
+    const std::size_t pivot = static_cast<std::size_t>(nonzero - column);
     if (pivot == n) return 0;
     for (std::size_t j = k; pivot > k && j < n; ++j) {
       swap(at(pivot, j), at(k, j));
@@ -173,7 +174,7 @@ void check_resultant(const Vector& forms, std::size_t degree, unsigned arity, co
   } else if (size > 0) {
     form = determinant_form(size, degree, sylvester, arithmetic);
   }
-  if (error == 0 && form[0] < 0)
+  if (form[0] < 0)
     for (mpz_class& c : form) c = -c;
   check_positive_form(form, "stability: the resultant of the polyphase parts", arithmetic);
 }
@@ -230,7 +231,7 @@ Vector second_compound(const Vector& matrix, std::size_t n, int sign, Arithmetic
 Range parse_range(std::string_view text) {
   constexpr const char* expected = "a range is w=LOW..HIGH with rationals LOW < HIGH";
   const std::size_t dots = text.find("..");
-  require(text.size() > 2 && text[1] == '=' && dots != text.npos && dots > 2, expected);
+  require(dots != text.npos && text[1] == '=', expected);
   const char letter = text[0];
   require((letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'), expected);
   Range range{letter, parse_rational(text.substr(2, dots - 2)), parse_rational(text.substr(dots + 2))};

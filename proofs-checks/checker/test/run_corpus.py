@@ -112,6 +112,12 @@ if mode == "usage":
             (64, "--surface [1,1] --dilation 2 --lower 1 golden.cert"),
             (64, "--surface [1,1] --dilation [2;2;2;2] --lower 1 golden.cert"),
             (64, f"--matrices golden.mat --exact |[{'1,' * 257}1]@1,0,1|^1/1 golden.cert"),
+            (64, "--mask [0,1] --arity 2 --lower 1 golden.cert"),
+            (64, "--mask [+1,1] --arity 2 --lower 1 golden.cert"), (64, "--mask [1,1] --arity 2 --for w --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,12] --dilation [2,0;0,2] --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --dilation 12,0;0,2] --lower 1 golden.cert"),
+            (64, "--surface [1,2,1]/2@-1 --dilation [-65] --lower 1 golden.cert"),
+            (64, "--surface [1,2,1] --dilation [2,0,0,0;0,2,0,0;0,0,2,0;0,0,0,2] --lower 1 golden.cert"),
             (65, f"--matrices {more} --upper 2 golden.cert"), (65, f"--matrices {many} --upper 2 golden.cert"),
             (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
             (66, f"{golden} none.cert"), (66, f"{golden} ."), (0, "--help"), (0, f"{golden} golden.cert")]:

@@ -153,7 +153,7 @@ def main():
     (build / "wrong.hpp").write_text(HEADER)
     flags = shlex.split(arguments.flags)
     libraries = [flag for flag in flags if not flag.startswith("-I")]
-    compile_line = [arguments.compiler, "-std=c++20", "-O1", "-w", f"-I{sources}", "-include", build / "wrong.hpp"]
+    compile_line = [arguments.compiler, "-std=c++20", "-O1", "-w", "-D_GLIBCXX_ASSERTIONS", f"-I{sources}", "-include", build / "wrong.hpp"]
     compile_line += [flag for flag in flags if flag.startswith("-I")]
 
     def compiled(file):
@@ -187,7 +187,7 @@ def main():
         if number in dropped:
             return "do not compile"
         for mode, folder in (("accept", "accept"), ("usage", "accept"), ("reject", "reject")):
-            limits = ["sh", "-c", 'ulimit -v 2000000 -t 20; exec "$@"', "limited"]
+            limits = ["sh", "-c", 'ulimit -v 2000000; ulimit -t 10; exec "$@"', "limited"]
             checker = [build / "main"] if file.stem == "main" else ["many", build / "many"]
             run = subprocess.run(
                 [*limits, sys.executable, "-B", test / "run_corpus.py", *checker, mode, test / folder],

@@ -12,10 +12,12 @@ HAT = "--surface [1,2,1]/2@-1 --dilation [2]"
 BOUNDS = "bounds 323606797749959/200000000000000 323606797749999/200000000000000\n"  # of golden.cert
 DEGREE_256 = f"|[-1,{255 * '0,'}1]@1,0,1/1000000|^1/1"
 PRIME = 4294967291
+EQUAL_PARTS = "[w,-1/3,1/3,1-w,4/3,2/3]"
 HAT_64 = f"[{','.join(map(str, [*range(1, 65), *range(63, 0, -1)]))}]/64@-63"
 FOUR_POINT = "[-w,0,1/2+w,1,1/2+w,0,-w]@-3"
 # coefficients in the square of the parameter: forms with large coefficients that are small where both ends count as much
-SQUARES, GROWING = "[1/2,1000*w^2+3/2,1/2,-1000*w^2-1/2]", "[1000*w^2+3/2,1,-1000*w^2-1/2]"
+SQUARES = "[1/2,1000*w^2+3/2,1/2,-1000*w^2-1/2]"
+GROWING = (("", "[1000*w^2+3/2,1,-1000*w^2-1/2]", 2), ("-negative", "[-1000*w^2-3/2,1,1000*w^2+5/2]", -2))
 # a class that is as large as the error of the other two together, but for less than what is rounded away
 ALMOST = f"[{2**190 - 1},{2**191 + 2},{2**190 - 1}]/{2**191}"
 # rows of a form for which the last pivot of Lemma 17 is 0, or 1
@@ -137,10 +139,13 @@ ACCEPTED = [
     # coefficients that are 0 for all parameters, and others that are for one
     ("four-point-from-0", f"--mask {FOUR_POINT} --arity 2 --for w=0..1/16",
      f"exponent {FOUR_POINT} 2 w=0..1/16; bounds - -; sum-rules 2; stability; end"),
+    # of equally long classes it is the first that has no zero in common with the sum of multiples of the others
+    ("equal-parts-stable", f"--mask {EQUAL_PARTS} --arity 3 --for w=2/5..3/5",
+     f"exponent {EQUAL_PARTS} 3 w=2/5..3/5; bounds - -; sum-rules 1; stability; end"),
     ("stable-large", f"--mask {SQUARES} --arity 2 --for w=-1..1",
      f"exponent {SQUARES} 2 w=-1..1; bounds - -; sum-rules 1; stability; end"),
-    ("growing-large", f"--mask {GROWING} --arity 2 --for w=-1..1 --upper 0",
-     f"exponent {GROWING} 2 w=-1..1; bounds - 0; sum-rules 1; to 1; product 0 2 0 0; end"),
+    *((f"growing-large{name}", f"--mask {mask} --arity 2 --for w=-1..1 --upper 0",
+       f"exponent {mask} 2 w=-1..1; bounds - 0; sum-rules 1; to 1; product 0 {value} 0 0; end") for name, mask, value in GROWING),
     # a value at a root of unity that turns by more than a right angle
     ("turning-stable", "--mask [w,1,1-w] --arity 2 --for w=-2..2",
      "exponent [w,1,1-w] 2 w=-2..2; bounds - -; sum-rules 1; stability; end"),
@@ -273,6 +278,8 @@ REJECTED = [
      [("quadratic 3 16181/10000", "quadratic 3 16181/10000 group:1 group:1")]),
     ("turned-coefficients", "hat-turned", "--surface [3,4,1]/4@-1 --dilation [2] --lower 1",
      "the dilation is not turned by symmetries", [("[1,2,1]/2@-1", "[3,4,1]/4@-1")]),
+    ("turned-one-point", "hat-turned", "--surface [2] --dilation [2] --lower 1", "the dilation is not turned by symmetries",
+     [("[1,2,1]/2@-1 [2]", "[2] [2]"), ("turned [-2]", "turned [4]")]),
     ("turned-twice", "turning-2", None, "the bound does not prove the claim",
      [("digits ", "turned [0,2;-1,0]\ndigits ")]),
     ("values-prime", "trapezoid-by-hand", None, "the differences do not span the space",

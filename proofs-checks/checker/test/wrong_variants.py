@@ -37,7 +37,7 @@ CHANGES = [
     (r"std::min\(", "wrong::Min{%d}(", "min -> max"),
     (r"std::max_element\(", "wrong::MaxElement{%d}(", "max_element -> min_element"),
     (r"(?<![:\w])abs\(", "wrong::Abs{%d}(", "abs -> nothing"),
-    (r" \+= ", " += wrong::Sum{%d} += ", "+= -> -="),
+    (r" \+= (?!\")", " += wrong::Sum{%d} += ", "+= -> -="),
 ]
 CHECK = "(wrong::on(%d) ? wrong::ignore : require)("
 
@@ -46,6 +46,7 @@ HEADER = """
 #include <gmpxx.h>
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 namespace wrong {
@@ -59,7 +60,13 @@ inline void ignore(bool, std::string_view) {}
   struct Name { int id; };                                                                                         \\
   template <class T> struct Name##Of { const T& left; int id; };                                                   \\
   template <class T> Name##Of<T> operator right(const T& left, Name mark) { return {left, mark.id}; }              \\
+  template <class T> Name##Of<std::optional<T>> operator right(const std::optional<T>& left, Name mark) {          \\
+    return {left, mark.id};                                                                                        \\
+  }                                                                                                                \\
   template <class T, class U> bool operator right(const Name##Of<T>& x, const U& y) {                              \\
+    return on(x.id) ? x.left other y : x.left right y;                                                             \\
+  }                                                                                                                \\
+  template <class T, class U> bool operator right(const Name##Of<T>& x, const std::optional<U>& y) {               \\
     return on(x.id) ? x.left other y : x.left right y;                                                             \\
   }
 COMPARISON(AtMost, <=, <)
@@ -153,8 +160,8 @@ def main():
     (build / "wrong.hpp").write_text(HEADER)
     flags = shlex.split(arguments.flags)
     libraries = [flag for flag in flags if not flag.startswith("-I")]
-    compile_line = [arguments.compiler, "-std=c++20", "-O1", "-w", "-D_GLIBCXX_ASSERTIONS", f"-I{sources}", "-include", build / "wrong.hpp"]
-    compile_line += [flag for flag in flags if flag.startswith("-I")]
+    compile_line = [arguments.compiler, "-std=c++20", "-O1", "-w", "-D_GLIBCXX_ASSERTIONS", f"-I{sources}"]
+    compile_line += ["-include", build / "wrong.hpp", *(flag for flag in flags if flag.startswith("-I"))]
 
     def compiled(file):
         """The numbers of the variants that do not compile."""

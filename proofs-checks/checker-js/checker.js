@@ -196,14 +196,21 @@ var check_certificate = (() => {
     demand(d > 0n, 'a denominator must be positive');
     return reduced(fraction(n, d));
   }
+  const allow_denominator = den => demand(bits(den) <= 10000, 'common denominator too large');
   function common(fractions) {  // as integers over one denominator
     let den = 1n;
     for (const x of fractions) {
       if (den % x.d) den = lcm(den, x.d);
-      demand(bits(den) <= 10000, 'common denominator too large');
+      allow_denominator(den);
     }
     allow_bits(fractions.length * bits(den) * 8);
     return {den, numbers: fractions.map(x => x.n * (den / x.d))};
+  }
+  function common_factor(den, numbers) {  // the largest one of all, if what it leaves of a denominator is not too large
+    spend(numbers.length, bits(largest(numbers)), bits(den));
+    const factor = numbers.reduce((g, x) => x % g ? gcd(g, x) : g, den);
+    allow_denominator(den / factor);
+    return factor;
   }
   class Reader {
     constructor(text) {
@@ -272,14 +279,15 @@ var check_certificate = (() => {
     demand(parts.depth === 1 && (!parts.first || parts.first.length === 1), outside);
     demand(parts.coefficients.length <= 1000, outside);
     const read = c => letter ? polynomial(c, letter) : [rational(c)], by = parts.den === undefined ? '1' : parts.den;
-    const quotient = letter && /^\((.*)\)$/.exec(by);
-    const q = quotient ? read(quotient[1]) : [fraction(integer(by)), ...read('1').slice(1)];
-    demand(quotient || q[0].n > 0n, 'a denominator must be positive');
-    const polynomials = [q, ...parts.coefficients.map(read)];
-    const degree = Math.max(...polynomials.map(p => p.findLastIndex(sign)), 0);
-    const {numbers} = common(polynomials.flatMap(p => p.slice(0, degree + 1))), g = numbers.reduce(gcd, 0n) || 1n;
-    demand(letter || (numbers[1] && numbers[numbers.length - 1]), outside);
-    const row = i => numbers.slice(i * (degree + 1), (i + 1) * (degree + 1)).map(x => x / g);
+    const quotient = letter && /^\((.*)\)$/.exec(by), q = read(quotient ? quotient[1] : '1');
+    const D = quotient ? 1n : integer(by), polynomials = parts.coefficients.map(read);
+    demand(D > 0n, 'a denominator must be positive');
+    const degree = Math.max(...[q, ...polynomials].map(p => p.findLastIndex(sign)), 0);
+    const divisor = common(q.slice(0, degree + 1)), scale = fraction(divisor.den, D);
+    const {den, numbers} = common(polynomials.flatMap(p => p.slice(0, degree + 1)).map(c => reduced(times(c, scale))));
+    demand(letter || (numbers[0] && numbers[numbers.length - 1]), outside);
+    const all = [...divisor.numbers.map(x => x * den), ...numbers], g = all.reduce(gcd, 0n) || 1n;
+    const row = i => all.slice(i * (degree + 1), (i + 1) * (degree + 1)).map(x => x / g);
     return {arity, degree, q: row(0), a: parts.coefficients.map((_, i) => row(i + 1))};
   }
 
@@ -324,9 +332,10 @@ var check_certificate = (() => {
     const turn = weights[0] < 0n ? -1n : 1n;
     weights = weights.map(x => x * turn);
     demand(weights.every(x => x > 0n), 'the denominator of the mask changes its sign, or may do so');
-    const den = weights.reduce(lcm, 1n);
-    demand(bits(den) <= 10000, 'common denominator too large');
-    const entries = b.map(p => form_of(p, interval, degree).map((x, j) => x * turn * (den / weights[j])));
+    const all = weights.reduce(lcm, 1n);
+    const numbers = b.map(p => form_of(p, interval, degree).map((x, j) => x * turn * (all / weights[j])));
+    const factor = common_factor(all, numbers.flat()), den = all / factor;
+    const entries = numbers.map(row => row.map(x => x / factor));
     allow_bits(arity * size * size * weights.length * (bits(largest_of(entries)) + 64));
     spend(arity * size * size * weights.length + b.length * (degree + 1) ** 3);
     const entry = (i, j) => i >= 0 && i < entries.length ? entries[i][j] : 0n;
@@ -495,7 +504,10 @@ var check_certificate = (() => {
     return sizes.map((n, block) => {
       const first = sizes.slice(0, block).reduce((x, y) => x + y, 0), within = row => row.slice(first, first + n);
       demand(all.every(m => m.slice(first + n).every(row => within(row).every(x => !x))), 'not block upper triangular');
-      return {size: n, den: den * by, weights, matrices: all.map(m => m.slice(first, first + n).map(within))};
+      const entries = all.map(m => m.slice(first, first + n).map(within));
+      const factor = common_factor(den * by, entries.flat(2));
+      const matrices = entries.map(m => m.map(row => row.map(x => x / factor)));
+      return {size: n, den: den * by / factor, weights, matrices};
     });
   }
 

@@ -44,9 +44,10 @@ def expect(name, condition, result):
 count = 0
 if mode == "usage":
     folder = tempfile.TemporaryDirectory()
-    more, many = Path(folder.name) / "more.mat", Path(folder.name) / "many.mat"
+    more, many, large = (Path(folder.name) / f"{name}.mat" for name in ("more", "many", "large"))
     more.write_text((directory / "golden.mat").read_text() + "row 1 1\n")
     many.write_text("matrices 4096 256\n")
+    large.write_text(f"matrices 1 2\nrow 1/{2**6001} 0\nrow 0 1/{2**3999 + 1}\n")
     golden = "--matrices golden.mat --upper 2"
     for code, arguments in [
             (64, ""), (64, "golden.cert"), (64, f"{golden}"), (64, f"{golden} golden.cert golden.cert"),
@@ -112,6 +113,7 @@ if mode == "usage":
             (64, "--surface [1,1] --dilation 2 --lower 1 golden.cert"),
             (64, "--surface [1,1] --dilation [2;2;2;2] --lower 1 golden.cert"),
             (64, f"--matrices golden.mat --exact |[{'1,' * 257}1]@1,0,1|^1/1 golden.cert"),
+            *((64, f"--mask [1/{2**6000},1]/{3**4100} --arity 2{range_} --lower 1 golden.cert") for range_ in ("", " --for w=0..1")),
             (64, "--lower 1 golden.cert"), (64, "--help golden.cert"),
             (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --upper 1 golden.cert"),
             (64, "--surface [[1,1],[1,1]]/-1 --dilation [2,0;0,2] --lower 1 golden.cert"),
@@ -119,6 +121,7 @@ if mode == "usage":
             (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,-65] --lower 1 golden.cert"),
             (64, f"--surface [{'1,' * 10000}1] --dilation [2] --lower 1 golden.cert"),
             (65, f"--matrices {more} --upper 2 golden.cert"), (65, f"--matrices {many} --upper 2 golden.cert"),
+            (65, f"--matrices {large} --upper 2 golden.cert"),
             (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
             (66, f"{golden} none.cert"), (66, f"{golden} ."), (0, "--help"), (0, f"{golden} golden.cert")]:
         result = run(arguments.split())

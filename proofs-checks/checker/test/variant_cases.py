@@ -30,7 +30,19 @@ FOLD_64 = f"{mask(product([1] * 64, [1] * 64))}/64"
 SPLINE_64 = f"{mask(product(*[[1, 1]] * 64))}/{2**63}"
 # phi = hat(x) - hat(x - 1) + hat(x - 2), of arity 5: zeros of its transform at pi/3 and all its shifts
 ARITY_5 = f"{mask(product([1] * 5, [1] * 5, [1, 1, 0, -1, -1, -1, 0, 1, 1]))}/5"
+COPRIME = f"[1/{2**6000}*w,1/{3**3785},1/{3**3785}-1/{2**6000}*w]/(1/{3**3785})"
 ARITY_6 = mask(product([1] * 6, [1, 0, -1, 0, 1]))
+
+
+def ramp(size):
+    """A mask with one sum rule and transition matrices of this size."""
+    return f"[1,{'2,' * size}1]/{size + 1}"
+
+
+def quotient(low, high):
+    """A range claim about fractions with the denominators 1 + low and 1 + high; and its lines."""
+    return (f"--mask [1,v,v,1]/(1+v) --arity 2 --for v={low}..{high} --lower 0",
+            f"exponent [1,v,v,1]/(1+v) 2 v={low}..{high}; bounds 0 -; sum-rules 1; to {high}; block 0 norm 1; end")
 
 
 def rows(*matrices):
@@ -56,6 +68,8 @@ def halved(factor, power):
 
 # name, rows of its matrices
 MATRICES = [
+    ("denominators.mat", rows([[f"1/{2**6000}", 0], [0, f"1/{2**3999 + 1}"]])),
+    ("upper.mat", rows([["1/2", f"1/{2**6000}"], [0, "1/2"]])),
     ("unit-4.mat", rows([[int(i == j) for j in range(4)] for i in range(4)])),
     ("unit-12.mat", rows([[int(i == j) for j in range(12)] for i in range(12)])),
     ("off-diagonal.mat", rows([["1000001/1000003", "1/1009"], ["1/1013", "999/1000"]])),
@@ -81,8 +95,14 @@ ACCEPTED = [
     ("spline-surface-64", f"--surface {SPLINE_64} --dilation [2] --lower 63",
      f"surface {SPLINE_64} [2]; bounds 63 -; sum-rules 64; digits 0 1; space 1; "
      f"vector {terms([(-1) ** k * math.comb(64, k) for k in range(65)])}; block 0 norm 1; end"),
+    ("size-256", f"--mask {ramp(256)} --arity 2 --lower 9/10", f"exponent {ramp(256)} 2; bounds 9/10 -; sum-rules 1; block 0 norm 1; end"),
+    # common denominators of 10000 bits
+    ("denominators", "--matrices denominators.mat --upper 1", "radius 1 2; bounds - 1; block 0 norm 1; end"),
+    ("quotient-denominators", *quotient(2**4999, 2**5001 - 1)),
+    ("quotient-denominators-coprime", f"--mask {COPRIME} --arity 2 --for w=1/4..3/4 --lower 0",
+     f"exponent {COPRIME} 2 w=1/4..3/4; bounds 0 -; sum-rules 1; to 3/4; block 0 norm 1; end"),
     # a group of 96 elements up to signs
-    ("group-96", "--matrices unit-4.mat --upper 1",
+    ("group-of-96", "--matrices unit-4.mat --upper 1",
      "radius 1 4; bounds - 1; block 0 polytope 1 0 0 group:3; generator 0; map 0 1 0 0; map 1 0 0 0; map 0 0 1 0; map 0 0 0 1; "
      "generator 0; map 0 0 0 1; map 1 0 0 0; map 0 1 0 0; map 0 0 1 0; generator 0; map -1 0 0 0; map 0 -1 0 0; map 0 0 1 0; "
      "map 0 0 0 1; vertex 1 0 0 0; unit 0 0:1; unit 1 0B:1; unit 2 0BB:1; unit 3 0BBB:1; image 0 0 0:1; end"),
@@ -116,6 +136,9 @@ ACCEPTED = [
     # the longest of three polyphase parts is not the last one; with the other lengths the resultant has a zero
     ("ternary-stable-lengths", "--mask [w,1/3,1/2,1-2*w,2/3,1/2,w] --arity 3 --for w=1/5..1/4",
      "exponent [w,1/3,1/2,1-2*w,2/3,1/2,w] 3 w=1/5..1/4; bounds - -; sum-rules 1; stability; end"),
+    # one of the other parts begins with 0, and is shifted by itself
+    ("ternary-stable-shifted", "--mask [w,1/3,0,1-2*w,2/3,1/2,w,0,1/2] --arity 3 --for w=1/5..1/4",
+     "exponent [w,1/3,0,1-2*w,2/3,1/2,w,0,1/2] 3 w=1/5..1/4; bounds - -; sum-rules 1; stability; end"),
     # a polyphase part that begins with 0, beside one that does so for one w
     ("four-point-range-stable", f"--mask {RANGE_FOUR_POINT} --arity 2 --for w=-1/100..19/100",
      f"exponent {RANGE_FOUR_POINT} 2 w=-1/100..19/100; bounds - -; sum-rules 2; stability; end"),
@@ -148,7 +171,7 @@ ACCEPTED = [
 CHANGED = [
     ("first-exact-minus", "first-exact", None,
      [("vertex 4 0\n", "vertex -4 0\n"), ("unit 0 0:4\n", "unit 0 0:-4\n")]),
-    ("single-recurrence-negative", "single-four-point", None,
+    ("single-recurrence-signs", "single-four-point", None,
      [("recurrence -4 1\n", "recurrence 4 -1\n"), ("recurrence 1 -2 1\n", "recurrence -1 2 -1\n")]),
     ("rotation-exact-seed-minus", "rotation-exact", None, [("seed 1 0", "seed -1 0")]),
     ("hat-gram-negative", "hat-by-hand", None, [("gram 0:4 1:1\n", "gram 0:4 -1:1\n")]),
@@ -158,7 +181,7 @@ CHANGED = [
 REJECTED = [
     ("first-line-empty", "golden", None, "expected 'subcert-certificate 3', line 1", [("subcert-certificate 3\n", "\nsubcert-certificate 3\n")]),
     ("root-high-negative", "four-point-exact", None, "the bounds of the exact radius are wrong", [("root 4 0 0 4 4\n", "root 4 0 0 4 -4\n")]),
-    ("single-bound-0", "single-four-point", None, "the recurrence may have a zero above the bound", [("single 4 0\n", "single 0 0\n")]),
+    ("single-bound-zero", "single-four-point", None, "the recurrence may have a zero above the bound", [("single 4 0\n", "single 0 0\n")]),
     ("gram-sum-0", "hat-by-hand", None, "have no positive sum", [("gram 0:4 1:1\n", "gram 0:2 1:-1\n")]),
     ("origin-order-middle", "slow-exact", None, ", line 28",
      [("origin 1 0 1\norigin 2 0 0\n", "origin 2 0 0\norigin 1 0 1\n")]),
@@ -210,6 +233,7 @@ REJECTED = [
        [("[273205,473205,126795,-73205]/400000 2 within=1/100,2", f"{text} 2 within={within}"), ("sum-rules 2", "sum-rules 1")])
       for name, text, within, reason in (("hat-stable", "[1,2,1]/2", "1/9,1", "modulo Phi_6 is not"),
                                          ("quadratic-spline-stable", "[1,3,3,1]/4", "1/18,1", "the resultant of the polyphase parts is not"))),
+    ("surface-mask-10000", "hat-lower", f"--surface [{'1,' * 9999}1] --dilation [2] --lower 1", ", line 2", []),
     # pivots of which roots are rounded down
     ("quadratic-pivot-2", "golden-quadratic", None, "the form is not positive definite",
      [("form 1\n", f"form {2 * 2**128 + 4}\n"), ("form 0 1\n", f"form {math.isqrt(2**255) + 1} {2**255}\n")]),
@@ -218,9 +242,9 @@ REJECTED = [
 # name, options of the claim, the lines after the first one, and the reason
 WRITTEN = [
     ("product-zero", "--matrices zero.mat --lower 0", "radius 1 1; bounds 0 -; product 0 0 0 0; end", "no positive spectral radius"),
-    ("inverse-trace-0", "--matrices odd.mat --lower 1", "radius 1 2; bounds 1 -; product 0 2 0 0; inverse 0; column 0 1 0; column 1 0 -1; end",
+    ("inverse-trace-zero", "--matrices odd.mat --lower 1", "radius 1 2; bounds 1 -; product 0 2 0 0; inverse 0; column 0 1 0; column 1 0 -1; end",
      "no eigenvalue near"),
-    ("norm-second-column", "--matrices axis.mat --upper 1", "radius 1 2; bounds - 1; block 0 norm 1; end", "does not prove the claim"),
+    ("norm-other-column", "--matrices axis.mat --upper 1", "radius 1 2; bounds - 1; block 0 norm 1; end", "does not prove the claim"),
     ("turn-coarse-high", "--matrices turn.mat --upper 5/4",
      "radius 1 2; bounds - 5/4; block 0 polytope 1 0 1 complex; vertex 1 0 0 -1; unit 0 0:1:0 0c:1:0; unit 1 0:0:1 0c:0:-1; "
      "image 0 0 0:2:2; end", "does not prove the claim"),
@@ -250,6 +274,12 @@ WRITTEN = [
      "exponent [1/2,1/2,2] 3; bounds 1/10 -; sum-rules 1; block 0 norm 1; end", "no sum rules of this order"),
     ("ternary-size", "--mask [2,3,4,4,3,2]/6 --arity 3 --lower 1/2",
      "exponent [2,3,4,4,3,2]/6 3; bounds 1/2 -; sum-rules 1; block 0 norm 1; end", "does not prove the claim"),
+    ("size-257", f"--mask {ramp(257)} --arity 2 --lower 9/10", f"exponent {ramp(257)} 2; bounds 9/10 -; sum-rules 1; block 0 norm 1; end",
+     "transition matrices larger than 256"),
+    ("quotient-denominators-more", *quotient(2**4999, 2**5002 - 1), "common denominator too large"),
+    ("blocks-denominators", "--matrices upper.mat --upper 1",
+     f"radius 1 2; bounds - 1; blocks 2; basis 1 0; basis 0 1/{3**3785}; inverse 1 0; inverse 0 {3**3785}; block 0 norm 1; end",
+     "common denominator too large, line 8"),
     # a bound that is above by less than the roots are rounded by
     ("quaternary-half-above", f"--mask [{2 * TINY + 1}/{TINY},3,4,4,{2 * TINY - 1}/{TINY},1]/4 --arity 4 --lower 1/2",
      f"exponent [{2 * TINY + 1}/{TINY},3,4,4,{2 * TINY - 1}/{TINY},1]/4 4; bounds 1/2 -; sum-rules 1; block 0 norm 1; end",
@@ -298,6 +328,8 @@ WRITTEN = [
     # polyphase parts with the common zero 2
     ("stability-zero-2", "--mask [2,4,1,-2,-1]/2 --arity 2", "exponent [2,4,1,-2,-1]/2 2; bounds - -; sum-rules 2; stability; end",
      "the polyphase parts may have a common zero"),
+    ("stability-part-0", "--mask [w,0,2-w] --arity 2 --for w=1/2..1", "exponent [w,0,2-w] 2 w=1/2..1; bounds - -; sum-rules 1; stability; end",
+     ", line 5"),
     # a symmetry of the powers of the dilation that is none of the lattice, of a mask without sum rules
     *((f"turned-{name}", f"--surface [[2]] --dilation {dilation} --lower 1", f"surface [[2]] {dilation}; bounds 1 -; sum-rules 1; turned {turned}; end",
        ", line 5")

@@ -257,9 +257,8 @@ var check_certificate = (() => {
       demand((sizes[d - 1] = sizes[d - 1] || pieces.length) === pieces.length, 'lists of different lengths in a mask');
       return d === 1 ? pieces : pieces.flatMap(piece => split(piece, d - 1));
     };
-    const coefficients = split(lists.slice(depth, -depth), depth);
-    demand(coefficients.every(c => c), 'a coefficient is empty');
-    return {depth, sizes, coefficients, den, first: first === undefined ? null : first.split(',').map(integer)};
+    return {depth, sizes, coefficients: split(lists.slice(depth, -depth), depth), den,
+            first: first === undefined ? null : first.split(',').map(integer)};
   }
   function polynomial(text, letter) {  // a sum of terms c*w^k, by powers of w
     const powers = Array(13).fill(fraction(0n));
@@ -418,7 +417,7 @@ var check_certificate = (() => {
   function check_stability(curve, interval, rounding) {
     const {degree, q, a} = curve, top = a.length - 1, width = bits(largest_of(a)) + bits(BigInt(a.length)) + 10;
     if (interval) show_one_sign(form_of(q, interval, degree), 'the denominator of the mask');
-    if ((interval && degree) || rounding) check_resultant(curve, interval, rounding);
+    if (degree || rounding) check_resultant(curve, interval, rounding);
     else check_common_divisor(curve);
     const packed = transpose(a).map(numbers => pack(numbers, width));
     for (const order of cyclotomic_orders(curve.arity, top)) {
@@ -921,7 +920,7 @@ var check_certificate = (() => {
       const {body, exact: {low, high}, den, v_bits, E, g} = this, [first, ...rest] = this.reader.read('origin', 3);
       const J = this.vertex(first);
       demand(!this.cycles.has(J), 'the first vertex of a cycle is no image');
-      demand(J && !(J <= this.last_origin), 'the vertices of origins are not in order');
+      demand(!(J <= this.last_origin), 'the vertices of origins are not in order');
       const K = small(rest[0], 0, J - 1), T = this.letter(rest[1]);
       this.last_origin = J;
       this.origins.set(J, {K, T});
@@ -929,7 +928,7 @@ var check_certificate = (() => {
       const v = transpose(body.coordinates(J)), image = multiply(this.matrices[T], transpose(body.coordinates(K)));
       const away = s => sum(v.map((row, i) => sum(row.map((x, part) => abs(low.d * image[i][part] - s * x)))));
       const [plain, turned] = [low.n * den, -low.n * den].map(away);
-      const near = fraction(!body.has.nonnegative && turned < plain ? turned : plain, low.d * den);
+      const near = fraction(turned < plain ? turned : plain, low.d * den);
       const drift = times(minus(high, low), sum(v.map(norm)));
       const own = times(plus(near, drift), fraction(E, 1n << BigInt(v_bits)));
       this.enter(J, over(plus(times(g, fraction(this.errors.get(K) || 0n, 1n << 512n)), own), low));
@@ -1005,7 +1004,7 @@ var check_certificate = (() => {
     const P = range_of(size).map(() => Array(size));
     for (let i = 0; i < size; ++i)
       reader.read('form', i + 1).map(integer).forEach((x, j) => { P[i][j] = P[j][i] = x; });
-    demand(largest_of(P) && positive_definite(P, largest_of(P)), 'the form is not positive definite');
+    demand(positive_definite(P, largest_of(P)), 'the form is not positive definite');
     for (const {map} of group.elements)
       demand(!map || equal(multiply(multiply(transpose(map), P), map), P), 'a generator does not keep the form');
     const texts = matrices.map(String), letter = texts.map(text => texts.indexOf(text));  // the first of equal matrices
@@ -1245,13 +1244,12 @@ var check_certificate = (() => {
   function read_logarithm(reader, {low, high}, curve, order, sections) {
     const [first, ...norm_fields] = reader.read('logarithm', 1, 3), P = small(first, 0, 256);
     const base = BigInt(curve.arity), [{order: pole}] = sections;
-    const cycles = sections.filter(({attained}) => attained).length;
     let e = 0;  // base^e is the largest power up to HIGH
     while (!less(high, base ** BigInt(e + 1))) ++e;
     if (less(base ** BigInt(e), low)) {  // the exponent is no integer
-      const lower = ({attained, value, level}) => attained || less(value, power(low, level));
+      const highest = sections.filter(({value, level}) => !less(value, power(low, level)));
       demand(!norm_fields.length, "expected 'logarithm' and a number, as the exponent is no integer");
-      demand(pole || (cycles === 1 && sections.every(lower)), 'more than one block has the exact radius');
+      demand(highest.length === 1, 'more than one block has the exact radius');
       demand(P === (pole ? pole - 1 : 0), other_power);
       return P;
     }

@@ -114,7 +114,7 @@ if mode == "usage":
             (64, "--surface [1,1] --dilation [2;2;2;2] --lower 1 golden.cert"),
             (64, f"--matrices golden.mat --exact |[{'1,' * 257}1]@1,0,1|^1/1 golden.cert"),
             *((64, f"--mask [1/{2**6000},1]/{3**4100} --arity 2{range_} --lower 1 golden.cert") for range_ in ("", " --for w=0..1")),
-            (64, "--lower 1 golden.cert"), (64, "--help golden.cert"),
+            (64, "--mask [1,1]/-1 --arity 2 --lower 1 golden.cert"), (64, "--lower 1 golden.cert"), (64, "--help golden.cert"),
             (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --upper 1 golden.cert"),
             (64, "--surface [[1,1],[1,1]]/-1 --dilation [2,0;0,2] --lower 1 golden.cert"),
             (64, "--surface [[1,1],[1,15] --dilation [2,0;0,2] --lower 1 golden.cert"),

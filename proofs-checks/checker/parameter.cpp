@@ -130,17 +130,13 @@ void check_resultant(const Vector& forms, std::size_t degree, unsigned arity, co
   }
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Part& a, const Part& b) { return a.last - a.first < b.last - b.first; });
-  std::size_t first = points, last = 0;
-  for (std::size_t j = 1; j < parts.size(); ++j) {
-    first = std::min(first, parts[j].first);
-    last = std::max(last, parts[j].last);
-  }
-  const std::size_t p_degree = parts[0].last - parts[0].first, q_degree = last - first, size = p_degree + q_degree;
+  const std::size_t p_degree = parts[0].last - parts[0].first, q_degree = parts.back().last - parts.back().first,
+                    size = p_degree + q_degree;
   // Of the coefficient number i of both; bits 0: the sum of the moduli.
   const auto value = [&](bool of_p, std::size_t i, std::size_t width) {
     mpz_class sum = 0;
     for (std::size_t j = of_p ? 0 : 1; j < (of_p ? 1 : parts.size()); ++j) {
-      const std::size_t at = ((of_p ? parts[0].first : first) + i) * arity + parts[j].residue;
+      const std::size_t at = (parts[j].first + i) * arity + parts[j].residue;
       for (std::size_t k = 0; at < points && k <= degree; ++k) {
         const mpz_class term = forms[k * points + at] * (of_p ? 1 : j * j);
         sum += width == 0 ? mpz_class(abs(term)) : mpz_class(term << width * k);

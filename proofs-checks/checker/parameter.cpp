@@ -50,32 +50,6 @@ Vector divisor_form(const Vector& divisor, const std::vector<Vector>& forms) {
   return result;
 }
 
-/// The determinant by exact elimination [Bareiss 1968].
-mpz_class determinant(Vector matrix, std::size_t n, Arithmetic& arithmetic) {
-  mpz_class last = 1;
-  for (std::size_t k = 0; k + 1 < n; ++k) {
-    const auto at = [&](std::size_t i, std::size_t j) -> mpz_class& { return matrix[j * n + i]; };
-    const mpz_class* column = &at(0, k);
-    const mpz_class* nonzero = std::find_if(column + k, column + n, [](const mpz_class& x) { return x != 0; });
-    const std::size_t pivot = static_cast<std::size_t>(nonzero - column);
-    if (pivot == n) return 0;
-    for (std::size_t j = k; pivot > k && j < n; ++j) {
-      swap(at(pivot, j), at(k, j));
-      at(k, j) = -at(k, j);
-    }
-    for (std::size_t i = k + 1; i < n; ++i)
-      for (std::size_t j = k + 1; j < n; ++j) {
-        mpz_class minor = 0;
-        arithmetic.add_product(minor, at(k, k), at(i, j));
-        arithmetic.add_product(minor, at(i, k), -at(k, j));
-        arithmetic.spend(std::uint64_t{mpz_size(minor.get_mpz_t())} * mpz_size(last.get_mpz_t()));
-        mpz_divexact(at(i, j).get_mpz_t(), minor.get_mpz_t(), last.get_mpz_t());
-      }
-    last = at(k, k);
-  }
-  return matrix.back();
-}
-
 /// Bits that hold the coefficients of the determinant of a matrix with these majorants, and their signs.
 std::size_t bits_of_determinant(const Vector& majorants, std::size_t n) {
   std::size_t result = 2;

@@ -213,6 +213,8 @@ REJECTED = [
      "the product proves nothing of rounded masks", [("within=1/1000000000,4", "within=1/1048576,4"), ("product 0 4", "product 0 24681/16384")]),
     ("inverse-trace-0", "swap-exact", None, "the inverse proves no eigenvalue near the given one",
      [("block 0", "product 0 0 0 0\ninverse 0\ncolumn 0 0 -1\ncolumn 1 -1 0\nblock 0")]),
+    ("group-projection", "unit-long", None, "a generator is singular",
+     [("polytope 2 3 0\n", "polytope 2 3 0 group:1\ngenerator 0\nmap 1 0\nmap 0 0\n")]),
     ("single-bound-0", "single-lower", None, "the recurrence may have a zero above the bound", [("single 4 0", "single 0 0")]),
     ("first-low", "hat-lower", "--surface [1,2,1]/2@-1000000001 --dilation [2] --lower 1", "a coordinate is too large",
      [("[1,2,1]/2@-1", "[1,2,1]/2@-1000000001")]),

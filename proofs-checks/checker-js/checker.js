@@ -196,14 +196,21 @@ var check_certificate = (() => {
     demand(d > 0n, 'a denominator must be positive');
     return reduced(fraction(n, d));
   }
+  const allow_denominator = den => demand(bits(den) <= 10000, 'common denominator too large');
   function common(fractions) {  // as integers over one denominator
     let den = 1n;
     for (const x of fractions) {
       if (den % x.d) den = lcm(den, x.d);
-      demand(bits(den) <= 10000, 'common denominator too large');
+      allow_denominator(den);
     }
     allow_bits(fractions.length * bits(den) * 8);
     return {den, numbers: fractions.map(x => x.n * (den / x.d))};
+  }
+  function common_factor(den, numbers) {  // the largest one of all, if what it leaves of a denominator is not too large
+    spend(numbers.length, bits(largest(numbers)), bits(den));
+    const factor = numbers.reduce((g, x) => x % g ? gcd(g, x) : g, den);
+    allow_denominator(den / factor);
+    return factor;
   }
   class Reader {
     constructor(text) {
@@ -250,9 +257,8 @@ var check_certificate = (() => {
       demand((sizes[d - 1] = sizes[d - 1] || pieces.length) === pieces.length, 'lists of different lengths in a mask');
       return d === 1 ? pieces : pieces.flatMap(piece => split(piece, d - 1));
     };
-    const coefficients = split(lists.slice(depth, -depth), depth);
-    demand(coefficients.every(c => c), 'a coefficient is empty');
-    return {depth, sizes, coefficients, den, first: first === undefined ? null : first.split(',').map(integer)};
+    return {depth, sizes, coefficients: split(lists.slice(depth, -depth), depth), den,
+            first: first === undefined ? null : first.split(',').map(integer)};
   }
   function polynomial(text, letter) {  // a sum of terms c*w^k, by powers of w
     const powers = Array(13).fill(fraction(0n));
@@ -272,14 +278,15 @@ var check_certificate = (() => {
     demand(parts.depth === 1 && (!parts.first || parts.first.length === 1), outside);
     demand(parts.coefficients.length <= 1000, outside);
     const read = c => letter ? polynomial(c, letter) : [rational(c)], by = parts.den === undefined ? '1' : parts.den;
-    const quotient = letter && /^\((.*)\)$/.exec(by);
-    const q = quotient ? read(quotient[1]) : [fraction(integer(by)), ...read('1').slice(1)];
-    demand(quotient || q[0].n > 0n, 'a denominator must be positive');
-    const polynomials = [q, ...parts.coefficients.map(read)];
-    const degree = Math.max(...polynomials.map(p => p.findLastIndex(sign)), 0);
-    const {numbers} = common(polynomials.flatMap(p => p.slice(0, degree + 1))), g = numbers.reduce(gcd, 0n) || 1n;
-    demand(letter || (numbers[1] && numbers[numbers.length - 1]), outside);
-    const row = i => numbers.slice(i * (degree + 1), (i + 1) * (degree + 1)).map(x => x / g);
+    const quotient = letter && /^\((.*)\)$/.exec(by), q = read(quotient ? quotient[1] : '1');
+    const D = quotient ? 1n : integer(by), polynomials = parts.coefficients.map(read);
+    demand(D > 0n, 'a denominator must be positive');
+    const degree = Math.max(...[q, ...polynomials].map(p => p.findLastIndex(sign)), 0);
+    const divisor = common(q.slice(0, degree + 1)), scale = fraction(divisor.den, D);
+    const {den, numbers} = common(polynomials.flatMap(p => p.slice(0, degree + 1)).map(c => reduced(times(c, scale))));
+    demand(letter || (numbers[0] && numbers[numbers.length - 1]), outside);
+    const all = [...divisor.numbers.map(x => x * den), ...numbers], g = all.reduce(gcd, 0n) || 1n;
+    const row = i => all.slice(i * (degree + 1), (i + 1) * (degree + 1)).map(x => x / g);
     return {arity, degree, q: row(0), a: parts.coefficients.map((_, i) => row(i + 1))};
   }
 
@@ -324,9 +331,10 @@ var check_certificate = (() => {
     const turn = weights[0] < 0n ? -1n : 1n;
     weights = weights.map(x => x * turn);
     demand(weights.every(x => x > 0n), 'the denominator of the mask changes its sign, or may do so');
-    const den = weights.reduce(lcm, 1n);
-    demand(bits(den) <= 10000, 'common denominator too large');
-    const entries = b.map(p => form_of(p, interval, degree).map((x, j) => x * turn * (den / weights[j])));
+    const all = weights.reduce(lcm, 1n);
+    const numbers = b.map(p => form_of(p, interval, degree).map((x, j) => x * turn * (all / weights[j])));
+    const factor = common_factor(all, numbers.flat()), den = all / factor;
+    const entries = numbers.map(row => row.map(x => x / factor));
     allow_bits(arity * size * size * weights.length * (bits(largest_of(entries)) + 64));
     spend(arity * size * size * weights.length + b.length * (degree + 1) ** 3);
     const entry = (i, j) => i >= 0 && i < entries.length ? entries[i][j] : 0n;
@@ -409,7 +417,7 @@ var check_certificate = (() => {
   function check_stability(curve, interval, rounding) {
     const {degree, q, a} = curve, top = a.length - 1, width = bits(largest_of(a)) + bits(BigInt(a.length)) + 10;
     if (interval) show_one_sign(form_of(q, interval, degree), 'the denominator of the mask');
-    if ((interval && degree) || rounding) check_resultant(curve, interval, rounding);
+    if (degree || rounding) check_resultant(curve, interval, rounding);
     else check_common_divisor(curve);
     const packed = transpose(a).map(numbers => pack(numbers, width));
     for (const order of cyclotomic_orders(curve.arity, top)) {
@@ -495,7 +503,10 @@ var check_certificate = (() => {
     return sizes.map((n, block) => {
       const first = sizes.slice(0, block).reduce((x, y) => x + y, 0), within = row => row.slice(first, first + n);
       demand(all.every(m => m.slice(first + n).every(row => within(row).every(x => !x))), 'not block upper triangular');
-      return {size: n, den: den * by, weights, matrices: all.map(m => m.slice(first, first + n).map(within))};
+      const entries = all.map(m => m.slice(first, first + n).map(within));
+      const factor = common_factor(den * by, entries.flat(2));
+      const matrices = entries.map(m => m.map(row => row.map(x => x / factor)));
+      return {size: n, den: den * by / factor, weights, matrices};
     });
   }
 
@@ -909,7 +920,7 @@ var check_certificate = (() => {
       const {body, exact: {low, high}, den, v_bits, E, g} = this, [first, ...rest] = this.reader.read('origin', 3);
       const J = this.vertex(first);
       demand(!this.cycles.has(J), 'the first vertex of a cycle is no image');
-      demand(J && !(J <= this.last_origin), 'the vertices of origins are not in order');
+      demand(!(J <= this.last_origin), 'the vertices of origins are not in order');
       const K = small(rest[0], 0, J - 1), T = this.letter(rest[1]);
       this.last_origin = J;
       this.origins.set(J, {K, T});
@@ -917,7 +928,7 @@ var check_certificate = (() => {
       const v = transpose(body.coordinates(J)), image = multiply(this.matrices[T], transpose(body.coordinates(K)));
       const away = s => sum(v.map((row, i) => sum(row.map((x, part) => abs(low.d * image[i][part] - s * x)))));
       const [plain, turned] = [low.n * den, -low.n * den].map(away);
-      const near = fraction(!body.has.nonnegative && turned < plain ? turned : plain, low.d * den);
+      const near = fraction(turned < plain ? turned : plain, low.d * den);
       const drift = times(minus(high, low), sum(v.map(norm)));
       const own = times(plus(near, drift), fraction(E, 1n << BigInt(v_bits)));
       this.enter(J, over(plus(times(g, fraction(this.errors.get(K) || 0n, 1n << 512n)), own), low));
@@ -993,7 +1004,7 @@ var check_certificate = (() => {
     const P = range_of(size).map(() => Array(size));
     for (let i = 0; i < size; ++i)
       reader.read('form', i + 1).map(integer).forEach((x, j) => { P[i][j] = P[j][i] = x; });
-    demand(largest_of(P) && positive_definite(P, largest_of(P)), 'the form is not positive definite');
+    demand(positive_definite(P, largest_of(P)), 'the form is not positive definite');
     for (const {map} of group.elements)
       demand(!map || equal(multiply(multiply(transpose(map), P), map), P), 'a generator does not keep the form');
     const texts = matrices.map(String), letter = texts.map(text => texts.indexOf(text));  // the first of equal matrices
@@ -1233,13 +1244,12 @@ var check_certificate = (() => {
   function read_logarithm(reader, {low, high}, curve, order, sections) {
     const [first, ...norm_fields] = reader.read('logarithm', 1, 3), P = small(first, 0, 256);
     const base = BigInt(curve.arity), [{order: pole}] = sections;
-    const cycles = sections.filter(({attained}) => attained).length;
     let e = 0;  // base^e is the largest power up to HIGH
     while (!less(high, base ** BigInt(e + 1))) ++e;
     if (less(base ** BigInt(e), low)) {  // the exponent is no integer
-      const lower = ({attained, value, level}) => attained || less(value, power(low, level));
+      const highest = sections.filter(({value, level}) => !less(value, power(low, level)));
       demand(!norm_fields.length, "expected 'logarithm' and a number, as the exponent is no integer");
-      demand(pole || (cycles === 1 && sections.every(lower)), 'more than one block has the exact radius');
+      demand(highest.length === 1, 'more than one block has the exact radius');
       demand(P === (pole ? pole - 1 : 0), other_power);
       return P;
     }

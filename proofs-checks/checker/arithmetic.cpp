@@ -1,5 +1,6 @@
 #include "arithmetic.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace subcert_check {
@@ -63,6 +64,31 @@ Vector Arithmetic::multiply(std::span<const mpz_class> matrix, const Vector& x, 
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t j = 0; j < size; ++j) add_product(result[i - i % size + j], matrix[i % size * size + j], x[i]);
   return result;
+}
+
+mpz_class determinant(Vector matrix, std::size_t n, Arithmetic& arithmetic) {
+  mpz_class last = 1;
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    const auto at = [&](std::size_t i, std::size_t j) -> mpz_class& { return matrix[j * n + i]; };
+    const mpz_class* column = &at(0, k);
+    const mpz_class* nonzero = std::find_if(column + k, column + n, [](const mpz_class& x) { return x != 0; });
+    const std::size_t pivot = static_cast<std::size_t>(nonzero - column);
+    if (pivot == n) return 0;
+    for (std::size_t j = k; pivot > k && j < n; ++j) {
+      swap(at(pivot, j), at(k, j));
+      at(k, j) = -at(k, j);
+    }
+    for (std::size_t i = k + 1; i < n; ++i)
+      for (std::size_t j = k + 1; j < n; ++j) {
+        mpz_class minor = 0;
+        arithmetic.add_product(minor, at(k, k), at(i, j));
+        arithmetic.add_product(minor, at(i, k), -at(k, j));
+        arithmetic.spend(std::uint64_t{mpz_size(minor.get_mpz_t())} * mpz_size(last.get_mpz_t()));
+        mpz_divexact(at(i, j).get_mpz_t(), minor.get_mpz_t(), last.get_mpz_t());
+      }
+    last = at(k, k);
+  }
+  return matrix.back();
 }
 
 Fields split(std::string_view text, std::string_view separator) {

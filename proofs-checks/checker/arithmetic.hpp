@@ -53,6 +53,9 @@ class Arithmetic {
   std::uint64_t spent_ = 0;
 };
 
+/// By exact elimination [Bareiss 1968]; the matrix column by column.
+mpz_class determinant(Vector matrix, std::size_t n, Arithmetic& arithmetic);
+
 // ---- text ------------------------------------------------------------------------------------------------------
 
 Fields split(std::string_view text, std::string_view separator);

@@ -417,14 +417,15 @@ class Checker {
   void use_polytope(const Polytope& body) {
     if (exact_ && reader_.at("cycle")) {
       check_attained(body, *exact_, reader_, arithmetic_);
-      ++attaining_;
+      attained_ = true;
+      ++reaching_;
       show_upper_bound(body.bound, 1);
     } else {
       use_upper_bound(body.bound, 1);
     }
   }
   void use_single(const SingleRadius& single) {
-    attaining_ = 1;
+    attained_ = true;
     by_single_ = true;
     power_ = single.power;
     show_upper_bound(single.bound, 1);
@@ -432,9 +433,11 @@ class Checker {
 
   /// Compares the proved JSR(block)^exponent <= value with what is to be shown of each block.
   void use_upper_bound(const mpq_class& value, std::size_t exponent) {
-    const mpq_class low = exact_ ? power(exact_->low, exponent) : value + 1;
-    require(value <= low, "the bound of a block is above the exact radius");
-    below_ = below_ && value < low;
+    if (exact_) {
+      const mpq_class low = power(exact_->low, exponent);
+      require(value <= low, "the bound of a block is above the exact radius");
+      if (value == low) ++reaching_;
+    }
     show_upper_bound(value, exponent);
   }
   void show_upper_bound(const mpq_class& value, std::size_t exponent) const {
@@ -446,7 +449,7 @@ class Checker {
   /// Some block has the exact radius; and section 4.12.
   void show_attained(const std::optional<Mask>& mask) {
     if (!exact_) return;
-    require(attaining_ > 0, not_attained);
+    require(attained_, not_attained);
     if (claim_.arity != 0 && reader_.at("logarithm")) read_logarithm(*mask);
     require(!claim_.logarithm || logarithm_ == claim_.logarithm, "the logarithm of the claim is not proved");
   }
@@ -459,7 +462,7 @@ class Checker {
     for (; least < exact_->low; least *= claim_.arity) --order;
     if (least > exact_->high) {
       require(fields.size() == 1, "expected 'logarithm' and a number, as the exponent is no integer");
-      require(by_single_ || (attaining_ == 1 && below_), "more than one block has the exact radius");
+      require(by_single_ || reaching_ == 1, "more than one block has the exact radius");
       require(logarithm_ == power_, "products grow with another power");
       return;
     }
@@ -491,10 +494,10 @@ class Checker {
   std::optional<ExactRadius> exact_;
   std::size_t exact_order_ = 0;
   std::size_t sum_rules_ = 0;
-  std::size_t attaining_ = 0;  // blocks that have the exact radius
-  bool below_ = true;          // the other blocks have smaller ones
-  bool by_single_ = false;     // or one spectral radius tells it,
-  std::size_t power_ = 0;      // and how products grow
+  bool attained_ = false;     // a block has the exact radius
+  std::size_t reaching_ = 0;  // blocks that have it, or may have it
+  bool by_single_ = false;    // or one spectral radius tells it,
+  std::size_t power_ = 0;     // and how products grow
   std::optional<std::size_t> logarithm_;
 };
 

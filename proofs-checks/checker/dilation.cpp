@@ -96,8 +96,8 @@ unsigned classes(const Dilation& dilation) {
 }
 
 Dilation parse_dilation(std::string_view text) {
-  const std::size_t size = text.size() < 2 ? 0 : split(text, ";").size();
-  require(size >= 1 && size <= 3 && text.front() == '[' && text.back() == ']', "a dilation is [1,2;-2,-1]");
+  const std::size_t size = split(text, ";").size();
+  require(size <= 3 && text.starts_with('[') && text.ends_with(']'), "a dilation is [1,2;-2,-1]");
   Dilation dilation{size};
   const Fields rows = split(text.substr(1, text.size() - 2), ";");
   for (std::size_t i = 0; i < size; ++i) dilation.rows[i] = parse_point(rows[i], size, max_entry);

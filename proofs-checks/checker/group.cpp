@@ -29,6 +29,7 @@ std::vector<Generator> read_generators(const Family& family, std::size_t count, 
                   arithmetic.multiply(map, Vector(matrix.begin(), matrix.end()), n),
               "a generator does not permute the matrices as it says");
     }
+    require(determinant(map, n, arithmetic) != 0, "a generator is singular");
   }
   Vector identity(n * n);
   for (std::size_t i = 0; i < n; ++i) identity[i * n + i] = 1;
@@ -39,7 +40,6 @@ std::vector<Generator> read_generators(const Family& family, std::size_t count, 
     for (const Generator& generator : generators) {
       Vector next = arithmetic.multiply(generator.map, element, n);
       const auto leading = std::find_if(next.begin(), next.end(), [](const mpz_class& x) { return x != 0; });
-      require(leading != next.end(), "a generator is singular");
       if (*leading < 0)
         for (mpz_class& x : next) x = -x;
       if (known.insert(next).second) fresh.push_back(std::move(next));

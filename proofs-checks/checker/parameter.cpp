@@ -50,31 +50,6 @@ Vector divisor_form(const Vector& divisor, const std::vector<Vector>& forms) {
   return result;
 }
 
-/// The determinant by exact elimination [Bareiss 1968].
-mpz_class determinant(Vector matrix, std::size_t n, Arithmetic& arithmetic) {
-  mpz_class last = 1;
-  for (std::size_t k = 0; k + 1 < n; ++k) {
-    const auto at = [&](std::size_t i, std::size_t j) -> mpz_class& { return matrix[j * n + i]; };
-    std::size_t pivot = k;
-    while (pivot < n && at(pivot, k) == 0) ++pivot;
-    if (pivot == n) return 0;
-    for (std::size_t j = k; pivot > k && j < n; ++j) {
-      swap(at(pivot, j), at(k, j));
-      at(k, j) = -at(k, j);
-    }
-    for (std::size_t i = k + 1; i < n; ++i)
-      for (std::size_t j = k + 1; j < n; ++j) {
-        mpz_class minor = 0;
-        arithmetic.add_product(minor, at(k, k), at(i, j));
-        arithmetic.add_product(minor, at(i, k), -at(k, j));
-        arithmetic.spend(std::uint64_t{mpz_size(minor.get_mpz_t())} * mpz_size(last.get_mpz_t()));
-        mpz_divexact(at(i, j).get_mpz_t(), minor.get_mpz_t(), last.get_mpz_t());
-      }
-    last = at(k, k);
-  }
-  return matrix.back();
-}
-
 /// Bits that hold the coefficients of the determinant of a matrix with these majorants, and their signs.
 std::size_t bits_of_determinant(const Vector& majorants, std::size_t n) {
   std::size_t result = 2;
@@ -129,17 +104,13 @@ void check_resultant(const Vector& forms, std::size_t degree, unsigned arity, co
   }
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Part& a, const Part& b) { return a.last - a.first < b.last - b.first; });
-  std::size_t first = points, last = 0;
-  for (std::size_t j = 1; j < parts.size(); ++j) {
-    first = std::min(first, parts[j].first);
-    last = std::max(last, parts[j].last);
-  }
-  const std::size_t p_degree = parts[0].last - parts[0].first, q_degree = last - first, size = p_degree + q_degree;
+  const std::size_t p_degree = parts[0].last - parts[0].first, q_degree = parts.back().last - parts.back().first,
+                    size = p_degree + q_degree;
   // Of the coefficient number i of both; bits 0: the sum of the moduli.
   const auto value = [&](bool of_p, std::size_t i, std::size_t width) {
     mpz_class sum = 0;
     for (std::size_t j = of_p ? 0 : 1; j < (of_p ? 1 : parts.size()); ++j) {
-      const std::size_t at = ((of_p ? parts[0].first : first) + i) * arity + parts[j].residue;
+      const std::size_t at = (parts[j].first + i) * arity + parts[j].residue;
       for (std::size_t k = 0; at < points && k <= degree; ++k) {
         const mpz_class term = forms[k * points + at] * (of_p ? 1 : j * j);
         sum += width == 0 ? mpz_class(abs(term)) : mpz_class(term << width * k);
@@ -173,7 +144,7 @@ void check_resultant(const Vector& forms, std::size_t degree, unsigned arity, co
   } else if (size > 0) {
     form = determinant_form(size, degree, sylvester, arithmetic);
   }
-  if (error == 0 && form[0] < 0)
+  if (form[0] < 0)
     for (mpz_class& c : form) c = -c;
   check_positive_form(form, "stability: the resultant of the polyphase parts", arithmetic);
 }
@@ -230,7 +201,7 @@ Vector second_compound(const Vector& matrix, std::size_t n, int sign, Arithmetic
 Range parse_range(std::string_view text) {
   constexpr const char* expected = "a range is w=LOW..HIGH with rationals LOW < HIGH";
   const std::size_t dots = text.find("..");
-  require(text.size() > 2 && text[1] == '=' && dots != text.npos && dots > 2, expected);
+  require(dots != text.npos && text[1] == '=', expected);
   const char letter = text[0];
   require((letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'), expected);
   Range range{letter, parse_rational(text.substr(2, dots - 2)), parse_rational(text.substr(dots + 2))};

@@ -106,7 +106,6 @@ class Positivity {
       for (std::size_t v = 0; v < 3; ++v) half_[v] = std::max(half_[v], static_cast<std::size_t>(std::abs(point[v])));
     for (std::size_t v = 0; v < 3; ++v) {
       const std::size_t n = half_[v];
-      require(n < max_cell_entries, too_much_work);
       require((entries *= sizes_[v] = 2 * n + 1) <= max_cell_entries, too_much_work);
       arithmetic_.spend(sizes_[v] * sizes_[v] * sizes_[v] * (20 + n));
       for (std::size_t k = 0; k <= 2 * n; ++k) forms_[v].push_back(power_form(n, k));

@@ -12,6 +12,14 @@ HAT = "--surface [1,2,1]/2@-1 --dilation [2]"
 BOUNDS = "bounds 323606797749959/200000000000000 323606797749999/200000000000000\n"  # of golden.cert
 DEGREE_256 = f"|[-1,{255 * '0,'}1]@1,0,1/1000000|^1/1"
 PRIME = 4294967291
+EQUAL_PARTS = "[w,-1/3,1/3,1-w,4/3,2/3]"
+HAT_64 = f"[{','.join(map(str, [*range(1, 65), *range(63, 0, -1)]))}]/64@-63"
+FOUR_POINT = "[-w,0,1/2+w,1,1/2+w,0,-w]@-3"
+# coefficients in the square of the parameter: forms with large coefficients that are small where both ends count as much
+SQUARES = "[1/2,1000*w^2+3/2,1/2,-1000*w^2-1/2]"
+GROWING = (("", "[1000*w^2+3/2,1,-1000*w^2-1/2]", 2), ("-negative", "[-1000*w^2-3/2,1,1000*w^2+5/2]", -2))
+# a class that is as large as the error of the other two together, but for less than what is rounded away
+ALMOST = f"[{2**190 - 1},{2**191 + 2},{2**190 - 1}]/{2**191}"
 # rows of a form for which the last pivot of Lemma 17 is 0, or 1
 MARGIN, FIRST, MIDDLE = 2 * 2**128 + 2, 2**255 + 12345, 10**70
 LAST = MARGIN + (MIDDLE // math.isqrt(FIRST - MARGIN)) ** 2
@@ -29,6 +37,7 @@ MATRICES = [
     ("ones.mat", [[["1", "0"], ["0", "1"]]]),
     ("small.mat", [[["1/2000"]]]),
     ("unit.mat", [[["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]]),
+    ("four.mat", [[[str(int(i == j)) for j in range(4)] for i in range(4)]]),
 ]
 
 # name, options of the claim, and the lines after the first one
@@ -90,6 +99,8 @@ ACCEPTED = [
     ("small", "--matrices small.mat --lower 0 --upper 1/2000",
      "radius 1 1; bounds 0 1/2000; product 0 1/2000 0 0; block 0 norm 1; end"),
     # more bits than are looked at
+    ("huge-product", f"--matrices huge.mat --lower {HUGE} --upper {HUGE}",
+     f"radius 1 1; bounds {HUGE} {HUGE}; product 0 {HUGE} 0 0; block 0 norm 1; end"),
     ("huge-inverse", f"--matrices huge.mat --lower 9999/10000 --upper {HUGE}",
      f"radius 1 1; bounds 9999/10000 {HUGE}; product 0 {10**95 + 1 + 10**75}/{10**95} 0 0; inverse 0; column 0 {10**20}; "
      "block 0 norm 1; end"),
@@ -109,17 +120,51 @@ ACCEPTED = [
      "exponent [1+w,1+w]/(1+w) 2 w=0..1; bounds - -; sum-rules 1; stability; end"),
     ("haar-rounded-stable", "--mask [1,1] --arity 2 --within 1/100,1",
      "exponent [1,1] 2 within=1/100,1; bounds - -; sum-rules 1; stability; end"),
-    ("corner-stable-upper-case", "--mask [W,1-W,1-W,W] --arity 2 --for W=-1..499/1000",
-     "exponent [W,1-W,1-W,W] 2 W=-1..499/1000; bounds - -; sum-rules 1; stability; end"),
+    # the letters a parameter may have
+    *((f"corner-stable-{name}", f"--mask [{w},1-{w},1-{w},{w}] --arity 2 --for {w}=-1..499/1000",
+       f"exponent [{w},1-{w},1-{w},{w}] 2 {w}=-1..499/1000; bounds - -; sum-rules 1; stability; end")
+      for name, w in (("upper-case", "W"), ("a", "a"), ("z", "z"), ("upper-case-a", "A"), ("upper-case-z", "Z"))),
+    # the largest coordinates, entries and numbers of classes
+    ("hat-far", "--surface [1,2,1]/2@-1000000000 --dilation [2] --lower 1",
+     "surface [1,2,1]/2@-1000000000 [2]; bounds 1 -; sum-rules 2; digits -1000000000 -999999999; space 1; "
+     "vector 0:1 1:-2 2:1; block 0 norm 1; end"),
+    ("hat-64", f"--surface {HAT_64} --dilation [64] --lower 1",
+     f"surface {HAT_64} [64]; bounds 1 -; sum-rules 2; digits {' '.join(map(str, range(64)))}; space 1; "
+     "vector -1:1 0:-2 1:1; block 0 norm 1; end"),
+    # the largest group: all permutations, and an even number of signs
+    ("group-96", "--matrices four.mat --upper 1",
+     "radius 1 4; bounds - 1; block 0 polytope 1 0 0 group:3; generator 0; map 0 0 0 1; map 1 0 0 0; map 0 1 0 0; map 0 0 1 0; "
+     "generator 0; map 0 1 0 0; map 1 0 0 0; map 0 0 1 0; map 0 0 0 1; generator 0; map -1 0 0 0; map 0 -1 0 0; map 0 0 1 0; "
+     "map 0 0 0 1; vertex 1 0 0 0; unit 0 0:1; unit 1 0A:1; unit 2 0AA:1; unit 3 0AAA:1; image 0 0 0:1; end"),
+    # coefficients that are 0 for all parameters, and others that are for one
+    ("four-point-from-0", f"--mask {FOUR_POINT} --arity 2 --for w=0..1/16",
+     f"exponent {FOUR_POINT} 2 w=0..1/16; bounds - -; sum-rules 2; stability; end"),
+    # of equally long classes it is the first that has no zero in common with the sum of multiples of the others
+    ("equal-parts-stable", f"--mask {EQUAL_PARTS} --arity 3 --for w=2/5..3/5",
+     f"exponent {EQUAL_PARTS} 3 w=2/5..3/5; bounds - -; sum-rules 1; stability; end"),
+    ("stable-large", f"--mask {SQUARES} --arity 2 --for w=-1..1",
+     f"exponent {SQUARES} 2 w=-1..1; bounds - -; sum-rules 1; stability; end"),
+    *((f"growing-large{name}", f"--mask {mask} --arity 2 --for w=-1..1 --upper 0",
+       f"exponent {mask} 2 w=-1..1; bounds - 0; sum-rules 1; to 1; product 0 {value} 0 0; end") for name, mask, value in GROWING),
+    # a value at a root of unity that turns by more than a right angle
+    ("turning-stable", "--mask [w,1,1-w] --arity 2 --for w=-2..2",
+     "exponent [w,1,1-w] 2 w=-2..2; bounds - -; sum-rules 1; stability; end"),
+    ("rounded-complex", "--mask [9,1,1,9]/10 --arity 2 --within 1/1000000,1 --lower 1/1000 --upper 9/10",
+     "exponent [9,1,1,9]/10 2 within=1/1000000,1; bounds - -; sum-rules 1; stability; product 0 -13/10 13/5 0 1; block 0 norm 10; end"),
+    # masks of two coefficients have no zeros at roots of unity that matter
+    ("haar-rounded-wide", "--mask [1,1] --arity 2 --within 99/100,1",
+     "exponent [1,1] 2 within=99/100,1; bounds - -; sum-rules 1; stability; end"),
 ]
 
 # name, accepted case that is changed, other options or None, changes of its text
 CHANGED = [
+    ("single-recurrence-negative", "single-four-point-2", None, [("recurrence -4 1\n", "recurrence 4 -1\n")]),
     ("reduced-exact-rough", "reduced-exact", f"--mask {SMOOTHED} --arity 2 --upper C4", [("sum-rules 4\n", "sum-rules 4 full\n")]),
     ("four-point-exact-coarse", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[4,-5,1]@4,0,1/10|^1/1",
      [("4-log|[-4,1]@4,0,1|", "4-log|[4,-5,1]@4,0,1/10|"), ("root 4 0 0 4 4", "root 4 0 1/100 399/100 401/100")]),
     # an eigenvector with an imaginary coordinate where the vertex is large
     *((f"rotation-exact-seed{sign}1", "rotation-exact", None, [("seed 1 0", f"seed 0 {sign}1")]) for sign in ("", "-")),
+    ("rotation-exact-seed-negative", "rotation-exact", None, [("seed 1 0", "seed -1 0")]),
     # all of the disc, and bounds that are no better
     ("four-point-exact-wide", "four-point-exact", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --exact 4-log|[-4,1]@4,0,1/10|^1/1",
      [("@4,0,1|", "@4,0,1/10|"), ("root 4 0 0 4 4", "root 4 0 1/10 39/10 41/10")]),
@@ -136,6 +181,43 @@ CHANGED = [
 
 # name, accepted case that is changed, other options or None, reason, changes of its text
 REJECTED = [
+    *((f"rounded-class-{name}", "haar-rounded-stable", f"--mask {mask} --arity 2 --within {error},1",
+       "stability: the resultant of the polyphase parts", [("[1,1] 2 within=1/100,1", f"{mask} 2 within={error},1")])
+      for name, mask, error in (("equal", "[1,2,1]/2@-1", "1/2"), ("less", ALMOST, f"{2**180 + 1}/{2**181}"))),
+    ("common-zero-positive", "hat-full-lower", "--mask [2,2,-1,-1] --arity 2 --lower 1/1000", "common zero",
+     [("[1,2,1]/2@-1", "[2,2,-1,-1]"), ("sum-rules 2 full\n", "sum-rules 1\nstability\n")]),
+    ("sum-rules-of-0", "haar-quotient-stable", "--mask [w,w]/(w) --arity 2 --for w=1..2", "no sum rules of this order",
+     [("[1+w,1+w]/(1+w) 2 w=0..1", "[w,w]/(w) 2 w=1..2"), ("sum-rules 1\n", "sum-rules 3\n")]),
+    ("mask-1000", "golden", f"--mask [{'1,' * 999}1] --arity 2 --lower 1", "expected 'exponent ", []),
+    ("reduced-radius", "golden", None, "expected 'product'", [("product 0", "reduced [1] [1,1]\nproduct 0")]),
+    ("logarithm-radius", "ones-exact", None, "expected 'end'", [("\nend", "\nlogarithm 0\nend")]),
+    ("norm-second-column", "zero", "--matrices axis.mat --upper 1", "the bound does not prove the claim",
+     [("radius 1 1", "radius 1 2"), ("bounds - 0", "bounds - 1"), ("norm 2", "norm 1")]),
+    ("upper-0-unstable", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 2 --upper 0",
+     "expected 'stability'", [("stability\n", "")]),
+    # numbers that are 0 where they must be positive, and inverses that are too large, in one direction only
+    ("product-0", "zero", "--matrices zero.mat --lower 1/10 --upper 0", "the product proves no positive spectral radius", [("block 0", "product 0 0 0 0\nblock 0")]),
+    *((f"inverse-{name}", "zero", None, reason, [("block 0", f"product 0 {value} 0\ninverse {columns}\nblock 0")])
+      for name, value, columns, reason in (
+          ("bound-0", "1 0", "0\ncolumn 0 1", "the product proves no positive spectral radius"),
+          ("0", "1 0", "0\ncolumn 0 0", "the inverse is none of the product"),
+          ("imaginary-less", "1 1", "0\ncolumn 0 0 -1", "the inverse is none of the product"),
+          ("imaginary-more", "1 1", "0\ncolumn 0 1 0", "the inverse is none of the product"),
+          ("real-large", "-1 0", "3\ncolumn 0 -9", "the product proves no positive spectral radius"),
+          ("imaginary-large", "0 1", "3\ncolumn 0 0 -9", "the product proves no positive spectral radius"))),
+    # the modulus of a complex eigenvalue, rounded up, bounds the changes
+    ("rounded-complex-upper", "rounded-complex",
+     "--mask [9,1,1,9]/10 --arity 2 --within 1/1000000,1 --lower 1/1000 --upper 25120618/100000000",
+     "the product's spectral radius does not prove the claim", []),
+    ("rounded-slope-0", "rounded-four-point", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --within 1/1048576,4 --lower 1",
+     "the product proves nothing of rounded masks", [("within=1/1000000000,4", "within=1/1048576,4"), ("product 0 4", "product 0 24681/16384")]),
+    ("inverse-trace-0", "swap-exact", None, "the inverse proves no eigenvalue near the given one",
+     [("block 0", "product 0 0 0 0\ninverse 0\ncolumn 0 0 -1\ncolumn 1 -1 0\nblock 0")]),
+    ("group-projection", "unit-long", None, "a generator is singular",
+     [("polytope 2 3 0\n", "polytope 2 3 0 group:1\ngenerator 0\nmap 1 0\nmap 0 0\n")]),
+    ("single-bound-0", "single-lower", None, "the recurrence may have a zero above the bound", [("single 4 0", "single 0 0")]),
+    ("first-low", "hat-lower", "--surface [1,2,1]/2@-1000000001 --dilation [2] --lower 1", "a coordinate is too large",
+     [("[1,2,1]/2@-1", "[1,2,1]/2@-1000000001")]),
     ("upper-negative", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 2 --upper -1",
      "an exponent is negative or too large", []),
     ("upper-large", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 2 --upper 20001/2",
@@ -162,8 +244,8 @@ REJECTED = [
     ("vertex-first-largest", "first-exact", None, "too far",
      [("vertex 4 0\nvertex 0 4\nunit 0 0:4\n", "vertex 4 4\nvertex 0 4\nunit 0 0:4 1:-4\n")]),
     *((f"vertex-error-imaginary{name}", "rotation-exact", None, "too far",
-       [("polytope 1 0 64", "polytope 1 1 64"), ("vertex 1 0 0 -1", f"vertex 2 0 0 {im}")])
-      for name, im in (("", -3), ("-below", -1))),
+       [("polytope 1 0 64", "polytope 1 1 64"), ("vertex 1 0 0 -1", f"vertex 2 0 0 {im}"), ("seed 1 0", f"seed {seed}")])
+      for name, im, seed in (("", -3, "1 0"), ("-below", -1, "1 0"), ("-seed", -3, "0 1"), ("-below-seed", -1, "0 1"))),
     # an error of 1/4, which the image is below without, and with an error of fewer coordinates
     ("same-below-error", "eighth-exact", None, "not the vertex", [("vertex 8 0\n", "vertex 8 1\n")]),
     ("cone-origin-other", "slow-cone-exact", None, "too far", [("origin 4 2 0\n", "origin 4 2 1\n")]),
@@ -198,6 +280,8 @@ REJECTED = [
      [("quadratic 3 16181/10000", "quadratic 3 16181/10000 group:1 group:1")]),
     ("turned-coefficients", "hat-turned", "--surface [3,4,1]/4@-1 --dilation [2] --lower 1",
      "the dilation is not turned by symmetries", [("[1,2,1]/2@-1", "[3,4,1]/4@-1")]),
+    ("turned-one-point", "hat-turned", "--surface [2] --dilation [2] --lower 1", "the dilation is not turned by symmetries",
+     [("[1,2,1]/2@-1 [2]", "[2] [2]"), ("turned [-2]", "turned [4]")]),
     ("turned-twice", "turning-2", None, "the bound does not prove the claim",
      [("digits ", "turned [0,2;-1,0]\ndigits ")]),
     ("values-prime", "trapezoid-by-hand", None, "the differences do not span the space",

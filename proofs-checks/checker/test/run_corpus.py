@@ -44,9 +44,10 @@ def expect(name, condition, result):
 count = 0
 if mode == "usage":
     folder = tempfile.TemporaryDirectory()
-    more, many = Path(folder.name) / "more.mat", Path(folder.name) / "many.mat"
+    more, many, large = (Path(folder.name) / f"{name}.mat" for name in ("more", "many", "large"))
     more.write_text((directory / "golden.mat").read_text() + "row 1 1\n")
     many.write_text("matrices 4096 256\n")
+    large.write_text(f"matrices 1 2\nrow 1/{2**6001} 0\nrow 0 1/{2**3999 + 1}\n")
     golden = "--matrices golden.mat --upper 2"
     for code, arguments in [
             (64, ""), (64, "golden.cert"), (64, f"{golden}"), (64, f"{golden} golden.cert golden.cert"),
@@ -112,12 +113,27 @@ if mode == "usage":
             (64, "--surface [1,1] --dilation 2 --lower 1 golden.cert"),
             (64, "--surface [1,1] --dilation [2;2;2;2] --lower 1 golden.cert"),
             (64, f"--matrices golden.mat --exact |[{'1,' * 257}1]@1,0,1|^1/1 golden.cert"),
+            (64, "--mask [0,1] --arity 2 --lower 1 golden.cert"),
+            (64, "--mask [+1,1] --arity 2 --lower 1 golden.cert"), (64, "--mask [1,1] --arity 2 --for w --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,12] --dilation [2,0;0,2] --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --dilation 12,0;0,2] --lower 1 golden.cert"),
+            (64, "--surface [1,2,1]/2@-1 --dilation [-65] --lower 1 golden.cert"),
+            (64, "--surface [1,2,1] --dilation [2,0,0,0;0,2,0,0;0,0,2,0;0,0,0,2] --lower 1 golden.cert"),
+            *((64, f"--mask [1/{2**6000},1]/{3**4100} --arity 2{range_} --lower 1 golden.cert") for range_ in ("", " --for w=0..1")),
+            (64, "--mask [1,1]/-1 --arity 2 --lower 1 golden.cert"), (64, "--lower 1 golden.cert"), (64, "--help golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --upper 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]]/-1 --dilation [2,0;0,2] --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,15] --dilation [2,0;0,2] --lower 1 golden.cert"),
+            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,-65] --lower 1 golden.cert"),
+            (64, f"--surface [{'1,' * 10000}1] --dilation [2] --lower 1 golden.cert"),
             (65, f"--matrices {more} --upper 2 golden.cert"), (65, f"--matrices {many} --upper 2 golden.cert"),
+            (65, f"--matrices {large} --upper 2 golden.cert"),
             (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
             (66, f"{golden} none.cert"), (66, f"{golden} ."), (0, "--help"), (0, f"{golden} golden.cert")]:
         result = run(arguments.split())
         expect(arguments, result[0] == code and bool(result[2] if code else result[1]), result)
         expect(arguments, code == 0 or "VERIFIED" not in result[1], result)
+        expect(arguments, "internal error" not in result[2], result)
         count += 1
 else:
     for line in (directory / "claims.txt").read_text().splitlines():
@@ -145,7 +161,7 @@ else:
             expect(name, result == (0, text, ""), result)
         else:
             rejected = result[0] == 1 and result[1].startswith("REJECTED ") and ", line " in result[1] and not result[2]
-            expect(name, rejected and reason in result[1], result)
+            expect(name, rejected and reason in result[1] and "internal error" not in result[1], result)
 if server:
     server.communicate()
 print(f"{count} cases, {len(failures)} failures")

@@ -16,6 +16,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import variants
+
 test = Path(__file__).resolve().parent
 sources = test.parent
 
@@ -37,15 +39,16 @@ CHANGES = [
     (r"std::min\(", "wrong::Min{%d}(", "min -> max"),
     (r"std::max_element\(", "wrong::MaxElement{%d}(", "max_element -> min_element"),
     (r"(?<![:\w])abs\(", "wrong::Abs{%d}(", "abs -> nothing"),
-    (r" \+= ", " += wrong::Sum{%d} += ", "+= -> -="),
+    (r" \+= (?!\")", " += wrong::Sum{%d} += ", "+= -> -="),
 ]
-CHECK = "(wrong::on(%d) ? wrong::ignore : require)("
+CHECKS = [(r"(?<!void )\brequire\(", "(wrong::on(%d) ? wrong::ignore : require)(", "no check")]
 
 HEADER = """
 #pragma once
 #include <gmpxx.h>
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 namespace wrong {
@@ -59,7 +62,13 @@ inline void ignore(bool, std::string_view) {}
   struct Name { int id; };                                                                                         \\
   template <class T> struct Name##Of { const T& left; int id; };                                                   \\
   template <class T> Name##Of<T> operator right(const T& left, Name mark) { return {left, mark.id}; }              \\
+  template <class T> Name##Of<std::optional<T>> operator right(const std::optional<T>& left, Name mark) {          \\
+    return {left, mark.id};                                                                                        \\
+  }                                                                                                                \\
   template <class T, class U> bool operator right(const Name##Of<T>& x, const U& y) {                              \\
+    return on(x.id) ? x.left other y : x.left right y;                                                             \\
+  }                                                                                                                \\
+  template <class T, class U> bool operator right(const Name##Of<T>& x, const std::optional<U>& y) {               \\
     return on(x.id) ? x.left other y : x.left right y;                                                             \\
   }
 COMPARISON(AtMost, <=, <)
@@ -98,32 +107,8 @@ struct Sum {
 """
 
 
-def is_code(text, at):
-    line = text[text.rfind("\n", 0, at) + 1 : text.find("\n", at)]
-    stripped = line.strip()
-    column = at - text.rfind("\n", 0, at) - 1
-    comment = line.find("//")
-    in_string = line[:column].count('"') % 2 == 1
-    return not in_string and not (0 <= comment <= column) and not stripped.startswith(("#", "template", "for ("))
-
-
-def variants(checks_only):
-    """(name, file, begin, end, text) for every variant: what stands in place of a part of a file, with a place for the number;
-    the name is file, change with its column, and line."""
-    for file in sorted(sources.glob("*.cpp")):
-        text = file.read_text()
-
-        def variant(match, new, what):
-            line = text[text.rfind("\n", 0, match.start()) + 1 : text.find("\n", match.start())].strip()
-            return f"{file.name}: {what} in: {line}", file, match.start(), match.end(), new
-
-        for match in re.finditer(r"\brequire\(", text):
-            if "void require" not in text[match.start() - 5 : match.end()] and is_code(text, match.start()):
-                yield variant(match, CHECK, "no check")
-        for old, new, what in CHANGES if not checks_only else []:
-            for match in re.finditer(old, text):
-                if is_code(text, match.start()):
-                    yield variant(match, new, f"{what} at {match.start() - text.rfind(chr(10), 0, match.start())}")
+def variants_of(changes):
+    return variants.variants(sorted(sources.glob("*.cpp")), changes, '"', ("#", "template", "for ("))
 
 
 def with_variants(file, numbered):
@@ -144,7 +129,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--list", action="store_true")
     arguments = parser.parse_args()
-    chosen = {n: v for n, v in enumerate(variants(arguments.checks), 1) if re.search(arguments.only, v[0])}
+    chosen = {n: v for n, v in enumerate(variants_of(CHECKS if arguments.checks else CHECKS + CHANGES), 1) if re.search(arguments.only, v[0])}
     if arguments.list:
         print("\n".join(name for name, *_ in chosen.values()))
         return 0
@@ -153,8 +138,8 @@ def main():
     (build / "wrong.hpp").write_text(HEADER)
     flags = shlex.split(arguments.flags)
     libraries = [flag for flag in flags if not flag.startswith("-I")]
-    compile_line = [arguments.compiler, "-std=c++20", "-O1", "-w", f"-I{sources}", "-include", build / "wrong.hpp"]
-    compile_line += [flag for flag in flags if flag.startswith("-I")]
+    compile_line = [arguments.compiler, "-std=c++20", "-O1", "-w", "-D_GLIBCXX_ASSERTIONS", f"-I{sources}"]
+    compile_line += ["-include", build / "wrong.hpp", *(flag for flag in flags if flag.startswith("-I"))]
 
     def compiled(file):
         """The numbers of the variants that do not compile."""
@@ -167,7 +152,7 @@ def main():
             if done.returncode == 0:
                 return dropped
             lines = {int(n) for n in re.findall(rf"{re.escape(str(source))}:(\d+):\d+:", done.stderr)}
-            bad = [n for n, v in numbered.items() if file.read_text()[: v[2]].count("\n") + 1 in lines and v[4] != CHECK]
+            bad = [n for n, v in numbered.items() if file.read_text()[: v[2]].count("\n") + 1 in lines and v[4] != CHECKS[0][1]]
             if not bad:
                 sys.exit(f"{file.name} does not compile\n{done.stderr}")
             dropped += bad
@@ -186,37 +171,12 @@ def main():
         number, (_, file, *_) = numbered
         if number in dropped:
             return "do not compile"
-        for mode, folder in (("accept", "accept"), ("usage", "accept"), ("reject", "reject")):
-            limits = ["sh", "-c", 'ulimit -v 2000000 -t 20; exec "$@"', "limited"]
-            checker = [build / "main"] if file.stem == "main" else ["many", build / "many"]
-            run = subprocess.run(
-                [*limits, sys.executable, "-B", test / "run_corpus.py", *checker, mode, test / folder],
-                capture_output=True,
-                check=False,
-                env={**os.environ, "SUBCERT_FIRST_FAILURE": "1", "WRONG_VARIANT": str(number)},
-            )
-            if run.returncode != 0:
-                return "fail"
-        return "survive"
+        checker = [build / "main"] if file.stem == "main" else ["many", build / "many"]
+        return "fail" if variants.fails(checker, "ulimit -v 2000000; ulimit -t 10", WRONG_VARIANT=str(number)) else "survive"
 
     if outcome((0, (None, test / "many.cpp"))) != "survive":
         sys.exit("the checker itself fails")
-    counts, survivors = {}, []
-    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        for (name, *_), result in zip(chosen.values(), pool.map(outcome, chosen.items())):
-            counts[result] = counts.get(result, 0) + 1
-            if result == "survive":
-                survivors.append(name)
-                print(name, flush=True)
-    known = [line.split(" # ")[0] for line in (test / "same.txt").read_text().splitlines() if " # " in line]
-    new = [name for name in survivors if name not in known]
-    every, tried = {name for name, *_ in variants(False)}, {name for name, *_ in chosen.values()}
-    gone = [name for name in known if name not in every or (name in tried and name not in survivors)]
-    for name in gone:
-        print(f"same.txt, but told apart or not there: {name}")
-    print(", ".join(f"{count} {result}" for result, count in sorted(counts.items())))
-    print(f"{len(new)} that survive are not in same.txt")
-    return 1 if new or gone else 0
+    return variants.report(chosen, outcome, arguments.jobs, variants_of(CHECKS + CHANGES), test / "same.txt")
 
 
 if __name__ == "__main__":

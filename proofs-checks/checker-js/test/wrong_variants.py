@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Wrong variants of checker.js: each must fail on a file of the corpus.
+
+    wrong_variants.py NODE [--only REGEX] [--list]
+
+A variant drops one check, or changes one comparison, condition, quantifier, rounding, end or sign. It is run on the corpus until
+an outcome is wrong, or for 10 s. Variants that no file can tell from the checker stand in `same.txt`, each with its reason.
+Prints the variants that survive; exit code 1 if there are any, or if a line of `same.txt` fits none."""
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+test = Path(__file__).resolve().parent
+sources = test.parent
+sys.path.append(str(sources.parent / "checker" / "test"))
+
+import variants  # noqa: E402
+
+# What is looked for, what stands in its place, and what the variant does. Nothing is NaN: `a && b` becomes `a === NaN || b`.
+CHANGES = [
+    (r"\bdemand\(", "(() => {})(", "no check"),
+    (r" <= ", " < ", "<= -> <"),
+    (r" >= ", " > ", ">= -> >"),
+    (r" < ", " <= ", "< -> <="),
+    (r" > ", " >= ", "> -> >="),
+    (r" === ", " !== ", "=== -> !=="),
+    (r" !== ", " === ", "!== -> ==="),
+    (r" && ", " === NaN || ", "&& -> the right side alone"),
+    (r" \|\| ", " === NaN || ", "|| -> the right side alone"),
+    (r"\.every\(", ".some(", "every -> some"),
+    (r"\.some\(", ".every(", "some -> every"),
+    (r" \+ 1n?\b", "", "+ 1 -> nothing"),
+    (r" - 1n?\b", "", "- 1 -> nothing"),
+    (r"\bfloor_div\(", "ceil_div(", "floor_div -> ceil_div"),
+    (r"\bceil_div\(", "floor_div(", "ceil_div -> floor_div"),
+    (r"Math\.floor\(", "Math.ceil(", "floor -> ceil"),
+    (r"Math\.ceil\(", "Math.floor(", "ceil -> floor"),
+    (r"\bmodulus_below\(", "modulus_above(", "modulus_below -> modulus_above"),
+    (r"\bmodulus_above\(", "modulus_below(", "modulus_above -> modulus_below"),
+    (r"\bround_up\(", "(", "round_up -> nothing"),
+    (r"(?<!function )\broot\(", "1n + root(", "root -> one more"),
+    (r"Math\.max\(", "Math.min(", "max -> min"),
+    (r"Math\.min\(", "Math.max(", "min -> max"),
+    (r"(?<!\.)\bmax\(", "((x, y) => x < y ? x : y)(", "max -> min"),
+    (r"Math\.abs\(", "(", "abs -> nothing"),
+    (r"(?<!\.)\babs(_of)?\(", "(", "abs -> nothing"),
+    (r" \+= ", " -= ", "+= -> -="),
+    (r" -= ", " += ", "-= -> +="),
+]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("node")
+    parser.add_argument("--only", default="", help="variants whose name this matches")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--list", action="store_true")
+    arguments = parser.parse_args()
+    # lines that count work and memory are left out: these limits are the checker's own
+    every = list(variants.variants([sources / "checker.js"], CHANGES, "'`", ("spend(", "allow_bits(")))
+    chosen = {n: v for n, v in enumerate(every, 1) if re.search(arguments.only, v[0])}
+    if arguments.list:
+        print("\n".join(name for name, *_ in chosen.values()))
+        return 0
+
+    def outcome(numbered):
+        _, (_, file, begin, end, new) = numbered
+        text = file.read_text()
+        with tempfile.TemporaryDirectory() as folder:
+            variant = Path(folder) / file.name
+            variant.write_text(text[:begin] + new + text[end:])
+            if subprocess.run([arguments.node, "--check", variant], capture_output=True, check=False).returncode:
+                return "do not compile"
+            main_js = shutil.copy(sources / "main.js", folder)
+            return "fail" if variants.fails([arguments.node, "--max-old-space-size=2000", main_js], "ulimit -t 10") else "survive"
+
+    if outcome((0, ("", sources / "checker.js", 0, 0, ""))) != "survive":
+        sys.exit("the checker itself fails")
+    return variants.report(chosen, outcome, arguments.jobs, every, test / "same.txt")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

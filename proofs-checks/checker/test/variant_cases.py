@@ -22,12 +22,6 @@ def mask(coefficients):
     return "[" + ",".join(map(str, coefficients)) + "]"
 
 
-def terms(coefficients, first=0):
-    return " ".join(f"{first + i}:{c}" for i, c in enumerate(coefficients) if c)
-
-
-FOLD_64 = f"{mask(product([1] * 64, [1] * 64))}/64"
-SPLINE_64 = f"{mask(product(*[[1, 1]] * 64))}/{2**63}"
 # phi = hat(x) - hat(x - 1) + hat(x - 2), of arity 5: zeros of its transform at pi/3 and all its shifts
 ARITY_5 = f"{mask(product([1] * 5, [1] * 5, [1, 1, 0, -1, -1, -1, 0, 1, 1]))}/5"
 COPRIME = f"[1/{2**6000}*w,1/{3**3785},1/{3**3785}-1/{2**6000}*w]/(1/{3**3785})"
@@ -88,27 +82,19 @@ MATRICES = [
 
 # name, options of the claim, and the lines after the first one
 ACCEPTED = [
-    # the largest entries, determinants and orders
-    ("hat-dilation-64", f"--surface {FOLD_64} --dilation [64] --lower 1",
-     f"surface {FOLD_64} [64]; bounds 1 -; sum-rules 2; digits {' '.join(map(str, range(64)))}; space 1; vector 0:1 1:-2 2:1; "
-     "block 0 norm 1; end"),
-    ("spline-surface-64", f"--surface {SPLINE_64} --dilation [2] --lower 63",
-     f"surface {SPLINE_64} [2]; bounds 63 -; sum-rules 64; digits 0 1; space 1; "
-     f"vector {terms([(-1) ** k * math.comb(64, k) for k in range(65)])}; block 0 norm 1; end"),
-    ("size-256", f"--mask {ramp(256)} --arity 2 --lower 9/10", f"exponent {ramp(256)} 2; bounds 9/10 -; sum-rules 1; block 0 norm 1; end"),
     # common denominators of 10000 bits
     ("denominators", "--matrices denominators.mat --upper 1", "radius 1 2; bounds - 1; block 0 norm 1; end"),
     ("quotient-denominators", *quotient(2**4999, 2**5001 - 1)),
     ("quotient-denominators-coprime", f"--mask {COPRIME} --arity 2 --for w=1/4..3/4 --lower 0",
      f"exponent {COPRIME} 2 w=1/4..3/4; bounds 0 -; sum-rules 1; to 3/4; block 0 norm 1; end"),
     # a group of 96 elements up to signs
-    ("group-of-96", "--matrices unit-4.mat --upper 1",
-     "radius 1 4; bounds - 1; block 0 polytope 1 0 0 group:3; generator 0; map 0 1 0 0; map 1 0 0 0; map 0 0 1 0; map 0 0 0 1; "
+    ("group-of-96", "--matrices unit-4.mat --upper 3",
+     "radius 1 4; bounds - 3; block 0 polytope 1 0 0 group:3; generator 0; map 0 1 0 0; map 1 0 0 0; map 0 0 1 0; map 0 0 0 1; "
      "generator 0; map 0 0 0 1; map 1 0 0 0; map 0 1 0 0; map 0 0 1 0; generator 0; map -1 0 0 0; map 0 -1 0 0; map 0 0 1 0; "
-     "map 0 0 0 1; vertex 1 0 0 0; unit 0 0:1; unit 1 0B:1; unit 2 0BB:1; unit 3 0BBB:1; image 0 0 0:1; end"),
+     "map 0 0 0 1; vertex 1 0 0 0; unit 0 0:1; unit 1 0B:1; unit 2 0BB:1; unit 3 0BBB:1; image 0 0 0:1 0:1 0:-1; end"),
     # weights with moduli that are integers, and one that is not
-    ("one-complex", "--matrices one.mat --upper 1",
-     "radius 1 1; bounds - 1; block 0 polytope 1 0 0 complex; vertex 1 0; unit 0 0:1:0; image 0 0 0:1:0; end"),
+    ("one-complex", "--matrices one.mat --lower 1 --upper 1",
+     "radius 1 1; bounds 1 1; product 0 1 0 0; block 0 polytope 1 0 0 complex; vertex 1 0; unit 0 0:1:0; image 0 0 0:1:0; end"),
     ("turn-coarse", "--matrices turn.mat --upper 3/2",
      "radius 1 2; bounds - 3/2; block 0 polytope 1 0 1 complex; vertex 1 0 0 -1; unit 0 0:1:0 0c:1:0; unit 1 0:0:1 0c:0:-1; "
      "image 0 0 0:2:2; end"),
@@ -142,21 +128,21 @@ ACCEPTED = [
     # a polyphase part that begins with 0, beside one that does so for one w
     ("four-point-range-stable", f"--mask {RANGE_FOUR_POINT} --arity 2 --for w=-1/100..19/100",
      f"exponent {RANGE_FOUR_POINT} 2 w=-1/100..19/100; bounds - -; sum-rules 2; stability; end"),
-    ("one-symmetric", "--matrices one.mat --upper 1",
-     "radius 1 1; bounds - 1; block 0 polytope 1 0 0 symmetric; vertex 1; unit 0 0:1; image 0 0 0:1; end"),
+    ("one-symmetric", "--matrices one.mat --lower 1 --upper 1",
+     "radius 1 1; bounds 1 1; product 0 1 0 0; block 0 polytope 1 0 0 symmetric; vertex 1; unit 0 0:1; image 0 0 0:1; end"),
     # as many halvings as allowed
     ("range-halved-60", *halved("3/2", 61)),
     # integers of as many bits as are looked at
-    ("inverse-296-bits", f"--matrices power.mat --lower {2**294}",
-     f"radius 1 1; bounds {2**294} -; product 0 {2**295 - 1} 0 0; inverse 0; column 0 -1; end"),
+    ("inverse-296-bits", f"--matrices power.mat --lower {2**294} --upper {2**295}",
+     f"radius 1 1; bounds {2**294} {2**295}; product 0 {2**295 - 1} 0 0; inverse 0; column 0 -1; block 0 norm 1; end"),
     # the largest coordinate of an eigenvector is imaginary and negative
     ("ellipse-exact", "--matrices ellipse.mat --exact |[1,0,1]@0,1,1/10|^1/1",
      "radius 1 2; bounds - -; exact |[1,0,1]@0,1,1/10|^1/1; root 0 1 0 1 1; block 0 polytope 1 0 64 complex; vertex 1 0 0 -5; "
      f"unit 0 0:{2**63}:0 0c:{2**63}:0; unit 1 0:0:{2**64 // 10} 0c:0:{-(2**64 // 10)}; image 0 0 0:0:{2**64}; cycle 0 - 0; "
      "seed 1 0; end"),
     # more rows than are computed together
-    ("quadratic-12", "--matrices unit-12.mat --upper 1",
-     f"radius 1 12; bounds - 1; block 0 quadratic 1 1; {'; '.join('form ' + '0 ' * i + '1' for i in range(12))}; word 0; end"),
+    ("quadratic-12", "--matrices unit-12.mat --upper 2",
+     f"radius 1 12; bounds - 2; block 0 quadratic 1 2; {'; '.join('form ' + '0 ' * i + '1' for i in range(12))}; word 0; end"),
     # a reflection, and an odd order of the sum rules
     ("surface-exact-reflected", "--surface [1,3,3,1]/4 --dilation [-2] --exact 0-log|[1,4]@-1/4,0,1/10|^1/1",
      "surface [1,3,3,1]/4 [-2]; bounds - -; exact 0-log|[1,4]@-1/4,0,1/10|^1/1; root -1/4 0 0 1/4 1/4; sum-rules 3; digits 6 1; "
@@ -234,6 +220,9 @@ REJECTED = [
       for name, text, within, reason in (("hat-stable", "[1,2,1]/2", "1/9,1", "modulo Phi_6 is not"),
                                          ("quadratic-spline-stable", "[1,3,3,1]/4", "1/18,1", "the resultant of the polyphase parts is not"))),
     ("surface-mask-10000", "hat-lower", f"--surface [{'1,' * 9999}1] --dilation [2] --lower 1", ", line 2", []),
+    # the largest entries, determinants and orders
+    ("dilation-64", "hat-lower", "--surface [1,2,1]/2@-1 --dilation [64] --lower 1", "wrong number of fields, line 5", [("[2]", "[64]")]),
+    ("surface-order-64", "hat-lower", None, "no sum rules of this order, line 5", [("sum-rules 2", "sum-rules 64")]),
     # pivots of which roots are rounded down
     ("quadratic-pivot-2", "golden-quadratic", None, "the form is not positive definite",
      [("form 1\n", f"form {2 * 2**128 + 4}\n"), ("form 0 1\n", f"form {math.isqrt(2**255) + 1} {2**255}\n")]),
@@ -274,6 +263,8 @@ WRITTEN = [
      "exponent [1/2,1/2,2] 3; bounds 1/10 -; sum-rules 1; block 0 norm 1; end", "no sum rules of this order"),
     ("ternary-size", "--mask [2,3,4,4,3,2]/6 --arity 3 --lower 1/2",
      "exponent [2,3,4,4,3,2]/6 3; bounds 1/2 -; sum-rules 1; block 0 norm 1; end", "does not prove the claim"),
+    ("size-256", f"--mask {ramp(256)} --arity 2 --lower 1", f"exponent {ramp(256)} 2; bounds 1 -; sum-rules 1; block 0 norm 1; end",
+     "does not prove the claim"),
     ("size-257", f"--mask {ramp(257)} --arity 2 --lower 9/10", f"exponent {ramp(257)} 2; bounds 9/10 -; sum-rules 1; block 0 norm 1; end",
      "transition matrices larger than 256"),
     ("quotient-denominators-more", *quotient(2**4999, 2**5002 - 1), "common denominator too large"),

@@ -21,17 +21,14 @@ RationalMatrix commuting_with_flip(const RationalMatrix& matrix) {
   return result;
 }
 
-/// A matrix that makes orbits rounder, symmetric up to rounding; nothing where they are round. With `flip` it commutes
-/// with it.
-std::optional<RationalMatrix> rounding_step(const std::vector<polytope::Matrix>& matrices, bool flip,
-                                            const Deadline& deadline) {
+/// A matrix that makes orbits rounder, symmetric up to rounding; nothing where they are round.
+std::optional<RationalMatrix> rounding_step(const std::vector<polytope::Matrix>& matrices, const Deadline& deadline) {
   const polytope::OrbitShape orbit = polytope::orbit_shape(matrices, deadline);
   const polytope::SymmetricDecomposition shape = polytope::symmetric_decomposition(orbit.shape);
   if (orbit.radius_bound == 0 || shape.values.front() > round_enough * shape.values.back()) return std::nullopt;
   polytope::Vector factors;
   for (const double value : shape.values) factors.push_back(std::sqrt(shape.values.back() / value));
-  const RationalMatrix step = to_rational(polytope::composed(shape.vectors, factors));
-  return step;
+  return to_rational(polytope::composed(shape.vectors, factors));
 }
 
 /// Nearly; nothing where balls do not resolve it.
@@ -87,10 +84,9 @@ bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const Ra
 
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
   RoundFamily result{to_search_family(family)};
-  const bool flip = family.is_flip_symmetric();
-  if (family.group().size() > 1 && !flip) return result;
+  if (family.group().size() > 1 && !family.is_flip_symmetric()) return result;
   for (int k = 0; k < most_steps && !deadline.expired(); ++k) {
-    const auto step = rounding_step(result.family.matrices, flip, deadline);
+    const auto step = rounding_step(result.family.matrices, deadline);
     if (!step || !change_coordinates(result, family, *step)) break;
   }
   return result;

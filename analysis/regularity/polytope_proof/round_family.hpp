@@ -34,8 +34,8 @@ polytope::SearchFamily to_search_family(const MatrixFamily& family);
 /// makes orbits rounder by a factor of 10^4, an inverse in balls and three exact products for each matrix.
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline);
 
-/// Goes on to the coordinates step y, exactly; false where balls do not resolve the way back. Domain: a step that
-/// commutes with the group of the family.
+/// Goes on to the coordinates step y, exactly; false where balls do not resolve the way back. Domain: no symmetry but
+/// the flip, with which the step commutes up to rounding.
 bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const RationalMatrix& step);
 
 }  // namespace subcert::radius

@@ -16,7 +16,7 @@ struct TreeLimits {
   double target = 0;            ///< a bound that is small enough
   double limbs_per_letter = 1;  ///< by which the entries of exact products grow
   double work = 0;              ///< products of limbs that an exact proof of the leaves may take
-  std::size_t leaves = std::numeric_limits<std::size_t>::max();
+  std::size_t leaves = 1;       ///< as many as there may be
   Budget budget;
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace subcert {
 namespace {
@@ -240,17 +241,24 @@ std::optional<QuadraticProof> prove_by_quadratic_form(const MatrixFamily& family
     return std::nullopt;
   const double enough = (1 - 2 * slacks[0]) * target.convert_to<double>();
   Shape shape = shape_of(family, enough, budget.deadline.after(shape_share));
-  // A form for letters is not the best for words.
-  quadratic::TreeLimits limits{
-      enough, limbs_of(family), most_work, words_of_form, {budget.deadline, budget.memory / 2}};
-  ProductTree tree = quadratic::product_tree(shape.coordinates, shape.round.family.symmetry, limits);
+  const double work = std::min(most_work, work_per_second * (1 - tree_share) * budget.deadline.remaining());
+  const auto tree_of = [&](std::size_t leaves, double share) {
+    return quadratic::product_tree(
+        shape.coordinates, shape.round.family.symmetry,
+        {enough, limbs_of(family), work, leaves, {budget.deadline.after(share), budget.memory / 2}});
+  };
+  ProductTree tree = tree_of(words_of_form, words_share);
   if (tree.bound > enough) {
-    shape.coordinates = quadratic::coordinates_for_words(shape.coordinates, shape.round.family, tree.words, enough,
+    // A form for letters is not the best for words.
+    EllipsoidalCoordinates for_letters = shape.coordinates;
+    ProductTree small = std::move(tree);
+    shape.coordinates = quadratic::coordinates_for_words(for_letters, shape.round.family, small.words, enough,
                                                          budget.deadline.after(words_share));
-    limits.work = std::min(most_work, work_per_second * (1 - tree_share) * budget.deadline.remaining());
-    limits.leaves = std::numeric_limits<std::size_t>::max();
-    limits.budget.deadline = budget.deadline.after(tree_share);
-    tree = quadratic::product_tree(shape.coordinates, shape.round.family.symmetry, limits);
+    tree = tree_of(std::numeric_limits<std::size_t>::max(), tree_share);
+    if (small.bound <= tree.bound) {
+      shape.coordinates = std::move(for_letters);
+      tree = std::move(small);
+    }
   }
   QuadraticProof result;
   const Integers form = integer_form(shape, family);

@@ -12,10 +12,10 @@ Mask bspline_mask(int degree, int arity = 2);
 /// Interpolatory 2n-point scheme of Deslauriers and Dubuc. Domain: n >= 1, arity >= 2. Ref: [DD89].
 Mask deslauriers_dubuc_mask(int n, int arity = 2);
 
-/// The pseudo-spline of order (m, l): the shortest symmetric mask with 2m sum rules that reproduces polynomials of degree
-/// 2l + 1, or 2m - 1 if that is less. For whole m of type II, from the B-spline of degree 2m - 1 (l = 0) to the 2m-point
-/// scheme of Deslauriers and Dubuc (l = m - 1); for half an odd number m dual, from the B-spline of degree 2m - 1. With
-/// l = 1 the schemes of cubic precision. Domain: 2m whole, 0 <= l < m. Ref: [DS07], [DHSS08], [HS08].
+/// The pseudo-spline of order (m, l): the shortest symmetric mask with 2m sum rules that reproduces polynomials of
+/// degree 2l + 1, or 2m - 1 if that is less. For whole m of type II, from the B-spline of degree 2m - 1 (l = 0) to the
+/// 2m-point scheme of Deslauriers and Dubuc (l = m - 1); for half an odd number m dual, from the B-spline of degree 2m
+/// - 1. With l = 1 the schemes of cubic precision. Domain: 2m whole, 0 <= l < m. Ref: [DS07], [DHSS08], [HS08].
 Mask pseudo_spline_mask(const Rational& m, int l);
 
 /// The 4-point scheme with tension w: [-w, 0, 1/2+w, 1, 1/2+w, 0, -w]. Ref: [DLG87].

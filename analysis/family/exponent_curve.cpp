@@ -16,10 +16,10 @@ namespace {
 using namespace family;
 
 constexpr int first_share = 2, round_share = 32;  // of the pieces: at once, and then in each round
-constexpr int least_share = 4096;                // of the range: no shorter piece is halved for a missing end
-constexpr double excess_share = 0.02;            // of an upper bound, for one piece: small beside its slope
-constexpr double most_seconds = 1;               // for one piece
-constexpr double generous = 1.2;                 // times the equal share of the time, for one piece
+constexpr int least_share = 4096;                 // of the range: no shorter piece is halved for a missing end
+constexpr double excess_share = 0.02;             // of an upper bound, for one piece: small beside its slope
+constexpr double most_seconds = 1;                // for one piece
+constexpr double generous = 1.2;                  // times the equal share of the time, for one piece
 constexpr double special_seconds = 5;
 constexpr int levels = 12;  // of norms, at special values
 

@@ -172,7 +172,7 @@ def main():
         if number in dropped:
             return "do not compile"
         checker = [build / "main"] if file.stem == "main" else ["many", build / "many"]
-        return "fail" if variants.fails(checker, "ulimit -v 2000000; ulimit -t 10", WRONG_VARIANT=str(number)) else "survive"
+        return "fail" if variants.fails(checker, "ulimit -v 2000000; ulimit -t 20", WRONG_VARIANT=str(number)) else "survive"
 
     if outcome((0, (None, test / "many.cpp"))) != "survive":
         sys.exit("the checker itself fails")

@@ -127,11 +127,10 @@ std::vector<Case> read_cases(const std::string& directory) {
         c.false_claims.push_back(claim(*upper + mpq_class(step) - mpq_class("1/1000000000000"), none));
       }
     }
-    if (!upper && !exact) {  // the shifts may be unstable, so that no upper end is known, or it is about a range
+    if (!upper && !exact) {  // no upper end is known
       c.false_claims.push_back(claim(rough ? mpq_class(*rough) + 1 : mpq_class(lower.value_or(0) + 2), none));
-      if (!rough && is_range) c.false_claims.push_back(claim(lower, lower.value_or(0) + 2));
-      if (!rough && !is_range && lower)
-        c.false_claims.push_back(claim(exponent ? lower : none, *lower - mpq_class("1/10")));
+      if (!rough && lower)
+        c.false_claims.push_back(claim(exponent && !is_range ? lower : none, *lower - mpq_class("1/10")));
     }
     std::ifstream file(directory + "/" + c.name + ".cert");
     for (std::string text; std::getline(file, text);) c.lines.push_back(text);

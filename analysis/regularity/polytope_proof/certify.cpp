@@ -87,14 +87,13 @@ class Certifier {
     const bool spans = is_complex() ? express_units<std::complex<double>>() : express_units<double>();
     if (!spans) return std::nullopt;
     Integer largest = 0;  // bound times denominator * 2^(2 * bits_)
+    const Integer scale = round_scaled(scale_, bits_), clearly_below = scale - (scale >> tight_bits);
     for (const radius::PolytopeCandidate::Image& proposal : candidate_.images) {
       if (deadline.expired()) return std::nullopt;
       const Target target = image(static_cast<std::size_t>(proposal.letter), static_cast<std::size_t>(proposal.vertex));
       Combination combination = combined(target, proposal, tight_bits);
-      const Integer modulus_of_scale = round_scaled(scale_, bits_);
       for (int bits = tight_bits + tight_step; cone() && bits <= tightest_bits; bits += tight_step) {
-        // What lies clearly below need not come further.
-        if (combination.moduli < modulus_of_scale - (modulus_of_scale >> tight_bits)) break;
+        if (combination.moduli < clearly_below) break;
         if (Combination other = combined(target, proposal, bits); other.bound < combination.bound)
           combination = std::move(other);
       }

@@ -22,12 +22,12 @@ CoordinateChange balanced_coordinates(const SearchFamily& family, const GroupAct
     if (!(largest > 0)) break;
     for (std::size_t i = 0; i < d; ++i) size[i] = std::max(sum[i] / largest, flattest);
   }
-  CoordinateChange change{Matrix::identity(d), Matrix::identity(d)};
   for (int g = 1; g < action.order(); ++g) {
     Vector image = size;
     action.apply(g, image.data());
     for (std::size_t i = 0; i < d; ++i) size[i] = std::max(size[i], image[i]);
   }
+  CoordinateChange change{Matrix(d, d), Matrix(d, d)};
   for (std::size_t i = 0; i < d; ++i) {
     change.from(i, i) = std::exp2(std::round(std::log2(size[i])));
     change.to(i, i) = 1 / change.from(i, i);
@@ -40,8 +40,10 @@ CoordinateChange balanced_coordinates(const SearchFamily& family, const GroupAct
 Coordinates working_coordinates(const SearchFamily& family, PolytopeKind kind, const Deadline& deadline) {
   const std::size_t d = family.matrices.front().rows();
   const SymmetryGroup& symmetry = family.symmetry;
-  if (kind == PolytopeKind::nonnegative)
-    return {balanced_coordinates(family, symmetry.action(d)), symmetry.action(d), {d}};
+  if (kind == PolytopeKind::nonnegative) {
+    GroupAction action = symmetry.action(d);
+    return {balanced_coordinates(family, action), std::move(action), {d}};
+  }
   const CoordinateChange adapted = symmetry.adapted_coordinates(d);
   std::vector<Matrix> matrices;
   for (const Matrix& a : family.matrices) matrices.push_back(adapted.to * a * adapted.from);

@@ -45,18 +45,8 @@ Matrix exponential(const SymmetricDecomposition& x, double factor) {
   return composed(x.vectors, values);
 }
 
-struct Products {
-  std::vector<Matrix> matrices;
-  std::vector<int> lengths;  ///< of their words; 0: only carried along
-};
-
-/// Products in coordinates x' = to x.
-struct Position {
-  Matrix to;
-  Products products;
-  double bound = 0;
-  bool ended_flat = false;
-};
+/// Of the words of products; 0: the matrix is only carried along.
+using Lengths = std::vector<int>;
 
 /// A group and coordinates in which its elements are orthogonal; steps along means over the group keep them so.
 struct Symmetry {
@@ -70,8 +60,7 @@ struct Value {
   double smooth = 0, bound = 0;
   Matrix gradient;
 };
-Value value_of(const Products& products, double q, const Symmetry& symmetry) {
-  const auto& [matrices, lengths] = products;
+Value value_of(const std::vector<Matrix>& matrices, const Lengths& lengths, double q, const Symmetry& symmetry) {
   const std::size_t n = matrices.front().rows();
   std::vector<SymmetricDecomposition> squares(matrices.size());
   double largest = 0;
@@ -140,9 +129,10 @@ bool is_well_conditioned(const Matrix& to) {
 }
 
 /// Follows the gradient for one q, as far as the form stays well conditioned.
-void descend(Position& at, double q, const Symmetry& symmetry, const Deadline& deadline) {
+void descend(EllipsoidalCoordinates& at, const Lengths& lengths, double q, const Symmetry& symmetry,
+             const Deadline& deadline) {
   Memory memory;
-  Value here = value_of(at.products, q, symmetry);
+  Value here = value_of(at.matrices, lengths, q, symmetry);
   for (int k = 0; k < steps_per_power && !deadline.expired(); ++k) {
     Matrix direction = memory.direction(here.gradient, q);
     double slope = inner(here.gradient, direction);
@@ -155,12 +145,12 @@ void descend(Position& at, double q, const Symmetry& symmetry, const Deadline& d
     const SymmetricDecomposition decomposed = polytope::symmetric_decomposition(direction);
     double share = std::min(1.0, longest_step / norm(direction.entries()));
     Value there;
-    Position next;
+    EllipsoidalCoordinates next;
     for (int halvings = 0;; share /= 2) {
       const Matrix map = exponential(decomposed, share / 2), back = exponential(decomposed, -share / 2);
-      next = {map * at.to, {{}, at.products.lengths}, 0, at.ended_flat};
-      for (const Matrix& b : at.products.matrices) next.products.matrices.push_back(map * b * back);
-      there = value_of(next.products, q, symmetry);
+      next = {map * at.to, {}, 0, at.ended_flat};
+      for (const Matrix& b : at.matrices) next.matrices.push_back(map * b * back);
+      there = value_of(next.matrices, lengths, q, symmetry);
       if (there.smooth <= here.smooth + 1e-4 * share * slope) break;
       if (++halvings == most_halvings) return;
     }
@@ -180,11 +170,12 @@ void descend(Position& at, double q, const Symmetry& symmetry, const Deadline& d
 }
 
 /// The best of the descents for growing q.
-Position least(Position at, double q, double target, const Symmetry& symmetry, const Deadline& deadline) {
-  at.bound = value_of(at.products, q, symmetry).bound;
-  Position best = at;
+EllipsoidalCoordinates least(EllipsoidalCoordinates at, const Lengths& lengths, double q, double target,
+                             const Symmetry& symmetry, const Deadline& deadline) {
+  at.bound = value_of(at.matrices, lengths, q, symmetry).bound;
+  EllipsoidalCoordinates best = at;
   for (; q <= largest_power && best.bound > target && !deadline.expired(); q *= 2) {
-    descend(at, q, symmetry, deadline);
+    descend(at, lengths, q, symmetry, deadline);
     if (at.bound < best.bound) best = at;
   }
   best.ended_flat = at.ended_flat;
@@ -200,27 +191,27 @@ Symmetry symmetry_of(const polytope::SearchFamily& family) {
 EllipsoidalCoordinates ellipsoidal_coordinates(const polytope::SearchFamily& family, double target,
                                                const Deadline& deadline) {
   const Symmetry symmetry = symmetry_of(family);
-  Position at{symmetry.adapted.to, {{}, std::vector<int>(family.matrices.size(), 1)}};
-  for (const Matrix& a : family.matrices)
-    at.products.matrices.push_back(symmetry.adapted.to * a * symmetry.adapted.from);
-  at = least(std::move(at), 1, target, symmetry, deadline);
-  return {std::move(at.to), std::move(at.products.matrices), at.bound, at.ended_flat};
+  EllipsoidalCoordinates start{symmetry.adapted.to, {}};
+  for (const Matrix& a : family.matrices) start.matrices.push_back(symmetry.adapted.to * a * symmetry.adapted.from);
+  return least(std::move(start), Lengths(family.matrices.size(), 1), 1, target, symmetry, deadline);
 }
 
 EllipsoidalCoordinates coordinates_for_words(const EllipsoidalCoordinates& start, const polytope::SearchFamily& family,
                                              const std::vector<std::vector<int>>& words, double target,
                                              const Deadline& deadline) {
   const std::size_t letters = start.matrices.size();
-  Position at{start.to, {start.matrices, std::vector<int>(letters, 0)}};
+  EllipsoidalCoordinates at = start;
+  Lengths lengths(letters, 0);
   for (const std::vector<int>& word : words) {
     Matrix product = Matrix::identity(start.to.rows());
     for (const int letter : word) product = product * start.matrices[static_cast<std::size_t>(letter)];
-    at.products.matrices.push_back(std::move(product));
-    at.products.lengths.push_back(static_cast<int>(word.size()));
+    at.matrices.push_back(std::move(product));
+    lengths.push_back(static_cast<int>(word.size()));
   }
-  at = least(std::move(at), power_for_words, target, symmetry_of(family), deadline);
-  at.products.matrices.resize(letters, Matrix(0, 0));
-  return {std::move(at.to), std::move(at.products.matrices), at.bound, at.ended_flat};
+  at.ended_flat = false;
+  at = least(std::move(at), lengths, power_for_words, target, symmetry_of(family), deadline);
+  at.matrices.resize(letters, Matrix(0, 0));
+  return at;
 }
 
 }  // namespace subcert::quadratic

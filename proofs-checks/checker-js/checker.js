@@ -1491,6 +1491,7 @@ var check_certificate = (() => {
   class Span {
     constructor(rows, prime) { [this.rows, this.prime] = [rows.slice(), prime]; }
     extend(sequence) {  // the part outside of the span, or undefined
+      spend(this.rows.length);
       let x = eliminate(sequence, 1n, new Map(), 0n, this.prime);
       for (const {key, row} of this.rows)
         if (x.has(key)) x = eliminate(x, row.get(key)[1], row, x.get(key)[1], this.prime);

@@ -128,6 +128,9 @@ ACCEPTED = [
     ("hat-far", "--surface [1,2,1]/2@-1000000000 --dilation [2] --lower 1",
      "surface [1,2,1]/2@-1000000000 [2]; bounds 1 -; sum-rules 2; digits -1000000000 -999999999; space 1; "
      "vector 0:1 1:-2 2:1; block 0 norm 1; end"),
+    ("hat-far-apart", "--surface [1,2,1]/2@-1000000000 --dilation [2] --lower 1",
+     "surface [1,2,1]/2@-1000000000 [2]; bounds 1 -; sum-rules 2; digits -1000000000 999999999; space 1; "
+     "vector 0:1 1:-2 2:1; block 0 norm 1; end"),
     ("hat-64", f"--surface {HAT_64} --dilation [64] --lower 1",
      f"surface {HAT_64} [64]; bounds 1 -; sum-rules 2; digits {' '.join(map(str, range(64)))}; space 1; "
      "vector -1:1 0:-2 1:1; block 0 norm 1; end"),

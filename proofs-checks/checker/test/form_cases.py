@@ -55,6 +55,7 @@ REJECTED = [
         ("twice", "forms:2 forms:2", FIRST_LINE), ("group-0", "forms:2 group:0", "number outside 1..8"),
         ("group-twice", "forms:2 group:1 group:1", FIRST_LINE), ("other", "forms:2 symmetric", FIRST_LINE),
         ("more", "forms:3", "expected 'form'"))),
+    ("quadratic-no-bound", "golden-quadratic", None, FIRST_LINE, [("quadratic 3 16181/10000", "quadratic 3")]),
     ("forms-after-group", "columns-forms", None, FIRST_LINE, [(" forms:2 group:2\n", " group:2 forms:2\n")]),
     ("forms-unannounced", "switched-forms", None, "expected 'word'", [(" forms:2\n", "\n")]),
     ("forms-missing", "switched-forms", None, "expected 'form'", [("form 1\nform 0 1000\n", "")]),

@@ -659,6 +659,20 @@ var check_certificate = (() => {
       table.push(generators.map(g => enter(multiply(map, g.map), numbers.map(t => g.numbers[t]))));
     return {elements, table};
   }
+  function split_index(token) {  // an index and the letters after it
+    const [index] = /^[0-9]*/.exec(token);
+    return [index, token.slice(index.length)];
+  }
+  function spell({table, first = 'A'}, letters) {  // a word: the number of the element of the group, and its sign
+    demand(letters.length <= 16, 'a word of more than 16 generators');
+    let element = 0, turn = 1n;
+    for (const letter of letters) {
+      const entry = table[element][letter.charCodeAt(0) - first.charCodeAt(0)];
+      demand(entry, 'unknown generator');
+      [element, turn] = [entry[0], turn * entry[1]];
+    }
+    return [element, turn];
+  }
 
   // ---- 4.7: polytopes -----------------------------------------------------------------------------------------------
   function read_properties(names) {
@@ -681,7 +695,7 @@ var check_certificate = (() => {
     const turned = m => m.map(row => row.slice().reverse()).reverse();
     const symmetric = () => matrices.every((m, t) => equal(turned(m), matrices[last - t]));
     demand(!has.symmetric || symmetric(), 'the family is not symmetric');
-    const flips = {elements: [{}, {map: identity(size).reverse()}], table: [[[1, 1n]], [[0, 1n]]]};
+    const flips = {elements: [{}, {map: identity(size).reverse()}], table: [[[1, 1n]], []], first: 'f'};
     const group = has.symmetric ? flips : has.group ? read_group(reader, has.group, size, matrices) : trivial_group(0);
     const body = new Body(reader, {size, count, c_bits, has, group});
     // Theorem 6: R and S times 2^(VBITS + CBITS) and 2^CBITS; E is the least integer above S/(1 - R)
@@ -761,17 +775,6 @@ var check_certificate = (() => {
       if (this.images_under.size < this.may_keep) this.images_under.set(key, image);
       return image;
     }
-    spell(letters) {  // a word: the number of the element of the group, and its sign
-      const {group: {table}, has: {symmetric}} = this;
-      demand(letters.length <= 16, 'a word of more than 16 generators');
-      let element = 0, turn = 1n;
-      for (const letter of letters) {
-        const entry = table[element][symmetric ? (letters === 'f' ? 0 : -1) : letter.charCodeAt(0) - 65];
-        demand(entry, 'unknown generator');
-        [element, turn] = [entry[0], turn * entry[1]];
-      }
-      return [element, turn];
-    }
     turned(element, columns) {
       const {map} = this.group.elements[element];
       return map ? multiply(map, columns) : columns;
@@ -782,7 +785,7 @@ var check_certificate = (() => {
       const [, index, letters, conjugate] = /^([0-9]*)([^0-9c]*)(c?)$/.exec(head) || [];
       demand(index, 'not an integer');
       demand(complex || !conjugate, 'unknown generator');
-      const [element, turn] = this.spell(letters), lambda = weight.map(integer);
+      const [element, turn] = spell(this.group, letters), lambda = weight.map(integer);
       demand(!nonnegative || lambda[0] >= 0n, 'negative weight');
       return [small(index, 0, this.count - 1), element, conjugate ? -1n : 1n, turn < 0n ? lambda.map(x => -x) : lambda];
     }
@@ -884,7 +887,7 @@ var check_certificate = (() => {
       demand(letters, "a cycle has a word, or '-'");
       demand(letters.length <= 16, 'a word of more than 16 generators');
       const seed = this.reader.read('seed', body.size).map(integer), D = this.den ** BigInt(L), columns = [];
-      const [element, turn] = body.spell(letters === '-' ? '' : letters);
+      const [element, turn] = spell(body.group, letters === '-' ? '' : letters);
       demand(real || body.parts === 2, 'a real polytope, but no real eigenvalue');
       const next = x => scaled(body.turned(element, this.follow(word, x)), turn);
       let y = seed.map(x => [x * p[n]]);
@@ -942,7 +945,7 @@ var check_certificate = (() => {
     read_same() {
       const [first, second, third] = this.reader.read('same', 3), {body, exact: {low, L}, den, v_bits, e} = this;
       const wrong = 'an image is not the vertex that it is said to be';
-      const [, index, word] = /^([0-9]*)(.*)$/.exec(third), [element] = body.spell(word);
+      const [index, word] = split_index(third), [element] = spell(body.group, word);
       const j = this.vertex(first), T = this.letter(second), K = this.vertex(index), A = this.way(j), B = this.way(K);
       A.letters.push(T);
       const cycle = this.cycles.get(A.source), more = (A.letters.length - B.letters.length) / (cycle ? L : 1);
@@ -995,49 +998,85 @@ var check_certificate = (() => {
   const section_form = "expected 'norm', 'polytope', 'quadratic' or 'single' and its numbers";
   function read_quadratic(reader, {size, den, matrices}, fields, rounding) {
     demand(!rounding, section_form);
-    demand(fields.length === 2 || (fields.length === 3 && fields[2].startsWith('group:')),
-           "expected 'quadratic', a number of words, a bound and perhaps a group");
+    const several = fields.length > 2 && fields[2].startsWith('forms:'), more = fields.slice(several ? 3 : 2);
+    const forms = several ? small(fields[2].slice(6), 2, 1000) : 1;
+    demand(fields.length >= 2 && (!more.length || (more.length === 1 && more[0].startsWith('group:'))),
+           "expected 'quadratic', a number of words, a bound and perhaps forms and a group");
     const count = small(fields[0], 1, 2 ** 28), bound = rational(fields[1]);
     demand(bound.n >= 0n, 'the bound of a quadratic form is negative');
-    const generators = fields.length === 3 ? small(fields[2].slice(6), 1, 8) : 0;
+    const generators = more.length ? small(more[0].slice(6), 1, 8) : 0;
     const group = generators ? read_group(reader, generators, size, matrices) : trivial_group(matrices.length);
-    const P = range_of(size).map(() => Array(size));
-    for (let i = 0; i < size; ++i)
-      reader.read('form', i + 1).map(integer).forEach((x, j) => { P[i][j] = P[j][i] = x; });
-    demand(positive_definite(P, largest_of(P)), 'the form is not positive definite');
-    for (const {map} of group.elements)
-      demand(!map || equal(multiply(multiply(transpose(map), P), map), P), 'a generator does not keep the form');
+    const turned = new Map();  // h^T P h by the numbers of the form P and of the element h of the group
+    let memory = 0;
+    const enter = (P, form, element) => {
+      allow_bits(memory += size * size * (bits(largest_of(P)) + 256) + 2048);
+      turned.set(form * 96 + element, P);
+      return P;
+    };
+    const under = ({map}, P) => map ? multiply(multiply(transpose(map), P), map) : P;
+    const target = (form, element) =>
+      turned.get(form * 96 + element) || enter(under(group.elements[element], turned.get(form * 96)), form, element);
+    const read_form = form => {
+      const P = range_of(size).map(() => Array(size));
+      for (let i = 0; i < size; ++i)
+        reader.read('form', i + 1).map(integer).forEach((x, j) => { P[i][j] = P[j][i] = x; });
+      demand(positive_definite(P, largest_of(P)), 'a form is not positive definite');
+      enter(P, form, 0);
+      return {P, words: new Set()};
+    };
+    const starts = range_of(forms).map(read_form);
     const texts = matrices.map(String), letter = texts.map(text => texts.indexOf(text));  // the first of equal matrices
-    const congruence = new Congruence(P, matrices), words = new Set();
+    const congruence = new Congruence(matrices);
     for (let i = 0; i < count; ++i) {
-      const word = reader.read('word', 1, 1000).map(token => letter[small(token, 0, matrices.length - 1)]);
+      const tokens = reader.read('word', several ? 3 : 1, several ? 1002 : 1000);
+      const [from, to] = several ? tokens.splice(0, 2) : ['0', '0'];
+      const {P, words} = starts[small(from, 0, forms - 1)], [index, letters] = split_index(to);
+      const word = tokens.map(token => letter[small(token, 0, matrices.length - 1)]);
       demand(!words.has(String(word)), 'a word occurs twice');
       words.add(String(word));
-      allow_bits(words.size * 1024);
+      allow_bits((i + 1) * 1024);
       spend(100);
-      const k = BigInt(2 * word.length), top = ((bound.n * den) ** k << 64n) / bound.d ** k, Q = congruence.of(word);
-      const S = P.map((row, a) => row.map((x, b) => top * x - (Q[a][b] << 64n))), most = largest_of(S);
+      const T = target(small(index, 0, forms - 1), spell(group, letters)[0]), Q = congruence.of(P, word);
+      const k = BigInt(2 * word.length), top = ((bound.n * den) ** k << 64n) / bound.d ** k;
+      const S = T.map((row, a) => row.map((x, b) => top * x - (Q[a][b] << 64n))), most = largest_of(S);
       demand(!most || positive_definite(S, most), 'a product is not below the bound in the quadratic form');
     }
-    check_tree(words, group.elements.map(({numbers}) => numbers.map(t => letter[t])), new Set(letter).size);
+    for (const {P, words} of starts) {
+      const keeping = group.table[0].map(([k]) => group.elements[k]).filter(element => equal(under(element, P), P));
+      const permutations = keeping.map(({numbers}) => numbers.map(t => letter[t]));
+      check_tree(words, products_of(permutations, letter), new Set(letter).size);
+    }
     return {value: bound, level: 1};
+  }
+  function products_of(permutations, unit) {
+    const products = new Map([[String(unit), unit]]);
+    for (const product of products.values())
+      for (const p of permutations) {
+        spend(unit.length);
+        const next = product.map(t => p[t]);
+        products.set(String(next), next);
+      }
+    return [...products.values()];
   }
   // Q_w = A_w^T P A_w for the integer matrices of a family, kept for the last word and its beginnings. Most rows of the
   // A_t^T of a scheme are those of others: letters share X Q_w X^T, X the different rows of all, where these are few.
   class Congruence {
-    constructor(P, matrices) {
+    constructor(matrices) {
       const factors = matrices.map(transpose), unique = rows => different(rows, String);
-      const all = unique(factors.flat()), shared = all.length < 2 * P.length && {rows: all};
+      const all = unique(factors.flat()), shared = all.length < 2 * factors[0].length && {rows: all};
       this.letters = factors.map(factor => {
         const set = shared || {rows: unique(factor)}, texts = set.rows.map(String);
         return {set, at: factor.map(row => texts.indexOf(String(row)))};
       });
       this.growth = bits(largest_by(factors, row_norm) || 1n);
+    }
+    start(P) {
       this.base = bits(largest_of(P)) + 4;
-      [this.word, this.nodes] = [[], [{Q: P, images: new Map()}]];
+      [this.P, this.word, this.nodes] = [P, [], [{Q: P, images: new Map()}]];
     }
     width(k) { return this.base + (2 * k + 1) * this.growth; }  // for Q_w of k letters, and for A^T Q_w
-    of(word) {
+    of(P, word) {
+      if (P !== this.P) this.start(P);
       let same = 0;
       while (same < word.length && word[same] === this.word[same]) ++same;
       this.nodes.length = same + 1;
@@ -1063,8 +1102,8 @@ var check_certificate = (() => {
       return image;
     }
   }
-  function check_tree(words, permutations, letters) {  // the words and their images under the group are a complete tree
-    const images = new Set(), maps = different(permutations, String);
+  function check_tree(words, maps, letters) {  // the words and their images under these permutations are a complete tree
+    const images = new Set();
     const length_of = image => image.split(',').length - 1, tree = 'the words are not those of a complete tree';
     let longest = 0, memory = 0, total = 0n;
     for (const word of words) {
@@ -1452,6 +1491,7 @@ var check_certificate = (() => {
   class Span {
     constructor(rows, prime) { [this.rows, this.prime] = [rows.slice(), prime]; }
     extend(sequence) {  // the part outside of the span, or undefined
+      spend(this.rows.length);
       let x = eliminate(sequence, 1n, new Map(), 0n, this.prime);
       for (const {key, row} of this.rows)
         if (x.has(key)) x = eliminate(x, row.get(key)[1], row, x.get(key)[1], this.prime);

@@ -38,7 +38,7 @@ Point combine(const Point& a, std::int64_t factor, const Point& b) {
   Point result;
   for (std::size_t v = 0; v < 3; ++v) {
     result[v] = a[v] + factor * b[v];
-    require(std::abs(result[v]) <= max_coordinate, "a lattice point is too far away");
+    require(std::abs(result[v]) <= max_distance, "a lattice point is too far away");
   }
   return result;
 }

@@ -5,7 +5,8 @@
 
 namespace subcert_check {
 
-constexpr std::int64_t max_coordinate = 1'000'000'000;
+constexpr std::int64_t max_coordinate = 1'000'000'000;        // of points that are read
+constexpr std::int64_t max_distance = std::int64_t{1} << 48;  // times 2^13, what adjugates hold, it is below 2^62
 
 /// Rows; of one or two variables filled up by those of the unit matrix.
 using Matrix = std::array<Point, 3>;

@@ -6,6 +6,18 @@
 
 namespace subcert_check {
 
+const Generator& named_generator(char letter, const std::vector<Generator>& generators) {
+  const std::size_t number = static_cast<unsigned char>(letter) - std::size_t{'A'};
+  require(number < generators.size(), "unknown generator");
+  return generators[number];
+}
+
+TurnedIndex parse_turned_index(std::string_view text, std::size_t count) {
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  require(text.size() - digits <= 16, "a word of more than 16 generators");
+  return {parse_size(text.substr(0, digits), 0, count - 1), std::string(text.substr(digits))};
+}
+
 std::size_t parse_group(std::string_view property) {
   return property.starts_with("group:") ? parse_size(property.substr(6), 1, 8) : 0;
 }

@@ -11,6 +11,18 @@ struct Generator {
   std::vector<std::size_t> letters;
 };
 
+/// The one that a letter names, A the first.
+const Generator& named_generator(char letter, const std::vector<Generator>& generators);
+
+/// An index, and after it a word of generators, as in `12AB`.
+struct TurnedIndex {
+  std::size_t index;
+  std::string word;
+
+  auto operator<=>(const TurnedIndex&) const = default;
+};
+TurnedIndex parse_turned_index(std::string_view text, std::size_t count);
+
 /// The K of `group:K`; 0 for anything else.
 std::size_t parse_group(std::string_view property);
 

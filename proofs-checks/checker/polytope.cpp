@@ -5,20 +5,12 @@
 
 namespace subcert_check {
 
-TurnedIndex parse_turned_index(std::string_view text, std::size_t count) {
-  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-  require(text.size() - digits <= 16, "a word of more than 16 generators");
-  return {parse_size(text.substr(0, digits), 0, count - 1), std::string(text.substr(digits))};
-}
-
 Vector Polytope::turn(char letter, Vector x, Arithmetic& arithmetic) const {
   if (letter == 'f' && symmetric) {
     for (std::size_t start = 0; start < x.size(); start += size) std::reverse(&x[start], &x[start] + size);
     return x;
   }
-  const std::size_t generator = static_cast<unsigned char>(letter) - std::size_t{'A'};
-  require(generator < generators.size(), "unknown generator");
-  return arithmetic.multiply(generators[generator].map, x, size);
+  return arithmetic.multiply(named_generator(letter, generators).map, x, size);
 }
 
 namespace {
@@ -27,7 +19,7 @@ namespace {
 const Vector& turned_vertex(Polytope& body, const TurnedIndex& vertex, Arithmetic& arithmetic) {
   if (vertex.word.empty()) return body.vertices[vertex.index];
   require(!body.symmetric || vertex.word.size() == 1, "unknown generator");
-  const auto [at, missing] = body.turned.try_emplace({vertex.index, vertex.word});
+  const auto [at, missing] = body.turned.try_emplace(vertex);
   if (!missing) return at->second;
   arithmetic.spend(2000 + 100 * body.size);
   const Vector& rest = turned_vertex(body, {vertex.index, vertex.word.substr(1)}, arithmetic);

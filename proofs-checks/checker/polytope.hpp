@@ -4,7 +4,6 @@
 #include "group.hpp"
 
 #include <map>
-#include <utility>
 
 namespace subcert_check {
 
@@ -16,8 +15,8 @@ struct Polytope {
   std::vector<Generator> generators;  // of the group: A, B, ...
   mpz_class vertex_one, weight_one;   // coordinates and weights are integers over these
   std::vector<Vector> vertices;
-  std::map<std::pair<std::size_t, std::string>, Vector> turned;  // vertices under words of generators
-  mpz_class unit_norm;                                           // at least the norm of every unit vector
+  std::map<TurnedIndex, Vector> turned;  // vertices under words of generators
+  mpz_class unit_norm;                   // at least the norm of every unit vector
   struct Combination {
     mpz_class weights, residual;  // over weight_one, and over weight_one * vertex_one * the denominator of the matrices
   };
@@ -31,12 +30,5 @@ struct Polytope {
 /// Reads the lines of a section whose first line has these fields. `entry_error`: of the matrices, if they are rounded.
 Polytope read_polytope(Family family, const Fields& fields, const mpq_class& entry_error, Reader& reader,
                        Arithmetic& arithmetic);
-
-/// An index, and after it a word of generators, as in `12AB`.
-struct TurnedIndex {
-  std::size_t index;
-  std::string word;
-};
-TurnedIndex parse_turned_index(std::string_view text, std::size_t count);
 
 }  // namespace subcert_check

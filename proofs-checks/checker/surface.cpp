@@ -72,7 +72,7 @@ class Surface {
     Sequence moved;
     for (const auto& [point, value] : mask_) {
       const Point at = image(point);
-      for (const std::int64_t c : at) require(std::abs(c) <= max_coordinate, "a lattice point is too far away");
+      for (const std::int64_t c : at) require(std::abs(c) <= max_distance, "a lattice point is too far away");
       set(moved, at, value);
     }
     const Point shift = combine(mask_.begin()->first, -1, moved.begin()->first);

@@ -36,13 +36,18 @@ assert.deepStrictEqual([exit, line], [0, verified]);
 // Texts that are no certificates: an answer, in little time and memory, whatever they are
 const start = 'subcert-certificate 3\nexponent [1,2,1]/2 2\nbounds - -\nsum-rules 1\n';
 const {check_certificate} = require(here('checker.js'));
+const is_rejected = (text, ...claim) => {
+  const answer = check_certificate([...claim, '--lower', '1/2', 'x'], () => text);
+  assert.strictEqual(answer.exit, 1);
+  assert.match(answer.line, /^REJECTED .*, line \d+$/);
+};
 for (const text of ['', '\n', '\0', start, `${start}block 0 polytope 268435456 4096 4096\n${'vertex 0\n'.repeat(9)}`,
                     `${start}block 0 norm 64\n`, `${start}product 0 1 0${' 0'.repeat(4096)}\n`, ' '.repeat(2 ** 24 + 2),
                     `${start}block 0 quadratic 1 1${'0'.repeat(1999)}\nform 1\nword${' 0'.repeat(1000)}\n`,
                     `${start.replace('rules 1', 'rules 2')}block 0 single 1 4096\nsquare 1\nfactor${' 0'.repeat(1000)}\n` +
-                      `recurrence${` 1${'0'.repeat(1999)}`.repeat(1000)}\n`]) {
-  const answer = check_certificate(['--mask', '[1,2,1]/2', '--arity', '2', '--lower', '1/2', 'x'], () => text);
-  assert.strictEqual(answer.exit, 1);
-  assert.match(answer.line, /^REJECTED .*, line \d+$/);
-}
+                      `recurrence${` 1${'0'.repeat(1999)}`.repeat(1000)}\n`])
+  is_rejected(text, '--mask', '[1,2,1]/2', '--arity', '2');
+// differences of points that are far apart
+is_rejected('subcert-certificate 3\nsurface [1,2,1]/2@-1000000000 [2]\nbounds 1 -\nsum-rules 1\ndigits -1000000000 999999999\n' +
+            'space 1\nvector 0:1 1:-2 2:1\nblock 0 norm 1\nend\n', '--surface', '[1,2,1]/2@-1000000000', '--dilation', '[2]');
 console.log('passed');

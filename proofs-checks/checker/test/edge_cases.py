@@ -128,6 +128,9 @@ ACCEPTED = [
     ("hat-far", "--surface [1,2,1]/2@-1000000000 --dilation [2] --lower 1",
      "surface [1,2,1]/2@-1000000000 [2]; bounds 1 -; sum-rules 2; digits -1000000000 -999999999; space 1; "
      "vector 0:1 1:-2 2:1; block 0 norm 1; end"),
+    ("hat-far-apart", "--surface [1,2,1]/2@-1000000000 --dilation [2] --lower 1",
+     "surface [1,2,1]/2@-1000000000 [2]; bounds 1 -; sum-rules 2; digits -1000000000 999999999; space 1; "
+     "vector 0:1 1:-2 2:1; block 0 norm 1; end"),
     ("hat-64", f"--surface {HAT_64} --dilation [64] --lower 1",
      f"surface {HAT_64} [64]; bounds 1 -; sum-rules 2; digits {' '.join(map(str, range(64)))}; space 1; "
      "vector -1:1 0:-2 1:1; block 0 norm 1; end"),
@@ -231,7 +234,7 @@ REJECTED = [
     ("unit-norm-largest", "unit-long", "--matrices ones.mat --upper 1", "the bound does not prove the claim", []),
     *((f"quadratic-pivot-{last}", "golden-quadratic", None, reason, [("form 1\n", f"form {FIRST}\n"),
                                                                    ("form 0 1\n", f"form {MIDDLE} {LAST + last}\n")])
-      for last, reason in ((0, "the form is not positive definite"), (1, "a product is not below the bound in the quadratic form"))),
+      for last, reason in ((0, "a form is not positive definite"), (1, "a product is not below the bound in the quadratic form"))),
     ("bounds-digits-more", "golden", None, "number too long", [(BOUNDS, f"bounds 1 {2001 * '9'}\n")]),
     ("rounded-hat-polytope-high", "rounded-hat-polytope", "--mask [1,2,1]/2@-1 --arity 2 --within 1/100,1 --lower 19/20",
      "the bound does not prove the claim", []),
@@ -276,7 +279,7 @@ REJECTED = [
      [("[w,1-w,1-w,w]", "[1/2*w,3/4+1/2*w,1-1/2*w,1/4-1/2*w]"), ("product 0 11/10 0 0", "product 0 3/2 0 1")]),
     ("polytope-fields", "golden", None, ", line 5",
      [("polytope 4 64 64", "polytope 4 64")]),
-    ("quadratic-fields", "golden-quadratic", None, "expected 'quadratic', a number of words, a bound and perhaps a group",
+    ("quadratic-fields", "golden-quadratic", None, "expected 'quadratic', a number of words, a bound and perhaps forms and a group",
      [("quadratic 3 16181/10000", "quadratic 3 16181/10000 group:1 group:1")]),
     ("turned-coefficients", "hat-turned", "--surface [3,4,1]/4@-1 --dilation [2] --lower 1",
      "the dilation is not turned by symmetries", [("[1,2,1]/2@-1", "[3,4,1]/4@-1")]),

@@ -27,25 +27,30 @@ RationalMatrix matrix(std::initializer_list<std::initializer_list<Rational>> row
   return result;
 }
 
-/// The words and their images under the group.
-std::set<std::vector<int>> all_words(const QuadraticProof& proof) {
+/// The words from a form; where there is one only, with their images under the group.
+std::set<std::vector<int>> words_from(const QuadraticProof& proof, std::size_t form) {
   std::set<std::vector<int>> result;
-  for (const FamilySymmetry& element : proof.group)
-    for (std::vector<int> word : proof.words) {
-      for (int& letter : word) letter = static_cast<int>(element.letters[static_cast<std::size_t>(letter)]);
-      result.insert(word);
+  for (std::size_t g = 0; g < (proof.forms.size() == 1 ? proof.group.size() : 1); ++g)
+    for (QuadraticProof::Word word : proof.words) {
+      for (int& letter : word.letters)
+        letter = static_cast<int>(proof.group[g].letters[static_cast<std::size_t>(letter)]);
+      if (word.from == form) result.insert(word.letters);
     }
   return result;
 }
 
-/// Whether each infinite sequence of letters begins with exactly one of the words.
-bool is_complete(const std::set<std::vector<int>>& words, long letters) {
-  Rational share = 0;
-  for (const auto& word : words) share += power(Rational(letters), -static_cast<long>(word.size()));
+/// Whether each infinite sequence of letters begins with exactly one of the words, from every form.
+bool is_complete(const QuadraticProof& proof, long letters) {
   const auto is_beginning = [](const std::vector<int>& a, const std::vector<int>& b) {
     return a.size() <= b.size() && std::equal(a.begin(), a.end(), b.begin());
   };
-  return share == 1 && std::adjacent_find(words.begin(), words.end(), is_beginning) == words.end();
+  for (std::size_t form = 0; form < proof.forms.size(); ++form) {
+    const auto words = words_from(proof, form);
+    Rational share = 0;
+    for (const auto& word : words) share += power(Rational(letters), -static_cast<long>(word.size()));
+    if (share != 1 || std::adjacent_find(words.begin(), words.end(), is_beginning) != words.end()) return false;
+  }
+  return true;
 }
 
 const Rational thousandth = power(Rational(10), -3);
@@ -60,7 +65,7 @@ TEST_CASE("a quadratic form bounds the radius of the golden pair") {
   CHECK(power(2 * proof->bound - 1, 2) >= 5);
   CHECK(power(2 * proof->bound - 1, 2) < 5 + thousandth);
   CHECK(proof->group.size() == 2);
-  CHECK(is_complete(all_words(*proof), 2));
+  CHECK(is_complete(*proof, 2));
 }
 
 TEST_CASE("the search for a form ends at its target") {
@@ -74,7 +79,7 @@ TEST_CASE("the search for a form ends at its target") {
   REQUIRE(fine);
   CHECK(fine->bound <= Rational(185, 100));
   CHECK(fine->words.size() < 2000);
-  CHECK(is_complete(all_words(*fine), 2));
+  CHECK(is_complete(*fine, 2));
 }
 
 TEST_CASE("quadratic forms of families at the edge") {
@@ -95,7 +100,7 @@ TEST_CASE("quadratic forms of families at the edge") {
   REQUIRE(twice);
   CHECK(power(2 * twice->bound / huge - 1, 2) >= 5);
   for (const auto& word : twice->words)
-    CHECK(std::all_of(word.begin(), word.end(), [](int letter) { return letter < 2; }));
+    CHECK(std::all_of(word.letters.begin(), word.letters.end(), [](int letter) { return letter < 2; }));
 }
 
 TEST_CASE("forms that doubles do not hold") {

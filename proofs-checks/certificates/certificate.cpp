@@ -142,11 +142,16 @@ class SectionWriter {
 
   std::string operator()(const QuadraticProof& proof) const {
     const GroupWords group(proof.group, false);
-    std::string text = fmt::format("block {} quadratic {} {}{}\n", block_, proof.words.size(), to_text(proof.bound),
-                                   group_text(group)) +
+    const bool several = proof.forms.size() > 1;
+    std::string text = fmt::format("block {} quadratic {} {}{}{}\n", block_, proof.words.size(), to_text(proof.bound),
+                                   several ? fmt::format(" forms:{}", proof.forms.size()) : "", group_text(group)) +
                        generators_text(proof.group, group);
-    for (const std::vector<Integer>& row : proof.form) text += "form" + numbers_text(row) + "\n";
-    for (const std::vector<int>& word : proof.words) text += fmt::format("word {}\n", fmt::join(word, " "));
+    for (const auto& form : proof.forms)
+      for (const std::vector<Integer>& row : form) text += "form" + numbers_text(row) + "\n";
+    for (const QuadraticProof::Word& word : proof.words)
+      text += fmt::format("word {}{}\n",
+                          several ? fmt::format("{} {}{} ", word.from, word.to, group.word(word.element)) : "",
+                          fmt::join(word.letters, " "));
     return text;
   }
 

@@ -20,10 +20,12 @@ std::vector<int> from_left_to_right(std::vector<int> cycle, bool transposed) {
 
 }  // namespace
 
-PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones, bool exact) {
+PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones, bool exact,
+                                const polytope::ProductSource& more_products) {
   polytope::SearchOptions options{.budget = budget};
   options.cones = cones;
   options.exact = exact;
+  options.more_products = more_products;
   // Cones keep the coordinates in which no entry is negative.
   const RoundFamily round = cones && is_nonnegative(family) ? RoundFamily{to_search_family(family)}
                                                             : round_family(family, budget.deadline);

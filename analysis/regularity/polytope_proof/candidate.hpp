@@ -5,6 +5,8 @@
 #include "polytope_proof.hpp"
 #include "round_family.hpp"
 
+#include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
+
 #include <complex>
 
 namespace subcert::radius {
@@ -49,8 +51,10 @@ struct PolytopeCandidate {
 };
 
 /// Searches a product and a polytope. `cones`: also those of a cone, where no entry is negative; `exact`: of the very
-/// radius of the product, where one closes. Domain: entries whose doubles are finite and not far from 1 in size.
-PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones = true, bool exact = true);
+/// radius of the product, where one closes; `more_products`: SearchOptions. Domain: entries whose doubles are finite
+/// and not far from 1 in size.
+PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones = true, bool exact = true,
+                                const polytope::ProductSource& more_products = {});
 
 /// The word, from left to right, of a product of large averaged radius: a quick look.
 std::vector<int> find_product(const MatrixFamily& family, const Deadline& deadline);

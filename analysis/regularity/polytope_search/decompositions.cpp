@@ -1,5 +1,7 @@
 #include "decompositions.hpp"
 
+#include "kernels.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -10,6 +12,8 @@
 namespace subcert::polytope {
 
 namespace {
+
+constexpr double least_pivot = 1e-18;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 Eigen::MatrixXd copy(const Matrix& a) {
@@ -37,6 +41,25 @@ Matrix composed(const Matrix& vectors, const Vector& values) {
 Vector symmetric_eigenvalues(const Matrix& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(copy(matrix), Eigen::EigenvaluesOnly);
   return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+}
+
+std::optional<PositiveInverse> positive_inverse(const Matrix& matrix) {
+  // Sweeps [Goodnight 1979]: after each pivot one more row of what is left is solved for, with the sign changed.
+  const std::size_t n = matrix.rows();
+  PositiveInverse result{matrix};
+  Matrix& swept = result.inverse;
+  Vector column(n), multiple(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double pivot = swept(k, k);
+    if (!(pivot > least_pivot)) return std::nullopt;
+    result.log_determinant += std::log(pivot);
+    for (std::size_t i = 0; i < n; ++i) multiple[i] = (column[i] = swept(i, k)) / pivot;
+    kernels::rank_one(&swept(0, 0), n, n, column.data(), multiple.data());
+    for (std::size_t i = 0; i < n; ++i) swept(i, k) = swept(k, i) = multiple[i];
+    swept(k, k) = -1 / pivot;
+  }
+  swept /= -1;
+  return result;
 }
 
 EigenDecomposition eigen_decomposition(const Matrix& matrix) {

@@ -4,6 +4,7 @@
 #include "dense.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace subcert::polytope {
 
@@ -17,6 +18,13 @@ SymmetricDecomposition symmetric_decomposition(const Matrix& matrix);
 Matrix composed(const Matrix& vectors, const Vector& values);
 /// Increasing. Domain: symmetric.
 Vector symmetric_eigenvalues(const Matrix& matrix);
+
+/// Nothing where the matrix is not positive definite, or hardly. Domain: symmetric, of entries about 1.
+struct PositiveInverse {
+  Matrix inverse;
+  double log_determinant = 0;  ///< of the matrix
+};
+std::optional<PositiveInverse> positive_inverse(const Matrix& matrix);
 
 /// matrix * vectors[k] = values[k] * vectors[k], in no particular order; the vectors have norm 1.
 struct EigenDecomposition {

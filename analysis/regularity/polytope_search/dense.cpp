@@ -1,5 +1,7 @@
 #include "dense.hpp"
 
+#include "kernels.hpp"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -61,7 +63,7 @@ Matrix Matrix::diagonal_block(std::size_t begin, std::size_t size) const {
 // New vectors and matrices are zero: what Eigen would set to zero once more, it adds to.
 Matrix operator*(const Matrix& a, const Matrix& b) {
   Matrix result(a.rows(), b.columns());
-  Eigen::Map<Eigen::MatrixXd>(&result(0, 0), index(a.rows()), index(b.columns())).noalias() += view(a) * view(b);
+  kernels::add_product(a.column(0), a.rows(), a.columns(), b.column(0), b.columns(), &result(0, 0));
   return result;
 }
 
@@ -95,16 +97,7 @@ double norm(std::span<const double> entries) {
 double squared_norm(const ComplexVector& x) { return view(x).squaredNorm(); }
 
 // Two running sums, of the even and of the odd places.
-double inner(const Vector& x, const Vector& y) {
-  double even = 0, odd = 0;
-  std::size_t k = 0;
-  for (; k + 1 < x.size(); k += 2) {
-    even += x[k] * y[k];
-    odd += x[k + 1] * y[k + 1];
-  }
-  even += odd;
-  return k < x.size() ? even + x[k] * y[k] : even;
-}
+double inner(const Vector& x, const Vector& y) { return kernels::dot(x.data(), y.data(), x.size()); }
 
 std::complex<double> inner(const ComplexVector& x, const ComplexVector& y) { return view(x).dot(view(y)); }
 

@@ -18,6 +18,9 @@ class Matrix {
   Matrix() = default;
   /// All zero.
   Matrix(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns), entries_(rows * columns, 0.0) {}
+  /// Domain: rows * columns entries.
+  Matrix(std::size_t rows, std::size_t columns, std::vector<double> entries)
+      : rows_(rows), columns_(columns), entries_(std::move(entries)) {}
   static Matrix identity(std::size_t size);
 
   std::size_t rows() const { return rows_; }

@@ -36,6 +36,11 @@ void multiply_transposed(const double* a, std::size_t rows, std::size_t columns,
   SUBCERT_DISPATCH(multiply_transposed(a, rows, columns, x, out));
 }
 
+void add_product(const double* a, std::size_t rows, std::size_t inner, const double* b, std::size_t columns,
+                 double* out) {
+  SUBCERT_DISPATCH(add_product(a, rows, inner, b, columns, out));
+}
+
 void rank_one(double* a, std::size_t rows, std::size_t columns, const double* u, const double* v) {
   SUBCERT_DISPATCH(rank_one(a, rows, columns, u, v));
 }

@@ -12,7 +12,11 @@ void multiply(const double* a, std::size_t rows, std::size_t columns, const doub
 /// out = A^T x for the same A.
 void multiply_transposed(const double* a, std::size_t rows, std::size_t columns, const double* x, double* out);
 
-/// A -= u v^T for the same A.
+/// out += A B for any numbers of rows and columns, B column major with `inner` rows. The arrays do not overlap.
+void add_product(const double* a, std::size_t rows, std::size_t inner, const double* b, std::size_t columns,
+                 double* out);
+
+/// A -= u v^T for any A.
 void rank_one(double* a, std::size_t rows, std::size_t columns, const double* u, const double* v);
 
 double dot(const double* a, const double* b, std::size_t n);

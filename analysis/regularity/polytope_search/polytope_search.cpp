@@ -92,12 +92,12 @@ class Search {
     if (!options_.exact) return enclosed();
     if (race(std::min(least_race + first_patience * work_, first_race * seconds_), 1)) return closed();
     for (std::size_t k = 1; k < product_looks.size(); ++k) {
+      const bool last = k + 1 == product_looks.size();
       const double before = work_;
+      if (last && options_.more_products) look_for_more_products();
       look_for_products(product_looks[k], later_products);
       const double rest = all_races * seconds_ - work_;
-      if (race(k + 1 == product_looks.size() ? rest : std::min(least_race + later_patience * (work_ - before), rest),
-               2))
-        return closed();
+      if (race(last ? rest : std::min(least_race + later_patience * (work_ - before), rest), 2)) return closed();
       if (k == 1 && race_with_large_extras(large_share * all_races * seconds_)) return closed();
       if (work_ > last_race * seconds_ || races_.expired() || full()) break;
     }
@@ -122,6 +122,13 @@ class Search {
     const double d = static_cast<double>(family_[0].matrices.front().rows());
     work_ += seconds_per_product * d * d * d * static_cast<double>(family_[0].matrices.size()) * options.width *
              std::min(options.max_length, usual_length);
+  }
+
+  void look_for_more_products() {
+    const Deadline end = deadline().at_most(later_products * seconds_);
+    const double seconds = end.remaining();
+    take(options_.more_products(family_[0], candidates_.front().radius, end));
+    work_ += seconds - end.remaining();
   }
 
   void take(std::vector<Candidate> found) {

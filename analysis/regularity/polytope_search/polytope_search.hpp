@@ -5,9 +5,13 @@
 #include "incremental_simplex.hpp"
 #include "product_search.hpp"
 
+#include <functional>
 #include <limits>
 
 namespace subcert::polytope {
+
+/// Products of a family whose averaged radius is near this one or above.
+using ProductSource = std::function<std::vector<Candidate>(const SearchFamily&, double radius, const Deadline&)>;
 
 struct SearchOptions {
   /// Every phase ends soon after the deadline. The memory is that of what grows; a few copies of the family come on
@@ -15,9 +19,10 @@ struct SearchOptions {
   Budget budget{.deadline = Deadline::in(60)};
   int max_product_length = 200;
   std::size_t max_vertices = 40000;
-  bool cones = true;        ///< non-negative families may have polytopes of a cone, with fewer vertices
-  bool exact = true;        ///< a polytope of the very radius is looked for; otherwise only of a little more
-  double tolerance = 1e-9;  ///< an image is inside when its norm is at most 1 - tolerance
+  bool cones = true;                 ///< non-negative families may have polytopes of a cone, with fewer vertices
+  bool exact = true;                 ///< a polytope of the very radius is looked for; otherwise only of a little more
+  ProductSource more_products = {};  ///< asked where the cheaper looks lead to nothing
+  double tolerance = 1e-9;           ///< an image is inside when its norm is at most 1 - tolerance
 };
 
 enum class SearchStatus {

@@ -7,7 +7,7 @@
 namespace subcert::quadratic {
 
 struct EllipsoidalCoordinates {
-  polytope::Matrix to;                     ///< x' = to x; the form is to^T to
+  polytope::Matrix to, from;               ///< x' = to x, x = from x'; the form is to^T to
   std::vector<polytope::Matrix> matrices;  ///< of the family, in these coordinates
   double bound = 0;                        ///< the largest of the norms: the joint spectral radius is not larger
   bool ended_flat = false;                 ///< other forms may do better, but for doubles they are too flat from here
@@ -20,11 +20,5 @@ struct EllipsoidalCoordinates {
 /// times a decomposition of each matrix. Ref: [BN05] for the ellipsoids; L-BFGS.
 EllipsoidalCoordinates ellipsoidal_coordinates(const polytope::SearchFamily& family, double target,
                                                const Deadline& deadline);
-
-/// The same for the largest |B_w|^(1/|w|) of words w, which is the bound then; from these coordinates on. Domain:
-/// `start` is of the family; words such that every infinite word, or its image under the symmetry, begins with one.
-EllipsoidalCoordinates coordinates_for_words(const EllipsoidalCoordinates& start, const polytope::SearchFamily& family,
-                                             const std::vector<std::vector<int>>& words, double target,
-                                             const Deadline& deadline);
 
 }  // namespace subcert::quadratic

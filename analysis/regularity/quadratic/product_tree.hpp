@@ -1,14 +1,21 @@
 #pragma once
 /// Complete trees of products whose norms are small, in floating point. Inner header. Nothing of it is proved.
 
-#include "ellipsoidal_coordinates.hpp"
+#include "context_forms.hpp"
 
 namespace subcert::quadratic {
 
+/// A word that leads from one state to another one, which an element of the group moves.
+struct TreeWord {
+  std::size_t from = 0, to = 0;
+  int element = 0;
+  std::vector<int> letters;
+};
+
 struct ProductTree {
-  /// The leaves, least letters first; of those that the symmetry exchanges one. Every infinite word begins with exactly
-  /// one leaf or image of a leaf.
-  std::vector<std::vector<int>> words;
+  /// The leaves of each state, least letters first; of a single state one of those that the symmetry exchanges. Every
+  /// infinite word begins with exactly one leaf of a state, or image of a leaf.
+  std::vector<TreeWord> words;
   double bound = 0;  ///< no product of a leaf, A_{w_1} ... A_{w_k}, has a norm above bound^k
 };
 
@@ -21,9 +28,8 @@ struct TreeLimits {
 };
 
 /// Splits the leaf of the largest averaged norm until the bound is small enough or a limit is reached. Domain:
-/// coordinates of a positive bound. Cost: a product and the eigenvalues of a symmetric matrix for each node. Ref:
-/// [Gri96]; [MR14] for trees.
-ProductTree product_tree(const EllipsoidalCoordinates& coordinates, const polytope::SymmetryGroup& symmetry,
-                         const TreeLimits& limits);
+/// forms of a positive bound; a single one is invariant under the symmetry. Cost: a product and the eigenvalues of a
+/// symmetric matrix for each node. Ref: [Gri96]; [MR14] for trees.
+ProductTree product_tree(const StateForms& forms, const polytope::SymmetryGroup& symmetry, const TreeLimits& limits);
 
 }  // namespace subcert::quadratic

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
+#include "context_forms.hpp"
 #include "product_tree.hpp"
 
 #include <algorithm>
@@ -14,13 +15,16 @@ namespace {
 
 using quadratic::EllipsoidalCoordinates;
 using quadratic::ProductTree;
+using quadratic::TreeWord;
 
-constexpr double shape_share = 0.4, words_share = 0.25, tree_share = 0.5;  // of the time that is left
-constexpr std::size_t words_of_form = 64;                                  // that the form is made small for
-constexpr double most_work = 4e9;                                          // of 10^10 that a checker may spend
-constexpr double work_per_second = 5e8;                                    // of one core, and some to spare
-constexpr int most_moves = 8;                                              // of the exact matrices to other coordinates
-constexpr int form_bits = 48;  // of the coordinates; the form has twice as many
+// Of the time: until the first form is found; of the rest until the last contexts are, and their tree.
+constexpr double shape_share = 0.3, contexts_share = 0.55, tree_share = 0.7;
+constexpr double trees_worth = 4;         // times of their time, for which contexts have to grow before the next
+constexpr std::size_t first_leaves = 64;  // before there are contexts
+constexpr double most_work = 4e9;         // of 10^10 that a checker may spend
+constexpr double work_per_second = 5e8;   // of one core, and some to spare
+constexpr int most_moves = 8;             // of the exact matrices to other coordinates
+constexpr int form_bits = 48;             // of the coordinates; the form has twice as many
 constexpr int bound_bits = 50;
 constexpr std::size_t guard_bits = 64, pivot_bits = 128;
 constexpr std::size_t most_isometric = 10;  // the size of matrices
@@ -55,25 +59,35 @@ struct Shape {
   EllipsoidalCoordinates coordinates;
 };
 
-/// The sum over the group of g^T P g, P the form of the rounded coordinates.
-Integers integer_form(const Shape& shape, const MatrixFamily& family) {
+/// The forms of coordinates x' = to x of the round family, rounded; of a single one the sum over the group of g^T P g.
+std::vector<Integers> integer_forms(const std::vector<polytope::Matrix>& coordinates, const radius::RoundFamily& round,
+                                    const MatrixFamily& family) {
   const std::size_t n = family.size();
-  RationalMatrix to = radius::to_rational(shape.coordinates.to), result(n, n);
+  std::vector<RationalMatrix> maps;
+  for (const polytope::Matrix& to : coordinates) maps.push_back(radius::to_rational(to));
   long bits = form_bits;
-  if (const auto& [before, back] = shape.round.coordinates; shape.round.coordinates.differ()) {
-    to = to * before;
+  if (const auto& [before, back] = round.coordinates; round.coordinates.differ()) {
+    for (RationalMatrix& to : maps) to = to * before;
     // Of what is flat as many digits are left.
     bits += std::max(0L, binary_exponent(before).value_or(0) + binary_exponent(back).value_or(0));
   }
-  const Rational unit = power(Rational(2), bits - binary_exponent(to).value_or(0));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) to(i, j) = to_integer(unit * to(i, j), Rounding::nearest);
-  for (const FamilySymmetry& element : family.group()) {
-    const RationalMatrix moved = to * element.map.matrix(), image = transposed(moved) * moved;
+  long exponent = binary_exponent(maps.front()).value_or(0);
+  for (const RationalMatrix& to : maps) exponent = std::max(exponent, binary_exponent(to).value_or(exponent));
+  const Rational unit = power(Rational(2), bits - exponent);
+  std::vector<Integers> forms;
+  for (RationalMatrix& to : maps) {
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) result(i, j) += image(i, j);
+      for (std::size_t j = 0; j < n; ++j) to(i, j) = to_integer(unit * to(i, j), Rounding::nearest);
+    RationalMatrix sum(n, n);
+    for (const FamilySymmetry& element : family.group()) {
+      const RationalMatrix moved = to * element.map.matrix(), image = transposed(moved) * moved;
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) sum(i, j) += image(i, j);
+      if (maps.size() > 1) break;
+    }
+    forms.push_back(integer_multiple(sum, 1));
   }
-  return integer_multiple(result, 1);
+  return forms;
 }
 
 /// Whether a symmetric matrix, given on and above the diagonal, is positive semidefinite, by a Cholesky decomposition
@@ -104,6 +118,10 @@ bool is_positive(Integers s, std::size_t n) {
   return true;
 }
 
+bool are_positive(const std::vector<Integers>& forms, std::size_t n) {
+  return std::ranges::all_of(forms, [n](const Integers& form) { return is_positive(form, n); });
+}
+
 /// Where a form is too flat for doubles its coordinates are applied to the exact matrices, and the search goes on
 /// there.
 Shape shape_of(const MatrixFamily& family, double target, const Deadline& deadline) {
@@ -116,7 +134,8 @@ Shape shape_of(const MatrixFamily& family, double target, const Deadline& deadli
       break;
     Shape next{std::move(moved), {}};
     next.coordinates = quadratic::ellipsoidal_coordinates(next.round.family, target, deadline);
-    if (!(next.coordinates.bound < shape.coordinates.bound) || !is_positive(integer_form(next, family), family.size()))
+    if (!(next.coordinates.bound < shape.coordinates.bound) ||
+        !are_positive(integer_forms({next.coordinates.to}, next.round, family), family.size()))
       break;
     shape = std::move(next);
   }
@@ -126,31 +145,38 @@ Shape shape_of(const MatrixFamily& family, double target, const Deadline& deadli
 /// Proves the leaves of a tree for bounds that grow until all hold.
 class LeafProver {
  public:
-  LeafProver(const MatrixFamily& family, const Integers& form, double bound)
-      : size_(family.size()), form_(form), denominator_(common_denominator(family)) {
+  LeafProver(const MatrixFamily& family, const std::vector<Integers>& forms, double bound)
+      : size_(family.size()), forms_(forms), denominator_(common_denominator(family)) {
     for (const RationalMatrix& m : family) integral_.push_back(integer_multiple(m, denominator_));
+    moved_.push_back(forms);
+    for (std::size_t g = 1; g < family.group().size() && forms.size() > 1; ++g) {
+      const Integers map = integer_multiple(family.group()[g].map.matrix(), 1);
+      moved_.emplace_back();
+      for (const Integers& form : forms) moved_.back().push_back(image_of_form(map, form, size_));
+    }
     for (const double slack : slacks)
       bounds_.push_back(Rational(Integer(std::ceil(std::ldexp(bound * (1 + slack), bound_bits)))) *
                         power(Rational(2), -bound_bits));
   }
 
   /// The least of the bounds that holds for all words.
-  std::optional<Rational> prove(const std::vector<std::vector<int>>& words, const Deadline& deadline) {
+  std::optional<Rational> prove(const std::vector<TreeWord>& words, const Deadline& deadline) {
     parallel_ranges(words.size(), ranges, all_cores(), [&](std::size_t begin, std::size_t end) {
       // The products of the beginnings of a word; the next word shares some of them.
       std::vector<Integers> products;
       for (std::size_t k = begin; k < end && !failed_; ++k) {
-        const std::vector<int>& word = words[k];
+        const std::vector<int>& word = words[k].letters;
         std::size_t common = 0;
         if (k > begin)
-          common = static_cast<std::size_t>(
-              std::mismatch(word.begin(), word.end(), words[k - 1].begin(), words[k - 1].end()).first - word.begin());
+          common = static_cast<std::size_t>(std::ranges::mismatch(word, words[k - 1].letters).in1 - word.begin());
         products.erase(products.begin() + static_cast<std::ptrdiff_t>(common), products.end());
         for (std::size_t i = common; i < word.size(); ++i) {
           const Integers& letter = integral_[static_cast<std::size_t>(word[i])];
           products.push_back(i == 0 ? letter : product(products.back(), letter, size_));
         }
-        if (deadline.expired() || !holds(image_of_form(products.back(), form_, size_), word.size())) failed_ = true;
+        const Integers image = image_of_form(products.back(), forms_[words[k].from], size_);
+        const Integers& last = moved_[static_cast<std::size_t>(words[k].element)][words[k].to];
+        if (deadline.expired() || !holds(image, last, word.size())) failed_ = true;
       }
     });
     if (failed_) return std::nullopt;
@@ -160,13 +186,13 @@ class LeafProver {
  private:
   static constexpr std::size_t ranges = 16;
 
-  /// Raises the bound until it holds for a product with this image of the form.
-  bool holds(const Integers& image, std::size_t length) {
+  /// Raises the bound until it holds for a product with this image of its first form and this last form.
+  bool holds(const Integers& image, const Integers& last, std::size_t length) {
     for (std::size_t slack = slack_; slack < bounds_.size(); ++slack) {
       const Rational power_of_bound = power(bounds_[slack] * Rational(denominator_), 2 * static_cast<long>(length));
       const Integer factor = (numerator(power_of_bound) << guard_bits) / denominator(power_of_bound);
       Integers difference;
-      for (std::size_t i = 0; i < image.size(); ++i) difference.push_back(factor * form_[i] - (image[i] << guard_bits));
+      for (std::size_t i = 0; i < image.size(); ++i) difference.push_back(factor * last[i] - (image[i] << guard_bits));
       if (!is_positive(std::move(difference), size_)) continue;
       for (std::size_t known = slack_; known < slack && !slack_.compare_exchange_weak(known, slack);) {
       }
@@ -176,7 +202,8 @@ class LeafProver {
   }
 
   std::size_t size_;
-  const Integers& form_;
+  const std::vector<Integers>& forms_;
+  std::vector<std::vector<Integers>> moved_;  // by each element of the group, if there are several
   Integer denominator_;
   std::vector<Integers> integral_;  // the matrices times the denominator
   std::vector<Rational> bounds_;
@@ -228,6 +255,55 @@ double limbs_of(const MatrixFamily& family) {
   return static_cast<double>(std::max(bits, 1L)) / 64;
 }
 
+/// Forms and a tree whose bound they may prove.
+struct FormedTree {
+  std::vector<Integers> forms;
+  ProductTree tree;
+};
+
+/// Of one form and forms of contexts, ever longer, those whose tree has the least bound. Nothing where the one form is
+/// too flat.
+std::optional<FormedTree> best_tree(const Shape& shape, const MatrixFamily& family, double target,
+                                    const std::vector<int>& product, const Budget& budget) {
+  const double work = std::min(most_work, work_per_second * (1 - tree_share) * budget.deadline.remaining());
+  const Deadline trees_end = budget.deadline.after(tree_share), contexts_end = budget.deadline.after(contexts_share);
+  std::optional<FormedTree> best;
+  const auto try_out = [&](const quadratic::StateForms& states, const polytope::SymmetryGroup& symmetry,
+                           std::size_t leaves) {
+    const quadratic::TreeLimits limits{target, limbs_of(family), work, leaves, {trees_end, budget.memory / 2}};
+    ProductTree tree = quadratic::product_tree(states, symmetry, limits);
+    if (best && tree.bound >= best->tree.bound) return;
+    std::vector<Integers> forms = integer_forms(states.to, shape.round, family);
+    if (are_positive(forms, family.size())) best = FormedTree{std::move(forms), std::move(tree)};
+  };
+  constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+  const polytope::SearchFamily& round = shape.round.family;
+  const quadratic::StateForms one = quadratic::one_state(shape.coordinates);
+  try_out(one, round.symmetry, first_leaves);
+  if (!best || best->tree.bound <= target) return best;
+  quadratic::ContextForms contexts(round, shape.coordinates);
+  const auto try_contexts = [&] {
+    try_out(contexts.forms(), contexts.symmetry(), no_limit);
+    if (product.empty() || best->tree.bound <= target) return;
+    if (const auto cycle = contexts.with_cycle(product, contexts_end)) try_out(*cycle, contexts.symmetry(), no_limit);
+  };
+  // Trees take a small part of the time.
+  double growing = 0, trying = 0;
+  bool tried = true;
+  const auto timed = [](double& seconds, const auto& action) {
+    const Stopwatch stopwatch;
+    const bool done = action();
+    seconds += stopwatch.seconds();
+    return done;
+  };
+  while (best->tree.bound > target && timed(growing, [&] { return contexts.grow(contexts_end); })) {
+    tried = growing > trees_worth * trying && timed(trying, [&] { return try_contexts(), true; });
+  }
+  if (!tried) try_contexts();
+  if (contexts.forms().states() == 1) try_out(one, round.symmetry, no_limit);
+  return best;
+}
+
 }  // namespace
 
 QuadraticProof scaled(QuadraticProof proof, long exponent) {
@@ -236,39 +312,19 @@ QuadraticProof scaled(QuadraticProof proof, long exponent) {
 }
 
 std::optional<QuadraticProof> prove_by_quadratic_form(const MatrixFamily& family, const Rational& target,
-                                                      const Budget& budget) {
+                                                      const Budget& budget, const std::vector<int>& product) {
   if (std::all_of(family.begin(), family.end(), [](const RationalMatrix& m) { return one_norm(m) == 0; }))
     return std::nullopt;
   const double enough = (1 - 2 * slacks[0]) * target.convert_to<double>();
-  Shape shape = shape_of(family, enough, budget.deadline.after(shape_share));
-  const double work = std::min(most_work, work_per_second * (1 - tree_share) * budget.deadline.remaining());
-  const auto tree_of = [&](std::size_t leaves, double share) {
-    return quadratic::product_tree(
-        shape.coordinates, shape.round.family.symmetry,
-        {enough, limbs_of(family), work, leaves, {budget.deadline.after(share), budget.memory / 2}});
-  };
-  ProductTree tree = tree_of(words_of_form, words_share);
-  if (tree.bound > enough) {
-    // A form for letters is not the best for words.
-    EllipsoidalCoordinates for_letters = shape.coordinates;
-    ProductTree small = std::move(tree);
-    shape.coordinates = quadratic::coordinates_for_words(for_letters, shape.round.family, small.words, enough,
-                                                         budget.deadline.after(words_share));
-    tree = tree_of(std::numeric_limits<std::size_t>::max(), tree_share);
-    if (small.bound <= tree.bound) {
-      shape.coordinates = std::move(for_letters);
-      tree = std::move(small);
-    }
-  }
-  QuadraticProof result;
-  const Integers form = integer_form(shape, family);
-  if (!is_positive(form, family.size())) return std::nullopt;
-  const auto bound = LeafProver(family, form, tree.bound).prove(tree.words, budget.deadline);
+  const auto best = best_tree(shape_of(family, enough, budget.deadline.after(shape_share)), family, enough, product,
+                              budget);
+  if (!best) return std::nullopt;
+  const auto bound = LeafProver(family, best->forms, best->tree.bound).prove(best->tree.words, budget.deadline);
   if (!bound) return std::nullopt;
-  result.form = lower_rows(form, family.size());
-  result.group = family.group();
-  result.words = tree.words;
-  result.bound = *bound;
+  QuadraticProof result{{}, family.group(), {}, *bound};
+  for (const Integers& form : best->forms) result.forms.push_back(lower_rows(form, family.size()));
+  for (const TreeWord& word : best->tree.words)
+    result.words.push_back({word.from, word.to, static_cast<std::size_t>(word.element), word.letters});
   return result;
 }
 
@@ -294,8 +350,8 @@ std::optional<QuadraticProof> prove_isometries(const MatrixFamily& family, const
             for (std::size_t j = i; j < n; ++j, ++at) form(i, j) += Rational(near(k, l)) * forms[v][at];
   const Integers integral = integer_multiple(form, common_denominator(form));
   if (!is_positive(integral, n)) return std::nullopt;
-  QuadraticProof result{lower_rows(integral, n), {family.group().front()}, {}, *ratio};
-  for (std::size_t t = 0; t < family.count(); ++t) result.words.push_back({static_cast<int>(t)});
+  QuadraticProof result{{lower_rows(integral, n)}, {family.group().front()}, {}, *ratio};
+  for (std::size_t t = 0; t < family.count(); ++t) result.words.push_back({0, 0, 0, {static_cast<int>(t)}});
   return result;
 }
 

@@ -7,13 +7,19 @@
 
 namespace subcert {
 
-/// With A_w = A_{w_1} ... A_{w_k}, bound^(2 k) P - A_w^T P A_w is positive semidefinite for all words w, and every
-/// infinite sequence of letters begins with one of them or with its image under an element of the group
+/// With A_w = A_{w_1} ... A_{w_k} and P = P_from, Q = P_to, bound^(2 k) g^T Q g - A_w^T P A_w is positive semidefinite
+/// for all words w, g their elements of the group. Every infinite sequence of letters begins with a word from any given
+/// form or, where there is one form only, with the image of a word under an element of the group
 /// (proofs-checks/certificates/SPEC.md). Of equal matrices the words name the first.
 struct QuadraticProof {
-  std::vector<std::vector<Integer>> form;  ///< P, row by row up to the diagonal
-  std::vector<FamilySymmetry> group;       ///< of the family; g^T P g = P up to signs of g
-  std::vector<std::vector<int>> words;
+  struct Word {
+    std::size_t from = 0, to = 0;  ///< forms
+    std::size_t element = 0;       ///< of the group
+    std::vector<int> letters;
+  };
+  std::vector<std::vector<std::vector<Integer>>> forms;  ///< each row by row up to the diagonal
+  std::vector<FamilySymmetry> group;                     ///< of the family; a single form P has g^T P g = P
+  std::vector<Word> words;
   Rational bound;  ///< proved: joint spectral radius <= bound
 };
 
@@ -22,10 +28,11 @@ QuadraticProof scaled(QuadraticProof proof, long exponent);
 
 /// Searches a form and a tree in floating point and confirms both in exact arithmetic. Nothing is returned where that
 /// fails. Domain: entries whose doubles are finite and not far from 1 in size; different matrices. `target`: a bound
-/// that is small enough. Error: none, the bound is proved. Cost: a few hundred decompositions of each matrix, then
-/// three exact matrix products for each word; the checker's work is limited likewise.
+/// that is small enough; `product`: from left to right, one that may attain the radius. Error: none, the bound is
+/// proved. Cost: a few hundred decompositions of each matrix, then three exact matrix products for each word; the
+/// checker's work is limited likewise.
 std::optional<QuadraticProof> prove_by_quadratic_form(const MatrixFamily& family, const Rational& target,
-                                                      const Budget& budget);
+                                                      const Budget& budget, const std::vector<int>& product = {});
 
 /// The proof for matrices that are a rational number times isometries of one positive definite form: the bound is that
 /// number, and the joint spectral radius. Nothing where they are not, or where the form was not found. Domain: size up

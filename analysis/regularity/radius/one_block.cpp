@@ -1,6 +1,7 @@
 #include "one_block.hpp"
 
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
+#include <subcert/analysis/regularity/quadratic/context_products.hpp>
 #include "attains.hpp"
 #include "scaling.hpp"
 
@@ -79,7 +80,7 @@ void expand(std::vector<FamilySymmetry>& group, const DifferentMatrices& differe
 }
 
 void expand(QuadraticProof& proof, const DifferentMatrices& different) {
-  for (std::vector<int>& word : proof.words) rename(word, different);
+  for (QuadraticProof::Word& word : proof.words) rename(word.letters, different);
   expand(proof.group, different);
 }
 
@@ -125,7 +126,10 @@ struct Attempt {
 /// `target`: of an upper bound, which is all that is asked for.
 Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budget& budget,
                 const std::optional<Rational>& target, bool cones) {
-  Attempt result{find_polytope(family, searching, cones), {}, std::nullopt, {Truth::unknown, "no polytope closed"}};
+  Attempt result{find_polytope(family, searching, cones, true, quadratic::context_products),
+                 {},
+                 std::nullopt,
+                 {Truth::unknown, "no polytope closed"}};
   const auto proving = [&](double share) {
     return Budget{Deadline::in(share * budget.deadline.remaining() + grace), budget.memory};
   };
@@ -202,7 +206,8 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   const bool enough = target && upper <= *target;
   // A polytope that closed in floating point may have no proof.
   const bool closed = candidate.closed && by_polytope;
-  if (!closed && lower < upper && !enough) form = prove_by_quadratic_form(scaled_family, lower / unit, budget);
+  if (!closed && lower < upper && !enough)
+    form = prove_by_quadratic_form(scaled_family, lower / unit, budget, product.word);
   const bool by_form = form && form->bound * unit < upper;
   if (by_form) upper = form->bound * unit;
   result.radius = {lower, upper};

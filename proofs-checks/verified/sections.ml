@@ -13,6 +13,16 @@ let spend work =
   spent := !spent + work;
   require (work >= 0 && !spent <= max_work) "more work than this checker allows"
 
+(* So many times *)
+let spend_times copies work =
+  require (work >= 0 && work <= max_work / copies) "more work than this checker allows";
+  spend (copies * work)
+
+(* How much longer it takes to multiply by one of these numbers than by a short one *)
+let width bits = 1 + (bits / 640)
+let widest = Array.fold_left (fun most x -> max most (Z.numbits x)) 0
+let bits_of = Array.fold_left (fun most row -> max most (widest row)) 0
+
 (* The product of so many matrices, whose entries grow. *)
 let spend_product family length =
   let n = family.size in
@@ -30,7 +40,7 @@ type vector = Z.t array
 
 let apply (matrix : Z.t array array) parts (x : vector) : vector =
   let n = Array.length matrix in
-  spend (parts * n * n);
+  spend (parts * n * n * width (bits_of matrix) * width (widest x));
   Array.init (parts * n) (fun k ->
       let start = k / n * n and sum = ref Z.zero in
       Array.iteri
@@ -80,8 +90,27 @@ let elements n count generators =
   add () { map = identity; letters = Array.init count Fun.id };
   Array.of_list (List.rev !all)
 
-let group_size property =
-  if String.starts_with ~prefix:"group:" property then size (String.sub property 6 (String.length property - 6)) 1 8 else 0
+(* The numbers of products, and of maps that are elements up to their signs *)
+let numbered group =
+  let numbers = Hashtbl.create 97 and products = Hashtbl.create 97 in
+  Array.iteri (fun e element -> Hashtbl.add numbers (fst (normal element.map)) e) group;
+  let number_of element = Hashtbl.find numbers (fst (normal element.map)) in
+  let product a b =
+    match Hashtbl.find_opt products (a, b) with
+    | Some e -> e
+    | None ->
+        let e = number_of (compose group.(a) group.(b)) in
+        Hashtbl.add products (a, b) e;
+        e
+  in
+  (number_of, fun a b -> if a = 0 then b else if b = 0 then a else product a b)
+
+(* PREFIXnumber, or 0 of other text *)
+let property prefix low high text =
+  let start = String.length prefix in
+  if String.starts_with ~prefix text then size (String.sub text start (String.length text - start)) low high else 0
+
+let group_size = property "group:" 1 8
 
 let read_generators r family count =
   let n = family.size and letters = List.length family.matrices in
@@ -308,83 +337,167 @@ let transposed_array m = Array.init (Array.length m) (fun i -> Array.init (Array
 let congruent m form = multiply (transposed_array m) (multiply form m)
 let longest_word = 1000
 
-(* The words as a tree in which every node has a child for each letter, or none; with the products of the words. *)
-let rec tree_of count first words leaf longer product =
+let incomplete = "the words are not those of a complete tree"
+
+(* The words, and what is known of them at their ends, as a tree in which every node has a child for each letter, or
+   none; with the products of the words. Equal letters have the same child, which then counts as so many copies. *)
+let rec tree_of first equals words copies leaf longer product =
   match words with
-  | [ [] ] -> leaf product
+  | [ ([], last) ] -> leaf copies product last
   | _ ->
-      require (words <> [] && not (List.mem [] words)) "the words are not those of a complete tree";
+      let count = Array.length first in
+      spend_times copies count;
+      let rests = Array.make count [] and children = Array.make count None in
+      List.iter
+        (function t :: rest, last -> rests.(t) <- (rest, last) :: rests.(t) | [], _ -> reject incomplete)
+        words;
       let child t =
-        let rest = List.filter_map (function s :: rest when s = t -> Some rest | _ -> None) words in
-        tree_of count first rest leaf longer (longer product t)
+        require (rests.(t) <> []) incomplete;
+        let copies = copies * equals.(t) in
+        require (copies <= max_work) "more work than this checker allows";
+        tree_of first equals rests.(t) copies leaf longer (longer copies product t)
       in
-      let children = Array.make count None in
       Words
         (List.init count (fun t ->
              if first.(t) = t then children.(t) <- Some (child t);
              Option.get children.(first.(t))))
 
+module Word_map = Map.Make (struct type t = int list let compare = compare end)
+module Form_map = Map.Make (struct type t = int * Z.t array array let compare = compare end)
+
+(* Each state is a form j moved by an element h of the group, h^T P_j h, and has the words of j moved by h. A word w of j
+   that leads to the form i moved by an element e is moved to h(w), which leads to i moved by e h. *)
 let read_quadratic r family upper fields =
   let n = family.size and count = List.length family.matrices in
-  let length = List.length fields in
-  let groups = if length = 4 then group_size (List.nth fields 3) else 0 in
-  require (length = 3 || (length = 4 && groups > 0)) "expected 'quadratic', a number of words, a bound and perhaps a group";
+  let after = List.filteri (fun i _ -> i >= 3) fields in
+  let several = match after with field :: _ -> property "forms:" 2 1000 field | [] -> 0 in
+  let after = if several > 0 then List.tl after else after in
+  let groups = match after with [ field ] -> group_size field | _ -> 0 in
+  require (List.length fields >= 3 && (after = [] || groups > 0))
+    "expected 'quadratic', a number of words, a bound and perhaps forms and a group";
   let words = size (List.nth fields 1) 1 max_bytes and bound = rational (List.nth fields 2) in
   require (Q.sign bound >= 0) "the bound of a quadratic form is negative";
   let generators = read_generators r family groups in
-  ignore (elements n count generators);
-  let rows = Array.init n (fun i -> Array.of_list (List.map integer (take r "form" (i + 1) (i + 1)))) in
-  let form = Array.init n (fun i -> Array.init n (fun j -> rows.(max i j).(min i j))) in
-  let definite =
+  let group = elements n count generators in
+  let number_of, product = numbered group in
+  let generators = List.map (fun g -> (g, number_of g)) generators in
+  let read_form () =
+    let rows = Array.init n (fun i -> Array.of_list (List.map integer (take r "form" (i + 1) (i + 1)))) in
+    let form = Array.init n (fun i -> Array.init n (fun j -> rows.(max i j).(min i j))) in
     match root_of form with
-    | Some root when Z.sign form.(0).(0) <> 0 -> root
-    | _ -> reject "the form is not positive definite"
+    | Some root when Z.sign form.(0).(0) <> 0 -> (form, root)
+    | _ -> reject "a form is not positive definite"
   in
-  List.iter (fun g -> require (congruent g.map form = form) "a generator does not keep the form") generators;
+  let first_form, definite = read_form () in
+  let forms = Array.init (max several 1) (fun j -> if j = 0 then first_form else fst (read_form ())) in
+  let element_of word =
+    let generator letter =
+      let k = Char.code letter - Char.code 'A' in
+      require (k >= 0 && k < groups) "unknown generator";
+      snd (List.nth generators k)
+    in
+    String.fold_left (fun e letter -> product e (generator letter)) 0 word
+  in
   let matrices = Array.of_list (List.map array_of family.matrices) in
   let first =
     Array.map (fun m -> let rec search t = if matrices.(t) = m then t else search (t + 1) in search 0) matrices
   in
-  let known = Hashtbl.create 997 in
-  let given =
-    List.init words (fun _ ->
-        let word = List.map (fun f -> first.(size f 0 (count - 1))) (take r "word" 1 longest_word) in
-        require (not (Hashtbl.mem known word)) "a word occurs twice";
-        Hashtbl.add known word ();
-        word)
+  let equals = Array.make count 0 in
+  Array.iter (fun t -> equals.(t) <- equals.(t) + 1) first;
+  let spend_word word = spend (1000 + (100 * List.length word)) in
+  let given = Array.map (fun _ -> Word_map.empty) forms and more = if several > 0 then 2 else 0 in
+  for _ = 1 to words do
+    let from, last, letters =
+      match take r "word" (more + 1) (more + longest_word) with
+      | from :: last :: letters when several > 0 ->
+          let last, word = split_index last several in
+          (size from 0 (several - 1), (last, element_of word), letters)
+      | letters -> (0, (0, 0), letters)
+    in
+    let word = List.map (fun f -> first.(size f 0 (count - 1))) letters in
+    spend_word word;
+    require (not (Word_map.mem word given.(from))) "a word occurs twice";
+    given.(from) <- Word_map.add word last given.(from)
+  done;
+  (* with the images under the generators that keep the form *)
+  let closed j words =
+    let keeping = List.filter (fun (g, _) -> congruent g.map forms.(j) = forms.(j)) generators in
+    let all = ref words and waiting = Queue.of_seq (Word_map.to_seq words) in
+    while not (Queue.is_empty waiting) do
+      let word, (last, e) = Queue.pop waiting in
+      List.iter
+        (fun (g, k) ->
+          let image = List.map (fun t -> first.(g.letters.(t))) word and place = (last, product e k) in
+          spend_word image;
+          if not (Word_map.mem image !all) then begin
+            all := Word_map.add image place !all;
+            Queue.add (image, place) waiting
+          end)
+        keeping
+    done;
+    !all
   in
-  let all = ref given in
-  let rec close word =
-    List.iter
-      (fun g ->
-        let image = List.map (fun t -> first.(g.letters.(t))) word in
-        spend (1000 + List.length word);
-        if not (Hashtbl.mem known image) then begin
-          Hashtbl.add known image ();
-          all := image :: !all;
-          close image
-        end)
-      generators
+  let closures = Array.mapi closed given in
+  (* equal forms j moved are one state *)
+  let known = ref Form_map.empty and made = ref 0 and states = Hashtbl.create 997 and waiting = Queue.create () in
+  let state (j, e) =
+    match Hashtbl.find_opt states (j, e) with
+    | Some state -> state
+    | None ->
+        let form = if e = 0 then forms.(j) else congruent group.(e).map forms.(j) in
+        spend (1000 + (20 * n * n * width (bits_of form)));
+        let state =
+          match Form_map.find_opt (j, form) !known with
+          | Some state -> state
+          | None ->
+              let state = (!made, form) in
+              incr made;
+              known := Form_map.add (j, form) state !known;
+              Queue.add (j, e, form) waiting;
+              state
+        in
+        Hashtbl.add states (j, e) state;
+        state
   in
-  List.iter close given;
+  Array.iteri (fun j _ -> ignore (state (j, 0))) forms;
   (* each product has to be below the bound of the certificate; the hint is for that of the claim *)
   let wanted = match upper with Some u when Q.gt u bound -> u | _ -> bound in
-  let longer (k, product) t = (k + 1, if k = 0 then matrices.(t) else multiply product matrices.(t)) in
-  let leaf (k, product) =
-    require (k > 0) "the words are not those of a complete tree";
-    spend_product family k;
-    spend (5 * n * n * n);
+  let longer copies (k, product) t =
+    let product = if k = 0 then matrices.(t) else multiply product matrices.(t) in
+    let wide = width (bits_of product) in
+    spend_times copies (n * n * ((n * width (bits_of matrices.(t)) * wide) + (500 * (wide - 1))));
+    (k + 1, product)
+  in
+  let leaf form copies (k, product) last =
+    let number, target = state last in
+    let bits g = 2 * k * (Z.numbits (Q.num g) + Z.numbits (Q.den g) + Z.numbits family.denominator) in
+    let wide = width (max (bits bound) (bits wanted) + bits_of target) and long = width (bits_of product) in
+    require (n * n * wide <= 1 lsl 23) "more work than this checker allows";
+    let entries = (n * (5 + (2 * long * (long + width (bits_of form))))) + (wide * width (bits_of target)) in
+    spend_times copies (number + (200 * wide) + (n * n * entries));
     let moved = congruent product form in
     let root g =
       let a = Z.pow (Z.mul (Q.num g) family.denominator) (2 * k) and b = Z.pow (Q.den g) (2 * k) in
-      root_of (Array.mapi (fun i row -> Array.mapi (fun j x -> Z.sub (Z.mul a x) (Z.mul b moved.(i).(j))) row) form)
+      root_of (Array.mapi (fun i row -> Array.mapi (fun j x -> Z.sub (Z.mul a x) (Z.mul b moved.(i).(j))) row) target)
     in
     match (if Q.equal bound wanted then Some definite else root bound), root wanted with
-    | Some _, Some hint -> Word hint
+    | Some _, Some hint -> Word (hint, number)
     | _ -> reject "a product is not below the bound in the quadratic form"
   in
-  let words = tree_of count first !all leaf longer (0, [||]) in
-  (bound, Quadratic (Array.to_list (Array.map Array.to_list form), definite, words))
+  let rec trees finished =
+    if Queue.is_empty waiting then List.rev finished
+    else begin
+      let j, h, form = Queue.pop waiting in
+      let move word (last, e) moved =
+        spend_word word;
+        (List.map (fun t -> first.(group.(h).letters.(t))) word, (last, product e h)) :: moved
+      in
+      let words = Word_map.fold move closures.(j) [] in
+      let tree = tree_of first equals words 1 (leaf form) longer (0, [||]) in
+      trees ((Array.to_list (Array.map Array.to_list form), tree) :: finished)
+    end
+  in
+  (bound, Quadratic (trees [], definite))
 
 (* Middle coefficients of so many powers *)
 let spend_powers family symbol count =

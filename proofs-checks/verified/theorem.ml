@@ -17,7 +17,7 @@ let term = pair (fun i -> Z.to_string i ^ "%positive") (pair integer integer)
 let root r = Printf.sprintf "(Root %s %s %s)" (matrix r.root_rows) (integer r.root_factor) (integer r.root_scale)
 
 let rec words = function
-  | Word r -> "(Word " ^ root r ^ ")"
+  | Word (r, last) -> Printf.sprintf "(Word %s %s)" (root r) (natural last)
   | Words children -> "(Words " ^ list words children ^ ")"
 
 let squares s =
@@ -31,7 +31,7 @@ let section = function
         (list (pair vector vector) points)
         (list (list term) units)
         (list (list (list term)) images)
-  | Quadratic (form, definite, tree) -> Printf.sprintf "(Quadratic %s %s %s)" (matrix form) (root definite) (words tree)
+  | Quadratic (states, definite) -> Printf.sprintf "(Quadratic %s %s)" (list (pair matrix words) states) (root definite)
   | Single (s, recurrence) -> Printf.sprintf "(Single %s %s)" (squares s) (vector recurrence)
 
 let eigen e =

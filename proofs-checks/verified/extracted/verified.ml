@@ -1222,7 +1222,7 @@ type square_root = { root_rows : zmat; root_factor : Number.t;
                      root_scale : Number.t }
 
 type word_tree =
-| Word of square_root
+| Word of square_root * int
 | Words of word_tree list
 
 (** val root_rest :
@@ -1262,16 +1262,15 @@ let positive_form n margin s h =
 (** val extended : family -> zmat -> int -> zmat **)
 
 let extended f =
-  let n = f.size in
-  let transposes = map (columns n) f.matrices in
-  (fun rows t0 -> map (mv (nth t0 transposes [])) rows)
+  let n = f.size in (fun rows t0 -> map (mv (columns n (letter f t0))) rows)
 
 (** val below_bound :
-    family -> q -> zmat -> int list -> zmat -> square_root -> bool **)
+    family -> q -> (zmat*word_tree) list -> zmat -> int list -> zmat ->
+    square_root -> int -> bool **)
 
-let below_bound f u p =
+let below_bound f u states =
   let n = f.size in
-  (fun w rows h ->
+  (fun p w rows h last0 ->
   let k = Number.mul (Number.twice Number.one) (Number.of_natural (length w))
   in
   let cs = columns n rows in
@@ -1281,34 +1280,45 @@ let below_bound f u p =
   (match w with
    | [] -> false
    | _::_ ->
-     positive_form n Number.zero (fun i j ->
-       Number.sub (Number.mul a (entry p i j))
-         (Number.mul b (dot (nth i cs []) (nth j pcs [])))) h))
+     (match nth_error states last0 with
+      | Some p0 ->
+        let q0,_ = p0 in
+        positive_form n Number.zero (fun i j ->
+          Number.sub (Number.mul a (entry q0 i j))
+            (Number.mul b (dot (nth i cs []) (nth j pcs [])))) h
+      | None -> false)))
 
 (** val check_tree :
-    family -> q -> zmat -> int list -> zmat -> word_tree -> bool **)
+    family -> q -> (zmat*word_tree) list -> zmat -> int list -> zmat ->
+    word_tree -> bool **)
 
-let rec check_tree f u p w rows = function
-| Word h -> below_bound f u p w rows h
+let rec check_tree f u states p w rows = function
+| Word (h, last0) -> below_bound f u states p w rows h last0
 | Words children ->
   (&&) (Nat.eqb (length children) (count f))
     (let rec each k = function
      | [] -> true
      | c::l' ->
-       (&&) (check_tree f u p (app w (k::[])) (extended f rows k) c)
+       (&&) (check_tree f u states p (app w (k::[])) (extended f rows k) c)
          (each (Stdlib.succ k) l')
      in each 0 children)
 
 (** val quadratic :
-    family -> q -> zmat -> square_root -> word_tree -> bool **)
+    family -> q -> (zmat*word_tree) list -> square_root -> bool **)
 
-let quadratic f u p =
+let quadratic f u states =
   let n = f.size in
-  (fun definite words ->
+  (fun definite ->
   (&&)
-    ((&&) ((&&) (Number.less_equal Number.zero u.qnum) (square n p))
-      (positive_form n Number.one (entry p) definite))
-    (check_tree f u p [] (table n (fun i j -> if_equal i j Number.one)) words))
+    ((&&) (Number.less_equal Number.zero u.qnum)
+      (match states with
+       | [] -> false
+       | p::_ ->
+         let p0,_ = p in positive_form n Number.one (entry p0) definite))
+    (forallb (fun s ->
+      (&&) (square n (fst s))
+        (check_tree f u states (fst s) []
+          (table n (fun i j -> if_equal i j Number.one)) (snd s))) states))
 
 type squares = { symbol : zvec; content : Number.t; divisor : zvec;
                  cosine : zvec; factor : zvec; bits : int }
@@ -1479,7 +1489,7 @@ type section =
 | Norm of int
 | Polytope of bool * bool * Number.t * Number.t * point list * term list list
    * term list list list
-| Quadratic of zmat * square_root * word_tree
+| Quadratic of (zmat*word_tree) list * square_root
 | Single of squares * Number.t list
 
 (** val check_section : family -> q -> section -> bool **)
@@ -1489,7 +1499,7 @@ let check_section f u = function
 | Polytope (nonnegative, transposed, scale0, one, all, ul, il) ->
   polytope (if transposed then transpose f else f) u nonnegative scale0 one
     all ul il
-| Quadratic (form, definite, words) -> quadratic f u form definite words
+| Quadratic (states, definite) -> quadratic f u states definite
 | Single (sum, recurrence0) -> single_section f u sum recurrence0
 
 (** val first_block : int -> family -> family **)

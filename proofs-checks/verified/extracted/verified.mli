@@ -284,7 +284,7 @@ type square_root = { root_rows : zmat; root_factor : Number.t;
                      root_scale : Number.t }
 
 type word_tree =
-| Word of square_root
+| Word of square_root * int
 | Words of word_tree list
 
 val root_rest :
@@ -298,11 +298,14 @@ val positive_form :
 val extended : family -> zmat -> int -> zmat
 
 val below_bound :
-  family -> q -> zmat -> int list -> zmat -> square_root -> bool
+  family -> q -> (zmat*word_tree) list -> zmat -> int list -> zmat ->
+  square_root -> int -> bool
 
-val check_tree : family -> q -> zmat -> int list -> zmat -> word_tree -> bool
+val check_tree :
+  family -> q -> (zmat*word_tree) list -> zmat -> int list -> zmat ->
+  word_tree -> bool
 
-val quadratic : family -> q -> zmat -> square_root -> word_tree -> bool
+val quadratic : family -> q -> (zmat*word_tree) list -> square_root -> bool
 
 type squares = { symbol : zvec; content : Number.t; divisor : zvec;
                  cosine : zvec; factor : zvec; bits : int }
@@ -345,7 +348,7 @@ type section =
 | Norm of int
 | Polytope of bool * bool * Number.t * Number.t * point list * term list list
    * term list list list
-| Quadratic of zmat * square_root * word_tree
+| Quadratic of (zmat*word_tree) list * square_root
 | Single of squares * Number.t list
 
 val check_section : family -> q -> section -> bool

@@ -116,7 +116,7 @@ Inductive section :=
 | Norm (level : nat)
 | Polytope (nonnegative transposed : bool) (scale one : Z) (all : list point)
     (unit_lines : list (list term)) (image_lines : list (list (list term)))
-| Quadratic (form : zmat) (definite : square_root) (words : word_tree)
+| Quadratic (states : list (zmat * word_tree)) (definite : square_root)
 | Single (sum : squares) (recurrence : list Z).
 
 Definition check_section (F : family) (u : Q) (s : section) : bool :=
@@ -124,14 +124,14 @@ Definition check_section (F : family) (u : Q) (s : section) : bool :=
   | Norm level => norm_section F u level
   | Polytope nonnegative transposed scale one all ul il =>
       polytope (if transposed then transpose F else F) u nonnegative scale one all ul il
-  | Quadratic form definite words => quadratic F u form definite words
+  | Quadratic states definite => quadratic F u states definite
   | Single sum recurrence => single_section F u sum recurrence
   end.
 
 Theorem section_sound F u s : well_formed F = true -> check_section F u s = true ->
   radius_at_most (size F) (count F) (real F) (real_of u).
 Proof.
-  intros WF H. destruct s as [level|nonnegative transposed scale one all ul il|form definite words|sum recurrence]; simpl in H.
+  intros WF H. destruct s as [level|nonnegative transposed scale one all ul il|states definite|sum recurrence]; simpl in H.
   - apply grows_radius. eapply norm_sound; eauto.
   - destruct transposed.
     + apply transpose_sound. change (size F) with (size (transpose F)).

@@ -5,29 +5,18 @@ From Subcert Require Import Radius Upper.
 Import ListNotations.
 Open Scope R_scope.
 
-Fixpoint full (count depth : nat) : tree :=
-  match depth with O => Leaf | S k => Node (repeat (full count k) count) end.
-
-Lemma full_good n count T N g level : (0 < level)%nat ->
-  (forall w, letters count w -> length w = level -> forall x, N (run n T w x) <= g ^ level * N x) ->
-  forall k w, letters count w -> (length w + k)%nat = level -> good n count T N g w (full count k).
-Proof.
-  intros Hl H. induction k; intros w Hw E; simpl.
-  - constructor. replace (length w) with level by lia. apply H; auto. lia. intros ->. simpl in E. lia.
-  - constructor. apply repeat_length. intros t child Ht.
-    assert (I := nth_error_In _ _ Ht). apply repeat_spec in I. subst child.
-    assert (L : (t < count)%nat). { rewrite <- (repeat_length (full count k) count). apply nth_error_Some. congruence. }
-    apply IHk. apply letters_app; split; auto. constructor; auto; constructor. rewrite app_length. simpl. lia.
-Qed.
-
 (* Products of one length bound the radius. *)
 Lemma level_bound n count T g level : (0 < level)%nat -> 0 <= g ->
   (forall w, letters count w -> length w = level -> forall k, (k < n)%nat -> norm n (run n T w (unit k)) <= g ^ level) ->
   grows_at_most n count T g.
 Proof.
-  intros Hl Hg H. apply (tree_bound n count T (norm n) g 1 1 (full count level)); auto; try lra; try (intros; lra).
-  apply full_good with (level := level); auto; [|constructor].
-  intros w Hw Hlw x. apply run_bound. auto.
+  intros Hl Hg H. apply (cuts_bound n count 1 T (fun _ => norm n) g 1 1); auto; try lra; try (intros; lra).
+  - intros i x _. split; [apply norm_nonneg | lra].
+  - intros i _. exists level. intros v Hv Hlv. exists (firstn level v), (skipn level v).
+    assert (E : length (firstn level v) = level) by (apply firstn_length_le; auto).
+    rewrite <- (firstn_skipn level v) in Hv. apply letters_app in Hv.
+    split. symmetry; apply firstn_skipn. split. lia. split. simpl. intros Z. rewrite Z in E. simpl in E. lia.
+    exists 0%nat. split. lia. intros x. simpl app. rewrite E. apply run_bound. apply H; [apply Hv | auto].
 Qed.
 
 Section Existence.

@@ -269,53 +269,61 @@ End Polytope.
 Inductive tree := Leaf | Node (children : list tree).
 
 Section Trees.
-Variables (n count : nat) (T : nat -> mat) (N : vec -> R) (g : R).
+Variables (n count states : nat) (T : nat -> mat) (N : nat -> vec -> R) (g : R).
 
-Inductive good : list nat -> tree -> Prop :=
-| good_leaf w : (forall x, N (run n T w x) <= g ^ length w * N x) -> w <> [] -> good w Leaf
+(* A word leads from one of the norms to one of them. *)
+Definition leads (i : nat) (w : list nat) : Prop :=
+  w <> [] /\ exists j, (j < states)%nat /\ forall x, N i (run n T w x) <= g ^ length w * N j x.
+
+Inductive good (i : nat) : list nat -> tree -> Prop :=
+| good_leaf w : leads i w -> good i w Leaf
 | good_node w children : length children = count ->
-    (forall t child, nth_error children t = Some child -> good (w ++ [t]) child) -> good w (Node children).
+    (forall t child, nth_error children t = Some child -> good i (w ++ [t]) child) -> good i w (Node children).
 
-Lemma good_cut w tr : good w tr -> exists depth, forall v, letters count v -> (depth <= length v)%nat ->
-  exists a b, v = a ++ b /\ w ++ a <> [] /\ (length a <= depth)%nat /\ forall x, N (run n T (w ++ a) x) <= g ^ length (w ++ a) * N x.
+(* Every word of at least this length begins with one that follows w in the tree. *)
+Definition cuts (i : nat) (w : list nat) (depth : nat) : Prop := forall v, letters count v -> (depth <= length v)%nat ->
+  exists a b, v = a ++ b /\ (length a <= depth)%nat /\ leads i (w ++ a).
+
+Lemma cuts_le i w d e : cuts i w d -> (d <= e)%nat -> cuts i w e.
+Proof.
+  intros H L v Hv Hl. destruct (H v Hv ltac:(lia)) as [a [b [E [Ha Hc]]]].
+  exists a, b. repeat split; try apply Hc; auto. lia.
+Qed.
+
+Lemma good_cuts i w tr : good i w tr -> exists depth, cuts i w depth.
 Proof.
   revert w tr. fix IH 2. intros w tr Hg. destruct tr as [|children].
   - exists 0%nat. intros v _ _. inversion Hg; subst. exists [], v. rewrite app_nil_r. auto.
   - inversion Hg as [|w' c' Hl Hc]; subst.
-    assert (D : exists depth, forall t child, nth_error children t = Some child -> forall v, letters count v ->
-      (depth <= length v)%nat -> exists a b, v = a ++ b /\ (length a <= depth)%nat /\ (w ++ [t]) ++ a <> [] /\
-      forall x, N (run n T ((w ++ [t]) ++ a) x) <= g ^ length ((w ++ [t]) ++ a) * N x).
-    { clear Hl Hg.
-      assert (G : forall off, (forall t child, nth_error children t = Some child -> good (w ++ [(off + t)%nat]) child) ->
-        exists depth, forall t child, nth_error children t = Some child -> forall v, letters count v ->
-        (depth <= length v)%nat -> exists a b, v = a ++ b /\ (length a <= depth)%nat /\ (w ++ [(off + t)%nat]) ++ a <> [] /\
-        forall x, N (run n T ((w ++ [(off + t)%nat]) ++ a) x) <= g ^ length ((w ++ [(off + t)%nat]) ++ a) * N x).
-      { clear Hc. revert children. fix IHc 1. intros children off Hc. destruct children as [|c cs].
-        - exists 0%nat. intros t child E. destruct t; discriminate.
-        - destruct (IH (w ++ [(off + 0)%nat]) c (Hc 0%nat c eq_refl)) as [d1 H1].
-          destruct (IHc cs (S off)) as [d2 H2].
-          { intros t child E. replace (S off + t)%nat with (off + S t)%nat by lia. apply Hc; auto. }
-          exists (d1 + d2)%nat. intros t child E v Hv Hl. destruct t as [|t].
-          + destruct (H1 v Hv ltac:(lia)) as [a [b [E1 [E2 [E3 E4]]]]]. exists a, b. repeat split; auto. lia.
-          + simpl in E. destruct (H2 t child E v Hv ltac:(lia)) as [a [b [E1 [E2 [E3 E4]]]]].
-            replace (S off + t)%nat with (off + S t)%nat in E3, E4 by lia.
-            exists a, b. repeat split; auto. lia. }
-      apply (G 0%nat). exact Hc. }
-    destruct D as [d H]. exists (S d). intros v Hv Hlen. destruct v as [|t v]; [simpl in Hlen; lia|].
+    assert (D : forall off, (forall t child, nth_error children t = Some child -> good i (w ++ [(off + t)%nat]) child) ->
+      exists depth, forall t, (t < length children)%nat -> cuts i (w ++ [(off + t)%nat]) depth).
+    { clear Hc Hl Hg. revert children. fix IHc 1. intros children off Hc. destruct children as [|c cs].
+      - exists 0%nat. intros t Ht. simpl in Ht. lia.
+      - destruct (IH (w ++ [(off + 0)%nat]) c (Hc 0%nat c eq_refl)) as [d1 H1].
+        destruct (IHc cs (S off)) as [d2 H2].
+        { intros t child E. replace (S off + t)%nat with (off + S t)%nat by lia. apply Hc; auto. }
+        exists (d1 + d2)%nat. intros [|t] Ht.
+        + apply (cuts_le _ _ d1); auto. lia.
+        + replace (off + S t)%nat with (S off + t)%nat by lia. apply (cuts_le _ _ d2); [apply H2|]; simpl in Ht; lia. }
+    destruct (D 0%nat Hc) as [d H]. exists (S d). intros v Hv Hlen. destruct v as [|t v]; [simpl in Hlen; lia|].
     inversion Hv; subst.
-    destruct (nth_error children t) as [child|] eqn:E.
-    2:{ apply nth_error_None in E. lia. }
-    destruct (H t child E v) as [a [b [E1 [E2 [E3 E4]]]]]; auto. simpl in Hlen; lia.
-    exists (t :: a), b. subst. rewrite <- app_assoc in E3, E4. simpl in E3, E4.
-    repeat split; auto. simpl; lia.
+    destruct (H t ltac:(lia) v) as [a [b [E1 [E2 E3]]]]; auto. simpl in Hlen; lia.
+    exists (t :: a), b. subst. rewrite <- app_assoc in E3. repeat split; try apply E3. simpl; lia.
 Qed.
 
+(* From each norm long words are cut; one of the norms is bounded from below. *)
 Variables (low high : R).
-Theorem tree_bound tr : 0 <= g -> 0 < low -> (forall x, low * norm n x <= N x) -> (forall x, N x <= high * norm n x) ->
-  good [] tr -> grows_at_most n count T g.
+Theorem cuts_bound : 0 <= g -> 0 < low -> (0 < states)%nat -> (forall x, low * norm n x <= N 0%nat x) ->
+  (forall i x, (i < states)%nat -> 0 <= N i x <= high * norm n x) ->
+  (forall i, (i < states)%nat -> exists depth, cuts i [] depth) -> grows_at_most n count T g.
 Proof.
-  intros Hg Hlow HN1 HN2 Ht r Hr Hr0.
-  destruct (good_cut [] tr Ht) as [depth H]. simpl in H.
+  intros Hg Hlow HS HN1 HN2 Ht r Hr Hr0.
+  assert (D : exists depth, forall i, (i < states)%nat -> cuts i [] depth).
+  { clear HN2 HS. revert Ht. generalize states at 1 2 as m. induction m; intros Ht. exists 0%nat. intros; lia.
+    destruct IHm as [d H]. intros; apply Ht; lia. destruct (Ht m ltac:(lia)) as [e Hm].
+    exists (d + e)%nat. intros i Hi. destruct (Nat.eq_dec i m) as [->|]. apply (cuts_le _ _ e); auto; lia.
+    apply (cuts_le _ _ d); [apply H|]; lia. }
+  destruct D as [depth H].
   destruct (word_bound n count T) as [K [HK HW]].
   set (m := Rmin 1 r).
   assert (Hm : 0 < m) by (unfold m; apply Rmin_glb_lt; lra).
@@ -324,28 +332,29 @@ Proof.
   assert (HKd : 0 < K ^ depth) by (apply pow_lt; lra).
   set (h := Rmax high 0).
   assert (Hh : 0 <= h) by apply Rmax_r.
-  assert (HN2' : forall x, N x <= h * norm n x).
-  { intros x. eapply Rle_trans. apply HN2. apply Rmult_le_compat_r. apply norm_nonneg. apply Rmax_l. }
+  assert (HN2' : forall i x, (i < states)%nat -> N i x <= h * norm n x).
+  { intros i x Hi. eapply Rle_trans. apply HN2; auto. apply Rmult_le_compat_r. apply norm_nonneg. apply Rmax_l. }
   set (C := h * (K ^ depth * / m ^ depth)).
-  assert (HC : forall len v, (length v <= len)%nat -> letters count v -> forall x, N (run n T v x) <= C * r ^ length v * norm n x).
+  assert (HC : forall len i v, (i < states)%nat -> (length v <= len)%nat -> letters count v ->
+    forall x, N i (run n T v x) <= C * r ^ length v * norm n x).
   { induction len.
-    - intros v Hl Hv x. destruct v; [|simpl in Hl; lia]. simpl. rewrite Rmult_1_r.
-      eapply Rle_trans. apply HN2'. apply Rmult_le_compat_r. apply norm_nonneg. unfold C.
+    - intros i v Hi Hl Hv x. destruct v; [|simpl in Hl; lia]. simpl. rewrite Rmult_1_r.
+      eapply Rle_trans. apply HN2'; auto. apply Rmult_le_compat_r. apply norm_nonneg. unfold C.
       rewrite <- (Rmult_1_r h) at 1. apply Rmult_le_compat_l; auto.
       apply (Rmult_le_reg_r (m ^ depth)); auto. rewrite Rmult_assoc, Rinv_l, Rmult_1_l, Rmult_1_r by lra.
       apply Rle_trans with 1. rewrite <- (pow1 depth). apply pow_incr; lra. apply pow_R1_Rle; auto.
-    - intros v Hl Hv x. destruct (le_lt_dec depth (length v)) as [Hd|Hd].
-      + destruct (H v Hv Hd) as [a [b [E [Ha [_ Hb]]]]]. subst v. apply letters_app in Hv. destruct Hv as [Hva Hvb].
+    - intros i v Hi Hl Hv x. destruct (le_lt_dec depth (length v)) as [Hd|Hd].
+      + destruct (H i Hi v Hv Hd) as [a [b [E [_ [Ha [j [Hj Hb]]]]]]]. simpl in Ha, Hb. subst v.
+        apply letters_app in Hv. destruct Hv as [Hva Hvb].
         rewrite run_app. eapply Rle_trans. apply Hb. rewrite app_length, pow_add.
-        assert (Hrec : N (run n T b x) <= C * r ^ length b * norm n x).
+        assert (Hrec : N j (run n T b x) <= C * r ^ length b * norm n x).
         { apply IHlen; auto. rewrite app_length in Hl. destruct a; [congruence|simpl in Hl; lia]. }
         assert (g ^ length a <= r ^ length a) by (apply pow_incr; lra).
         assert (0 <= g ^ length a) by (apply pow_le; auto).
-        assert (0 <= N (run n T b x)).
-        { eapply Rle_trans; [|apply HN1]. apply Rmult_le_pos. lra. apply norm_nonneg. }
+        assert (0 <= N j (run n T b x)) by (apply HN2; auto).
         apply Rle_trans with (r ^ length a * (C * r ^ length b * norm n x)); [|right; ring].
         apply Rmult_le_compat; auto.
-      + eapply Rle_trans. apply HN2'. eapply Rle_trans. apply Rmult_le_compat_l; [apply Hh | apply HW; apply Hv].
+      + eapply Rle_trans. apply HN2'; auto. eapply Rle_trans. apply Rmult_le_compat_l; [apply Hh | apply HW; apply Hv].
         rewrite <- Rmult_assoc. apply Rmult_le_compat_r. apply norm_nonneg.
         unfold C. rewrite Rmult_assoc. apply Rmult_le_compat_l; auto.
         apply Rle_trans with (K ^ depth * 1).
@@ -360,7 +369,7 @@ Proof.
           -- apply pow_incr; lra. }
   apply (growth_norm n count T r (/ low * C)). lra.
   intros w Hw x. apply (Rmult_le_reg_l low); auto.
-  eapply Rle_trans. apply HN1. eapply Rle_trans. apply (HC (length w)); auto.
+  eapply Rle_trans. apply HN1. eapply Rle_trans. apply (HC (length w) 0%nat); auto.
   right. field. lra.
 Qed.
 End Trees.

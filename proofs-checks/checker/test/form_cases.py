@@ -21,9 +21,14 @@ ACCEPTED = [
      "radius 3 3; bounds 1 501/500; product 0 1 0 0; block 0 quadratic 3 501/500 forms:2 group:2; generator 1 0 2; map 0 1 0; "
      "map 1 0 0; map 0 0 1; generator 0 2 1; map 1 0 0; map 0 0 1; map 0 1 0; form 1000; form 0 1; form 0 0 1; form 1; form 0 1; "
      "form 0 0 1; word 0 0 0; word 0 0AB 2; word 1 0 0; end"),
+    ("one-forms", "--matrices one.mat --upper 2",
+     "radius 1 1; bounds - 2; block 0 quadratic 2 2 forms:2; form 1; form 4; word 0 1 0; word 1 0 0; end"),
+    ("four-point-forms", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 167/100",
+     "exponent [-1,0,9,16,9,0,-1]/16@-3 2; bounds 167/100 -; sum-rules 4; block 0 quadratic 3 5 forms:2 group:1; generator 1 0; "
+     "map 0 1; map 1 0; form 10; form 0 10; form 10; form 0 11; word 0 1 0; word 1 0A 0; word 1 1A 1; end"),
     # words of other lengths from each form
     ("golden-forms", "--matrices golden.mat --lower 1618/1000 --upper 17/10",
-     "radius 2 2; bounds 1618/1000 17/10; product 0 1309/500 0 0 1; block 0 quadratic 6 17/10 forms:2; form 100; form 0 100; "
+     "radius 2 2; bounds 1618/1000 17/10; product 0 2618034/1000000 0 0 1; block 0 quadratic 6 17/10 forms:2; form 100; form 0 100; "
      "form 100; form 1 101; word 0 0 0 0; word 0 1 0 1; word 1 1 0; word 0 1 1; word 1 0 1 0; word 1 1 1 1; end"),
     # the most forms, and the longest words
     ("forms-1000", "--matrices one.mat --upper 2",
@@ -74,6 +79,7 @@ REJECTED = [
         ("order", "0BA", ABOVE), ("long", f"0{17 * 'A'}", "more than 16 generators"), ("from", "1AB", ABOVE))),
     ("forms-bound", "switched-forms", None, ABOVE, [("quadratic 4 1001/1000", "quadratic 4 1")]),
     ("forms-other-to", "switched-forms", None, ABOVE, [("word 0 1 1\n", "word 0 0 1\n")]),
+    ("forms-other-from", "one-forms", None, ABOVE, [("quadratic 2 2", "quadratic 2 199/100")]),
     ("forms-exchanged", "switched-forms", None, ABOVE, [("word 0 1 1\n", "word 1 0 1\n")]),
     *((f"forms-incomplete-{name}", "switched-forms", None, INCOMPLETE, [("quadratic 4", "quadratic 3"), (word, "")])
       for name, word in (("first", "word 0 1 1\n"), ("second", "word 1 1 1\n"))),

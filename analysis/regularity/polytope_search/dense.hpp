@@ -46,6 +46,8 @@ class Matrix {
 
 /// Domain of what follows: sizes that fit. Error: rounding of double precision.
 Matrix operator*(const Matrix& a, const Matrix& b);
+/// The same with the widest instructions of the processor: the last bits depend on it.
+Matrix fast_product(const Matrix& a, const Matrix& b);
 Vector operator*(const Matrix& a, const Vector& x);
 ComplexVector operator*(const Matrix& a, const ComplexVector& x);
 /// out += a x; `out` holds a.rows() numbers.

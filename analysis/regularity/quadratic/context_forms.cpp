@@ -13,6 +13,7 @@
 namespace subcert::quadratic {
 namespace {
 
+using polytope::fast_product;
 using polytope::Matrix;
 using polytope::Vector;
 
@@ -121,12 +122,13 @@ std::optional<Value> value_of(const Point& at, double weight) {
   std::vector<std::optional<Part>> parts(steps.size());
   in_parts(steps.size(), [&](std::size_t s) {
     const Matrix& b = steps[s].matrix;
-    Matrix rest = b.transposed() * b;
+    Matrix rest = fast_product(b.transposed(), b);
     rest /= -level;
     for (std::size_t k = 0; k < n; ++k) rest(k, k) += 1;
     auto found = polytope::positive_inverse(rest);
     if (!found) return;
-    Part part{b * (found->inverse * b.transposed()), std::move(found->inverse), found->log_determinant};
+    Part part{fast_product(b, fast_product(found->inverse, b.transposed())), std::move(found->inverse),
+              found->log_determinant};
     part.before /= level;
     part.behind /= -1;
     for (std::size_t k = 0; k < n; ++k) part.behind(k, k) += 1;
@@ -162,14 +164,14 @@ Point moved(const Point& at, const Vector& direction, double share) {
         up(r, c) += x;
         down(r, c) -= x;
       }
-    map[j] = up * polytope::positive_inverse(down).value().inverse;
-    back[j] = down * polytope::positive_inverse(up).value().inverse;
+    map[j] = fast_product(up, polytope::positive_inverse(down).value().inverse);
+    back[j] = fast_product(down, polytope::positive_inverse(up).value().inverse);
     result.forms.to[j] = map[j] * at.forms.to[j];
     result.forms.from[j] = at.forms.from[j] * back[j];
   });
   in_parts(at.forms.steps.size(), [&](std::size_t s) {
     Step& step = result.forms.steps[s];
-    step.matrix = map[step.from] * step.matrix * back[step.to];
+    step.matrix = fast_product(map[step.from], fast_product(step.matrix, back[step.to]));
   });
   return result;
 }

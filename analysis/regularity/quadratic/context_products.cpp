@@ -72,7 +72,7 @@ class Words {
         break;
       }
       const Step& step = forms_.steps[state * letters_ + read];
-      Matrix next = product * step.matrix;
+      Matrix next = polytope::fast_product(product, step.matrix);
       next /= bound_;
       if (is_contraction(next)) continue;
       word.push_back(symmetry_.letter(element, static_cast<int>(read), letters_));
@@ -114,7 +114,7 @@ class Cycles {
     for (std::size_t begin = first; begin < end && !deadline.expired(); ++begin) {
       Matrix product = Matrix::identity(matrices_.front().rows());
       for (std::size_t k = begin; k < std::min(word.size(), begin + longest_cycle); ++k) {
-        product = product * matrices_[static_cast<std::size_t>(word[k])];
+        product = polytope::fast_product(product, matrices_[static_cast<std::size_t>(word[k])]);
         product /= best_;
         double trace = 0;
         for (std::size_t j = 0; j < product.columns(); ++j)

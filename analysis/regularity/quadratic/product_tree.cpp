@@ -13,7 +13,7 @@ using polytope::Matrix;
 constexpr int longest = 1000;  // letters of a word
 
 double spectral_norm(const Matrix& m) {
-  return std::sqrt(std::max(0.0, polytope::symmetric_eigenvalues(m.transposed() * m).back()));
+  return std::sqrt(std::max(0.0, polytope::symmetric_eigenvalues(polytope::fast_product(m.transposed(), m)).back()));
 }
 
 class Tree {
@@ -100,7 +100,7 @@ class Tree {
                  node.element ^ step.element,  // of the flip
                  0,
                  std::move(keepers),
-                 product * step.matrix,
+                 polytope::fast_product(product, step.matrix),
                  {}};
       set_end(child);
       child.bound = std::min(child.own, nodes_[at].bound);
@@ -117,7 +117,7 @@ class Tree {
     node.end_element = node.element;
     double least = spectral_norm(node.product);
     for (const Ending& ending : endings_[node.state]) {
-      const double norm = spectral_norm(node.product * ending.matrix);
+      const double norm = spectral_norm(polytope::fast_product(node.product, ending.matrix));
       if (norm >= least) continue;
       least = norm;
       node.end = ending.to;

@@ -1,6 +1,10 @@
 // Upper bounds by quadratic forms: that they are bounds, that they are near the radius, and what is left out is
 // nothing.
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
+#include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
+#include <subcert/analysis/regularity/quadratic/context_forms.hpp>
+#include <subcert/analysis/regularity/quadratic/context_products.hpp>
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/regularity/radius/one_block.hpp>
 #include <subcert/analysis/transition/transition.hpp>
@@ -111,6 +115,44 @@ TEST_CASE("forms that doubles do not hold") {
   REQUIRE(proof);
   CHECK(proof->bound > 1);
   CHECK(proof->bound < 1 + power(Rational(10), -8));
+}
+
+TEST_CASE("forms of contexts and of a cycle are nearer than one form") {
+  const Mask mask = make_scheme("primal:n=4,d=3").mask;
+  const MatrixFamily family = transition_matrices(divided_difference_scheme(mask, 4));
+  const polytope::SearchFamily search = radius::to_search_family(family);
+  const auto one = quadratic::ellipsoidal_coordinates(search, 0, Deadline::in(60));
+  quadratic::ContextForms contexts(search, one);
+  double bound = one.bound;
+  for (const std::size_t states : {2, 4, 8}) {
+    REQUIRE(contexts.grow(Deadline::in(60)));
+    CHECK(contexts.forms().states() == states);
+    CHECK(contexts.forms().bound < bound);
+    bound = contexts.forms().bound;
+  }
+  // The product itself keeps the forms of its cycle; all other steps are as before.
+  const std::vector<int> product = joint_spectral_radius(family, {Deadline::in(60)}).product.word;
+  const double radius = polytope::product_radius(search.matrices, {product.rbegin(), product.rend()});
+  const auto cycle = contexts.with_cycle(product, Deadline::in(60));
+  REQUIRE(cycle);
+  REQUIRE(cycle->states() == 8 + product.size());
+  for (std::size_t p = 0; p < product.size(); ++p) {
+    const quadratic::Step& on = cycle->steps[2 * (8 + p) + static_cast<std::size_t>(product[p])];
+    CHECK(on.to == 8 + (p + 1) % product.size());
+    const polytope::Matrix square = on.matrix.transposed() * on.matrix;
+    CHECK(std::abs(std::sqrt(polytope::symmetric_eigenvalues(square).back()) / radius - 1) < 1e-6);
+  }
+}
+
+TEST_CASE("words that stay large in forms of contexts name the product") {
+  const MatrixFamily family{matrix({{-1, 1, -1}, {-1, -1, 1}, {0, 1, 1}}),
+                            matrix({{-1, 1, -1}, {-1, -1, 0}, {0, 1, 1}})};
+  const polytope::SearchFamily search = radius::to_search_family(family);
+  auto found = quadratic::context_products(search, polytope::product_radius(search.matrices, {0}), Deadline::in(60));
+  REQUIRE(!found.empty());
+  polytope::sort_candidates(found);
+  CHECK(found.front().word.size() == 41);
+  CHECK(found.front().radius > 1.684185282);
 }
 
 TEST_CASE("bounds by forms are above the products") {

@@ -44,7 +44,7 @@ Vector symmetric_eigenvalues(const Matrix& matrix) {
 }
 
 std::optional<PositiveInverse> positive_inverse(const Matrix& matrix) {
-  // Sweeps [Goodnight 1979]: after each pivot one more row of what is left is solved for, with the sign changed.
+  // Sweeps [Goo79]: after each pivot one more row of what is left is solved for, with the sign changed.
   const std::size_t n = matrix.rows();
   PositiveInverse result{matrix};
   Matrix& swept = result.inverse;

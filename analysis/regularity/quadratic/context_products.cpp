@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace subcert::quadratic {
 namespace {
@@ -19,7 +20,8 @@ constexpr long most_words = 400000;                      // that are looked at f
 constexpr std::size_t longest = 400;                     // letters of such a word
 constexpr std::size_t kept = 6;                          // words that cycles are sought in
 constexpr std::size_t longest_cycle = 150, cycle_starts = 150;
-constexpr double near = 2e-3;  // products so far below the best are reported
+constexpr double better = 1e-9;  // relatively, for another look
+constexpr double near = 2e-3;    // products so far below the best are reported
 
 /// Whether I - m^T m is positive definite.
 bool is_contraction(const Matrix& m) {
@@ -163,8 +165,13 @@ std::vector<polytope::Candidate> context_products(const polytope::SearchFamily& 
   Cycles cycles(family, for_letters, radius);
   Words words(contexts.forms(), contexts.symmetry());
   for (const double excess : excesses) {
-    const auto [found, all] = words.longest_words(cycles.best() * (1 + excess), deadline);
-    for (const std::vector<int>& word : found) cycles.look_into(word, deadline);
+    bool all = false;
+    for (double before = 0; cycles.best() > before * (1 + better) && !deadline.expired();) {
+      before = cycles.best();
+      std::vector<std::vector<int>> found;
+      std::tie(found, all) = words.longest_words(before * (1 + excess), deadline);
+      for (const std::vector<int>& word : found) cycles.look_into(word, deadline);
+    }
     if (!all || deadline.expired()) break;
   }
   return cycles.near_best();

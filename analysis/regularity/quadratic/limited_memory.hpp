@@ -2,6 +2,7 @@
 /// Directions of descent by L-BFGS. Inner header.
 
 #include <subcert/analysis/regularity/polytope_search/dense.hpp>
+#include <subcert/analysis/regularity/polytope_search/kernels.hpp>
 
 #include <algorithm>
 #include <deque>
@@ -20,7 +21,7 @@ class LimitedMemory {
     Step step{direction, after, 0};
     for (double& entry : step.step) entry *= share;
     add(step.change, -1, before);
-    step.product = polytope::inner(step.step, step.change);
+    step.product = inner(step.step, step.change);
     if (!(step.product > 1e-14 * polytope::norm(step.step) * polytope::norm(step.change))) return;
     steps_.push_back(std::move(step));
     if (steps_.size() > remembered) steps_.pop_front();
@@ -30,13 +31,13 @@ class LimitedMemory {
   std::optional<polytope::Vector> direction(const polytope::Vector& gradient) {
     for (;; steps_.clear()) {
       polytope::Vector result = by_memory(gradient);
-      if (polytope::inner(gradient, result) < 0) return result;
+      if (inner(gradient, result) < 0) return result;
       if (steps_.empty()) return std::nullopt;
     }
   }
 
  private:
-  static constexpr std::size_t remembered = 20;
+  static constexpr std::size_t remembered = 15;
 
   struct Step {
     polytope::Vector step, change;
@@ -45,7 +46,11 @@ class LimitedMemory {
 
   /// a += factor * b
   static void add(polytope::Vector& a, double factor, const polytope::Vector& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+    factor = -factor;
+    polytope::kernels::rank_one(a.data(), a.size(), 1, b.data(), &factor);
+  }
+  static double inner(const polytope::Vector& a, const polytope::Vector& b) {
+    return polytope::kernels::dot(a.data(), b.data(), a.size());
   }
 
   polytope::Vector by_memory(const polytope::Vector& gradient) const {
@@ -53,15 +58,14 @@ class LimitedMemory {
     add(result, -1, gradient);
     std::vector<double> shares(steps_.size());
     for (std::size_t i = steps_.size(); i-- > 0;) {
-      shares[i] = polytope::inner(steps_[i].step, result) / steps_[i].product;
+      shares[i] = inner(steps_[i].step, result) / steps_[i].product;
       add(result, -shares[i], steps_[i].change);
     }
-    const double length = steps_.empty()
-                              ? first_ / std::max(polytope::norm(gradient), 1e-300)
-                              : steps_.back().product / polytope::inner(steps_.back().change, steps_.back().change);
+    const double length = steps_.empty() ? first_ / std::max(polytope::norm(gradient), 1e-300)
+                                         : steps_.back().product / inner(steps_.back().change, steps_.back().change);
     for (double& entry : result) entry *= length;
     for (std::size_t i = 0; i < steps_.size(); ++i)
-      add(result, shares[i] - polytope::inner(steps_[i].change, result) / steps_[i].product, steps_[i].step);
+      add(result, shares[i] - inner(steps_[i].change, result) / steps_[i].product, steps_[i].step);
     return result;
   }
 

@@ -18,13 +18,13 @@ using quadratic::ProductTree;
 using quadratic::TreeWord;
 
 // Of the time: until the first form is found; of the rest until the last contexts are, and their tree.
-constexpr double shape_share = 0.3, contexts_share = 0.55, tree_share = 0.7;
-constexpr double trees_worth = 4;         // times of their time, for which contexts have to grow before the next
-constexpr std::size_t first_leaves = 64;  // before there are contexts
-constexpr double most_work = 4e9;         // of 10^10 that a checker may spend
-constexpr double work_per_second = 5e8;   // of one core, and some to spare
-constexpr int most_moves = 8;             // of the exact matrices to other coordinates
-constexpr int form_bits = 48;             // of the coordinates; the form has twice as many
+constexpr double shape_share = 0.3, contexts_share = 0.65, tree_share = 0.75;
+constexpr double trees_worth = 4;          // times of their time, for which contexts have to grow before the next
+constexpr std::size_t first_leaves = 64;   // before there are contexts
+constexpr double most_work = 4e9;          // of 10^10 that a checker may spend
+constexpr double work_per_second = 1.2e9;  // of one core, and some to spare
+constexpr int most_moves = 8;              // of the exact matrices to other coordinates
+constexpr int form_bits = 48;              // of the coordinates; the form has twice as many
 constexpr int bound_bits = 50;
 constexpr std::size_t guard_bits = 64, pivot_bits = 128;
 constexpr std::size_t most_isometric = 10;  // the size of matrices

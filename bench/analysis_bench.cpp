@@ -6,6 +6,7 @@
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
+#include <subcert/analysis/regularity/quadratic/context_forms.hpp>
 #include <subcert/analysis/regularity/radius/single_radius.hpp>
 #include <subcert/analysis/symbol/sum_of_squares.hpp>
 #include <subcert/analysis/transition/transition.hpp>
@@ -145,6 +146,32 @@ Mask deslauriers_dubuc(long n) {
   const Mask mask = make_scheme("dd:n=" + std::to_string(n)).mask;
   return divided_difference_scheme(mask, sum_rules(mask));
 }
+
+/// Forms of contexts until there are so many; by what their bound exceeds the radius of the best product, in percent.
+void BM_context_forms(benchmark::State& state, const std::string& scheme, double radius) {
+  const polytope::SearchFamily family = radius::to_search_family(difference_matrices(scheme));
+  const auto one = quadratic::ellipsoidal_coordinates(family, 0, Deadline::in(60));
+  double bound = 0;
+  for (auto _ : state) {
+    quadratic::ContextForms contexts(family, one);
+    while (contexts.forms().states() < static_cast<std::size_t>(state.range(0)) && contexts.grow({Deadline::in(600)})) {
+    }
+    bound = contexts.forms().bound;
+  }
+  state.counters["above"] = 100 * (bound / radius - 1);
+}
+BENCHMARK_CAPTURE(BM_context_forms, primal_6_3, "primal:n=6,d=3", 1.79008312595166)
+    ->Arg(8)
+    ->Arg(32)
+    ->Arg(128)
+    ->Unit(benchmark::kSecond)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(BM_context_forms, primal_8_3, "primal:n=8,d=3", 1.44650169078056)
+    ->Arg(8)
+    ->Arg(32)
+    ->Arg(128)
+    ->Unit(benchmark::kSecond)
+    ->Iterations(1);
 
 void BM_single_spectral_radius(benchmark::State& state) {
   const Mask mask = deslauriers_dubuc(state.range(0));

@@ -127,7 +127,7 @@ class Search {
   void look_for_more_products() {
     const Deadline end = deadline().at_most(later_products * seconds_);
     const double seconds = end.remaining();
-    take(options_.more_products(family_[0], candidates_.front().radius, end));
+    take(options_.more_products(family_[0], candidates_.front().radius, {end, memory_of_products()}));
     work_ += seconds - end.remaining();
   }
 

@@ -11,7 +11,7 @@
 namespace subcert::polytope {
 
 /// Products of a family whose averaged radius is near this one or above.
-using ProductSource = std::function<std::vector<Candidate>(const SearchFamily&, double radius, const Deadline&)>;
+using ProductSource = std::function<std::vector<Candidate>(const SearchFamily&, double radius, const Budget&)>;
 
 struct SearchOptions {
   /// Every phase ends soon after the deadline. The memory is that of what grows; a few copies of the family come on

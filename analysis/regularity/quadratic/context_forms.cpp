@@ -23,9 +23,10 @@ constexpr double first_weight = 2, last_weight = 64;
 constexpr double first_level = 1.1;  // that g is above the largest norm at first, squared
 constexpr int steps_per_weight = 400;
 constexpr double first_step = 1e-3, longest_step = 1;
-constexpr int most_halvings = 25;          // of a step
-constexpr double least_gain = 1e-4;        // of a step
-constexpr std::size_t worth_threads = 64;  // matrices
+constexpr int most_halvings = 25;                                      // of a step
+constexpr double least_gain = 1e-4;                                    // of a step
+constexpr std::size_t matrices_per_step = 5, matrices_per_state = 50;  // that a descent holds, about
+constexpr std::size_t worth_threads = 64;                              // matrices
 
 constexpr double real_enough = 1e-9, simple_enough = 1e-6;  // of the leading eigenvalue, relatively
 constexpr int orbit_generations = 80;
@@ -270,10 +271,12 @@ StateForms ContextForms::lengthen() {
   return result;
 }
 
-bool ContextForms::grow(const Deadline& deadline) {
-  const std::size_t count = family_.matrices.size();
-  if (count == 1 || forms_.states() * count > most_states ||
-      static_cast<double>(count) * seconds_ > deadline.remaining())
+bool ContextForms::grow(const Budget& budget) {
+  const std::size_t count = family_.matrices.size(), states = forms_.states() * count;
+  const double entries = std::pow(static_cast<double>(family_.matrices.front().rows()), 2);
+  const double bytes = 8 * entries * static_cast<double>(states * (matrices_per_step * count + matrices_per_state));
+  if (count == 1 || states > most_states || bytes > static_cast<double>(budget.memory) ||
+      static_cast<double>(count) * seconds_ > budget.deadline.remaining())
     return false;
   const Stopwatch stopwatch;
   // The flip may leave one context of one letter.
@@ -282,7 +285,7 @@ bool ContextForms::grow(const Deadline& deadline) {
   Point at{std::move(forms_), 0};
   at.log_level = 2 * std::log(largest_norm(at.forms)) + std::log(first_level);
   const double values = static_cast<double>(at.forms.steps.size() * family_.matrices.front().rows());
-  for (double weight = first_weight; weight <= last_weight; weight *= 2) descend(at, weight * values, deadline);
+  for (double weight = first_weight; weight <= last_weight; weight *= 2) descend(at, weight * values, budget.deadline);
   forms_ = std::move(at.forms);
   forms_.bound = largest_norm(forms_);
   seconds_ = stopwatch.seconds();
@@ -331,9 +334,10 @@ std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& produ
   // W before the next letter is A^T W A and the form there, so that A^T W A is below it.
   std::vector<Matrix> w(length);
   Matrix next = places[0].across;
-  for (int turn = 0; turn < most_turns && !deadline.expired(); ++turn) {
+  for (int turn = 0; turn < most_turns; ++turn) {
     const double before = turn == 0 ? 0 : polytope::norm(w[0].entries());
     for (std::size_t p = 0; p < length; ++p) {
+      if (deadline.expired()) return std::nullopt;
       w[p] = next;
       next = congruent(matrices[static_cast<std::size_t>(product[p])], w[p]);
       next += places[(p + 1) % length].across;

@@ -4,6 +4,8 @@
 
 #include "ellipsoidal_coordinates.hpp"
 
+#include <subcert/analysis/symbol/budget.hpp>
+
 #include <optional>
 
 namespace subcert::quadratic {
@@ -47,7 +49,7 @@ class ContextForms {
   /// there would be too many, or the time seems too short. Minimises the largest norm g of all steps B by L-BFGS for t
   /// log g^2 - sum log det (1 - B^T B/g^2) with growing t, which is geodesically convex in the forms. Cost: some
   /// thousand inverses for each step.
-  bool grow(const Deadline& deadline);
+  bool grow(const Budget& budget);
 
   const StateForms& forms() const { return forms_; }
   /// By which elements of steps are counted.

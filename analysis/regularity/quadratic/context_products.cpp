@@ -156,11 +156,11 @@ class Cycles {
 }  // namespace
 
 std::vector<polytope::Candidate> context_products(const polytope::SearchFamily& family, double radius,
-                                                  const Deadline& deadline) {
-  const Deadline contexts_end = deadline.after(contexts_share);
+                                                  const Budget& budget) {
+  const Deadline &deadline = budget.deadline, contexts_end = deadline.after(contexts_share);
   const EllipsoidalCoordinates for_letters = ellipsoidal_coordinates(family, radius, contexts_end);
   ContextForms contexts(family, for_letters);
-  while (contexts.forms().bound > radius && contexts.grow(contexts_end)) {
+  while (contexts.forms().bound > radius && contexts.grow({contexts_end, budget.memory})) {
   }
   Cycles cycles(family, for_letters, radius);
   Words words(contexts.forms(), contexts.symmetry());

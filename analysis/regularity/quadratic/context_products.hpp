@@ -2,7 +2,7 @@
 /// Products that the forms of contexts show to be large: a wide look where norms of one form do not tell the best from
 /// many others. Inner header. Nothing of it is proved.
 
-#include "ellipsoidal_coordinates.hpp"
+#include <subcert/analysis/regularity/polytope_search/product_search.hpp>
 
 namespace subcert::quadratic {
 
@@ -10,6 +10,6 @@ namespace subcert::quadratic {
 /// little more than the radius. Domain: radius > 0, that of a product. Cost: the forms of contexts, for half of the
 /// time; then a matrix product and a Cholesky decomposition for each word that is looked at.
 std::vector<polytope::Candidate> context_products(const polytope::SearchFamily& family, double radius,
-                                                  const Deadline& deadline);
+                                                  const Budget& budget);
 
 }  // namespace subcert::quadratic

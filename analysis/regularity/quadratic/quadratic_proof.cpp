@@ -19,7 +19,7 @@ using quadratic::TreeWord;
 
 // Of the time: until the first form is found; of the rest until the last contexts are, and their tree.
 constexpr double shape_share = 0.3, contexts_share = 0.65, tree_share = 0.75;
-constexpr double trees_worth = 4;          // times of their time, for which contexts have to grow before the next
+constexpr double trees_worth = 5;          // the time for contexts and trees, by that for trees, before the next tree
 constexpr std::size_t first_leaves = 64;   // before there are contexts
 constexpr double most_work = 4e9;          // of 10^10 that a checker may spend
 constexpr double work_per_second = 1.2e9;  // of one core, and some to spare
@@ -288,16 +288,15 @@ std::optional<FormedTree> best_tree(const Shape& shape, const MatrixFamily& fami
     if (const auto cycle = contexts.with_cycle(product, contexts_end)) try_out(*cycle, contexts.symmetry(), no_limit);
   };
   // Trees take a small part of the time.
-  double growing = 0, trying = 0;
+  const Stopwatch stopwatch;
+  double in_trees = 0;
   bool tried = true;
-  const auto timed = [](double& seconds, const auto& action) {
-    const Stopwatch stopwatch;
-    const bool done = action();
-    seconds += stopwatch.seconds();
-    return done;
-  };
-  while (best->tree.bound > target && timed(growing, [&] { return contexts.grow(contexts_end); })) {
-    tried = growing > trees_worth * trying && timed(trying, [&] { return try_contexts(), true; });
+  while (best->tree.bound > target && contexts.grow({contexts_end, budget.memory / 2})) {
+    tried = stopwatch.seconds() > trees_worth * in_trees;
+    if (!tried) continue;
+    const double before = stopwatch.seconds();
+    try_contexts();
+    in_trees += stopwatch.seconds() - before;
   }
   if (!tried) try_contexts();
   if (contexts.forms().states() == 1) try_out(one, round.symmetry, no_limit);

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace subcert {
 namespace {
@@ -19,12 +20,12 @@ using quadratic::TreeWord;
 
 // Of the time: until the first form is found; of the rest until the last contexts are, and their tree.
 constexpr double shape_share = 0.3, contexts_share = 0.65, tree_share = 0.75;
-constexpr double trees_worth = 5;          // the time for contexts and trees, by that for trees, before the next tree
-constexpr std::size_t first_leaves = 64;   // before there are contexts
-constexpr double most_work = 4e9;          // of 10^10 that a checker may spend
-constexpr double work_per_second = 1.2e9;  // of one core, and some to spare
-constexpr int most_moves = 8;              // of the exact matrices to other coordinates
-constexpr int form_bits = 48;              // of the coordinates; the form has twice as many
+constexpr double trees_worth = 5;         // the time for contexts and trees, by that for trees, before the next tree
+constexpr std::size_t first_leaves = 64;  // before there are contexts
+constexpr double most_work = 4e9;         // of 10^10 that a checker may spend
+constexpr double work_per_second = 8e8;   // of one core, and some to spare
+constexpr int most_moves = 8;             // of the exact matrices to other coordinates
+constexpr int form_bits = 48;             // of the coordinates; the form has twice as many
 constexpr int bound_bits = 50;
 constexpr std::size_t guard_bits = 64, pivot_bits = 128;
 constexpr std::size_t most_isometric = 10;  // the size of matrices
@@ -161,6 +162,15 @@ class LeafProver {
 
   /// The least of the bounds that holds for all words.
   std::optional<Rational> prove(const std::vector<TreeWord>& words, const Deadline& deadline) {
+    for (const TreeWord& word : words) {
+      std::vector<Integer>& factors = factors_[word.letters.size()];
+      if (!factors.empty()) continue;
+      for (const Rational& bound : bounds_) {
+        const Rational power_of_bound = power(bound * Rational(denominator_),
+                                              2 * static_cast<long>(word.letters.size()));
+        factors.push_back((numerator(power_of_bound) << guard_bits) / denominator(power_of_bound));
+      }
+    }
     parallel_ranges(words.size(), ranges, all_cores(), [&](std::size_t begin, std::size_t end) {
       // The products of the beginnings of a word; the next word shares some of them.
       std::vector<Integers> products;
@@ -189,8 +199,7 @@ class LeafProver {
   /// Raises the bound until it holds for a product with this image of its first form and this last form.
   bool holds(const Integers& image, const Integers& last, std::size_t length) {
     for (std::size_t slack = slack_; slack < bounds_.size(); ++slack) {
-      const Rational power_of_bound = power(bounds_[slack] * Rational(denominator_), 2 * static_cast<long>(length));
-      const Integer factor = (numerator(power_of_bound) << guard_bits) / denominator(power_of_bound);
+      const Integer& factor = factors_.at(length)[slack];
       Integers difference;
       for (std::size_t i = 0; i < image.size(); ++i) difference.push_back(factor * last[i] - (image[i] << guard_bits));
       if (!is_positive(std::move(difference), size_)) continue;
@@ -207,6 +216,7 @@ class LeafProver {
   Integer denominator_;
   std::vector<Integers> integral_;  // the matrices times the denominator
   std::vector<Rational> bounds_;
+  std::map<std::size_t, std::vector<Integer>> factors_;  // of the last form, by length and bound
   std::atomic<std::size_t> slack_ = 0;
   std::atomic<bool> failed_ = false;
 };

@@ -59,31 +59,25 @@ class Words {
     std::vector<int> word;
     for (std::size_t state = 0; state < forms_.states(); ++state)
       follow(Matrix::identity(forms_.to.front().rows()), state, 0, word, deadline);
-    std::ranges::stable_sort(found_, std::ranges::greater{}, &std::vector<int>::size);
     return {found_, left_ > 0};
   }
 
  private:
-  /// The length of the longest word from here.
-  std::size_t follow(const Matrix& product, std::size_t state, int element, std::vector<int>& word,
-                     const Deadline& deadline) {
-    std::size_t deepest = word.size();
+  void follow(const Matrix& product, std::size_t state, int element, std::vector<int>& word, const Deadline& deadline) {
     for (std::size_t read = 0; read < letters_; ++read) {
       if (--left_ <= 0 || deadline.expired()) {
         left_ = 0;
-        break;
+        return;
       }
       const Step& step = forms_.steps[state * letters_ + read];
       Matrix next = polytope::fast_product(product, step.matrix);
       next /= bound_;
       if (is_contraction(next)) continue;
       word.push_back(symmetry_.letter(element, static_cast<int>(read), letters_));
-      if (word.size() < longest)
-        deepest = std::max(deepest, follow(next, step.to, element ^ step.element, word, deadline));
+      if (word.size() < longest) follow(next, step.to, element ^ step.element, word, deadline);
       remember(word);
       word.pop_back();
     }
-    return deepest;
   }
 
   void remember(const std::vector<int>& word) {

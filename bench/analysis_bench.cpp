@@ -160,18 +160,17 @@ void BM_context_forms(benchmark::State& state, const std::string& scheme, double
   }
   state.counters["above"] = 100 * (bound / radius - 1);
 }
-BENCHMARK_CAPTURE(BM_context_forms, primal_6_3, "primal:n=6,d=3", 1.79008312595166)
-    ->Arg(8)
-    ->Arg(32)
-    ->Arg(128)
-    ->Unit(benchmark::kSecond)
-    ->Iterations(1);
-BENCHMARK_CAPTURE(BM_context_forms, primal_8_3, "primal:n=8,d=3", 1.44650169078056)
-    ->Arg(8)
-    ->Arg(32)
-    ->Arg(128)
-    ->Unit(benchmark::kSecond)
-    ->Iterations(1);
+const bool context_benchmarks = [] {
+  for (const auto& [scheme, radius] :
+       {std::pair{"primal:n=6,d=3", 1.79008312595166}, {"primal:n=8,d=3", 1.44650169078056}})
+    benchmark::RegisterBenchmark((std::string("BM_context_forms/") + scheme).c_str(), BM_context_forms, scheme, radius)
+        ->Arg(8)
+        ->Arg(32)
+        ->Arg(128)
+        ->Unit(benchmark::kSecond)
+        ->Iterations(1);
+  return true;
+}();
 
 void BM_single_spectral_radius(benchmark::State& state) {
   const Mask mask = deslauriers_dubuc(state.range(0));

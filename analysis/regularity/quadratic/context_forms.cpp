@@ -19,7 +19,8 @@ using polytope::Vector;
 
 constexpr std::size_t most_states = 256;  // of contexts, and of a cycle
 // The weight t of the bound, for each singular value, doubles.
-constexpr double first_weight = 2, last_weight = 64;
+constexpr double first_weight = 2;
+constexpr int weights = 6;           // up to 64
 constexpr double first_level = 1.1;  // that g is above the largest norm at first, squared
 constexpr int steps_per_weight = 400;
 constexpr double first_step = 1e-3, longest_step = 1;
@@ -213,15 +214,10 @@ void descend(Point& at, double weight, const Deadline& deadline) {
 
 }  // namespace
 
-StateForms one_state(const EllipsoidalCoordinates& coordinates) {
-  StateForms result{{coordinates.to}, {coordinates.from}, {}, {{}}, coordinates.bound};
-  for (const Matrix& m : coordinates.matrices) result.steps.push_back({0, 0, 0, m});
-  return result;
-}
-
 ContextForms::ContextForms(const polytope::SearchFamily& family, EllipsoidalCoordinates for_letters)
-    : family_(family), for_letters_(std::move(for_letters)), forms_(one_state(for_letters_)), contexts_{{}} {
-  if (family_.symmetry.is_dense()) family_.symmetry = {};
+    : family_(family), for_letters_(std::move(for_letters)), contexts_{{}} {
+  forms_ = {{for_letters_.to}, {for_letters_.from}, {}, {{}}, for_letters_.bound};
+  for (const Matrix& m : for_letters_.matrices) forms_.steps.push_back({0, 0, 0, m});
 }
 
 std::vector<int> ContextForms::least_image(const std::vector<int>& context) const {
@@ -279,13 +275,14 @@ bool ContextForms::grow(const Budget& budget) {
       static_cast<double>(count) * seconds_ > budget.deadline.remaining())
     return false;
   const Stopwatch stopwatch;
+  if (family_.symmetry.is_dense()) family_.symmetry = {};
   // The flip may leave one context of one letter.
   while ((forms_ = lengthen()).states() == 1) {
   }
   Point at{std::move(forms_), 0};
   at.log_level = 2 * std::log(largest_norm(at.forms)) + std::log(first_level);
   const double values = static_cast<double>(at.forms.steps.size() * family_.matrices.front().rows());
-  for (double weight = first_weight; weight <= last_weight; weight *= 2) descend(at, weight * values, budget.deadline);
+  for (int k = 0; k < weights; ++k) descend(at, std::ldexp(first_weight, k) * values, budget.deadline);
   forms_ = std::move(at.forms);
   forms_.bound = largest_norm(forms_);
   seconds_ = stopwatch.seconds();

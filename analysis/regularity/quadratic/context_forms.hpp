@@ -35,11 +35,8 @@ struct StateForms {
   std::size_t states() const { return to.size(); }
 };
 
-/// One state. Domain: coordinates of a family whose symmetry leaves the form as it is.
-StateForms one_state(const EllipsoidalCoordinates& coordinates);
-
-/// Forms of contexts of growing length. A group other than the flip is not made use of. Ref: [AJPR14], de Bruijn
-/// graphs.
+/// Forms of contexts of growing length; of several states a group other than the flip is not made use of. Ref:
+/// [AJPR14], de Bruijn graphs.
 class ContextForms {
  public:
   /// Of no letters, one state. Domain: coordinates of the family.

@@ -12,11 +12,10 @@ namespace {
 
 using polytope::composed;
 using polytope::Matrix;
-using polytope::norm;
 using polytope::SymmetricDecomposition;
 using polytope::Vector;
 
-constexpr double largest_power = 512;  // q: sums of such powers tell the largest term to a thousandth
+constexpr int power_count = 10;  // q = 1, 2, ..., 512: sums of such powers tell the largest term to a thousandth
 constexpr int steps_per_power = 200;
 constexpr double settled = 1e-12;   // of the logarithm of the sum
 constexpr int most_halvings = 20;   // of a step
@@ -127,8 +126,8 @@ EllipsoidalCoordinates ellipsoidal_coordinates(const polytope::SearchFamily& fam
   for (const Matrix& a : family.matrices) at.matrices.push_back(to * a * from);
   at.bound = value_of(at.matrices, 1, symmetry).bound;
   EllipsoidalCoordinates best = at;
-  for (double q = 1; q <= largest_power && best.bound > target && !deadline.expired(); q *= 2) {
-    descend(at, q, symmetry, deadline);
+  for (int k = 0; k < power_count && best.bound > target && !deadline.expired(); ++k) {
+    descend(at, std::ldexp(1.0, k), symmetry, deadline);
     if (at.bound < best.bound) best = at;
   }
   best.ended_flat = at.ended_flat;

@@ -150,7 +150,7 @@ class LeafProver {
       : size_(family.size()), forms_(forms), denominator_(common_denominator(family)) {
     for (const RationalMatrix& m : family) integral_.push_back(integer_multiple(m, denominator_));
     moved_.push_back(forms);
-    for (std::size_t g = 1; g < family.group().size() && forms.size() > 1; ++g) {
+    for (std::size_t g = 1; g < family.group().size() && forms.size() > 1 && family.is_flip_symmetric(); ++g) {
       const Integers map = integer_multiple(family.group()[g].map.matrix(), 1);
       moved_.emplace_back();
       for (const Integers& form : forms) moved_.back().push_back(image_of_form(map, form, size_));
@@ -277,30 +277,27 @@ std::optional<FormedTree> best_tree(const Shape& shape, const MatrixFamily& fami
                                     const std::vector<int>& product, const Budget& budget) {
   const double work = std::min(most_work, work_per_second * (1 - tree_share) * budget.deadline.remaining());
   const Deadline trees_end = budget.deadline.after(tree_share), contexts_end = budget.deadline.after(contexts_share);
+  quadratic::ContextForms contexts(shape.round.family, shape.coordinates);
   std::optional<FormedTree> best;
-  const auto try_out = [&](const quadratic::StateForms& states, const polytope::SymmetryGroup& symmetry,
-                           std::size_t leaves) {
+  const auto try_out = [&](const quadratic::StateForms& states, std::size_t leaves) {
     const quadratic::TreeLimits limits{target, limbs_of(family), work, leaves, {trees_end, budget.memory / 2}};
-    ProductTree tree = quadratic::product_tree(states, symmetry, limits);
+    ProductTree tree = quadratic::product_tree(states, contexts.symmetry(), limits);
     if (best && tree.bound >= best->tree.bound) return;
     std::vector<Integers> forms = integer_forms(states.to, shape.round, family);
     if (are_positive(forms, family.size())) best = FormedTree{std::move(forms), std::move(tree)};
   };
-  constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
-  const polytope::SearchFamily& round = shape.round.family;
-  const quadratic::StateForms one = quadratic::one_state(shape.coordinates);
-  try_out(one, round.symmetry, first_leaves);
+  try_out(contexts.forms(), first_leaves);
   if (!best || best->tree.bound <= target) return best;
-  quadratic::ContextForms contexts(round, shape.coordinates);
   const auto try_contexts = [&] {
-    try_out(contexts.forms(), contexts.symmetry(), no_limit);
-    if (product.empty() || best->tree.bound <= target) return;
-    if (const auto cycle = contexts.with_cycle(product, contexts_end)) try_out(*cycle, contexts.symmetry(), no_limit);
+    constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+    try_out(contexts.forms(), no_limit);
+    if (product.empty() || contexts.forms().states() == 1 || best->tree.bound <= target) return;
+    if (const auto cycle = contexts.with_cycle(product, contexts_end)) try_out(*cycle, no_limit);
   };
   // Trees take a small part of the time.
   const Stopwatch stopwatch;
   double in_trees = 0;
-  bool tried = true;
+  bool tried = false;
   while (best->tree.bound > target && contexts.grow({contexts_end, budget.memory / 2})) {
     tried = stopwatch.seconds() > trees_worth * in_trees;
     if (!tried) continue;
@@ -309,7 +306,6 @@ std::optional<FormedTree> best_tree(const Shape& shape, const MatrixFamily& fami
     in_trees += stopwatch.seconds() - before;
   }
   if (!tried) try_contexts();
-  if (contexts.forms().states() == 1) try_out(one, round.symmetry, no_limit);
   return best;
 }
 

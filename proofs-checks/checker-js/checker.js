@@ -1103,11 +1103,12 @@ var check_certificate = (() => {
       return U.every((row, i) => row[i] > 0n) && decomposes(U, h, 0);
     },
   });
-  // The same in Numbers, which with h <= 24 are integers below 2^53: |B| <= NORM <= 2 U and |M| <= p + e <= 4 U, as p' + e'
-  // is at least |M| NORM / U + d. By Cauchy and Schwarz the partial sums of M B are at most 8 U^2 <= 2^51 in modulus, those
-  // of M'^T M' 16 U^2. In Lemma 17 |U_kj| <= U^2 <= 2^48; no column of R that is used is longer than 2^24, so |x_kj| <=
-  // 2^49, divisors and roots are at most 2^24: what is not an integer is farther from one than rounding leads. R_kj^2 may
-  // be rounded where it is above 2^53, and x_jj is negative then.
+  // The same in Numbers, which with h <= 24 are integers below 2^53. |B| <= NORM <= 7 U, and where a word goes on |M| <= p
+  // + e <= 4 U, as p' + e' is at least |M| NORM / U + d. By Cauchy and Schwarz the partial sums of M B are at most 28 U^2 in
+  // modulus. So are those of M'^T M' where its diagonal is below c^2; where it is not, its sums are exact or, rounded, at
+  // least 2^53, and refused. In Lemma 17 |U_kj| <= U^2, and no column of R that is used is longer than U: |x_kj| <= 2^49,
+  // divisors and roots are at most 2^24, and what is not an integer is farther from one than rounding leads. R_kj^2 may be
+  // rounded where it is above 2^53, and x_jj is negative then.
   function add_rows(sum, at, factors, f, by, rows, r, count, n, d) {  // f, f + by, ... times rows r, r + d, ...
     for (let k = 0; k < count;) {
       const some = count - k < 4 ? 1 : 4, a = factors[f];
@@ -1198,7 +1199,7 @@ var check_certificate = (() => {
       const {reader, size, U} = this, larger = 'the norm of a step is larger than it says';
       const [to, text, ...entries] = reader.read(`step ${T}`, 2 + size * size), [index, letters] = split_index(to);
       const step = {to: small(index, 0, this.count - 1), turned: spell(this.group, letters), norm: integer(text)};
-      demand(step.norm >= 1n && step.norm <= 2n * U, 'the norm of a step is not from 1 to 2^(BITS + 1)');
+      demand(step.norm >= 1n && step.norm <= 7n * U, 'the norm of a step is not from 1 to 7 2^BITS');
       const B = range_of(size).map(i => entries.slice(i * size, (i + 1) * size).map(integer));
       demand(largest_of(B) <= step.norm, larger);
       demand(nonnegative_form(difference(scaled(identity(size), step.norm * step.norm), gram(B))), larger);
@@ -1230,7 +1231,7 @@ var check_certificate = (() => {
         allow_bits(this.memory + (length + 1) * this.size * this.size * (h + 256));
         const M = products[length] = words.product(products[length - 1], B, products[length]);
         const next_p = up(p * (norm + d)), next_e = up(e * norm + p * d) + d;
-        demand(next_p + next_e <= 4n * U, 'the product of a word is too large');
+        demand(!goes_on || next_p + next_e <= 4n * U, 'the product of a word that goes on is too large');
         if (goes_on) this.follow(this.states[to], length + 1, next_p, next_e);
         else demand(next_e < U && words.is_at_most(M, U - next_e), 'the product of a word is not below the bound');
       }

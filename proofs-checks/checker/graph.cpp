@@ -11,11 +11,10 @@ namespace subcert_check {
 namespace {
 
 constexpr std::size_t longest_word = 1000;
-// With so many bits all numbers on the way are integers below 2^53 and `double` holds them: |B| <= NORM <= 2 U and
-// |M| <= p + e <= 4 U, as p' + e' >= |M| NORM / U + d; so by Cauchy and Schwarz the partial sums of M B are at most
-// 8 U^2 <= 2^51 in modulus, those of M'^T M' 16 U^2 = 2^52, and p (b + d) and e b + p d are below 2^52. The matrix
-// c^2 1 - M'^T M' has entries up to U^2 <= 2^48; is_decomposed then meets numbers below 2^49, divides them by
-// integers up to 2^24, and takes square roots below 2^24: what is not an integer is farther from one than any rounding.
+// With so many bits `double` holds all integers on the way, which are below 2^53. |B| <= NORM <= 7 U, and where a word
+// goes on |M| <= p + e <= 4 U, as p' + e' >= |M| NORM / U + d; so by Cauchy and Schwarz partial sums of M B are at
+// most 28 U^2 in modulus, and so is e b + p d, while p (b + d) < 32 U^2 = 2^53. The same of M'^T M' if its diagonal is
+// below c^2 <= U^2. Where the diagonal is not, sums of squares are exact or, rounded, 2^53 or more: it is found out.
 constexpr std::size_t bits_of_doubles = 24;
 
 // ---- what the walk needs of numbers beside definite.hpp -------------------------------------------------------------
@@ -120,7 +119,7 @@ class Graph {
     Step<Number> step{parse_turned_index(fields[0], count), {}, std::vector<Number>(n_ * n_)};
     for (const char letter : step.to.word) named_generator(letter, generators_);
     const mpz_class norm = parse_integer(fields[1]);
-    require(norm >= 1 && norm <= mpz_class(2) << bits_, "the norm of a step is not from 1 to 2^(BITS + 1)");
+    require(norm >= 1 && norm <= mpz_class(7) << bits_, "the norm of a step is not from 1 to 7 2^BITS");
     Vector difference(n_ * n_);
     for (std::size_t i = 0; i < n_ * n_; ++i) {
       const mpz_class entry = parse_integer(fields[2 + i]);
@@ -166,12 +165,13 @@ class Graph {
       multiply(products_[length].data(), step.matrix.data(), products_[length + 1].data());
       const Number next_norm = ceiling(norm * (step.norm + size_));
       const Number next_error = ceiling(error * step.norm + norm * size_) + size_;
-      require(next_norm + next_error <= 4 * unit_, "the product of a word is too large");
-      if (goes_on)
+      if (goes_on) {
+        require(next_norm + next_error <= 4 * unit_, "the product of a word that goes on is too large");
         follow(states_[step.to.index], length + 1, next_norm, next_error);
-      else
+      } else {
         require(is_at_most(products_[length + 1].data(), unit_ - next_error),
                 "the product of a word is not below the bound");
+      }
     }
   }
 

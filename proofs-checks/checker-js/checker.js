@@ -1183,9 +1183,12 @@ var check_certificate = (() => {
       this.words = h <= 24 ? number_words(h, size) : integer_words(h);
     }
     read_state(letters) {
-      const {reader, size} = this, rest = i => Array(size - i).fill(0n);
-      const L = range_of(size).map(i => [...reader.read('coordinates', i + 1).map(integer), ...rest(i + 1)]);
-      demand(L.every((row, i) => row[i]), 'the coordinates of a state have a 0 on the diagonal');
+      const {reader, size} = this;
+      const L = range_of(size).map(i => {
+        const row = reader.read('coordinates', i + 1).map(integer);
+        demand(row[i], 'the coordinates of a state have a 0 on the diagonal');
+        return [...row, ...Array(size - 1 - i).fill(0n)];
+      });
       allow_bits(this.memory += size * size * (bits(largest_of(L)) + 256) + 2048);
       const steps = letters.map(T => {
         const list = [];

@@ -235,6 +235,8 @@ REJECTED = [
     *((f"quadratic-pivot-{last}", "golden-quadratic", None, reason, [("form 1\n", f"form {FIRST}\n"),
                                                                    ("form 0 1\n", f"form {MIDDLE} {LAST + last}\n")])
       for last, reason in ((0, "the form is not positive definite"), (1, "a product is not below the bound in the quadratic form"))),
+    ("quadratic-pivot-first", "golden-quadratic", None, "the form is not positive definite",
+     [("form 1\n", f"form {MARGIN}\n"), ("form 0 1\n", f"form 0 {2**255}\n")]),
     ("bounds-digits-more", "golden", None, "number too long", [(BOUNDS, f"bounds 1 {2001 * '9'}\n")]),
     ("rounded-hat-polytope-high", "rounded-hat-polytope", "--mask [1,2,1]/2@-1 --arity 2 --within 1/100,1 --lower 19/20",
      "the bound does not prove the claim", []),

@@ -123,6 +123,7 @@ MATRICES = [
     ("shears.mat", SHEARS),
     ("columns.mat", COLUMNS),
     ("turns.mat", TURNS),
+    ("unit.mat", [[[int(i == j) for j in range(3)] for i in range(3)]]),
     ("letters.mat", [[[f"{t}/{LETTERS}"]] for t in range(1, LETTERS + 1)]),
 ]
 LAST_LETTER = [[["0"], ["1"]]] * 2  # the states are the last letters
@@ -172,6 +173,9 @@ ACCEPTED = [
     # e grows
     ("one-graph-error", ONES, one(8, [1, 1], ["1"], ["1"], trees=[f"{50 * '+'}0", "0"]).replace("step 0 1 131", "step 0 1 499", 1).replace(
         "step 0 1 131", "step 0 1 255")),
+    # a form in which R_12 depends on R_01 and R_02
+    ("unit-quadratic", "--matrices unit.mat --upper 2",
+     "radius 1 3; bounds - 2; block 0 quadratic 1 2; form 100; form 90 100; form 0 30 100; word 0; end"),
     # more letters than a byte holds
     ("letters", "--matrices letters.mat --lower 1 --upper 1",
      f"radius {LETTERS} 1; bounds 1 1; product 0 1 0 {LETTERS - 1}; block 0 quadratic {LETTERS} 1; form 1; "
@@ -184,6 +188,9 @@ CHANGED = [
     ("one-graph-far", "one-graph", None, [("131 128\n", "129 129\n")]),
     ("one-graph-far-below", "one-graph", None, [("131 128\n", "128 127\n")]),
     ("one-graph-norm", "one-graph", None, [("131 128\n", "1792 128\n")]),
+    ("turns-graph-close", "turns-graph", None, [
+        ("graph 1 2 8\n", "graph 1 128/125 8\n"), ("0 129 0 -128 128 0\n", "0 250 0 -250 250 0\n"),
+        ("0 129 77 -102 102 77\n", "0 251 150 -200 200 150\n")]),
     ("turns-graph-norm", "turns-graph", None, [("step 0 0 129 ", "step 0 0 128 ")]),
     ("zero-graph-negative", "zero-graph", None, [("0 0 1 0\n", "0 0 1 -1\n"), ("8\ncoordinates -3\n", "10\ncoordinates -1\n")]),
     ("golden-graph-more", "golden-graph", None, [("+++000+00++++00+0000", "+++0+000+00++++00++00000")]),
@@ -252,6 +259,10 @@ REJECTED = [
     ("graph-one-far-below", "one-graph", None, FAR, [("131 128\n", "128 126\n")]),
     ("graph-one-norm-high", "one-graph", None, NUMBERS, [("131 128\n", "1793 128\n")]),
     ("graph-turns-norm", "turns-graph", None, SMALL, [("step 0 0 129 ", "step 0 0 127 ")]),
+    # c^2 - |M'|^2 is positive, but less than d U
+    ("graph-margin", "turns-graph", None, ABOVE, [
+        ("graph 1 2 8\n", "graph 1 256/251 8\n"), ("0 129 0 -128 128 0\n", "0 252 0 -251 251 0\n"),
+        ("0 129 77 -102 102 77\n", "0 252 151 -201 201 151\n")]),
     # products of isometries are never below 1
     ("graph-isometries", "turns-graph", "--matrices turns.mat --upper 1", ABOVE, [
         ("graph 1 2 8\n", "graph 1 1 8\n"), ("0 129 0 -128 128 0\n", "0 256 0 -256 256 0\n"),

@@ -974,8 +974,8 @@ var check_certificate = (() => {
   }
 
   // ---- 4.8: quadratic forms -----------------------------------------------------------------------------------------
-  // Lemma 17 of U, h and m. The rows of U and R are packed from the last column to the diagonal. Where some |R_kj| is 2^h
-  // or more, x_jj will not be positive, as U_jj <= 4^h; so all R_kj that are used are smaller.
+  // Lemma 17 of U, h and m. The rows of U and R are packed from the last column to the diagonal. Where some |R_kj| is
+  // 2^h or more, x_jj will not be positive, as U_jj <= 4^h; so all R_kj that are used are smaller.
   function decomposes(U, h, m) {
     const d = U.length, width = 2 * h + 16, limit = 1n << BigInt(h), minus_limit = -limit, R = [];
     spend(d * d / 2, h, width * d / 2);
@@ -1103,12 +1103,12 @@ var check_certificate = (() => {
       return U.every((row, i) => row[i] > 0n) && decomposes(U, h, 0);
     },
   });
-  // The same in Numbers, which with h <= 24 are integers below 2^53. |B| <= NORM <= 7 U, and where a word goes on |M| <= p
-  // + e <= 4 U, as p' + e' is at least |M| NORM / U + d. By Cauchy and Schwarz the partial sums of M B are at most 28 U^2 in
-  // modulus. So are those of M'^T M' where its diagonal is below c^2; where it is not, its sums are exact or, rounded, at
-  // least 2^53, and refused. In Lemma 17 |U_kj| <= U^2, and no column of R that is used is longer than U: |x_kj| <= 2^49,
-  // divisors and roots are at most 2^24, and what is not an integer is farther from one than rounding leads. R_kj^2 may be
-  // rounded where it is above 2^53, and x_jj is negative then.
+  // The same in Numbers, which with h <= 24 are integers below 2^53. |B| <= NORM <= 7 U, and where a word goes on
+  // |M| <= p + e <= 4 U, as p' + e' is at least |M| NORM / U + d. By Cauchy and Schwarz the partial sums of M B are at
+  // most 28 U^2 in modulus. So are those of M'^T M' where its diagonal is below c^2; where it is not, sums are exact
+  // or, rounded, at least 2^53, and refused. In Lemma 17 |U_kj| <= U^2, and no column of R that is used is longer than
+  // U: |x_kj| <= 2^49, divisors and roots are at most 2^24, and what is not an integer is farther from one than
+  // rounding leads. R_kj^2 may be rounded where it is above 2^53, and x_jj is negative then.
   function add_rows(sum, at, factors, f, by, rows, r, count, n, d) {  // f, f + by, ... times rows r, r + d, ...
     for (let k = 0; k < count;) {
       const some = count - k < 4 ? 1 : 4, a = factors[f];

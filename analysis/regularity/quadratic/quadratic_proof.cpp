@@ -19,10 +19,13 @@ constexpr double look_share = 0.2;       // of the time for contexts: for a look
 constexpr double first_look = 0.1;       // seconds, before there are contexts
 constexpr double most_work = 7e9;        // of 10^10 that a checker may spend
 constexpr double work_per_second = 8e9;  // of all cores, and some to spare
-constexpr double full_trees = 8;        // that the search for the least bound and the proof cost, about
-constexpr double fine_factor = 25;       // that work with long numbers costs more
+constexpr double full_trees = 8;         // that the search for the least bound and the proof cost, about
+constexpr double fine_factor = 60;       // that work with long numbers costs more
+constexpr double fine_share = 0.7;       // of the time for a proof
+constexpr double grace = 0.5;            // seconds that it may take beyond the time
 // Of bounds above the goal, relatively. A proof loses 1e-11.
-constexpr double least_excess = 2e-11, goal_below = 1.5e-11, excess_step = 8, nearly = 1.2;
+constexpr double least_excess = 2e-11, goal_below = 1.5e-11, excess_step = 8;
+constexpr int bisections = 3;
 constexpr int most_moves = 8;               // of the exact matrices to other coordinates
 constexpr std::size_t most_isometric = 10;  // the size of matrices
 constexpr double isometry_seconds = 0.5;
@@ -117,7 +120,7 @@ std::optional<ProductTree> least_tree(const quadratic::StateForms& forms, double
   };
   while (best && hold(excess / excess_step))
     if (excess < least_excess) return tree_at_goal(forms, goal, limits);
-  for (double step = std::sqrt(excess_step); step > nearly; step = std::sqrt(step)) hold(excess / step);
+  for (int k = 1; k <= bisections; ++k) hold(excess * std::pow(excess_step, -std::ldexp(1.0, -k)));
   return best;
 }
 
@@ -169,9 +172,13 @@ std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, c
   const auto best = best_tree(std::move(contexts), goal * (1 - goal_below), product, budget);
   const auto coordinates = best ? quadratic::triangular_coordinates(best->forms.to, shape.round) : std::nullopt;
   if (!coordinates) return std::nullopt;
-  const bool fine = best->tree.work * fine_factor <= most_work;
-  return quadratic::prove_graph(family, *coordinates, best->forms, best->tree,
-                                fine ? quadratic::most_bits : quadratic::double_bits, budget.deadline);
+  const Deadline end = Deadline::in(budget.deadline.remaining() + grace);
+  const bool fine = best->tree.work * fine_factor <= std::min(most_work, work_per_second / 2 * end.remaining());
+  const auto prove = [&](int bits, const Deadline& deadline) {
+    return quadratic::prove_graph(family, *coordinates, best->forms, best->tree, bits, deadline);
+  };
+  auto proof = fine ? prove(quadratic::most_bits, end.after(fine_share)) : std::nullopt;
+  return proof ? proof : prove(quadratic::double_bits, end);
 }
 
 std::optional<QuadraticProof> prove_isometries(const MatrixFamily& family, const Deadline& deadline) {

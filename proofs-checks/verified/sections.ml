@@ -531,7 +531,7 @@ let read_graph r family upper fields =
   in
   (* products of steps, and what ends of words take beside *)
   let small = bits <= 24 in
-  let price work = if small then 1 + (work / 8) else work * width bits in
+  let price work = if small then 1 + (work / 12) else work * width bits in
   let product = price cube and compared = price (2 * cube / 3) in
   let visit ends = spend (if ends then product + compared else product) in
   let read_state _ =

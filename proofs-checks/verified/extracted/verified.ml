@@ -1346,11 +1346,21 @@ let rec less_square q0 rows =
      | row0::rows' ->
        (addmul (Number.opposite a) q0 row0)::(less_square q' rows'))
 
+(** val add_dot : Number.t -> zvec -> zvec -> Number.t **)
+
+let rec add_dot s x y =
+  match x with
+  | [] -> s
+  | a::x' ->
+    (match y with
+     | [] -> s
+     | b::y' -> add_dot (Number.add s (Number.mul a b)) x' y')
+
 (** val gram : zvec list -> zmat **)
 
 let rec gram vectors0 = match vectors0 with
 | [] -> []
-| x::vectors' -> (map (dot x) vectors0)::(gram vectors')
+| x::vectors' -> (map (add_dot Number.zero x) vectors0)::(gram vectors')
 
 (** val diagonal : int -> Number.t -> zmat **)
 
@@ -1546,7 +1556,8 @@ let state_right f g unity0 firsts turns states =
 
 let rounded_product unity0 rows columns0 =
   map (fun row0 ->
-    map (fun column -> Number.divide (dot row0 column) unity0) columns0) rows
+    map (fun column ->
+      Number.divide (add_dot Number.zero row0 column) unity0) columns0) rows
 
 (** val quotient_up : Number.t -> Number.t -> Number.t **)
 

@@ -314,6 +314,8 @@ val add_rows : Number.t -> zmat -> zmat -> zmat
 
 val less_square : zvec -> zmat -> zmat
 
+val add_dot : Number.t -> zvec -> zvec -> Number.t
+
 val gram : zvec list -> zmat
 
 val diagonal : int -> Number.t -> zmat

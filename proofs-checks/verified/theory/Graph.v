@@ -26,9 +26,13 @@ Fixpoint less_square (q : zvec) (rows : zmat) : zmat :=
       end
   end.
 
+(* s and an inner product, without a stack *)
+Fixpoint add_dot (s : Z) (x y : zvec) : Z :=
+  match x with [] => s | a :: x' => match y with [] => s | b :: y' => add_dot (s + a * b) x' y' end end.
+
 (* The inner products of vectors *)
 Fixpoint gram (vectors : list zvec) : zmat :=
-  match vectors with [] => [] | x :: vectors' => map (dot x) vectors :: gram vectors' end.
+  match vectors with [] => [] | x :: vectors' => map (add_dot 0 x) vectors :: gram vectors' end.
 
 (* A multiple of the unit matrix *)
 Definition diagonal (n : nat) (a : Z) : zmat := repeat [a] n.
@@ -117,7 +121,7 @@ Definition state_right (s : state) : bool :=
   forallb (fun c => forallb (step_right L (nth c firsts 0%nat)) (nth c (steps s) [])) (seq 0 (length firsts)).
 
 (* Products over `unity`, each number rounded down, and a number over `unity` rounded up *)
-Definition rounded_product (rows columns : zmat) : zmat := map (fun row => map (fun column => dot row column / unity) columns) rows.
+Definition rounded_product (rows columns : zmat) : zmat := map (fun row => map (fun column => add_dot 0 row column / unity) columns) rows.
 Definition quotient_up (a : Z) : Z := - (- a / unity).
 
 Definition with_columns (s : step) : step := Step (target s) (turned_by s) (step_norm s) (columns n (step_matrix s)).
@@ -296,6 +300,12 @@ Proof.
 Qed.
 
 (* Inner products: the form is the square of the length. *)
+Lemma add_dot_spec x : forall s y, add_dot s x y = (s + dot x y)%Z.
+Proof. induction x; intros s [|b y]; simpl; try lia. rewrite IHx. lia. Qed.
+
+Lemma add_dot_0 x : add_dot 0 x = dot x.
+Proof. extensionality y. apply add_dot_spec. Qed.
+
 Lemma linear_dots n v vectors : (length v <= n)%nat -> forall x,
   linear (map (dot v) vectors) x = sum n (fun i => vr v i * combined vectors x i).
 Proof.
@@ -308,7 +318,7 @@ Lemma gram_form n vectors : (forall v, In v vectors -> (length v <= n)%nat) -> f
   rows_form (gram vectors) x = squares_of n (combined vectors x).
 Proof.
   induction vectors as [|v vectors IH]; intros H x. simpl. unfold squares_of. rewrite sum_zero; auto. intros; unfold zero; ring.
-  cbn [gram rows_form]. rewrite IH by (intros; apply H; right; auto).
+  cbn [gram rows_form]. rewrite add_dot_0, IH by (intros; apply H; right; auto).
   assert (Hv : (length v <= n)%nat) by (apply H; left; auto).
   unfold row_form. change (hd 0%Z (map (dot v) (v :: vectors))) with (dot v v). rewrite (linear_dots n) by auto.
   rewrite (dot_sum n) by auto. cbn [combined]. set (y := combined vectors (tail x)). unfold squares_of.
@@ -666,11 +676,11 @@ Proof. induction x; intros [|b y]; simpl; auto. rewrite IHx. lia. Qed.
 Lemma entry_rounded rows cols i j : (i < length rows)%nat -> (j < length cols)%nat ->
   entry (rounded_product unity rows cols) i j = (dot (nth i rows []) (nth j cols []) / unity)%Z.
 Proof.
-  intros Hi Hj. unfold entry, rounded_product.
-  rewrite (nth_indep _ [] (map (fun column => (dot [] column / unity)%Z) cols)) by (rewrite map_length; auto).
-  rewrite (map_nth (fun row => map (fun column => (dot row column / unity)%Z) cols) rows [] i).
-  rewrite (nth_indep _ 0%Z (dot (nth i rows []) [] / unity)%Z) by (rewrite map_length; auto).
-  apply (map_nth (fun column => (dot (nth i rows []) column / unity)%Z)).
+  intros Hi Hj. unfold entry, rounded_product. rewrite <- add_dot_0.
+  rewrite (nth_indep _ [] (map (fun column => (add_dot 0 [] column / unity)%Z) cols)) by (rewrite map_length; auto).
+  rewrite (map_nth (fun row => map (fun column => (add_dot 0 row column / unity)%Z) cols) rows [] i).
+  rewrite (nth_indep _ 0%Z (add_dot 0 (nth i rows []) [] / unity)%Z) by (rewrite map_length; auto).
+  apply (map_nth (fun column => (add_dot 0 (nth i rows []) column / unity)%Z)).
 Qed.
 
 Lemma columns_length M : length (columns n M) = n.

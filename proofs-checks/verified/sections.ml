@@ -480,15 +480,6 @@ let read_graph r family upper fields =
   let generators = read_generators r family groups in
   let group = elements n count generators in
   let number_of, product = numbered group in
-  let generators = Array.of_list (List.map number_of generators) in
-  let element_of word =
-    let generator letter =
-      let k = Char.code letter - Char.code 'A' in
-      require (k >= 0 && k < groups) "unknown generator";
-      generators.(k)
-    in
-    String.fold_left (fun e letter -> product e (generator letter)) 0 word
-  in
   let matrices = Array.of_list (List.map array_of family.matrices) in
   let first = first_letters matrices in
   let firsts = List.filter (fun t -> first.(t) = t) (List.init count Fun.id) in
@@ -498,15 +489,22 @@ let read_graph r family upper fields =
   let group_of_graph = List.map (moving group product first (fun t -> classes.(t))) everyone in
   let cube = n * n * n in
   spend (3 * List.length everyone * count * cube);
-  (* the maps of steps, numbered as they come *)
+  (* the words of steps, numbered as they come; of their maps signs matter *)
   let numbers = Hashtbl.create 97 and turns = ref [] in
-  let turn e =
-    match Hashtbl.find_opt numbers e with
+  let turn word =
+    match Hashtbl.find_opt numbers word with
     | Some k -> k
     | None ->
+        let generator letter =
+          let k = Char.code letter - Char.code 'A' in
+          require (k >= 0 && k < groups) "unknown generator";
+          List.nth generators k
+        in
+        let element = String.fold_left (fun e letter -> compose e (generator letter)) group.(0) word in
+        let moved = List.map (product (number_of element)) everyone in
         spend (List.length everyone * cube);
-        turns := { turning = Array.to_list (Array.map Array.to_list group.(e).map); moved = List.map (product e) everyone } :: !turns;
-        Hashtbl.add numbers e (Hashtbl.length numbers);
+        turns := { turning = Array.to_list (Array.map Array.to_list element.map); moved } :: !turns;
+        Hashtbl.add numbers word (Hashtbl.length numbers);
         Hashtbl.length numbers - 1
   in
   let coordinate_bits = ref 0 and taken = ref 0 in
@@ -525,7 +523,7 @@ let read_graph r family upper fields =
         require (Array.for_all (fun x -> Z.leq (Z.abs x) step_norm) entries) "the norm of a step is larger than it says";
         incr taken;
         let step_matrix = List.init n (fun i -> Array.to_list (Array.sub entries (i * n) n)) in
-        let step = { target; turned_by = turn (element_of word); step_norm; step_matrix } in
+        let step = { target; turned_by = turn word; step_norm; step_matrix } in
         step :: (if at r head then read_steps head else [])
     | _ -> assert false
   in

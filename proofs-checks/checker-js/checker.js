@@ -974,17 +974,17 @@ var check_certificate = (() => {
   }
 
   // ---- 4.8: quadratic forms -----------------------------------------------------------------------------------------
-  // Lemma 17. The rows of U and R are packed from the last column to the diagonal. Where some |R_kj| is 2^128 or more,
-  // x_jj will not be positive, as U_jj < 2^256; so all R_kj that are used are smaller.
-  function positive_definite(S, most) {
-    const d = S.length, by = 256 - bits(most), width = 272, limit = 1n << 128n, minus_limit = -limit, R = [];
-    spend(d * d / 2, 128, width * d / 2);
+  // Lemma 17 of U, h and m. The rows of U and R are packed from the last column to the diagonal. Where some |R_kj| is
+  // 2^h or more, x_jj will not be positive, as U_jj <= 4^h; so all R_kj that are used are smaller.
+  function decomposes(U, h, m) {
+    const d = U.length, width = 2 * h + 16, limit = 1n << BigInt(h), minus_limit = -limit, R = [];
+    spend(d * d / 2, h, width * d / 2);
     spend(4 * d * d, width);
     for (let k = 0; k < d; ++k) {
-      let packed = pack(S[k].slice(k).reverse().map(x => shift(x, by)), width);
+      let packed = pack(U[k].slice(k).reverse(), width);
       for (const {row, values} of R) packed -= values[d - 1 - k] * row;
       const size = d - k, values = unpack(BigInt.asIntN(width * size, packed), width, size);
-      const x = values[size - 1] - BigInt(d) * (limit + 1n);
+      const x = values[size - 1] - BigInt(d) * limit - BigInt(m);
       if (x <= 0n) return false;
       const diagonal = values[size - 1] = root(x);
       for (let i = 0; i < size - 1; ++i) {
@@ -995,88 +995,57 @@ var check_certificate = (() => {
     }
     return true;
   }
-  const section_form = "expected 'norm', 'polytope', 'quadratic' or 'single' and its numbers";
+  function positive_definite(S, most) {
+    const by = 256 - bits(most);
+    return decomposes(S.map(row => row.map(x => shift(x, by))), 128, S.length);
+  }
+  const nonnegative_form = S => { const most = largest_of(S); return !most || positive_definite(S, most); };
+  const section_form = "expected 'norm', 'polytope', 'quadratic', 'graph' or 'single' and its numbers";
   function read_quadratic(reader, {size, den, matrices}, fields, rounding) {
     demand(!rounding, section_form);
-    const several = fields.length > 2 && fields[2].startsWith('forms:'), more = fields.slice(several ? 3 : 2);
-    const forms = several ? small(fields[2].slice(6), 2, 1000) : 1;
-    demand(fields.length >= 2 && (!more.length || (more.length === 1 && more[0].startsWith('group:'))),
-           "expected 'quadratic', a number of words, a bound and perhaps forms and a group");
+    demand(fields.length === 2 || (fields.length === 3 && fields[2].startsWith('group:')),
+           "expected 'quadratic', a number of words, a bound and perhaps a group");
     const count = small(fields[0], 1, 2 ** 28), bound = rational(fields[1]);
     demand(bound.n >= 0n, 'the bound of a quadratic form is negative');
-    const generators = more.length ? small(more[0].slice(6), 1, 8) : 0;
+    const generators = fields.length === 3 ? small(fields[2].slice(6), 1, 8) : 0;
     const group = generators ? read_group(reader, generators, size, matrices) : trivial_group(matrices.length);
-    const turned = new Map();  // h^T P h by the numbers of the form P and of the element h of the group
-    let memory = 0;
-    const enter = (P, form, element) => {
-      allow_bits(memory += size * size * (bits(largest_of(P)) + 256) + 2048);
-      turned.set(form * 96 + element, P);
-      return P;
-    };
-    const under = ({map}, P) => map ? multiply(multiply(transpose(map), P), map) : P;
-    const target = (form, element) =>
-      turned.get(form * 96 + element) || enter(under(group.elements[element], turned.get(form * 96)), form, element);
-    const read_form = form => {
-      const P = range_of(size).map(() => Array(size));
-      for (let i = 0; i < size; ++i)
-        reader.read('form', i + 1).map(integer).forEach((x, j) => { P[i][j] = P[j][i] = x; });
-      demand(positive_definite(P, largest_of(P)), 'a form is not positive definite');
-      enter(P, form, 0);
-      return {P, words: new Set()};
-    };
-    const starts = range_of(forms).map(read_form);
+    const P = range_of(size).map(() => Array(size));
+    for (let i = 0; i < size; ++i)
+      reader.read('form', i + 1).map(integer).forEach((x, j) => { P[i][j] = P[j][i] = x; });
+    demand(positive_definite(P, largest_of(P)), 'the form is not positive definite');
+    for (const {map} of group.elements)
+      demand(!map || equal(multiply(multiply(transpose(map), P), map), P), 'a generator does not keep the form');
     const texts = matrices.map(String), letter = texts.map(text => texts.indexOf(text));  // the first of equal matrices
-    const congruence = new Congruence(matrices);
+    const congruence = new Congruence(P, matrices), words = new Set();
     for (let i = 0; i < count; ++i) {
-      const tokens = reader.read('word', several ? 3 : 1, several ? 1002 : 1000);
-      const [from, to] = several ? tokens.splice(0, 2) : ['0', '0'];
-      const {P, words} = starts[small(from, 0, forms - 1)], [index, letters] = split_index(to);
-      const word = tokens.map(token => letter[small(token, 0, matrices.length - 1)]);
+      const word = reader.read('word', 1, 1000).map(token => letter[small(token, 0, matrices.length - 1)]);
       demand(!words.has(String(word)), 'a word occurs twice');
       words.add(String(word));
-      allow_bits((i + 1) * 1024);
+      allow_bits(words.size * 1024);
       spend(100);
-      const T = target(small(index, 0, forms - 1), spell(group, letters)[0]), Q = congruence.of(P, word);
-      const k = BigInt(2 * word.length), top = ((bound.n * den) ** k << 64n) / bound.d ** k;
-      const S = T.map((row, a) => row.map((x, b) => top * x - (Q[a][b] << 64n))), most = largest_of(S);
-      demand(!most || positive_definite(S, most), 'a product is not below the bound in the quadratic form');
+      const k = BigInt(2 * word.length), top = ((bound.n * den) ** k << 64n) / bound.d ** k, Q = congruence.of(word);
+      const S = P.map((row, a) => row.map((x, b) => top * x - (Q[a][b] << 64n)));
+      demand(nonnegative_form(S), 'a product is not below the bound in the quadratic form');
     }
-    for (const {P, words} of starts) {
-      const keeping = group.table[0].map(([k]) => group.elements[k]).filter(element => equal(under(element, P), P));
-      const permutations = keeping.map(({numbers}) => numbers.map(t => letter[t]));
-      check_tree(words, products_of(permutations, letter), new Set(letter).size);
-    }
+    check_tree(words, group.elements.map(({numbers}) => numbers.map(t => letter[t])), new Set(letter).size);
     return {value: bound, level: 1};
-  }
-  function products_of(permutations, unit) {
-    const products = new Map([[String(unit), unit]]);
-    for (const product of products.values())
-      for (const p of permutations) {
-        spend(unit.length);
-        const next = product.map(t => p[t]);
-        products.set(String(next), next);
-      }
-    return [...products.values()];
   }
   // Q_w = A_w^T P A_w for the integer matrices of a family, kept for the last word and its beginnings. Most rows of the
   // A_t^T of a scheme are those of others: letters share X Q_w X^T, X the different rows of all, where these are few.
   class Congruence {
-    constructor(matrices) {
+    constructor(P, matrices) {
       const factors = matrices.map(transpose), unique = rows => different(rows, String);
-      const all = unique(factors.flat()), shared = all.length < 2 * factors[0].length && {rows: all};
+      const all = unique(factors.flat()), shared = all.length < 2 * P.length && {rows: all};
       this.letters = factors.map(factor => {
         const set = shared || {rows: unique(factor)}, texts = set.rows.map(String);
         return {set, at: factor.map(row => texts.indexOf(String(row)))};
       });
       this.growth = bits(largest_by(factors, row_norm) || 1n);
-    }
-    start(P) {
       this.base = bits(largest_of(P)) + 4;
-      [this.P, this.word, this.nodes] = [P, [], [{Q: P, images: new Map()}]];
+      [this.word, this.nodes] = [[], [{Q: P, images: new Map()}]];
     }
     width(k) { return this.base + (2 * k + 1) * this.growth; }  // for Q_w of k letters, and for A^T Q_w
-    of(P, word) {
-      if (P !== this.P) this.start(P);
+    of(word) {
       let same = 0;
       while (same < word.length && word[same] === this.word[same]) ++same;
       this.nodes.length = same + 1;
@@ -1102,8 +1071,8 @@ var check_certificate = (() => {
       return image;
     }
   }
-  function check_tree(words, maps, letters) {  // the words and their images under these permutations are a complete tree
-    const images = new Set();
+  function check_tree(words, permutations, letters) {  // the words and their images under the group are a complete tree
+    const images = new Set(), maps = different(permutations, String);
     const length_of = image => image.split(',').length - 1, tree = 'the words are not those of a complete tree';
     let longest = 0, memory = 0, total = 0n;
     for (const word of words) {
@@ -1119,6 +1088,163 @@ var check_certificate = (() => {
         demand(!images.has(image.slice(0, at)), tree);
     }
     demand(total === BigInt(letters) ** BigInt(longest), tree);
+  }
+
+  // ---- 4.13: graphs -------------------------------------------------------------------------------------------------
+  const gram = m => multiply(transpose(m), m);
+  const difference = (x, y) => x.map((row, i) => row.map((value, j) => value - y[i][j]));
+  // Products of words in integers: matrices are arrays of rows
+  const integer_words = h => ({
+    matrix: rows => rows,
+    rows: matrix => matrix,
+    product: (M, B) => multiply(M, B).map(row => row.map(x => x >> BigInt(h))),
+    is_at_most: (M, c) => {
+      const U = difference(scaled(identity(M.length), c * c), gram(M));
+      return U.every((row, i) => row[i] > 0n) && decomposes(U, h, 0);
+    },
+  });
+  // The same in Numbers, which with h <= 24 are integers below 2^53. |B| <= NORM <= 7 U, and where a word goes on
+  // |M| <= p + e <= 4 U, as p' + e' is at least |M| NORM / U + d. By Cauchy and Schwarz the partial sums of M B are at
+  // most 28 U^2 in modulus. So are those of M'^T M' where its diagonal is below c^2; where it is not, sums are exact
+  // or, rounded, at least 2^53, and refused. In Lemma 17 |U_kj| <= U^2, and no column of R that is used is longer than
+  // U: |x_kj| <= 2^49, divisors and roots are at most 2^24, and what is not an integer is farther from one than
+  // rounding leads. R_kj^2 may be rounded where it is above 2^53, and x_jj is negative then.
+  function add_rows(sum, at, factors, f, by, rows, r, count, n, d) {  // f, f + by, ... times rows r, r + d, ...
+    for (let k = 0; k < count;) {
+      const some = count - k < 4 ? 1 : 4, a = factors[f];
+      if (some === 1) {
+        for (let j = 0; j < n; ++j) sum[at + j] += a * rows[r + j];
+      } else {
+        const b = factors[f + by], c = factors[f + 2 * by], e = factors[f + 3 * by];
+        for (let j = 0, i = r; j < n; ++j, ++i)
+          sum[at + j] += a * rows[i] + b * rows[i + d] + c * rows[i + 2 * d] + e * rows[i + 3 * d];
+      }
+      k += some;
+      f += some * by;
+      r += some * d;
+    }
+  }
+  const number_words = (h, d) => {
+    const part = 2 ** -h, G = new Float64Array(d * d), price = () => spend(d * d * (d / 160 + 0.04) + 1);
+    return {
+      matrix: rows => Float64Array.from(rows.flat(), Number),
+      rows: matrix => range_of(d).map(i => Array.from(matrix.subarray(i * d, i * d + d), BigInt)),
+      product: (M, B, out = new Float64Array(d * d)) => {
+        price();
+        out.fill(0);
+        for (let i = 0; i < d * d; i += d) add_rows(out, i, M, i, 1, B, 0, d, d, d);
+        for (let i = 0; i < d * d; ++i) out[i] = Math.floor(out[i] * part);
+        return out;
+      },
+      is_at_most: (M, bound) => {  // G is M'^T M' - c^2 1, and then d 2^h 1 - U
+        price();
+        const c = Number(bound);
+        G.fill(0);
+        for (let i = 0; i < d; ++i) {
+          const ii = i * d + i;
+          G[ii] = -c * c;
+          add_rows(G, ii, M, i, d, M, i, d, d - i, d);
+          if (G[ii] >= 0) return false;
+          G[ii] += d * 2 ** h;
+        }
+        for (let k = 0; k < d; ++k) {
+          const kk = k * d + k;
+          add_rows(G, kk + 1, G, k, d, G, k + 1, k, d - k - 1, d);
+          if (G[kk] >= 0) return false;
+          const diagonal = Math.floor(Math.sqrt(-G[kk]));
+          for (let j = k + 1; j < d; ++j) {
+            const value = G[k * d + j] = Math.floor(-G[k * d + j] / diagonal);
+            if ((G[j * d + j] += value * value) >= 0) return false;
+          }
+        }
+        return true;
+      },
+    };
+  };
+  function read_graph(reader, {size, den, matrices}, fields, rounding) {
+    demand(!rounding, section_form);
+    demand(fields.length === 3 || (fields.length === 4 && fields[3].startsWith('group:')),
+           "expected 'graph', a number of states, a bound, a number of bits and perhaps a group");
+    const count = small(fields[0], 1, 4096), bound = rational(fields[1]), h = small(fields[2], 8, 1000);
+    demand(bound.n > 0n, 'the bound of a graph is not positive');
+    const generators = fields.length === 4 ? small(fields[3].slice(6), 1, 8) : 0;
+    const group = generators ? read_group(reader, generators, size, matrices) : trivial_group(0);
+    const graph = new Graph(reader, {size, den, count, bound, h, group});
+    const texts = matrices.map(String), letters = range_of(texts.length).filter(t => texts.indexOf(texts[t]) === t);
+    for (let j = 0; j < count; ++j) graph.read_state(letters);
+    for (const {L, steps} of graph.states)
+      steps.forEach((list, i) => list.forEach(step => graph.check_step(L, matrices[letters[i]], step)));
+    for (const state of graph.states) graph.check_tree(state);
+    return {value: bound, level: 1};
+  }
+  class Graph {
+    constructor(reader, {size, den, count, bound, h, group}) {
+      Object.assign(this, {reader, size, den, count, bound, h, group, U: 1n << BigInt(h), states: [], memory: 0});
+      this.words = h <= 24 ? number_words(h, size) : integer_words(h);
+    }
+    read_state(letters) {
+      const {reader, size} = this;
+      const L = range_of(size).map(i => {
+        const row = reader.read('coordinates', i + 1).map(integer);
+        demand(row[i], 'the coordinates of a state have a 0 on the diagonal');
+        return [...row, ...Array(size - 1 - i).fill(0n)];
+      });
+      allow_bits(this.memory += size * size * (bits(largest_of(L)) + 256) + 2048);
+      const steps = letters.map(T => {
+        const list = [];
+        do list.push(this.read_step(T)); while (reader.load()[0] === 'step' && reader.load()[1] === String(T));
+        return list;
+      });
+      const [tree] = reader.read('tree', 1);
+      this.states.push({L, steps, tree});
+    }
+    read_step(T) {
+      const {reader, size, U} = this, larger = 'the norm of a step is larger than it says';
+      const [to, text, ...entries] = reader.read(`step ${T}`, 2 + size * size), [index, letters] = split_index(to);
+      const step = {to: small(index, 0, this.count - 1), turned: spell(this.group, letters), norm: integer(text)};
+      demand(step.norm >= 1n && step.norm <= 7n * U, 'the norm of a step is not from 1 to 7 2^BITS');
+      const B = range_of(size).map(i => entries.slice(i * size, (i + 1) * size).map(integer));
+      demand(largest_of(B) <= step.norm, larger);
+      demand(nonnegative_form(difference(scaled(identity(size), step.norm * step.norm), gram(B))), larger);
+      allow_bits(this.memory += size * size * (this.h + 256) + 2048);
+      return {...step, B: this.words.matrix(B)};
+    }
+    check_step(L, A, {to, turned: [element, turn], B}) {  // W and S of 4.13
+      const {size, den, bound, U, group, states} = this, {map} = group.elements[element], right = den * bound.n;
+      const target = map ? scaled(multiply(states[to].L, map), turn) : states[to].L;
+      const W = difference(scaled(multiply(L, A), U * bound.d), scaled(multiply(this.words.rows(B), target), right));
+      const S = difference(scaled(gram(target), (BigInt(size) * right) ** 2n), gram(W));
+      demand(nonnegative_form(S), 'the matrix of a step is not near the one that it stands for');
+    }
+    check_tree(state) {
+      const {words, size, U} = this;
+      [this.tree, this.at] = [state.tree, 0];
+      this.products = [words.matrix(scaled(identity(size), U))];  // of the beginnings of a word
+      this.follow(state, 1, U, 0n);
+      demand(this.at === state.tree.length, 'a tree has more characters than its words');
+    }
+    follow(state, length, p, e) {  // the words of so many letters or more that came to this state
+      const {words, h, U, products} = this, d = BigInt(this.size), up = x => -(-x >> BigInt(h));
+      for (const steps of state.steps) {
+        demand(this.at < this.tree.length, 'a tree has fewer characters than its words');
+        const end = this.tree[this.at++], goes_on = end === '+';
+        demand(!goes_on || length < 1000, 'a word of more than 1000 letters');
+        const {to, norm, B} = steps[goes_on ? 0 : this.number_of(end, steps.length)];
+        spend(3);
+        allow_bits(this.memory + (length + 1) * this.size * this.size * (h + 256));
+        const M = products[length] = words.product(products[length - 1], B, products[length]);
+        const next_p = up(p * (norm + d)), next_e = up(e * norm + p * d) + d;
+        demand(!goes_on || next_p + next_e <= 4n * U, 'the product of a word that goes on is too large');
+        if (goes_on) this.follow(this.states[to], length + 1, next_p, next_e);
+        else demand(next_e < U && words.is_at_most(M, U - next_e), 'the product of a word is not below the bound');
+      }
+    }
+    number_of(end, count) {
+      const number = '0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz'.indexOf(end);
+      demand(number >= 0, 'a word ends with none of 0-9, A-Z, a-z');
+      demand(number < count, 'a word ends by a step that is not there');
+      return number;
+    }
   }
 
   // ---- 4.11: one spectral radius ------------------------------------------------------------------------------------
@@ -1190,7 +1316,8 @@ var check_certificate = (() => {
     const [kind, ...fields] = reader.read(`block ${number}`, 1, 20);
     demand(kind !== 'norm' || fields.length === 1, "wrong number of fields after 'norm'");
     if (kind === 'norm') return check_norm(family, small(fields[0], 1, 64), first_column, rounding);
-    const kinds = [['polytope', read_polytope], ['quadratic', read_quadratic], ['single', read_single]];
+    const kinds = [['polytope', read_polytope], ['quadratic', read_quadratic], ['graph', read_graph],
+      ['single', read_single]];
     const read = new Map(kinds).get(kind);
     demand(read, section_form);
     return read(reader, family, fields, rounding, exact);

@@ -62,7 +62,8 @@ Vector Arithmetic::multiply(std::span<const mpz_class> matrix, const Vector& x, 
   spend(100 * x.size());
   Vector result(x.size());
   for (std::size_t i = 0; i < x.size(); ++i)
-    for (std::size_t j = 0; j < size; ++j) add_product(result[i - i % size + j], matrix[i % size * size + j], x[i]);
+    for (std::size_t j = 0; x[i] != 0 && j < size; ++j)
+      add_product(result[i - i % size + j], matrix[i % size * size + j], x[i]);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "check.hpp"
 
 #include "attained.hpp"
+#include "graph.hpp"
 #include "parameter.hpp"
 #include "quadratic.hpp"
 #include "rounding.hpp"
@@ -154,6 +155,8 @@ class Checker {
         use_single(read_single(family, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
       else if (fields[0] == "quadratic" && entry_error_ == 0)
         use_upper_bound(read_quadratic(blocks[i], fields, reader_, arithmetic_), 1);
+      else if (fields[0] == "graph" && entry_error_ == 0)
+        use_upper_bound(read_graph(blocks[i], fields, reader_, arithmetic_), 1);
       else
         use_polytope(read_polytope(blocks[i], fields, entry_error_, reader_, arithmetic_));
     }

@@ -66,7 +66,7 @@ Polytope::Combination read_combination(const std::string& head, Polytope& body, 
 Polytope read_polytope(Family family, const Fields& fields, const mpq_class& entry_error, Reader& reader,
                        Arithmetic& arithmetic) {
   require(fields[0] == "polytope" && fields.size() >= 4,
-          "expected 'norm', 'polytope', 'quadratic' or 'single' and its numbers");
+          "expected 'norm', 'polytope', 'quadratic', 'graph' or 'single' and its numbers");
   const std::size_t n = family.size, vertices = parse_size(fields[1], 1, max_bytes);
   const std::size_t vertex_bits = parse_size(fields[2], 0, 4096), weight_bits = parse_size(fields[3], 0, 4096);
   std::set<std::string_view> properties(fields.begin() + 4, fields.end());

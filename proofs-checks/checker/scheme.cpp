@@ -54,6 +54,16 @@ void Family::transpose() {
         std::swap(entries[(t * size + i) * size + j], entries[(t * size + j) * size + i]);
 }
 
+std::vector<std::size_t> Family::letters() const {
+  std::vector<std::size_t> result;
+  for (std::size_t t = 0; t < count(); ++t) {
+    std::size_t first = 0;
+    while (!std::ranges::equal(matrix(first), matrix(t))) ++first;
+    result.push_back(first);
+  }
+  return result;
+}
+
 Family clear_denominators(std::size_t size, const Rationals& values) {
   mpz_class denominator = 1;
   for (const mpq_class& x : values) {

@@ -62,7 +62,7 @@ def change_field(field):
         lambda: "1/" + field, lambda: "18446744073709551616", lambda: "-1", lambda: "",
         lambda: field[:at] + field[at + 1:], lambda: field[:at] + str(chance.randrange(10)) + field[at + 1:],
         lambda: field[:at] + chr(chance.randrange(256)) + field[at + 1:],
-        lambda: field[:at] + chance.choice("0123456789-,:/fcAB@[]") + field[at:], lambda: change_number(field, 1),
+        lambda: field[:at] + chance.choice("0123456789-,:/fcAB@[]+") + field[at:], lambda: change_number(field, 1),
         lambda: change_number(field, -1), lambda: field[:field.find(":") + 1] + "0", lambda: str(chance.randrange(6)),
         lambda: field + ":" + field])()
 
@@ -117,7 +117,7 @@ def change_lines(lines, other):
         keep_heads(lines, ["image", "unit"])
     elif kind == 12:
         lines[:] = [line for line in lines
-                    if line.split()[:1] and line.split()[0] not in ("vertex", "unit", "image", "form", "word")]
+                    if line.split()[:1] and line.split()[0] not in ("vertex", "unit", "image", "form", "word", "coordinates", "step", "tree")]
     else:
         words = lines[i].split()
         chance.shuffle(words)

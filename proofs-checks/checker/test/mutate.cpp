@@ -179,7 +179,7 @@ class Mutator {
       case 9: changed.erase(at, 1); return changed;
       case 10: changed[at] = static_cast<char>('0' + below(10)); return changed;
       case 11: changed[at] = static_cast<char>(below(256)); return changed;
-      case 12: changed.insert(at, 1, "0123456789-,:/fcAB@[]"[below(21)]); return changed;
+      case 12: changed.insert(at, 1, "0123456789-,:/fcAB@[]+"[below(22)]); return changed;
       case 13: return shift_number(field, 1);
       case 14: return shift_number(field, -1);
       default: return field.substr(0, field.find(':') + 1) + "0";
@@ -262,7 +262,8 @@ class Mutator {
     for (std::string& line : lines) {
       auto tokens = split(line);
       if (tokens.empty() || tokens[0] == "vertex" || tokens[0] == "unit" || tokens[0] == "image" ||
-          tokens[0] == "form" || tokens[0] == "word")
+          tokens[0] == "form" || tokens[0] == "word" || tokens[0] == "coordinates" || tokens[0] == "step" ||
+          tokens[0] == "tree")
         continue;
       if (tokens[0] == "block" && tokens.size() > 3) tokens[3].assign(1, below(2) == 0 ? '0' : '1');
       kept.push_back(join(tokens));

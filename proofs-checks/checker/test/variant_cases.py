@@ -224,7 +224,7 @@ REJECTED = [
     ("dilation-64", "hat-lower", "--surface [1,2,1]/2@-1 --dilation [64] --lower 1", "wrong number of fields, line 5", [("[2]", "[64]")]),
     ("surface-order-64", "hat-lower", None, "no sum rules of this order, line 5", [("sum-rules 2", "sum-rules 64")]),
     # pivots of which roots are rounded down
-    ("quadratic-pivot-2", "golden-quadratic", None, "a form is not positive definite",
+    ("quadratic-pivot-2", "golden-quadratic", None, "the form is not positive definite",
      [("form 1\n", f"form {2 * 2**128 + 4}\n"), ("form 0 1\n", f"form {math.isqrt(2**255) + 1} {2**255}\n")]),
 ]
 

@@ -35,6 +35,7 @@ CHANGES = [
     (r" - 1\b", " - wrong::one(%d)", "- 1 -> nothing"),
     (r"mpz_cdiv_q\b", "(wrong::on(%d) ? mpz_fdiv_q : mpz_cdiv_q)", "mpz_cdiv_q -> mpz_fdiv_q"),
     (r"mpz_fdiv_q\b", "(wrong::on(%d) ? mpz_cdiv_q : mpz_fdiv_q)", "mpz_fdiv_q -> mpz_cdiv_q"),
+    (r"std::floor\(", "(wrong::on(%d) ? wrong::ceil : wrong::floor)(", "floor -> ceil"),
     (r"std::max\(", "wrong::Max{%d}(", "max -> min"),
     (r"std::min\(", "wrong::Min{%d}(", "min -> max"),
     (r"std::max_element\(", "wrong::MaxElement{%d}(", "max_element -> min_element"),
@@ -47,6 +48,7 @@ HEADER = """
 #pragma once
 #include <gmpxx.h>
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <string_view>
@@ -58,6 +60,8 @@ inline bool on(int id) {
 }
 inline int one(int id) { return on(id) ? 0 : 1; }
 inline void ignore(bool, std::string_view) {}
+inline double floor(double x) { return std::floor(x); }
+inline double ceil(double x) { return std::ceil(x); }
 #define COMPARISON(Name, right, other)                                                                             \\
   struct Name { int id; };                                                                                         \\
   template <class T> struct Name##Of { const T& left; int id; };                                                   \\

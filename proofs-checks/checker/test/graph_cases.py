@@ -9,6 +9,9 @@ SHEARS = [[[1, 1], [0, 1]], [[1, 0], [-1, 1]], [[1, 0], [1, 1]], [[1, -1], [0, 1
 TURNS = [TURN, [[Q(3, 5), Q(-4, 5)], [Q(4, 5), Q(3, 5)]]]
 COLUMNS = [[[int(t == j) for j in range(3)] for _ in range(3)] for t in range(3)]  # (1, 1, 1)^T e_t^T: radius 1
 ONE = [[[1]]]
+# matrices of which 8 digits tell the outcome by a root rounded down, and by quotients rounded down
+NEAR = {name: [[[Q(x, 256) for x in row] for row in rows]] for name, rows in (
+    ("root", [[-171, 119], [61, -144]]), ("quotient", [[-86, -137], [110, 157]]), ("quotient-true", [[70, -153], [0, 194]]))}
 LETTERS = 257
 ENDS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 
@@ -123,6 +126,7 @@ MATRICES = [
     ("shears.mat", SHEARS),
     ("columns.mat", COLUMNS),
     ("turns.mat", TURNS),
+    *((f"near-{name}.mat", family) for name, family in NEAR.items()),
     ("unit.mat", [[[int(i == j) for j in range(3)] for i in range(3)]]),
     ("letters.mat", [[[f"{t}/{LETTERS}"]] for t in range(1, LETTERS + 1)]),
 ]
@@ -173,6 +177,8 @@ ACCEPTED = [
     # e grows
     ("one-graph-error", ONES, one(8, [1, 1], ["1"], ["1"], trees=[f"{50 * '+'}0", "0"]).replace("step 0 1 131", "step 0 1 499", 1).replace(
         "step 0 1 131", "step 0 1 255")),
+    *((f"near-{name}-graph", f"--matrices near-{name}.mat --upper 1",
+       radius(family, "-", 1, "", bits, [UNIT], [[["0"]]])) for (name, family), bits in zip(NEAR.items(), (24, 24, 8))),
     # a form in which R_12 depends on R_01 and R_02
     ("unit-quadratic", "--matrices unit.mat --upper 2",
      "radius 1 3; bounds - 2; block 0 quadratic 1 2; form 100; form 90 100; form 0 30 100; word 0; end"),
@@ -204,6 +210,8 @@ FEWER, MORE, NO_STEP = "a tree has fewer characters", "a tree has more character
 NUMBERS = "the norm of a step is not from 1 to 7 2^BITS"
 STEP = "step 0 0 80148 19294 6762 -54840 57808\n"  # the first one of golden-graph
 HUGE = 300 * "9"
+ACCEPTED_STEP = {name: next(f"{line}\n" for case, _, lines in ACCEPTED if case == f"near-{name}-graph" for line in lines.split("; ")
+                            if line.startswith("step")) for name in NEAR}
 
 # name, accepted case that is changed, other options or None, reason, changes of its text
 REJECTED = [
@@ -259,6 +267,9 @@ REJECTED = [
     ("graph-one-far-below", "one-graph", None, FAR, [("131 128\n", "128 126\n")]),
     ("graph-one-norm-high", "one-graph", None, NUMBERS, [("131 128\n", "1793 128\n")]),
     ("graph-turns-norm", "turns-graph", None, SMALL, [("step 0 0 129 ", "step 0 0 127 ")]),
+    *((f"graph-near-{name}", f"near-{name}-graph", None, ABOVE, [
+        ("graph 1 1 24\n", "graph 1 1 8\n"), (ACCEPTED_STEP[name], f"step 0 0 256 {' '.join(str(int(256 * x)) for row in NEAR[name][0] for x in row)}\n")])
+      for name in ("root", "quotient")),
     # c^2 - |M'|^2 is positive, but less than d U
     ("graph-margin", "turns-graph", None, ABOVE, [
         ("graph 1 2 8\n", "graph 1 256/251 8\n"), ("0 129 0 -128 128 0\n", "0 252 0 -251 251 0\n"),

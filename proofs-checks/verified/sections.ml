@@ -527,9 +527,8 @@ let read_graph r family upper fields =
         step :: (if at r head then read_steps head else [])
     | _ -> assert false
   in
-  (* products of steps, and what ends of words take beside *)
-  let small = bits <= 24 in
-  let price work = if small then 1 + (work / 12) else work * width bits in
+  (* products of steps, and what ends of words take beside: with few bits numbers are those of the machine *)
+  let price work = 20 + if bits <= 24 then work / 12 else if bits <= 100 then work / 2 else work * width bits in
   let product = price cube and compared = price (2 * cube / 3) in
   let visit ends = spend (if ends then product + compared else product) in
   let read_state _ =

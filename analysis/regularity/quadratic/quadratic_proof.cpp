@@ -14,12 +14,12 @@ using quadratic::EllipsoidalCoordinates;
 using quadratic::ProductTree;
 
 // Of the time: until the first form is found; of the rest until the last contexts are, and their tree.
-constexpr double shape_share = 0.3, contexts_share = 0.7, tree_share = 0.85;
+constexpr double shape_share = 0.3, contexts_share = 0.78, tree_share = 0.9;
 constexpr double look_share = 0.2;       // of the time for contexts: for a look whether words are few already
 constexpr double first_look = 0.1;       // seconds, before there are contexts
 constexpr double most_work = 7e9;        // of 10^10 that a checker may spend
-constexpr double work_per_second = 4e9;  // of all cores, and some to spare
-constexpr double full_trees = 12;        // that the search for the least bound and the proof cost, about
+constexpr double work_per_second = 8e9;  // of all cores, and some to spare
+constexpr double full_trees = 8;        // that the search for the least bound and the proof cost, about
 constexpr double fine_factor = 25;       // that work with long numbers costs more
 // Of bounds above the goal, relatively. A proof loses 1e-11.
 constexpr double least_excess = 2e-11, goal_below = 1.5e-11, excess_step = 8, nearly = 1.2;

@@ -528,7 +528,8 @@ let read_graph r family upper fields =
     | _ -> assert false
   in
   (* products of steps, and what ends of words take beside: with few bits numbers are those of the machine *)
-  let price work = 20 + if bits <= 24 then work / 12 else if bits <= 100 then work / 2 else work * width bits in
+  let looking = 20 + ((states + count) / 16) in
+  let price work = looking + if bits <= 24 then work / 12 else if bits <= 100 then work / 2 else work * width bits in
   let product = price cube and compared = price (2 * cube / 3) in
   let visit ends = spend (if ends then product + compared else product) in
   let read_state _ =
@@ -540,7 +541,7 @@ let read_graph r family upper fields =
   let most f = Array.fold_left (fun most x -> max most (bits_of (f x))) 0 in
   let fractions = Z.numbits (Q.num bound) + Z.numbits (Q.den bound) + Z.numbits family.denominator in
   let apart = bits + fractions + !coordinate_bits + max (most Fun.id matrices) (most (fun e -> e.map) group) + 20 in
-  spend_times (max 1 !taken) (6 * cube * width (128 + apart) * width (128 + apart));
+  spend_times (max 1 !taken) (looking + (6 * cube * width (128 + apart) * width (128 + apart)));
   let section = Graph (bound_of bound, unity, firsts, group_of_graph, List.rev !turns, states) in
   (* with an upper end of the claim that comes later *)
   require (upper <> None || check_section family (bound_of bound) section) "the words do not prove the bound";

@@ -17,7 +17,8 @@ void divide(mpz_class* row, const mpz_class& by, std::size_t n) {
   }
 }
 void divide(double* row, double by, std::size_t n) {
-  for (std::size_t j = 0; j < n; ++j) row[j] = std::floor(-row[j] / by);
+  const auto divided = [by](double x) { return std::floor(-x / by); };
+  std::transform(row, row + n, row, divided);
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ void floor_shift(mpz_class* row, std::size_t bits, std::size_t n) {
 }
 void floor_shift(double* row, std::size_t bits, std::size_t n) {
   const double part = std::ldexp(1.0, -static_cast<int>(bits));
-  for (std::size_t j = 0; j < n; ++j) row[j] = std::floor(row[j] * part);
+  const auto shifted = [part](double x) { return std::floor(x * part); };
+  std::transform(row, row + n, row, shifted);
 }
 
 void convert(const mpz_class& x, mpz_class& number) { number = x; }

@@ -9,9 +9,17 @@ SHEARS = [[[1, 1], [0, 1]], [[1, 0], [-1, 1]], [[1, 0], [1, 1]], [[1, -1], [0, 1
 TURNS = [TURN, [[Q(3, 5), Q(-4, 5)], [Q(4, 5), Q(3, 5)]]]
 COLUMNS = [[[int(t == j) for j in range(3)] for _ in range(3)] for t in range(3)]  # (1, 1, 1)^T e_t^T: radius 1
 ONE = [[[1]]]
-# matrices of which 8 digits tell the outcome by a root rounded down, and by quotients rounded down
-NEAR = {name: [[[Q(x, 256) for x in row] for row in rows]] for name, rows in (
-    ("root", [[-171, 119], [61, -144]]), ("quotient", [[-86, -137], [110, 157]]), ("quotient-true", [[70, -153], [0, 194]]))}
+# matrices over 256, NORM and ENDS with 8 bits, and whether they are accepted then: by a hair
+NEAR = {
+    "root": ([[-171, 119], [61, -144]], 256, "0", False),
+    "quotient": ([[-86, -137], [110, 157]], 256, "0", False),
+    "quotient-true": ([[70, -153], [0, 194]], 256, "0", True),
+    "pivot": ([[150, 0, 0], [144, 0, 0], [136, 0, 0]], 256, "0", False),  # the first one is 0
+    "product": ([[-79, -77, 45, -154, -10, -151], [74, 14, 91, -34, 27, -19], [-50, 10, -84, -24, 47, 4],
+                 [-28, 147, 4, -39, 11, -35], [-26, -24, 136, 2, 12, 45], [135, -15, -42, 166, -98, -25]], 442, "+0", False),
+    "product-true": ([[50, 172, -72, -183, 50, -39], [-29, 35, 17, 22, -33, 97], [113, 2, -34, 55, 36, -78],
+                      [-35, 79, -7, -25, 16, -3], [0, -146, 132, 15, -66, 74], [23, 1, 79, 170, 42, 119]], 471, "+0", True),
+}
 LETTERS = 257
 ENDS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 
@@ -121,12 +129,22 @@ def letters_under(matrices, g):
     return [matrices.index(multiply(multiply(inverse(g), m), g)) for m in matrices]
 
 
+NEAR_FAMILIES = {name: [[[Q(x, 256) for x in row] for row in rows]] for name, (rows, *_) in NEAR.items()}
+
+
+def near(name, bits):
+    """The section for a bound 1."""
+    rows, norm, ends, _ = NEAR[name]
+    unit = [[int(i == j) for j in range(len(rows))] for i in range(len(rows))]
+    return graph(NEAR_FAMILIES[name], 1, bits, [unit], [[["0"]]], trees=[ends], norms=norm << bits - 8)
+
+
 # name, rows of its matrices
 MATRICES = [
     ("shears.mat", SHEARS),
     ("columns.mat", COLUMNS),
     ("turns.mat", TURNS),
-    *((f"near-{name}.mat", family) for name, family in NEAR.items()),
+    *((f"near-{name}.mat", family) for name, family in NEAR_FAMILIES.items()),
     ("unit.mat", [[[int(i == j) for j in range(3)] for i in range(3)]]),
     ("letters.mat", [[[f"{t}/{LETTERS}"]] for t in range(1, LETTERS + 1)]),
 ]
@@ -178,7 +196,9 @@ ACCEPTED = [
     ("one-graph-error", ONES, one(8, [1, 1], ["1"], ["1"], trees=[f"{50 * '+'}0", "0"]).replace("step 0 1 131", "step 0 1 499", 1).replace(
         "step 0 1 131", "step 0 1 255")),
     *((f"near-{name}-graph", f"--matrices near-{name}.mat --upper 1",
-       radius(family, "-", 1, "", bits, [UNIT], [[["0"]]])) for (name, family), bits in zip(NEAR.items(), (24, 24, 8))),
+       "; ".join([f"radius 1 {len(rows)}; bounds - 1", *near(name, 8 if accepted else 24), "end"]))
+      for name, (rows, _, _, accepted) in NEAR.items()),
+    ("near-product-graph-30", "--matrices near-product.mat --upper 1", "; ".join(["radius 1 6; bounds - 1", *near("product", 30), "end"])),
     # a form in which R_12 depends on R_01 and R_02
     ("unit-quadratic", "--matrices unit.mat --upper 2",
      "radius 1 3; bounds - 2; block 0 quadratic 1 2; form 100; form 90 100; form 0 30 100; word 0; end"),
@@ -210,8 +230,6 @@ FEWER, MORE, NO_STEP = "a tree has fewer characters", "a tree has more character
 NUMBERS = "the norm of a step is not from 1 to 7 2^BITS"
 STEP = "step 0 0 80148 19294 6762 -54840 57808\n"  # the first one of golden-graph
 HUGE = 300 * "9"
-ACCEPTED_STEP = {name: next(f"{line}\n" for case, _, lines in ACCEPTED if case == f"near-{name}-graph" for line in lines.split("; ")
-                            if line.startswith("step")) for name in NEAR}
 
 # name, accepted case that is changed, other options or None, reason, changes of its text
 REJECTED = [
@@ -268,8 +286,7 @@ REJECTED = [
     ("graph-one-norm-high", "one-graph", None, NUMBERS, [("131 128\n", "1793 128\n")]),
     ("graph-turns-norm", "turns-graph", None, SMALL, [("step 0 0 129 ", "step 0 0 127 ")]),
     *((f"graph-near-{name}", f"near-{name}-graph", None, ABOVE, [
-        ("graph 1 1 24\n", "graph 1 1 8\n"), (ACCEPTED_STEP[name], f"step 0 0 256 {' '.join(str(int(256 * x)) for row in NEAR[name][0] for x in row)}\n")])
-      for name in ("root", "quotient")),
+        ("\n".join(near(name, 24)), "\n".join(near(name, 8)))]) for name, (*_, accepted) in NEAR.items() if not accepted),
     # c^2 - |M'|^2 is positive, but less than d U
     ("graph-margin", "turns-graph", None, ABOVE, [
         ("graph 1 2 8\n", "graph 1 256/251 8\n"), ("0 129 0 -128 128 0\n", "0 252 0 -251 251 0\n"),

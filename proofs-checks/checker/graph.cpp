@@ -78,7 +78,7 @@ class Graph {
         generators_(std::move(generators)),
         arithmetic_(arithmetic) {
     std::ranges::sort(letters_);
-    letters_.erase(std::ranges::unique(letters_).begin(), letters_.end());
+    letters_.erase(std::unique(letters_.begin(), letters_.end()), letters_.end());
     convert(mpz_class(1) << bits, unit_);
     convert(mpz_class(n_), size_);
   }

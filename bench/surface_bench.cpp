@@ -43,12 +43,12 @@ void BM_surface_polytope(benchmark::State& state, const std::string& scheme, boo
 /// The bound and the words of a quadratic form, as narrow as 20 s and the work of the checker allow; the target 0.
 void BM_surface_form(benchmark::State& state, const std::string& scheme, bool symmetric) {
   const MatrixFamily family = largest_block(scheme, symmetric);
-  std::optional<QuadraticProof> proof;
-  for (auto _ : state) proof = prove_by_quadratic_form(family, 0, {Deadline::in(20)});
+  std::optional<GraphProof> proof;
+  for (auto _ : state) proof = prove_by_quadratic_forms(family, 0, {Deadline::in(20)});
   state.counters["dimension"] = static_cast<double>(family.size());
   state.counters["group"] = static_cast<double>(family.group().size());
   state.counters["bound"] = proof ? proof->bound.convert_to<double>() : 0;
-  state.counters["words"] = proof ? static_cast<double>(proof->words.size()) : 0;
+  state.counters["words"] = proof ? static_cast<double>(proof->words()) : 0;
 }
 
 void BM_surface_stability(benchmark::State& state, const std::string& scheme) {

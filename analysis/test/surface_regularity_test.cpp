@@ -59,9 +59,8 @@ TEST_CASE("a large block that is smaller than the leading one is settled by a qu
   REQUIRE(result.radius);
   REQUIRE(result.radius->by_blocks());
   const auto& blocks = result.radius->by_blocks()->blocks;
-  CHECK(std::any_of(blocks.begin(), blocks.end(), [](const JointSpectralRadius& block) {
-    return std::holds_alternative<QuadraticProof>(block.proof);
-  }));
+  CHECK(std::any_of(blocks.begin(), blocks.end(),
+                    [](const JointSpectralRadius& block) { return std::holds_alternative<GraphProof>(block.proof); }));
 }
 
 TEST_CASE("where shifts are unstable the differences of the limit tell the exponent") {

@@ -142,16 +142,26 @@ class SectionWriter {
 
   std::string operator()(const QuadraticProof& proof) const {
     const GroupWords group(proof.group, false);
-    const bool several = proof.forms.size() > 1;
-    std::string text = fmt::format("block {} quadratic {} {}{}{}\n", block_, proof.words.size(), to_text(proof.bound),
-                                   several ? fmt::format(" forms:{}", proof.forms.size()) : "", group_text(group)) +
+    std::string text = fmt::format("block {} quadratic {} {}{}\n", block_, proof.words.size(), to_text(proof.bound),
+                                   group_text(group)) +
                        generators_text(proof.group, group);
-    for (const auto& form : proof.forms)
-      for (const std::vector<Integer>& row : form) text += "form" + numbers_text(row) + "\n";
-    for (const QuadraticProof::Word& word : proof.words)
-      text += fmt::format("word {}{}\n",
-                          several ? fmt::format("{} {}{} ", word.from, word.to, group.word(word.element)) : "",
-                          fmt::join(word.letters, " "));
+    for (const std::vector<Integer>& row : proof.form) text += "form" + numbers_text(row) + "\n";
+    for (const std::vector<int>& word : proof.words) text += fmt::format("word {}\n", fmt::join(word, " "));
+    return text;
+  }
+
+  std::string operator()(const GraphProof& proof) const {
+    const GroupWords group(proof.group, false);
+    std::string text = fmt::format("block {} graph {} {} {}{}\n", block_, proof.states.size(), to_text(proof.bound),
+                                   proof.bits, group_text(group)) +
+                       generators_text(proof.group, group);
+    for (const GraphProof::State& state : proof.states) {
+      for (const std::vector<Integer>& row : state.coordinates) text += "coordinates" + numbers_text(row) + "\n";
+      for (const GraphProof::Step& step : state.steps)
+        text += fmt::format("step {} {}{} {} {}\n", step.letter, step.to, group.word(step.element), step.norm,
+                            fmt::join(step.matrix, " "));
+      text += "tree " + state.ends + "\n";
+    }
     return text;
   }
 

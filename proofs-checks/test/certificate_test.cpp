@@ -362,7 +362,7 @@ TEST_CASE("certificates by quadratic forms") {
   HolderRegularity regularity = regularity_of("primal:n=3,d=3");
   regularity.radius = by_form(transition_matrices(divided_difference_scheme(mask, rules)));
   REQUIRE(regularity.radius.method() == JsrMethod::quadratic_form);
-  CHECK(std::get<QuadraticProof>(regularity.radius.proof).forms.size() > 1);
+  CHECK(std::get<GraphProof>(regularity.radius.proof).states.size() > 1);
   const Certificate curve = exponent_certificate(mask, regularity);
   CHECK(proves(subject_of(mask), *curve.claim.lower, *curve.claim.upper, curve.text));
   // With larger groups and equal matrices.

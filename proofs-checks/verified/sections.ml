@@ -13,6 +13,8 @@ let spend work =
   spent := !spent + work;
   require (work >= 0 && !spent <= max_work) "more work than this checker allows"
 
+let bound_of q = { qnum = Q.num q; qden = Q.den q }
+
 (* So many times *)
 let spend_times copies work =
   require (work >= 0 && work <= max_work / copies) "more work than this checker allows";
@@ -105,12 +107,9 @@ let numbered group =
   in
   (number_of, fun a b -> if a = 0 then b else if b = 0 then a else product a b)
 
-(* PREFIXnumber, or 0 of other text *)
-let property prefix low high text =
-  let start = String.length prefix in
-  if String.starts_with ~prefix text then size (String.sub text start (String.length text - start)) low high else 0
-
-let group_size = property "group:" 1 8
+(* K of group:K, or 0 of other text *)
+let group_size text =
+  if String.starts_with ~prefix:"group:" text then size (String.sub text 6 (String.length text - 6)) 1 8 else 0
 
 let read_generators r family count =
   let n = family.size and letters = List.length family.matrices in
@@ -339,18 +338,22 @@ let longest_word = 1000
 
 let incomplete = "the words are not those of a complete tree"
 
-(* The words, and what is known of them at their ends, as a tree in which every node has a child for each letter, or
-   none; with the products of the words. Equal letters have the same child, which then counts as so many copies. *)
+module Word_set = Set.Make (struct type t = int list let compare = compare end)
+
+(* For each letter the first one of the equal ones *)
+let first_letters matrices =
+  Array.map (fun m -> let rec search t = if matrices.(t) = m then t else search (t + 1) in search 0) matrices
+
+(* The words as a tree in which every node has a child for each letter, or none; with the products of the words. Equal
+   letters have the same child, which then counts as so many copies. *)
 let rec tree_of first equals words copies leaf longer product =
   match words with
-  | [ ([], last) ] -> leaf copies product last
+  | [ [] ] -> leaf copies product
   | _ ->
       let count = Array.length first in
       spend_times copies count;
       let rests = Array.make count [] and children = Array.make count None in
-      List.iter
-        (function t :: rest, last -> rests.(t) <- (rest, last) :: rests.(t) | [], _ -> reject incomplete)
-        words;
+      List.iter (function t :: rest -> rests.(t) <- rest :: rests.(t) | [] -> reject incomplete) words;
       let child t =
         require (rests.(t) <> []) incomplete;
         let copies = copies * equals.(t) in
@@ -362,104 +365,45 @@ let rec tree_of first equals words copies leaf longer product =
              if first.(t) = t then children.(t) <- Some (child t);
              Option.get children.(first.(t))))
 
-module Word_map = Map.Make (struct type t = int list let compare = compare end)
-module Form_map = Map.Make (struct type t = int * Z.t array array let compare = compare end)
-
-(* Each state is a form j moved by an element h of the group, h^T P_j h, and has the words of j moved by h. A word w of j
-   that leads to the form i moved by an element e is moved to h(w), which leads to i moved by e h. *)
 let read_quadratic r family upper fields =
-  let n = family.size and count = List.length family.matrices in
-  let after = List.filteri (fun i _ -> i >= 3) fields in
-  let several = match after with field :: _ -> property "forms:" 2 1000 field | [] -> 0 in
-  let after = if several > 0 then List.tl after else after in
-  let groups = match after with [ field ] -> group_size field | _ -> 0 in
-  require (List.length fields >= 3 && (after = [] || groups > 0))
-    "expected 'quadratic', a number of words, a bound and perhaps forms and a group";
+  let n = family.size and count = List.length family.matrices and length = List.length fields in
+  let groups = if length = 4 then group_size (List.nth fields 3) else 0 in
+  require (length = 3 || groups > 0) "expected 'quadratic', a number of words, a bound and perhaps a group";
   let words = size (List.nth fields 1) 1 max_bytes and bound = rational (List.nth fields 2) in
   require (Q.sign bound >= 0) "the bound of a quadratic form is negative";
   let generators = read_generators r family groups in
-  let group = elements n count generators in
-  let number_of, product = numbered group in
-  let generators = List.map (fun g -> (g, number_of g)) generators in
-  let read_form () =
-    let rows = Array.init n (fun i -> Array.of_list (List.map integer (take r "form" (i + 1) (i + 1)))) in
-    let form = Array.init n (fun i -> Array.init n (fun j -> rows.(max i j).(min i j))) in
+  ignore (elements n count generators);
+  let rows = Array.init n (fun i -> Array.of_list (List.map integer (take r "form" (i + 1) (i + 1)))) in
+  let form = Array.init n (fun i -> Array.init n (fun j -> rows.(max i j).(min i j))) in
+  let definite =
     match root_of form with
-    | Some root when Z.sign form.(0).(0) <> 0 -> (form, root)
-    | _ -> reject "a form is not positive definite"
+    | Some root when Z.sign form.(0).(0) <> 0 -> root
+    | _ -> reject "the form is not positive definite"
   in
-  let first_form, definite = read_form () in
-  let forms = Array.init (max several 1) (fun j -> if j = 0 then first_form else fst (read_form ())) in
-  let element_of word =
-    let generator letter =
-      let k = Char.code letter - Char.code 'A' in
-      require (k >= 0 && k < groups) "unknown generator";
-      snd (List.nth generators k)
-    in
-    String.fold_left (fun e letter -> product e (generator letter)) 0 word
-  in
+  List.iter (fun g -> require (congruent g.map form = form) "a generator does not keep the form") generators;
   let matrices = Array.of_list (List.map array_of family.matrices) in
-  let first =
-    Array.map (fun m -> let rec search t = if matrices.(t) = m then t else search (t + 1) in search 0) matrices
-  in
+  let first = first_letters matrices in
   let equals = Array.make count 0 in
   Array.iter (fun t -> equals.(t) <- equals.(t) + 1) first;
-  let spend_word word = spend (1000 + (100 * List.length word)) in
-  let given = Array.map (fun _ -> Word_map.empty) forms and more = if several > 0 then 2 else 0 in
+  let known = ref Word_set.empty and waiting = Queue.create () in
+  let add word =
+    spend (1000 + (100 * List.length word));
+    let fresh = not (Word_set.mem word !known) in
+    if fresh then begin
+      known := Word_set.add word !known;
+      Queue.add word waiting
+    end;
+    fresh
+  in
   for _ = 1 to words do
-    let from, last, letters =
-      match take r "word" (more + 1) (more + longest_word) with
-      | from :: last :: letters when several > 0 ->
-          let last, word = split_index last several in
-          (size from 0 (several - 1), (last, element_of word), letters)
-      | letters -> (0, (0, 0), letters)
-    in
-    let word = List.map (fun f -> first.(size f 0 (count - 1))) letters in
-    spend_word word;
-    require (not (Word_map.mem word given.(from))) "a word occurs twice";
-    given.(from) <- Word_map.add word last given.(from)
+    let word = List.map (fun f -> first.(size f 0 (count - 1))) (take r "word" 1 longest_word) in
+    require (add word) "a word occurs twice"
   done;
-  (* with the images under the generators that keep the form *)
-  let closed j words =
-    let keeping = List.filter (fun (g, _) -> congruent g.map forms.(j) = forms.(j)) generators in
-    let all = ref words and waiting = Queue.of_seq (Word_map.to_seq words) in
-    while not (Queue.is_empty waiting) do
-      let word, (last, e) = Queue.pop waiting in
-      List.iter
-        (fun (g, k) ->
-          let image = List.map (fun t -> first.(g.letters.(t))) word and place = (last, product e k) in
-          spend_word image;
-          if not (Word_map.mem image !all) then begin
-            all := Word_map.add image place !all;
-            Queue.add (image, place) waiting
-          end)
-        keeping
-    done;
-    !all
-  in
-  let closures = Array.mapi closed given in
-  (* equal forms j moved are one state *)
-  let known = ref Form_map.empty and made = ref 0 and states = Hashtbl.create 997 and waiting = Queue.create () in
-  let state (j, e) =
-    match Hashtbl.find_opt states (j, e) with
-    | Some state -> state
-    | None ->
-        let form = if e = 0 then forms.(j) else congruent group.(e).map forms.(j) in
-        spend (1000 + (20 * n * n * width (bits_of form)));
-        let state =
-          match Form_map.find_opt (j, form) !known with
-          | Some state -> state
-          | None ->
-              let state = (!made, form) in
-              incr made;
-              known := Form_map.add (j, form) state !known;
-              Queue.add (j, e, form) waiting;
-              state
-        in
-        Hashtbl.add states (j, e) state;
-        state
-  in
-  Array.iteri (fun j _ -> ignore (state (j, 0))) forms;
+  (* with the images under the generators *)
+  while not (Queue.is_empty waiting) do
+    let word = Queue.pop waiting in
+    List.iter (fun g -> ignore (add (List.map (fun t -> first.(g.letters.(t))) word))) generators
+  done;
   (* each product has to be below the bound of the certificate; the hint is for that of the claim *)
   let wanted = match upper with Some u when Q.gt u bound -> u | _ -> bound in
   let longer copies (k, product) t =
@@ -468,36 +412,140 @@ let read_quadratic r family upper fields =
     spend_times copies (n * n * ((n * width (bits_of matrices.(t)) * wide) + (500 * (wide - 1))));
     (k + 1, product)
   in
-  let leaf form copies (k, product) last =
-    let number, target = state last in
+  let leaf copies (k, product) =
     let bits g = 2 * k * (Z.numbits (Q.num g) + Z.numbits (Q.den g) + Z.numbits family.denominator) in
-    let wide = width (max (bits bound) (bits wanted) + bits_of target) and long = width (bits_of product) in
+    let wide = width (max (bits bound) (bits wanted) + bits_of form) and long = width (bits_of product) in
     require (n * n * wide <= 1 lsl 23) "more work than this checker allows";
-    let entries = (n * (5 + (2 * long * (long + width (bits_of form))))) + (wide * width (bits_of target)) in
-    spend_times copies (number + (200 * wide) + (n * n * entries));
+    let entries = (n * (5 + (2 * long * (long + width (bits_of form))))) + (wide * width (bits_of form)) in
+    spend_times copies ((200 * wide) + (n * n * entries));
     let moved = congruent product form in
     let root g =
       let a = Z.pow (Z.mul (Q.num g) family.denominator) (2 * k) and b = Z.pow (Q.den g) (2 * k) in
-      root_of (Array.mapi (fun i row -> Array.mapi (fun j x -> Z.sub (Z.mul a x) (Z.mul b moved.(i).(j))) row) target)
+      root_of (Array.mapi (fun i row -> Array.mapi (fun j x -> Z.sub (Z.mul a x) (Z.mul b moved.(i).(j))) row) form)
     in
     match (if Q.equal bound wanted then Some definite else root bound), root wanted with
-    | Some _, Some hint -> Word (hint, number)
+    | Some _, Some hint -> Word hint
     | _ -> reject "a product is not below the bound in the quadratic form"
   in
-  let rec trees finished =
-    if Queue.is_empty waiting then List.rev finished
-    else begin
-      let j, h, form = Queue.pop waiting in
-      let move word (last, e) moved =
-        spend_word word;
-        (List.map (fun t -> first.(group.(h).letters.(t))) word, (last, product e h)) :: moved
-      in
-      let words = Word_map.fold move closures.(j) [] in
-      let tree = tree_of first equals words 1 (leaf form) longer (0, [||]) in
-      trees ((Array.to_list (Array.map Array.to_list form), tree) :: finished)
-    end
+  let tree = tree_of first equals (Word_set.elements !known) 1 leaf longer (0, [||]) in
+  (bound, Quadratic (Array.to_list (Array.map Array.to_list form), definite, tree))
+
+(* ---- graphs ---- *)
+
+(* An element of the group, with its inverse and the classes of the letters that it moves to letters *)
+let moving (group : element array) product first class_of e =
+  (* the power before the first one that is 1 or -1 *)
+  let rec before power taken =
+    require (taken <= Array.length group) "a generator is singular";
+    let next = product e power in
+    if next = 0 then power else before next (taken + 1)
   in
-  (bound, Quadratic (trees [], definite))
+  let inverse = group.(before 0 0).map and classes = Array.map (fun _ -> 0) first in
+  let one = (multiply group.(e).map inverse).(0).(0) in
+  Array.iteri (fun s t -> classes.(first.(t)) <- class_of first.(s)) group.(e).letters;
+  let rows m = Array.to_list (Array.map Array.to_list m) in
+  { action = rows group.(e).map;
+    undone = rows (if Z.sign one > 0 then inverse else Array.map negate inverse);
+    reading = List.map (fun t -> classes.(t)) (Array.to_list first) }
+
+(* ENDS for so many letters, as trees. `visit` is told of each word and of each beginning of words. *)
+let read_trees text letters visit =
+  let position = ref 0 in
+  let rec branches length =
+    List.init letters (fun _ ->
+        require (!position < String.length text) "a tree has fewer characters than its words";
+        let character = text.[!position] in
+        incr position;
+        visit (character <> '+');
+        match character with
+        | '+' ->
+            require (length < longest_word) "a word of more than 1000 letters";
+            Further (branches (length + 1))
+        | '0' .. '9' -> Stop (Char.code character - Char.code '0')
+        | 'A' .. 'Z' -> Stop (Char.code character - Char.code 'A' + 10)
+        | 'a' .. 'z' -> Stop (Char.code character - Char.code 'a' + 36)
+        | _ -> reject "a word ends with none of 0-9, A-Z, a-z")
+  in
+  let trees = branches 1 in
+  require (!position = String.length text) "a tree has more characters than its words";
+  trees
+
+let read_graph r family upper fields =
+  let n = family.size and count = List.length family.matrices and length = List.length fields in
+  let groups = if length = 5 then group_size (List.nth fields 4) else 0 in
+  require (length = 4 || groups > 0) "expected 'graph', a number of states, a bound, a number of bits and perhaps a group";
+  let states = size (List.nth fields 1) 1 4096 and bound = rational (List.nth fields 2) and bits = size (List.nth fields 3) 8 1000 in
+  require (Q.sign bound > 0) "the bound of a graph is not positive";
+  let unity = Z.shift_left Z.one bits in
+  let generators = read_generators r family groups in
+  let group = elements n count generators in
+  let number_of, product = numbered group in
+  let matrices = Array.of_list (List.map array_of family.matrices) in
+  let first = first_letters matrices in
+  let firsts = List.filter (fun t -> first.(t) = t) (List.init count Fun.id) in
+  let classes = Array.make count 0 in
+  List.iteri (fun c t -> classes.(t) <- c) firsts;
+  let everyone = List.init (Array.length group) Fun.id in
+  let group_of_graph = List.map (moving group product first (fun t -> classes.(t))) everyone in
+  let cube = n * n * n in
+  spend (3 * List.length everyone * count * cube);
+  (* the words of steps, numbered as they come; of their maps signs matter *)
+  let numbers = Hashtbl.create 97 and turns = ref [] in
+  let turn word =
+    match Hashtbl.find_opt numbers word with
+    | Some k -> k
+    | None ->
+        let generator letter =
+          let k = Char.code letter - Char.code 'A' in
+          require (k >= 0 && k < groups) "unknown generator";
+          List.nth generators k
+        in
+        let element = String.fold_left (fun e letter -> compose e (generator letter)) group.(0) word in
+        let moved = List.map (product (number_of element)) everyone in
+        spend (List.length everyone * cube);
+        turns := { turning = Array.to_list (Array.map Array.to_list element.map); moved } :: !turns;
+        Hashtbl.add numbers word (Hashtbl.length numbers);
+        Hashtbl.length numbers - 1
+  in
+  let coordinate_bits = ref 0 and taken = ref 0 in
+  let read_coordinates i =
+    let row = List.map integer (take r "coordinates" (i + 1) (i + 1)) in
+    require (Z.sign (List.nth row i) <> 0) "the coordinates of a state have a 0 on the diagonal";
+    List.iter (fun x -> coordinate_bits := max !coordinate_bits (Z.numbits x)) row;
+    row @ List.init (n - 1 - i) (fun _ -> Z.zero)
+  in
+  let rec read_steps head =
+    match take r head (2 + (n * n)) (2 + (n * n)) with
+    | target :: norm :: entries ->
+        let target, word = split_index target states in
+        let step_norm = integer norm and entries = Array.of_list (List.map integer entries) in
+        require (Z.sign step_norm > 0 && Z.leq step_norm (Z.mul (Z.of_int 7) unity)) "the norm of a step is not from 1 to 7 2^BITS";
+        require (Array.for_all (fun x -> Z.leq (Z.abs x) step_norm) entries) "the norm of a step is larger than it says";
+        incr taken;
+        let step_matrix = List.init n (fun i -> Array.to_list (Array.sub entries (i * n) n)) in
+        let step = { target; turned_by = turn word; step_norm; step_matrix } in
+        step :: (if at r head then read_steps head else [])
+    | _ -> assert false
+  in
+  (* products of steps, and what ends of words take beside: with few bits numbers are those of the machine *)
+  let looking = 20 + ((states + count) / 16) in
+  let price work = looking + if bits <= 24 then work / 12 else if bits <= 100 then work / 2 else work * width bits in
+  let product = price cube and compared = price (2 * cube / 3) in
+  let visit ends = spend (if ends then product + compared else product) in
+  let read_state _ =
+    let coordinates = List.init n read_coordinates in
+    let steps = List.map (fun t -> read_steps (Printf.sprintf "step %d" t)) firsts in
+    { coordinates; steps; trees = read_trees (List.hd (take r "tree" 1 1)) (List.length firsts) visit }
+  in
+  let states = List.init states read_state in
+  let most f = Array.fold_left (fun most x -> max most (bits_of (f x))) 0 in
+  let fractions = Z.numbits (Q.num bound) + Z.numbits (Q.den bound) + Z.numbits family.denominator in
+  let apart = bits + fractions + !coordinate_bits + max (most Fun.id matrices) (most (fun e -> e.map) group) + 20 in
+  spend_times (max 1 !taken) (looking + (6 * cube * width (128 + apart) * width (128 + apart)));
+  let section = Graph (bound_of bound, unity, firsts, group_of_graph, List.rev !turns, states) in
+  (* with an upper end of the claim that comes later *)
+  require (upper <> None || check_section family (bound_of bound) section) "the words do not prove the bound";
+  (bound, section)
 
 (* Middle coefficients of so many powers *)
 let spend_powers family symbol count =
@@ -524,8 +572,11 @@ let read_section ~single r number family upper =
   | "quadratic" ->
       let bound, section = read_quadratic r family upper fields in
       (Some bound, section, None)
+  | "graph" ->
+      let bound, section = read_graph r family upper fields in
+      (Some bound, section, None)
   | "polytope" when List.length fields >= 4 ->
       let section, polytope = read_polytope r family fields in
       (None, section, Some polytope)
   | "single" when single -> read_single r family fields
-  | _ -> reject "expected 'norm', 'polytope' or 'quadratic' and its numbers"
+  | _ -> reject "expected 'norm', 'polytope', 'quadratic' or 'graph' and its numbers"

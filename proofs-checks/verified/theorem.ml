@@ -17,8 +17,18 @@ let term = pair (fun i -> Z.to_string i ^ "%positive") (pair integer integer)
 let root r = Printf.sprintf "(Root %s %s %s)" (matrix r.root_rows) (integer r.root_factor) (integer r.root_scale)
 
 let rec words = function
-  | Word (r, last) -> Printf.sprintf "(Word %s %s)" (root r) (natural last)
+  | Word r -> "(Word " ^ root r ^ ")"
   | Words children -> "(Words " ^ list words children ^ ")"
+
+let rec branch = function Stop k -> "(Stop " ^ natural k ^ ")" | Further l -> "(Further " ^ list branch l ^ ")"
+let element e = Printf.sprintf "(Element %s %s %s)" (matrix e.action) (matrix e.undone) (list natural e.reading)
+let turn h = Printf.sprintf "(Turn %s %s)" (matrix h.turning) (list natural h.moved)
+
+let step s =
+  Printf.sprintf "(Step %s %s %s %s)" (natural s.target) (natural s.turned_by) (integer s.step_norm) (matrix s.step_matrix)
+
+let state s =
+  Printf.sprintf "(State %s\n%s\n%s)" (matrix s.coordinates) (list (list step) s.steps) (list branch s.trees)
 
 let squares s =
   Printf.sprintf "(Squares %s %s %s %s %s %s)" (vector s.symbol) (integer s.content) (vector s.divisor) (vector s.cosine)
@@ -31,7 +41,10 @@ let section = function
         (list (pair vector vector) points)
         (list (list term) units)
         (list (list (list term)) images)
-  | Quadratic (states, definite) -> Printf.sprintf "(Quadratic %s %s)" (list (pair matrix words) states) (root definite)
+  | Quadratic (form, definite, tree) -> Printf.sprintf "(Quadratic %s %s %s)" (matrix form) (root definite) (words tree)
+  | Graph (bound, unity, firsts, group, turns, states) ->
+      Printf.sprintf "(Graph %s %s %s %s %s\n%s)" (fraction bound) (integer unity) (list natural firsts) (list element group)
+        (list turn turns) (list state states)
   | Single (s, recurrence) -> Printf.sprintf "(Single %s %s)" (squares s) (vector recurrence)
 
 let eigen e =
@@ -55,7 +68,7 @@ let print name modules claim certificate theorem =
   Printf.printf
     "(* Made by subcert-check-verified --theorem %s: the claim, its certificate, and the proof by computation. *)\n\
      Require Import Reals List ZArith QArith.\n\
-     From Subcert Require Import Radius Integers Sections Eigenvalue Quadratic Single Check%s.\n\
+     From Subcert Require Import Radius Integers Sections Eigenvalue Quadratic Graph Single Check%s.\n\
      Import ListNotations.\n\
      Open Scope Z_scope.\n\n\
      Definition %s_%s.\n\n\

@@ -16,8 +16,8 @@ constexpr std::size_t max_maximizing = 12;  // products that roots are made of; 
 constexpr double symmetric_tolerance = 1e-12;  // a symmetry may be off by that, relatively
 
 // Shares of the whole time. A polytope that closes exactly is worth most of it; enclosing gets the rest.
-constexpr double first_products = 0.25, later_products = 0.125;
-constexpr double first_race = 0.6, all_races = 0.65, last_race = 0.5;
+constexpr double first_products = 0.35, later_products = 0.175;
+constexpr double first_race = 0.84, all_races = 0.91, last_race = 0.7;
 // A polytope that closes mostly does so within a small multiple of the first look at the products; one that does not
 // gets a wider look for a better product, and more time each round.
 constexpr double first_patience = 20, later_patience = 30;

@@ -19,13 +19,13 @@ using polytope::Vector;
 
 constexpr std::size_t most_states = 256;  // of contexts, and of a cycle
 // The weight t of the bound, for each singular value, doubles.
-constexpr double first_weight = 2;
-constexpr int weights = 6;           // up to 64
+constexpr double first_weight = 16;
+constexpr int weights = 5;           // up to 256
 constexpr double first_level = 1.1;  // that g is above the largest norm at first, squared
-constexpr int steps_per_weight = 400;
+constexpr int steps_per_weight = 1000;
 constexpr double first_step = 1e-3, longest_step = 1;
 constexpr int most_halvings = 25;                                      // of a step
-constexpr double least_gain = 1e-4;                                    // of a step
+constexpr double least_gain = 1e-3;                                    // of a step
 constexpr std::size_t matrices_per_step = 5, matrices_per_state = 50;  // that a descent holds, about
 constexpr std::size_t worth_threads = 64;                              // matrices
 
@@ -34,6 +34,7 @@ constexpr int orbit_generations = 80;
 constexpr std::size_t orbit_width = 64;
 constexpr double more_than_orbit = 1.03;  // that words come near to the cycle before they are on it
 constexpr double across_share = 0.7;      // of the form of the context that W reaches
+constexpr double most_norm = 6.5;         // of a step at the end of a word, by the bound
 constexpr int most_turns = 200;
 constexpr double settled = 1e-6;
 
@@ -51,35 +52,35 @@ Matrix applied(const polytope::GroupAction& action, int element, Matrix matrix) 
 /// m^T form m
 Matrix congruent(const Matrix& m, const Matrix& form) { return m.transposed() * (form * m); }
 
-Vector real_part(const polytope::ComplexVector& x) {
-  Vector result;
-  for (const auto& entry : x) result.push_back(entry.real());
-  return result;
-}
-
-/// Left and right leading eigenvectors before each letter of a product, w[0] u[1] = u[0] A, ...
-struct Cycle {
-  std::vector<Vector> left, right;  // left[p] right[p] = 1
+/// Left and right leading eigenvectors before each letter of a product, u_0 A = r u_1, ..., of a simple eigenvalue or
+/// of a pair of them.
+struct LeadingVectors {
+  std::vector<polytope::ComplexVector> left, right;  // left[p] right[p] = 1
   double radius = 0;
+  bool is_pair = false;
 };
 
-/// Of a real simple leading eigenvalue.
-std::optional<Cycle> real_cycle(const std::vector<Matrix>& matrices, const std::vector<int>& product,
-                                const Deadline& deadline) {
+std::optional<LeadingVectors> leading_vectors(const std::vector<Matrix>& matrices, const std::vector<int>& product,
+                                              const Deadline& deadline) {
   polytope::Candidate candidate{product, 0};
   std::ranges::reverse(candidate.word);
   candidate.radius = polytope::product_radius(matrices, candidate.word);
   const auto cycles = polytope::leading_cycles(matrices, {candidate}, simple_enough, deadline);
-  if (cycles.size() != 1 || cycles[0].left.empty() || std::abs(cycles[0].phase.imag()) > real_enough)
-    return std::nullopt;
-  Cycle result;
-  result.radius = candidate.radius;
+  if (cycles.size() != 1 || cycles[0].left.empty()) return std::nullopt;
+  LeadingVectors result{{}, {}, candidate.radius, std::abs(cycles[0].phase.imag()) > real_enough};
   const std::size_t length = product.size();
   for (std::size_t p = 0; p < length; ++p) {
-    result.right.push_back(real_part(cycles[0].right[(length - p) % length]));
-    result.left.push_back(real_part(cycles[0].left[(length - p) % length]));
+    result.right.push_back(cycles[0].right[(length - p) % length]);
+    result.left.push_back(cycles[0].left[(length - p) % length]);
   }
   return result;
+}
+
+/// The largest |Re(z x)|, |z| = 1.
+double longest_half_axis(const polytope::ComplexVector& x) {
+  std::complex<double> square = 0;
+  for (const auto& entry : x) square += entry * entry;
+  return std::sqrt((polytope::squared_norm(x) + std::abs(square)) / 2);
 }
 
 /// work(0), ..., work(count - 1), on all cores where there are many.
@@ -94,11 +95,14 @@ void in_parts(std::size_t count, const Work& work) {
     parallel_ranges(count, static_cast<std::size_t>(all_cores()), all_cores(), range);
 }
 
+double norm_of(const Step& step) {
+  return std::sqrt(polytope::symmetric_eigenvalues(step.matrix.transposed() * step.matrix).back());
+}
+
 double largest_norm(const StateForms& forms) {
   double largest = 0;
-  for (const Step& step : forms.steps)
-    largest = std::max(largest, polytope::symmetric_eigenvalues(step.matrix.transposed() * step.matrix).back());
-  return std::sqrt(largest);
+  for (const Step& step : forms.steps) largest = std::max(largest, norm_of(step));
+  return largest;
 }
 
 /// Forms, and g^2 by its logarithm.
@@ -216,8 +220,9 @@ void descend(Point& at, double weight, const Deadline& deadline) {
 
 ContextForms::ContextForms(const polytope::SearchFamily& family, EllipsoidalCoordinates for_letters)
     : family_(family), for_letters_(std::move(for_letters)), contexts_{{}} {
-  forms_ = {{for_letters_.to}, {for_letters_.from}, {}, {{}}, for_letters_.bound};
+  forms_ = {{for_letters_.to}, {for_letters_.from}, {}, {}, for_letters_.bound};
   for (const Matrix& m : for_letters_.matrices) forms_.steps.push_back({0, 0, 0, m});
+  forms_.ends.resize(forms_.steps.size());
 }
 
 std::vector<int> ContextForms::least_image(const std::vector<int>& context) const {
@@ -263,7 +268,7 @@ StateForms ContextForms::lengthen() {
   }
   contexts_.assign(longer.begin(), longer.end());
   for (std::size_t state = 0; state < result.states(); ++state) add_steps(result, state, contexts_[state]);
-  result.endings.resize(result.states());
+  result.ends.resize(result.steps.size());
   return result;
 }
 
@@ -291,7 +296,7 @@ bool ContextForms::grow(const Budget& budget) {
 
 std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& product, const Deadline& deadline) const {
   if (product.size() > most_states) return std::nullopt;
-  const auto cycle = real_cycle(family_.matrices, product, deadline);
+  const auto cycle = leading_vectors(family_.matrices, product, deadline);
   if (!cycle) return std::nullopt;
   const std::size_t n = family_.matrices.front().rows(), length = product.size(), first = forms_.states();
   const std::size_t reach = contexts_.front().size();
@@ -299,17 +304,18 @@ std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& produ
   std::vector<Matrix> matrices = family_.matrices;
   for (Matrix& m : matrices) m /= cycle->radius;
 
-  // The largest norm, for any state, of what words make of the eigenvectors.
+  // The largest norm, for any state, of what words make of those x in the span of the eigenvectors with |u x| = 1.
+  const double share = cycle->is_pair ? 2 : 1;  // x = Re(share z v), |z| = 1
   double largest = 0;
-  const auto look = [&](const Vector& x) {
-    for (const Matrix& to : forms_.to) largest = std::max(largest, polytope::norm(to * x));
+  const auto look = [&](const polytope::ComplexVector& x) {
+    for (const Matrix& to : forms_.to) largest = std::max(largest, share * longest_half_axis(to * x));
   };
-  for (const Vector& x : cycle->right) look(x);
+  for (const polytope::ComplexVector& x : cycle->right) look(x);
   polytope::follow_orbit(
       cycle->right, matrices, orbit_generations, orbit_width, deadline,
-      [&](const Vector& x) { return polytope::norm(for_letters_.to * x); }, look);
+      [&](const polytope::ComplexVector& x) { return polytope::squared_norm(for_letters_.to * x); }, look);
 
-  // The form of the context before each letter, without the eigenvector.
+  // The form of the context before each letter, without the eigenvectors.
   struct Place {
     std::vector<int> context;
     std::size_t state = 0;
@@ -325,7 +331,7 @@ std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& produ
     place.from = applied(action, place.element, forms_.from[place.state]);
     Matrix projection = Matrix::identity(n);
     for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i) projection(i, j) -= cycle->right[p][i] * cycle->left[p][j];
+      for (std::size_t i = 0; i < n; ++i) projection(i, j) -= share * (cycle->right[p][i] * cycle->left[p][j]).real();
     place.across = congruent(place.to * projection, Matrix::identity(n));
   }
   // W before the next letter is A^T W A and the form there, so that A^T W A is below it.
@@ -348,14 +354,16 @@ std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& produ
   }
 
   StateForms at = forms_;
+  at.ends.clear();
+  std::vector<std::vector<Step>> endings(forms_.states());  // from the state of a context to those of the cycle
   const double along = more_than_orbit * largest;
   for (std::size_t p = 0; p < length; ++p) {
     const Place& place = places[p];
     w[p] /= reached / across_share;
-    const Vector row = place.from.transposed() * cycle->left[p];
+    const polytope::ComplexVector row = multiply_transposed(place.from, cycle->left[p]);
     Matrix form = std::move(w[p]);
     for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i) form(i, j) += along * along * row[i] * row[j];
+      for (std::size_t i = 0; i < n; ++i) form(i, j) += along * along * (std::conj(row[i]) * row[j]).real();
     polytope::SymmetricDecomposition roots = polytope::symmetric_decomposition(form);
     Vector inverses;
     for (double& value : roots.values) {
@@ -366,7 +374,7 @@ std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& produ
     const Matrix back = polytope::composed(roots.vectors, inverses);
     at.to.push_back(polytope::composed(roots.vectors, roots.values) * place.to);
     at.from.push_back(place.from * back);
-    at.endings[place.state].push_back({first + p, place.element, back});
+    endings[place.state].push_back({place.state, first + p, place.element, back});
   }
   for (std::size_t p = 0; p < length; ++p) {
     add_steps(at, first + p, places[p].context);
@@ -375,7 +383,14 @@ std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& produ
     on.element = 0;
     on.matrix = at.to[first + p] * family_.matrices[static_cast<std::size_t>(product[p])] * at.from[on.to];
   }
-  at.endings.resize(at.states());
+  for (const Step& step : at.steps) {
+    at.ends.emplace_back();
+    if (step.to >= first) continue;
+    for (const Step& ending : endings[step.to]) {
+      Step end{step.from, ending.to, step.element ^ ending.element, fast_product(step.matrix, ending.matrix)};
+      if (norm_of(end) < most_norm * forms_.bound) at.ends.back().push_back(std::move(end));
+    }
+  }
   at.bound = std::max(at.bound, cycle->radius);
   return at;
 }

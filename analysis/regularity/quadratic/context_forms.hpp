@@ -18,19 +18,12 @@ struct Step {
   polytope::Matrix matrix;  ///< of the letter; its image is in the coordinates of `from`
 };
 
-/// Where a word that comes to one state may end instead.
-struct Ending {
-  std::size_t to = 0;
-  int element = 0;          ///< that moves the state, after the one that has moved the first state
-  polytope::Matrix matrix;  ///< from the coordinates of the new state to those of the first one
-};
-
 /// Coordinates for the states of a reader of words.
 struct StateForms {
-  std::vector<polytope::Matrix> to, from;    ///< of each state: x' = to x, x = from x'; the form is to^T to
-  std::vector<Step> steps;                   ///< of each state with each letter, in this order
-  std::vector<std::vector<Ending>> endings;  ///< of each state
-  double bound = 0;                          ///< no step has a larger norm, nor is the joint spectral radius larger
+  std::vector<polytope::Matrix> to, from;  ///< of each state: x' = to x, x = from x'; the form is to^T to
+  std::vector<Step> steps;                 ///< of each state with each letter, in this order
+  std::vector<std::vector<Step>> ends;     ///< where words may end that come to another state by these steps
+  double bound = 0;                        ///< no step has a larger norm, nor is the joint spectral radius larger
 
   std::size_t states() const { return to.size(); }
 };
@@ -49,6 +42,7 @@ class ContextForms {
   bool grow(const Budget& budget);
 
   const StateForms& forms() const { return forms_; }
+  const std::vector<polytope::Matrix>& matrices() const { return family_.matrices; }
   /// By which elements of steps are counted.
   const polytope::SymmetryGroup& symmetry() const { return family_.symmetry; }
 

@@ -1,6 +1,6 @@
 #include "context_products.hpp"
 
-#include "context_forms.hpp"
+#include "product_tree.hpp"
 
 #include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
 
@@ -22,28 +22,6 @@ constexpr std::size_t kept = 6;                          // words that cycles ar
 constexpr std::size_t longest_cycle = 150, cycle_starts = 150;
 constexpr double better = 1e-9;  // relatively, for another look
 constexpr double near = 2e-3;    // products so far below the best are reported
-
-/// Whether I - m^T m is positive definite.
-bool is_contraction(const Matrix& m) {
-  const std::size_t n = m.rows();
-  static thread_local std::vector<double> rest;
-  rest.assign(n * n, 0);
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = j; i < n; ++i) {
-      double sum = i == j ? 1 : 0;
-      for (std::size_t k = 0; k < n; ++k) sum -= m(k, i) * m(k, j);
-      rest[j * n + i] = sum;
-    }
-  for (std::size_t k = 0; k < n; ++k) {
-    double* column = &rest[k * n];
-    if (!(column[k] > 0)) return false;
-    const double pivot = std::sqrt(column[k]);
-    for (std::size_t i = k; i < n; ++i) column[i] /= pivot;
-    for (std::size_t j = k + 1; j < n; ++j)
-      for (std::size_t i = j; i < n; ++i) rest[j * n + i] -= column[i] * column[j];
-  }
-  return true;
-}
 
 /// Follows words depth first, from every state, as long as they are no contractions.
 class Words {
@@ -150,14 +128,14 @@ class Cycles {
 }  // namespace
 
 std::vector<polytope::Candidate> context_products(const polytope::SearchFamily& family, double radius,
-                                                  const Budget& budget) {
+                                                  const Budget& budget, std::optional<ContextForms>& contexts) {
   const Deadline &deadline = budget.deadline, contexts_end = deadline.after(contexts_share);
   const EllipsoidalCoordinates for_letters = ellipsoidal_coordinates(family, radius, contexts_end);
-  ContextForms contexts(family, for_letters);
-  while (contexts.forms().bound > radius && contexts.grow({contexts_end, budget.memory})) {
+  contexts.emplace(family, for_letters);
+  while (contexts->forms().bound > radius && contexts->grow({contexts_end, budget.memory})) {
   }
   Cycles cycles(family, for_letters, radius);
-  Words words(contexts.forms(), contexts.symmetry());
+  Words words(contexts->forms(), contexts->symmetry());
   for (const double excess : excesses) {
     bool all = false;
     for (double before = 0; cycles.best() > before * (1 + better) && !deadline.expired();) {

@@ -1,35 +1,36 @@
 #pragma once
-/// Complete trees of products whose norms are small, in floating point. Inner header. Nothing of it is proved.
+/// Complete trees of products that are contractions, in floating point. Inner header. Nothing of it is proved.
 
 #include "context_forms.hpp"
 
+#include <string>
+
 namespace subcert::quadratic {
 
-/// A word that leads from one state to another one, which an element of the group moves.
-struct TreeWord {
-  std::size_t from = 0, to = 0;
-  int element = 0;
-  std::vector<int> letters;
-};
+/// Whether 1 - m^T m is positive definite.
+bool is_contraction(const polytope::Matrix& m);
 
 struct ProductTree {
-  /// The leaves of each state, least letters first; of a single state one of those that the symmetry exchanges. Every
-  /// infinite word begins with exactly one leaf of a state, or image of a leaf.
-  std::vector<TreeWord> words;
-  double bound = 0;  ///< no product of a leaf, A_{w_1} ... A_{w_k}, has a norm above bound^k
+  /// Words that lead away from each state, in the letters that states read, least letters first: `+` for those that go
+  /// on with a letter, followed by the same for the state they come to; end_character(0) for one that ends by this
+  /// step, end_character(k) for the end k-1 instead. Every infinite word begins with exactly one.
+  std::vector<std::string> ends;
+  double bound = 0;  ///< products of k letters that end are contractions, divided by bound^k
+  double work = 0;   ///< multiplications that an exact proof takes
 };
+
+/// 0, ..., 9, A, ..., Z, a, ..., z. Domain: k < 62.
+char end_character(std::size_t k);
+std::size_t end_number(char character);
 
 struct TreeLimits {
-  double target = 0;            ///< a bound that is small enough
-  double limbs_per_letter = 1;  ///< by which the entries of exact products grow
-  double work = 0;              ///< products of limbs that an exact proof of the leaves may take
-  std::size_t leaves = 1;       ///< as many as there may be
-  Budget budget;
+  double work = 0;  ///< of the proof
+  Deadline deadline;
 };
 
-/// Splits the leaf of the largest averaged norm until the bound is small enough or a limit is reached. Domain:
-/// forms of a positive bound; a single one is invariant under the symmetry. Cost: a product and the eigenvalues of a
-/// symmetric matrix for each node. Ref: [Gri96]; [MR14] for trees.
-ProductTree product_tree(const StateForms& forms, const polytope::SymmetryGroup& symmetry, const TreeLimits& limits);
+/// The words that go on until they are contractions; nothing where a limit is reached, or the norms of the steps of a
+/// word have too large a product. Domain: bound > 0. Cost: a product and a Cholesky decomposition for each node, on all
+/// cores. Ref: [Gri96]; [MR14] for trees.
+std::optional<ProductTree> product_tree(const StateForms& forms, double bound, const TreeLimits& limits);
 
 }  // namespace subcert::quadratic

@@ -1,38 +1,34 @@
 #pragma once
-/// Rational proofs of upper bounds for joint spectral radii by a positive definite quadratic form and a tree of
-/// products.
+/// Rational proofs of upper bounds for joint spectral radii by quadratic forms.
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include "graph_proof.hpp"
 
 namespace subcert {
+namespace quadratic {
+class ContextForms;
+}
 
-/// With A_w = A_{w_1} ... A_{w_k} and P = P_from, Q = P_to, bound^(2 k) g^T Q g - A_w^T P A_w is positive semidefinite
-/// for all words w, g their elements of the group. Every infinite sequence of letters begins with a word from any given
-/// form or, where there is one form only, with the image of a word under an element of the group
-/// (proofs-checks/certificates/SPEC.md). Of equal matrices the words name the first.
+/// With A_w = A_{w_1} ... A_{w_k}, bound^(2 k) P - A_w^T P A_w is positive semidefinite for all words w. Every infinite
+/// sequence of letters begins with a word or its image under an element of the group
+/// (proofs-checks/certificates/SPEC.md, 4.8). Of equal matrices the words name the first.
 struct QuadraticProof {
-  struct Word {
-    std::size_t from = 0, to = 0;  ///< forms
-    std::size_t element = 0;       ///< of the group
-    std::vector<int> letters;
-  };
-  std::vector<std::vector<std::vector<Integer>>> forms;  ///< each row by row up to the diagonal
-  std::vector<FamilySymmetry> group;                     ///< of the family; a single form P has g^T P g = P
-  std::vector<Word> words;
+  std::vector<std::vector<Integer>> form;  ///< P row by row up to the diagonal
+  std::vector<FamilySymmetry> group;       ///< of the family, g^T P g = P
+  std::vector<std::vector<int>> words;
   Rational bound;  ///< proved: joint spectral radius <= bound
 };
 
 /// The proof for 2^exponent times the matrices.
 QuadraticProof scaled(QuadraticProof proof, long exponent);
 
-/// Searches a form and a tree in floating point and confirms both in exact arithmetic. Nothing is returned where that
+/// Searches forms and trees in floating point and confirms them in exact arithmetic. Nothing is returned where that
 /// fails. Domain: entries whose doubles are finite and not far from 1 in size; different matrices. `target`: a bound
-/// that is small enough; `product`: from left to right, one that may attain the radius. Error: none, the bound is
-/// proved. Cost: a few hundred decompositions of each matrix, then three exact matrix products for each word; the
-/// checker's work is limited likewise.
-std::optional<QuadraticProof> prove_by_quadratic_form(const MatrixFamily& family, const Rational& target,
-                                                      const Budget& budget, const std::vector<int>& product = {});
+/// that is small enough; `product`: from left to right, one that may attain the radius; `known`: forms to go on with,
+/// if they are in the coordinates of the search. Error: none, the bound is proved. Cost: a few hundred decompositions
+/// of each matrix, then two products of matrices for each word; the checker's work is limited likewise.
+std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, const Rational& target,
+                                                   const Budget& budget, const std::vector<int>& product = {},
+                                                   const quadratic::ContextForms* known = nullptr);
 
 /// The proof for matrices that are a rational number times isometries of one positive definite form: the bound is that
 /// number, and the joint spectral radius. Nothing where they are not, or where the form was not found. Domain: size up

@@ -159,13 +159,13 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   return whole;
 }
 
-/// How many parts of this kind its proofs of this kind have.
-template <class Proof, class Parts>
-std::size_t total(const JointSpectralRadius& radius, Parts Proof::*parts) {
-  if (const auto* proof = std::get_if<Proof>(&radius.proof)) return (proof->*parts).size();
+/// The sum over its proofs of this kind.
+template <class Proof, class Count>
+std::size_t total(const JointSpectralRadius& radius, Count count) {
+  if (const auto* proof = std::get_if<Proof>(&radius.proof)) return count(*proof);
   std::size_t sum = 0;
   if (const BlockProof* blocks = radius.by_blocks())
-    for (const JointSpectralRadius& block : blocks->blocks) sum += total(block, parts);
+    for (const JointSpectralRadius& block : blocks->blocks) sum += total<Proof>(block, count);
   return sum;
 }
 
@@ -179,6 +179,7 @@ Rational JointSpectralRadius::proved_upper() const {
   if (const auto* norms = std::get_if<NormProof>(&proof)) return norms->bound();
   if (const auto* polytope = std::get_if<PolytopeProof>(&proof)) return polytope->bound;
   if (const auto* form = std::get_if<QuadraticProof>(&proof)) return form->bound;
+  if (const auto* graph = std::get_if<GraphProof>(&proof)) return graph->bound;
   if (const auto* single = std::get_if<SingleRadiusProof>(&proof)) return *single->growth.radius.upper;
   Rational most = 0;
   for (const JointSpectralRadius& block : by_blocks()->blocks) most = std::max(most, block.proved_upper());
@@ -197,13 +198,19 @@ std::string to_text(JsrMethod method) {
 JsrMethod JointSpectralRadius::method() const {
   if (const BlockProof* blocks = by_blocks()) return blocks->blocks[blocks->leading].method();
   if (std::holds_alternative<PolytopeProof>(proof)) return JsrMethod::invariant_polytope;
-  if (std::holds_alternative<QuadraticProof>(proof)) return JsrMethod::quadratic_form;
+  if (std::holds_alternative<QuadraticProof>(proof) || std::holds_alternative<GraphProof>(proof))
+    return JsrMethod::quadratic_form;
   return std::holds_alternative<NormProof>(proof) ? JsrMethod::norm_of_products : JsrMethod::single_spectral_radius;
 }
 
-std::size_t JointSpectralRadius::vertices() const { return total(*this, &PolytopeProof::vertices); }
+std::size_t JointSpectralRadius::vertices() const {
+  return total<PolytopeProof>(*this, [](const PolytopeProof& polytope) { return polytope.vertices.size(); });
+}
 
-std::size_t JointSpectralRadius::words() const { return total(*this, &QuadraticProof::words); }
+std::size_t JointSpectralRadius::words() const {
+  return total<QuadraticProof>(*this, [](const QuadraticProof& form) { return form.words.size(); }) +
+         total<GraphProof>(*this, [](const GraphProof& graph) { return graph.words(); });
+}
 
 int bits_for_width(const Rational& width) {
   constexpr int most_places = 1000;

@@ -28,7 +28,7 @@ struct SingleRadiusProof {
 };
 
 /// How the upper end is proved.
-using RadiusProof = std::variant<NormProof, PolytopeProof, QuadraticProof, BlockProof, SingleRadiusProof>;
+using RadiusProof = std::variant<NormProof, PolytopeProof, QuadraticProof, GraphProof, BlockProof, SingleRadiusProof>;
 
 enum class JsrMethod { invariant_polytope, quadratic_form, norm_of_products, single_spectral_radius };
 

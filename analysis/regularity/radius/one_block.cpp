@@ -13,7 +13,7 @@ namespace {
 const Rational rounding = power(Rational(10), -15);
 constexpr std::size_t proved_products = 12;
 constexpr double norm_share = 0.05;     // of the time
-constexpr double polytope_share = 0.7;  // of the time that is left; the rest is for its proof and quadratic forms
+constexpr double polytope_share = 0.5;  // of the time that is left; the rest is for its proof and quadratic forms
 constexpr double exact_share = 0.6;     // of the time for a proof: that a closed polytope may take of it
 constexpr double larger_share = 0.3;    // of what is left then, for the search of another one
 constexpr double grace = 0.5;           // seconds that a proof may take in any case
@@ -80,7 +80,13 @@ void expand(std::vector<FamilySymmetry>& group, const DifferentMatrices& differe
 }
 
 void expand(QuadraticProof& proof, const DifferentMatrices& different) {
-  for (QuadraticProof::Word& word : proof.words) rename(word.letters, different);
+  for (std::vector<int>& word : proof.words) rename(word, different);
+  expand(proof.group, different);
+}
+
+void expand(GraphProof& proof, const DifferentMatrices& different) {
+  for (GraphProof::State& state : proof.states)
+    for (GraphProof::Step& step : state.steps) step.letter = different.originals[step.letter];
   expand(proof.group, different);
 }
 
@@ -88,6 +94,7 @@ void expand(QuadraticProof& proof, const DifferentMatrices& different) {
 void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
   rename(radius.product.word, different);
   if (auto* form = std::get_if<QuadraticProof>(&radius.proof)) expand(*form, different);
+  if (auto* graph = std::get_if<GraphProof>(&radius.proof)) expand(*graph, different);
   auto* polytope = std::get_if<PolytopeProof>(&radius.proof);
   if (!polytope) return;
   const std::size_t count = different.originals.size();
@@ -116,6 +123,7 @@ struct Attempt {
   ProductEvidence product;
   std::optional<PolytopeProof> polytope;
   Decision exact;
+  std::optional<quadratic::ContextForms> contexts = {};  ///< that the search for products has found
 
   bool is_better_than(const Attempt& other) const {
     if (exact.is_yes() || other.exact.is_yes()) return exact.is_yes() && !other.exact.is_yes();
@@ -126,10 +134,11 @@ struct Attempt {
 /// `target`: of an upper bound, which is all that is asked for.
 Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budget& budget,
                 const std::optional<Rational>& target, bool cones) {
-  Attempt result{find_polytope(family, searching, cones, true, quadratic::context_products),
-                 {},
-                 std::nullopt,
-                 {Truth::unknown, "no polytope closed"}};
+  Attempt result{{}, {}, std::nullopt, {Truth::unknown, "no polytope closed"}};
+  const auto products = [&](const polytope::SearchFamily& search, double radius, const Budget& looking) {
+    return quadratic::context_products(search, radius, looking, result.contexts);
+  };
+  result.candidate = find_polytope(family, searching, cones, true, products);
   const auto proving = [&](double share) {
     return Budget{Deadline::in(share * budget.deadline.remaining() + grace), budget.memory};
   };
@@ -202,12 +211,13 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   // Of two bounds that differ by rounding only, the polytope is the shorter proof.
   const bool by_polytope = polytope && polytope->bound * unit < upper * (1 + rounding);
   if (by_polytope) upper = polytope->bound * unit;
-  std::optional<QuadraticProof> form;
+  std::optional<GraphProof> form;
   const bool enough = target && upper <= *target;
   // A polytope that closed in floating point may have no proof.
   const bool closed = candidate.closed && by_polytope;
   if (!closed && lower < upper && !enough)
-    form = prove_by_quadratic_form(scaled_family, lower / unit, budget, product.word);
+    form = prove_by_quadratic_forms(scaled_family, lower / unit, budget, product.word,
+                                    found.contexts ? &*found.contexts : nullptr);
   const bool by_form = form && form->bound * unit < upper;
   if (by_form) upper = form->bound * unit;
   result.radius = {lower, upper};
@@ -244,13 +254,12 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
   return result;
 }
 
-std::optional<QuadraticProof> quadratic_bound(const MatrixFamily& family, const Rational& target,
-                                              const Budget& budget) {
+std::optional<GraphProof> quadratic_bound(const MatrixFamily& family, const Rational& target, const Budget& budget) {
   const DifferentMatrices different = different_matrices(family);
   const long exponent = scaling_exponent(different.family);
   const Rational unit = power(Rational(2), exponent);
-  auto proof = prove_by_quadratic_form(exponent == 0 ? different.family : 1 / unit * different.family, target / unit,
-                                       budget);
+  auto proof = prove_by_quadratic_forms(exponent == 0 ? different.family : 1 / unit * different.family, target / unit,
+                                        budget);
   if (!proof) return std::nullopt;
   expand(*proof, different);
   return scaled(std::move(*proof), exponent);

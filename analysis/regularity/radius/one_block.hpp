@@ -15,7 +15,7 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
 JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget);
 
 /// An upper bound by a quadratic form, as small as the target if possible. Domain: any entries.
-std::optional<QuadraticProof> quadratic_bound(const MatrixFamily& family, const Rational& target, const Budget& budget);
+std::optional<GraphProof> quadratic_bound(const MatrixFamily& family, const Rational& target, const Budget& budget);
 
 /// The largest modulus of numbers. Domain: size 1.
 JointSpectralRadius radius_of_numbers(const MatrixFamily& family);

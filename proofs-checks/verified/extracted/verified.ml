@@ -640,6 +640,18 @@ module Z =
       a
  end
 
+(** val hd : 'a1 -> 'a1 list -> 'a1 **)
+
+let hd default = function
+| [] -> default
+| x::_ -> x
+
+(** val hd_error : 'a1 list -> 'a1 option **)
+
+let hd_error = function
+| [] -> None
+| x::_ -> Some x
+
 (** val nth : int -> 'a1 list -> 'a1 -> 'a1 **)
 
 let rec nth n l default =
@@ -740,6 +752,11 @@ let rec repeat x n =
     n
 
 type q = { qnum : Number.t; qden : Number.t }
+
+(** val qle_bool : q -> q -> bool **)
+
+let qle_bool x y =
+  Number.less_equal (Number.mul x.qnum y.qden) (Number.mul y.qnum x.qden)
 
 type zvec = Number.t list
 
@@ -958,16 +975,16 @@ let rec combine ps = function
     bool -> points -> Number.t -> Number.t -> point -> term list ->
     (Number.t*Number.t) option **)
 
-let line nonnegative ps scale0 divisor0 target ts =
+let line nonnegative ps scale0 divisor0 target0 ts =
   match combine ps ts with
   | Some p ->
     let w,p0 = p in
     let x,y = p0 in
     let u =
-      addmul (Number.opposite divisor0) x (addmul scale0 (fst target) [])
+      addmul (Number.opposite divisor0) x (addmul scale0 (fst target0) [])
     in
     let v =
-      addmul (Number.opposite divisor0) y (addmul scale0 (snd target) [])
+      addmul (Number.opposite divisor0) y (addmul scale0 (snd target0) [])
     in
     if nonnegative
     then (match v with
@@ -1222,7 +1239,7 @@ type square_root = { root_rows : zmat; root_factor : Number.t;
                      root_scale : Number.t }
 
 type word_tree =
-| Word of square_root * int
+| Word of square_root
 | Words of word_tree list
 
 (** val root_rest :
@@ -1265,12 +1282,11 @@ let extended f =
   let n = f.size in (fun rows t0 -> map (mv (columns n (letter f t0))) rows)
 
 (** val below_bound :
-    family -> q -> (zmat*word_tree) list -> zmat -> int list -> zmat ->
-    square_root -> int -> bool **)
+    family -> q -> zmat -> int list -> zmat -> square_root -> bool **)
 
-let below_bound f u states =
+let below_bound f u p =
   let n = f.size in
-  (fun p w rows h last0 ->
+  (fun w rows h ->
   let k = Number.mul (Number.twice Number.one) (Number.of_natural (length w))
   in
   let cs = columns n rows in
@@ -1280,45 +1296,365 @@ let below_bound f u states =
   (match w with
    | [] -> false
    | _::_ ->
-     (match nth_error states last0 with
-      | Some p0 ->
-        let q0,_ = p0 in
-        positive_form n Number.zero (fun i j ->
-          Number.sub (Number.mul a (entry q0 i j))
-            (Number.mul b (dot (nth i cs []) (nth j pcs [])))) h
-      | None -> false)))
+     positive_form n Number.zero (fun i j ->
+       Number.sub (Number.mul a (entry p i j))
+         (Number.mul b (dot (nth i cs []) (nth j pcs [])))) h))
 
 (** val check_tree :
-    family -> q -> (zmat*word_tree) list -> zmat -> int list -> zmat ->
-    word_tree -> bool **)
+    family -> q -> zmat -> int list -> zmat -> word_tree -> bool **)
 
-let rec check_tree f u states p w rows = function
-| Word (h, last0) -> below_bound f u states p w rows h last0
+let rec check_tree f u p w rows = function
+| Word h -> below_bound f u p w rows h
 | Words children ->
   (&&) (Nat.eqb (length children) (count f))
     (let rec each k = function
      | [] -> true
      | c::l' ->
-       (&&) (check_tree f u states p (app w (k::[])) (extended f rows k) c)
+       (&&) (check_tree f u p (app w (k::[])) (extended f rows k) c)
          (each (Stdlib.succ k) l')
      in each 0 children)
 
 (** val quadratic :
-    family -> q -> (zmat*word_tree) list -> square_root -> bool **)
+    family -> q -> zmat -> square_root -> word_tree -> bool **)
 
-let quadratic f u states =
+let quadratic f u p =
   let n = f.size in
-  (fun definite ->
+  (fun definite words ->
   (&&)
-    ((&&) (Number.less_equal Number.zero u.qnum)
-      (match states with
-       | [] -> false
-       | p::_ ->
-         let p0,_ = p in positive_form n Number.one (entry p0) definite))
-    (forallb (fun s ->
-      (&&) (square n (fst s))
-        (check_tree f u states (fst s) []
-          (table n (fun i j -> if_equal i j Number.one)) (snd s))) states))
+    ((&&) ((&&) (Number.less_equal Number.zero u.qnum) (square n p))
+      (positive_form n Number.one (entry p) definite))
+    (check_tree f u p [] (table n (fun i j -> if_equal i j Number.one)) words))
+
+(** val add_rows : Number.t -> zmat -> zmat -> zmat **)
+
+let rec add_rows c a b =
+  match a with
+  | [] -> b
+  | a0::a' ->
+    (match b with
+     | [] -> (addmul c a0 [])::(add_rows c a' [])
+     | b0::b' -> (addmul c a0 b0)::(add_rows c a' b'))
+
+(** val less_square : zvec -> zmat -> zmat **)
+
+let rec less_square q0 rows =
+  match q0 with
+  | [] -> rows
+  | a::q' ->
+    (match rows with
+     | [] -> (addmul (Number.opposite a) q0 [])::(less_square q' [])
+     | row0::rows' ->
+       (addmul (Number.opposite a) q0 row0)::(less_square q' rows'))
+
+(** val add_dot : Number.t -> zvec -> zvec -> Number.t **)
+
+let rec add_dot s x y =
+  match x with
+  | [] -> s
+  | a::x' ->
+    (match y with
+     | [] -> s
+     | b::y' -> add_dot (Number.add s (Number.mul a b)) x' y')
+
+(** val gram : zvec list -> zmat **)
+
+let rec gram vectors0 = match vectors0 with
+| [] -> []
+| x::vectors' -> (map (add_dot Number.zero x) vectors0)::(gram vectors')
+
+(** val diagonal : int -> Number.t -> zmat **)
+
+let diagonal n a =
+  repeat (a::[]) n
+
+(** val decomposed : int -> Number.t -> zmat -> bool **)
+
+let rec decomposed n most = function
+| [] -> true
+| z0::rows' ->
+  (match z0 with
+   | [] -> false
+   | x::row0 ->
+     ((fun zero next n -> if n = 0 then zero () else next (n - 1))
+        (fun _ -> false)
+        (fun n' ->
+        let root0 = Number.square_root x in
+        (&&)
+          ((&&)
+            ((&&) (Number.less Number.zero x) (Number.less_equal root0 most))
+            (Nat.leb (length row0) n'))
+          (decomposed n' most
+            (less_square (map (fun a -> Number.divide a root0) row0) rows')))
+        n))
+
+(** val semidefinite : int -> zmat -> bool **)
+
+let semidefinite n rows =
+  (||) (forallb (forallb (Number.equal Number.zero)) rows)
+    (let largest =
+       fold_right (fun row0 most -> Number.max (hd Number.zero row0) most)
+         Number.zero rows
+     in
+     let most =
+       Number.mul
+         (Number.power (Number.twice Number.one) (Number.twice (Number.twice
+           (Number.twice (Number.twice (Number.twice (Number.twice
+           (Number.twice Number.one))))))))
+         (Number.add Number.one (Number.square_root_up largest))
+     in
+     decomposed n most
+       (add_rows
+         (Number.power (Number.twice Number.one) (Number.twice (Number.twice
+           (Number.twice (Number.twice (Number.twice (Number.twice
+           (Number.twice (Number.twice Number.one))))))))) rows
+         (diagonal n
+           (Number.opposite (Number.mul (Number.of_natural n) most)))))
+
+type element = { action : zmat; undone : zmat; reading : int list }
+
+type turn = { turning : zmat; moved : int list }
+
+type step = { target : int; turned_by : int; step_norm : Number.t;
+              step_matrix : zmat }
+
+type branch =
+| Stop of int
+| Further of branch list
+
+type state = { coordinates : zmat; steps : step list list; trees : branch list }
+
+(** val no_element : element **)
+
+let no_element =
+  { action = []; undone = []; reading = [] }
+
+(** val no_turn : turn **)
+
+let no_turn =
+  { turning = []; moved = [] }
+
+(** val no_state : state **)
+
+let no_state =
+  { coordinates = []; steps = []; trees = [] }
+
+(** val action_of : element list -> int -> zmat **)
+
+let action_of group u =
+  (nth u group no_element).action
+
+(** val coordinates_of : state list -> int -> zmat **)
+
+let coordinates_of states j =
+  (nth j states no_state).coordinates
+
+(** val unit_matrix : family -> zmat **)
+
+let unit_matrix f =
+  let n = f.size in table n (fun i j -> if_equal i j Number.one)
+
+(** val multiple : family -> Number.t -> zmat -> zmat -> bool **)
+
+let multiple f =
+  let n = f.size in
+  (fun s a b ->
+  forallb (fun i ->
+    forallb (fun j ->
+      Number.equal (entry a i j) (Number.mul s (entry b i j))) (seq 0 n))
+    (seq 0 n))
+
+(** val element_right : family -> int list -> element -> bool **)
+
+let element_right f firsts =
+  let n = f.size in
+  (fun u ->
+  (&&)
+    ((&&) ((&&) (square n u.action) (square n u.undone))
+      (multiple f Number.one (products u.action (columns n u.undone))
+        (unit_matrix f)))
+    (forallb (fun t0 ->
+      let class0 = nth t0 u.reading 0 in
+      let first0 = nth class0 firsts 0 in
+      (&&) ((&&) (Nat.ltb class0 (length firsts)) (Nat.ltb first0 (count f)))
+        (multiple f Number.one
+          (products (letter f first0) (columns n u.action))
+          (products u.action (columns n (letter f t0))))) (seq 0 (count f))))
+
+(** val turn_right : family -> element list -> turn -> bool **)
+
+let turn_right f group =
+  let n = f.size in
+  (fun h ->
+  (&&) (square n h.turning)
+    (forallb (fun u ->
+      let v = nth u h.moved 0 in
+      let image0 = products h.turning (columns n (action_of group u)) in
+      (&&) (Nat.ltb v (length group))
+        ((||) (multiple f Number.one (action_of group v) image0)
+          (multiple f (Number.opposite Number.one) (action_of group v) image0)))
+      (seq 0 (length group))))
+
+(** val step_right :
+    family -> q -> Number.t -> turn list -> state list -> zmat -> int -> step
+    -> bool **)
+
+let step_right f g unity0 turns states =
+  let n = f.size in
+  let d = Number.of_natural n in
+  (fun l t0 s ->
+  let h = nth s.turned_by turns no_turn in
+  let k = map (mv (coordinates_of states s.target)) (columns n h.turning) in
+  let a = map (mv l) (columns n (letter f t0)) in
+  let b = map (mv s.step_matrix) k in
+  let a0 = Number.mul unity0 g.qden in
+  let b0 = Number.mul f.denominator g.qnum in
+  let w =
+    map (fun j ->
+      addmul a0 (nth j a []) (addmul (Number.opposite b0) (nth j b []) []))
+      (seq 0 n)
+  in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&) (Nat.ltb s.target (length states))
+            (Nat.ltb s.turned_by (length turns)))
+          (Number.less_equal Number.zero s.step_norm))
+        (square n s.step_matrix))
+      (semidefinite n
+        (add_rows (Number.opposite Number.one) (gram w)
+          (add_rows (Number.mul (Number.mul d b0) (Number.mul d b0)) 
+            (gram k) []))))
+    (semidefinite n
+      (add_rows (Number.opposite Number.one) (gram (columns n s.step_matrix))
+        (diagonal n (Number.mul s.step_norm s.step_norm)))))
+
+(** val state_right :
+    family -> q -> Number.t -> int list -> turn list -> state list -> state
+    -> bool **)
+
+let state_right f g unity0 firsts turns states =
+  let n = f.size in
+  (fun s ->
+  let l = s.coordinates in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) (square n l)
+          (forallb (fun i ->
+            (&&) (negb (Number.equal (entry l i i) Number.zero))
+              (forallb (fun j ->
+                (||) (Nat.leb j i) (Number.equal (entry l i j) Number.zero))
+                (seq 0 n))) (seq 0 n)))
+        (Nat.eqb (length s.steps) (length firsts)))
+      (Nat.eqb (length s.trees) (length firsts)))
+    (forallb (fun c ->
+      forallb (step_right f g unity0 turns states l (nth c firsts 0))
+        (nth c s.steps [])) (seq 0 (length firsts))))
+
+(** val rounded_product : Number.t -> zmat -> zmat -> zmat **)
+
+let rounded_product unity0 rows columns0 =
+  map (fun row0 ->
+    map (fun column ->
+      Number.divide (add_dot Number.zero row0 column) unity0) columns0) rows
+
+(** val quotient_up : Number.t -> Number.t -> Number.t **)
+
+let quotient_up unity0 a =
+  Number.opposite (Number.divide (Number.opposite a) unity0)
+
+(** val with_columns : family -> step -> step **)
+
+let with_columns f =
+  let n = f.size in
+  (fun s -> { target = s.target; turned_by = s.turned_by; step_norm =
+  s.step_norm; step_matrix = (columns n s.step_matrix) })
+
+(** val branch_right :
+    family -> Number.t -> step list list list -> zmat -> Number.t -> Number.t
+    -> step list -> branch -> bool **)
+
+let branch_right f unity0 =
+  let n = f.size in
+  let d = Number.of_natural n in
+  (fun by_state ->
+  let rec branch_right0 m p e here b =
+    match match b with
+          | Stop k -> nth_error here k
+          | Further _ -> hd_error here with
+    | Some s ->
+      let p' = quotient_up unity0 (Number.mul p (Number.add s.step_norm d)) in
+      let e' =
+        Number.add
+          (quotient_up unity0
+            (Number.add (Number.mul e s.step_norm) (Number.mul p d))) d
+      in
+      (match b with
+       | Stop _ ->
+         let c = Number.sub unity0 e' in
+         (&&) (Number.less Number.zero c)
+           (decomposed n unity0
+             (add_rows (Number.opposite Number.one)
+               (gram (rounded_product unity0 s.step_matrix m))
+               (diagonal n
+                 (Number.sub (Number.mul c c) (Number.mul d unity0)))))
+       | Further branches ->
+         let m' = rounded_product unity0 m s.step_matrix in
+         (&&)
+           (Number.less_equal (Number.add p' e')
+             (Number.mul (Number.twice (Number.twice Number.one)) unity0))
+           (let rec each classes l =
+              match classes with
+              | [] -> (match l with
+                       | [] -> true
+                       | _::_ -> false)
+              | class0::classes' ->
+                (match l with
+                 | [] -> false
+                 | b'::l' ->
+                   (&&) (branch_right0 m' p' e' class0 b') (each classes' l'))
+            in each (nth s.target by_state []) branches))
+    | None -> false
+  in branch_right0)
+
+(** val words_right :
+    family -> Number.t -> int list -> state list -> step list list list ->
+    int -> bool **)
+
+let words_right f unity0 firsts states =
+  let n = f.size in
+  (fun by_state j ->
+  forallb (fun c ->
+    match nth_error (nth j states no_state).trees c with
+    | Some b ->
+      branch_right f unity0 by_state
+        (table n (fun i j0 -> if_equal i j0 unity0)) unity0 Number.zero
+        (nth c (nth j by_state []) []) b
+    | None -> false) (seq 0 (length firsts)))
+
+(** val graph :
+    family -> q -> q -> Number.t -> int list -> element list -> turn list ->
+    state list -> bool **)
+
+let graph f u g unity0 firsts group turns states =
+  let by_state = map (fun s -> map (map (with_columns f)) s.steps) states in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&)
+                ((&&) ((&&) (Number.less Number.zero g.qnum) (qle_bool g u))
+                  (Number.less Number.zero unity0))
+                (Nat.ltb 0 (length states))) (Nat.ltb 0 (length group)))
+            (multiple f Number.one (action_of group 0) (unit_matrix f)))
+          (forallb (element_right f firsts) group))
+        (forallb (turn_right f group) turns))
+      (forallb (state_right f g unity0 firsts turns states) states))
+    (forallb (words_right f unity0 firsts states by_state)
+      (seq 0 (length states)))
 
 type squares = { symbol : zvec; content : Number.t; divisor : zvec;
                  cosine : zvec; factor : zvec; bits : int }
@@ -1489,7 +1825,8 @@ type section =
 | Norm of int
 | Polytope of bool * bool * Number.t * Number.t * point list * term list list
    * term list list list
-| Quadratic of (zmat*word_tree) list * square_root
+| Quadratic of zmat * square_root * word_tree
+| Graph of q * Number.t * int list * element list * turn list * state list
 | Single of squares * Number.t list
 
 (** val check_section : family -> q -> section -> bool **)
@@ -1499,7 +1836,9 @@ let check_section f u = function
 | Polytope (nonnegative, transposed, scale0, one, all, ul, il) ->
   polytope (if transposed then transpose f else f) u nonnegative scale0 one
     all ul il
-| Quadratic (states, definite) -> quadratic f u states definite
+| Quadratic (form, definite, words) -> quadratic f u form definite words
+| Graph (bound0, unity0, firsts, group, turns, states) ->
+  graph f u bound0 unity0 firsts group turns states
 | Single (sum, recurrence0) -> single_section f u sum recurrence0
 
 (** val first_block : int -> family -> family **)
@@ -1857,10 +2196,10 @@ let values_unique a c =
 
 (** val times_up : int -> Number.t list -> Number.t list -> Number.t list **)
 
-let rec times_up step c u =
+let rec times_up step0 c u =
   match c with
   | [] -> []
-  | x::c' -> addmul x u (app (repeat Number.zero step) (times_up step c' u))
+  | x::c' -> addmul x u (app (repeat Number.zero step0) (times_up step0 c' u))
 
 (** val fine :
     int -> Number.t list -> int -> Number.t list -> Number.t list **)
@@ -1884,25 +2223,25 @@ let rec fine_start a f m s =
 (** val correlate :
     int -> int -> Number.t list -> Number.t list -> Number.t list **)
 
-let rec correlate fuel step omega u =
+let rec correlate fuel step0 omega u =
   (fun zero next n -> if n = 0 then zero () else next (n - 1))
     (fun _ -> [])
-    (fun f -> (dot omega u)::(correlate f step omega (skipn step u)))
+    (fun f -> (dot omega u)::(correlate f step0 omega (skipn step0 u)))
     fuel
 
 (** val combined : scheme -> stability -> Number.t list **)
 
 let combined a c =
   let u = fine a.arity a.coefficients c.level c.values in
-  let step = Nat.pow a.arity c.level in
+  let step0 = Nat.pow a.arity c.level in
   let padded =
     app
       (repeat Number.zero
         (Z.to_nat
           (Number.sub (fine_start a.arity a.first c.level c.start)
-            (Number.mul (Number.of_natural step) c.row)))) u
+            (Number.mul (Number.of_natural step0) c.row)))) u
   in
-  correlate (length padded) step c.weights padded
+  correlate (length padded) step0 c.weights padded
 
 (** val check_stable : scheme -> stability -> bool **)
 
@@ -1910,7 +2249,7 @@ let check_stable a c =
   let w = Number.of_natural (length c.values) in
   let a0 = Number.of_natural a.arity in
   let s = fine_start a.arity a.first c.level c.start in
-  let step = Number.of_natural (Nat.pow a.arity c.level) in
+  let step0 = Number.of_natural (Nat.pow a.arity c.level) in
   (&&)
     ((&&)
       ((&&)
@@ -1927,10 +2266,10 @@ let check_stable a c =
                 (Number.mul (Number.sub a0 Number.one)
                   (Number.sub (Number.add c.start w) Number.one))))
             (values_right a c)) (values_unique a c))
-        (Number.less_equal (Number.mul step c.row) s))
+        (Number.less_equal (Number.mul step0 c.row) s))
       (Number.less_equal
         (Number.add (Number.of_natural (length c.weights))
-          (Number.mul step (Number.sub c.row Number.one))) s))
+          (Number.mul step0 (Number.sub c.row Number.one))) s))
     (Number.less (norm1 (combined a c))
       (Number.mul (Number.twice Number.one)
         (Number.abs (nth c.center (combined a c) Number.zero))))
@@ -2371,7 +2710,7 @@ let at_most_point f h =
   let d = f.denominator in
   (fun bs x t0 turns y turns' ->
   let m = letter f t0 in
-  let moved = mv m (fst x.shown) in
+  let moved0 = mv m (fst x.shown) in
   let equal_at = fun i ->
     match led f bs x.from (t0::x.path) turns with
     | Some p0 ->
@@ -2386,7 +2725,7 @@ let at_most_point f h =
   forallb (fun i ->
     (||) (equal_at i)
       (Number.less_equal
-        (Number.mul h.bottom (Number.add (nth i moved Number.zero) error))
+        (Number.mul h.bottom (Number.add (nth i moved0 Number.zero) error))
         (Number.mul (Number.mul h.low d)
           (Number.sub (nth i (fst y.shown) Number.zero) y.off)))) (seq 0 n))
 
@@ -2434,14 +2773,14 @@ let make f h =
     (match PositiveMap.find i known with
      | Some parent ->
        let m = letter f t0 in
-       let moved = (mv m (fst parent.shown)),(mv m (snd parent.shown)) in
+       let moved0 = (mv m (fst parent.shown)),(mv m (snd parent.shown)) in
        let whole =
          Number.add
            (Number.add
              (Number.mul (Number.mul h.bottom (column_norm m)) parent.off)
              (norm_pair
                (difference h.bottom (Number.opposite (Number.mul d h.low))
-                 moved v)))
+                 moved0 v)))
            (Number.mul (Number.mul d (Number.sub h.high h.low)) (norm_pair v))
        in
        if Nat.ltb t0 (count f)

@@ -134,6 +134,10 @@ module Z :
   val div_eucl : Number.t -> Number.t -> Number.t*Number.t
  end
 
+val hd : 'a1 -> 'a1 list -> 'a1
+
+val hd_error : 'a1 list -> 'a1 option
+
 val nth : int -> 'a1 list -> 'a1 -> 'a1
 
 val nth_error : 'a1 list -> int -> 'a1 option
@@ -159,6 +163,8 @@ val seq : int -> int -> int list
 val repeat : 'a1 -> int -> 'a1 list
 
 type q = { qnum : Number.t; qden : Number.t }
+
+val qle_bool : q -> q -> bool
 
 type zvec = Number.t list
 
@@ -284,7 +290,7 @@ type square_root = { root_rows : zmat; root_factor : Number.t;
                      root_scale : Number.t }
 
 type word_tree =
-| Word of square_root * int
+| Word of square_root
 | Words of word_tree list
 
 val root_rest :
@@ -298,14 +304,82 @@ val positive_form :
 val extended : family -> zmat -> int -> zmat
 
 val below_bound :
-  family -> q -> (zmat*word_tree) list -> zmat -> int list -> zmat ->
-  square_root -> int -> bool
+  family -> q -> zmat -> int list -> zmat -> square_root -> bool
 
-val check_tree :
-  family -> q -> (zmat*word_tree) list -> zmat -> int list -> zmat ->
-  word_tree -> bool
+val check_tree : family -> q -> zmat -> int list -> zmat -> word_tree -> bool
 
-val quadratic : family -> q -> (zmat*word_tree) list -> square_root -> bool
+val quadratic : family -> q -> zmat -> square_root -> word_tree -> bool
+
+val add_rows : Number.t -> zmat -> zmat -> zmat
+
+val less_square : zvec -> zmat -> zmat
+
+val add_dot : Number.t -> zvec -> zvec -> Number.t
+
+val gram : zvec list -> zmat
+
+val diagonal : int -> Number.t -> zmat
+
+val decomposed : int -> Number.t -> zmat -> bool
+
+val semidefinite : int -> zmat -> bool
+
+type element = { action : zmat; undone : zmat; reading : int list }
+
+type turn = { turning : zmat; moved : int list }
+
+type step = { target : int; turned_by : int; step_norm : Number.t;
+              step_matrix : zmat }
+
+type branch =
+| Stop of int
+| Further of branch list
+
+type state = { coordinates : zmat; steps : step list list; trees : branch list }
+
+val no_element : element
+
+val no_turn : turn
+
+val no_state : state
+
+val action_of : element list -> int -> zmat
+
+val coordinates_of : state list -> int -> zmat
+
+val unit_matrix : family -> zmat
+
+val multiple : family -> Number.t -> zmat -> zmat -> bool
+
+val element_right : family -> int list -> element -> bool
+
+val turn_right : family -> element list -> turn -> bool
+
+val step_right :
+  family -> q -> Number.t -> turn list -> state list -> zmat -> int -> step
+  -> bool
+
+val state_right :
+  family -> q -> Number.t -> int list -> turn list -> state list -> state ->
+  bool
+
+val rounded_product : Number.t -> zmat -> zmat -> zmat
+
+val quotient_up : Number.t -> Number.t -> Number.t
+
+val with_columns : family -> step -> step
+
+val branch_right :
+  family -> Number.t -> step list list list -> zmat -> Number.t -> Number.t
+  -> step list -> branch -> bool
+
+val words_right :
+  family -> Number.t -> int list -> state list -> step list list list -> int
+  -> bool
+
+val graph :
+  family -> q -> q -> Number.t -> int list -> element list -> turn list ->
+  state list -> bool
 
 type squares = { symbol : zvec; content : Number.t; divisor : zvec;
                  cosine : zvec; factor : zvec; bits : int }
@@ -348,7 +422,8 @@ type section =
 | Norm of int
 | Polytope of bool * bool * Number.t * Number.t * point list * term list list
    * term list list list
-| Quadratic of (zmat*word_tree) list * square_root
+| Quadratic of zmat * square_root * word_tree
+| Graph of q * Number.t * int list * element list * turn list * state list
 | Single of squares * Number.t list
 
 val check_section : family -> q -> section -> bool

@@ -50,6 +50,7 @@ theorem Logarithm3 --mask '[1,4,10,16,19,16,10,4,1]/27' --arity 3 --exact '4-log
   single-spline-3-3.cert
 theorem FourLogarithm --mask '[-1,0,9,16,9,0,-1]/16' --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --logarithm 1 \
   single-four-point.cert
-theorem Forms --matrices columns.mat --upper 501/500 columns-forms-image.cert
+theorem Columns --matrices columns.mat --lower 1 --upper 11/10 columns-graph-word.cert
+theorem Shears --matrices shears.mat --lower 1618/1000 --upper 17/10 shears-graph.cert
 theorem ConeExact --matrices golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' golden-cone-exact.cert
 theorem BlocksExact --matrices slow-blocks.mat --exact '|[81,-270,100]@47/20,0,1/10|^1/2' blocks-exact.cert

@@ -1,7 +1,7 @@
 (* The checker: claims about the joint spectral radius, certificates, and the theorem that what is accepted is true. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Upper Existence Blocks Integers Sections Eigenvalue Quadratic Single.
+From Subcert Require Import Radius Upper Existence Blocks Integers Sections Eigenvalue Quadratic Graph Single.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -116,7 +116,8 @@ Inductive section :=
 | Norm (level : nat)
 | Polytope (nonnegative transposed : bool) (scale one : Z) (all : list point)
     (unit_lines : list (list term)) (image_lines : list (list (list term)))
-| Quadratic (states : list (zmat * word_tree)) (definite : square_root)
+| Quadratic (form : zmat) (definite : square_root) (words : word_tree)
+| Graph (bound : Q) (unity : Z) (firsts : list nat) (group : list element) (turns : list turn) (states : list state)
 | Single (sum : squares) (recurrence : list Z).
 
 Definition check_section (F : family) (u : Q) (s : section) : bool :=
@@ -124,20 +125,23 @@ Definition check_section (F : family) (u : Q) (s : section) : bool :=
   | Norm level => norm_section F u level
   | Polytope nonnegative transposed scale one all ul il =>
       polytope (if transposed then transpose F else F) u nonnegative scale one all ul il
-  | Quadratic states definite => quadratic F u states definite
+  | Quadratic form definite words => quadratic F u form definite words
+  | Graph bound unity firsts group turns states => graph F u bound unity firsts group turns states
   | Single sum recurrence => single_section F u sum recurrence
   end.
 
 Theorem section_sound F u s : well_formed F = true -> check_section F u s = true ->
   radius_at_most (size F) (count F) (real F) (real_of u).
 Proof.
-  intros WF H. destruct s as [level|nonnegative transposed scale one all ul il|states definite|sum recurrence]; simpl in H.
+  intros WF H. destruct s as [level|nonnegative transposed scale one all ul il|form definite words|bound unity firsts group turns states|sum recurrence];
+    simpl in H.
   - apply grows_radius. eapply norm_sound; eauto.
   - destruct transposed.
     + apply transpose_sound. change (size F) with (size (transpose F)).
       eapply polytope_sound; eauto. apply transpose_well_formed; auto.
     + eapply polytope_sound; eauto.
   - eapply quadratic_sound; eauto.
+  - eapply graph_sound; eauto.
   - eapply single_sound; eauto.
 Qed.
 
@@ -149,12 +153,6 @@ Definition other_blocks (d : nat) (F : family) : family :=
   Family (size F - d) (denominator F) (map (fun M => map (skipn d) (skipn d M)) (matrices F)).
 Definition triangular (d : nat) (F : family) : bool :=
   (d <=? size F)%nat && forallb (fun M => forallb (fun row => forallb (Z.eqb 0) (firstn d row)) (skipn d M)) (matrices F).
-
-Lemma square_spec n M : square n M = true <-> length M = n /\ forall row, In row M -> length row = n.
-Proof.
-  unfold square. rewrite andb_true_iff, Nat.eqb_eq, forallb_forall. split; intros [H1 H2]; split; auto; intros row I;
-  specialize (H2 row I); [apply Nat.eqb_eq in H2 | apply Nat.eqb_eq]; auto.
-Qed.
 
 Lemma In_firstn {A} d (l : list A) x : In x (firstn d l) -> In x l.
 Proof. intros H. rewrite <- (firstn_skipn d l). apply in_or_app; auto. Qed.

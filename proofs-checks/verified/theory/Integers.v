@@ -74,6 +74,12 @@ Qed.
 Lemma nth_map_nil {A} (f : zvec -> A) M i d : f [] = d -> nth i (map f M) d = f (nth i M []).
 Proof. intros <-. apply map_nth. Qed.
 
+Lemma square_spec n M : square n M = true <-> length M = n /\ forall row, In row M -> length row = n.
+Proof.
+  unfold square. rewrite Bool.andb_true_iff, Nat.eqb_eq, forallb_forall. split; intros [H1 H2]; split; auto; intros row I;
+  specialize (H2 row I); [apply Nat.eqb_eq in H2 | apply Nat.eqb_eq]; auto.
+Qed.
+
 Lemma row_length n M i : square n M = true -> (length (nth i M []) <= n)%nat.
 Proof.
   unfold square. rewrite Bool.andb_true_iff. intros [H1 H2]. rewrite forallb_forall in H2.

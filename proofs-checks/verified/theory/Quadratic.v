@@ -1,4 +1,4 @@
-(* Upper bounds by quadratic forms, from each of which a tree of words leads to others, checked with integers. *)
+(* Upper bounds by quadratic forms on trees of words, checked with integers. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
 From Subcert Require Import Radius Upper Blocks Integers Sections Eigenvalue.
@@ -8,8 +8,7 @@ Open Scope Z_scope.
 (* A symmetric S is positive as factor * S - scale * L L^T is nearly diagonal; the rows of L and these are hints. *)
 Record square_root := Root { root_rows : zmat; root_factor : Z; root_scale : Z }.
 
-(* A word ends in one of the states. *)
-Inductive word_tree := Word (root : square_root) (last : nat) | Words (children : list word_tree).
+Inductive word_tree := Word (root : square_root) | Words (children : list word_tree).
 
 (* The rest of S after the square root, and what its diagonal exceeds all else by, twice, in row and column i. *)
 Definition root_rest (S : nat -> nat -> Z) (h : square_root) (i j : nat) : Z :=
@@ -22,37 +21,36 @@ Definition positive_form (n : nat) (margin : Z) (S : nat -> nat -> Z) (h : squar
   forallb (fun i => 2 * margin + others n i E <=? 2 * entry E i i) (seq 0 n).
 
 Section Check.
-(* States: each has a form, and words that lead from it to states. *)
-Variables (F : family) (u : Q) (states : list (zmat * word_tree)).
+Variables (F : family) (u : Q) (P : zmat).
 Let n := size F.
+
 
 (* The rows of the product of a word, times one more letter. *)
 Definition extended (rows : zmat) (t : nat) : zmat := map (mv (columns n (letter F t))) rows.
 
-Definition below_bound (P : zmat) (w : list nat) (rows : zmat) (h : square_root) (last : nat) : bool :=
+Definition below_bound (w : list nat) (rows : zmat) (h : square_root) : bool :=
   let k := 2 * Z.of_nat (length w) in
   let cs := columns n rows in
   let pcs := map (mv P) cs in
   let a := (Qnum u * denominator F) ^ k in
   let b := Zpos (Qden u) ^ k in
-  match w, nth_error states last with
-  | _ :: _, Some (Q, _) => positive_form n 0 (fun i j => a * entry Q i j - b * dot (nth i cs []) (nth j pcs [])) h
-  | _, _ => false
+  match w with
+  | [] => false
+  | _ => positive_form n 0 (fun i j => a * entry P i j - b * dot (nth i cs []) (nth j pcs [])) h
   end.
 
-Fixpoint check_tree (P : zmat) (w : list nat) (rows : zmat) (t : word_tree) : bool :=
+Fixpoint check_tree (w : list nat) (rows : zmat) (t : word_tree) : bool :=
   match t with
-  | Word h last => below_bound P w rows h last
+  | Word h => below_bound w rows h
   | Words children =>
       Nat.eqb (length children) (count F) &&
       (fix each (k : nat) (l : list word_tree) : bool :=
-         match l with [] => true | c :: l' => check_tree P (w ++ [k]) (extended rows k) c && each (S k) l' end) 0%nat children
+         match l with [] => true | c :: l' => check_tree (w ++ [k]) (extended rows k) c && each (S k) l' end) 0%nat children
   end.
 
-(* The form of the first state is positive definite. *)
-Definition quadratic (definite : square_root) : bool :=
-  (0 <=? Qnum u) && match states with [] => false | (P, _) :: _ => positive_form n 1 (entry P) definite end &&
-  forallb (fun s => square n (fst s) && check_tree (fst s) [] (table n (fun i j => if_equal i j 1)) (snd s)) states.
+Definition quadratic (definite : square_root) (words : word_tree) : bool :=
+  (0 <=? Qnum u) && square n P && positive_form n 1 (entry P) definite &&
+  check_tree [] (table n (fun i j => if_equal i j 1)) words.
 End Check.
 
 (* ---- why that proves the bound --------------------------------------------------------------------------------- *)
@@ -177,14 +175,13 @@ Proof.
 Qed.
 
 Section Sound.
-Variables (F : family) (u : Q) (states : list (zmat * word_tree)).
+Variables (F : family) (u : Q) (P : zmat).
 Hypothesis WF : well_formed F = true.
 Hypothesis U0 : (0 <= Qnum u)%Z.
+Hypothesis SP : square (size F) P = true.
 Let n := size F.
 Let T := real F.
-Let P (i : nat) : zmat := fst (nth i states ([], Words [])).
-Let N (i : nat) (x : vec) : R := sqrt (form n (mr (P i)) x).
-Hypothesis SP : forall i, (i < length states)%nat -> square n (P i) = true.
+Let N (_ : nat) (x : vec) : R := sqrt (form n (mr P) x).
 
 Definition rows_of (w : list nat) (rows : zmat) : Prop := forall i j, (i < n)%nat -> (j < n)%nat ->
   IZR (entry rows i j) = IZR (denominator F) ^ length w * product n T w i j.
@@ -205,36 +202,30 @@ Proof.
   intros i j Hi Hj. rewrite entry_table by auto. simpl. unfold identity, if_equal. destruct (Nat.eqb i j); lra.
 Qed.
 
-Lemma below_bound_sound i w rows h last : (i < length states)%nat -> letters (count F) w -> rows_of w rows ->
-  below_bound F u states (P i) w rows h last = true -> leads n (length states) T N (real_of u) i w.
+Lemma below_bound_sound w rows h : letters (count F) w -> rows_of w rows -> below_bound F u P w rows h = true ->
+  leads n 1 T N (real_of u) 0 w.
 Proof.
-  intros Hi Hw HR H. unfold below_bound in H. destruct w as [|t w']; [discriminate|]. set (w := t :: w') in *.
-  split. discriminate. destruct (nth_error states last) as [[Q tr]|] eqn:Hlast; [|discriminate].
-  exists last. split. apply nth_error_Some. congruence.
-  assert (EQ : Q = P last) by (unfold P; rewrite (nth_error_nth states last _ Hlast); auto). subst Q.
-  assert (SPi := SP i Hi). intros x. fold n in H.
+  intros Hw HR H. unfold below_bound in H. destruct w as [|t w']; [discriminate|]. set (w := t :: w') in *.
+  split. discriminate. exists 0%nat. split; auto. intros x. fold n in H.
   set (cs := columns n rows) in *.
   set (k := length w) in *.
   assert (D := denominator_positive F WF).
   destruct (positive_form_sound n 0 _ h x H) as [Hf H']. rewrite Rmult_0_l in H'.
   set (a := ((Qnum u * denominator F) ^ (2 * Z.of_nat k))%Z) in *. set (b := (Zpos (Qden u) ^ (2 * Z.of_nat k))%Z) in *.
-  rewrite (form_ext n _ (fun i0 j => IZR a * mr (P last) i0 j +
-    (- IZR b) * sum n (fun p => mr cs i0 p * sum n (fun q => mr (P i) p q * mr cs j q)))) in H'.
-  2:{ intros i0 j Hi0 Hj. rewrite minus_IZR, !mult_IZR. unfold Rminus. rewrite Ropp_mult_distr_l. f_equal. f_equal.
-      assert (Lc : (length (nth i0 cs []) <= n)%nat) by (apply row_length, square_table).
+  rewrite (form_ext n _ (fun i j => IZR a * mr P i j + (- IZR b) * sum n (fun p => mr cs i p * sum n (fun q => mr P p q * mr cs j q)))) in H'.
+  2:{ intros i j Hi Hj. rewrite minus_IZR, !mult_IZR. unfold Rminus. rewrite Ropp_mult_distr_l. f_equal. f_equal.
+      assert (Lc : (length (nth i cs []) <= n)%nat) by (apply row_length, square_table).
       rewrite (dot_sum n) by auto. apply sum_ext; intros p Hp. unfold mr at 1, entry. f_equal.
-      rewrite (nth_map_nil (mv (P i))) by reflexivity.
-      change (IZR (nth p (mv (P i) (nth j cs [])) 0%Z)) with (vr (mv (P i) (nth j cs [])) p).
+      rewrite (nth_map_nil (mv P)) by reflexivity.
+      change (IZR (nth p (mv P (nth j cs [])) 0%Z)) with (vr (mv P (nth j cs [])) p).
       rewrite (vr_mv n) by auto. reflexivity. }
   rewrite form_plus, !form_scal, form_image in H'.
   assert (E : forall i, (i < n)%nat -> sum n (fun j => mr cs j i * x j) = IZR (denominator F) ^ k * run n T w x i).
-  { intros i0 Hi0. rewrite run_product, <- sum_scal by auto. apply sum_ext; intros j Hj.
+  { intros i Hi. rewrite run_product, <- sum_scal by auto. apply sum_ext; intros j Hj.
     unfold mr, cs, columns. rewrite entry_table, HR by auto. fold k. ring. }
   set (d := IZR (denominator F)) in *.
-  replace (form n (mr (P i)) (fun a0 => sum n (fun i => mr cs i a0 * x i)))
-    with (d ^ k * d ^ k * form n (mr (P i)) (run n T w x)) in H'.
-  2:{ rewrite <- form_scal. unfold form. apply sum_ext; intros i0 Hi0. apply sum_ext; intros j Hj.
-      rewrite !E by auto. ring. }
+  replace (form n (mr P) (fun a0 => sum n (fun i => mr cs i a0 * x i))) with (d ^ k * d ^ k * form n (mr P) (run n T w x)) in H'.
+  2:{ rewrite <- form_scal. unfold form. apply sum_ext; intros i Hi. apply sum_ext; intros j Hj. rewrite !E by auto. ring. }
   assert (Hdk : 0 < d ^ k) by (apply pow_lt; auto).
   set (q := IZR (Zpos (Qden u))) in *. set (p := IZR (Qnum u)) in *.
   assert (Hq : 0 < q) by (apply IZR_lt; lia). assert (Hqk : 0 < q ^ k) by (apply pow_lt; auto).
@@ -245,10 +236,10 @@ Proof.
   assert (Eb : IZR b = q ^ k * q ^ k).
   { unfold b. replace (2 * Z.of_nat k)%Z with (Z.of_nat (k + k)) by lia. rewrite <- pow_IZR. fold q. apply pow_add. }
   rewrite Ea, Eb in H'.
-  assert (Final : form n (mr (P i)) (run n T w x) <= (real_of u ^ k * real_of u ^ k) * form n (mr (P last)) x).
+  assert (Final : form n (mr P) (run n T w x) <= (real_of u ^ k * real_of u ^ k) * form n (mr P) x).
   { assert (Er : real_of u ^ k = p ^ k / q ^ k).
     { unfold real_of. fold p q. unfold Rdiv. rewrite Rpow_mult_distr, pow_inv by lra. reflexivity. }
-    rewrite Er. set (fx := form n (mr (P last)) x) in *. set (fy := form n (mr (P i)) (run n T w x)) in *.
+    rewrite Er. set (fx := form n (mr P) x) in *. set (fy := form n (mr P) (run n T w x)) in *.
     assert (H2 : 0 <= p ^ k * p ^ k * (d ^ k * d ^ k) * fx + - (q ^ k * q ^ k) * (d ^ k * d ^ k * fy)).
     { apply (Rmult_le_reg_l (IZR (root_factor h))); auto. rewrite Rmult_0_r. exact H'. }
     assert (Hpos : 0 < q ^ k * q ^ k * (d ^ k * d ^ k)) by (apply Rmult_lt_0_compat; [exact (Rmult_lt_0_compat _ _ Hqk Hqk) | exact (Rmult_lt_0_compat _ _ Hdk Hdk)]).
@@ -261,20 +252,20 @@ Proof.
   apply sqrt_le_1_alt. exact Final.
 Qed.
 
-Fixpoint shape (t : word_tree) : tree := match t with Word _ _ => Leaf | Words l => Node (map shape l) end.
+Fixpoint shape (t : word_tree) : tree := match t with Word _ => Leaf | Words l => Node (map shape l) end.
 
-Lemma check_tree_sound i : (i < length states)%nat -> forall t w rows, letters (count F) w -> rows_of w rows ->
-  check_tree F u states (P i) w rows t = true -> good n (count F) (length states) T N (real_of u) i w (shape t).
+Lemma check_tree_sound : forall t w rows, letters (count F) w -> rows_of w rows -> check_tree F u P w rows t = true ->
+  good n (count F) 1 T N (real_of u) 0 w (shape t).
 Proof.
-  intros Hi. fix IH 1. intros t w rows Hw HR H. destruct t as [h last|children]; simpl.
+  fix IH 1. intros t w rows Hw HR H. destruct t as [h|children]; simpl.
   - simpl in H. apply below_bound_sound in H; auto. constructor; auto.
   - simpl in H. apply andb_prop in H. destruct H as [H1 H2]. apply Nat.eqb_eq in H1.
     constructor. rewrite map_length; auto.
     assert (G : forall l off, (off + length l <= count F)%nat ->
       (fix each (k : nat) (l : list word_tree) : bool :=
-         match l with [] => true | c :: l' => check_tree F u states (P i) (w ++ [k]) (extended F rows k) c && each (S k) l' end) off l = true ->
-      forall t child, nth_error (map shape l) t = Some child ->
-      good n (count F) (length states) T N (real_of u) i (w ++ [(off + t)%nat]) child).
+         match l with [] => true | c :: l' => check_tree F u P (w ++ [k]) (extended F rows k) c && each (S k) l' end) off l = true ->
+      forall t child, nth_error (map shape l) t = Some child -> 
+      good n (count F) 1 T N (real_of u) 0 (w ++ [(off + t)%nat]) child).
     { clear H1 H2 children. fix IHl 1. intros l off Hl H t child E. destruct l as [|c l]; [destruct t; discriminate|].
       apply andb_prop in H. destruct H as [H1 H2]. destruct t as [|t]; simpl in E.
       - inversion E; subst. rewrite Nat.add_0_r. simpl in Hl. apply (IH c (w ++ [off]) (extended F rows off)); auto.
@@ -284,32 +275,23 @@ Proof.
 Qed.
 End Sound.
 
-Theorem quadratic_sound F u states definite : well_formed F = true -> quadratic F u states definite = true ->
+Theorem quadratic_sound F u P definite words : well_formed F = true -> quadratic F u P definite words = true ->
   radius_at_most (size F) (count F) (real F) (real_of u).
 Proof.
-  intros WF H. unfold quadratic in H. repeat rewrite andb_true_iff in H. destruct H as [[H1 H3] H4].
-  apply Z.leb_le in H1. set (n := size F) in *. rewrite forallb_forall in H4.
-  set (P := fun i => fst (nth i states ([], Words []))).
-  assert (HS : (0 < length states)%nat) by (destruct states; [discriminate|simpl; lia]).
-  assert (H3' : positive_form n 1 (entry (P 0%nat)) definite = true)
-    by (destruct states as [|[]]; [discriminate|exact H3]). clear H3.
-  assert (Each : forall i, (i < length states)%nat -> square n (P i) = true /\
-    check_tree F u states (P i) [] (table n (fun i j => if_equal i j 1)) (snd (nth i states ([], Words []))) = true).
-  { intros i Hi. apply andb_prop, (H4 (nth i states ([], Words []))), nth_In, Hi. }
-  set (N := fun i x => sqrt (form n (mr (P i)) x)).
+  intros WF H. unfold quadratic in H. repeat rewrite andb_true_iff in H. destruct H as [[[H1 H2] H3] H4].
+  apply Z.leb_le in H1. set (n := size F) in *.
+  set (N := fun (_ : nat) x => sqrt (form n (mr P) x)).
   assert (Hr : 0 <= real_of u).
   { unfold real_of. apply Rmult_le_pos. apply IZR_le; auto. left; apply Rinv_0_lt_compat, IZR_lt; lia. }
   set (f := IZR (root_factor definite)).
-  assert (Hf : 0 < f) by (apply (positive_form_sound n 1 _ definite zero H3')).
-  assert (HP : forall x, sum n (fun i => x i * x i) <= f * form n (mr (P 0%nat)) x).
-  { intros x. destruct (positive_form_sound n 1 _ definite x H3') as [_ D]. rewrite Rmult_1_l in D. exact D. }
-  set (c := fun i => sum n (fun k => sum n (fun j => Rabs (mr (P i) k j)))).
-  assert (Hc : forall i, 0 <= c i). { intros. apply sum_nonneg; intros. apply sum_nonneg; intros. apply Rabs_pos. }
+  assert (Hf : 0 < f) by (apply (positive_form_sound n 1 (entry P) definite zero H3)).
+  assert (HP : forall x, sum n (fun i => x i * x i) <= f * form n (mr P) x).
+  { intros x. destruct (positive_form_sound n 1 (entry P) definite x H3) as [_ D]. rewrite Rmult_1_l in D. exact D. }
+  set (c := sum n (fun i => sum n (fun j => Rabs (mr P i j)))).
   assert (Hsf : 0 < sqrt f) by (apply sqrt_lt_R0; auto).
   assert (Hn : 0 <= INR n) by apply pos_INR.
   assert (Hlow : 0 < / ((INR n + 1) * sqrt f)) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra).
-  apply grows_radius, (cuts_bound n (count F) (length states) (real F) N (real_of u)
-    (/ ((INR n + 1) * sqrt f)) (sqrt (sum (length states) c))); auto.
+  apply grows_radius, (cuts_bound n (count F) 1 (real F) N (real_of u) (/ ((INR n + 1) * sqrt f)) (sqrt c)); auto.
   - intros x. apply (Rmult_le_reg_l ((INR n + 1) * sqrt f)). apply Rmult_lt_0_compat; lra.
     rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by (apply Rgt_not_eq, Rmult_lt_0_compat; lra).
     assert (B : norm n x <= INR n * (sqrt f * N 0%nat x)).
@@ -318,14 +300,13 @@ Proof.
       apply (sum_term n (fun i => x i * x i)); auto. intros; apply (Rle_0_sqr (x i0)). }
     assert (0 <= sqrt f * N 0%nat x) by (apply Rmult_le_pos; [lra|apply sqrt_pos]).
     rewrite Rmult_assoc. lra.
-  - intros i x Hi. split. apply sqrt_pos. unfold N. rewrite <- (sqrt_Rsqr (norm n x)) by apply norm_nonneg.
-    rewrite <- sqrt_mult_alt by (apply sum_nonneg; auto). apply sqrt_le_1_alt.
-    apply Rle_trans with (c i * Rsqr (norm n x)).
-    2:{ apply Rmult_le_compat_r. apply Rle_0_sqr. apply (sum_term (length states) c); auto. }
-    unfold c, Rsqr, form. rewrite Rmult_comm, <- sum_scal. apply sum_le; intros k Hk. rewrite <- sum_scal. apply sum_le; intros j Hj.
+  - intros state x _. split. apply sqrt_pos. unfold N. rewrite <- (sqrt_Rsqr (norm n x)) by apply norm_nonneg.
+    assert (Hc : 0 <= c). { apply sum_nonneg; intros. apply sum_nonneg; intros. apply Rabs_pos. }
+    rewrite <- sqrt_mult_alt by auto. apply sqrt_le_1_alt. unfold c, Rsqr. unfold form.
+    rewrite Rmult_comm, <- sum_scal. apply sum_le; intros i Hi. rewrite <- sum_scal. apply sum_le; intros j Hj.
     eapply Rle_trans. apply Rle_abs. rewrite !Rabs_mult. rewrite Rmult_comm. apply Rmult_le_compat_r. apply Rabs_pos.
     apply Rmult_le_compat; try apply Rabs_pos; apply norm_term; auto.
-  - intros i Hi. destruct (Each i Hi) as [_ E]. apply good_cuts with (tr := shape (snd (nth i states ([], Words [])))).
-    apply (check_tree_sound F u states WF H1) with (rows := table (size F) (fun i j => if_equal i j 1)); auto.
-    intros k Hk. apply Each; auto. constructor. apply rows_of_nothing.
+  - intros i Hi. replace i with 0%nat by lia. apply good_cuts with (tr := shape words).
+    apply (check_tree_sound F u P WF H1 H2) with (rows := table (size F) (fun i j => if_equal i j 1)); auto.
+    constructor. apply rows_of_nothing.
 Qed.

@@ -1,6 +1,6 @@
 (* Made by subcert-check-verified --theorem S5: the claim, its certificate, and the proof by computation. *)
 Require Import Reals List ZArith QArith.
-From Subcert Require Import Radius Integers Sections Eigenvalue Quadratic Single Check.
+From Subcert Require Import Radius Integers Sections Eigenvalue Quadratic Graph Single Check.
 Import ListNotations.
 Open Scope Z_scope.
 

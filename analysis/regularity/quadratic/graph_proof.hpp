@@ -1,0 +1,39 @@
+#pragma once
+/// Rational proofs of upper bounds for joint spectral radii by a graph of quadratic forms and trees of products.
+
+#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/matrix_family.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace subcert {
+
+/// States with norms |x| = |L x|, L lower triangular, and steps L A_t = bound (B + E) L_to g / 2^bits, g an element of
+/// the group, E an error of norm at most the size of the matrices. Words of steps lead away from each state whose
+/// products are contractions, errors included; every infinite sequence of letters begins with one
+/// (proofs-checks/certificates/SPEC.md, 4.13).
+struct GraphProof {
+  struct Step {
+    std::size_t letter = 0, to = 0;
+    std::size_t element = 0;           ///< of the group
+    std::int64_t norm = 0;             ///< of B, at least
+    std::vector<std::int64_t> matrix;  ///< B row by row
+  };
+  struct State {
+    std::vector<std::vector<Integer>> coordinates;  ///< L row by row up to the diagonal
+    std::vector<Step> steps;                        ///< by letter; words go on by the first one of a letter
+    std::string ends;                               ///< words, as in ProductTree
+  };
+  std::vector<State> states;
+  int bits = 0;                       ///< at most 60
+  std::vector<FamilySymmetry> group;  ///< of the family
+  Rational bound;                     ///< proved: joint spectral radius <= bound
+
+  std::size_t words() const;
+};
+
+/// The proof for 2^exponent times the matrices.
+GraphProof scaled(GraphProof proof, long exponent);
+
+}  // namespace subcert

@@ -1,0 +1,21 @@
+#pragma once
+/// From forms and a tree in floating point to a proof. Inner header.
+
+#include "graph_proof.hpp"
+#include "integer_forms.hpp"
+#include "product_tree.hpp"
+
+namespace subcert::quadratic {
+
+/// With matrices of steps over 2^bits and the least of some bounds above that of the tree that all words prove.
+/// Nothing where none does. Domain: coordinates of the states, lower triangular; bits at most 60. Cost: a few exact
+/// products for each step, and two products of matrices for each word, of doubles if bits is at most `double_bits`.
+std::optional<GraphProof> prove_graph(const MatrixFamily& family, const std::vector<Integers>& coordinates,
+                                      const StateForms& forms, const ProductTree& tree, int bits,
+                                      const Deadline& deadline);
+
+/// Products of matrices and of their norms, up to 8 times 4^bits, are exact in double.
+constexpr int double_bits = 24;
+constexpr int most_bits = 60;
+
+}  // namespace subcert::quadratic

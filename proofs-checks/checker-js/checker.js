@@ -1230,7 +1230,7 @@ var check_certificate = (() => {
         const end = this.tree[this.at++], goes_on = end === '+';
         demand(!goes_on || length < 1000, 'a word of more than 1000 letters');
         const {to, norm, B} = steps[goes_on ? 0 : this.number_of(end, steps.length)];
-        spend(3);
+        spend(3, h, h);
         allow_bits(this.memory + (length + 1) * this.size * this.size * (h + 256));
         const M = products[length] = words.product(products[length - 1], B, products[length]);
         const next_p = up(p * (norm + d)), next_e = up(e * norm + p * d) + d;

@@ -227,6 +227,11 @@ bool set_steps(GraphProof& proof, const StepRounder& rounder, const StateForms& 
 
 }  // namespace
 
+double slack_of(int bits, std::size_t size) {
+  // Each letter loses twice the size.
+  return std::max(least_slack, first_slack * 2 * static_cast<double>(size) * std::ldexp(1.0, -bits));
+}
+
 std::optional<GraphProof> prove_graph(const MatrixFamily& family, const std::vector<Integers>& coordinates,
                                       const StateForms& forms, const ProductTree& tree, int bits,
                                       const Deadline& deadline) {
@@ -238,10 +243,8 @@ std::optional<GraphProof> prove_graph(const MatrixFamily& family, const std::vec
       state.coordinates.emplace_back(&coordinates[j][i * n], &coordinates[j][i * n + i] + 1);
     state.ends = tree.ends[j];
   }
-  // Each letter loses twice the size.
-  const double least = std::max(least_slack, first_slack * 2 * static_cast<double>(n) * std::ldexp(1.0, -bits));
   for (const double factor : slack_factors) {
-    const double slack = least * factor;
+    const double slack = slack_of(bits, n) * factor;
     if (slack > most_slack || deadline.expired()) break;
     proof.bound = Rational(Integer(std::ceil(std::ldexp(tree.bound * (1 + slack), bound_bits)))) *
                   power(Rational(2), -bound_bits);

@@ -14,6 +14,9 @@ std::optional<GraphProof> prove_graph(const MatrixFamily& family, const std::vec
                                       const StateForms& forms, const ProductTree& tree, int bits,
                                       const Deadline& deadline);
 
+/// By how much more than the bound of the tree a proof tries to prove first, relatively.
+double slack_of(int bits, std::size_t size);
+
 /// Products of matrices and of their norms, up to 8 times 4^bits, are exact in double.
 constexpr int double_bits = 24;
 constexpr int most_bits = 60;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace subcert {
 namespace {
@@ -95,6 +96,8 @@ std::vector<std::vector<Integer>> lower_rows(const quadratic::Integers& form, st
 struct FormedTree {
   quadratic::StateForms forms;
   ProductTree tree;
+  int bits;      ///< of the proof
+  double bound;  ///< that the proof will have, about
 };
 
 /// A tree of the goal, or at least of a bound that is hardly above it.
@@ -124,30 +127,47 @@ std::optional<ProductTree> least_tree(const quadratic::StateForms& forms, double
   return best;
 }
 
-/// Of one form and forms of contexts, ever longer, the first ones whose tree has the goal for its bound; or the last
-/// ones, and a tree of the least bound.
-std::optional<FormedTree> best_tree(quadratic::ContextForms contexts, double goal, const std::vector<int>& product,
-                                    const Budget& budget) {
+/// Of one form and forms of contexts, ever longer, the first ones whose tree has the goal for its bound; or, of the
+/// last ones and the one form, those whose proof has the least bound.
+std::optional<FormedTree> best_tree(const quadratic::StateForms& one, quadratic::ContextForms contexts, double goal,
+                                    const std::vector<int>& product, const Budget& budget) {
   const Deadline trees_end = budget.deadline.after(tree_share), contexts_end = budget.deadline.after(contexts_share);
   const auto forms = [&] {
     if (!product.empty() && contexts.forms().states() > 1)
       if (auto cycle = contexts.with_cycle(product, trees_end)) return std::move(*cycle);
     return contexts.forms();
   };
+  const auto fine_work = [&] {
+    return std::min(most_work, work_per_second / 2 * budget.deadline.remaining()) / fine_factor;
+  };
   double seconds = first_look;
+  quadratic::StateForms states = forms();
   while (true) {
-    quadratic::StateForms states = forms();
     const double work = std::min(most_work, work_per_second * look_share * seconds);
-    if (auto tree = tree_at_goal(states, goal, {work, trees_end}))
-      return FormedTree{std::move(states), std::move(*tree)};
-    const Stopwatch stopwatch;
-    if (!contexts.grow({contexts_end, budget.memory / 2})) {
-      const double all = std::min(most_work, work_per_second / full_trees * budget.deadline.remaining());
-      auto tree = least_tree(states, goal, {all, trees_end});
-      return tree ? std::optional(FormedTree{std::move(states), std::move(*tree)}) : std::nullopt;
+    if (auto tree = tree_at_goal(states, goal, {work, trees_end})) {
+      const int bits = tree->work <= fine_work() ? quadratic::most_bits : quadratic::double_bits;
+      return FormedTree{std::move(states), std::move(*tree), bits, 0};
     }
+    const Stopwatch stopwatch;
+    if (!contexts.grow({contexts_end, budget.memory / 2})) break;
+    states = forms();
     seconds = stopwatch.seconds();
   }
+  std::optional<FormedTree> best;
+  const auto try_out = [&](const quadratic::StateForms& found, int bits, double work) {
+    auto tree = least_tree(found, goal, {work, trees_end});
+    if (!tree) return;
+    const double bound = tree->bound * (1 + quadratic::slack_of(bits, found.to.front().rows()));
+    if (!best || bound < best->bound) best = FormedTree{found, std::move(*tree), bits, bound};
+  };
+  const double most = std::min(most_work, work_per_second / full_trees * budget.deadline.remaining());
+  for (const quadratic::StateForms* found : {&std::as_const(states), &one}) {
+    // Contexts that there was little time for may be worse than the one form.
+    if (best && best->bound <= found->bound) break;
+    try_out(*found, quadratic::most_bits, std::min(most, fine_work()));
+    try_out(*found, quadratic::double_bits, most);
+  }
+  return best;
 }
 
 }  // namespace
@@ -166,18 +186,17 @@ std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, c
   const Shape shape = shape_of(family, goal, budget.deadline.after(shape_share));
   for (const polytope::Matrix& m : shape.round.family.matrices) goal = std::max(goal, polytope::spectral_radius(m));
   if (!(goal > 0)) return std::nullopt;
-  quadratic::ContextForms contexts(shape.round.family, shape.coordinates);
+  const quadratic::ContextForms one(shape.round.family, shape.coordinates);
   const auto same = [](const polytope::Matrix& a, const polytope::Matrix& b) { return a.entries() == b.entries(); };
-  if (known && std::ranges::equal(known->matrices(), contexts.matrices(), same)) contexts = *known;
-  const auto best = best_tree(std::move(contexts), goal * (1 - goal_below), product, budget);
+  const bool go_on = known && std::ranges::equal(known->matrices(), one.matrices(), same);
+  const auto best = best_tree(one.forms(), go_on ? *known : one, goal * (1 - goal_below), product, budget);
   const auto coordinates = best ? quadratic::triangular_coordinates(best->forms.to, shape.round) : std::nullopt;
   if (!coordinates) return std::nullopt;
   const Deadline end = Deadline::in(budget.deadline.remaining() + grace);
-  const bool fine = best->tree.work * fine_factor <= std::min(most_work, work_per_second / 2 * end.remaining());
   const auto prove = [&](int bits, const Deadline& deadline) {
     return quadratic::prove_graph(family, *coordinates, best->forms, best->tree, bits, deadline);
   };
-  auto proof = fine ? prove(quadratic::most_bits, end.after(fine_share)) : std::nullopt;
+  auto proof = best->bits > quadratic::double_bits ? prove(best->bits, end.after(fine_share)) : std::nullopt;
   return proof ? proof : prove(quadratic::double_bits, end);
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <type_traits>
 
 namespace subcert {
 namespace quadratic {
@@ -18,7 +19,6 @@ constexpr int bound_bits = 50;
 constexpr std::size_t guard_bits = 64;  // of matrices of steps before they are rounded
 constexpr double norm_rounding = 1e-12;
 constexpr int most_norm = 7;
-constexpr std::size_t ranges = 16;
 
 // Floor and ceiling of x/2^bits. A double is x times the power, exactly.
 double floor_shifted(double x, int bits) { return std::floor(std::ldexp(x, -bits)); }

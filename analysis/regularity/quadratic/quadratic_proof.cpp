@@ -121,8 +121,12 @@ std::optional<ProductTree> least_tree(const quadratic::StateForms& forms, double
     excess = smaller;
     return true;
   };
-  while (best && hold(excess / excess_step))
-    if (excess < least_excess) return tree_at_goal(forms, goal, limits);
+  while (best && excess >= least_excess && hold(excess / excess_step)) {
+  }
+  if (excess < least_excess) {
+    auto tree = tree_at_goal(forms, goal, limits);
+    return tree ? tree : best;
+  }
   for (int k = 1; k <= bisections; ++k) hold(excess * std::pow(excess_step, -std::ldexp(1.0, -k)));
   return best;
 }

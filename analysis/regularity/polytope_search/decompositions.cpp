@@ -77,6 +77,10 @@ ComplexVector eigenvalues(const Matrix& matrix) {
   return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
 }
 
+double spectral_norm(const Matrix& matrix) {
+  return std::sqrt(symmetric_eigenvalues(matrix.transposed() * matrix).back());
+}
+
 double spectral_radius(const Matrix& matrix) {
   double largest = 0;
   if (matrix.is_zero()) return largest;

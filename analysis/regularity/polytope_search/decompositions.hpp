@@ -36,6 +36,8 @@ EigenDecomposition eigen_decomposition(const Matrix& matrix);
 ComplexVector eigenvalues(const Matrix& matrix);
 /// The largest modulus of an eigenvalue.
 double spectral_radius(const Matrix& matrix);
+/// The largest singular value.
+double spectral_norm(const Matrix& matrix);
 
 /// The inverse of the leading size x size block of a column major array whose columns stand `stride` apart, into an
 /// array of the same layout, by partial pivoting. False where an entry is not finite or at least 1e13.

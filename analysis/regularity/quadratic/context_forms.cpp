@@ -96,13 +96,9 @@ void in_parts(std::size_t count, const Work& work) {
     parallel_ranges(count, static_cast<std::size_t>(all_cores()), all_cores(), range);
 }
 
-double norm_of(const Step& step) {
-  return std::sqrt(polytope::symmetric_eigenvalues(step.matrix.transposed() * step.matrix).back());
-}
-
 double largest_norm(const StateForms& forms) {
   double largest = 0;
-  for (const Step& step : forms.steps) largest = std::max(largest, norm_of(step));
+  for (const Step& step : forms.steps) largest = std::max(largest, polytope::spectral_norm(step.matrix));
   return largest;
 }
 
@@ -389,7 +385,7 @@ std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& produ
     if (step.to >= first) continue;
     for (const Step& ending : endings[step.to]) {
       Step end{step.from, ending.to, step.element ^ ending.element, fast_product(step.matrix, ending.matrix)};
-      if (norm_of(end) < most_norm * forms_.bound) at.ends.back().push_back(std::move(end));
+      if (polytope::spectral_norm(end.matrix) < most_norm * forms_.bound) at.ends.back().push_back(std::move(end));
     }
   }
   at.bound = std::max(at.bound, cycle->radius);

@@ -168,8 +168,7 @@ class StepRounder {
       result.matrix.push_back(numbers[i].convert_to<std::int64_t>());
       approximate(i / n_, i % n_) = numbers[i].convert_to<double>();
     }
-    const double square = polytope::symmetric_eigenvalues(approximate.transposed() * approximate).back();
-    const Integer norm(std::ceil(std::sqrt(square) * (1 + norm_rounding)) + 1);
+    const Integer norm(std::ceil(polytope::spectral_norm(approximate) * (1 + norm_rounding)) + 1);
     if (norm > most) return std::nullopt;
     result.norm = norm.convert_to<std::int64_t>();
     if (!has_norm(numbers, norm) || !is_near(image, quadratic::product(last, maps_[element], n_), numbers))

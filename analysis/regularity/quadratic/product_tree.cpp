@@ -24,8 +24,7 @@ class Tree {
       : steps_(forms.steps), ends_(forms.ends), letters_(steps_.size() / forms.states()), limits_(limits) {
     for (Step& step : steps_) {
       step.matrix /= bound;
-      const Matrix square = step.matrix.transposed() * step.matrix;
-      norms_.push_back(std::sqrt(polytope::symmetric_eigenvalues(square).back()));
+      norms_.push_back(polytope::spectral_norm(step.matrix));
     }
     for (std::vector<Step>& ends : ends_) {
       if (ends.size() >= end_characters.size()) ends.resize(end_characters.size() - 1);

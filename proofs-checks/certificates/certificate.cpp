@@ -141,12 +141,9 @@ class SectionWriter {
   }
 
   std::string operator()(const QuadraticProof& proof) const {
-    const GroupWords group(proof.group, false);
-    std::string text = fmt::format("block {} quadratic {} {}{}\n", block_, proof.words.size(), to_text(proof.bound),
-                                   group_text(group)) +
-                       generators_text(proof.group, group);
+    std::string text = fmt::format("block {} quadratic {} {}\n", block_, proof.letters.size(), to_text(proof.bound));
     for (const std::vector<Integer>& row : proof.form) text += "form" + numbers_text(row) + "\n";
-    for (const std::vector<int>& word : proof.words) text += fmt::format("word {}\n", fmt::join(word, " "));
+    for (const int letter : proof.letters) text += fmt::format("word {}\n", letter);
     return text;
   }
 

@@ -226,8 +226,8 @@ std::optional<QuadraticProof> prove_isometries(const MatrixFamily& family, const
             for (std::size_t j = i; j < n; ++j, ++at) form(i, j) += Rational(near(k, l)) * forms[v][at];
   const quadratic::Integers integral = integer_multiple(form, common_denominator(form));
   if (!quadratic::is_positive(integral, n)) return std::nullopt;
-  QuadraticProof result{lower_rows(integral, n), {family.group().front()}, {}, *ratio};
-  for (std::size_t t = 0; t < family.count(); ++t) result.words.push_back({static_cast<int>(t)});
+  QuadraticProof result{lower_rows(integral, n), {}, *ratio};
+  for (std::size_t t = 0; t < family.count(); ++t) result.letters.push_back(static_cast<int>(t));
   return result;
 }
 

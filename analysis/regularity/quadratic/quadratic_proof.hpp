@@ -8,13 +8,11 @@ namespace quadratic {
 class ContextForms;
 }
 
-/// With A_w = A_{w_1} ... A_{w_k}, bound^(2 k) P - A_w^T P A_w is positive semidefinite for all words w. Every infinite
-/// sequence of letters begins with a word or its image under an element of the group
-/// (proofs-checks/certificates/SPEC.md, 4.8). Of equal matrices the words name the first.
+/// bound^2 P - A_t^T P A_t is positive semidefinite for the letters t, of equal matrices the first one's
+/// (proofs-checks/certificates/SPEC.md, 4.8).
 struct QuadraticProof {
   std::vector<std::vector<Integer>> form;  ///< P row by row up to the diagonal
-  std::vector<FamilySymmetry> group;       ///< of the family, g^T P g = P
-  std::vector<std::vector<int>> words;
+  std::vector<int> letters;
   Rational bound;  ///< proved: joint spectral radius <= bound
 };
 

@@ -208,7 +208,7 @@ std::size_t JointSpectralRadius::vertices() const {
 }
 
 std::size_t JointSpectralRadius::words() const {
-  return total<QuadraticProof>(*this, [](const QuadraticProof& form) { return form.words.size(); }) +
+  return total<QuadraticProof>(*this, [](const QuadraticProof& form) { return form.letters.size(); }) +
          total<GraphProof>(*this, [](const GraphProof& graph) { return graph.words(); });
 }
 

@@ -79,11 +79,6 @@ void expand(std::vector<FamilySymmetry>& group, const DifferentMatrices& differe
   }
 }
 
-void expand(QuadraticProof& proof, const DifferentMatrices& different) {
-  for (std::vector<int>& word : proof.words) rename(word, different);
-  expand(proof.group, different);
-}
-
 void expand(GraphProof& proof, const DifferentMatrices& different) {
   for (GraphProof::State& state : proof.states)
     for (GraphProof::Step& step : state.steps) step.letter = different.originals[step.letter];
@@ -93,7 +88,7 @@ void expand(GraphProof& proof, const DifferentMatrices& different) {
 /// The proof for the family from that for its different matrices.
 void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
   rename(radius.product.word, different);
-  if (auto* form = std::get_if<QuadraticProof>(&radius.proof)) expand(*form, different);
+  if (auto* form = std::get_if<QuadraticProof>(&radius.proof)) rename(form->letters, different);
   if (auto* graph = std::get_if<GraphProof>(&radius.proof)) expand(*graph, different);
   auto* polytope = std::get_if<PolytopeProof>(&radius.proof);
   if (!polytope) return;

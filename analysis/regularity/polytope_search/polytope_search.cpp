@@ -117,7 +117,7 @@ class Search {
     ProductSearchOptions options;
     options.max_length = std::min(look.length, options_.max_product_length);
     options.width = look.width;
-    options.budget = {deadline().at_most(share * seconds_), memory_of_products()};
+    options.budget = {races_.at_most(share * seconds_), memory_of_products()};
     take(search_products(family_[0], options));
     const double d = static_cast<double>(family_[0].matrices.front().rows());
     work_ += seconds_per_product * d * d * d * static_cast<double>(family_[0].matrices.size()) * options.width *
@@ -125,7 +125,7 @@ class Search {
   }
 
   void look_for_more_products() {
-    const Deadline end = deadline().at_most(later_products * seconds_);
+    const Deadline end = races_.at_most(later_products * seconds_);
     const double seconds = end.remaining();
     take(options_.more_products(family_[0], candidates_.front().radius, {end, memory_of_products()}));
     work_ += seconds - end.remaining();
@@ -310,7 +310,7 @@ class Search {
   SearchOptions options_;
   Stopwatch stopwatch_;
   double seconds_;
-  Deadline races_;
+  Deadline races_;          // of looks for products, too: what is left is for enclosing
   double work_ = 0;         // what decides whose turn it is, in place of a clock: PolytopeRun::work
   SearchFamily family_[2];  // as given, transposed
   std::vector<Candidate> candidates_;

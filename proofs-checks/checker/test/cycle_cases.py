@@ -106,15 +106,14 @@ class Cycle:
                 basis.insert(0, last)
             else:
                 assert not any(last), "the polynomial does not vanish on the seed"
-        re, im = [Q(0)] * n, [Q(0)] * n
-        for b in reversed(basis):
-            re, im = [s * x - t * y + a for s, t, a in zip(re, im, b)], [s * y + t * x for s, t in zip(re, im)]
-        m = abs(x) + abs(y) + number.eps
-        error = 2 * number.eps * sum(k * m ** (k - 1) * sum(map(abs, b)) for k, b in enumerate(basis) if k)
-        rows, errors = [[re, im]], [error]
-        for t in self.letters:
-            rows.append(multiply(rows[-1], matrices[t]))
-            errors.append(errors[-1] * max(sum(map(abs, line)) for line in matrices[t]))
+        m, rows, errors = abs(x) + abs(y) + number.eps, [], []
+        for t in [*self.letters, None]:
+            re, im = [Q(0)] * n, [Q(0)] * n
+            for b in reversed(basis):
+                re, im = [s * x - r * y + a for s, r, a in zip(re, im, b)], [s * y + r * x for s, r in zip(re, im)]
+            rows.append([re, im])
+            errors.append(2 * number.eps * sum(k * m ** (k - 1) * sum(map(abs, b)) for k, b in enumerate(basis) if k))
+            basis = basis if t is None else multiply(basis, matrices[t])
         return rows, errors
 
     def matrices(self, number, matrices, coordinates, bound, kept, scale):
@@ -135,7 +134,6 @@ class Cycle:
             yield ([[kept * low**2 * right[a][b] + f * (form[i + 1][a][b] - (a == b) * change[i + 1]) - left[a][b] for b in n] for a in n],
                    [[(low / bound) ** 2 * norms[i][a][b] - scale**2 / (t1 * low ** (2 * i)) *
                      (form[i][a][b] + (a == b) * (change[i] + errors[i] ** 2)) for b in n] for a in n])
-
 
     def edges(self, number, matrices, coordinates, bound, kept):
         """The least and the largest SCALE with which all matrices are positive, relatively near."""

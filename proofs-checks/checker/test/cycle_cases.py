@@ -302,6 +302,7 @@ HALF = "|[-1,2]@1/2,0,1/10|^1/1"
 # name, accepted case that is changed, other options or None, reason, changes of its text
 REJECTED = [
     ("kept-not-exact", "kept-least", "--matrices kept-numbers.mat --upper 2", "none of 0-9, A-Z, a-z", [(SINGLE[0], "")]),
+    ("kept-cycle-not-exact", "one-graph", None, "expected 'end'", [("tree 0\n", "tree 0\ncycle 0 0 1/2 1\nseed 1\n")]),
     ("kept-later", "kept-least", None, "a kept word has more than one letter", [("tree *0", "tree +*00")]),
     ("kept-turned", "kept-flip", None, "the step of a kept word has a word of the group", [("tree *0", "tree **")]),
     ("kept-turned-back", "kept-flip", None, "the step of a kept word has a word of the group", [("step 0 0 ", "step 0 0AA ")]),

@@ -330,7 +330,7 @@ struct ExponentLines {
 };
 
 ExponentLines exponent_lines(const Mask& mask, const HolderRegularity& regularity,
-                             const std::optional<MaskRounding>& rounding) {
+                             const std::optional<MaskRounding>& rounding, bool tell_exact) {
   const int rules = regularity.bounds.sum_rules;
   const JointSpectralRadius& radius = regularity.radius;
   ExponentLines result;
@@ -347,7 +347,7 @@ ExponentLines exponent_lines(const Mask& mask, const HolderRegularity& regularit
     result.claim.upper = decimal;
   const bool upper = result.claim.upper.has_value();
   ExactRadius exact;
-  if (upper && by_product && !rounding) exact = exact_radius(family_of(mask, regularity), radius);
+  if (upper && by_product && !rounding && tell_exact) exact = exact_radius(family_of(mask, regularity), radius);
   if (!exact.number.empty()) {
     result.claim.exact = fmt::format("{}-log{}", rules, exact.number);
     result.exact = exact_text(result.claim, exact);
@@ -390,19 +390,20 @@ std::string gram_text(const LatticeSequence& gram) {
   return "gram" + terms_text(half, common_denominator({half}));
 }
 
-bool has_kept_letters(const std::string& certificate) {
-  for (std::size_t at = 0; (at = certificate.find("\ntree ", at)) != std::string::npos; ++at)
-    if (certificate.find('*', at) < certificate.find('\n', at + 1)) return true;
-  return false;
+/// What a function makes that may say what is exact. Of a graph whose letters are kept the bounds have other words.
+template <class Make>
+Certificate with_bounds(const Make& make) {
+  Certificate certificate = make(true);
+  if (certificate.text.find('*') != std::string::npos) certificate.bounds = make(false).text;
+  return certificate;
 }
 
 }  // namespace
 
 Certificate Certificate::of_bounds() const {
   Certificate result{{claim.lower, claim.upper}, {}};
-  // Letters that are kept prove nothing without what is exact.
-  if (has_kept_letters(text)) {
-    result.text = text;
+  if (!bounds.empty()) {
+    result.text = bounds;
     return result;
   }
   std::istringstream lines(text);
@@ -425,18 +426,21 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
   const Rational lower = lower_end(mask, regularity);
   require(lower > 0, "exponent_certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(lower, 6, Rounding::nearest));
-  const ExponentLines lines = other ? exponent_lines(other->mask.mask, other->regularity, std::nullopt)
-                                    : exponent_lines(mask, regularity, rounding);
-  Certificate certificate{lines.claim, lines.text};
-  std::string head = fmt::format("subcert-certificate 3\nexponent {} {}", mask.symbol().to_mask_text(), mask.arity());
-  if (rounding) head += fmt::format(" within={},{}", to_text(rounding->distance), rules);
-  head += "\n" + bounds_text(certificate.claim) + lines.exact;
-  if (other) {
-    head += fmt::format("reduced {} {}\n", other->mask.factor.to_mask_text(), other->mask.mask.symbol().to_mask_text());
-    certificate.text += fmt::format("sum-rules {}\n", rules) + radius_text(mask, regularity, false);
-  }
-  certificate.text = head + certificate.text + "end\n";
-  return certificate;
+  return with_bounds([&](bool tell_exact) {
+    const ExponentLines lines = other ? exponent_lines(other->mask.mask, other->regularity, std::nullopt, tell_exact)
+                                      : exponent_lines(mask, regularity, rounding, tell_exact);
+    Certificate certificate{lines.claim, lines.text};
+    std::string head = fmt::format("subcert-certificate 3\nexponent {} {}", mask.symbol().to_mask_text(), mask.arity());
+    if (rounding) head += fmt::format(" within={},{}", to_text(rounding->distance), rules);
+    head += "\n" + bounds_text(certificate.claim) + lines.exact;
+    if (other) {
+      head += fmt::format("reduced {} {}\n", other->mask.factor.to_mask_text(),
+                          other->mask.mask.symbol().to_mask_text());
+      certificate.text += fmt::format("sum-rules {}\n", rules) + radius_text(mask, regularity, false);
+    }
+    certificate.text = head + certificate.text + "end\n";
+    return certificate;
+  });
 }
 
 Certificate surface_certificate(const MultivariateMask& mask, const MultivariateRegularity& regularity) {
@@ -450,22 +454,24 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   const Rational lower = std::min(exponent.lower.value_or(0), Rational(space.order));
   require(lower > 0, "surface_certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(lower, 6, Rounding::nearest));
-  Certificate certificate;
-  certificate.claim.lower = outward(lower, Rounding::down);
-  const bool tells_upper_end = space.is_of_values() || regularity.stable.is_yes();
-  if (tells_upper_end && exponent.upper && *exponent.upper < space.order)
-    certificate.claim.upper = outward(*exponent.upper, Rounding::up);
-  ExactRadius exact;
-  if (certificate.claim.upper) exact = exact_radius(space.family, radius);
-  if (!exact.number.empty()) certificate.claim.exact = "0-log" + exact.number;
-  certificate.text = fmt::format("subcert-certificate 3\nsurface {} {}\n{}", to_mask_text(mask), dilation.to_text(),
-                                 bounds_text(certificate.claim)) +
-                     exact_text(certificate.claim, exact) + space_text(space, dilation);
-  if (certificate.claim.upper && !space.is_of_values()) certificate.text += gram_text(*regularity.gram);
-  certificate.text += blocks_text(radius);
-  if (certificate.claim.upper) certificate.text += product_text(space.family, radius);
-  certificate.text += SectionWriter(space.family.count(), std::move(exact.cycles)).text(radius.proof) + "end\n";
-  return certificate;
+  return with_bounds([&](bool tell_exact) {
+    Certificate certificate;
+    certificate.claim.lower = outward(lower, Rounding::down);
+    const bool tells_upper_end = space.is_of_values() || regularity.stable.is_yes();
+    if (tells_upper_end && exponent.upper && *exponent.upper < space.order)
+      certificate.claim.upper = outward(*exponent.upper, Rounding::up);
+    ExactRadius exact;
+    if (certificate.claim.upper && tell_exact) exact = exact_radius(space.family, radius);
+    if (!exact.number.empty()) certificate.claim.exact = "0-log" + exact.number;
+    certificate.text = fmt::format("subcert-certificate 3\nsurface {} {}\n{}", to_mask_text(mask), dilation.to_text(),
+                                   bounds_text(certificate.claim)) +
+                       exact_text(certificate.claim, exact) + space_text(space, dilation);
+    if (certificate.claim.upper && !space.is_of_values()) certificate.text += gram_text(*regularity.gram);
+    certificate.text += blocks_text(radius);
+    if (certificate.claim.upper) certificate.text += product_text(space.family, radius);
+    certificate.text += SectionWriter(space.family.count(), std::move(exact.cycles)).text(radius.proof) + "end\n";
+    return certificate;
+  });
 }
 
 namespace {
@@ -556,17 +562,20 @@ std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, cha
 }
 
 Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRadius& radius) {
-  Certificate certificate;
-  if (*radius.product.radius.lower > 0) certificate.claim.lower = outward(*radius.product.radius.lower, Rounding::down);
-  certificate.claim.upper = outward(radius.proved_upper(), Rounding::up);
-  certificate.text = fmt::format("subcert-certificate 3\nradius {} {}\n{}", family.count(), family.size(),
-                                 bounds_text(certificate.claim));
-  ExactRadius exact = exact_radius(family, radius);
-  if (!exact.number.empty()) certificate.claim.exact = exact.number;
-  certificate.text += exact_text(certificate.claim, exact) + blocks_text(radius);
-  if (certificate.claim.lower) certificate.text += product_text(family, radius);
-  certificate.text += SectionWriter(family.count(), std::move(exact.cycles)).text(radius.proof) + "end\n";
-  return certificate;
+  return with_bounds([&](bool tell_exact) {
+    Certificate certificate;
+    if (*radius.product.radius.lower > 0)
+      certificate.claim.lower = outward(*radius.product.radius.lower, Rounding::down);
+    certificate.claim.upper = outward(radius.proved_upper(), Rounding::up);
+    certificate.text = fmt::format("subcert-certificate 3\nradius {} {}\n{}", family.count(), family.size(),
+                                   bounds_text(certificate.claim));
+    ExactRadius exact = tell_exact ? exact_radius(family, radius) : ExactRadius{};
+    if (!exact.number.empty()) certificate.claim.exact = exact.number;
+    certificate.text += exact_text(certificate.claim, exact) + blocks_text(radius);
+    if (certificate.claim.lower) certificate.text += product_text(family, radius);
+    certificate.text += SectionWriter(family.count(), std::move(exact.cycles)).text(radius.proof) + "end\n";
+    return certificate;
+  });
 }
 
 std::string matrices_text(const MatrixFamily& family) {

@@ -26,6 +26,7 @@ struct CertificateClaim {
 struct Certificate {
   CertificateClaim claim;
   std::string text;
+  std::string bounds = {};  ///< other text that proves the bounds alone, where lines cannot just be left out of `text`
 
   /// The same without the lines that say what the number is: where the checker does not accept them, as an image may
   /// lie too near to the boundary.

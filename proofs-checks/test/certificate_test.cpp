@@ -303,17 +303,22 @@ TEST_CASE("one spectral radius: the exponent, what it is, and the modulus of con
   CHECK(polytopes.claim.logarithm == 0);
 }
 
+namespace {
+
+bool proves_exactly(const std::string& subject, const Certificate& certificate) {
+  const CertificateClaim& claim = certificate.claim;
+  REQUIRE(claim.exact);
+  CHECK(certificate.of_bounds().text.find("cycle") == std::string::npos);
+  CHECK(proves(subject, *claim.lower, *claim.upper, certificate.of_bounds().text));
+  std::string other = *claim.exact;
+  other.back() = other.back() == '9' ? '8' : '9';
+  CHECK_FALSE(proves(subject + " --exact '" + other + "'", "", "", certificate.text));
+  return proves(subject + " --exact '" + *claim.exact + "'", *claim.lower, *claim.upper, certificate.text);
+}
+
+}  // namespace
+
 TEST_CASE("certificates say what an exponent or a radius is") {
-  const auto proves_exactly = [](const std::string& subject, const Certificate& certificate) {
-    const CertificateClaim& claim = certificate.claim;
-    REQUIRE(claim.exact);
-    CHECK(certificate.of_bounds().text.find("cycle") == std::string::npos);
-    CHECK(proves(subject, *claim.lower, *claim.upper, certificate.of_bounds().text));
-    std::string other = *claim.exact;
-    other.back() = other.back() == '9' ? '8' : '9';
-    CHECK_FALSE(proves(subject + " --exact '" + other + "'", "", "", certificate.text));
-    return proves(subject + " --exact '" + *claim.exact + "'", *claim.lower, *claim.upper, certificate.text);
-  };
   // A product that the flip shortens, one of four letters, one with a complex eigenvalue, one without flip.
   for (const char* specification :
        {"primal:n=2", "primal:n=4", "primal:n=5", "dual:n=3", "dd:n=2", "four-point:w=1/20"}) {
@@ -337,6 +342,40 @@ TEST_CASE("certificates say what an exponent or a radius is") {
   const MultivariateRegularity regularity = multivariate_regularity(surface.mask, {Deadline::in(60)});
   const Certificate certificate = surface_certificate(surface.mask, regularity);
   CHECK(proves_exactly(subject_of(surface.mask), certificate));
+}
+
+TEST_CASE("certificates of letters that a product keeps") {
+  const auto by_graph = [](const MatrixFamily& family, const std::vector<int>& word) {
+    JointSpectralRadius result;
+    result.product = prove_product(family, word);
+    const auto graph = prove_by_quadratic_forms(family, *result.product.radius.lower, {Deadline::in(20)},
+                                                result.product);
+    REQUIRE((graph && graph->attained));
+    result.exact = {Truth::yes, "by a graph"};
+    result.radius = graph->attained->radius;
+    result.proof = *graph;
+    return result;
+  };
+  // A complex pair.
+  const Mask mask = make_scheme("primal:n=3,d=3").mask;
+  HolderRegularity regularity = regularity_of("primal:n=3,d=3");
+  regularity.radius = by_graph(transition_matrices(divided_difference_scheme(mask, regularity.bounds.sum_rules)),
+                               regularity.radius.product.word);
+  CHECK(proves_exactly(subject_of(mask), exponent_certificate(mask, regularity)));
+  const fs::path file = fs::temp_directory_path() / ("subcert-kept-test-" + std::to_string(getpid()) + ".matrices");
+  const MatrixFamily golden{matrix_of(2, {"1", "1", "0", "1"}), matrix_of(2, {"1", "0", "1", "1"})};
+  std::ofstream(file, std::ios::binary) << matrices_text(golden);
+  CHECK(proves_exactly("--matrices " + file.string(), radius_certificate(golden, by_graph(golden, {0, 1}))));
+  // By the search, where no polytope closes: letters of equal matrices, and a power of two taken out.
+  const Mask open = make_scheme("primal:n=6,d=5").mask;
+  const MatrixFamily pair = Rational(1, 1000) * transition_matrices(divided_difference_scheme(open, 6));
+  const MatrixFamily family({pair[0], pair[1], pair[0], pair[1]});
+  const JointSpectralRadius radius = joint_spectral_radius(family, {Deadline::in(10)});
+  REQUIRE(radius.exact.is_yes());
+  REQUIRE(std::holds_alternative<GraphProof>(radius.proof));
+  std::ofstream(file, std::ios::binary) << matrices_text(family);
+  CHECK(proves_exactly("--matrices " + file.string(), radius_certificate(family, radius)));
+  fs::remove(file);
 }
 
 TEST_CASE("equal input has equal certificates") {

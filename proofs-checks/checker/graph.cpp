@@ -243,7 +243,11 @@ GraphBound read_graph(const Family& family, const Fields& fields, const ExactRad
     graph.check();
     return graph.kept_states();
   };
-  const std::vector<KeptState> kept = bits <= bits_of_doubles ? check(double()) : check(mpz_class());
+  std::vector<KeptState> kept;
+  if (bits <= bits_of_doubles)
+    kept = check(double());
+  else
+    kept = check(mpz_class());
   const bool attained = exact && check_kept_words(family, bound, kept, *exact, reader, arithmetic);
   return {attained ? exact->high : bound, attained};
 }

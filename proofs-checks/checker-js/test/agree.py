@@ -58,7 +58,7 @@ def change_number(field, by):
 def change_field(field):
     at = chance.randrange(len(field)) if field else 0
     return chance.choice([
-        lambda: "0", lambda: "-" + field, lambda: field + 30 * "9", lambda: 5000 * "7", lambda: field + "/0",
+        lambda: "0", lambda: "-" + field, lambda: field + 30 * "9", lambda: 6000 * "7", lambda: field + "/0",
         lambda: "1/" + field, lambda: "18446744073709551616", lambda: "-1", lambda: "",
         lambda: field[:at] + field[at + 1:], lambda: field[:at] + str(chance.randrange(10)) + field[at + 1:],
         lambda: field[:at] + chr(chance.randrange(256)) + field[at + 1:],

@@ -337,6 +337,9 @@ REJECTED = [
     ("kept-coordinate-zero", "kept-diagonal", None, ZERO, [("cycle 0 0", "cycle 0 1")]),
     # U is -1 and known up to 1
     ("kept-coarse-zero", "kept-coarse", claim("numbers", NEAR), ZERO, [(f"exact {PAIR}\nroot 2049/1024 0 1/256", f"exact {NEAR}\nroot 2 0 1/32")]),
+    # without an error the first matrix would be 0
+    ("kept-tiny-error", "kept-coarse", None, RADIUS, [
+        ("2049/1024 0 1/256 15/8 17/8", f"2 0 1/{1 << 600} {2 - Q(1, 1 << 600)} {2 + Q(1, 1 << 600)}"), ("cycle 0 0 1/2 150", "cycle 0 0 0 128")]),
     # U = 0: 2 is no eigenvalue, the polynomial has another zero that is one
     ("kept-cancelled", "kept-eigenvalue", claim("three", PAIR), ZERO, [
         (f"exact {PAIR.replace('2,0', '3,0')}\nroot 3 0 0 3 3", f"exact {PAIR}\nroot {ROOT}"), ("2999/1000", "1999/1000"),

@@ -170,7 +170,7 @@ class Mutator {
       case 0: return "0";
       case 1: return changed.insert(0, 1, '-');
       case 2: return field + std::string(30, '9');
-      case 3: return std::string(5000, '7');
+      case 3: return std::string(6000, '7');
       case 4: return field + "/0";
       case 5: return std::string("1/").append(field);
       case 6: return "18446744073709551616";

@@ -244,13 +244,13 @@ Definition below (b : body) : bool :=
       end
   end.
 
-(* An eigenvalue of a product has the modulus of the claim. *)
-Definition reached (b : body) : bool :=
-  forallb (base_right (bases b)) (bases b) && (0 <? full_turn b)%nat &&
-  match walk (bases b) (full_turn b) (first_base b), nth_error (bases b) (first_base b) with
+(* An eigenvalue of a product has the modulus of the claim: so many turns lead from a base to itself. *)
+Definition reached (bs : list base) (turns first : nat) : bool :=
+  forallb (base_right bs) bs && (0 <? turns)%nat &&
+  match walk bs turns first, nth_error bs first with
   | Some (k, _), Some x =>
       let '((u, v), e) := evaluate n (near_scale h) (near_re h) (if conjugated x then - near_im h else near_im h) (near_radius h) (vectors x) in
-      Nat.eqb k (first_base b) && existsb (fun i => (e <? Z.abs (nth i u 0)) || (e <? Z.abs (nth i v 0))) (seq 0 n)
+      Nat.eqb k first && existsb (fun i => (e <? Z.abs (nth i u 0)) || (e <? Z.abs (nth i v 0))) (seq 0 n)
   | _, _ => false
   end.
 End Checker.
@@ -608,6 +608,13 @@ Definition true_im (x : vertex) : vec := scal (/ r ^ length (path x)) (run n T (
 Definition good_vertex (x : vertex) : Prop :=
   letters (count F) (path x) /\ (0 <= off x)%Z /\ distance_pair n (true_re x) (true_im x) (shown x) <= IZR (off x).
 
+Lemma true_step x y t : from y = from x -> path y = t :: path x ->
+  true_re y = scal (/ r) (apply n (T t) (true_re x)) /\ true_im y = scal (/ r) (apply n (T t) (true_im x)).
+Proof.
+  intros E1 E2. unfold true_re, true_im. rewrite E1, E2. cbn [length run]. rewrite !apply_scal.
+  split; extensionality j; unfold scal; simpl pow; field; (split; [apply pow_nonzero|]; lra).
+Qed.
+
 Lemma evaluate_base k b v e : nth_error bs k = Some b ->
   evaluate n (near_scale h) (near_re h) (if conjugated b then - near_im h else near_im h) (near_radius h) (vectors b) = (v, e) ->
   (0 <= e)%Z /\ distance_pair n (fst (true_base k)) (snd (true_base k)) v <= IZR e.
@@ -666,10 +673,8 @@ Proof.
     unfold good_vertex. cbn [path off shown]. split. constructor; auto.
     assert (Q0 : (0 <= whole / (denominator F * low h))%Z) by (apply Z.div_pos; auto; nia). split. lia.
     set (X := true_re y) in *. set (Y := true_im y) in *.
-    assert (EX : true_re (Vertex (from y) (t :: path y) v (whole / (denominator F * low h) + 1) images) = scal (/ r) (apply n (T t) X)).
-    { unfold X, true_re. cbn [path from length run]. rewrite apply_scal. extensionality j. unfold scal. simpl pow. field. split; [apply pow_nonzero|]; lra. }
-    assert (EY : true_im (Vertex (from y) (t :: path y) v (whole / (denominator F * low h) + 1) images) = scal (/ r) (apply n (T t) Y)).
-    { unfold Y, true_im. cbn [path from length run]. rewrite apply_scal. extensionality j. unfold scal. simpl pow. field. split; [apply pow_nonzero|]; lra. }
+    destruct (true_step y (Vertex (from y) (t :: path y) v (whole / (denominator F * low h) + 1) images) t eq_refl eq_refl) as [EX EY].
+    fold X in EX. fold Y in EY.
     rewrite EX, EY. clear EX EY.
     (* one part, real or imaginary *)
     set (q := IZR (bottom h)) in *. set (lo := IZR (low h)) in *. set (hi := IZR (high h)) in *. set (cn := IZR (column_norm M)) in *.
@@ -973,11 +978,10 @@ Proof.
         eapply Rle_trans; [|apply HR]. right. field. repeat split; lra.
 Qed.
 
-Theorem reached_sound b : reached F p L h b = true -> radius_at_least n (count F) T r.
+Theorem reached_sound bs turns k : reached F p L h bs turns k = true -> radius_at_least n (count F) T r.
 Proof.
   intros H g Hg G. unfold reached in H. repeat rewrite andb_true_iff in H. destruct H as [[H1 H2] H3]. apply Nat.ltb_lt in H2.
-  set (bs := bases b) in *. set (k := first_base b) in *.
-  destruct (walk bs (full_turn b) k) as [[k' w]|] eqn:EW; [|discriminate]. destruct (nth_error bs k) as [x|] eqn:E; [|discriminate].
+  destruct (walk bs turns k) as [[k' w]|] eqn:EW; [|discriminate]. destruct (nth_error bs k) as [x|] eqn:E; [|discriminate].
   fold n in H3. destruct (evaluate n _ _ _ _ (vectors x)) as [[u v] e] eqn:EV. apply andb_prop in H3. destruct H3 as [H3 H4]. apply Nat.eqb_eq in H3. subst k'.
   destruct (evaluate_base bs k x (u, v) e E EV) as [E0 Ed]. apply (walk_sound bs H1) in EW. destruct EW as [Lw [Ll [lambda [La [_ [R1 R2]]]]]].
   apply existsb_exists in H4. destruct H4 as [i [Hi H4]]. apply in_seq in Hi.
@@ -991,7 +995,7 @@ Proof.
   assert (B := eigenvalue_at_least n (count F) T w g X Y (fst lambda) (snd lambda) i Hg G Lw).
   assert (B' : modulus (fst lambda) (snd lambda) <= g ^ length w).
   { apply B; auto; try lia; intros j Hj; [rewrite R1 | rewrite R2]; unfold turn_re, turn_im, plus, scal; ring. }
-  change (modulus (fst lambda) (snd lambda)) with (cabs lambda) in B'. rewrite La, <- Power, <- pow_mult, Ll, (Nat.mul_comm (full_turn b)) in B'.
-  apply (pow_le_reg r g (L * full_turn b)); auto; try lra. apply Nat.mul_pos_pos; auto.
+  change (modulus (fst lambda) (snd lambda)) with (cabs lambda) in B'. rewrite La, <- Power, <- pow_mult, Ll, (Nat.mul_comm turns) in B'.
+  apply (pow_le_reg r g (L * turns)); auto; try lra. apply Nat.mul_pos_pos; auto.
 Qed.
 End Sound.

@@ -9,9 +9,9 @@ Open Scope Z_scope.
 (* ---- the checker ------------------------------------------------------------------------------------------------- *)
 
 (* The states of a cycle, each with the class of the letter of its kept word and a row near the true one: the first is that
-   of the base, of the transposed matrices, the others are its images, over powers of the radius. `part` is KEPT, and
-   `weight` the square of what rows are multiplied by. *)
-Record cycle := Cycle { carrier : nat; part : Q; weight : Q; stops : list (nat * (nat * point)) }.
+   of the base, of the transposed matrices, the others are its images, over powers of the radius. `part` is KEPT; rows are
+   divided by `cut`, and `weight` is the square of what they are multiplied by then. *)
+Record cycle := Cycle { carrier : nat; part : Q; weight : Q; cut : Z; stops : list (nat * (nat * point)) }.
 Record station := Station { state_at : nat; class_at : nat; row_at : vertex }.
 
 Fixpoint distinct (l : list nat) : bool :=
@@ -68,29 +68,31 @@ Fixpoint ways (l : list cycle) : option (list (cycle * (station * station))) :=
       end
   end.
 
+(* A row over `cut`, and its error *)
+Definition shortened (c : cycle) (x : vertex) : point * Z :=
+  let over := map (fun a => a / cut c) in ((over (fst (shown x)), over (snd (shown x))), off x / cut c + 1 + 2 * Z.of_nat n).
+
 (* The square of the modulus of what a row is at x, as a form *)
-Definition row_square (x : vertex) : zmat :=
-  gram (map (fun k => [nth k (fst (shown x)) 0; nth k (snd (shown x)) 0]) (seq 0 n)).
+Definition row_square (v : point) : zmat := gram (map (fun k => [nth k (fst v) 0; nth k (snd v) 0]) (seq 0 n)).
 Definition length_square (j : nat) : zmat := gram (columns n (coordinates_of states j)).
 
 Definition station_right (c : cycle) (s s' : station) : bool :=
-  let x := row_at s in let y := row_at s' in let t := letter_at s in
+  let t := letter_at s in let '(x, off_x) := shortened c (row_at s) in let '(y, off_y) := shortened c (row_at s') in
   let lo := low h * low h in let bo := bottom h * bottom h in
   let k1 := Qnum (part c) in let k2 := Zpos (Qden (part c)) in
   let c1 := Qnum (weight c) in let c2 := Zpos (Qden (weight c)) in
   let a := denominator F * denominator F * lo in
   let b := a * (k2 - k1) * c1 in
   let d := bo * (Qnum g * Qnum g) * c1 in
-  let off_square x := 2 * norm_pair (shown x) * off x in
   (state_at s <? length states)%nat && (state_at s' <? length states)%nat && (t <? count F)%nat &&
-  (0 <=? k1) && (k1 <=? k2) && (0 <=? c1) &&
+  (0 <=? k1) && (k1 <=? k2) && (0 <=? c1) && (0 <? cut c) &&
   semidefinite n
     (add_rows (- (bo * k2 * c2)) (gram (map (mv (coordinates_of states (state_at s))) (columns n (letter F t))))
     (add_rows (a * k1 * c2) (length_square (state_at s'))
-    (add_rows b (row_square y) (diagonal n (- (b * off_square y)))))) &&
+    (add_rows b (row_square y) (diagonal n (- (b * (2 * norm_pair y * off_y))))))) &&
   semidefinite n
     (add_rows (lo * (Zpos (Qden g) * Zpos (Qden g)) * c2) (length_square (state_at s))
-    (add_rows (- d) (row_square x) (diagonal n (- (d * (off_square x + off x * off x)))))).
+    (add_rows (- d) (row_square x) (diagonal n (- (d * (2 * norm_pair x * off_x + off_x * off_x)))))).
 End Checker.
 
 Definition keeps (l : list (cycle * (station * station))) (j c : nat) : bool :=
@@ -296,38 +298,57 @@ Proof.
 Qed.
 
 (* What a row is at x, from what the row near it is *)
-Definition near_square (x : vertex) (y : vec) : R := rows_form (row_square F x) y.
-
-Lemma near_square_sound x y : good x ->
-  let m := IZR (2 * norm_pair (shown x) * off x) in let s := squares_of n y in
-  near_square x y - m * s <= value_at x y * value_at x y <= near_square x y + (m + IZR (off x * off x)) * s.
+Lemma near_square_sound X Y v e y : (0 <= e)%Z -> distance_pair n X Y v <= IZR e ->
+  let m := IZR (2 * norm_pair v * e) in let s := squares_of n y in let q := modulus (at_row n X y) (at_row n Y y) in
+  rows_form (row_square F v) y - m * s <= q * q <= rows_form (row_square F v) y + (m + IZR (e * e)) * s.
 Proof.
-  intros [_ [Ox Dx]] m s. set (e := off x) in *. set (v := shown x) in *.
-  set (a := at_row n (vr (fst v)) y). set (b := at_row n (vr (snd v)) y).
-  assert (EN : near_square x y = a * a + b * b).
-  { unfold near_square, row_square. fold n v. set (row := fun k => [nth k (fst v) 0%Z; nth k (snd v) 0%Z]).
+  intros Ox Dx m s q. set (a := at_row n (vr (fst v)) y). set (b := at_row n (vr (snd v)) y).
+  assert (EN : rows_form (row_square F v) y = a * a + b * b).
+  { unfold row_square. fold n. set (row := fun k => [nth k (fst v) 0%Z; nth k (snd v) 0%Z]).
     rewrite (gram_form 2). 2:{ intros u Hu. apply in_map_iff in Hu. destruct Hu as [k [<- _]]. auto. }
     assert (C : forall i, combined (map row (seq 0 n)) y i = sum n (fun k => vr (row k) i * y k)).
     { intros i. rewrite (combined_sum n) by (rewrite map_length, seq_length; auto). apply sum_ext; intros k Hk.
       rewrite (nth_map_seq row n k) by auto. auto. }
     unfold squares_of. simpl sum. rewrite !C. unfold a, b, at_row, vr, row. simpl nth. ring. }
   assert (N := norm_pair_nonneg v).
-  set (da := at_row n (sub (re x) (vr (fst v))) y). set (db := at_row n (sub (im x) (vr (snd v))) y).
+  set (da := at_row n (sub X (vr (fst v))) y). set (db := at_row n (sub Y (vr (snd v))) y).
   assert (Sub : forall X Y, at_row n X y = at_row n Y y + at_row n (sub X Y) y).
-  { intros X Y. rewrite <- at_row_plus. apply sum_ext; intros k Hk. unfold plus, sub. ring. }
-  assert (EV : value_at x y * value_at x y = (a + da) * (a + da) + (b + db) * (b + db)).
-  { unfold value_at, modulus. fold G re im. rewrite sqrt_sqrt. 2:{ apply Rplus_le_le_0_compat; apply (Rle_0_sqr). }
-    fold n. rewrite (Sub (re x) (vr (fst v))), (Sub (im x) (vr (snd v))). auto. }
+  { intros U V. rewrite <- at_row_plus. apply sum_ext; intros k Hk. unfold plus, sub. ring. }
+  assert (EV : q * q = (a + da) * (a + da) + (b + db) * (b + db)).
+  { unfold q, modulus. rewrite sqrt_sqrt. 2:{ apply Rplus_le_le_0_compat; apply (Rle_0_sqr). }
+    rewrite (Sub X (vr (fst v))), (Sub Y (vr (snd v))). auto. }
   assert (P := len_nonneg n y).
   assert (B1 : Rabs a + Rabs b <= IZR (norm_pair v) * len n y).
   { assert (A1 := at_row_bound n (vr (fst v)) y). assert (A2 := at_row_bound n (vr (snd v)) y). fold a in A1. fold b in A2.
     apply Rle_trans with ((norm n (vr (fst v)) + norm n (vr (snd v))) * len n y). lra. apply Rmult_le_compat_r; auto.
     unfold norm_pair. rewrite plus_IZR. apply Rplus_le_compat; apply norm_norm1. }
   assert (B2 : Rabs da + Rabs db <= IZR e * len n y).
-  { assert (A1 := at_row_bound n (sub (re x) (vr (fst v))) y). assert (A2 := at_row_bound n (sub (im x) (vr (snd v))) y). fold da in A1. fold db in A2.
-    apply Rle_trans with ((norm n (sub (re x) (vr (fst v))) + norm n (sub (im x) (vr (snd v)))) * len n y). lra. apply Rmult_le_compat_r; auto. }
+  { assert (A1 := at_row_bound n (sub X (vr (fst v))) y). assert (A2 := at_row_bound n (sub Y (vr (snd v))) y). fold da in A1. fold db in A2.
+    apply Rle_trans with ((norm n (sub X (vr (fst v))) + norm n (sub Y (vr (snd v)))) * len n y). lra. apply Rmult_le_compat_r; auto. }
   destruct (squares_near a b da db (IZR (norm_pair v)) (IZR e) (len n y)) as [H1 H2]; auto. apply IZR_le; auto. apply IZR_le; auto.
   rewrite EN, EV. rewrite <- squares_len in H1, H2. fold s in H1, H2. unfold m. rewrite !mult_IZR. apply abs_le in H1. lra.
+Qed.
+
+Lemma shortened_sound c x v e y : good x -> (0 < cut c)%Z -> shortened F c x = (v, e) ->
+  let m := IZR (2 * norm_pair v * e) in let s := squares_of n y in let q := / IZR (cut c) * value_at x y in
+  rows_form (row_square F v) y - m * s <= q * q <= rows_form (row_square F v) y + (m + IZR (e * e)) * s.
+Proof.
+  intros [_ [Ox Dx]] Hc H m s q. assert (P : 0 < IZR (cut c)) by (apply IZR_lt; auto). assert (I : 0 < / IZR (cut c)) by (apply Rinv_0_lt_compat; auto).
+  assert (Ev := f_equal fst H). assert (Ee := f_equal snd H). unfold shortened in Ev, Ee. cbn [fst snd] in Ev, Ee. clear H. fold n in Ee.
+  set (k := / IZR (cut c)) in *.
+  assert (Eq : q = modulus (at_row n (scal k (re x)) y) (at_row n (scal k (im x)) y)).
+  { unfold q, value_at. fold G n re im. rewrite !at_row_scal. set (a := at_row n (re x) y). set (b := at_row n (im x) y).
+    assert (M := modulus_mult k 0 a b). rewrite modulus_real, Rabs_pos_eq in M by lra.
+    replace (k * a - 0 * b) with (k * a) in M by ring. replace (k * b + 0 * a) with (k * b) in M by ring. auto. }
+  rewrite Eq. apply near_square_sound. { rewrite <- Ee. assert (0 <= off x / cut c)%Z by (apply Z.div_pos; auto). lia. }
+  assert (Part : forall U u, norm n (sub (scal k U) (vr (map (fun a => (a / cut c)%Z) u))) <= k * norm n (sub U (vr u)) + INR n).
+  { intros U u. replace (sub (scal k U) (vr (map (fun a => (a / cut c)%Z) u)))
+      with (plus (scal k (sub U (vr u))) (sub (scal k (vr u)) (vr (map (fun a => (a / cut c)%Z) u)))) by (vectors; ring).
+    eapply Rle_trans. apply norm_plus. rewrite norm_scal, Rabs_pos_eq by lra. apply Rplus_le_compat_l. apply cut_sound; auto. }
+  unfold distance_pair in *. rewrite <- Ev, <- Ee. cbn [fst snd]. rewrite !plus_IZR, mult_IZR, <- INR_IZR_INZ.
+  assert (A := Part (re x) (fst (shown x))). assert (B := Part (im x) (snd (shown x))).
+  change (size G) with n in Dx. fold re im in Dx. assert (Q := div_below (off x) (cut c) Hc). unfold Rdiv in Q. fold k in Q.
+  apply (Rmult_le_compat_l k) in Dx; [|lra]. change (IZR 1) with 1. change (IZR 2) with 2. lra.
 Qed.
 
 Lemma length_square_sound j y : rows_form (length_square F states j) y = squares_of n (apply n (mr (coordinates_of states j)) y).
@@ -351,19 +372,21 @@ Proof.
 Qed.
 
 (* With the norm of the state and the row of a station *)
+Definition heavy (c : cycle) (x : vertex) (y : vec) : R := sqrt (real_of (weight c)) * (/ IZR (cut c) * value_at x y).
 Definition both (c : cycle) (s : station) (y : vec) : R :=
-  Rmax (len (size F) (apply (size F) (mr (coordinates_of states (state_at s))) y)) (sqrt (real_of (weight c)) * value_at (row_at s) y).
+  Rmax (len (size F) (apply (size F) (mr (coordinates_of states (state_at s))) y)) (heavy c (row_at s) y).
 
 Lemma square_root_le a b : 0 <= b -> a * a <= b * b -> a <= b.
 Proof. intros Hb H. apply Rnot_lt_le. intros N. assert (b * b < a * a) by (apply Rmult_le_0_lt_compat; lra). lra. Qed.
 
 Lemma station_sound c s s' : station_right F h g firsts states c s s' = true -> linked_rows s s' -> (0 < Qnum g)%Z ->
   (state_at s < length states)%nat /\ (state_at s' < length states)%nat /\
-  (forall y, real_of g * (sqrt (real_of (weight c)) * value_at (row_at s) y) <= r * len n (apply n (mr (coordinates_of states (state_at s))) y)) /\
+  (forall y, real_of g * heavy c (row_at s) y <= r * len n (apply n (mr (coordinates_of states (state_at s))) y)) /\
   forall y, both c s (apply n (T (letter_at s)) y) <= r * both c s' y.
 Proof.
-  intros H [Gs [Gs' Linked]] Hg. unfold station_right in H. cbv zeta in H. fold letter_at n in H. repeat rewrite andb_true_iff in H.
-  destruct H as [[[[[[[H1 H2] H3] H4] H5] H6] H7] H8]. apply Nat.ltb_lt in H1, H2, H3. apply Z.leb_le in H4, H5, H6. unfold letter_at in *.
+  intros H [Gs [Gs' Linked]] Hg. unfold station_right in H. cbv zeta in H. fold letter_at n in H.
+  destruct (shortened F c (row_at s)) as [vx ex] eqn:EX. destruct (shortened F c (row_at s')) as [vy ey] eqn:EY.
+  repeat rewrite andb_true_iff in H. destruct H as [[[[[[[[H1 H2] H3] H4] H5] H6] H0] H7] H8]. apply Z.ltb_lt in H0. apply Nat.ltb_lt in H1, H2, H3. apply Z.leb_le in H4, H5, H6. unfold letter_at in *.
   specialize (Linked H3). set (t := nth (class_at s) firsts 0%nat) in *. split; auto. split; auto.
   set (k1 := Qnum (part c)) in *. set (k2 := Zpos (Qden (part c))) in *. set (c1 := Qnum (weight c)) in *. set (c2 := Zpos (Qden (weight c))) in *.
   set (g1 := Qnum g) in *. set (g2 := Zpos (Qden g)) in *. set (W := real_of (weight c)).
@@ -376,16 +399,17 @@ Proof.
   assert (Dp := denominator_positive F WF). fold D in Dp.
   set (lo := IZR (low h)) in *. set (bo := IZR (bottom h)) in *.
   assert (Lr : lo / bo <= r) by apply Between. assert (Lb : 0 < lo / bo) by (apply Rmult_lt_0_compat; auto; apply Rinv_0_lt_compat; auto).
-  assert (V0 : forall x y, 0 <= value_at x y) by (intros; apply modulus_nonneg).
-  assert (Below : forall y, real_of g * (sqrt W * value_at (row_at s) y) <= lo / bo * len n (apply n (mr (coordinates_of states (state_at s))) y)).
-  { intros y. set (l := len n _). set (q := value_at (row_at s) y). assert (Hl : 0 <= l) by apply len_nonneg.
+  assert (Cu : 0 < / IZR (cut c)) by (apply Rinv_0_lt_compat, IZR_lt; auto). set (k0 := / IZR (cut c)) in *.
+  assert (V0 : forall x y, 0 <= k0 * value_at x y) by (intros; apply Rmult_le_pos; [lra | apply modulus_nonneg]).
+  assert (Below : forall y, real_of g * heavy c (row_at s) y <= lo / bo * len n (apply n (mr (coordinates_of states (state_at s))) y)).
+  { intros y. unfold heavy. fold W k0. set (l := len n _). set (q := k0 * value_at (row_at s) y). assert (Hl : 0 <= l) by apply len_nonneg.
     apply square_root_le. apply Rmult_le_pos; lra.
     assert (S := semidefinite_sound n _ H8 y). rewrite !add_rows_form, diagonal_form, length_square_sound, squares_len in S. fold l in S.
     repeat rewrite ?opp_IZR, ?mult_IZR in S. fold lo bo in S.
-    assert (N := near_square_sound (row_at s) y Gs). cbv zeta in N. destruct N as [_ N]. fold q in N. unfold near_square in N.
-    set (f := rows_form (row_square F (row_at s)) y) in *. set (sq := squares_of n y) in *. rewrite plus_IZR in S.
-    set (m := IZR (2 * norm_pair (shown (row_at s)) * off (row_at s))) in *.
-    rewrite mult_IZR in N, S. set (e := IZR (off (row_at s))) in *.
+    assert (N := shortened_sound c (row_at s) vx ex y Gs H0 EX). cbv zeta in N. destruct N as [_ N]. fold k0 q in N.
+    set (f := rows_form (row_square F vx) y) in *. set (sq := squares_of n y) in *. rewrite plus_IZR in S.
+    repeat rewrite ?mult_IZR in N. repeat rewrite ?mult_IZR in S. set (m := 2 * IZR (norm_pair vx) * IZR ex) in *.
+    set (e := IZR ex) in *.
     replace (real_of g * (sqrt W * q) * (real_of g * (sqrt W * q))) with ((real_of g * real_of g) * ((sqrt W * sqrt W) * (q * q))) by ring.
     rewrite SW, EW. replace (real_of g) with (IZR g1 / IZR g2) by auto.
     apply (Rmult_le_reg_r (bo * bo * (IZR g2 * IZR g2) * IZR c2)). repeat apply Rmult_lt_0_compat; auto.
@@ -398,19 +422,19 @@ Proof.
   split.
   { intros y. eapply Rle_trans. apply Below. apply Rmult_le_compat_r; auto. apply len_nonneg. }
   intros y. fold t T n. unfold both at 1. fold n W. apply Rmax_lub.
-  2:{ rewrite Linked. fold n. replace (sqrt W * (r * value_at (row_at s') y)) with (r * (sqrt W * value_at (row_at s') y)) by ring.
+  2:{ unfold heavy. rewrite Linked. fold W k0. replace (sqrt W * (k0 * (r * value_at (row_at s') y))) with (r * heavy c (row_at s') y) by (unfold heavy; fold W k0; ring).
       apply Rmult_le_compat_l. lra. unfold both. apply Rmax_r. }
   set (M := both c s' y). assert (M1 : len n (apply n (mr (coordinates_of states (state_at s'))) y) <= M) by apply Rmax_l.
-  assert (M2 : sqrt W * value_at (row_at s') y <= M) by apply Rmax_r.
-  set (l := len n (apply n (mr (coordinates_of states (state_at s'))) y)) in *. set (q := value_at (row_at s') y) in *.
+  assert (M2 : heavy c (row_at s') y <= M) by apply Rmax_r. unfold heavy in M2. fold W k0 in M2.
+  set (l := len n (apply n (mr (coordinates_of states (state_at s'))) y)) in *. set (q := k0 * value_at (row_at s') y) in *.
   assert (Hl : 0 <= l) by apply len_nonneg. assert (Hq : 0 <= q) by apply V0.
   set (k := len n (apply n (mr (coordinates_of states (state_at s))) (apply n (T t) y))).
   apply Rle_trans with (lo / bo * M). 2:{ apply Rmult_le_compat_r; lra. }
   apply square_root_le. apply Rmult_le_pos; lra.
   assert (S := semidefinite_sound n _ H7 y). rewrite !add_rows_form, diagonal_form, length_square_sound, image_square, !squares_len in S by auto. fold t k l in S.
   repeat rewrite ?opp_IZR, ?mult_IZR, ?minus_IZR in S. fold lo bo D in S.
-  assert (N := near_square_sound (row_at s') y Gs'). cbv zeta in N. destruct N as [N _]. fold q in N. unfold near_square in N.
-  set (f := rows_form (row_square F (row_at s')) y) in *. rewrite (squares_len n y) in N. set (sq := len n y * len n y) in *.
+  assert (N := shortened_sound c (row_at s') vy ey y Gs' H0 EY). cbv zeta in N. destruct N as [N _]. fold k0 q in N.
+  set (f := rows_form (row_square F vy) y) in *. rewrite (squares_len n y) in N. set (sq := len n y * len n y) in *.
   repeat rewrite ?mult_IZR in N.
   assert (LM : l * l <= M * M) by (apply Rmult_le_compat; auto).
   assert (QM : W * (q * q) <= M * M).
@@ -420,7 +444,7 @@ Proof.
   replace (bo * bo * IZR k2 * IZR c2 * (D * D) * (lo / bo * M * (lo / bo * M))) with (D * D * (lo * lo) * (IZR k2 * (IZR c2 * (M * M)))) by (field; lra).
   set (a := D * D * (lo * lo)) in *. assert (A0 : 0 <= a) by (unfold a; repeat apply Rmult_le_pos; lra).
   assert (U1 : a * IZR k1 * IZR c2 * (l * l) <= a * IZR k1 * IZR c2 * (M * M)) by (apply Rmult_le_compat_l; auto; repeat apply Rmult_le_pos; lra).
-  assert (U2 : a * (IZR k2 - IZR k1) * (IZR c1 * (f - 2 * IZR (norm_pair (shown (row_at s'))) * IZR (off (row_at s')) * sq)) <= a * (IZR k2 - IZR k1) * (IZR c2 * (M * M))).
+  assert (U2 : a * (IZR k2 - IZR k1) * (IZR c1 * (f - 2 * IZR (norm_pair vy) * IZR ey * sq)) <= a * (IZR k2 - IZR k1) * (IZR c2 * (M * M))).
   { apply Rmult_le_compat_l. apply Rmult_le_pos; lra. eapply Rle_trans; [|apply QM]. apply Rmult_le_compat_l; auto. }
   lra.
 Qed.
@@ -457,13 +481,13 @@ Proof.
   apply distinct_sound in Dis. rewrite forallb_forall in Sts.
   assert (Rows := ways_sound F p L h firsts bs z r WF Zero Scale Small Near_re Near_im Radius Power Length Low Common Between Right cycles l EL).
   assert (Known : forall c s s', In (c, (s, s')) l -> (state_at s < length states)%nat /\ (state_at s' < length states)%nat /\
-    (forall y, real_of g * (sqrt (real_of (weight c)) * value_at F bs z r (row_at s) y) <=
+    (forall y, real_of g * heavy F bs z r c (row_at s) y <=
        r * len (size F) (apply (size F) (mr (coordinates_of states (state_at s))) y)) /\
     forall y, both F states bs z r c s (apply (size F) (real F (nth (class_at s) firsts 0%nat)) y) <= r * both F states bs z r c s' y).
   { intros c s s' I. destruct (Rows c s s' I) as [Linked _]. assert (H := Sts _ I). cbn [fst snd] in H.
     apply (station_sound F L h g firsts states bs z r WF Radius Length Low Common Between Lower c s s' H Linked Hg). }
   set (beside := fun j x => match find (fun q => Nat.eqb (first q) j) l with
-    | Some q => sqrt (real_of (weight (fst q))) * value_at F bs z r (row_at (fst (snd q))) x | None => 0 end).
+    | Some q => heavy F bs z r (fst q) (row_at (fst (snd q))) x | None => 0 end).
   assert (There : forall c s s' x, In (c, (s, s')) l -> larger F states beside (state_at s) x = both F states bs z r c s x).
   { intros c s s' x I. unfold larger, both, beside. assert (E := find_distinct first l _ Dis I). unfold first at 2 in E. cbn [fst snd] in E.
     rewrite E. auto. }
@@ -475,7 +499,7 @@ Proof.
     replace (IZR (Qnum g) / IZR (Zpos (Qden g)) * (IZR (Zpos (Qden g)) * IZR (bottom h))) with (IZR (Qnum g) * IZR (bottom h)) by (field; lra).
     replace (IZR (low h) / IZR (bottom h) * (IZR (Zpos (Qden g)) * IZR (bottom h))) with (IZR (low h) * IZR (Zpos (Qden g))) by (field; lra). auto. }
   apply (graph_but_sound (keeps l) F g unity firsts group turns states beside r); auto.
-  - intros j x y E. unfold beside. destruct (find _ l); auto. f_equal. unfold value_at.
+  - intros j x y E. unfold beside. destruct (find _ l); auto. unfold heavy, value_at. do 2 f_equal.
     f_equal; apply sum_ext; intros; rewrite E; auto.
   - intros j x Hj. unfold beside. destruct (find _ l) as [[c [s s']]|] eqn:EF.
     + apply find_some in EF. destruct EF as [I E]. apply Nat.eqb_eq in E. unfold first in E. cbn [fst snd] in *. rewrite <- E.

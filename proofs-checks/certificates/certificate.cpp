@@ -116,7 +116,7 @@ std::string generators_text(const std::vector<FamilySymmetry>& elements, const G
 /// The sections of a proof, block by block.
 class SectionWriter {
  public:
-  /// `cycles`: the lines that follow those of polytopes, block by block.
+  /// `cycles`: the lines that say what is exact after those of polytopes and graphs, block by block.
   explicit SectionWriter(std::size_t matrix_count, std::vector<std::string> cycles = {})
       : matrix_count_(matrix_count), cycles_(std::move(cycles)) {}
 
@@ -137,7 +137,7 @@ class SectionWriter {
     for (std::size_t i = 0; i < polytope.images.size(); ++i)
       text += fmt::format("image {} {}{}\n", i / matrix_count_, i % matrix_count_,
                           terms_text(polytope.images[i], polytope.kind, group));
-    return block_ < cycles_.size() ? text + cycles_[block_] : text;
+    return text + cycles();
   }
 
   std::string operator()(const QuadraticProof& proof) const {
@@ -147,7 +147,8 @@ class SectionWriter {
     return text;
   }
 
-  std::string operator()(const GraphProof& proof) const {
+  std::string operator()(const GraphProof& bound) const {
+    const GraphProof& proof = cycles().empty() ? bound : bound.attained->graph;
     const GroupWords group(proof.group, false);
     std::string text = fmt::format("block {} graph {} {} {}{}\n", block_, proof.states.size(), to_text(proof.bound),
                                    proof.bits, group_text(group)) +
@@ -159,7 +160,7 @@ class SectionWriter {
                             fmt::join(step.matrix, " "));
       text += "tree " + state.ends + "\n";
     }
-    return text;
+    return text + cycles();
   }
 
   std::string operator()(const BlockProof& proof) {
@@ -178,6 +179,8 @@ class SectionWriter {
   }
 
  private:
+  std::string cycles() const { return block_ < cycles_.size() ? cycles_[block_] : ""; }
+
   std::size_t matrix_count_;
   std::vector<std::string> cycles_;
   std::size_t block_ = 0;
@@ -199,8 +202,12 @@ ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& 
   const BlockProof* blocks = radius.by_blocks();
   const std::size_t count = blocks ? blocks->blocks.size() : 1, leading = blocks ? blocks->leading : 0;
   const auto lines_of = [&](std::size_t i) -> std::optional<ExactRadiusLines> {
-    const auto* polytope = std::get_if<PolytopeProof>(blocks ? &blocks->blocks[i].proof : &radius.proof);
-    return polytope ? exact_radius_lines(blocks ? blocks->triangular.block(i) : family, *polytope) : std::nullopt;
+    const RadiusProof& proof = blocks ? blocks->blocks[i].proof : radius.proof;
+    const MatrixFamily its = blocks ? blocks->triangular.block(i) : family;
+    if (const auto* graph = std::get_if<GraphProof>(&proof); graph && graph->attained)
+      return exact_radius_lines(its, *graph->attained);
+    const auto* polytope = std::get_if<PolytopeProof>(&proof);
+    return polytope ? exact_radius_lines(its, *polytope) : std::nullopt;
   };
   const auto first = lines_of(leading);
   if (!first) return {};
@@ -383,10 +390,21 @@ std::string gram_text(const LatticeSequence& gram) {
   return "gram" + terms_text(half, common_denominator({half}));
 }
 
+bool has_kept_letters(const std::string& certificate) {
+  for (std::size_t at = 0; (at = certificate.find("\ntree ", at)) != std::string::npos; ++at)
+    if (certificate.find('*', at) < certificate.find('\n', at + 1)) return true;
+  return false;
+}
+
 }  // namespace
 
 Certificate Certificate::of_bounds() const {
   Certificate result{{claim.lower, claim.upper}, {}};
+  // Letters that are kept prove nothing without what is exact.
+  if (has_kept_letters(text)) {
+    result.text = text;
+    return result;
+  }
   std::istringstream lines(text);
   bool after_logarithm = false;  // its recurrence, not that of a section
   for (std::string line; std::getline(lines, line);) {

@@ -130,6 +130,44 @@ ExactRadiusLines lines_of(const Zero& z, std::size_t length_of_cycles, const std
           cycles, low};
 }
 
+/// The zero that cycles have in common, and their seeds.
+class CommonZero {
+ public:
+  /// A vector on which the polynomial of the zero near an eigenvalue vanishes. The zero has to be that of the other
+  /// cycles, and simple.
+  std::optional<std::vector<Integer>> seed_of(const RationalMatrix& product, const RationalComplex& eigenvalue,
+                                              std::size_t length) {
+    const LaurentPolynomial characteristic = characteristic_polynomial(product);
+    const auto nearest = nearest_zero(characteristic, eigenvalue);
+    if (!nearest || nearest->factor.multiplicity != 1) return std::nullopt;
+    const LaurentPolynomial& p = nearest->factor.polynomial;
+    if (!zero_) {
+      zero_ = zero_in(nearest->ball, p);
+      length_ = length;
+    }
+    if (!zero_ || length_ != length || zero_->polynomial != p) return std::nullopt;
+    const LaurentPolynomial others = *characteristic.exact_quotient(p);
+    for (std::size_t i = 0; i < product.rows(); ++i) {
+      std::vector<Rational> seed(product.rows());
+      for (long k = others.highest(); k >= 0; --k) {
+        seed = product * seed;
+        seed[i] += others.coefficient(k);
+      }
+      if (std::any_of(seed.begin(), seed.end(), [](const Rational& x) { return x != 0; }))
+        return radius::primitive(seed);
+    }
+    return std::nullopt;
+  }
+
+  bool is_known() const { return zero_.has_value(); }
+  /// Domain: a known zero; the lines from `cycle` on.
+  ExactRadiusLines lines(const std::string& cycles) const { return lines_of(*zero_, length_, cycles); }
+
+ private:
+  std::optional<Zero> zero_;
+  std::size_t length_ = 0;
+};
+
 class Writer {
  public:
   Writer(const MatrixFamily& family, const PolytopeProof& polytope)
@@ -155,12 +193,12 @@ class Writer {
       children_.emplace(*parent, v);
       origins += fmt::format("origin {} {} {}\n", v, parent->first, parent->second);
     }
-    if (!zero_) return std::nullopt;
+    if (!zero_.is_known()) return std::nullopt;
     const std::set<Image> closing = closing_images();
     for (const auto& [vertex, letter, target, element] : origins_.coincidences)
       if (const Image image{vertex, letter}; !children_.contains(image) && !closing.contains(image))
         same += fmt::format("same {} {} {}{}\n", vertex, letter, target, words_.word(element));
-    return lines_of(*zero_, length_, cycles + origins + same);
+    return zero_.lines(cycles + origins + same);
   }
 
  private:
@@ -201,38 +239,13 @@ class Writer {
         const ComplexVector image = map * moved;
         const RationalComplex eigenvalue = rayleigh_quotient(start, image);
         if (!is_near(start, eigenvalue, image)) continue;
-        const auto seed = seed_of(map * product, eigenvalue, length);
+        const auto seed = zero_.seed_of(map * product, eigenvalue, length);
         if (!seed) return std::nullopt;
         letters.resize(length);
         cycles_.emplace_back(v, letters);
         return fmt::format("cycle {} {} {}\nseed {}\n", v, words_.word(e).empty() ? "-" : words_.word(e),
                            fmt::join(letters, " "), fmt::join(*seed, " "));
       }
-    }
-    return std::nullopt;
-  }
-
-  /// A vector on which the polynomial of the zero vanishes. The zero has to be that of the other cycles, and simple.
-  std::optional<std::vector<Integer>> seed_of(const RationalMatrix& product, const RationalComplex& eigenvalue,
-                                              std::size_t length) {
-    const LaurentPolynomial characteristic = characteristic_polynomial(product);
-    const auto nearest = nearest_zero(characteristic, eigenvalue);
-    if (!nearest || nearest->factor.multiplicity != 1) return std::nullopt;
-    const LaurentPolynomial& p = nearest->factor.polynomial;
-    if (!zero_) {
-      zero_ = zero_in(nearest->ball, p);
-      length_ = length;
-    }
-    if (!zero_ || length_ != length || zero_->polynomial != p) return std::nullopt;
-    const LaurentPolynomial others = *characteristic.exact_quotient(p);
-    for (std::size_t i = 0; i < product.rows(); ++i) {
-      std::vector<Rational> seed(product.rows());
-      for (long k = others.highest(); k >= 0; --k) {
-        seed = product * seed;
-        seed[i] += others.coefficient(k);
-      }
-      if (std::any_of(seed.begin(), seed.end(), [](const Rational& x) { return x != 0; }))
-        return radius::primitive(seed);
     }
     return std::nullopt;
   }
@@ -257,14 +270,21 @@ class Writer {
   std::vector<RationalMatrix> matrices_, maps_;
   std::map<Image, std::size_t> children_;                         // vertices that are images
   std::vector<std::pair<std::size_t, std::vector<int>>> cycles_;  // first vertices, and letters
-  std::optional<Zero> zero_;
-  std::size_t length_ = 0;
+  CommonZero zero_;
 };
 
 }  // namespace
 
 std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const PolytopeProof& polytope) {
   return Writer(family, polytope).run();
+}
+
+std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const AttainedGraph& graph) {
+  CommonZero zero;
+  const auto seed = zero.seed_of(transposed(family.product(graph.product)), graph.eigenvalue, graph.product.size());
+  if (!seed) return std::nullopt;
+  return zero.lines(fmt::format("cycle {} {} {} {}\nseed {}\n", graph.first, graph.coordinate, to_text(graph.kept),
+                                to_text(graph.scale), fmt::join(*seed, " ")));
 }
 
 std::optional<ExactRadiusLines> exact_radius_lines(const CoefficientGrowth& growth) {

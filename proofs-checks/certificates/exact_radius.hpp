@@ -2,6 +2,7 @@
 /// The lines of a certificate that prove that a product attains the joint spectral radius. Inner header.
 
 #include <subcert/analysis/regularity/polytope_proof/polytope_proof.hpp>
+#include <subcert/analysis/regularity/quadratic/graph_proof.hpp>
 #include <subcert/analysis/regularity/radius/single_radius.hpp>
 
 #include <optional>
@@ -22,6 +23,9 @@ struct ExactRadiusLines {
 /// belongs to this family. Cost: a characteristic polynomial and its factorisation for each cycle. Source: SPEC.md
 /// beside this, section 4.10.
 std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const PolytopeProof& polytope);
+
+/// The same for the product of a graph. Source: SPEC.md, section 4.14.
+std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const AttainedGraph& graph);
 
 /// The same for the largest real zero of a recurrence; without cycles. Source: SPEC.md, section 4.11.
 std::optional<ExactRadiusLines> exact_radius_lines(const CoefficientGrowth& growth);

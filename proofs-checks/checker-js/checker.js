@@ -851,6 +851,28 @@ var check_certificate = (() => {
     return {...exact, real: !sign(im) && !sign(exact.im), h, y, m: plus(plus(abs_of(re), abs_of(im)), eps),
             eps, low, high};
   }
+  // The line `seed`: columns[k] is D^(n - 1 - k) y_k, D = den^L; U at c in place of z, pairs of real and imaginary
+  // parts, and the bound of its error, both times (h D)^(n - 1). prepare() is called when the line was read and gives
+  // x -> D N x.
+  function read_seed(reader, {p, L, h, y: [re, im], eps, m}, size, den, prepare, memory) {
+    const seed = reader.read('seed', size).map(integer), n = p.length - 1, D = den ** BigInt(L), columns = [];
+    const next = prepare();
+    let y = seed.map(x => [x * p[n]]);
+    for (let k = n - 1, scale = D; k >= 0; --k, scale *= D) {
+      columns[k] = y.map(row => row[0]);
+      allow_bits(memory += size * (bits(largest(columns[k])) + 128));
+      spend(4 * size, bits(scale), bits(p[k]) + 64);
+      y = next(y).map(([x], i) => [x + p[k] * scale * seed[i]]);
+    }
+    demand(y.every(([x]) => !x), 'the polynomial of the cycle does not vanish on the seed');
+    const U = seed.map(() => [0n, 0n]);
+    for (let k = n - 1, scale = 1n; k >= 0; --k, scale *= h) {
+      spend(6 * size, bits(largest_by(U, largest)) + bits(scale), bits(re) + bits(im) + bits(D));
+      U.forEach(([a, b], i) => { U[i] = [(a * re - b * im) * D + columns[k][i] * scale, (a * im + b * re) * D]; });
+    }
+    const sums = horner(columns.map((x, k) => norm(x) * BigInt(k)).slice(1), times(m, D));
+    return {next, columns, U, error: times(times(times(2n, eps), sums), h ** BigInt(n - 1) * D), memory};
+  }
   // The vertices V_J near those of a body. `known` are E, g, the matrices, their denominator, VBITS; e_J is errors[J] /
   // 2^512, of cycles and origins; children[key(K, T)] is the last J with `origin J K T`.
   class TrueVertices {
@@ -880,34 +902,21 @@ var check_certificate = (() => {
     }
     follow(word, columns) { return word.reduce((x, t) => multiply(this.matrices[t], x), columns); }
     read_cycle() {  // column k of Y is den^(L (n - 1 - k)) y_k
-      const {body, exact: {p, L, real, h, y: [re, im], eps, m}, v_bits} = this, n = p.length - 1;
+      const {body, exact: {L}, v_bits} = this;
       const [first, letters, ...rest] = this.reader.read('cycle', 2 + L), J = this.vertex(first);
       const word = rest.map(t => this.letter(t));
       demand(!this.cycles.has(J), 'a vertex is the first one of two cycles');
       demand(letters, "a cycle has a word, or '-'");
       demand(letters.length <= 16, 'a word of more than 16 generators');
-      const seed = this.reader.read('seed', body.size).map(integer), D = this.den ** BigInt(L), columns = [];
-      const [element, turn] = spell(body.group, letters === '-' ? '' : letters);
-      demand(real || body.parts === 2, 'a real polytope, but no real eigenvalue');
-      const next = x => scaled(body.turned(element, this.follow(word, x)), turn);
-      let y = seed.map(x => [x * p[n]]);
-      for (let k = n - 1, scale = D; k >= 0; --k, scale *= D) {
-        columns[k] = y.map(row => row[0]);
-        allow_bits(this.memory += body.size * (bits(largest(columns[k])) + 128));
-        spend(4 * body.size, bits(scale), bits(p[k]) + 64);
-        y = next(y).map(([x], i) => [x + p[k] * scale * seed[i]]);
-      }
-      demand(y.every(([x]) => !x), 'the polynomial of the cycle does not vanish on the seed');
+      const prepare = () => {
+        const [element, turn] = spell(body.group, letters === '-' ? '' : letters);
+        demand(this.exact.real || body.parts === 2, 'a real polytope, but no real eigenvalue');
+        return x => scaled(body.turned(element, this.follow(word, x)), turn);
+      };
+      const {next, columns, U, error: u, memory} =
+        read_seed(this.reader, this.exact, body.size, this.den, prepare, this.memory);
+      this.memory = memory;
       this.cycles.set(J, {word, next, Y: transpose(columns)});
-      const U = seed.map(() => [0n, 0n]);  // times (h D)^(n - 1), as are u and the rest
-      for (let k = n - 1, scale = 1n; k >= 0; --k, scale *= h) {
-        spend(6 * body.size, bits(largest_by(U, largest)) + bits(scale), bits(re) + bits(im) + bits(D));
-        U.forEach(([a, b], i) => {
-          U[i] = [(a * re - b * im) * D + columns[k][i] * scale, (a * im + b * re) * D];
-        });
-      }
-      const sums = horner(columns.map((x, k) => norm(x) * BigInt(k)).slice(1), times(m, D));
-      const u = times(times(times(2n, eps), sums), h ** BigInt(n - 1) * D);
       const [v, v_im = v.map(() => 0n)] = body.coordinates(J), size = v.map((x, i) => abs(x) + abs(v_im[i]));
       const i = size.indexOf(largest(size)), [a, b] = U[i], [c, d] = [v[i], v_im[i]];
       const distance = sum(U.map(([x, z], k) => abs(c * x - d * z - a * v[k] + b * v_im[k]) +
@@ -1161,7 +1170,79 @@ var check_certificate = (() => {
       },
     };
   };
-  function read_graph(reader, {size, den, matrices}, fields, rounding) {
+  // 4.14. Of a state L, the number of the state to which its kept word leads, and A of it; without such a word `to` is
+  // undefined. A row is a multiple of u_i: its real and its imaginary part, and the bound of its error.
+  class KeptWords {
+    constructor(reader, exact, options) { Object.assign(this, options, {reader, exact, used: new Set()}); }
+    read() {
+      while (this.reader.peek() === 'cycle') this.read_cycle();
+      demand(this.states.every(({to}, j) => to === undefined || this.used.has(j)), 'a kept word is on no cycle');
+    }
+    read_cycle() {
+      const {reader, exact, size, den, states, used} = this, [first, ...fields] = reader.read('cycle', 4);
+      demand(!less(exact.low, this.bound), 'the bound of a graph with cycles is above the exact radius');
+      const J = small(first, 0, states.length - 1), K = small(fields[0], 0, size - 1);
+      const [kept, scale] = fields.slice(1).map(rational), way = [];
+      demand(sign(kept) >= 0 && less(kept, 1n), 'the kept part of a norm is not from 0 to 1');
+      demand(sign(scale) > 0, 'the scale of a cycle is not positive');
+      for (let j = J; !way.length || j !== J; j = states[j].to) {
+        demand(states[j].to !== undefined, 'a cycle leads to a state without a kept word');
+        demand(!used.has(j) && way.length < exact.L, 'a cycle is too long, or meets one that came before');
+        used.add(j);
+        way.push(states[j]);
+      }
+      demand(way.length === exact.L, 'a cycle is too short');
+      const next = x => transpose(way.reduce((row, {A}) => multiply(row, A), transpose(x)));
+      const {U, error} = read_seed(reader, exact, size, den, () => next, 0);
+      this.check(way, this.row(transpose(U), error), K, kept, scale);
+    }
+    // With no more than 1024 bits; and how many were dropped
+    row(numbers, error) {
+      const cut = Math.max(0, bits(largest_of(numbers)) - 1024), by = BigInt(cut);
+      spend(2 * this.size, cut + 1024);
+      spend(2, bits(error.n) + 512, bits(error.d));
+      const away = fraction(ceil_div(error.n << 512n, error.d << by), 1n << 512n);
+      return {numbers: numbers.map(x => x.map(value => value >> by)), cut: by,
+              error: cut ? plus(away, 2 * this.size) : away};
+    }
+    // `below` is the factor of |u_i|^2 in the second matrix, `above` the reciprocal of that in the first one, but for
+    // 1 - KEPT; rounded up, both make it harder.
+    check(way, row, K, kept, scale) {
+      const {exact, den} = this, square = x => times(x, x), low = square(exact.low), high = square(exact.high);
+      const [re, im] = row.numbers.map(x => x[K]), modulus = re * re + im * im;
+      const off = times(2n * norm([re, im]), row.error), least = minus(modulus, off);
+      demand(sign(least) > 0, 'the eigenvector of a cycle may be zero at its coordinate');
+      const room = over(low, square(this.bound)), rest = minus(1n, kept);
+      const change = ({numbers, error}) => times(2n * sum(numbers.map(norm)), error);
+      let below = round_up(over(square(scale), least));
+      let above = over(plus(plus(modulus, off), square(row.error)), square(scale));
+      way.forEach(({L, A}, i) => {
+        const error = plus(change(row), square(row.error));
+        demand(this.is_positive([[room, gram(L)], [minus(0n, below), gram(row.numbers)]], times(below, error)),
+               'the norm of a state does not bound the eigenvector');
+        row = this.row(multiply(row.numbers, A), times(row.error, row_norm(A)));
+        const factor = fraction(den * den, 1n << 2n * row.cut);
+        above = round_up(times(above, factor));
+        const image = gram(multiply(L, A)), target = gram(way[(i + 1) % way.length].L);
+        demand(this.is_positive([[times(above, times(kept, low)), target], [rest, gram(row.numbers)],
+                                 [over(minus(0n, above), den * den), image]], times(rest, change(row))),
+               'the norm of a kept word is not that of the radius');
+        below = round_up(over(below, times(factor, low)));
+        above = times(above, high);
+      });
+    }
+    is_positive(terms, less_diagonal) {  // the sum of the terms, factors and matrices, less a multiple of 1
+      const all = [...terms, [minus(0n, less_diagonal), identity(this.size)]];
+      const common = all.reduce((d, [factor]) => d * factor.d, 1n);
+      const parts = all.map(([{n, d}, matrix]) => {
+        const multiple = n * (common / d);
+        spend(2 * this.size ** 2, bits(multiple), bits(largest_of(matrix)));
+        return scaled(matrix, multiple);
+      });
+      return nonnegative_form(parts.reduce((x, y) => x.map((row, i) => row.map((value, j) => value + y[i][j]))));
+    }
+  }
+  function read_graph(reader, {size, den, matrices}, fields, rounding, exact) {
     demand(!rounding, section_form);
     demand(fields.length === 3 || (fields.length === 4 && fields[3].startsWith('group:')),
            "expected 'graph', a number of states, a bound, a number of bits and perhaps a group");
@@ -1169,18 +1250,21 @@ var check_certificate = (() => {
     demand(bound.n > 0n, 'the bound of a graph is not positive');
     const generators = fields.length === 4 ? small(fields[3].slice(6), 1, 8) : 0;
     const group = generators ? read_group(reader, generators, size, matrices) : trivial_group(0);
-    const graph = new Graph(reader, {size, den, count, bound, h, group});
+    const graph = new Graph(reader, {size, den, count, bound, h, group, may_keep: Boolean(exact)});
     const texts = matrices.map(String), letters = range_of(texts.length).filter(t => texts.indexOf(texts[t]) === t);
     for (let j = 0; j < count; ++j) graph.read_state(letters);
     for (const {L, steps} of graph.states)
       steps.forEach((list, i) => list.forEach(step => graph.check_step(L, matrices[letters[i]], step)));
     for (const state of graph.states) graph.check_tree(state);
-    return {value: bound, level: 1};
+    const kept = graph.states.map(({L, kept: [place, to] = []}) => ({L, to, A: matrices[letters[place]]}));
+    const attained = Boolean(exact) && reader.peek() === 'cycle';
+    if (exact) new KeptWords(reader, exact, {size, den, bound, states: kept}).read();
+    return {value: attained ? exact.high : bound, level: 1, attained};
   }
   class Graph {
-    constructor(reader, {size, den, count, bound, h, group}) {
-      Object.assign(this, {reader, size, den, count, bound, h, group, U: 1n << BigInt(h), states: [], memory: 0});
-      this.words = h <= 24 ? number_words(h, size) : integer_words(h);
+    constructor(reader, {h, ...options}) {
+      Object.assign(this, options, {reader, h, U: 1n << BigInt(h), states: [], memory: 0});
+      this.words = h <= 24 ? number_words(h, this.size) : integer_words(h);
     }
     read_state(letters) {
       const {reader, size} = this;
@@ -1201,7 +1285,8 @@ var check_certificate = (() => {
     read_step(T) {
       const {reader, size, U} = this, larger = 'the norm of a step is larger than it says';
       const [to, text, ...entries] = reader.read(`step ${T}`, 2 + size * size), [index, letters] = split_index(to);
-      const step = {to: small(index, 0, this.count - 1), turned: spell(this.group, letters), norm: integer(text)};
+      const step = {to: small(index, 0, this.count - 1), letters, turned: spell(this.group, letters),
+                    norm: integer(text)};
       demand(step.norm >= 1n && step.norm <= 7n * U, 'the norm of a step is not from 1 to 7 2^BITS');
       const B = range_of(size).map(i => entries.slice(i * size, (i + 1) * size).map(integer));
       demand(largest_of(B) <= step.norm, larger);
@@ -1225,9 +1310,16 @@ var check_certificate = (() => {
     }
     follow(state, length, p, e) {  // the words of so many letters or more that came to this state
       const {words, h, U, products} = this, d = BigInt(this.size), up = x => -(-x >> BigInt(h));
-      for (const steps of state.steps) {
+      for (const [place, steps] of state.steps.entries()) {
         demand(this.at < this.tree.length, 'a tree has fewer characters than its words');
         const end = this.tree[this.at++], goes_on = end === '+';
+        if (this.may_keep && end === '*') {
+          demand(length === 1, 'a kept word has more than one letter');
+          demand(!steps[0].letters, 'the step of a kept word has a word of the group');
+          demand(!state.kept, 'a state has two kept words');
+          state.kept = [place, steps[0].to];
+          continue;
+        }
         demand(!goes_on || length < 1000, 'a word of more than 1000 letters');
         const {to, norm, B} = steps[goes_on ? 0 : this.number_of(end, steps.length)];
         spend(3, h, h);

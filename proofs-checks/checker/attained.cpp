@@ -7,64 +7,6 @@
 namespace subcert_check {
 namespace {
 
-constexpr std::size_t most_letters = 256;  // of a cycle, and the largest degree
-constexpr std::size_t error_bits = 512;    // bounds are rounded up to so many binary digits after the point
-
-struct Complex {
-  mpz_class re, im;
-};
-
-mpz_class square(const mpz_class& x) { return x * x; }
-mpz_class squared_modulus(const Complex& z) { return square(z.re) + square(z.im); }
-mpz_class norm(const Complex& z) { return abs(z.re) + abs(z.im); }
-
-Complex times(const Complex& a, const Complex& b, Arithmetic& arithmetic) {
-  Complex product;
-  arithmetic.add_product(product.re, a.re, b.re);
-  arithmetic.add_product(product.re, a.im, -b.im);
-  arithmetic.add_product(product.im, a.re, b.im);
-  arithmetic.add_product(product.im, a.im, b.re);
-  return product;
-}
-
-mpz_class norm(const Vector& x) {
-  mpz_class sum = 0;
-  for (const mpz_class& c : x) sum += abs(c);
-  return sum;
-}
-
-/// point / scale
-struct ComplexRatio {
-  Complex point;
-  mpz_class scale;
-
-  ComplexRatio(const mpq_class& re, const mpq_class& im) : scale(lcm(re.get_den(), im.get_den())) {
-    point = {re.get_num() * (scale / re.get_den()), im.get_num() * (scale / im.get_den())};
-  }
-};
-
-/// The sum of c_k point^k scale^(n - k), k = 0, ..., n.
-Complex form_value(const Vector& c, const ComplexRatio& at, Arithmetic& arithmetic) {
-  Complex value{0, 0};
-  mpz_class scale = 1;
-  for (std::size_t k = c.size(); k-- > 0; scale *= at.scale) {
-    value = times(value, at.point, arithmetic);
-    arithmetic.add_product(value.re, c[k], scale);
-  }
-  return value;
-}
-
-mpq_class rounded_up(const mpq_class& x) {
-  const mpz_class one = mpz_class(1) << error_bits;
-  return ratio(ceiling(x * one), one);
-}
-
-Vector derivative(const Vector& p) {
-  Vector result;
-  for (std::size_t k = 1; k < p.size(); ++k) result.push_back(p[k] * k);
-  return result;
-}
-
 /// The polytope with its true vertices.
 class Attained {
  public:
@@ -120,52 +62,23 @@ class Attained {
     for (std::size_t k = 2; k < fields.size(); ++k)
       cycle.letters.push_back(parse_size(fields[k], 0, body_.family.count() - 1));
     require(!vertices_[cycle.root].cycle, "a vertex is the first one of two cycles");
-    const Vector& p = radius_.polynomial;
-    const std::size_t degree = p.size() - 1, n = body_.size;
-    Vector seed;
-    for (const std::string_view field : reader_.take("seed", n, n)) seed.push_back(parse_integer(field));
-    // The matrix of the cycle is N / scale, and the zeros of sum p_k scale^(degree - k) x^k are those of p times scale.
-    const mpz_class scale = power(body_.family.denominator, cycle.letters.size()).get_num();
-    power(scale, degree);  // not too large
-    cycle.basis.assign(degree, Vector(n));
-    for (std::size_t i = 0; i < n; ++i) cycle.basis[degree - 1][i] = p[degree] * seed[i];
-    mpz_class factor = scale;
-    for (std::size_t k = degree; k-- > 0; factor *= scale) {
-      Vector next = around(cycle, cycle.basis[k]);
-      const mpz_class coefficient = p[k] * factor;
-      for (std::size_t i = 0; i < n; ++i) arithmetic_.add_product(next[i], coefficient, seed[i]);
-      if (k > 0)
-        cycle.basis[k - 1] = std::move(next);
-      else
-        require(norm(next) == 0, "the polynomial of the cycle does not vanish on the seed");
-    }
+    Eigenvector eigenvector = read_seed(
+        radius_, body_.size, power(body_.family.denominator, cycle.letters.size()).get_num(),
+        [&](const Vector& x) { return around(cycle, x); }, reader_, arithmetic_);
     Vertex& root = vertices_[cycle.root];
     root.cycle = cycles_.size();
-    root.error = root_error(cycle, scale);
+    root.error = root_error(cycle.root, eigenvector);
+    cycle.basis = std::move(eigenvector.basis);
     cycles_.push_back(std::move(cycle));
   }
 
   /// How far the eigenvector, scaled so that it has a large coordinate of the given vertex, is from that vertex.
-  mpq_class root_error(const Cycle& cycle, const mpz_class& scale) {
-    const std::size_t n = body_.size, degree = cycle.basis.size();
+  mpq_class root_error(std::size_t root, const Eigenvector& eigenvector) const {
     require(body_.parts == 2 || (radius_.im == 0 && radius_.near_im == 0), "a real polytope, but no real eigenvalue");
-    ComplexRatio at(radius_.near_re * scale, radius_.near_im * scale);
-    const mpq_class away = radius_.error * scale,
-                    size = (abs(radius_.near_re) + abs(radius_.near_im) + radius_.error) * scale;
-    // U = sum of basis_k at^k, times at.scale^(degree - 1), and a bound for its error.
-    std::vector<Complex> vector(n);
-    mpz_class whole = 1;
-    for (std::size_t k = degree; k-- > 0; whole *= k > 0 ? at.scale : mpz_class(1))
-      for (std::size_t i = 0; i < n; ++i) {
-        vector[i] = times(vector[i], at.point, arithmetic_);
-        arithmetic_.add_product(vector[i].re, cycle.basis[k][i], whole);
-      }
-    mpq_class slope = 0, powers = 1;
-    for (std::size_t k = 1; k < degree; ++k, powers = rounded_up(powers * size))
-      slope += mpz_class(k * norm(cycle.basis[k])) * powers;
-    const mpq_class off = 2 * away * slope * whole;
+    const auto& [basis, vector, off] = eigenvector;
+    const std::size_t n = body_.size;
     // (v_i U - U_i v) / U_i
-    const Vector& given = body_.vertices[cycle.root];
+    const Vector& given = body_.vertices[root];
     const auto coordinate = [&](std::size_t i) {
       return Complex{given[i], body_.parts == 2 ? given[n + i] : mpz_class(0)};
     };
@@ -183,9 +96,9 @@ class Attained {
     }
     const mpq_class distance = difference / below;  // times vertex_one
     for (std::size_t i = 0; body_.nonnegative && i < n; ++i)
-      require(given[i] > distance ||
-                  std::all_of(cycle.basis.begin(), cycle.basis.end(), [i](const Vector& y) { return y[i] == 0; }),
-              "a coordinate of the eigenvector may be negative");
+      require(
+          given[i] > distance || std::all_of(basis.begin(), basis.end(), [i](const Vector& y) { return y[i] == 0; }),
+          "a coordinate of the eigenvector may be negative");
     return rounded_up(distance * body_.unit_norm / body_.vertex_one);
   }
 
@@ -325,54 +238,6 @@ class Attained {
 };
 
 }  // namespace
-
-ExactRadius parse_exact_radius(std::string_view text) {
-  constexpr const char* expected = "an exact radius is |[p0,p1,...]@RE,IM,EPS|^1/L";
-  const std::size_t end = text.find("]@"), power = text.rfind("|^1/");
-  require(text.starts_with("|[") && end < power && power < text.size(), expected);
-  const Fields point = split(text.substr(end + 2, power - end - 2), ",");
-  require(point.size() == 3, expected);
-  ExactRadius radius;
-  for (const std::string_view c : split(text.substr(2, end - 2), ",")) radius.polynomial.push_back(parse_integer(c));
-  const std::size_t degree = radius.polynomial.size() - 1;
-  require(degree >= 1 && degree <= most_letters && radius.polynomial.back() != 0,
-          "a polynomial has the degree 1 to 256 and a leading coefficient that is not zero");
-  radius.re = parse_rational(point[0]);
-  radius.im = parse_rational(point[1]);
-  radius.within = parse_rational(point[2]);
-  require(radius.within > 0, "the distance of a zero must be positive");
-  radius.length = parse_size(text.substr(power + 4), 1, most_letters);
-  return radius;
-}
-
-void read_root(ExactRadius& radius, Reader& reader, Arithmetic& arithmetic) {
-  const Fields fields = reader.take("root", 5, 5);
-  mpq_class* const numbers[] = {&radius.near_re, &radius.near_im, &radius.error, &radius.low, &radius.high};
-  for (std::size_t k = 0; k < 5; ++k) *numbers[k] = parse_rational(fields[k]);
-  const auto squared = [](const mpq_class& x) { return mpq_class(x * x); };
-  const mpq_class &error = radius.error, low = power(radius.low, radius.length),
-                  high = power(radius.high, radius.length);
-  require(error >= 0 && radius.low > 0, "the error of a root is negative, or its modulus not positive");
-  const mpq_class away = squared(radius.near_re - radius.re) + squared(radius.near_im - radius.im),
-                  modulus = squared(radius.near_re) + squared(radius.near_im);
-  require(error <= radius.within && away <= squared(radius.within - error), "the root is not the one of the claim");
-  require(squared(low + error) <= modulus && high >= error && modulus <= squared(high - error),
-          "the bounds of the exact radius are wrong");
-  // A zero within n |p/p'| of the point.
-  const Vector &p = radius.polynomial, slope = derivative(p);
-  const ComplexRatio near(radius.near_re, radius.near_im), centre(radius.re, radius.im);
-  const mpz_class value = squared_modulus(form_value(p, near, arithmetic)),
-                  steep = squared_modulus(form_value(slope, near, arithmetic));
-  require(steep > 0 && square(mpz_class(slope.size())) * value <= squared(error * near.scale) * steep,
-          "no zero is proved so near");
-  // Only one: |p'(x) - p'(centre)| < |p'(centre)| for all x of the disc.
-  const mpq_class size = abs(radius.re) + abs(radius.im) + radius.within;
-  mpq_class change = 0;
-  for (std::size_t k = p.size(); k-- > 2;) change = rounded_up(change * size) + abs(mpz_class(p[k] * k * (k - 1)));
-  const mpq_class steepness = ratio(squared_modulus(form_value(slope, centre, arithmetic)),
-                                    power(centre.scale, 2 * (slope.size() - 1)).get_num());
-  require(squared(change * radius.within) < steepness, "more than one zero may be so near");
-}
 
 void check_attained(const Polytope& body, const ExactRadius& radius, Reader& reader, Arithmetic& arithmetic) {
   Attained(body, radius, reader, arithmetic).run();

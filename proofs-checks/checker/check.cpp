@@ -156,7 +156,7 @@ class Checker {
       else if (fields[0] == "quadratic" && entry_error_ == 0)
         use_upper_bound(read_quadratic(blocks[i], fields, reader_, arithmetic_), 1);
       else if (fields[0] == "graph" && entry_error_ == 0)
-        use_upper_bound(read_graph(blocks[i], fields, reader_, arithmetic_), 1);
+        use_graph(read_graph(blocks[i], fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
       else
         use_polytope(read_polytope(blocks[i], fields, entry_error_, reader_, arithmetic_));
     }
@@ -418,14 +418,16 @@ class Checker {
   }
 
   void use_polytope(const Polytope& body) {
-    if (exact_ && reader_.at("cycle")) {
-      check_attained(body, *exact_, reader_, arithmetic_);
-      attained_ = true;
-      ++reaching_;
-      show_upper_bound(body.bound, 1);
-    } else {
-      use_upper_bound(body.bound, 1);
-    }
+    const bool attained = exact_ && reader_.at("cycle");
+    if (attained) check_attained(body, *exact_, reader_, arithmetic_);
+    use_graph({body.bound, attained});
+  }
+  /// Of a polytope as well.
+  void use_graph(const GraphBound& graph) {
+    if (!graph.attained) return use_upper_bound(graph.bound, 1);
+    attained_ = true;
+    ++reaching_;
+    show_upper_bound(graph.bound, 1);
   }
   void use_single(const SingleRadius& single) {
     attained_ = true;

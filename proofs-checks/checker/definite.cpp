@@ -42,6 +42,13 @@ void add_multiples(double* sum, const double* factors, std::size_t step, const d
     for (std::size_t j = 0; j < n; ++j) sum[j] += factors[k * step] * rows[k * row_step + j];
 }
 
+Vector gram(const Vector& m, std::size_t n, Arithmetic& arithmetic) {
+  Vector result(n * n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i; j < n; ++j) add_multiples(&result[i * n + j], &m[i * n], 1, &m[j * n], 1, n, 1, arithmetic);
+  return result;
+}
+
 // An x_jj that is not positive before it is complete is not positive afterwards. So, with doubles, the sums of the
 // R_lj^2 that are used are below U_jj <= 2^48, and |x_kj| <= 2^49 by Cauchy and Schwarz. As divisors and roots are at
 // most 2^24, a quotient that is no integer is farther from one than rounding leads, and so is a root. A square of some

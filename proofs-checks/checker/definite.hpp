@@ -13,6 +13,9 @@ void add_multiples(mpz_class* sum, const mpz_class* factors, std::size_t step, c
 void add_multiples(double* sum, const double* factors, std::size_t step, const double* rows, std::size_t row_step,
                    std::size_t count, std::size_t n, Arithmetic& arithmetic);
 
+/// m^T m on and above the diagonal, row by row, of a matrix column by column.
+Vector gram(const Vector& m, std::size_t n, Arithmetic& arithmetic);
+
 /// Lemma 17: whether all x_kk are positive; `s` is (n 2^h + m) 1 - U, and what is below its diagonal is not looked at.
 /// Doubles: for |U_kj| <= 4^h, h at most 24.
 template <class Number>

@@ -2,6 +2,7 @@
 
 #include "definite.hpp"
 #include "group.hpp"
+#include "kept_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +45,7 @@ struct Step {
 };
 
 template <class Number>
-struct State {
-  Vector coordinates;                            // column by column
+struct State : KeptState {
   std::vector<std::vector<Step<Number>>> steps;  // by letters, of equal matrices the first one's
   std::string tree;
 };
@@ -57,18 +57,11 @@ std::size_t number_of(char end) {
   return number;
 }
 
-/// m^T m on and above the diagonal, row by row, of a matrix column by column.
-Vector gram(const Vector& m, std::size_t n, Arithmetic& arithmetic) {
-  Vector result(n * n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i; j < n; ++j) add_multiples(&result[i * n + j], &m[i * n], 1, &m[j * n], 1, n, 1, arithmetic);
-  return result;
-}
-
 template <class Number>
 class Graph {
  public:
-  Graph(const Family& family, mpq_class bound, std::size_t bits, std::vector<Generator> generators,
+  /// `may_keep`: whether words may be kept.
+  Graph(const Family& family, mpq_class bound, std::size_t bits, std::vector<Generator> generators, bool may_keep,
         Arithmetic& arithmetic)
       : family_(family),
         n_(family.size),
@@ -76,6 +69,7 @@ class Graph {
         bound_(std::move(bound)),
         bits_(bits),
         generators_(std::move(generators)),
+        may_keep_(may_keep),
         arithmetic_(arithmetic) {
     std::ranges::sort(letters_);
     letters_.erase(std::unique(letters_.begin(), letters_.end()), letters_.end());
@@ -108,12 +102,14 @@ class Graph {
         for (const Step<Number>& step : state.steps[t]) check_step(state, family_.matrix(letters_[t]), step);
     products_.assign(1, std::vector<Number>(n_ * n_));
     for (std::size_t i = 0; i < n_; ++i) products_[0][i * n_ + i] = unit_;
-    for (const State<Number>& state : states_) {
+    for (State<Number>& state : states_) {
       ends_ = state.tree;
       follow(state, 0, unit_, 0);
       require(ends_.empty(), "a tree has more characters than its words");
     }
   }
+
+  std::vector<KeptState> kept_states() const { return {states_.begin(), states_.end()}; }
 
  private:
   Step<Number> read_step(const Fields& fields, std::size_t count) {
@@ -152,11 +148,19 @@ class Graph {
   }
 
   /// What `ends_` says of the words that go on from a state after so many letters.
-  void follow(const State<Number>& state, std::size_t length, const Number& norm, const Number& error) {
-    for (const auto& steps : state.steps) {
+  void follow(State<Number>& state, std::size_t length, const Number& norm, const Number& error) {
+    for (std::size_t t = 0; t < letters_.size(); ++t) {
+      const auto& steps = state.steps[t];
       require(!ends_.empty(), "a tree has fewer characters than its words");
       const char end = ends_.front();
       ends_.remove_prefix(1);
+      if (may_keep_ && end == '*') {
+        require(length == 0, "a kept word has more than one letter");
+        require(steps.front().to.word.empty(), "the step of a kept word has a word of the group");
+        require(!state.word, "a state has two kept words");
+        state.word = {letters_[t], steps.front().to.index};
+        continue;
+      }
       const bool goes_on = end == '+';
       require(!goes_on || length + 1 < longest_word, "a word of more than 1000 letters");
       const std::size_t number = goes_on ? 0 : number_of(end);
@@ -213,6 +217,7 @@ class Graph {
   mpq_class bound_;
   std::size_t bits_;
   std::vector<Generator> generators_;
+  bool may_keep_;
   Arithmetic& arithmetic_;
   Number unit_, size_;
   std::vector<State<Number>> states_;
@@ -223,7 +228,8 @@ class Graph {
 
 }  // namespace
 
-mpq_class read_graph(const Family& family, const Fields& fields, Reader& reader, Arithmetic& arithmetic) {
+GraphBound read_graph(const Family& family, const Fields& fields, const ExactRadius* exact, Reader& reader,
+                      Arithmetic& arithmetic) {
   require(fields.size() == 4 || (fields.size() == 5 && parse_group(fields[4]) > 0),
           "expected 'graph', a number of states, a bound, a number of bits and perhaps a group");
   const std::size_t states = parse_size(fields[1], 1, 4096), bits = parse_size(fields[3], 8, 1000);
@@ -231,15 +237,15 @@ mpq_class read_graph(const Family& family, const Fields& fields, Reader& reader,
   require(bound > 0, "the bound of a graph is not positive");
   const std::size_t generators = fields.size() == 5 ? parse_group(fields[4]) : 0;
   const auto check = [&]<class Number>(Number) {
-    Graph<Number> graph(family, bound, bits, read_generators(family, generators, reader, arithmetic), arithmetic);
+    Graph<Number> graph(family, bound, bits, read_generators(family, generators, reader, arithmetic), exact != nullptr,
+                        arithmetic);
     graph.read(states, reader);
     graph.check();
+    return graph.kept_states();
   };
-  if (bits <= bits_of_doubles)
-    check(double());
-  else
-    check(mpz_class());
-  return bound;
+  const std::vector<KeptState> kept = bits <= bits_of_doubles ? check(double()) : check(mpz_class());
+  const bool attained = exact && check_kept_words(family, bound, kept, *exact, reader, arithmetic);
+  return {attained ? exact->high : bound, attained};
 }
 
 }  // namespace subcert_check

@@ -9,8 +9,9 @@ namespace {
 constexpr long kept_bits = 128;
 constexpr std::size_t max_power_bits = 1UL << 28;
 
-/// At least x >= 0, with few digits.
-mpq_class rounded_up(const mpq_class& x) {
+}  // namespace
+
+mpq_class few_digits_up(const mpq_class& x) {
   const long shift = static_cast<long>(bits(x.get_num())) - static_cast<long>(bits(x.get_den())) - kept_bits;
   const mpz_class top = shift < 0 ? mpz_class(x.get_num() << -shift) : x.get_num(),
                   bottom = shift > 0 ? mpz_class(x.get_den() << shift) : x.get_den();
@@ -18,8 +19,6 @@ mpq_class rounded_up(const mpq_class& x) {
   mpz_cdiv_q(kept.get_mpz_t(), top.get_mpz_t(), bottom.get_mpz_t());
   return shift < 0 ? ratio(kept, mpz_class(1) << -shift) : mpq_class(mpz_class(kept << shift));
 }
-
-}  // namespace
 
 Rounding parse_rounding(std::string_view text) {
   const Fields fields = split(text, ",");
@@ -41,9 +40,9 @@ mpq_class entry_error(const Mask& mask, unsigned arity, const Rounding& rounding
 
 mpq_class change_of_product(const mpq_class& norm, const mpq_class& error, std::size_t factors) {
   if (factors == 0) return 0;
-  const mpq_class base = rounded_up(norm + error);
+  const mpq_class base = few_digits_up(norm + error);
   require((bits(base.get_num()) + bits(base.get_den())) * factors <= max_power_bits, too_much_work);
-  return rounded_up(rounded_up(power(base, factors - 1)) * rounded_up(error) * mpz_class(factors));
+  return few_digits_up(few_digits_up(power(base, factors - 1)) * few_digits_up(error) * mpz_class(factors));
 }
 
 mpq_class largest_column_sum(const Family& family) {

@@ -11,6 +11,9 @@ struct Rounding {
   std::size_t sum_rules;
 };
 
+/// At least x > 0, with 128 binary digits.
+mpq_class few_digits_up(const mpq_class& x);
+
 /// EPS,M
 Rounding parse_rounding(std::string_view text);
 

@@ -1,7 +1,8 @@
 // One spectral radius in place of a joint one: section 4.11 of ../certificates/SPEC.md.
 #pragma once
 
-#include "attained.hpp"
+#include "exact_radius.hpp"
+#include "scheme.hpp"
 
 namespace subcert_check {
 

@@ -217,7 +217,7 @@ void descend(Point& at, double weight, const Deadline& deadline) {
 
 ContextForms::ContextForms(const polytope::SearchFamily& family, EllipsoidalCoordinates for_letters)
     : family_(family), for_letters_(std::move(for_letters)), contexts_{{}} {
-  forms_ = {{for_letters_.to}, {for_letters_.from}, {}, {}, for_letters_.bound};
+  forms_ = {{for_letters_.to}, {for_letters_.from}, {}, {}, for_letters_.bound, {}};
   for (const Matrix& m : for_letters_.matrices) forms_.steps.push_back({0, 0, 0, m});
   forms_.ends.resize(forms_.steps.size());
 }
@@ -389,6 +389,7 @@ std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& produ
     }
   }
   at.bound = std::max(at.bound, cycle->radius);
+  at.product = product;
   return at;
 }
 

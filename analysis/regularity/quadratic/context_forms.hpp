@@ -24,8 +24,10 @@ struct StateForms {
   std::vector<Step> steps;                 ///< of each state with each letter, in this order
   std::vector<std::vector<Step>> ends;     ///< where words may end that come to another state by these steps
   double bound = 0;                        ///< no step has a larger norm, nor is the joint spectral radius larger
+  std::vector<int> product;                ///< from left to right, round which the last states are, if there is one
 
   std::size_t states() const { return to.size(); }
+  std::size_t first_of_product() const { return states() - product.size(); }
 };
 
 /// Forms of contexts of growing length; of several states a group other than the flip is not made use of. Ref:

@@ -3,8 +3,10 @@
 
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/rational_complex.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace subcert {
@@ -13,6 +15,7 @@ namespace subcert {
 /// the group, E an error of norm at most the size of the matrices. Words of steps lead away from each state whose
 /// products are contractions, errors included; every infinite sequence of letters begins with one
 /// (proofs-checks/certificates/SPEC.md, 4.13).
+struct AttainedGraph;
 struct GraphProof {
   struct Step {
     std::size_t letter = 0, to = 0;
@@ -29,8 +32,22 @@ struct GraphProof {
   int bits = 0;                       ///< at most 60
   std::vector<FamilySymmetry> group;  ///< of the family
   Rational bound;                     ///< proved: joint spectral radius <= bound
+  /// That a product attains the joint spectral radius, where it is proved.
+  std::shared_ptr<const AttainedGraph> attained = {};
 
   std::size_t words() const;
+};
+
+/// Words of steps for a bound below the radius of a product, and letters that go round the product instead of words:
+/// these keep a norm that knows the left eigenvector of the product (SPEC.md, 4.14).
+struct AttainedGraph {
+  GraphProof graph;            ///< with kept letters; its bound proves nothing by itself
+  std::size_t first;           ///< the state before the first letter of the product
+  std::vector<int> product;    ///< from left to right
+  RationalComplex eigenvalue;  ///< of the product, nearly
+  std::size_t coordinate;      ///< of the eigenvector, whose modulus is 1
+  Rational kept, scale;        ///< of the line `cycle`
+  Enclosure radius;            ///< the joint spectral radius
 };
 
 /// The proof for 2^exponent times the matrices.

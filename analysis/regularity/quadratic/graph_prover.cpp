@@ -1,5 +1,7 @@
 #include "graph_prover.hpp"
 
+#include "kept_cycle.hpp"
+
 #include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
 #include <subcert/analysis/regularity/polytope_search/kernels.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
@@ -52,9 +54,17 @@ class Walk {
     };
     std::vector<Place> way;
     way.push_back({state, 0, std::move(identity), unit_, Number(0)});
+    const auto leave_finished = [&] {
+      while (!way.empty() && way.back().letter == steps_[way.back().state].size()) way.pop_back();
+    };
     for (const char end : proof_.states[state].ends) {
       if (deadline.expired()) return false;
       Place& at = way.back();
+      if (end == kept_character) {
+        ++at.letter;
+        leave_finished();
+        continue;
+      }
       const bool goes_on = end == '+';
       const auto& steps = steps_[at.state][at.letter++];
       const Step& step = steps[goes_on ? 0 : end_number(end)];
@@ -66,7 +76,7 @@ class Walk {
         way.push_back({step.to, 0, std::move(product), std::move(norm), std::move(error)});
       else if (!is_contraction(product, error))
         return false;
-      while (!way.empty() && way.back().letter == steps_[way.back().state].size()) way.pop_back();
+      leave_finished();
     }
     return way.empty();
   }
@@ -224,6 +234,37 @@ bool set_steps(GraphProof& proof, const StepRounder& rounder, const StateForms& 
   return !failed && !deadline.expired();
 }
 
+/// A proof whose bound is still to be chosen.
+struct Graph {
+  Graph(const MatrixFamily& of, const std::vector<Integers>& rows, const StateForms& states, const ProductTree& tree,
+        int bits)
+      : proof{{}, bits, of.group(), 0}, family(of), coordinates(rows), forms(states) {
+    const std::size_t n = family.size();
+    for (std::size_t j = 0; j < forms.states(); ++j) {
+      GraphProof::State& state = proof.states.emplace_back();
+      for (std::size_t i = 0; i < n; ++i)
+        state.coordinates.emplace_back(&coordinates[j][i * n], &coordinates[j][i * n + i] + 1);
+      state.ends = tree.ends[j];
+    }
+  }
+
+  /// False where a step cannot be rounded.
+  bool set_bound(double bound, const Deadline& deadline) {
+    proof.bound = Rational(Integer(std::ceil(std::ldexp(bound, bound_bits)))) * power(Rational(2), -bound_bits);
+    return set_steps(proof, StepRounder(family, coordinates, proof.bits, proof.bound), forms, deadline);
+  }
+
+  bool holds(const Deadline& deadline) const {
+    return proof.bits <= double_bits ? all_words_hold<double>(proof, family.size(), deadline)
+                                     : all_words_hold<Integer>(proof, family.size(), deadline);
+  }
+
+  GraphProof proof;
+  const MatrixFamily& family;
+  const std::vector<Integers>& coordinates;
+  const StateForms& forms;
+};
+
 }  // namespace
 
 double slack_of(int bits, std::size_t size) {
@@ -234,24 +275,29 @@ double slack_of(int bits, std::size_t size) {
 std::optional<GraphProof> prove_graph(const MatrixFamily& family, const std::vector<Integers>& coordinates,
                                       const StateForms& forms, const ProductTree& tree, int bits,
                                       const Deadline& deadline) {
-  const std::size_t n = family.size();
-  GraphProof proof{{}, bits, family.group(), 0};
-  for (std::size_t j = 0; j < forms.states(); ++j) {
-    GraphProof::State& state = proof.states.emplace_back();
-    for (std::size_t i = 0; i < n; ++i)
-      state.coordinates.emplace_back(&coordinates[j][i * n], &coordinates[j][i * n + i] + 1);
-    state.ends = tree.ends[j];
-  }
+  Graph graph(family, coordinates, forms, tree, bits);
+  for (GraphProof::State& state : graph.proof.states)
+    std::ranges::replace(state.ends, kept_character, end_character(0));
   for (const double factor : slack_factors) {
-    const double slack = slack_of(bits, n) * factor;
+    const double slack = slack_of(bits, family.size()) * factor;
     if (slack > most_slack || deadline.expired()) break;
-    proof.bound = Rational(Integer(std::ceil(std::ldexp(tree.bound * (1 + slack), bound_bits)))) *
-                  power(Rational(2), -bound_bits);
-    if (!set_steps(proof, StepRounder(family, coordinates, bits, proof.bound), forms, deadline)) return std::nullopt;
-    if (bits <= double_bits ? all_words_hold<double>(proof, n, deadline) : all_words_hold<Integer>(proof, n, deadline))
-      return proof;
+    if (!graph.set_bound(tree.bound * (1 + slack), deadline)) return std::nullopt;
+    if (graph.holds(deadline)) return std::move(graph.proof);
   }
   return std::nullopt;
+}
+
+std::optional<AttainedGraph> prove_attained(const MatrixFamily& family, const std::vector<Integers>& coordinates,
+                                            const StateForms& forms, const ProductTree& tree, int bits,
+                                            const RationalComplex& eigenvalue, double bound, const Deadline& deadline) {
+  const std::size_t first = forms.first_of_product();
+  Graph graph(family, coordinates, forms, tree, bits);
+  if (!graph.set_bound(bound, deadline)) return std::nullopt;
+  const auto cycle = prove_kept_cycle(family, forms.product, eigenvalue, std::span(coordinates).subspan(first),
+                                      graph.proof.bound);
+  if (!cycle || !graph.holds(deadline)) return std::nullopt;
+  return AttainedGraph{std::move(graph.proof), first,       forms.product, eigenvalue,
+                       cycle->coordinate,      cycle->kept, cycle->scale,  cycle->radius};
 }
 
 }  // namespace quadratic
@@ -264,7 +310,15 @@ std::size_t GraphProof::words() const {
 }
 
 GraphProof scaled(GraphProof proof, long exponent) {
-  proof.bound *= power(Rational(2), exponent);
+  const Rational unit = power(Rational(2), exponent);
+  proof.bound *= unit;
+  if (proof.attained) {
+    AttainedGraph attained = *proof.attained;
+    attained.graph.bound *= unit;
+    attained.eigenvalue = power(unit, static_cast<long>(attained.product.size())) * attained.eigenvalue;
+    attained.radius = {*attained.radius.lower * unit, *attained.radius.upper * unit};
+    proof.attained = std::make_shared<AttainedGraph>(std::move(attained));
+  }
   return proof;
 }
 

@@ -14,6 +14,12 @@ std::optional<GraphProof> prove_graph(const MatrixFamily& family, const std::vec
                                       const StateForms& forms, const ProductTree& tree, int bits,
                                       const Deadline& deadline);
 
+/// That the product round which forms are attains the joint spectral radius: the same for one bound, near this one,
+/// below its radius. Domain: as above; a tree with kept letters; the leading eigenvalue of the product, nearly.
+std::optional<AttainedGraph> prove_attained(const MatrixFamily& family, const std::vector<Integers>& coordinates,
+                                            const StateForms& forms, const ProductTree& tree, int bits,
+                                            const RationalComplex& eigenvalue, double bound, const Deadline& deadline);
+
 /// By how much more than the bound of the tree a proof tries to prove first, relatively.
 double slack_of(int bits, std::size_t size);
 

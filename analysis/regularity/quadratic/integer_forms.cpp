@@ -66,6 +66,8 @@ bool is_positive(Integers s, std::size_t n) {
   return has_root(s, n, (Integer(n) << pivot_bits) + Integer(n));
 }
 
+bool is_positive(const RationalMatrix& s) { return is_positive(integer_multiple(s, common_denominator(s)), s.rows()); }
+
 std::optional<std::vector<Integers>> triangular_coordinates(const std::vector<polytope::Matrix>& to,
                                                             const radius::RoundFamily& round) {
   const std::size_t n = to.front().rows();

@@ -48,6 +48,7 @@ bool has_root(std::vector<Number>& s, std::size_t n, const Number& margin) {
 /// Whether a symmetric matrix, given on and above the diagonal, is positive semidefinite, by 256 leading bits of its
 /// entries.
 bool is_positive(Integers s, std::size_t n);
+bool is_positive(const RationalMatrix& s);
 
 /// For coordinates x' = to x of the round family lower triangular ones of the family, rounded to 48 bits, in which
 /// vectors are as long, nearly, times one number for all. Nothing where one is not regular so.

@@ -22,6 +22,10 @@ class Tree {
  public:
   Tree(const StateForms& forms, double bound, const TreeLimits& limits)
       : steps_(forms.steps), ends_(forms.ends), letters_(steps_.size() / forms.states()), limits_(limits) {
+    if (limits.keep) {
+      kept_.assign(forms.first_of_product(), -1);
+      kept_.insert(kept_.end(), forms.product.begin(), forms.product.end());
+    }
     for (Step& step : steps_) {
       step.matrix /= bound;
       norms_.push_back(polytope::spectral_norm(step.matrix));
@@ -38,6 +42,10 @@ class Tree {
   bool follow(std::size_t state, const Matrix& product, double growth, std::size_t length, std::string& ends) {
     if (length >= longest || growth > most_growth || failed_ || limits_.deadline.expired()) return !(failed_ = true);
     for (std::size_t letter = 0; letter < letters_; ++letter) {
+      if (length == 0 && !kept_.empty() && kept_[state] == static_cast<int>(letter)) {
+        ends += kept_character;
+        continue;
+      }
       const std::size_t on = state * letters_ + letter;
       const Matrix next = fast_product(product, steps_[on].matrix);
       std::size_t end = 0;
@@ -60,6 +68,7 @@ class Tree {
   std::vector<std::vector<Step>> ends_;
   std::size_t letters_;
   TreeLimits limits_;
+  std::vector<int> kept_;  // the letters, of each state
   double product_work_ = 0;
   std::atomic<double> work_ = 0;
   std::atomic<bool> failed_ = false;

@@ -13,7 +13,8 @@ bool is_contraction(const polytope::Matrix& m);
 struct ProductTree {
   /// Words that lead away from each state, in the letters that states read, least letters first: `+` for those that go
   /// on with a letter, followed by the same for the state they come to; end_character(0) for one that ends by this
-  /// step, end_character(k) for the end k-1 instead. Every infinite word begins with exactly one.
+  /// step, end_character(k) for the end k-1 instead. Every infinite word begins with exactly one. kept_character for a
+  /// letter of the product that the forms are round.
   std::vector<std::string> ends;
   double bound = 0;  ///< products of k letters that end are contractions, divided by bound^k
   double work = 0;   ///< multiplications that an exact proof takes
@@ -22,10 +23,12 @@ struct ProductTree {
 /// 0, ..., 9, A, ..., Z, a, ..., z. Domain: k < 62.
 char end_character(std::size_t k);
 std::size_t end_number(char character);
+constexpr char kept_character = '*';
 
 struct TreeLimits {
   double work = 0;  ///< of the proof
   Deadline deadline;
+  bool keep = false;  ///< not to look at the letters of the product that the forms are round
 };
 
 /// The words that go on until they are contractions; nothing where a limit is reached, or the norms of the steps of a

@@ -16,14 +16,17 @@ using quadratic::ProductTree;
 
 // Of the time: until the first form is found; of the rest until the last contexts are, and their tree.
 constexpr double shape_share = 0.3, contexts_share = 0.78, tree_share = 0.9;
-constexpr double look_share = 0.2;       // of the time for contexts: for a look whether words are few already
-constexpr double first_look = 0.1;       // seconds, before there are contexts
-constexpr double most_work = 7e9;        // of 10^10 that a checker may spend
-constexpr double work_per_second = 8e9;  // of all cores, and some to spare
-constexpr double full_trees = 8;         // that the search for the least bound and the proof cost, about
-constexpr double fine_factor = 60;       // that work with long numbers costs more
-constexpr double fine_share = 0.7;       // of the time for a proof
-constexpr double grace = 0.5;            // seconds that it may take beyond the time
+constexpr double look_share = 0.2;         // of the time for contexts: for a look whether words are few already
+constexpr double first_look = 0.1;         // seconds, before there are contexts
+constexpr double most_work = 2e10;         // of 10^10 that a checker may spend
+constexpr double work_per_second = 8e9;    // of all cores, and some to spare
+constexpr double kept_share = 0.3;         // of the time that is left, for a tree that keeps the product
+constexpr double kept_excess = 1e-7;       // that the radius is above the bound of its words, relatively
+constexpr double kept_slacks[] = {4, 32};  // of what a proof loses, that its words have below the radius
+constexpr double full_trees = 8;           // that the search for the least bound and the proof cost, about
+constexpr double fine_factor = 60;         // that work with long numbers costs more
+constexpr double fine_share = 0.7;         // of the time for a proof
+constexpr double grace = 0.5;              // seconds that it may take beyond the time
 // Of bounds above the goal, relatively. A proof loses 1e-11.
 constexpr double least_excess = 2e-11, goal_below = 1.5e-11, excess_step = 8;
 constexpr int bisections = 3;
@@ -131,48 +134,112 @@ std::optional<ProductTree> least_tree(const quadratic::StateForms& forms, double
   return best;
 }
 
-/// Of one form and forms of contexts, ever longer, the first ones whose tree has the goal for its bound; or, of the
-/// last ones and the one form, those whose proof has the least bound.
-std::optional<FormedTree> best_tree(const quadratic::StateForms& one, quadratic::ContextForms contexts, double goal,
-                                    const std::vector<int>& product, const Budget& budget) {
-  const Deadline trees_end = budget.deadline.after(tree_share), contexts_end = budget.deadline.after(contexts_share);
-  const auto forms = [&] {
-    if (!product.empty() && contexts.forms().states() > 1)
-      if (auto cycle = contexts.with_cycle(product, trees_end)) return std::move(*cycle);
-    return contexts.forms();
-  };
-  const auto fine_work = [&] {
-    return std::min(most_work, work_per_second / 2 * budget.deadline.remaining()) / fine_factor;
-  };
-  double seconds = first_look;
-  quadratic::StateForms states = forms();
-  while (true) {
-    const double work = std::min(most_work, work_per_second * look_share * seconds);
-    if (auto tree = tree_at_goal(states, goal, {work, trees_end})) {
-      const int bits = tree->work <= fine_work() ? quadratic::most_bits : quadratic::double_bits;
-      return FormedTree{std::move(states), std::move(*tree), bits, 0};
+/// The search for forms and trees of one family, and their proofs.
+class Search {
+ public:
+  /// `radius`: that of the product, or a bound that is small enough.
+  Search(const MatrixFamily& family, Shape shape, double radius, const ProductEvidence& product, const Budget& budget)
+      : family_(family),
+        shape_(std::move(shape)),
+        radius_(radius),
+        product_(product),
+        budget_(budget),
+        trees_end_(budget.deadline.after(tree_share)) {}
+
+  /// Of one form and forms of contexts, ever longer, the first ones that prove the product to attain the radius, or
+  /// whose tree has the goal for its bound; or, of the last ones and the one form, those whose proof has the least
+  /// bound.
+  std::optional<GraphProof> run(const quadratic::StateForms& one, quadratic::ContextForms contexts) {
+    const Deadline contexts_end = budget_.deadline.after(contexts_share);
+    double seconds = first_look;
+    quadratic::StateForms states = with_product(contexts);
+    while (true) {
+      const double work = std::min(most_work, work_per_second * look_share * seconds);
+      if (auto proof = attained(states, work)) return proof;
+      if (auto tree = tree_at_goal(states, goal(), {work, trees_end_}))
+        return proved({states, *tree, bits_of(*tree), 0});
+      const Stopwatch stopwatch;
+      if (!contexts.grow({contexts_end, budget_.memory / 2})) break;
+      states = with_product(contexts);
+      seconds = stopwatch.seconds();
     }
-    const Stopwatch stopwatch;
-    if (!contexts.grow({contexts_end, budget.memory / 2})) break;
-    states = forms();
-    seconds = stopwatch.seconds();
+    if (auto proof = attained(states, std::min(most_work, work_per_second * kept_share * remaining()))) return proof;
+    std::optional<FormedTree> best;
+    const auto try_out = [&](const quadratic::StateForms& found, int bits, double work) {
+      auto tree = least_tree(found, goal(), {work, trees_end_});
+      if (!tree) return;
+      const double bound = tree->bound * (1 + quadratic::slack_of(bits, family_.size()));
+      if (!best || bound < best->bound) best = FormedTree{found, std::move(*tree), bits, bound};
+    };
+    const double most = std::min(most_work, work_per_second / full_trees * remaining());
+    for (const quadratic::StateForms* found : {&std::as_const(states), &one}) {
+      // Contexts that there was little time for may be worse than the one form.
+      if (best && best->bound <= found->bound) break;
+      try_out(*found, quadratic::most_bits, std::min(most, fine_work()));
+      try_out(*found, quadratic::double_bits, most);
+    }
+    return best ? proved(*best) : std::nullopt;
   }
-  std::optional<FormedTree> best;
-  const auto try_out = [&](const quadratic::StateForms& found, int bits, double work) {
-    auto tree = least_tree(found, goal, {work, trees_end});
-    if (!tree) return;
-    const double bound = tree->bound * (1 + quadratic::slack_of(bits, found.to.front().rows()));
-    if (!best || bound < best->bound) best = FormedTree{found, std::move(*tree), bits, bound};
-  };
-  const double most = std::min(most_work, work_per_second / full_trees * budget.deadline.remaining());
-  for (const quadratic::StateForms* found : {&std::as_const(states), &one}) {
-    // Contexts that there was little time for may be worse than the one form.
-    if (best && best->bound <= found->bound) break;
-    try_out(*found, quadratic::most_bits, std::min(most, fine_work()));
-    try_out(*found, quadratic::double_bits, most);
+
+ private:
+  double goal() const { return radius_ * (1 - goal_below); }
+  double remaining() const { return budget_.deadline.remaining(); }
+  double fine_work() const { return std::min(most_work, work_per_second / 2 * remaining()) / fine_factor; }
+  int bits_of(const ProductTree& tree) const {
+    return tree.work <= fine_work() ? quadratic::most_bits : quadratic::double_bits;
   }
-  return best;
-}
+
+  quadratic::StateForms with_product(const quadratic::ContextForms& contexts) const {
+    if (!product_.word.empty() && contexts.forms().states() > 1)
+      if (auto forms = contexts.with_cycle(product_.word, trees_end_)) return std::move(*forms);
+    return contexts.forms();
+  }
+
+  /// Of two numbers of digits, the larger first if that may be in time.
+  template <class Prove>
+  auto with_bits(int bits, const Prove& prove) const {
+    const Deadline end = Deadline::in(remaining() + grace);
+    auto proof = bits > quadratic::double_bits ? prove(bits, end.after(fine_share)) : decltype(prove(bits, end))();
+    return proof ? std::move(proof) : prove(quadratic::double_bits, end);
+  }
+
+  std::optional<GraphProof> proved(const FormedTree& found) const {
+    const auto coordinates = quadratic::triangular_coordinates(found.forms.to, shape_.round);
+    if (!coordinates) return std::nullopt;
+    return with_bits(found.bits, [&](int bits, const Deadline& deadline) {
+      return quadratic::prove_graph(family_, *coordinates, found.forms, found.tree, bits, deadline);
+    });
+  }
+
+  /// By trees for bounds below the radius that keep the letters of the product.
+  std::optional<GraphProof> attained(const quadratic::StateForms& forms, double work) const {
+    if (forms.product.empty()) return std::nullopt;
+    const double slack = quadratic::slack_of(quadratic::double_bits, family_.size());
+    for (const double factor : kept_slacks) {
+      const double below = radius_ * (1 - kept_excess);
+      auto tree = quadratic::product_tree(forms, below / (1 + slack * factor), {work, trees_end_, true});
+      const auto coordinates = tree ? quadratic::triangular_coordinates(forms.to, shape_.round) : std::nullopt;
+      if (!coordinates) return std::nullopt;
+      auto graph = with_bits(bits_of(*tree), [&](int bits, const Deadline& deadline) {
+        return quadratic::prove_attained(family_, *coordinates, forms, *tree, bits, product_.eigenvalue, below,
+                                         deadline);
+      });
+      if (!graph) continue;
+      tree->bound = radius_;
+      auto proof = proved({forms, *tree, graph->graph.bits, 0});
+      if (proof) proof->attained = std::make_shared<AttainedGraph>(std::move(*graph));
+      return proof;
+    }
+    return std::nullopt;
+  }
+
+  const MatrixFamily& family_;
+  Shape shape_;
+  double radius_;
+  const ProductEvidence& product_;
+  Budget budget_;
+  Deadline trees_end_;
+};
 
 }  // namespace
 
@@ -182,26 +249,18 @@ QuadraticProof scaled(QuadraticProof proof, long exponent) {
 }
 
 std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, const Rational& target,
-                                                   const Budget& budget, const std::vector<int>& product,
+                                                   const Budget& budget, const ProductEvidence& product,
                                                    const quadratic::ContextForms* known) {
   if (std::all_of(family.begin(), family.end(), [](const RationalMatrix& m) { return one_norm(m) == 0; }))
     return std::nullopt;
-  double goal = target.convert_to<double>();
-  const Shape shape = shape_of(family, goal, budget.deadline.after(shape_share));
-  for (const polytope::Matrix& m : shape.round.family.matrices) goal = std::max(goal, polytope::spectral_radius(m));
-  if (!(goal > 0)) return std::nullopt;
+  double radius = target.convert_to<double>();
+  const Shape shape = shape_of(family, radius, budget.deadline.after(shape_share));
+  for (const polytope::Matrix& m : shape.round.family.matrices) radius = std::max(radius, polytope::spectral_radius(m));
+  if (!(radius > 0)) return std::nullopt;
   const quadratic::ContextForms one(shape.round.family, shape.coordinates);
   const auto same = [](const polytope::Matrix& a, const polytope::Matrix& b) { return a.entries() == b.entries(); };
   const bool go_on = known && std::ranges::equal(known->matrices(), one.matrices(), same);
-  const auto best = best_tree(one.forms(), go_on ? *known : one, goal * (1 - goal_below), product, budget);
-  const auto coordinates = best ? quadratic::triangular_coordinates(best->forms.to, shape.round) : std::nullopt;
-  if (!coordinates) return std::nullopt;
-  const Deadline end = Deadline::in(budget.deadline.remaining() + grace);
-  const auto prove = [&](int bits, const Deadline& deadline) {
-    return quadratic::prove_graph(family, *coordinates, best->forms, best->tree, bits, deadline);
-  };
-  auto proof = best->bits > quadratic::double_bits ? prove(best->bits, end.after(fine_share)) : std::nullopt;
-  return proof ? proof : prove(quadratic::double_bits, end);
+  return Search(family, shape, radius, product, budget).run(one.forms(), go_on ? *known : one);
 }
 
 std::optional<QuadraticProof> prove_isometries(const MatrixFamily& family, const Deadline& deadline) {

@@ -3,6 +3,8 @@
 
 #include "graph_proof.hpp"
 
+#include <subcert/analysis/regularity/radius/product.hpp>
+
 namespace subcert {
 namespace quadratic {
 class ContextForms;
@@ -21,11 +23,11 @@ QuadraticProof scaled(QuadraticProof proof, long exponent);
 
 /// Searches forms and trees in floating point and confirms them in exact arithmetic. Nothing is returned where that
 /// fails. Domain: entries whose doubles are finite and not far from 1 in size; different matrices. `target`: a bound
-/// that is small enough; `product`: from left to right, one that may attain the radius; `known`: forms to go on with,
-/// if they are in the coordinates of the search. Error: none, the bound is proved. Cost: a few hundred decompositions
-/// of each matrix, then two products of matrices for each word; the checker's work is limited likewise.
+/// that is small enough; `product`: one that may attain the radius, which is proved too if possible; `known`: forms to
+/// go on with, if they are in the coordinates of the search. Error: none, the bound is proved. Cost: a few hundred
+/// decompositions of each matrix, then two products of matrices for each word; the checker's work is limited likewise.
 std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, const Rational& target,
-                                                   const Budget& budget, const std::vector<int>& product = {},
+                                                   const Budget& budget, const ProductEvidence& product = {},
                                                    const quadratic::ContextForms* known = nullptr);
 
 /// The proof for matrices that are a rational number times isometries of one positive definite form: the bound is that

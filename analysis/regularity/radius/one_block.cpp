@@ -83,6 +83,11 @@ void expand(GraphProof& proof, const DifferentMatrices& different) {
   for (GraphProof::State& state : proof.states)
     for (GraphProof::Step& step : state.steps) step.letter = different.originals[step.letter];
   expand(proof.group, different);
+  if (!proof.attained) return;
+  AttainedGraph attained = *proof.attained;
+  expand(attained.graph, different);
+  rename(attained.product, different);
+  proof.attained = std::make_shared<AttainedGraph>(std::move(attained));
 }
 
 /// The proof for the family from that for its different matrices.
@@ -211,12 +216,17 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   // A polytope that closed in floating point may have no proof.
   const bool closed = candidate.closed && by_polytope;
   if (!closed && lower < upper && !enough)
-    form = prove_by_quadratic_forms(scaled_family, lower / unit, budget, product.word,
+    form = prove_by_quadratic_forms(scaled_family, lower / unit, budget, product,
                                     found.contexts ? &*found.contexts : nullptr);
-  const bool by_form = form && form->bound * unit < upper;
+  const bool attained = form && form->attained && !found.exact.is_yes(),
+             by_form = form && (attained || form->bound * unit < upper);
   if (by_form) upper = form->bound * unit;
   result.radius = {lower, upper};
-  if (result.radius.is_exact())
+  if (attained) {
+    result.exact = {Truth::yes,
+                    "a norm that knows its eigenvector is kept by the product, and all other words contract"};
+    result.radius.upper = *form->attained->radius.upper * unit;
+  } else if (result.radius.is_exact())
     result.exact = {Truth::yes, "both ends of the enclosure are the same number"};
   else if (enough)
     result.exact = {Truth::unknown, "a bound was asked for, and nothing else"};

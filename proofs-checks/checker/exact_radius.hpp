@@ -1,0 +1,47 @@
+// Numbers |z|^(1/L), and eigenvectors of products for z: section 4.10 of ../certificates/SPEC.md.
+#pragma once
+
+#include "arithmetic.hpp"
+
+#include <functional>
+
+namespace subcert_check {
+
+/// The number |z|^(1/length), z the only zero of a polynomial within a distance of re + i im.
+struct ExactRadius {
+  Vector polynomial;  // from the constant coefficient on
+  mpq_class re, im, within;
+  std::size_t length = 1;
+  // What the line `root` says: a zero lies within `error` of near_re + i near_im, and low <= |z|^(1/length) <= high.
+  mpq_class near_re, near_im, error, low, high;
+};
+
+/// |[p0,p1,...]@RE,IM,EPS|^1/L
+ExactRadius parse_exact_radius(std::string_view text);
+
+/// Reads the line `root` and shows that it is right, and that there is only one such zero.
+void read_root(ExactRadius& radius, Reader& reader, Arithmetic& arithmetic);
+
+struct Complex {
+  mpz_class re, im;
+};
+
+mpz_class norm(const Complex& z);  // |re| + |im|
+mpz_class norm(const Vector& x);
+Complex times(const Complex& a, const Complex& b, Arithmetic& arithmetic);
+
+/// Rounded up to so many binary digits after the point that errors are still small.
+mpq_class rounded_up(const mpq_class& x);
+
+/// U = sum of z^k y_k, an eigenvector of a product for the zero z.
+struct Eigenvector {
+  std::vector<Vector> basis;   // y_0, y_1, ..., times powers of the scale of the product
+  std::vector<Complex> point;  // U, the point near z in place of z, times a positive number
+  mpq_class error;             // at least the sum of |re| + |im| of U times this number, less `point`
+};
+
+/// Reads the line `seed`. `around` is `scale` times the product, which acts on n numbers.
+Eigenvector read_seed(const ExactRadius& radius, std::size_t n, const mpz_class& scale,
+                      const std::function<Vector(const Vector&)>& around, Reader& reader, Arithmetic& arithmetic);
+
+}  // namespace subcert_check

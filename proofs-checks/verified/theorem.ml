@@ -138,8 +138,8 @@ let pole c =
 let stop (state, (c, row)) = Printf.sprintf "(%s, (%s, %s))" (natural state) (natural c) (point row)
 
 let cycle c =
-  Printf.sprintf "(Cycle %s %s %s %s %s)" (natural c.carrier) (fraction c.part) (fraction c.weight) (integer c.cut)
-    (list stop c.stops)
+  Printf.sprintf "(Cycle %s %s %s %s %s %s)" (natural c.carrier) (fraction c.part) (fraction c.weight) (integer c.cut)
+    (fraction c.least) (list stop c.stops)
 
 let exact_section = function
   | Bounded s -> "(Bounded " ^ section s ^ ")"

@@ -2311,9 +2311,9 @@ let above_power a u order0 g =
 
 (** val encloses : scheme -> q -> q -> int -> q -> q -> stability -> bool **)
 
-let encloses a l u order0 most least c =
+let encloses a l u order0 most least0 c =
   (&&)
-    ((&&) ((&&) (reduces a l order0 most) (above_power a u order0 least))
+    ((&&) ((&&) (reduces a l order0 most) (above_power a u order0 least0))
       (Nat.leb (Stdlib.succ 0) (length a.coefficients))) (check_stable a c)
 
 (** val check_exponent : scheme -> q -> q -> enclosure -> bool **)
@@ -2546,6 +2546,23 @@ let rec closes q0 p seed first0 second =
                   (addmul (Number.mul q0 c) (snd seed) (snd x)))))
             (closes q0 p' seed first' second')))
 
+(** val over_up : Number.t -> Number.t -> Number.t **)
+
+let over_up a s =
+  Number.opposite (Number.divide (Number.opposite a) s)
+
+(** val cut_by : Number.t -> zvec -> zvec **)
+
+let cut_by s x =
+  map (fun a -> Number.divide a s) x
+
+(** val cut_error : int -> Number.t -> zvec -> Number.t **)
+
+let cut_error n s x =
+  if forallb (fun a -> Number.equal (Number.mul s (Number.divide a s)) a) x
+  then Number.zero
+  else Number.of_natural n
+
 (** val evaluate :
     int -> Number.t -> Number.t -> Number.t -> Number.t -> point list ->
     point*Number.t **)
@@ -2558,26 +2575,37 @@ let rec evaluate n s c1 c2 rad = function
    | _::_ ->
      let p,e = evaluate n s c1 c2 rad ys' in
      let u,v = p in
-     let cut0 = map (fun x -> Number.divide x s) in
-     ((addmul Number.one (fst y)
-        (cut0 (addmul c1 u (addmul (Number.opposite c2) v [])))),(addmul
-                                                                   Number.one
-                                                                   (snd y)
-                                                                   (cut0
-                                                                    (addmul
-                                                                    c1 v
-                                                                    (addmul
-                                                                    c2 u []))))),
-     (Number.add
-       (Number.add
-         (Number.divide
-           (Number.add
-             (Number.mul
-               (Number.add (Number.add (Number.abs c1) (Number.abs c2))
-                 (Number.mul (Number.twice Number.one) rad)) e)
-             (Number.mul (Number.mul (Number.twice Number.one) rad)
-               (Number.add (norm1 u) (norm1 v)))) s) Number.one)
-       (Number.mul (Number.twice Number.one) (Number.of_natural n))))
+     let re = addmul c1 u (addmul (Number.opposite c2) v []) in
+     let im = addmul c1 v (addmul c2 u []) in
+     ((addmul Number.one (fst y) (cut_by s re)),(addmul Number.one (snd y)
+                                                  (cut_by s im))),(Number.add
+                                                                    (over_up
+                                                                    (Number.add
+                                                                    (Number.mul
+                                                                    (Number.add
+                                                                    (Number.add
+                                                                    (Number.abs
+                                                                    c1)
+                                                                    (Number.abs
+                                                                    c2))
+                                                                    (Number.mul
+                                                                    (Number.twice
+                                                                    Number.one)
+                                                                    rad)) e)
+                                                                    (Number.mul
+                                                                    (Number.mul
+                                                                    (Number.twice
+                                                                    Number.one)
+                                                                    rad)
+                                                                    (Number.add
+                                                                    (norm1 u)
+                                                                    (norm1 v))))
+                                                                    s)
+                                                                    (Number.add
+                                                                    (cut_error
+                                                                    n s re)
+                                                                    (cut_error
+                                                                    n s im))))
 
 (** val column_sums : zmat -> zvec **)
 
@@ -2804,9 +2832,8 @@ let make f h =
        in
        if Nat.ltb t0 (count f)
        then Some { from = parent.from; path = (t0::parent.path); shown = v;
-              off =
-              (Number.add (Number.divide whole (Number.mul d h.low))
-                Number.one); image_list = images0 }
+              off = (over_up whole (Number.mul d h.low)); image_list =
+              images0 }
        else None
      | None -> None))
 
@@ -2935,7 +2962,7 @@ let reached f p l h =
      | None -> false))
 
 type cycle = { carrier : int; part : q; weight : q; cut : Number.t;
-               stops : (int*(int*point)) list }
+               least : q; stops : (int*(int*point)) list }
 
 type station = { state_at : int; class_at : int; row_at : vertex }
 
@@ -3019,14 +3046,12 @@ let rec ways g h firsts bs = function
 let shortened f =
   let n = f.size in
   (fun c x ->
-  let over0 = map (fun a -> Number.divide a c.cut) in
-  ((over0 (fst x.shown)),(over0 (snd x.shown))),(Number.add
-                                                  (Number.add
-                                                    (Number.divide x.off
-                                                      c.cut) Number.one)
-                                                  (Number.mul (Number.twice
-                                                    Number.one)
-                                                    (Number.of_natural n))))
+  let s = c.cut in
+  let v = x.shown in
+  ((cut_by s (fst v)),(cut_by s (snd v))),(Number.add (over_up x.off s)
+                                            (Number.add
+                                              (cut_error n s (fst v))
+                                              (cut_error n s (snd v)))))
 
 (** val row_square : family -> point -> zmat **)
 
@@ -3054,8 +3079,10 @@ let station_right f h g firsts states =
   let t0 = letter_at s in
   let x,off_x = shortened f c s.row_at in
   let y,off_y = shortened f c s'.row_at in
-  let lo = Number.mul h.low h.low in
-  let bo = Number.mul h.bottom h.bottom in
+  let l1 = c.least.qnum in
+  let l2 = c.least.qden in
+  let lo = Number.mul l1 l1 in
+  let bo = Number.mul l2 l2 in
   let k1 = c.part.qnum in
   let k2 = c.part.qden in
   let c1 = c.weight.qnum in
@@ -3070,11 +3097,15 @@ let station_right f h g firsts states =
           ((&&)
             ((&&)
               ((&&)
-                ((&&) (Nat.ltb s.state_at (length states))
-                  (Nat.ltb s'.state_at (length states)))
-                (Nat.ltb t0 (count f))) (Number.less_equal Number.zero k1))
-            (Number.less_equal k1 k2)) (Number.less_equal Number.zero c1))
-        (Number.less Number.zero c.cut))
+                ((&&)
+                  ((&&)
+                    ((&&) (Nat.ltb s.state_at (length states))
+                      (Nat.ltb s'.state_at (length states)))
+                    (Nat.ltb t0 (count f)))
+                  (Number.less_equal Number.zero k1))
+                (Number.less_equal k1 k2)) (Number.less_equal Number.zero c1))
+            (Number.less Number.zero c.cut)) (Number.less Number.zero l1))
+        (Number.less_equal (Number.mul l1 h.bottom) (Number.mul h.low l2)))
       (semidefinite n
         (add_rows (Number.opposite (Number.mul (Number.mul bo k2) c2))
           (gram

@@ -603,6 +603,12 @@ val run_pair : zmat list -> int list -> point -> point
 val closes :
   Number.t -> Number.t list -> point -> point list -> point list -> bool
 
+val over_up : Number.t -> Number.t -> Number.t
+
+val cut_by : Number.t -> zvec -> zvec
+
+val cut_error : int -> Number.t -> zvec -> Number.t
+
 val evaluate :
   int -> Number.t -> Number.t -> Number.t -> Number.t -> point list ->
   point*Number.t
@@ -659,7 +665,7 @@ val reached :
   family -> Number.t list -> int -> place -> base list -> int -> int -> bool
 
 type cycle = { carrier : int; part : q; weight : q; cut : Number.t;
-               stops : (int*(int*point)) list }
+               least : q; stops : (int*(int*point)) list }
 
 type station = { state_at : int; class_at : int; row_at : vertex }
 

@@ -10,8 +10,8 @@ Open Scope Z_scope.
 
 (* The states of a cycle, each with the class of the letter of its kept word and a row near the true one: the first is that
    of the base, of the transposed matrices, the others are its images, over powers of the radius. `part` is KEPT; rows are
-   divided by `cut`, and `weight` is the square of what they are multiplied by then. *)
-Record cycle := Cycle { carrier : nat; part : Q; weight : Q; cut : Z; stops : list (nat * (nat * point)) }.
+   divided by `cut`, and `weight` is the square of what they are multiplied by then. The radius is `least` or more. *)
+Record cycle := Cycle { carrier : nat; part : Q; weight : Q; cut : Z; least : Q; stops : list (nat * (nat * point)) }.
 Record station := Station { state_at : nat; class_at : nat; row_at : vertex }.
 
 Fixpoint distinct (l : list nat) : bool :=
@@ -70,7 +70,8 @@ Fixpoint ways (l : list cycle) : option (list (cycle * (station * station))) :=
 
 (* A row over `cut`, and its error *)
 Definition shortened (c : cycle) (x : vertex) : point * Z :=
-  let over := map (fun a => a / cut c) in ((over (fst (shown x)), over (snd (shown x))), off x / cut c + 1 + 2 * Z.of_nat n).
+  let s := cut c in let v := shown x in
+  ((cut_by s (fst v), cut_by s (snd v)), over_up (off x) s + (cut_error n s (fst v) + cut_error n s (snd v))).
 
 (* The square of the modulus of what a row is at x, as a form *)
 Definition row_square (v : point) : zmat := gram (map (fun k => [nth k (fst v) 0; nth k (snd v) 0]) (seq 0 n)).
@@ -78,14 +79,14 @@ Definition length_square (j : nat) : zmat := gram (columns n (coordinates_of sta
 
 Definition station_right (c : cycle) (s s' : station) : bool :=
   let t := letter_at s in let '(x, off_x) := shortened c (row_at s) in let '(y, off_y) := shortened c (row_at s') in
-  let lo := low h * low h in let bo := bottom h * bottom h in
+  let l1 := Qnum (least c) in let l2 := Zpos (Qden (least c)) in let lo := l1 * l1 in let bo := l2 * l2 in
   let k1 := Qnum (part c) in let k2 := Zpos (Qden (part c)) in
   let c1 := Qnum (weight c) in let c2 := Zpos (Qden (weight c)) in
   let a := denominator F * denominator F * lo in
   let b := a * (k2 - k1) * c1 in
   let d := bo * (Qnum g * Qnum g) * c1 in
   (state_at s <? length states)%nat && (state_at s' <? length states)%nat && (t <? count F)%nat &&
-  (0 <=? k1) && (k1 <=? k2) && (0 <=? c1) && (0 <? cut c) &&
+  (0 <=? k1) && (k1 <=? k2) && (0 <=? c1) && (0 <? cut c) && (0 <? l1) && (l1 * bottom h <=? low h * l2) &&
   semidefinite n
     (add_rows (- (bo * k2 * c2)) (gram (map (mv (coordinates_of states (state_at s))) (columns n (letter F t))))
     (add_rows (a * k1 * c2) (length_square (state_at s'))
@@ -340,15 +341,15 @@ Proof.
   { unfold q, value_at. fold G n re im. rewrite !at_row_scal. set (a := at_row n (re x) y). set (b := at_row n (im x) y).
     assert (M := modulus_mult k 0 a b). rewrite modulus_real, Rabs_pos_eq in M by lra.
     replace (k * a - 0 * b) with (k * a) in M by ring. replace (k * b + 0 * a) with (k * b) in M by ring. auto. }
-  rewrite Eq. apply near_square_sound. { rewrite <- Ee. assert (0 <= off x / cut c)%Z by (apply Z.div_pos; auto). lia. }
-  assert (Part : forall U u, norm n (sub (scal k U) (vr (map (fun a => (a / cut c)%Z) u))) <= k * norm n (sub U (vr u)) + INR n).
-  { intros U u. replace (sub (scal k U) (vr (map (fun a => (a / cut c)%Z) u)))
-      with (plus (scal k (sub U (vr u))) (sub (scal k (vr u)) (vr (map (fun a => (a / cut c)%Z) u)))) by (vectors; ring).
+  rewrite Eq. apply near_square_sound. { rewrite <- Ee. repeat apply Z.add_nonneg_nonneg; try apply cut_error_nonneg. apply over_up_nonneg; auto. }
+  assert (Part : forall U u, norm n (sub (scal k U) (vr (cut_by (cut c) u))) <= k * norm n (sub U (vr u)) + IZR (cut_error n (cut c) u)).
+  { intros U u. replace (sub (scal k U) (vr (cut_by (cut c) u)))
+      with (plus (scal k (sub U (vr u))) (sub (scal k (vr u)) (vr (cut_by (cut c) u)))) by (vectors; ring).
     eapply Rle_trans. apply norm_plus. rewrite norm_scal, Rabs_pos_eq by lra. apply Rplus_le_compat_l. apply cut_sound; auto. }
-  unfold distance_pair in *. rewrite <- Ev, <- Ee. cbn [fst snd]. rewrite !plus_IZR, mult_IZR, <- INR_IZR_INZ.
+  unfold distance_pair in *. rewrite <- Ev, <- Ee. cbn [fst snd]. rewrite !plus_IZR.
   assert (A := Part (re x) (fst (shown x))). assert (B := Part (im x) (snd (shown x))).
-  change (size G) with n in Dx. fold re im in Dx. assert (Q := div_below (off x) (cut c) Hc). unfold Rdiv in Q. fold k in Q.
-  apply (Rmult_le_compat_l k) in Dx; [|lra]. change (IZR 1) with 1. change (IZR 2) with 2. lra.
+  change (size G) with n in Dx. fold re im in Dx. assert (Q := over_up_sound (off x) (cut c) Hc). unfold Rdiv in Q. fold k in Q.
+  apply (Rmult_le_compat_l k) in Dx; [|lra]. lra.
 Qed.
 
 Lemma length_square_sound j y : rows_form (length_square F states j) y = squares_of n (apply n (mr (coordinates_of states j)) y).
@@ -379,6 +380,15 @@ Definition both (c : cycle) (s : station) (y : vec) : R :=
 Lemma square_root_le a b : 0 <= b -> a * a <= b * b -> a <= b.
 Proof. intros Hb H. apply Rnot_lt_le. intros N. assert (b * b < a * a) by (apply Rmult_le_0_lt_compat; lra). lra. Qed.
 
+Lemma at_most_low u : (Qnum u * bottom h <=? low h * Zpos (Qden u))%Z = true -> real_of u <= r.
+Proof.
+  intros H. apply Rle_trans with (IZR (low h) / IZR (bottom h)); [|tauto]. apply Z.leb_le, IZR_le in H. rewrite !mult_IZR in H. unfold real_of.
+  assert (P1 : 0 < IZR (Zpos (Qden u))) by (apply IZR_lt; lia). assert (P2 : 0 < IZR (bottom h)) by (apply IZR_lt; auto).
+  apply (Rmult_le_reg_r (IZR (Zpos (Qden u)) * IZR (bottom h))). apply Rmult_lt_0_compat; auto.
+  replace (IZR (Qnum u) / IZR (Zpos (Qden u)) * (IZR (Zpos (Qden u)) * IZR (bottom h))) with (IZR (Qnum u) * IZR (bottom h)) by (field; lra).
+  replace (IZR (low h) / IZR (bottom h) * (IZR (Zpos (Qden u)) * IZR (bottom h))) with (IZR (low h) * IZR (Zpos (Qden u))) by (field; lra). auto.
+Qed.
+
 Lemma station_sound c s s' : station_right F h g firsts states c s s' = true -> linked_rows s s' -> (0 < Qnum g)%Z ->
   (state_at s < length states)%nat /\ (state_at s' < length states)%nat /\
   (forall y, real_of g * heavy c (row_at s) y <= r * len n (apply n (mr (coordinates_of states (state_at s))) y)) /\
@@ -386,7 +396,7 @@ Lemma station_sound c s s' : station_right F h g firsts states c s s' = true -> 
 Proof.
   intros H [Gs [Gs' Linked]] Hg. unfold station_right in H. cbv zeta in H. fold letter_at n in H.
   destruct (shortened F c (row_at s)) as [vx ex] eqn:EX. destruct (shortened F c (row_at s')) as [vy ey] eqn:EY.
-  repeat rewrite andb_true_iff in H. destruct H as [[[[[[[[H1 H2] H3] H4] H5] H6] H0] H7] H8]. apply Z.ltb_lt in H0. apply Nat.ltb_lt in H1, H2, H3. apply Z.leb_le in H4, H5, H6. unfold letter_at in *.
+  repeat rewrite andb_true_iff in H. destruct H as [[[[[[[[[[H1 H2] H3] H4] H5] H6] H0] Pl] Ple] H7] H8]. apply Z.ltb_lt in H0, Pl. apply Nat.ltb_lt in H1, H2, H3. apply Z.leb_le in H4, H5, H6. unfold letter_at in *.
   specialize (Linked H3). set (t := nth (class_at s) firsts 0%nat) in *. split; auto. split; auto.
   set (k1 := Qnum (part c)) in *. set (k2 := Zpos (Qden (part c))) in *. set (c1 := Qnum (weight c)) in *. set (c2 := Zpos (Qden (weight c))) in *.
   set (g1 := Qnum g) in *. set (g2 := Zpos (Qden g)) in *. set (W := real_of (weight c)).
@@ -395,10 +405,12 @@ Proof.
   assert (C1 : 0 <= IZR c1) by (apply IZR_le; auto). assert (K1 : 0 <= IZR k1 <= IZR k2) by (split; apply IZR_le; auto).
   assert (EW : W = IZR c1 / IZR c2) by auto. assert (W0 : 0 <= W) by (rewrite EW; apply Rmult_le_pos; auto; left; apply Rinv_0_lt_compat; auto).
   assert (SW : sqrt W * sqrt W = W) by (apply sqrt_sqrt; auto). assert (SW0 := sqrt_pos W).
-  assert (Lo : 0 < IZR (low h)) by (apply IZR_lt; auto). assert (Bo : 0 < IZR (bottom h)) by (apply IZR_lt; auto).
+  apply at_most_low in Ple.
+  assert (Lo : 0 < IZR (Qnum (least c))) by (apply IZR_lt; auto). assert (Bo : 0 < IZR (Zpos (Qden (least c)))) by (apply IZR_lt; lia).
   assert (Dp := denominator_positive F WF). fold D in Dp.
-  set (lo := IZR (low h)) in *. set (bo := IZR (bottom h)) in *.
-  assert (Lr : lo / bo <= r) by apply Between. assert (Lb : 0 < lo / bo) by (apply Rmult_lt_0_compat; auto; apply Rinv_0_lt_compat; auto).
+  change (real_of (least c)) with (IZR (Qnum (least c)) / IZR (Zpos (Qden (least c)))) in Ple.
+  set (lo := IZR (Qnum (least c))) in *. set (bo := IZR (Zpos (Qden (least c)))) in *.
+  assert (Lr : lo / bo <= r) by exact Ple. assert (Lb : 0 < lo / bo) by (apply Rmult_lt_0_compat; auto; apply Rinv_0_lt_compat; auto).
   assert (Cu : 0 < / IZR (cut c)) by (apply Rinv_0_lt_compat, IZR_lt; auto). set (k0 := / IZR (cut c)) in *.
   assert (V0 : forall x y, 0 <= k0 * value_at x y) by (intros; apply Rmult_le_pos; [lra | apply modulus_nonneg]).
   assert (Below : forall y, real_of g * heavy c (row_at s) y <= lo / bo * len n (apply n (mr (coordinates_of states (state_at s))) y)).
@@ -485,19 +497,14 @@ Proof.
        r * len (size F) (apply (size F) (mr (coordinates_of states (state_at s))) y)) /\
     forall y, both F states bs z r c s (apply (size F) (real F (nth (class_at s) firsts 0%nat)) y) <= r * both F states bs z r c s' y).
   { intros c s s' I. destruct (Rows c s s' I) as [Linked _]. assert (H := Sts _ I). cbn [fst snd] in H.
-    apply (station_sound F L h g firsts states bs z r WF Radius Length Low Common Between Lower c s s' H Linked Hg). }
+    apply (station_sound F L h g firsts states bs z r WF Radius Length Common Between Lower c s s' H Linked Hg). }
   set (beside := fun j x => match find (fun q => Nat.eqb (first q) j) l with
     | Some q => heavy F bs z r (fst q) (row_at (fst (snd q))) x | None => 0 end).
   assert (There : forall c s s' x, In (c, (s, s')) l -> larger F states beside (state_at s) x = both F states bs z r c s x).
   { intros c s s' x I. unfold larger, both, beside. assert (E := find_distinct first l _ Dis I). unfold first at 2 in E. cbn [fst snd] in E.
     rewrite E. auto. }
   assert (HgR : 0 < real_of g) by (eapply bound_positive; eauto).
-  assert (LeR : real_of g <= r).
-  { apply Rle_trans with (IZR (low h) / IZR (bottom h)); [|tauto]. apply Z.leb_le, IZR_le in Le. rewrite !mult_IZR in Le. unfold real_of.
-    assert (P1 : 0 < IZR (Zpos (Qden g))) by (apply IZR_lt; lia). assert (P2 : 0 < IZR (bottom h)) by (apply IZR_lt; auto).
-    apply (Rmult_le_reg_r (IZR (Zpos (Qden g)) * IZR (bottom h))). apply Rmult_lt_0_compat; auto.
-    replace (IZR (Qnum g) / IZR (Zpos (Qden g)) * (IZR (Zpos (Qden g)) * IZR (bottom h))) with (IZR (Qnum g) * IZR (bottom h)) by (field; lra).
-    replace (IZR (low h) / IZR (bottom h) * (IZR (Zpos (Qden g)) * IZR (bottom h))) with (IZR (low h) * IZR (Zpos (Qden g))) by (field; lra). auto. }
+  assert (LeR : real_of g <= r) by (eapply at_most_low; eauto).
   apply (graph_but_sound (keeps l) F g unity firsts group turns states beside r); auto.
   - intros j x y E. unfold beside. destruct (find _ l); auto. unfold heavy, value_at. do 2 f_equal.
     f_equal; apply sum_ext; intros; rewrite E; auto.

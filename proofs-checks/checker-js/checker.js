@@ -851,11 +851,10 @@ var check_certificate = (() => {
     return {...exact, real: !sign(im) && !sign(exact.im), h, y, m: plus(plus(abs_of(re), abs_of(im)), eps),
             eps, low, high};
   }
-  // The line `seed`: columns[k] is D^(n - 1 - k) y_k, D = den^L; U at c in place of z, pairs of real and imaginary
-  // parts, and the bound of its error, both times (h D)^(n - 1). prepare() is called when the line was read and gives
-  // x -> D N x.
-  function read_seed(reader, {p, L, h, y: [re, im], eps, m}, size, den, prepare, memory) {
-    const seed = reader.read('seed', size).map(integer), n = p.length - 1, D = den ** BigInt(L), columns = [];
+  // The line `seed`: columns[k] is D^(n - 1 - k) y_k, D = den^L. prepare() is called when the line was read and gives
+  // next: x -> D N x.
+  function read_seed(reader, {p}, size, D, prepare, memory) {
+    const seed = reader.read('seed', size).map(integer), n = p.length - 1, columns = [];
     const next = prepare();
     let y = seed.map(x => [x * p[n]]);
     for (let k = n - 1, scale = D; k >= 0; --k, scale *= D) {
@@ -865,13 +864,17 @@ var check_certificate = (() => {
       y = next(y).map(([x], i) => [x + p[k] * scale * seed[i]]);
     }
     demand(y.every(([x]) => !x), 'the polynomial of the cycle does not vanish on the seed');
-    const U = seed.map(() => [0n, 0n]);
+    return {next, columns, memory};
+  }
+  // U at c in place of z, pairs of real and imaginary parts, and the bound of its error, both times (h D)^(n - 1)
+  function eigenvector_of({h, y: [re, im], eps, m}, columns, D) {
+    const U = columns[0].map(() => [0n, 0n]), n = columns.length;
     for (let k = n - 1, scale = 1n; k >= 0; --k, scale *= h) {
-      spend(6 * size, bits(largest_by(U, largest)) + bits(scale), bits(re) + bits(im) + bits(D));
+      spend((im ? 6 : 3) * U.length, bits(largest_by(U, largest)) + bits(scale), bits(re) + bits(im) + bits(D));
       U.forEach(([a, b], i) => { U[i] = [(a * re - b * im) * D + columns[k][i] * scale, (a * im + b * re) * D]; });
     }
     const sums = horner(columns.map((x, k) => norm(x) * BigInt(k)).slice(1), times(m, D));
-    return {next, columns, U, error: times(times(times(2n, eps), sums), h ** BigInt(n - 1) * D), memory};
+    return {U, error: times(times(times(2n, eps), sums), h ** BigInt(n - 1) * D)};
   }
   // The vertices V_J near those of a body. `known` are E, g, the matrices, their denominator, VBITS; e_J is errors[J] /
   // 2^512, of cycles and origins; children[key(K, T)] is the last J with `origin J K T`.
@@ -913,8 +916,8 @@ var check_certificate = (() => {
         demand(this.exact.real || body.parts === 2, 'a real polytope, but no real eigenvalue');
         return x => scaled(body.turned(element, this.follow(word, x)), turn);
       };
-      const {next, columns, U, error: u, memory} =
-        read_seed(this.reader, this.exact, body.size, this.den, prepare, this.memory);
+      const D = this.den ** BigInt(L), seed = read_seed(this.reader, this.exact, body.size, D, prepare, this.memory);
+      const {next, columns, memory} = seed, {U, error: u} = eigenvector_of(this.exact, columns, D);
       this.memory = memory;
       this.cycles.set(J, {word, next, Y: transpose(columns)});
       const [v, v_im = v.map(() => 0n)] = body.coordinates(J), size = v.map((x, i) => abs(x) + abs(v_im[i]));
@@ -1192,23 +1195,22 @@ var check_certificate = (() => {
         way.push(states[j]);
       }
       demand(way.length === exact.L, 'a cycle is too short');
-      const next = x => transpose(way.reduce((row, {A}) => multiply(row, A), transpose(x)));
-      const {U, error} = read_seed(reader, exact, size, den, () => next, 0);
-      this.check(way, this.row(transpose(U), error), K, kept, scale);
+      const next = x => transpose(way.reduce((row, {A}) => multiply(row, A), transpose(x))), D = den ** BigInt(exact.L);
+      this.check(way, D, read_seed(reader, exact, size, D, () => next, 0).columns, K, kept, scale);
     }
-    // With no more than 1024 bits; and how many were dropped
-    row(numbers, error) {
+    row(columns, D) {  // with no more than 1024 bits; and how many were dropped
+      const {U, error} = eigenvector_of(this.exact, columns, D), numbers = transpose(U);
       const cut = Math.max(0, bits(largest_of(numbers)) - 1024), by = BigInt(cut);
       spend(2 * this.size, cut + 1024);
       spend(2, bits(error.n) + 512, bits(error.d));
       const away = fraction(ceil_div(error.n << 512n, error.d << by), 1n << 512n);
-      return {numbers: numbers.map(x => x.map(value => value >> by)), cut: by,
-              error: cut ? plus(away, 2 * this.size) : away};
+      return {numbers: numbers.map(x => x.map(value => value >> by)), by, error: cut ? plus(away, 2 * this.size) : away};
     }
     // `below` is the factor of |u_i|^2 in the second matrix, `above` the reciprocal of that in the first one, but for
     // 1 - KEPT; rounded up, both make it harder.
-    check(way, row, K, kept, scale) {
+    check(way, D, columns, K, kept, scale) {
       const {exact, den} = this, square = x => times(x, x), low = square(exact.low), high = square(exact.high);
+      let row = this.row(columns, D);
       const [re, im] = row.numbers.map(x => x[K]), modulus = re * re + im * im;
       const off = times(2n * norm([re, im]), row.error), least = minus(modulus, off);
       demand(sign(least) > 0, 'the eigenvector of a cycle may be zero at its coordinate');
@@ -1217,11 +1219,12 @@ var check_certificate = (() => {
       let below = round_up(over(square(scale), least));
       let above = over(plus(plus(modulus, off), square(row.error)), square(scale));
       way.forEach(({L, A}, i) => {
-        const error = plus(change(row), square(row.error));
+        const error = plus(change(row), square(row.error)), {by} = row;
         demand(this.is_positive([[room, gram(L)], [minus(0n, below), gram(row.numbers)]], times(below, error)),
                'the norm of a state does not bound the eigenvector');
-        row = this.row(multiply(row.numbers, A), times(row.error, row_norm(A)));
-        const factor = fraction(den * den, 1n << 2n * row.cut);
+        columns = multiply(columns, A);
+        row = this.row(columns, D);
+        const factor = fraction(den * den << 2n * by, 1n << 2n * row.by);
         above = round_up(times(above, factor));
         const image = gram(multiply(L, A)), target = gram(way[(i + 1) % way.length].L);
         demand(this.is_positive([[times(above, times(kept, low)), target], [rest, gram(row.numbers)],

@@ -62,23 +62,22 @@ class Attained {
     for (std::size_t k = 2; k < fields.size(); ++k)
       cycle.letters.push_back(parse_size(fields[k], 0, body_.family.count() - 1));
     require(!vertices_[cycle.root].cycle, "a vertex is the first one of two cycles");
-    Eigenvector eigenvector = read_seed(
-        radius_, body_.size, power(body_.family.denominator, cycle.letters.size()).get_num(),
-        [&](const Vector& x) { return around(cycle, x); }, reader_, arithmetic_);
+    const mpz_class scale = power(body_.family.denominator, cycle.letters.size()).get_num();
+    cycle.basis = read_seed(
+        radius_, body_.size, scale, [&](const Vector& x) { return around(cycle, x); }, reader_, arithmetic_);
     Vertex& root = vertices_[cycle.root];
     root.cycle = cycles_.size();
-    root.error = root_error(cycle.root, eigenvector);
-    cycle.basis = std::move(eigenvector.basis);
+    root.error = root_error(cycle, eigenvector_of(radius_, cycle.basis, scale, arithmetic_));
     cycles_.push_back(std::move(cycle));
   }
 
   /// How far the eigenvector, scaled so that it has a large coordinate of the given vertex, is from that vertex.
-  mpq_class root_error(std::size_t root, const Eigenvector& eigenvector) const {
+  mpq_class root_error(const Cycle& cycle, const Eigenvector& eigenvector) const {
     require(body_.parts == 2 || (radius_.im == 0 && radius_.near_im == 0), "a real polytope, but no real eigenvalue");
-    const auto& [basis, vector, off] = eigenvector;
+    const auto& [vector, off] = eigenvector;
     const std::size_t n = body_.size;
     // (v_i U - U_i v) / U_i
-    const Vector& given = body_.vertices[root];
+    const Vector& given = body_.vertices[cycle.root];
     const auto coordinate = [&](std::size_t i) {
       return Complex{given[i], body_.parts == 2 ? given[n + i] : mpz_class(0)};
     };
@@ -96,9 +95,9 @@ class Attained {
     }
     const mpq_class distance = difference / below;  // times vertex_one
     for (std::size_t i = 0; body_.nonnegative && i < n; ++i)
-      require(
-          given[i] > distance || std::all_of(basis.begin(), basis.end(), [i](const Vector& y) { return y[i] == 0; }),
-          "a coordinate of the eigenvector may be negative");
+      require(given[i] > distance ||
+                  std::all_of(cycle.basis.begin(), cycle.basis.end(), [i](const Vector& y) { return y[i] == 0; }),
+              "a coordinate of the eigenvector may be negative");
     return rounded_up(distance * body_.unit_norm / body_.vertex_one);
   }
 

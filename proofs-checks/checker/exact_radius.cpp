@@ -62,16 +62,16 @@ mpq_class rounded_up(const mpq_class& x) {
   return ratio(ceiling(x * one), one);
 }
 
-Eigenvector read_seed(const ExactRadius& radius, std::size_t n, const mpz_class& scale,
-                      const std::function<Vector(const Vector&)>& around, Reader& reader, Arithmetic& arithmetic) {
+std::vector<Vector> read_seed(const ExactRadius& radius, std::size_t n, const mpz_class& scale,
+                              const std::function<Vector(const Vector&)>& around, Reader& reader,
+                              Arithmetic& arithmetic) {
   const Vector& p = radius.polynomial;
   const std::size_t degree = p.size() - 1;
   Vector seed;
   for (const std::string_view field : reader.take("seed", n, n)) seed.push_back(parse_integer(field));
   // The matrix of the cycle is N / scale, and the zeros of sum p_k scale^(degree - k) x^k are those of p times scale.
   power(scale, degree);  // not too large
-  Eigenvector result{std::vector<Vector>(degree, Vector(n)), std::vector<Complex>(n), 0};
-  std::vector<Vector>& basis = result.basis;
+  std::vector<Vector> basis(degree, Vector(n));
   for (std::size_t i = 0; i < n; ++i) basis[degree - 1][i] = p[degree] * seed[i];
   mpz_class factor = scale;
   for (std::size_t k = degree; k-- > 0; factor *= scale) {
@@ -83,6 +83,13 @@ Eigenvector read_seed(const ExactRadius& radius, std::size_t n, const mpz_class&
     else
       require(norm(next) == 0, "the polynomial of the cycle does not vanish on the seed");
   }
+  return basis;
+}
+
+Eigenvector eigenvector_of(const ExactRadius& radius, const std::vector<Vector>& basis, const mpz_class& scale,
+                           Arithmetic& arithmetic) {
+  const std::size_t degree = basis.size(), n = basis[0].size();
+  Eigenvector result{std::vector<Complex>(n), 0};
   const ComplexRatio at(radius.near_re * scale, radius.near_im * scale);
   const mpq_class away = radius.error * scale,
                   size = (abs(radius.near_re) + abs(radius.near_im) + radius.error) * scale;

@@ -33,15 +33,18 @@ Complex times(const Complex& a, const Complex& b, Arithmetic& arithmetic);
 /// Rounded up to so many binary digits after the point that errors are still small.
 mpq_class rounded_up(const mpq_class& x);
 
-/// U = sum of z^k y_k, an eigenvector of a product for the zero z.
+/// Reads the line `seed`: y_0, y_1, ..., times powers of `scale`, for which the sum of z^k y_k is an eigenvector of a
+/// product for the zero z. `around` is `scale` times the product, which acts on n numbers.
+std::vector<Vector> read_seed(const ExactRadius& radius, std::size_t n, const mpz_class& scale,
+                              const std::function<Vector(const Vector&)>& around, Reader& reader,
+                              Arithmetic& arithmetic);
+
+/// U = sum of z^k y_k.
 struct Eigenvector {
-  std::vector<Vector> basis;   // y_0, y_1, ..., times powers of the scale of the product
-  std::vector<Complex> point;  // U, the point near z in place of z, times a positive number
+  std::vector<Complex> point;  // the point near z in place of z, times a number that depends on the scale only
   mpq_class error;             // at least the sum of |re| + |im| of U times this number, less `point`
 };
-
-/// Reads the line `seed`. `around` is `scale` times the product, which acts on n numbers.
-Eigenvector read_seed(const ExactRadius& radius, std::size_t n, const mpz_class& scale,
-                      const std::function<Vector(const Vector&)>& around, Reader& reader, Arithmetic& arithmetic);
+Eigenvector eigenvector_of(const ExactRadius& radius, const std::vector<Vector>& basis, const mpz_class& scale,
+                           Arithmetic& arithmetic);
 
 }  // namespace subcert_check

@@ -16,15 +16,16 @@ constexpr std::uint64_t work_of_state = 50'000;  // with a few fractions
 struct Row {
   Vector numbers;  // the real parts, then the imaginary parts
   mpq_class error;
+  std::size_t cut = 0;  // so many binary digits were dropped, which is one more error
 
-  /// Drops digits where there are too many, which is one more error; returns their number.
-  std::size_t shorten() {
+  explicit Row(const Eigenvector& eigenvector) : error(eigenvector.error) {
+    for (const Complex& z : eigenvector.point) numbers.push_back(z.re);
+    for (const Complex& z : eigenvector.point) numbers.push_back(z.im);
     std::size_t most = 0;
     for (const mpz_class& x : numbers) most = std::max(most, bits(x));
-    const std::size_t cut = most - std::min(most, vector_bits);
+    cut = most - std::min(most, vector_bits);
     for (mpz_class& x : numbers) x >>= cut;
-    if (cut > 0) error = rounded_up(error / (mpz_class(1) << cut)) + mpz_class(numbers.size());
-    return cut;
+    error = rounded_up(error / (mpz_class(1) << cut)) + mpz_class(cut > 0 ? numbers.size() : 0);
   }
   /// The squared length of an image changes by at most that times the one of the vector.
   mpq_class change() const { return 2 * norm(numbers) * error; }
@@ -62,19 +63,15 @@ class KeptWords {
     require(kept >= 0 && kept < 1, "the kept part of a norm is not from 0 to 1");
     require(scale > 0, "the scale of a cycle is not positive");
     const std::vector<std::size_t> way = way_from(first);
-    const Eigenvector eigenvector = read_seed(
-        radius_, n_, power(rows_.denominator, radius_.length).get_num(),
+    scale_ = power(rows_.denominator, radius_.length).get_num();
+    std::vector<Vector> basis = read_seed(
+        radius_, n_, scale_,
         [&](Vector x) {
-          for (const std::size_t j : way) x = arithmetic_.multiply(matrix_from(j), x, n_);
+          for (const std::size_t j : way) x = moved(j, x);
           return x;
         },
         reader_, arithmetic_);
-    Row row{Vector(2 * n_), rounded_up(eigenvector.error)};
-    for (std::size_t i = 0; i < n_; ++i) {
-      row.numbers[i] = eigenvector.point[i].re;
-      row.numbers[n_ + i] = eigenvector.point[i].im;
-    }
-    check_states(way, std::move(row), place, kept, scale);
+    check_states(way, std::move(basis), place, kept, scale);
   }
 
   /// The states of a cycle.
@@ -92,14 +89,15 @@ class KeptWords {
     return way;
   }
 
-  /// The transposed matrix of the kept word of a state.
+  /// The transposed matrix of the kept word of a state; and what it makes of a row.
   std::span<const mpz_class> matrix_from(std::size_t state) const { return rows_.matrix(states_[state].word->letter); }
+  Vector moved(std::size_t state, const Vector& row) { return arithmetic_.multiply(matrix_from(state), row, n_); }
 
   /// The two matrices of each state. `below` and `above` are what stands before |u_i|^2 in the second one, rounded up,
   /// and the reciprocal of that in the first one without 1 - KEPT, rounded up.
-  void check_states(const std::vector<std::size_t>& way, Row row, std::size_t place, const mpq_class& kept,
-                    const mpq_class& scale) {
-    row.shorten();
+  void check_states(const std::vector<std::size_t>& way, std::vector<Vector> basis, std::size_t place,
+                    const mpq_class& kept, const mpq_class& scale) {
+    Row row(eigenvector_of(radius_, basis, scale_, arithmetic_));
     const Complex pivot{row.numbers[place], row.numbers[n_ + place]};
     const mpz_class squared = pivot.re * pivot.re + pivot.im * pivot.im;
     const mpq_class off = 2 * norm(pivot) * row.error, least = squared - off,
@@ -114,14 +112,14 @@ class KeptWords {
       require(is_positive_sum({{room, gram(state.coordinates, n_, arithmetic_)}, {-below, squares(row.numbers)}},
                               -below * (row.change() + row.error * row.error)),
               "the norm of a state does not bound the eigenvector");
-      const Vector transposed(matrix_from(way[i]).begin(), matrix_from(way[i]).end());
-      row = {arithmetic_.multiply(transposed, row.numbers, n_),
-             rounded_up(row.error * largest_column_sum({n_, transposed, 1}))};
-      const mpz_class one = mpz_class(1) << row.shorten();
-      const mpq_class factor = denominator / (one * one);  // of the squares of the row
+      for (Vector& y : basis) y = moved(way[i], y);
+      const std::size_t last_cut = row.cut;
+      row = Row(eigenvector_of(radius_, basis, scale_, arithmetic_));
+      // What the squares of the row are times, in place of those of the last one.
+      const mpq_class factor = denominator * (mpz_class(1) << 2 * last_cut) / (mpz_class(1) << 2 * row.cut);
       above = few_digits_up(above * factor);
       const KeptState& next = states_[state.word->to];
-      Family letter{n_, transposed, 1};
+      Family letter{n_, {matrix_from(way[i]).begin(), matrix_from(way[i]).end()}, 1};
       letter.transpose();
       const Vector image = arithmetic_.multiply(state.coordinates, letter.entries, n_);
       require(is_positive_sum({{above * kept * low, gram(next.coordinates, n_, arithmetic_)},
@@ -165,6 +163,7 @@ class KeptWords {
   const ExactRadius& radius_;
   Reader& reader_;
   Arithmetic& arithmetic_;
+  mpz_class scale_;         // the denominator of a product
   std::vector<bool> used_;  // states that are on a cycle
 };
 

@@ -62,7 +62,7 @@ def change_field(field):
         lambda: "1/" + field, lambda: "18446744073709551616", lambda: "-1", lambda: "",
         lambda: field[:at] + field[at + 1:], lambda: field[:at] + str(chance.randrange(10)) + field[at + 1:],
         lambda: field[:at] + chr(chance.randrange(256)) + field[at + 1:],
-        lambda: field[:at] + chance.choice("0123456789-,:/fcAB@[]+") + field[at:], lambda: change_number(field, 1),
+        lambda: field[:at] + chance.choice("0123456789-,:/fcAB@[]+*") + field[at:], lambda: change_number(field, 1),
         lambda: change_number(field, -1), lambda: field[:field.find(":") + 1] + "0", lambda: str(chance.randrange(6)),
         lambda: field + ":" + field])()
 

@@ -72,8 +72,8 @@ def least_norm(b):
     return high
 
 
-def tree_of(state, steps, bits):
-    """The characters ENDS: words end as soon as one of the steps allows it."""
+def tree_of(state, steps, bits, kept=()):
+    """The characters ENDS: words end as soon as one of the steps allows it. `kept`: numbers of letters."""
     unit, d = 1 << bits, len(steps[0][0][0][1])
 
     def ends(m, c):
@@ -82,7 +82,10 @@ def tree_of(state, steps, bits):
 
     def characters(j, m, p, e):
         result = ""
-        for edges in steps[j]:
+        for letter, edges in enumerate(steps[j]):
+            if e == 0 and letter in kept:
+                result += "*"
+                continue
             led = [(to, [[x >> bits for x in row] for row in multiply(m, b)], -(-p * (norm + d) // unit),
                     d - (-(e * norm + p * d) // unit)) for to, b, norm in edges]
             number = next((k for k, (_, m2, _, e2) in enumerate(led) if ends(m2, unit - e2)), None)
@@ -92,8 +95,9 @@ def tree_of(state, steps, bits):
     return characters(state, [[unit * (i == j) for j in range(d)] for i in range(d)], unit, 0)
 
 
-def graph(matrices, bound, bits, coordinates, steps, generators=(), trees=None, norms=None):
-    """The lines of a section. `steps`: by state and letter the list of TO[WORD]; generators are letters and maps."""
+def graph(matrices, bound, bits, coordinates, steps, generators=(), trees=None, norms=None, kept=()):
+    """The lines of a section. `steps`: by state and letter the list of TO[WORD]; generators are letters and maps; `kept`: states and
+    letters of kept words."""
     table, lines = [], [f"block 0 graph {len(coordinates)} {bound} {bits}" + (f" group:{len(generators)}" if generators else "")]
     for letters, rows in generators:
         lines += ["generator " + " ".join(map(str, letters)), *("map " + " ".join(map(str, row)) for row in rows)]
@@ -115,7 +119,7 @@ def graph(matrices, bound, bits, coordinates, steps, generators=(), trees=None, 
         for t, targets, edges in zip(letters, steps[j], table[j]):
             lines += [f"step {t} {target} {norms or norm} " + " ".join(str(x) for row in b for x in row)
                       for target, (_, b, norm) in zip(targets, edges)]
-        lines.append("tree " + (trees[j] if trees else tree_of(j, table, bits)))
+        lines.append("tree " + (trees[j] if trees else tree_of(j, table, bits, {k for k, t in enumerate(letters) if (j, t) in kept})))
     return lines
 
 

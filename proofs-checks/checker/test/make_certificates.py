@@ -13,6 +13,7 @@ import sys
 from fractions import Fraction as Q
 from pathlib import Path
 
+import cycle_cases
 import edge_cases
 import graph_cases
 import make_surfaces
@@ -650,12 +651,12 @@ def main(out):
         case = options.split()
         body = lines.split("; ") if lines else body
         write(name, (case, ["subcert-certificate 3", f"exponent {case[1]} {case[3]}", *body]))
-    for name, family in edge_cases.MATRICES + variant_cases.MATRICES + graph_cases.MATRICES:
+    for name, family in edge_cases.MATRICES + variant_cases.MATRICES + graph_cases.MATRICES + cycle_cases.MATRICES:
         write_matrices(name, family)
-    for name, options, lines in edge_cases.ACCEPTED + variant_cases.ACCEPTED + graph_cases.ACCEPTED:
+    for name, options, lines in edge_cases.ACCEPTED + variant_cases.ACCEPTED + graph_cases.ACCEPTED + cycle_cases.ACCEPTED:
         write(name, (options.split(), ["subcert-certificate 3", *lines.split("; ")]))
     write("four-point-exact-group", (made["four-point-exact"][0], as_group(made["four-point-exact"][1])))
-    for name, base, options, edits in edge_cases.CHANGED + variant_cases.CHANGED + graph_cases.CHANGED:
+    for name, base, options, edits in edge_cases.CHANGED + variant_cases.CHANGED + graph_cases.CHANGED + cycle_cases.CHANGED:
         write(name, (options.split() if options else made[base][0], edited(made[base][1], edits)))
     write("slow-exact-opposite", (made["slow-exact"][0], opposite(made["slow-exact"][1], 1)))
     # the same vertices for a cone

@@ -9,6 +9,7 @@ import sys
 from fractions import Fraction as Q
 from pathlib import Path
 
+import cycle_cases
 import edge_cases
 import graph_cases
 import make_certificates
@@ -616,7 +617,7 @@ reject("same-opposite", "golden-cone-exact", "not the vertex", lambda lines: [
 # one spectral radius, and logarithms
 reject("logarithm-blocks", "blocks-exponent-exact", "more than one block has the exact radius",
        replace("^(image 0 .) 0:16$", r"\1 0:21 0:-5", 2))
-for case, base, options, reason, edits in single_cases.REJECTED + edge_cases.REJECTED + variant_cases.REJECTED + graph_cases.REJECTED:
+for case, base, options, reason, edits in single_cases.REJECTED + edge_cases.REJECTED + variant_cases.REJECTED + graph_cases.REJECTED + cycle_cases.REJECTED:
     reject(case, base, reason, lambda lines: make_certificates.edited(lines, edits), options)
 for case, options, lines, reason in variant_cases.WRITTEN:
     (out / f"{case}.cert").write_text("\n".join(["subcert-certificate 3", *lines.split("; ")]) + "\n")

@@ -179,7 +179,7 @@ class Mutator {
       case 9: changed.erase(at, 1); return changed;
       case 10: changed[at] = static_cast<char>('0' + below(10)); return changed;
       case 11: changed[at] = static_cast<char>(below(256)); return changed;
-      case 12: changed.insert(at, 1, "0123456789-,:/fcAB@[]+"[below(22)]); return changed;
+      case 12: changed.insert(at, 1, "0123456789-,:/fcAB@[]+*"[below(23)]); return changed;
       case 13: return shift_number(field, 1);
       case 14: return shift_number(field, -1);
       default: return field.substr(0, field.find(':') + 1) + "0";

@@ -49,6 +49,10 @@ std::vector<std::string> row_of(const std::string& name, const Family& one) {
           radius.vertices() > 0 ? std::to_string(radius.vertices()) : ""};
 }
 
+Enclosure binary_logarithm(const Enclosure& radius) {
+  return {log_ratio(*radius.lower, 2).lower, log_ratio(*radius.upper, 2).upper};
+}
+
 }  // namespace
 
 const std::vector<std::string>& joint_spectral_radius_items() {
@@ -72,8 +76,11 @@ Report report_joint_spectral_radii(const ReportOptions& options) {
   report.listed = true;
   if (options.wants("published")) {
     formats::ComparisonTable table{"jsr", published.id, published.title, published.place, published.grid, {}};
-    for (const statements::PublishedCell& cell : published.cells)
-      table.comparisons.push_back(compare_number(cell, families.at(cell.scheme)->radius.radius));
+    for (const statements::PublishedCell& cell : published.cells) {
+      const Enclosure& radius = families.at(cell.scheme)->radius.radius;
+      table.comparisons.push_back(
+          compare_number(cell, cell.quantity == "capacity" ? binary_logarithm(radius) : radius));
+    }
     section.paragraphs.push_back(verdict_sentence(table));
     section.comparisons.push_back(std::move(table));
   }

@@ -16,13 +16,14 @@ using quadratic::ProductTree;
 
 // Of the time: until the first form is found; of the rest until the last contexts are, and their tree.
 constexpr double shape_share = 0.3, contexts_share = 0.78, tree_share = 0.9;
-constexpr double look_share = 0.2;         // of the time for contexts: for a look whether words are few already
-constexpr double first_look = 0.1;         // seconds, before there are contexts
-constexpr double most_work = 2e10;         // of 10^10 that a checker may spend
-constexpr double work_per_second = 8e9;    // of all cores, and some to spare
-constexpr double kept_share = 0.3;         // of the time that is left, for a tree that keeps the product
-constexpr double kept_excess = 1e-7;       // that the radius is above the bound of its words, relatively
-constexpr double kept_slacks[] = {4, 32};  // of what a proof loses, that its words have below the radius
+constexpr double look_share = 0.2;       // of the time for contexts: for a look whether words are few already
+constexpr double first_look = 0.1;       // seconds, before there are contexts
+constexpr double most_work = 2e10;       // of a proof; a checker takes a few seconds for it, the verified one a minute
+constexpr double most_fine_work = 1e8;   // with long numbers
+constexpr double work_per_second = 8e9;  // of all cores, and some to spare
+constexpr double kept_share = 0.5;       // of the time for trees, for one that keeps the product
+constexpr double kept_excess = 1e-7;     // that the radius is above the bound of its words, relatively
+constexpr double kept_slacks[] = {4, 32};  // times what proofs lose: that its words are below their bound
 constexpr double full_trees = 8;           // that the search for the least bound and the proof cost, about
 constexpr double fine_factor = 60;         // that work with long numbers costs more
 constexpr double fine_share = 0.7;         // of the time for a proof
@@ -155,15 +156,19 @@ class Search {
     quadratic::StateForms states = with_product(contexts);
     while (true) {
       const double work = std::min(most_work, work_per_second * look_share * seconds);
-      if (auto proof = attained(states, work)) return proof;
-      if (auto tree = tree_at_goal(states, goal(), {work, trees_end_}))
-        return proved({states, *tree, bits_of(*tree), 0});
+      const auto kept = kept_tree(states, kept_slacks[0], work, trees_end_);
+      if (kept)
+        if (auto proof = attained(states, *kept)) return proof;
+      if (kept || states.product.empty())
+        if (auto tree = tree_at_goal(states, goal(), {work, trees_end_}))
+          return proved({states, *tree, bits_of(*tree), 0});
       const Stopwatch stopwatch;
       if (!contexts.grow({contexts_end, budget_.memory / 2})) break;
       states = with_product(contexts);
       seconds = stopwatch.seconds();
     }
-    if (auto proof = attained(states, std::min(most_work, work_per_second * kept_share * remaining()))) return proof;
+    if (const auto kept = kept_tree(states, kept_slacks[0], most_work, trees_end_.after(kept_share)))
+      if (auto proof = attained(states, *kept)) return proof;
     std::optional<FormedTree> best;
     const auto try_out = [&](const quadratic::StateForms& found, int bits, double work) {
       auto tree = least_tree(found, goal(), {work, trees_end_});
@@ -184,7 +189,7 @@ class Search {
  private:
   double goal() const { return radius_ * (1 - goal_below); }
   double remaining() const { return budget_.deadline.remaining(); }
-  double fine_work() const { return std::min(most_work, work_per_second / 2 * remaining()) / fine_factor; }
+  double fine_work() const { return std::min(most_fine_work, work_per_second / 2 / fine_factor * remaining()); }
   int bits_of(const ProductTree& tree) const {
     return tree.work <= fine_work() ? quadratic::most_bits : quadratic::double_bits;
   }
@@ -211,26 +216,37 @@ class Search {
     });
   }
 
-  /// By trees for bounds below the radius that keep the letters of the product.
-  std::optional<GraphProof> attained(const quadratic::StateForms& forms, double work) const {
+  /// A bound for words where letters of the product are kept.
+  double below() const { return radius_ * (1 - kept_excess); }
+
+  /// A tree for less than that bound that keeps the letters of the product. Nothing where there is none.
+  std::optional<ProductTree> kept_tree(const quadratic::StateForms& forms, double slack, double work,
+                                       const Deadline& deadline) const {
     if (forms.product.empty()) return std::nullopt;
-    const double slack = quadratic::slack_of(quadratic::double_bits, family_.size());
-    for (const double factor : kept_slacks) {
-      const double below = radius_ * (1 - kept_excess);
-      auto tree = quadratic::product_tree(forms, below / (1 + slack * factor), {work, trees_end_, true});
-      const auto coordinates = tree ? quadratic::triangular_coordinates(forms.to, shape_.round) : std::nullopt;
-      if (!coordinates) return std::nullopt;
-      auto graph = with_bits(bits_of(*tree), [&](int bits, const Deadline& deadline) {
-        return quadratic::prove_attained(family_, *coordinates, forms, *tree, bits, product_.eigenvalue, below,
-                                         deadline);
-      });
-      if (!graph) continue;
-      tree->bound = radius_;
-      auto proof = proved({forms, *tree, graph->graph.bits, 0});
-      if (proof) proof->attained = std::make_shared<AttainedGraph>(std::move(*graph));
-      return proof;
+    const double lost = slack * quadratic::slack_of(quadratic::double_bits, family_.size());
+    return quadratic::product_tree(forms, below() / (1 + lost), {work, deadline, true});
+  }
+
+  /// That the product attains the radius, by such a tree or one with more to spare.
+  std::optional<GraphProof> attained(const quadratic::StateForms& forms, ProductTree tree) const {
+    const auto coordinates = quadratic::triangular_coordinates(forms.to, shape_.round);
+    if (!coordinates) return std::nullopt;
+    const auto prove = [&](int bits, const Deadline& deadline) {
+      return quadratic::prove_attained(family_, *coordinates, forms, tree, bits, product_.eigenvalue, below(),
+                                       deadline);
+    };
+    auto graph = with_bits(bits_of(tree), prove);
+    if (!graph) {
+      auto other = kept_tree(forms, kept_slacks[1], most_work, trees_end_.after(kept_share));
+      if (!other) return std::nullopt;
+      tree = std::move(*other);
+      graph = prove(quadratic::double_bits, budget_.deadline);
     }
-    return std::nullopt;
+    if (!graph) return std::nullopt;
+    tree.bound = radius_;
+    auto proof = proved({forms, tree, graph->graph.bits, 0});
+    if (proof) proof->attained = std::make_shared<AttainedGraph>(std::move(*graph));
+    return proof;
   }
 
   const MatrixFamily& family_;

@@ -63,10 +63,43 @@ TEST_CASE("a quadratic form bounds the radius of the golden pair") {
   CHECK(is_complete(*proof, 2));
   // With its product, of which states have forms that it keeps.
   const Rational radius(Integer("16180339887498948482"), pow(Integer(10), 19));
-  const auto near = prove_by_quadratic_forms(golden, radius, {Deadline::in(20)}, {0, 1});
+  const ProductEvidence product = prove_product(golden, {0, 1});
+  const auto near = prove_by_quadratic_forms(golden, radius, {Deadline::in(20)}, product);
   REQUIRE(near);
   CHECK(near->bound < radius * (1 + power(Rational(10), -10)));
   CHECK(is_complete(*near, 2));
+  // The product attains the radius: each of its letters is kept by one state, and all other words contract.
+  REQUIRE(near->attained);
+  const AttainedGraph& attained = *near->attained;
+  CHECK(attained.product == product.word);
+  const auto is_golden = [](const Enclosure& ends) {
+    return power(2 * *ends.lower - 1, 2) <= 5 && power(2 * *ends.upper - 1, 2) >= 5;
+  };
+  CHECK(is_golden(attained.radius));
+  CHECK(attained.graph.bound < *attained.radius.lower);
+  CHECK(is_complete(attained.graph, 2));
+  std::size_t kept = 0;
+  for (const GraphProof::State& state : attained.graph.states)
+    kept += static_cast<std::size_t>(std::ranges::count(state.ends, '*'));
+  CHECK(kept == 2);
+  CHECK(attained.kept < 1);
+  // Scaled exactly.
+  const GraphProof half = scaled(*near, -1);
+  CHECK(half.attained->graph.bound == attained.graph.bound / 2);
+  CHECK(is_golden({2 * *half.attained->radius.lower, 2 * *half.attained->radius.upper}));
+  CHECK(half.attained->eigenvalue.re == attained.eigenvalue.re / 4);
+}
+
+TEST_CASE("letters are kept only by the best product") {
+  const MatrixFamily golden{matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})};
+  // 001 has the radius 1.55..., and 0 the radius 1 with a Jordan block.
+  for (const std::vector<int>& word : {std::vector<int>{0, 0, 1}, std::vector<int>{0}}) {
+    const ProductEvidence product = prove_product(golden, word);
+    const auto proof = prove_by_quadratic_forms(golden, *product.radius.lower, {Deadline::in(3)}, product);
+    REQUIRE(proof);
+    CHECK_FALSE(proof->attained);
+    CHECK(power(2 * proof->bound - 1, 2) >= 5);
+  }
 }
 
 TEST_CASE("the search for a form ends at its target") {

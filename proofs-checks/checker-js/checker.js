@@ -181,7 +181,7 @@ var check_certificate = (() => {
 
   // ---- Section 2: tokens and lines ----------------------------------------------------------------------------------
   function integer(token) {
-    demand(token.length <= (token[0] === '-' ? 2001 : 2000), 'number too long');
+    demand(token.length <= (token[0] === '-' ? 5001 : 5000), 'number too long');
     demand(/^(0|-?[1-9][0-9]*)$/.test(token), 'not an integer');
     return BigInt(token);
   }

@@ -6,7 +6,7 @@
 namespace subcert_check {
 namespace {
 
-constexpr std::size_t max_digits = 2000;            // of a number
+constexpr std::size_t max_digits = 5000;            // of a number
 constexpr std::size_t max_power_bits = 20'000'000;  // of a number times the power to which it is raised
 
 }  // namespace

@@ -15,7 +15,7 @@ let integer text =
   require
     (digits <> "" && String.for_all (fun c -> c >= '0' && c <= '9') digits && (digits.[0] <> '0' || text = "0"))
     "not an integer";
-  require (String.length digits <= 2000) "number too long";
+  require (String.length digits <= 5000) "number too long";
   Z.of_string text
 
 let size text low high =

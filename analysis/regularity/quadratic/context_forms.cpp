@@ -238,8 +238,9 @@ std::pair<std::size_t, int> ContextForms::state_of(const std::vector<int>& conte
 void ContextForms::add_steps(StateForms& forms, std::size_t state, const std::vector<int>& context) const {
   const polytope::GroupAction action = family_.symmetry.action(family_.matrices.front().rows());
   for (std::size_t letter = 0; letter < family_.matrices.size(); ++letter) {
-    std::vector<int> next(context.begin() + 1, context.end());
+    std::vector<int> next = context;
     next.push_back(static_cast<int>(letter));
+    if (next.size() > contexts_.front().size()) next.erase(next.begin());
     const auto [to, element] = state_of(next);
     const Matrix image = forms.to[state] * family_.matrices[letter];
     forms.steps.push_back({state, to, element, times_transposed(image, action, element) * forms.from[to]});

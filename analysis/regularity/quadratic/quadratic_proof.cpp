@@ -195,7 +195,7 @@ class Search {
   }
 
   quadratic::StateForms with_product(const quadratic::ContextForms& contexts) const {
-    if (!product_.word.empty() && contexts.forms().states() > 1)
+    if (!product_.word.empty())
       if (auto forms = contexts.with_cycle(product_.word, trees_end_)) return std::move(*forms);
     return contexts.forms();
   }

@@ -174,7 +174,7 @@ CHANGED = [
     ("four-point-exact-word", "four-point-exact-group", None, [("cycle 0 - 0", f"cycle 0 {16 * 'A'} 0")]),
     ("upper-10000", "four-point-norm", "--mask [-1,0,9,16,9,0,-1]/16@-3 --arity 2 --lower 2 --upper 10000", []),
     # the longest numbers
-    ("bounds-digits", "golden", None, [(BOUNDS, f"bounds {2000 * '9'} -{2000 * '9'}\n")]),
+    ("bounds-digits", "golden", None, [(BOUNDS, f"bounds {5000 * '9'} -{5000 * '9'}\n")]),
     ("golden-group-word", "golden-group", None, [("unit 0 ", f"unit 0 0{16 * 'A'}:0 ")]),
     ("golden-nonnegative-weight-0", "golden-nonnegative", None, [("unit 0 ", "unit 0 0:0 ")]),
     ("golden-weight-0", "golden", None, [("unit 0 ", "unit 0 0:0 ")]),
@@ -237,7 +237,7 @@ REJECTED = [
       for last, reason in ((0, "the form is not positive definite"), (1, "a product is not below the bound in the quadratic form"))),
     ("quadratic-pivot-first", "golden-quadratic", None, "the form is not positive definite",
      [("form 1\n", f"form {MARGIN}\n"), ("form 0 1\n", f"form 0 {2**255}\n")]),
-    ("bounds-digits-more", "golden", None, "number too long", [(BOUNDS, f"bounds 1 {2001 * '9'}\n")]),
+    ("bounds-digits-more", "golden", None, "number too long", [(BOUNDS, f"bounds 1 {5001 * '9'}\n")]),
     ("rounded-hat-polytope-high", "rounded-hat-polytope", "--mask [1,2,1]/2@-1 --arity 2 --within 1/100,1 --lower 19/20",
      "the bound does not prove the claim", []),
     ("origin-0", "ones-exact", None, ", line 15",

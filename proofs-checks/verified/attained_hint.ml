@@ -108,6 +108,11 @@ let place_of ?(margin = 0) (e : exact_number) root bits =
     { near_re; near_im; near_radius; near_scale; low; high; bottom }
   end
 
+(* The zero as the line `root` says it. *)
+let coarse root place =
+  let s = Z.lcm (Q.den root.error) (Z.lcm (Q.den root.re) (Q.den root.im)) in
+  { place with near_re = over s root.re; near_im = over s root.im; near_radius = over s root.error; near_scale = s }
+
 (* ---- cycles, origins and equal images ---------------------------------------------------------------------------- *)
 
 type cycle = {
@@ -124,40 +129,51 @@ type draft = {
 let scaled c = Array.map (Z.mul c)
 let added = Array.map2 Z.add
 
+(* The line `seed`, whose images `around` a cycle give the coefficients of an eigenvector: they and the seed. `around` is
+   that of integers, with the power of the denominator of the family that belongs to the length of the cycle. *)
+let read_seed r family (e : exact_number) zero around =
+  let n = family.size in
+  let seed = Array.of_list (List.map integer (take r "seed" n n)) in
+  let p = Array.of_list e.polynomial in
+  let degree = Array.length p - 1 and whole = Z.pow family.denominator e.root in
+  let seed = scaled (Z.pow whole (degree - 1)) seed in
+  let ys = Array.make degree [||] in
+  ys.(degree - 1) <- scaled p.(degree) seed;
+  for k = degree - 1 downto 1 do
+    ys.(k - 1) <- added (Array.map (fun x -> Z.divexact x whole) (around ys.(k))) (scaled p.(k) seed)
+  done;
+  require
+    (Array.for_all (fun x -> Z.sign x = 0) (added (around ys.(0)) (scaled (Z.mul p.(0) whole) seed)))
+    "the polynomial of the cycle does not vanish on the seed";
+  let common = Array.fold_left (Array.fold_left Z.gcd) (Array.fold_left Z.gcd Z.zero seed) ys in
+  require (Z.sign common > 0) zero;
+  let less = Array.map (fun x -> Z.divexact x common) in
+  (Array.map less ys, less seed)
+
+(* Image of a vector under a letter, `copies` times. *)
+let moving_by copies family =
+  let n = family.size and matrices = Array.of_list (List.map array_of family.matrices) in
+  let matrix_bits = Array.fold_left (fun m a -> max m (bits_of a)) 0 matrices in
+  fun x t ->
+    spend (2 * copies * n * n * words (widest x) * words matrix_bits);
+    apply matrices.(t) 1 x
+
+let zero_vertex = "the eigenvector of a cycle may be zero where the vertex is large"
+
 let read_cycle r polytope (e : exact_number) =
   let family = polytope.body_family and count = Array.length polytope.vertices in
-  let n = family.size and letters = List.length polytope.body_family.matrices in
+  let letters = List.length family.matrices in
   match take r "cycle" (2 + e.root) (2 + e.root) with
   | first :: word :: rest ->
       let first = size first 0 (count - 1) in
       require (word <> "") "a cycle has a word, or '-'";
       let turn = polytope.element_of (if word = "-" then "" else word) in
       let letters_of = List.map (fun f -> size f 0 (letters - 1)) rest in
-      let seed = Array.of_list (List.map integer (take r "seed" n n)) in
-      let p = Array.of_list e.polynomial in
-      let degree = Array.length p - 1 and whole = Z.pow family.denominator e.root in
-      let matrices = Array.of_list (List.map array_of family.matrices) in
-      let bits = Array.fold_left (fun m x -> max m (Z.numbits x)) 0 in
-      let matrix_bits = Array.fold_left (Array.fold_left (fun m row -> max m (bits row))) 0 matrices in
       (* the checker does the same once for each element of the group *)
-      let moved x t =
-        spend (2 * Array.length polytope.group * n * n * words (bits x) * words matrix_bits);
-        apply matrices.(t) 1 x
-      in
+      let moved = moving_by (Array.length polytope.group) family in
       let around x = apply turn.map 1 (List.fold_left moved x letters_of) in
-      let seed = scaled (Z.pow whole (degree - 1)) seed in
-      let ys = Array.make degree [||] in
-      ys.(degree - 1) <- scaled p.(degree) seed;
-      for k = degree - 1 downto 1 do
-        ys.(k - 1) <- added (Array.map (fun x -> Z.divexact x whole) (around ys.(k))) (scaled p.(k) seed)
-      done;
-      require
-        (Array.for_all (fun x -> Z.sign x = 0) (added (around ys.(0)) (scaled (Z.mul p.(0) whole) seed)))
-        "the polynomial of the cycle does not vanish on the seed";
-      let common = Array.fold_left (Array.fold_left Z.gcd) (Array.fold_left Z.gcd Z.zero seed) ys in
-      require (Z.sign common > 0) "the eigenvector of a cycle may be zero where the vertex is large";
-      let less = Array.map (fun x -> Z.divexact x common) in
-      { first; turn; letters_of; coefficients_of = Array.map less ys; seed_of = less seed }
+      let coefficients_of, seed_of = read_seed r family e zero_vertex around in
+      { first; turn; letters_of; coefficients_of; seed_of }
   | _ -> assert false
 
 let pad n x = let x = Array.of_list x in Array.init n (fun i -> if i < Array.length x then x.(i) else Z.zero)
@@ -183,7 +199,7 @@ let factor_of polytope place cycle =
   let i = !pivot in
   let a = u.(i) and b = if polytope.parts = 2 then u.(n + i) else Z.zero in
   let below = Z.add (Z.mul a a) (Z.mul b b) in
-  require (Z.sign below > 0 && Z.sign (length i) > 0) "the eigenvector of a cycle may be zero where the vertex is large";
+  require (Z.sign below > 0 && Z.sign (length i) > 0) zero_vertex;
   let extra = max 64 (160 + Z.numbits (Z.max (Z.abs a) (Z.abs b)) - start - Z.numbits (length i)) in
   let factor bits =
     let quotient x = Z.fdiv (Z.shift_left x (bits + start)) below in
@@ -193,6 +209,12 @@ let factor_of polytope place cycle =
 
 (* A real vector times a complex number *)
 let times_factor parts (a, b) x = if parts = 1 then scaled a x else Array.append (scaled a x) (scaled b x)
+
+(* Bits that so many images, one of another, take *)
+let margin_of family place depth =
+  let most = List.fold_left (fun m a -> Z.max m (column_norm a)) Z.one family.matrices in
+  let growth = Z.cdiv (Z.mul most place.bottom) (Z.mul family.denominator (Z.max Z.one place.low)) in
+  min 16384 (depth * Z.numbits growth)
 
 let read_lines r polytope (e : exact_number) root place =
   let count = Array.length polytope.vertices and letters = List.length polytope.body_family.matrices in
@@ -245,10 +267,7 @@ let read_lines r polytope (e : exact_number) root place =
   let margin =
     let depth = Array.make count 0 in
     Array.iteri (fun j parent -> Option.iter (fun (k, _) -> depth.(j) <- depth.(k) + 1) parent) parents;
-    let family = polytope.body_family in
-    let most = List.fold_left (fun m a -> Z.max m (column_norm a)) Z.one family.matrices in
-    let growth = Z.cdiv (Z.mul most place.bottom) (Z.mul family.denominator (Z.max Z.one place.low)) in
-    min 16384 (Array.fold_left max 0 depth * Z.numbits growth)
+    margin_of polytope.body_family place (Array.fold_left max 0 depth)
   in
   let factors = Array.map (factor_of polytope place) cycles in
   let extra_bits = margin + Array.fold_left (fun m (extra, _) -> max m extra) 64 factors in
@@ -461,8 +480,7 @@ let write_out draft (e : exact_number) root place =
         (Hashtbl.find shown number);
       near !off)
     polytope.vertices;
-  let s = Z.lcm (Q.den root.error) (Z.lcm (Q.den root.re) (Q.den root.im)) in
-  let coarse = { place with near_re = over s root.re; near_im = over s root.im; near_radius = over s root.error; near_scale = s } in
+  let coarse = coarse root place in
   Array.iter (fun cycle -> near (snd (evaluated n coarse false cycle.coefficients_of))) cycles;
   let terms = List.fold_left (fun s (_, (_, l)) -> List.fold_left (fun s i -> match i with Inside ts -> s + List.length ts | _ -> s + 1) s l) 0 given in
   spend (((terms * parts * parts) + (List.length given * parts * count * n * 3)) * n * long);

@@ -189,16 +189,29 @@ let show_exact exact =
     (over e.disc_radius) (over e.disc_re) (over e.disc_im);
   List.iteri (fun k c -> Printf.printf "coefficient of x^%d is %s\n" k (Z.to_string c)) e.polynomial
 
-(* Where the number is, if one is claimed. *)
-let read_head r claim exact =
+let read_start r claim =
   line r "subcert-certificate 3";
   line r claim;
-  read_bounds r;
+  read_bounds r
+
+(* Where the number is, if one is claimed; whether the certificate has one. *)
+let read_head r claim exact =
+  read_start r claim;
   match exact with
-  | None -> skip r [ "exact"; "root" ]; None
+  | None ->
+      let has = at r "exact" in
+      skip r [ "exact"; "root" ];
+      (None, has)
   | Some exact ->
       line r ("exact " ^ exact.text);
-      Some (exact.number, Attained_hint.read_root r exact.number)
+      (Some (exact.number, Attained_hint.read_root r exact.number), true)
+
+(* Where words that are kept need the number of the certificate, it is proved, too. *)
+let with_number file exponent claim exact prove =
+  try prove exact
+  with Sections.Kept_words ->
+    Sections.spent := 0;
+    prove (Some (read file 1 (fun r -> read_start r claim; read_exact exponent (List.hd (take r "exact" 1 1)))))
 
 (* A basis, its blocks, the product, and the sections of the blocks as `section` reads them: all lines to the last one. *)
 let read_lines family lower r sections =
@@ -245,9 +258,10 @@ let read_lines family lower r sections =
   (new_basis, (if divided then sizes else []), chosen, eigenvector, sections, (logarithm, recurrence))
 
 (* What proves bounds of the radius. *)
-let read_proof ~single family lower upper r =
+let read_proof ~single ~may_keep family lower upper r =
   let section divided i block =
-    let own, section, _ = Sections.read_section ~single:(single && not divided) r i block upper in
+    let own, section, beside = Sections.read_section ~single:(single && not divided) ~may_keep r i block upper in
+    (match beside with Kept kept when Sections.keeps kept -> raise Sections.Kept_words | _ -> ());
     skip r [ "cycle"; "seed"; "origin"; "same" ];
     (match (own, upper) with
     | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
@@ -269,8 +283,8 @@ let read_exact_proof ~single family (e, root) r =
   require (check_number e place) "no zero is proved so near";
   let low = Q.make place.low place.bottom in
   let section divided i block =
-    let own, section, polytope = Sections.read_section ~single:(single && not divided) r i block (Some low) in
-    match (section, polytope) with
+    let own, section, beside = Sections.read_section ~single:(single && not divided) ~may_keep:true r i block (Some low) in
+    match (section, beside) with
     | Single (squares, recurrence), _ ->
         Sections.spend_powers block squares.symbol (8 * List.length recurrence);
         let pole = Single_hint.make_pole block squares recurrence e.polynomial in
@@ -278,16 +292,21 @@ let read_exact_proof ~single family (e, root) r =
         require (no_larger block e.polynomial place pole) "the exact radius may not be the largest zero of the recurrence";
         require (is_pole block e.polynomial place pole) "the exact radius may be no pole";
         (block, `Whole (Leading pole))
-    | _, Some polytope when at r "cycle" -> (block, `Draft (Attained_hint.read_lines r polytope e root place))
+    | _, Body polytope when at r "cycle" -> (block, `Draft (Attained_hint.read_lines r polytope e root place))
+    | _, Kept kept when Sections.keeps kept || at r "cycle" -> (block, `Cycles (Cycles_hint.read r block e root place section kept))
     | _ ->
         require (Option.fold ~none:true ~some:(fun g -> Q.leq g low) own) "the bound of a block is above the exact radius";
         require (proves block low section) "the bound of a block is above the exact radius";
         (block, `Whole (Bounded section))
   in
   let exact_basis, _, _, _, sections, modulus = read_lines family None r (fun divided -> List.mapi (section divided)) in
-  let most least f = List.fold_left (fun m s -> match s with _, `Draft draft -> max m (f draft) | _ -> m) least sections in
-  let margin = most 0 (fun d -> d.Attained_hint.margin) in
-  let place = Attained_hint.place_of ~margin e root (most Attained_hint.least_bits (fun d -> d.Attained_hint.bits_needed)) in
+  let most least polytope graph =
+    let larger m = function _, `Draft draft -> max m (polytope draft) | _, `Cycles draft -> max m (graph draft) | _ -> m in
+    List.fold_left larger least sections
+  in
+  let margin = most 0 (fun d -> d.Attained_hint.margin) (fun d -> d.Cycles_hint.more) in
+  let bits = most Attained_hint.least_bits (fun d -> d.Attained_hint.bits_needed) (fun d -> d.Cycles_hint.bits) in
+  let place = Attained_hint.place_of ~margin e root bits in
   require (check_number e place) "no zero is proved so near";
   let written (block, section) =
     match section with
@@ -296,6 +315,11 @@ let read_exact_proof ~single family (e, root) r =
         let section = Attained_hint.write_out draft e root place in
         require (block_below e place block section) "an image may lie outside";
         require (block_reaches e place block section) "the eigenvector of a cycle may be zero where the vertex is large";
+        (block.size, section)
+    | `Cycles draft ->
+        (* the words, which take long, are followed once, by the check of the claim *)
+        let section = draft.Cycles_hint.write place in
+        require (block_reaches e place block section) Cycles_hint.zero_coordinate;
         (block.size, section)
   in
   let exact_blocks = List.map written sections in
@@ -321,14 +345,16 @@ let number_text exact = match exact with Some e -> " = " ^ e.text | None -> ""
 let radius matrices lower upper exact file =
   let family = read_matrices matrices in
   let claim = { matrices_of = family; lower = Option.map bound_of lower; upper = Option.map bound_of upper } in
+  let head = Printf.sprintf "radius %d %d" (List.length family.matrices) family.size in
   let theorem =
+    with_number file false head exact @@ fun exact ->
     read file 1 (fun r ->
-        match read_head r (Printf.sprintf "radius %d %d" (List.length family.matrices) family.size) exact with
-        | None ->
-            let certificate = read_proof ~single:false family lower upper r in
+        match read_head r head exact with
+        | None, may_keep ->
+            let certificate = read_proof ~single:false ~may_keep family lower upper r in
             require (check_radius claim certificate) "the certificate does not prove the claim";
             fun name -> Theorem.print_radius name claim certificate
-        | Some ((e, _) as number) ->
+        | Some ((e, _) as number), _ ->
             let certificate, _ = read_exact_proof ~single:false family number r in
             require (check_exact_radius family e claim.lower claim.upper certificate) "the certificate does not prove the claim";
             fun name -> Theorem.print_exact_radius name claim e certificate)
@@ -376,7 +402,7 @@ let stable_shifts scheme =
   match Stability_hint.make scheme with Some shifts -> shifts | None -> reject "stability: not shown for the integer shifts"
 
 (* Of bounds of the exponent: the certificate for the checker, and what --theorem prints *)
-let prove_bounds scheme order family lower upper r =
+let prove_bounds ~may_keep scheme order family lower upper r =
   let l = bound_of lower and base = Z.of_int scheme.arity and digits = 128 in
   (* arity^(order - lower), rounded down *)
   let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
@@ -391,7 +417,7 @@ let prove_bounds scheme order family lower upper r =
     Q.make (Z.max (Z.cdiv whole divisor) (Z.succ (Z.shift_left Z.one digits))) (Z.shift_left Z.one digits)
   in
   let least = Option.map least upper in
-  let low = { order; bound = bound_of bound; of_radius = read_proof ~single:true family least (Some bound) r } in
+  let low = { order; bound = bound_of bound; of_radius = read_proof ~single:true ~may_keep family least (Some bound) r } in
   match (upper, least) with
   | Some u, Some g ->
       let both = { lower_end = low; radius_least = bound_of g; shifts = stable_shifts scheme } in
@@ -452,10 +478,11 @@ let prove_number scheme order family lower upper logarithm exact ((e, _) as numb
 
 (* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
 let exponent mask arity lower upper exact logarithm file =
-  let scheme = read_mask mask arity in
+  let scheme = read_mask mask arity and head = "exponent " ^ mask ^ " " ^ arity in
   let theorem =
+    with_number file true head exact @@ fun exact ->
     read file 1 (fun r ->
-        let number = read_head r ("exponent " ^ mask ^ " " ^ arity) exact in
+        let number, may_keep = read_head r head exact in
         if at r "reduced" then raise (Sections.Undecided "reduced masks are not decided here, but by subcert-check");
         let order, full = match take r "sum-rules" 1 2 with [ m ] -> (m, "") | m :: f -> (m, List.hd f) | [] -> assert false in
         let order = size order 1 500 in
@@ -479,7 +506,7 @@ let exponent mask arity lower upper exact logarithm file =
         let family = difference_family scheme order in
         match (number, exact, lower) with
         | Some number, Some exact, _ -> prove_number scheme order family lower upper logarithm exact number r
-        | _, _, Some lower -> prove_bounds scheme order family lower upper r
+        | _, _, Some lower -> prove_bounds ~may_keep scheme order family lower upper r
         | _ -> assert false)
   in
   ( Printf.sprintf "%sHoelder exponent%s%s%s of %s with arity %s"

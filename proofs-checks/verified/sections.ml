@@ -6,6 +6,9 @@ open Text
 
 exception Undecided of string
 
+(* Bounds are claimed, which some words prove only with the number of the certificate. *)
+exception Kept_words
+
 let max_work = 1_000_000_000 (* multiplications: about a minute *)
 let spent = ref 0
 
@@ -448,29 +451,39 @@ let moving (group : element array) product first class_of e =
     undone = rows (if Z.sign one > 0 then inverse else Array.map negate inverse);
     reading = List.map (fun t -> classes.(t)) (Array.to_list first) }
 
-(* ENDS for so many letters, as trees. `visit` is told of each word and of each beginning of words. *)
-let read_trees text letters visit =
+(* ENDS for so many letters, as trees. `visit` is told of each word and of each beginning of words, `keep` of the classes of
+   letters of kept words, if there may be any. *)
+let read_trees text letters visit keep =
   let position = ref 0 in
   let rec branches length =
-    List.init letters (fun _ ->
+    List.init letters (fun letter ->
         require (!position < String.length text) "a tree has fewer characters than its words";
         let character = text.[!position] in
         incr position;
-        visit (character <> '+');
-        match character with
-        | '+' ->
+        if character <> '*' then visit (character <> '+');
+        match (character, keep) with
+        | '*', Some keep ->
+            require (length = 1) "a kept word has more than one letter";
+            keep letter;
+            Stop 0
+        | '+', _ ->
             require (length < longest_word) "a word of more than 1000 letters";
             Further (branches (length + 1))
-        | '0' .. '9' -> Stop (Char.code character - Char.code '0')
-        | 'A' .. 'Z' -> Stop (Char.code character - Char.code 'A' + 10)
-        | 'a' .. 'z' -> Stop (Char.code character - Char.code 'a' + 36)
+        | '0' .. '9', _ -> Stop (Char.code character - Char.code '0')
+        | 'A' .. 'Z', _ -> Stop (Char.code character - Char.code 'A' + 10)
+        | 'a' .. 'z', _ -> Stop (Char.code character - Char.code 'a' + 36)
         | _ -> reject "a word ends with none of 0-9, A-Z, a-z")
   in
   let trees = branches 1 in
   require (!position = String.length text) "a tree has more characters than its words";
   trees
 
-let read_graph r family upper fields =
+(* What stands beside a section: of a graph by states the class of the letter of a kept word, and where it leads *)
+type beside = Alone | Body of polytope | Kept of (int * int) option array
+
+let keeps = Array.exists (fun k -> k <> None)
+
+let read_graph ~may_keep r family upper fields =
   let n = family.size and count = List.length family.matrices and length = List.length fields in
   let groups = if length = 5 then group_size (List.nth fields 4) else 0 in
   require (length = 4 || groups > 0) "expected 'graph', a number of states, a bound, a number of bits and perhaps a group";
@@ -532,10 +545,18 @@ let read_graph r family upper fields =
   let price work = looking + if bits <= 24 then work / 12 else if bits <= 100 then work / 2 else work * width bits in
   let product = price cube and compared = price (2 * cube / 3) in
   let visit ends = spend (if ends then product + compared else product) in
-  let read_state _ =
+  let kept = Array.make states None in
+  let read_state j =
     let coordinates = List.init n read_coordinates in
     let steps = List.map (fun t -> read_steps (Printf.sprintf "step %d" t)) firsts in
-    { coordinates; steps; trees = read_trees (List.hd (take r "tree" 1 1)) (List.length firsts) visit }
+    let keep c =
+      let step = List.hd (List.nth steps c) in
+      require (Hashtbl.find_opt numbers "" = Some step.turned_by) "the step of a kept word has a word of the group";
+      require (kept.(j) = None) "a state has two kept words";
+      kept.(j) <- Some (c, step.target)
+    in
+    let keep = if may_keep then Some keep else None in
+    { coordinates; steps; trees = read_trees (List.hd (take r "tree" 1 1)) (List.length firsts) visit keep }
   in
   let states = List.init states read_state in
   let most f = Array.fold_left (fun most x -> max most (bits_of (f x))) 0 in
@@ -544,8 +565,8 @@ let read_graph r family upper fields =
   spend_times (max 1 !taken) (looking + (6 * cube * width (128 + apart) * width (128 + apart)));
   let section = Graph (bound_of bound, unity, firsts, group_of_graph, List.rev !turns, states) in
   (* with an upper end of the claim that comes later *)
-  require (upper <> None || check_section family (bound_of bound) section) "the words do not prove the bound";
-  (bound, section)
+  require (upper <> None || keeps kept || check_section family (bound_of bound) section) "the words do not prove the bound";
+  (bound, section, Kept kept)
 
 (* Middle coefficients of so many powers *)
 let spend_powers family symbol count =
@@ -558,25 +579,26 @@ let read_single r family fields =
   spend_powers family squares.symbol (List.length recurrence);
   require (recurs family squares.symbol recurrence) "the recurrence is wrong";
   require (Single_hint.bounded_by bound recurrence) "the recurrence may have a zero above the bound";
-  (Some bound, Single (squares, recurrence), None)
+  (Some bound, Single (squares, recurrence), Alone)
 
-(* The section, the bound that it shows if it says so itself, and more of a polytope. `single`: those of 4.11 are allowed. *)
-let read_section ~single r number family upper =
+(* The section, the bound that it shows if it says so itself, and what stands beside it. `single`: those of 4.11 are
+   allowed; `may_keep`: words of graphs may be kept. *)
+let read_section ~single ~may_keep r number family upper =
   let fields = take r (Printf.sprintf "block %d" number) 2 8 in
   match List.hd fields with
   | "norm" ->
       require (List.length fields = 2) "wrong number of fields after 'norm'";
       let level = size (List.nth fields 1) 1 64 in
       spend_norm family level;
-      (None, Norm level, None)
+      (None, Norm level, Alone)
   | "quadratic" ->
       let bound, section = read_quadratic r family upper fields in
-      (Some bound, section, None)
+      (Some bound, section, Alone)
   | "graph" ->
-      let bound, section = read_graph r family upper fields in
-      (Some bound, section, None)
+      let bound, section, beside = read_graph ~may_keep r family upper fields in
+      (Some bound, section, beside)
   | "polytope" when List.length fields >= 4 ->
       let section, polytope = read_polytope r family fields in
-      (None, section, Some polytope)
+      (None, section, Body polytope)
   | "single" when single -> read_single r family fields
   | _ -> reject "expected 'norm', 'polytope', 'quadratic' or 'graph' and its numbers"

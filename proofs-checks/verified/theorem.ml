@@ -34,6 +34,10 @@ let squares s =
   Printf.sprintf "(Squares %s %s %s %s %s %s)" (vector s.symbol) (integer s.content) (vector s.divisor) (vector s.cosine)
     (vector s.factor) (natural s.bits)
 
+let graph (bound, unity, firsts, group, turns, states) =
+  Printf.sprintf "%s %s %s %s %s\n%s" (fraction bound) (integer unity) (list natural firsts) (list element group)
+    (list turn turns) (list state states)
+
 let section = function
   | Norm level -> "(Norm " ^ natural level ^ ")"
   | Polytope (nonnegative, transposed, scale, one, points, units, images) ->
@@ -42,9 +46,7 @@ let section = function
         (list (list term) units)
         (list (list (list term)) images)
   | Quadratic (form, definite, tree) -> Printf.sprintf "(Quadratic %s %s %s)" (matrix form) (root definite) (words tree)
-  | Graph (bound, unity, firsts, group, turns, states) ->
-      Printf.sprintf "(Graph %s %s %s %s %s\n%s)" (fraction bound) (integer unity) (list natural firsts) (list element group)
-        (list turn turns) (list state states)
+  | Graph (bound, unity, firsts, group, turns, states) -> "(Graph " ^ graph (bound, unity, firsts, group, turns, states) ^ ")"
   | Single (s, recurrence) -> Printf.sprintf "(Single %s %s)" (squares s) (vector recurrence)
 
 let eigen e =
@@ -133,12 +135,21 @@ let image = function
 let pole c =
   Printf.sprintf "(Pole %s %s %s %s)" (squares c.squares_of) (vector c.recurrence) (natural c.multiplicity) (vector c.cofactor)
 
+let stop (state, (c, row)) = Printf.sprintf "(%s, (%s, %s))" (natural state) (natural c) (point row)
+
+let cycle c =
+  Printf.sprintf "(Cycle %s %s %s %s %s %s)" (natural c.carrier) (fraction c.part) (fraction c.weight) (integer c.cut)
+    (fraction c.least) (list stop c.stops)
+
 let exact_section = function
   | Bounded s -> "(Bounded " ^ section s ^ ")"
   | Attains (transposed, b) ->
       Printf.sprintf "(Attains %b (Body %b %s\n%s\n%s %s\n%s\n%s %s))" transposed b.cone (list base b.bases)
         (list (pair source (pair point (list image))) b.given)
         (integer b.weight_one) (integer b.unit_one) (list (list term) b.unit_lines) (natural b.first_base) (natural b.full_turn)
+  | Cyclic (bound, unity, firsts, group, turns, states, carriers, cycles) ->
+      Printf.sprintf "(Cyclic %s\n%s\n%s)" (graph (bound, unity, firsts, group, turns, states)) (list base carriers)
+        (list cycle cycles)
   | Leading c -> "(Leading " ^ pole c ^ ")"
 
 let exact_certificate c =
@@ -147,7 +158,7 @@ let exact_certificate c =
     (integer p.near_scale) (integer p.low) (integer p.high) (integer p.bottom) (option basis c.exact_basis)
     (list (pair natural exact_section) c.exact_blocks)
 
-let exact_modules = " Subdivision Stability Exponent Enclosure Number Attained Largest Exact"
+let exact_modules = " Subdivision Stability Exponent Enclosure Number Attained Cycles Largest Exact"
 
 let print_exact_radius name claim e c =
   print name exact_modules (Printf.sprintf "family : family := %s" (family claim.matrices_of)) (exact_certificate c)

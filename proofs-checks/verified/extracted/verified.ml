@@ -715,6 +715,15 @@ let rec forallb f = function
 | [] -> true
 | a::l0 -> (&&) (f a) (forallb f l0)
 
+(** val combine : 'a1 list -> 'a2 list -> ('a1*'a2) list **)
+
+let rec combine l l' =
+  match l with
+  | [] -> []
+  | x::tl -> (match l' with
+              | [] -> []
+              | y::tl' -> (x,y)::(combine tl tl'))
+
 (** val firstn : int -> 'a1 list -> 'a1 list **)
 
 let rec firstn n l =
@@ -947,9 +956,9 @@ let zmodulus a b =
   then Number.abs a
   else Number.square_root_up (Number.add (Number.mul a a) (Number.mul b b))
 
-(** val combine : points -> term list -> (Number.t*point) option **)
+(** val combine0 : points -> term list -> (Number.t*point) option **)
 
-let rec combine ps = function
+let rec combine0 ps = function
 | [] -> Some (Number.zero,([],[]))
 | t0::ts' ->
   let i,p = t0 in
@@ -957,7 +966,7 @@ let rec combine ps = function
   (match PositiveMap.find i ps with
    | Some p0 ->
      let x,y = p0 in
-     (match combine ps ts' with
+     (match combine0 ps ts' with
       | Some p1 ->
         let w,p2 = p1 in
         let u,v = p2 in
@@ -976,7 +985,7 @@ let rec combine ps = function
     (Number.t*Number.t) option **)
 
 let line nonnegative ps scale0 divisor0 target0 ts =
-  match combine ps ts with
+  match combine0 ps ts with
   | Some p ->
     let w,p0 = p in
     let x,y = p0 in
@@ -1620,24 +1629,26 @@ let branch_right f unity0 =
 
 (** val words_right :
     family -> Number.t -> int list -> state list -> step list list list ->
-    int -> bool **)
+    (int -> int -> bool) -> int -> bool **)
 
 let words_right f unity0 firsts states =
   let n = f.size in
-  (fun by_state j ->
+  (fun by_state kept j ->
   forallb (fun c ->
-    match nth_error (nth j states no_state).trees c with
-    | Some b ->
-      branch_right f unity0 by_state
-        (table n (fun i j0 -> if_equal i j0 unity0)) unity0 Number.zero
-        (nth c (nth j by_state []) []) b
-    | None -> false) (seq 0 (length firsts)))
+    if kept j c
+    then true
+    else (match nth_error (nth j states no_state).trees c with
+          | Some b ->
+            branch_right f unity0 by_state
+              (table n (fun i j0 -> if_equal i j0 unity0)) unity0 Number.zero
+              (nth c (nth j by_state []) []) b
+          | None -> false)) (seq 0 (length firsts)))
 
-(** val graph :
-    family -> q -> q -> Number.t -> int list -> element list -> turn list ->
-    state list -> bool **)
+(** val graph_but :
+    (int -> int -> bool) -> family -> q -> Number.t -> int list -> element
+    list -> turn list -> state list -> bool **)
 
-let graph f u g unity0 firsts group turns states =
+let graph_but kept f g unity0 firsts group turns states =
   let by_state = map (fun s -> map (map (with_columns f)) s.steps) states in
   (&&)
     ((&&)
@@ -1646,15 +1657,23 @@ let graph f u g unity0 firsts group turns states =
           ((&&)
             ((&&)
               ((&&)
-                ((&&) ((&&) (Number.less Number.zero g.qnum) (qle_bool g u))
+                ((&&) (Number.less Number.zero g.qnum)
                   (Number.less Number.zero unity0))
                 (Nat.ltb 0 (length states))) (Nat.ltb 0 (length group)))
             (multiple f Number.one (action_of group 0) (unit_matrix f)))
           (forallb (element_right f firsts) group))
         (forallb (turn_right f group) turns))
       (forallb (state_right f g unity0 firsts turns states) states))
-    (forallb (words_right f unity0 firsts states by_state)
+    (forallb (words_right f unity0 firsts states by_state kept)
       (seq 0 (length states)))
+
+(** val graph :
+    family -> q -> q -> Number.t -> int list -> element list -> turn list ->
+    state list -> bool **)
+
+let graph f u g unity0 firsts group turns states =
+  (&&) (qle_bool g u)
+    (graph_but (fun _ _ -> false) f g unity0 firsts group turns states)
 
 type squares = { symbol : zvec; content : Number.t; divisor : zvec;
                  cosine : zvec; factor : zvec; bits : int }
@@ -2292,9 +2311,9 @@ let above_power a u order0 g =
 
 (** val encloses : scheme -> q -> q -> int -> q -> q -> stability -> bool **)
 
-let encloses a l u order0 most least c =
+let encloses a l u order0 most least0 c =
   (&&)
-    ((&&) ((&&) (reduces a l order0 most) (above_power a u order0 least))
+    ((&&) ((&&) (reduces a l order0 most) (above_power a u order0 least0))
       (Nat.leb (Stdlib.succ 0) (length a.coefficients))) (check_stable a c)
 
 (** val check_exponent : scheme -> q -> q -> enclosure -> bool **)
@@ -2527,6 +2546,23 @@ let rec closes q0 p seed first0 second =
                   (addmul (Number.mul q0 c) (snd seed) (snd x)))))
             (closes q0 p' seed first' second')))
 
+(** val over_up : Number.t -> Number.t -> Number.t **)
+
+let over_up a s =
+  Number.opposite (Number.divide (Number.opposite a) s)
+
+(** val cut_by : Number.t -> zvec -> zvec **)
+
+let cut_by s x =
+  map (fun a -> Number.divide a s) x
+
+(** val cut_error : int -> Number.t -> zvec -> Number.t **)
+
+let cut_error n s x =
+  if forallb (fun a -> Number.equal (Number.mul s (Number.divide a s)) a) x
+  then Number.zero
+  else Number.of_natural n
+
 (** val evaluate :
     int -> Number.t -> Number.t -> Number.t -> Number.t -> point list ->
     point*Number.t **)
@@ -2539,26 +2575,37 @@ let rec evaluate n s c1 c2 rad = function
    | _::_ ->
      let p,e = evaluate n s c1 c2 rad ys' in
      let u,v = p in
-     let cut = map (fun x -> Number.divide x s) in
-     ((addmul Number.one (fst y)
-        (cut (addmul c1 u (addmul (Number.opposite c2) v [])))),(addmul
-                                                                  Number.one
-                                                                  (snd y)
-                                                                  (cut
-                                                                    (addmul
-                                                                    c1 v
-                                                                    (addmul
-                                                                    c2 u []))))),
-     (Number.add
-       (Number.add
-         (Number.divide
-           (Number.add
-             (Number.mul
-               (Number.add (Number.add (Number.abs c1) (Number.abs c2))
-                 (Number.mul (Number.twice Number.one) rad)) e)
-             (Number.mul (Number.mul (Number.twice Number.one) rad)
-               (Number.add (norm1 u) (norm1 v)))) s) Number.one)
-       (Number.mul (Number.twice Number.one) (Number.of_natural n))))
+     let re = addmul c1 u (addmul (Number.opposite c2) v []) in
+     let im = addmul c1 v (addmul c2 u []) in
+     ((addmul Number.one (fst y) (cut_by s re)),(addmul Number.one (snd y)
+                                                  (cut_by s im))),(Number.add
+                                                                    (over_up
+                                                                    (Number.add
+                                                                    (Number.mul
+                                                                    (Number.add
+                                                                    (Number.add
+                                                                    (Number.abs
+                                                                    c1)
+                                                                    (Number.abs
+                                                                    c2))
+                                                                    (Number.mul
+                                                                    (Number.twice
+                                                                    Number.one)
+                                                                    rad)) e)
+                                                                    (Number.mul
+                                                                    (Number.mul
+                                                                    (Number.twice
+                                                                    Number.one)
+                                                                    rad)
+                                                                    (Number.add
+                                                                    (norm1 u)
+                                                                    (norm1 v))))
+                                                                    s)
+                                                                    (Number.add
+                                                                    (cut_error
+                                                                    n s re)
+                                                                    (cut_error
+                                                                    n s im))))
 
 (** val column_sums : zmat -> zvec **)
 
@@ -2785,9 +2832,8 @@ let make f h =
        in
        if Nat.ltb t0 (count f)
        then Some { from = parent.from; path = (t0::parent.path); shown = v;
-              off =
-              (Number.add (Number.divide whole (Number.mul d h.low))
-                Number.one); image_list = images0 }
+              off = (over_up whole (Number.mul d h.low)); image_list =
+              images0 }
        else None
      | None -> None))
 
@@ -2815,7 +2861,7 @@ let rec build f h bs i given0 known all =
 
 let image_right f h =
   let d = f.denominator in
-  (fun bs cone0 known ps weight one s r eps x t0 i ->
+  (fun bs cone0 known ps weight0 one s r eps x t0 i ->
   match i with
   | Link (j, turns, turns') ->
     (match PositiveMap.find j known with
@@ -2827,19 +2873,19 @@ let image_right f h =
      | None -> false)
   | Inside ts ->
     let m = letter f t0 in
-    (match line cone0 ps weight d ((mv m (fst x.shown)),(mv m (snd x.shown)))
-             ts with
+    (match line cone0 ps weight0 d
+             ((mv m (fst x.shown)),(mv m (snd x.shown))) ts with
      | Some p0 ->
        let w,rest = p0 in
        let rest0 =
          Number.add (Number.add rest (Number.mul (Number.mul d w) eps))
-           (Number.mul (Number.mul weight (column_norm m)) eps)
+           (Number.mul (Number.mul weight0 (column_norm m)) eps)
        in
        Number.less_equal
          (Number.mul h.bottom
            (Number.add (Number.mul (Number.mul w d) (Number.sub one r))
              (Number.mul rest0 s)))
-         (Number.mul (Number.mul (Number.mul h.low weight) d)
+         (Number.mul (Number.mul (Number.mul h.low weight0) d)
            (Number.sub one r))
      | None -> false))
 
@@ -2848,16 +2894,16 @@ let image_right f h =
     Number.t -> Number.t -> Number.t -> Number.t -> Number.t -> vertex -> int
     -> int -> image list -> bool **)
 
-let rec images_right f h bs cone0 known ps weight one s r eps x t0 left l =
+let rec images_right f h bs cone0 known ps weight0 one s r eps x t0 left l =
   (fun zero next n -> if n = 0 then zero () else next (n - 1))
     (fun _ -> true)
     (fun left' ->
     match l with
     | [] -> false
     | i::l' ->
-      (&&) (image_right f h bs cone0 known ps weight one s r eps x t0 i)
-        (images_right f h bs cone0 known ps weight one s r eps x (Stdlib.succ
-          t0) left' l'))
+      (&&) (image_right f h bs cone0 known ps weight0 one s r eps x t0 i)
+        (images_right f h bs cone0 known ps weight0 one s r eps x
+          (Stdlib.succ t0) left' l'))
     left
 
 (** val below : family -> Number.t list -> int -> place -> body -> bool **)
@@ -2890,18 +2936,17 @@ let below f p l h =
         | None -> false)
      | None -> false))
 
-(** val reached : family -> Number.t list -> int -> place -> body -> bool **)
+(** val reached :
+    family -> Number.t list -> int -> place -> base list -> int -> int -> bool **)
 
 let reached f p l h =
   let n = f.size in
-  (fun b ->
-  (&&)
-    ((&&) (forallb (base_right f p l b.bases) b.bases)
-      (Nat.ltb 0 b.full_turn))
-    (match walk b.bases b.full_turn b.first_base with
+  (fun bs turns first0 ->
+  (&&) ((&&) (forallb (base_right f p l bs) bs) (Nat.ltb 0 turns))
+    (match walk bs turns first0 with
      | Some p0 ->
        let k,_ = p0 in
-       (match nth_error b.bases b.first_base with
+       (match nth_error bs first0 with
         | Some x ->
           let p1,e =
             evaluate n h.near_scale h.near_re
@@ -2909,12 +2954,210 @@ let reached f p l h =
               h.near_radius x.vectors
           in
           let u,v = p1 in
-          (&&) (Nat.eqb k b.first_base)
+          (&&) (Nat.eqb k first0)
             (existsb (fun i ->
               (||) (Number.less e (Number.abs (nth i u Number.zero)))
                 (Number.less e (Number.abs (nth i v Number.zero)))) (seq 0 n))
         | None -> false)
      | None -> false))
+
+type cycle = { carrier : int; part : q; weight : q; cut : Number.t;
+               least : q; stops : (int*(int*point)) list }
+
+type station = { state_at : int; class_at : int; row_at : vertex }
+
+(** val distinct : int list -> bool **)
+
+let rec distinct = function
+| [] -> true
+| a::l' -> (&&) (negb (existsb (Nat.eqb a) l')) (distinct l')
+
+(** val pairs : station list -> (station*station) list **)
+
+let pairs ss = match ss with
+| [] -> []
+| s::rest -> combine ss (app rest (s::[]))
+
+(** val stations :
+    family -> place -> int list -> base list -> int -> int -> vertex ->
+    (int*(int*point)) list -> station list option **)
+
+let rec stations g h firsts bs j c x = function
+| [] -> Some ({ state_at = j; class_at = c; row_at = x }::[])
+| p0::l' ->
+  let j',p1 = p0 in
+  let c',v = p1 in
+  (match make g h bs (PositiveMap.add Number.one x PositiveMap.empty)
+           (FromPoint (Number.one, (nth c firsts 0))) v [] with
+   | Some y ->
+     (match stations g h firsts bs j' c' y l' with
+      | Some ss -> Some ({ state_at = j; class_at = c; row_at = x }::ss)
+      | None -> None)
+   | None -> None)
+
+(** val turns_round : int list -> base list -> int -> station list -> bool **)
+
+let turns_round firsts bs =
+  let letter_at = fun s -> nth s.class_at firsts 0 in
+  (fun k ss ->
+  match nth_error bs k with
+  | Some b ->
+    (match b.previous with
+     | Some p0 ->
+       let k',p1 = p0 in
+       let w,_ = p1 in
+       (&&) (Nat.eqb k' k) (same_word w (rev (map letter_at ss)))
+     | None -> false)
+  | None -> false)
+
+(** val way :
+    family -> place -> int list -> base list -> cycle -> station list option **)
+
+let way g h firsts bs c =
+  match c.stops with
+  | [] -> None
+  | p0::l ->
+    let j,p1 = p0 in
+    let k,v = p1 in
+    (match make g h bs PositiveMap.empty (FromBase c.carrier) v [] with
+     | Some x ->
+       (match stations g h firsts bs j k x l with
+        | Some ss ->
+          if turns_round firsts bs c.carrier ss then Some ss else None
+        | None -> None)
+     | None -> None)
+
+(** val ways :
+    family -> place -> int list -> base list -> cycle list ->
+    (cycle*(station*station)) list option **)
+
+let rec ways g h firsts bs = function
+| [] -> Some []
+| c::l' ->
+  (match way g h firsts bs c with
+   | Some ss ->
+     (match ways g h firsts bs l' with
+      | Some all -> Some (app (map (fun q0 -> c,q0) (pairs ss)) all)
+      | None -> None)
+   | None -> None)
+
+(** val shortened : family -> cycle -> vertex -> point*Number.t **)
+
+let shortened f =
+  let n = f.size in
+  (fun c x ->
+  let s = c.cut in
+  let v = x.shown in
+  ((cut_by s (fst v)),(cut_by s (snd v))),(Number.add (over_up x.off s)
+                                            (Number.add
+                                              (cut_error n s (fst v))
+                                              (cut_error n s (snd v)))))
+
+(** val row_square : family -> point -> zmat **)
+
+let row_square f =
+  let n = f.size in
+  (fun v ->
+  gram
+    (map (fun k ->
+      (nth k (fst v) Number.zero)::((nth k (snd v) Number.zero)::[]))
+      (seq 0 n)))
+
+(** val length_square : family -> state list -> int -> zmat **)
+
+let length_square f states =
+  let n = f.size in (fun j -> gram (columns n (coordinates_of states j)))
+
+(** val station_right :
+    family -> place -> q -> int list -> state list -> cycle -> station ->
+    station -> bool **)
+
+let station_right f h g firsts states =
+  let n = f.size in
+  let letter_at = fun s -> nth s.class_at firsts 0 in
+  (fun c s s' ->
+  let t0 = letter_at s in
+  let x,off_x = shortened f c s.row_at in
+  let y,off_y = shortened f c s'.row_at in
+  let l1 = c.least.qnum in
+  let l2 = c.least.qden in
+  let lo = Number.mul l1 l1 in
+  let bo = Number.mul l2 l2 in
+  let k1 = c.part.qnum in
+  let k2 = c.part.qden in
+  let c1 = c.weight.qnum in
+  let c2 = c.weight.qden in
+  let a = Number.mul (Number.mul f.denominator f.denominator) lo in
+  let b = Number.mul (Number.mul a (Number.sub k2 k1)) c1 in
+  let d = Number.mul (Number.mul bo (Number.mul g.qnum g.qnum)) c1 in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&)
+                ((&&)
+                  ((&&)
+                    ((&&) (Nat.ltb s.state_at (length states))
+                      (Nat.ltb s'.state_at (length states)))
+                    (Nat.ltb t0 (count f)))
+                  (Number.less_equal Number.zero k1))
+                (Number.less_equal k1 k2)) (Number.less_equal Number.zero c1))
+            (Number.less Number.zero c.cut)) (Number.less Number.zero l1))
+        (Number.less_equal (Number.mul l1 h.bottom) (Number.mul h.low l2)))
+      (semidefinite n
+        (add_rows (Number.opposite (Number.mul (Number.mul bo k2) c2))
+          (gram
+            (map (mv (coordinates_of states s.state_at))
+              (columns n (letter f t0))))
+          (add_rows (Number.mul (Number.mul a k1) c2)
+            (length_square f states s'.state_at)
+            (add_rows b (row_square f y)
+              (diagonal n
+                (Number.opposite
+                  (Number.mul b
+                    (Number.mul
+                      (Number.mul (Number.twice Number.one) (norm_pair y))
+                      off_y)))))))))
+    (semidefinite n
+      (add_rows (Number.mul (Number.mul lo (Number.mul g.qden g.qden)) c2)
+        (length_square f states s.state_at)
+        (add_rows (Number.opposite d) (row_square f x)
+          (diagonal n
+            (Number.opposite
+              (Number.mul d
+                (Number.add
+                  (Number.mul
+                    (Number.mul (Number.twice Number.one) (norm_pair x))
+                    off_x) (Number.mul off_x off_x)))))))))
+
+(** val keeps : (cycle*(station*station)) list -> int -> int -> bool **)
+
+let keeps l j c =
+  existsb (fun q0 ->
+    let s = fst (snd q0) in (&&) (Nat.eqb s.state_at j) (Nat.eqb s.class_at c))
+    l
+
+(** val graph_below :
+    family -> Number.t list -> int -> place -> q -> Number.t -> int list ->
+    element list -> turn list -> state list -> base list -> cycle list -> bool **)
+
+let graph_below f p l h g unity0 firsts group turns states bs cycles =
+  let g0 = transpose f in
+  (&&)
+    ((&&) (forallb (base_right g0 p l bs) bs)
+      (Number.less_equal (Number.mul g.qnum h.bottom)
+        (Number.mul h.low g.qden)))
+    (match ways g0 h firsts bs cycles with
+     | Some l0 ->
+       (&&)
+         ((&&) (distinct (map (fun q0 -> (fst (snd q0)).state_at) l0))
+           (forallb (fun q0 ->
+             station_right f h g firsts states (fst q0) (fst (snd q0))
+               (snd (snd q0))) l0))
+         (graph_but (keeps l0) f g unity0 firsts group turns states)
+     | None -> false)
 
 (** val changes : Number.t -> Number.t list -> int **)
 
@@ -3032,6 +3275,8 @@ let is_pole f p h c =
 type exact_section =
 | Bounded of section
 | Attains of bool * body
+| Cyclic of q * Number.t * int list * element list * turn list * state list
+   * base list * cycle list
 | Leading of pole
 
 (** val positive_zero : exact_number -> place -> bool **)
@@ -3054,6 +3299,9 @@ let block_below e h f = function
 | Attains (transposed, b) ->
   (&&) (if b.cone then positive_zero e h else true)
     (below (if transposed then transpose f else f) e.polynomial e.root h b)
+| Cyclic (g, unity0, firsts, group, turns, states, bs, cycles) ->
+  graph_below f e.polynomial e.root h g unity0 firsts group turns states bs
+    cycles
 | Leading c -> (&&) (simple_number e h) (no_larger f e.polynomial h c)
 
 (** val block_reaches :
@@ -3062,7 +3310,10 @@ let block_below e h f = function
 let block_reaches e h f = function
 | Bounded _ -> false
 | Attains (transposed, b) ->
-  reached (if transposed then transpose f else f) e.polynomial e.root h b
+  reached (if transposed then transpose f else f) e.polynomial e.root h
+    b.bases b.full_turn b.first_base
+| Cyclic (_, _, _, _, _, _, bs, _) ->
+  reached (transpose f) e.polynomial e.root h bs (Stdlib.succ 0) 0
 | Leading c -> (&&) (simple_number e h) (is_pole f e.polynomial h c)
 
 type exact_certificate = { number_place : place; exact_basis : basis option;
@@ -3169,13 +3420,13 @@ let attains_alone c =
        let _,e = p0 in
        (match e with
         | Bounded _ -> false
-        | Attains (_, _) -> (match l with
-                             | [] -> true
-                             | _::_ -> false)
         | Leading p ->
           (match l with
            | [] -> Nat.eqb p.multiplicity (Stdlib.succ 0)
-           | _::_ -> false)))
+           | _::_ -> false)
+        | _ -> (match l with
+                | [] -> true
+                | _::_ -> false)))
 
 (** val symbol_above : scheme -> int -> int -> Number.t list **)
 

@@ -154,6 +154,8 @@ val existsb : ('a1 -> bool) -> 'a1 list -> bool
 
 val forallb : ('a1 -> bool) -> 'a1 list -> bool
 
+val combine : 'a1 list -> 'a2 list -> ('a1*'a2) list
+
 val firstn : int -> 'a1 list -> 'a1 list
 
 val skipn : int -> 'a1 list -> 'a1 list
@@ -235,7 +237,7 @@ val number : Number.t -> point list -> points
 
 val zmodulus : Number.t -> Number.t -> Number.t
 
-val combine : points -> term list -> (Number.t*point) option
+val combine0 : points -> term list -> (Number.t*point) option
 
 val line :
   bool -> points -> Number.t -> Number.t -> point -> term list ->
@@ -374,8 +376,12 @@ val branch_right :
   -> step list -> branch -> bool
 
 val words_right :
-  family -> Number.t -> int list -> state list -> step list list list -> int
-  -> bool
+  family -> Number.t -> int list -> state list -> step list list list -> (int
+  -> int -> bool) -> int -> bool
+
+val graph_but :
+  (int -> int -> bool) -> family -> q -> Number.t -> int list -> element list
+  -> turn list -> state list -> bool
 
 val graph :
   family -> q -> q -> Number.t -> int list -> element list -> turn list ->
@@ -597,6 +603,12 @@ val run_pair : zmat list -> int list -> point -> point
 val closes :
   Number.t -> Number.t list -> point -> point list -> point list -> bool
 
+val over_up : Number.t -> Number.t -> Number.t
+
+val cut_by : Number.t -> zvec -> zvec
+
+val cut_error : int -> Number.t -> zvec -> Number.t
+
 val evaluate :
   int -> Number.t -> Number.t -> Number.t -> Number.t -> point list ->
   point*Number.t
@@ -649,7 +661,46 @@ val images_right :
 
 val below : family -> Number.t list -> int -> place -> body -> bool
 
-val reached : family -> Number.t list -> int -> place -> body -> bool
+val reached :
+  family -> Number.t list -> int -> place -> base list -> int -> int -> bool
+
+type cycle = { carrier : int; part : q; weight : q; cut : Number.t;
+               least : q; stops : (int*(int*point)) list }
+
+type station = { state_at : int; class_at : int; row_at : vertex }
+
+val distinct : int list -> bool
+
+val pairs : station list -> (station*station) list
+
+val stations :
+  family -> place -> int list -> base list -> int -> int -> vertex ->
+  (int*(int*point)) list -> station list option
+
+val turns_round : int list -> base list -> int -> station list -> bool
+
+val way :
+  family -> place -> int list -> base list -> cycle -> station list option
+
+val ways :
+  family -> place -> int list -> base list -> cycle list ->
+  (cycle*(station*station)) list option
+
+val shortened : family -> cycle -> vertex -> point*Number.t
+
+val row_square : family -> point -> zmat
+
+val length_square : family -> state list -> int -> zmat
+
+val station_right :
+  family -> place -> q -> int list -> state list -> cycle -> station ->
+  station -> bool
+
+val keeps : (cycle*(station*station)) list -> int -> int -> bool
+
+val graph_below :
+  family -> Number.t list -> int -> place -> q -> Number.t -> int list ->
+  element list -> turn list -> state list -> base list -> cycle list -> bool
 
 val changes : Number.t -> Number.t list -> int
 
@@ -683,6 +734,8 @@ val is_pole : family -> Number.t list -> place -> pole -> bool
 type exact_section =
 | Bounded of section
 | Attains of bool * body
+| Cyclic of q * Number.t * int list * element list * turn list * state list
+   * base list * cycle list
 | Leading of pole
 
 val positive_zero : exact_number -> place -> bool

@@ -19,7 +19,8 @@ failures, counts, slowest = [], {}, 0.0
 # so well that the claim, which is true, is proved. That a radius is not negative needs no product here, denominators
 # of blocks may be larger, and generators singular.
 proved_here = {"origin-end", "same-beside-cycle", "single-recurrence-complex-sign", "single-no-pole-signs",
-               "exact-image-above", "unit-norm-largest", "product-zero", "blocks-denominators", "group-projection"}
+               "exact-image-above", "unit-norm-largest", "product-zero", "blocks-denominators", "group-projection",
+               "kept-thirds-small", "kept-thirds-large", "kept-turns-small", "kept-turns-large"}
 # With large residuals, too, this checker proves a little more: it does not round norms of units up to integers.
 sharper = {"unit-short", "unit-long"}
 # Claims that are far from the truth: the same with a little more are true as well.

@@ -77,6 +77,11 @@ for exact in '' '4-log' '|[-4,1]@4,0,1|^1/1' '4-log|[-4,0]@4,0,1|^1/1' '4-log|[-
 done
 expect 64 --matrices slow.mat --exact '1-log|[81,-270,100]@47/20,0,1/10|^1/2' slow-exact.cert
 expect 1 --matrices slow.mat --exact '|[81,-270,100]@7/20,0,1/10|^1/2' slow-exact.cert
+# bounds by kept words: those of the number of the certificate
+expect 0 --matrices kept-numbers.mat --upper 2 kept-least.cert
+expect 1 --matrices kept-numbers.mat --upper 1999/1000 kept-least.cert
+expect 0 --mask "$four" --arity 2 --lower 2 kept-four-point.cert
+expect 1 --mask "$four" --arity 2 --lower 201/100 kept-four-point.cert
 expect 2 --mask "$hat" --arity 2 bspline-1.cert
 expect 64 --mask "$hat" --arity 2 --matrices golden.mat --lower 1 bspline-1.cert
 expect 64 --mask "$hat" --arity 17 --lower 1 bspline-1.cert

@@ -53,4 +53,7 @@ theorem FourLogarithm --mask '[-1,0,9,16,9,0,-1]/16' --arity 2 --exact '4-log|[-
 theorem Columns --matrices columns.mat --lower 1 --upper 11/10 columns-graph-word.cert
 theorem Shears --matrices shears.mat --lower 1618/1000 --upper 17/10 shears-graph.cert
 theorem ConeExact --matrices golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' golden-cone-exact.cert
+theorem KeptThirds --matrices kept-thirds.mat --exact '|[1,-27,81]@3/10,0,1/20|^1/2' kept-thirds-least.cert
+theorem KeptTurns --matrices kept-turns.mat --exact '|[7,-2,1]@1,49/20,1/5|^1/1' kept-turns-least.cert
+theorem KeptFourPoint --mask "$four" --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --lower 2 kept-four-point.cert
 theorem BlocksExact --matrices slow-blocks.mat --exact '|[81,-270,100]@47/20,0,1/10|^1/2' blocks-exact.cert

@@ -42,6 +42,13 @@ Fixpoint closes (q : Z) (p : list Z) (seed : point) (first second : list point) 
   | _, _, _ => false
   end.
 
+(* Rounded up *)
+Definition over_up (a s : Z) : Z := - (- a / s).
+
+(* A vector over s, each number rounded down, and a bound of what that changes *)
+Definition cut_by (s : Z) (x : zvec) : zvec := map (fun a => a / s) x.
+Definition cut_error (n : nat) (s : Z) (x : zvec) : Z := if forallb (fun a => s * (a / s) =? a) x then 0 else Z.of_nat n.
+
 (* The value at (c1 + i c2) / s, known up to rad / s in both parts, and a bound of its error *)
 Fixpoint evaluate (n : nat) (s c1 c2 rad : Z) (ys : list point) : point * Z :=
   match ys with
@@ -51,9 +58,9 @@ Fixpoint evaluate (n : nat) (s c1 c2 rad : Z) (ys : list point) : point * Z :=
       | [] => (y, 0)
       | _ =>
           let '((u, v), e) := evaluate n s c1 c2 rad ys' in
-          let cut := map (fun x => x / s) in
-          ((addmul 1 (fst y) (cut (addmul c1 u (addmul (- c2) v []))), addmul 1 (snd y) (cut (addmul c1 v (addmul c2 u [])))),
-           ((Z.abs c1 + Z.abs c2 + 2 * rad) * e + 2 * rad * (norm1 u + norm1 v)) / s + 1 + 2 * Z.of_nat n)
+          let re := addmul c1 u (addmul (- c2) v []) in let im := addmul c1 v (addmul c2 u []) in
+          ((addmul 1 (fst y) (cut_by s re), addmul 1 (snd y) (cut_by s im)),
+           over_up ((Z.abs c1 + Z.abs c2 + 2 * rad) * e + 2 * rad * (norm1 u + norm1 v)) s + (cut_error n s re + cut_error n s im))
       end
   end.
 
@@ -178,7 +185,7 @@ Definition make (known : PositiveMap.t vertex) (s : source) (v : point) (images 
           let moved := (mv M (fst (shown parent)), mv M (snd (shown parent))) in
           let whole := bottom h * column_norm M * off parent + norm_pair (difference (bottom h) (- (D * low h)) moved v) +
                        D * (high h - low h) * norm_pair v in
-          if Nat.ltb t (count F) then Some (Vertex (from parent) (t :: path parent) v (whole / (D * low h) + 1) images) else None
+          if Nat.ltb t (count F) then Some (Vertex (from parent) (t :: path parent) v (over_up whole (D * low h)) images) else None
       end
   end.
 
@@ -244,13 +251,13 @@ Definition below (b : body) : bool :=
       end
   end.
 
-(* An eigenvalue of a product has the modulus of the claim. *)
-Definition reached (b : body) : bool :=
-  forallb (base_right (bases b)) (bases b) && (0 <? full_turn b)%nat &&
-  match walk (bases b) (full_turn b) (first_base b), nth_error (bases b) (first_base b) with
+(* An eigenvalue of a product has the modulus of the claim: so many turns lead from a base to itself. *)
+Definition reached (bs : list base) (turns first : nat) : bool :=
+  forallb (base_right bs) bs && (0 <? turns)%nat &&
+  match walk bs turns first, nth_error bs first with
   | Some (k, _), Some x =>
       let '((u, v), e) := evaluate n (near_scale h) (near_re h) (if conjugated x then - near_im h else near_im h) (near_radius h) (vectors x) in
-      Nat.eqb k (first_base b) && existsb (fun i => (e <? Z.abs (nth i u 0)) || (e <? Z.abs (nth i v 0))) (seq 0 n)
+      Nat.eqb k first && existsb (fun i => (e <? Z.abs (nth i u 0)) || (e <? Z.abs (nth i v 0))) (seq 0 n)
   | _, _ => false
   end.
 End Checker.
@@ -352,25 +359,37 @@ Qed.
 Lemma norm_pair_nonneg x : (0 <= norm_pair x)%Z.
 Proof. unfold norm_pair. assert (A := norm1_nonneg (fst x)). assert (B := norm1_nonneg (snd x)). lia. Qed.
 
-Lemma cut_sound n s x : (0 < s)%Z -> norm n (sub (scal (/ IZR s) (vr x)) (vr (map (fun a => (a / s)%Z) x))) <= INR n.
+Lemma cut_nth s x i : nth i (cut_by s x) 0%Z = (nth i x 0 / s)%Z.
+Proof. replace 0%Z with (0 / s)%Z at 1 by apply Zdiv_0_l. apply (map_nth (fun a => (a / s)%Z)). Qed.
+
+Lemma cut_sound n s x : (0 < s)%Z -> norm n (sub (scal (/ IZR s) (vr x)) (vr (cut_by s x))) <= IZR (cut_error n s x).
 Proof.
-  intros Hs. rewrite <- (Rmult_1_r (INR n)). apply sum_bound. intros i Hi. unfold sub, scal, vr.
-  replace (nth i (map (fun a => (a / s)%Z) x) 0%Z) with (nth i x 0 / s)%Z.
-  - assert (P : 0 < IZR s) by (apply IZR_lt; auto). assert (D := Z.div_mod (nth i x 0%Z) s ltac:(lia)). assert (B := Z.mod_pos_bound (nth i x 0%Z) s Hs).
+  intros Hs. assert (S : 0 < IZR s) by (apply IZR_lt; auto). unfold cut_error. destruct (forallb _ x) eqn:E.
+  { right. rewrite <- (norm_zero n). apply norm_ext. intros i Hi. unfold sub, scal, vr, zero. rewrite cut_nth.
+    destruct (nth_in_or_default i x 0%Z) as [I | ->]; [|rewrite Zdiv_0_l; field; lra].
+    rewrite forallb_forall in E. apply E, Z.eqb_eq in I. apply (f_equal IZR) in I. rewrite mult_IZR in I. rewrite <- I at 1. field. lra. }
+  rewrite <- INR_IZR_INZ, <- (Rmult_1_r (INR n)). apply sum_bound. intros i Hi. unfold sub, scal, vr.
+  rewrite cut_nth.
+  - assert (D := Z.div_mod (nth i x 0%Z) s ltac:(lia)). assert (B := Z.mod_pos_bound (nth i x 0%Z) s Hs).
     set (a := nth i x 0%Z) in *. set (q := (a / s)%Z) in *. set (m := (a mod s)%Z) in *. rewrite D, plus_IZR, mult_IZR.
     replace (/ IZR s * (IZR s * IZR q + IZR m) - IZR q) with (IZR m / IZR s) by (field; lra).
     destruct B as [B1 B2]. apply IZR_le in B1. apply IZR_lt in B2. rewrite Rabs_pos_eq.
     + apply (Rmult_le_reg_r (IZR s)); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
     + apply Rmult_le_pos; auto. left. apply Rinv_0_lt_compat; auto.
-  - replace 0%Z with (0 / s)%Z at 2 by (apply Z.div_0_l; lia). rewrite (map_nth (fun a => (a / s)%Z)). reflexivity.
 Qed.
 
-Lemma div_below a b : (0 < b)%Z -> IZR a / IZR b <= IZR (a / b) + 1.
+Lemma over_up_sound a b : (0 < b)%Z -> IZR a / IZR b <= IZR (over_up a b).
 Proof.
-  intros H. assert (P : 0 < IZR b) by (apply IZR_lt; auto). assert (D := Z.div_mod a b ltac:(lia)). assert (B := Z.mod_pos_bound a b H).
-  apply (Rmult_le_reg_r (IZR b)); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. rewrite D at 1.
-  rewrite plus_IZR, mult_IZR. destruct B as [_ B]. apply IZR_lt in B. lra.
+  intros H. assert (P : 0 < IZR b) by (apply IZR_lt; auto). apply (Rmult_le_reg_r (IZR b)); auto.
+  unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r, <- mult_IZR by lra. apply IZR_le. unfold over_up.
+  assert (D := Z.mul_div_le (- a) b H). lia.
 Qed.
+
+Lemma over_up_nonneg a b : (0 <= a)%Z -> (0 < b)%Z -> (0 <= over_up a b)%Z.
+Proof. intros A B. unfold over_up. assert (- a / b <= 0)%Z; [|lia]. apply Z.div_le_upper_bound; lia. Qed.
+
+Lemma cut_error_nonneg n s x : (0 <= cut_error n s x)%Z.
+Proof. unfold cut_error. destruct (forallb _ x); lia. Qed.
 
 Lemma evaluate_sound n s c1 c2 rad z : (0 < s)%Z -> (0 <= rad)%Z ->
   Rabs (fst z - IZR c1 / IZR s) <= IZR rad / IZR s -> Rabs (snd z - IZR c2 / IZR s) <= IZR rad / IZR s ->
@@ -385,8 +404,9 @@ Proof.
       replace (sub (plus (vr (fst v)) (turn_re z zero zero)) (vr (fst v))) with zero by (vectors; ring).
       replace (sub (plus (vr (snd v)) (turn_im z zero zero)) (vr (snd v))) with zero by (vectors; ring). rewrite norm_zero. lra.
     + assert (H' : (let '((u, w), e) := evaluate n s c1 c2 rad (y' :: ys) in
-          ((addmul 1 (fst y) (map (fun x => (x / s)%Z) (addmul c1 u (addmul (- c2) w []))), addmul 1 (snd y) (map (fun x => (x / s)%Z) (addmul c1 w (addmul c2 u [])))),
-           (((Z.abs c1 + Z.abs c2 + 2 * rad) * e + 2 * rad * (norm1 u + norm1 w)) / s + 1 + 2 * Z.of_nat n)%Z)) = (v, e)) by exact H.
+          let re := addmul c1 u (addmul (- c2) w []) in let im := addmul c1 w (addmul c2 u []) in
+          ((addmul 1 (fst y) (cut_by s re), addmul 1 (snd y) (cut_by s im)),
+           (over_up ((Z.abs c1 + Z.abs c2 + 2 * rad) * e + 2 * rad * (norm1 u + norm1 w)) s + (cut_error n s re + cut_error n s im))%Z)) = (v, e)) by exact H.
       clear H. destruct (evaluate n s c1 c2 rad (y' :: ys)) as [[u w] e0]. destruct (IH _ _ eq_refl) as [E0 IHd]. clear IH.
       assert (Hv := f_equal fst H'). assert (He := f_equal snd H'). clear H'. cbn [fst snd] in Hv, He. subst v e.
       unfold distance_pair in *. cbn [fst snd] in *.
@@ -394,20 +414,21 @@ Proof.
         plus (vr (snd y)) (turn_im z (fst (horner z (y' :: ys))) (snd (horner z (y' :: ys))))). cbn [fst snd].
       set (U := fst (horner z (y' :: ys))) in *. set (W := snd (horner z (y' :: ys))) in *.
       assert (N1 := norm1_nonneg u). assert (N2 := norm1_nonneg w).
-      split. { apply Z.add_nonneg_nonneg; [|lia]. apply Z.add_nonneg_nonneg; [|lia]. apply Z.div_pos; auto. nia. }
+      split. { repeat apply Z.add_nonneg_nonneg; try apply cut_error_nonneg. apply over_up_nonneg; auto. nia. }
       set (a := fst z) in *. set (b := snd z) in *. set (da := a - IZR c1 / IZR s) in *. set (db := b - IZR c2 / IZR s) in *.
       assert (Part : forall (k1 k2 : Z) (x x' : zvec) (y0 : vec) (X X' : vec) (a1 a2 : R),
         Rabs (a1 - IZR k1 / IZR s) <= IZR rad / IZR s -> Rabs (a2 - IZR k2 / IZR s) <= IZR rad / IZR s ->
-        norm n (sub (plus y0 (plus (scal a1 X) (scal a2 X'))) (plus (scal 1 y0) (vr (map (fun x => (x / s)%Z) (addmul k1 x (addmul k2 x' []))))))
-        <= Rabs a1 * norm n (sub X (vr x)) + Rabs a2 * norm n (sub X' (vr x')) + IZR rad / IZR s * (IZR (norm1 x) + IZR (norm1 x')) + INR n).
+        norm n (sub (plus y0 (plus (scal a1 X) (scal a2 X'))) (plus (scal 1 y0) (vr (cut_by s (addmul k1 x (addmul k2 x' []))))))
+        <= Rabs a1 * norm n (sub X (vr x)) + Rabs a2 * norm n (sub X' (vr x')) + IZR rad / IZR s * (IZR (norm1 x) + IZR (norm1 x')) +
+           IZR (cut_error n s (addmul k1 x (addmul k2 x' [])))).
       { intros k1 k2 x x' y0 X X' a1 a2 H1 H2.
         set (c := addmul k1 x (addmul k2 x' [])).
-        replace (sub (plus y0 (plus (scal a1 X) (scal a2 X'))) (plus (scal 1 y0) (vr (map (fun x => (x / s)%Z) c))))
+        replace (sub (plus y0 (plus (scal a1 X) (scal a2 X'))) (plus (scal 1 y0) (vr (cut_by s c))))
           with (plus (plus (scal a1 (sub X (vr x))) (scal a2 (sub X' (vr x'))))
                      (plus (plus (scal (a1 - IZR k1 / IZR s) (vr x)) (scal (a2 - IZR k2 / IZR s) (vr x')))
-                           (sub (scal (/ IZR s) (vr c)) (vr (map (fun x => (x / s)%Z) c))))).
+                           (sub (scal (/ IZR s) (vr c)) (vr (cut_by s c))))).
         - eapply Rle_trans. apply norm_plus. assert (T1 := norm_plus n (scal a1 (sub X (vr x))) (scal a2 (sub X' (vr x')))). rewrite !norm_scal in T1.
-          assert (T2 := norm_plus n (plus (scal (a1 - IZR k1 / IZR s) (vr x)) (scal (a2 - IZR k2 / IZR s) (vr x'))) (sub (scal (/ IZR s) (vr c)) (vr (map (fun x => (x / s)%Z) c)))).
+          assert (T2 := norm_plus n (plus (scal (a1 - IZR k1 / IZR s) (vr x)) (scal (a2 - IZR k2 / IZR s) (vr x'))) (sub (scal (/ IZR s) (vr c)) (vr (cut_by s c)))).
           assert (T3 := norm_plus n (scal (a1 - IZR k1 / IZR s) (vr x)) (scal (a2 - IZR k2 / IZR s) (vr x'))). rewrite !norm_scal in T3.
           assert (T4 := cut_sound n s c Hs). assert (B1 := norm_norm1 n x). assert (B2 := norm_norm1 n x').
           assert (C1 : Rabs (a1 - IZR k1 / IZR s) * norm n (vr x) <= IZR rad / IZR s * IZR (norm1 x)) by (apply Rmult_le_compat; auto; [apply Rabs_pos|apply norm_nonneg]).
@@ -426,13 +447,13 @@ Proof.
       { replace (- b - - IZR c2 / IZR s) with (- db) by (unfold db; field; lra). rewrite Rabs_Ropp. auto. }
       specialize (Re Z2'). rewrite Rabs_Ropp in Re. rewrite !vr_addmul.
       change (turn_re z U W) with (plus (scal a U) (scal (- b) W)). change (turn_im z U W) with (plus (scal a W) (scal b U)).
-      rewrite !plus_IZR, !mult_IZR, <- INR_IZR_INZ.
-      assert (Q := div_below ((Z.abs c1 + Z.abs c2 + 2 * rad) * e0 + 2 * rad * (norm1 u + norm1 w)) s Hs).
+      rewrite !plus_IZR.
+      assert (Q := over_up_sound ((Z.abs c1 + Z.abs c2 + 2 * rad) * e0 + 2 * rad * (norm1 u + norm1 w)) s Hs).
       rewrite !plus_IZR, !mult_IZR, !plus_IZR, !mult_IZR in Q.
-      set (q := IZR (_ / s)) in *.
+      set (q := IZR (over_up _ s)) in *.
       set (nu := norm n (sub U (vr u))) in *. set (nw := norm n (sub W (vr w))) in *.
       assert (Nu : 0 <= nu) by apply norm_nonneg. assert (Nw : 0 <= nw) by apply norm_nonneg.
-      assert (Q' : (Rabs a + Rabs b) * (nu + nw) + 2 * (IZR rad / IZR s * (IZR (norm1 u) + IZR (norm1 w))) <= q + 1).
+      assert (Q' : (Rabs a + Rabs b) * (nu + nw) + 2 * (IZR rad / IZR s * (IZR (norm1 u) + IZR (norm1 w))) <= q).
       { eapply Rle_trans; [|apply Q].
         replace (((IZR (Z.abs c1) + IZR (Z.abs c2) + 2 * IZR rad) * IZR e0 + 2 * IZR rad * (IZR (norm1 u) + IZR (norm1 w))) / IZR s)
           with ((IZR (Z.abs c1) + IZR (Z.abs c2) + 2 * IZR rad) / IZR s * IZR e0 + 2 * (IZR rad / IZR s * (IZR (norm1 u) + IZR (norm1 w)))) by (field; lra).
@@ -608,6 +629,13 @@ Definition true_im (x : vertex) : vec := scal (/ r ^ length (path x)) (run n T (
 Definition good_vertex (x : vertex) : Prop :=
   letters (count F) (path x) /\ (0 <= off x)%Z /\ distance_pair n (true_re x) (true_im x) (shown x) <= IZR (off x).
 
+Lemma true_step x y t : from y = from x -> path y = t :: path x ->
+  true_re y = scal (/ r) (apply n (T t) (true_re x)) /\ true_im y = scal (/ r) (apply n (T t) (true_im x)).
+Proof.
+  intros E1 E2. unfold true_re, true_im. rewrite E1, E2. cbn [length run]. rewrite !apply_scal.
+  split; extensionality j; unfold scal; simpl pow; field; (split; [apply pow_nonzero|]; lra).
+Qed.
+
 Lemma evaluate_base k b v e : nth_error bs k = Some b ->
   evaluate n (near_scale h) (near_re h) (if conjugated b then - near_im h else near_im h) (near_radius h) (vectors b) = (v, e) ->
   (0 <= e)%Z /\ distance_pair n (fst (true_base k)) (snd (true_base k)) v <= IZR e.
@@ -664,12 +692,10 @@ Proof.
     { apply le_IZR. apply (Rmult_le_reg_r (/ IZR (bottom h))). apply Rinv_0_lt_compat; auto. unfold Rdiv in Between. lra. }
     assert (Wp : (0 <= whole)%Z). { unfold whole. assert (0 <= high h - low h)%Z by lia. apply Z.add_nonneg_nonneg; [apply Z.add_nonneg_nonneg|]; auto; repeat apply Z.mul_nonneg_nonneg; auto; lia. }
     unfold good_vertex. cbn [path off shown]. split. constructor; auto.
-    assert (Q0 : (0 <= whole / (denominator F * low h))%Z) by (apply Z.div_pos; auto; nia). split. lia.
+    split. apply over_up_nonneg; auto; nia.
     set (X := true_re y) in *. set (Y := true_im y) in *.
-    assert (EX : true_re (Vertex (from y) (t :: path y) v (whole / (denominator F * low h) + 1) images) = scal (/ r) (apply n (T t) X)).
-    { unfold X, true_re. cbn [path from length run]. rewrite apply_scal. extensionality j. unfold scal. simpl pow. field. split; [apply pow_nonzero|]; lra. }
-    assert (EY : true_im (Vertex (from y) (t :: path y) v (whole / (denominator F * low h) + 1) images) = scal (/ r) (apply n (T t) Y)).
-    { unfold Y, true_im. cbn [path from length run]. rewrite apply_scal. extensionality j. unfold scal. simpl pow. field. split; [apply pow_nonzero|]; lra. }
+    destruct (true_step y (Vertex (from y) (t :: path y) v (over_up whole (denominator F * low h)) images) t eq_refl eq_refl) as [EX EY].
+    fold X in EX. fold Y in EY.
     rewrite EX, EY. clear EX EY.
     (* one part, real or imaginary *)
     set (q := IZR (bottom h)) in *. set (lo := IZR (low h)) in *. set (hi := IZR (high h)) in *. set (cn := IZR (column_norm M)) in *.
@@ -695,8 +721,8 @@ Proof.
     assert (P1 := Part X (fst (shown y)) (fst v)). assert (P2 := Part Y (snd (shown y)) (snd v)). clear Part.
     assert (PN := norm_pair_sound n (bottom h) (- (denominator F * low h)) moved v). unfold moved in PN. cbn [fst snd] in PN.
     rewrite opp_IZR, mult_IZR in PN. fold q lo D in PN.
-    unfold distance_pair in *. rewrite plus_IZR.
-    assert (Q := div_below whole (denominator F * low h) ltac:(nia)).
+    unfold distance_pair in *.
+    assert (Q := over_up_sound whole (denominator F * low h) ltac:(nia)).
     eapply Rle_trans; [|apply Q]. rewrite mult_IZR. fold D lo.
     apply (Rmult_le_reg_r (D * lo)). apply Rmult_lt_0_compat; auto. unfold Rdiv. rewrite (Rmult_assoc (IZR whole)), Rinv_l, Rmult_1_r by (apply Rgt_not_eq, Rmult_lt_0_compat; auto).
     unfold whole. rewrite !plus_IZR, !mult_IZR, minus_IZR. fold q lo hi cn D. fold moved in PN.
@@ -973,11 +999,10 @@ Proof.
         eapply Rle_trans; [|apply HR]. right. field. repeat split; lra.
 Qed.
 
-Theorem reached_sound b : reached F p L h b = true -> radius_at_least n (count F) T r.
+Theorem reached_sound bs turns k : reached F p L h bs turns k = true -> radius_at_least n (count F) T r.
 Proof.
   intros H g Hg G. unfold reached in H. repeat rewrite andb_true_iff in H. destruct H as [[H1 H2] H3]. apply Nat.ltb_lt in H2.
-  set (bs := bases b) in *. set (k := first_base b) in *.
-  destruct (walk bs (full_turn b) k) as [[k' w]|] eqn:EW; [|discriminate]. destruct (nth_error bs k) as [x|] eqn:E; [|discriminate].
+  destruct (walk bs turns k) as [[k' w]|] eqn:EW; [|discriminate]. destruct (nth_error bs k) as [x|] eqn:E; [|discriminate].
   fold n in H3. destruct (evaluate n _ _ _ _ (vectors x)) as [[u v] e] eqn:EV. apply andb_prop in H3. destruct H3 as [H3 H4]. apply Nat.eqb_eq in H3. subst k'.
   destruct (evaluate_base bs k x (u, v) e E EV) as [E0 Ed]. apply (walk_sound bs H1) in EW. destruct EW as [Lw [Ll [lambda [La [_ [R1 R2]]]]]].
   apply existsb_exists in H4. destruct H4 as [i [Hi H4]]. apply in_seq in Hi.
@@ -991,7 +1016,7 @@ Proof.
   assert (B := eigenvalue_at_least n (count F) T w g X Y (fst lambda) (snd lambda) i Hg G Lw).
   assert (B' : modulus (fst lambda) (snd lambda) <= g ^ length w).
   { apply B; auto; try lia; intros j Hj; [rewrite R1 | rewrite R2]; unfold turn_re, turn_im, plus, scal; ring. }
-  change (modulus (fst lambda) (snd lambda)) with (cabs lambda) in B'. rewrite La, <- Power, <- pow_mult, Ll, (Nat.mul_comm (full_turn b)) in B'.
-  apply (pow_le_reg r g (L * full_turn b)); auto; try lra. apply Nat.mul_pos_pos; auto.
+  change (modulus (fst lambda) (snd lambda)) with (cabs lambda) in B'. rewrite La, <- Power, <- pow_mult, Ll, (Nat.mul_comm turns) in B'.
+  apply (pow_le_reg r g (L * turns)); auto; try lra. apply Nat.mul_pos_pos; auto.
 Qed.
 End Sound.

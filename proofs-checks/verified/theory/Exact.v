@@ -1,8 +1,8 @@
 (* What a radius or an exponent is exactly: the checkers, and the theorems that what they accept is true. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Existence Upper Blocks Integers Sections Eigenvalue Single Check Complex Number Attained Largest
-  Subdivision Coefficients Growth Stability Exponent Enclosure.
+From Subcert Require Import Radius Existence Upper Blocks Integers Sections Eigenvalue Graph Single Check Complex Number Attained Cycles
+  Largest Subdivision Coefficients Growth Stability Exponent Enclosure.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -25,8 +25,14 @@ Definition exact_exponent_holds (a : scheme) (order : nat) (e : exact_number) (l
 
 (* ---- the checkers ------------------------------------------------------------------------------------------------ *)
 
-(* Of one diagonal block: a bound that is the number at most, a polytope that attains it, or one spectral radius *)
-Inductive exact_section := Bounded (s : section) | Attains (transposed : bool) (b : body) | Leading (c : pole).
+(* Of one diagonal block: a bound that is the number at most, a polytope that attains it, a graph that does so in cycles,
+   or one spectral radius *)
+Inductive exact_section :=
+| Bounded (s : section)
+| Attains (transposed : bool) (b : body)
+| Cyclic (bound : Q) (unity : Z) (firsts : list nat) (group : list element) (turns : list turn) (states : list state)
+    (carriers : list base) (cycles : list cycle)
+| Leading (c : pole).
 
 (* The zero is real and positive, as cones need it. *)
 Definition positive_zero (e : exact_number) (h : place) : bool := (disc_im e =? 0) && (near_radius h <? near_re h).
@@ -38,13 +44,16 @@ Definition block_below (e : exact_number) (h : place) (F : family) (s : exact_se
   | Bounded s => check_section F (low h # Z.to_pos (bottom h)) s
   | Attains transposed b =>
       (if cone b then positive_zero e h else true) && below (if transposed then transpose F else F) (polynomial e) (root e) h b
+  | Cyclic g unity firsts group turns states bs cycles =>
+      graph_below F (polynomial e) (root e) h g unity firsts group turns states bs cycles
   | Leading c => simple_number e h && no_larger F (polynomial e) h c
   end.
 
 Definition block_reaches (e : exact_number) (h : place) (F : family) (s : exact_section) : bool :=
   match s with
   | Bounded _ => false
-  | Attains transposed b => reached (if transposed then transpose F else F) (polynomial e) (root e) h b
+  | Attains transposed b => reached (if transposed then transpose F else F) (polynomial e) (root e) h (bases b) (full_turn b) (first_base b)
+  | Cyclic _ _ _ _ _ _ bs _ => reached (transpose F) (polynomial e) (root e) h bs 1 0
   | Leading c => simple_number e h && is_pole F (polynomial e) h c
   end.
 
@@ -128,17 +137,19 @@ Proof.
   { intros HS. apply andb_prop in HS. destruct HS as [HS HR1]. apply Nat.eqb_eq in HR1. apply (positive_zero_sound e h z') in HS; auto.
     rewrite HR1, pow_1 in Rp. rewrite <- Rp in HS. split; auto. rewrite HS, value_real in Vz. apply (f_equal fst) in Vz. exact Vz. }
   split.
-  - revert H1. apply (all_blocks_sound (block_below e h) r); auto. intros G s W HB. destruct s as [s|tr b|p]; cbn [block_below] in HB.
+  - revert H1. apply (all_blocks_sound (block_below e h) r); auto. intros G s W HB. destruct s as [s|tr b|g unity firsts group turns states bs cycles|p]; cbn [block_below] in HB.
     + apply section_sound in HB; auto. rewrite real_of_low in HB by auto. intros g Hg H0. apply HB; auto. lra.
     + apply andb_prop in HB. destruct HB as [HC HB].
       assert (Cone : cone b = true -> z' = real_number (cabs z')).
       { intros EC. rewrite EC in HC. apply (positive_zero_sound e h); auto. }
       apply (below_sound _ _ _ _ z' r (TW G tr W) Vz Sc Sm N1 N2 R0 Rp HL Hlow Hcom B b Cone) in HB. apply grows_radius in HB. destruct tr; auto. apply transpose_sound. exact HB.
+    + apply grows_radius. apply (graph_below_sound G (polynomial e) (root e) h z' r g unity firsts group turns states bs cycles); auto.
     + apply andb_prop in HB. destruct HB as [HS HB]. apply Simple in HS. destruct HS as [_ HS]. assert (HB' := HB).
       unfold no_larger in HB'. cbv zeta in HB'. repeat rewrite andb_true_iff in HB'. destruct HB' as [[HP _] _].
       apply (no_larger_sound G (polynomial e) p W HP h r HS); auto. apply B.
-  - revert H2. apply (some_block_sound (block_reaches e h) r); auto. intros G s W HB. destruct s as [s|tr b|p]; cbn [block_reaches] in HB. discriminate.
+  - revert H2. apply (some_block_sound (block_reaches e h) r); auto. intros G s W HB. destruct s as [s|tr b|g unity firsts group turns states bs cycles|p]; cbn [block_reaches] in HB. discriminate.
     + apply (reached_sound _ _ _ _ z' r (TW G tr W) Vz Sc Sm N1 N2 R0 Rp HL) in HB. destruct tr; auto. apply transpose_least. exact HB.
+    + apply (reached_sound _ _ _ _ z' r (TW G true W) Vz Sc Sm N1 N2 R0 Rp HL) in HB. apply transpose_least. exact HB.
     + apply andb_prop in HB. destruct HB as [HS HB]. apply Simple in HS. destruct HS as [HZ HS]. assert (HB' := HB).
       unfold is_pole in HB'. repeat rewrite andb_true_iff in HB'. destruct HB' as [[HP _] _]. rewrite HZ in N1, N2. cbn [fst snd real_number] in N1, N2.
       apply (is_pole_sound G (polynomial e) p W HP h r HS); auto. apply IZR_le. auto.

@@ -1,6 +1,6 @@
 (* The checker as a program in OCaml, with the integers of zarith: of numbers only what ../number.ml lists is trusted. *)
 Require Import ZArith QArith.
-From Subcert Require Import Integers Sections Eigenvalue Quadratic Graph Check Exponent Enclosure Number Attained Largest Exact Logarithm.
+From Subcert Require Import Integers Sections Eigenvalue Quadratic Graph Check Exponent Enclosure Number Attained Cycles Largest Exact Logarithm.
 Require Import Extraction.
 
 Extraction Language OCaml.

@@ -153,23 +153,28 @@ Fixpoint branch_right (M : zmat) (p e : Z) (here : list step) (b : branch) {stru
       end
   end.
 
-Definition words_right (j : nat) : bool :=
+(* Words of the letter c alone from a state that are `kept` are shown otherwise. *)
+Definition words_right (kept : nat -> nat -> bool) (j : nat) : bool :=
   forallb (fun c =>
+    if kept j c then true else
     match nth_error (trees (nth j states no_state)) c with
     | None => false
     | Some b => branch_right (table n (fun i j => if_equal i j unity)) unity 0 (nth c (nth j by_state []) []) b
     end) (seq 0 (length firsts)).
 End Check.
 
-Definition graph (F : family) (u g : Q) (unity : Z) (firsts : list nat) (group : list element) (turns : list turn)
-    (states : list state) : bool :=
+Definition graph_but (kept : nat -> nat -> bool) (F : family) (g : Q) (unity : Z) (firsts : list nat) (group : list element)
+    (turns : list turn) (states : list state) : bool :=
   let by_state := map (fun s => map (map (with_columns F)) (steps s)) states in
-  (0 <? Qnum g) && Qle_bool g u && (0 <? unity) && (0 <? length states)%nat && (0 <? length group)%nat &&
+  (0 <? Qnum g) && (0 <? unity) && (0 <? length states)%nat && (0 <? length group)%nat &&
   multiple F 1 (action_of group 0) (unit_matrix F) &&
   forallb (element_right F firsts) group && forallb (turn_right F group) turns &&
   forallb (state_right F g unity firsts turns states) states &&
-  forallb (words_right F unity firsts states by_state) (seq 0 (length states)).
+  forallb (words_right F unity firsts states by_state kept) (seq 0 (length states)).
 
+Definition graph (F : family) (u g : Q) (unity : Z) (firsts : list nat) (group : list element) (turns : list turn)
+    (states : list state) : bool :=
+  Qle_bool g u && graph_but (fun _ _ => false) F g unity firsts group turns states.
 
 (* ---- why that proves the bound: semidefinite matrices ---------------------------------------------------------- *)
 
@@ -965,21 +970,67 @@ Proof.
     exists (t' :: a), b. subst z. rewrite <- app_assoc in E3. split; auto. split. simpl; lia. exact E3.
 Qed.
 
-(* Of each state turned by each element *)
-Lemma words_cut i : (i < total)%nat -> forallb (words_right F unity firsts states by_state) (seq 0 (length states)) = true ->
-  exists depth, cuts n (count F) total T N r i [] depth.
+(* ---- seminorms beside the norms -------------------------------------------------------------------------------- *)
+
+Variables (beside : nat -> vec -> R) (rho : R) (kept : nat -> nat -> bool).
+Hypothesis Rate : r <= rho.
+Hypothesis Beside_ext : forall j x y, (forall i, (i < n)%nat -> x i = y i) -> beside j x = beside j y.
+Hypothesis Beside_below : forall j x, (j < length states)%nat -> r * beside j x <= rho * len n (place j x).
+
+Definition larger (j : nat) (x : vec) : R := Rmax (len (size F) (apply (size F) (mr (coordinates_of states j)) x)) (beside j x).
+Definition larger_norm (i : nat) (x : vec) : R :=
+  larger (i / length group) (apply (size F) (mr (action_of group (i mod length group))) x).
+
+Hypothesis Kept : forall j c, kept j c = true -> (j < length states)%nat -> (c < length firsts)%nat ->
+  exists i, (i < length states)%nat /\ forall x, larger j (apply n (T (nth c firsts 0%nat)) x) <= rho * larger i x.
+
+Lemma state_of i : (i < total)%nat -> (i / m < length states)%nat /\ (i mod m < m)%nat.
 Proof.
-  intros Hi H. assert (Hm : (0 < m)%nat) by (unfold total in Hi; destruct m; lia).
-  set (j := (i / m)%nat). set (u := (i mod m)%nat).
-  assert (Hj : (j < length states)%nat) by (apply Nat.div_lt_upper_bound; unfold total in Hi; lia).
-  assert (Hu : (u < m)%nat) by (apply Nat.mod_upper_bound; lia).
+  intros Hi. assert (Hm : (0 < m)%nat) by (unfold total in Hi; destruct m; lia). split.
+  apply Nat.div_lt_upper_bound; unfold total in Hi; lia. apply Nat.mod_upper_bound; lia.
+Qed.
+
+Lemma larger_norm_between i x : (i < total)%nat -> N i x <= larger_norm i x /\ r * larger_norm i x <= rho * N i x.
+Proof.
+  intros Hi. assert (Hr := bound_positive). destruct (state_of i Hi) as [Hj _].
+  unfold larger_norm, larger. split. apply Rmax_l.
+  apply Rmax_case; [|apply Beside_below; auto]. apply Rmult_le_compat_r; auto. apply len_nonneg.
+Qed.
+
+Lemma leads_larger i w : (i < total)%nat -> leads n total T N r i w -> leads n total T larger_norm rho i w.
+Proof.
+  intros Hi [Hw [j [Hj H]]]. split; auto. exists j. split; auto. intros x. assert (Hr := bound_positive).
+  destruct (larger_norm_between j x Hj) as [B _]. destruct (larger_norm_between i (run n T w x) Hi) as [_ A].
+  assert (P := len_nonneg n (at_ (j / m) (j mod m) x)). change (0 <= N j x) in P. specialize (H x).
+  destruct w as [|t w]; [congruence|]. cbn [length pow] in *. set (k := length w) in *.
+  assert (R1 : 0 <= r ^ k <= rho ^ k) by (split; [apply pow_le; lra | apply pow_incr; lra]).
+  apply (Rmult_le_reg_l r); auto. eapply Rle_trans. apply A.
+  apply Rle_trans with (rho * (r * r ^ k * N j x)). apply Rmult_le_compat_l; lra.
+  replace (rho * (r * r ^ k * N j x)) with (r * (rho * (r ^ k * N j x))) by ring. apply Rmult_le_compat_l. lra.
+  rewrite Rmult_assoc. apply Rmult_le_compat_l. lra. apply Rmult_le_compat; lra.
+Qed.
+
+Lemma larger_ext j x y : (forall i, (i < n)%nat -> x i = y i) -> larger j x = larger j y.
+Proof. intros E. unfold larger. fold n. rewrite (apply_ext n _ x y), (Beside_ext j x y) by auto. auto. Qed.
+
+(* Of each state turned by each element *)
+Lemma words_cut i : (i < total)%nat -> forallb (words_right F unity firsts states by_state kept) (seq 0 (length states)) = true ->
+  exists depth, cuts n (count F) total T larger_norm rho i [] depth.
+Proof.
+  intros Hi H. destruct (state_of i Hi) as [Hj Hu]. set (j := (i / m)%nat) in *. set (u := (i mod m)%nat) in *.
   apply (seq_forallb _ _ j) in H; auto. unfold words_right in H.
   set (l := trees (nth j states no_state)) in *.
   exists (S (fold_right (fun b h => Nat.max (height b) h) 0%nat l)).
   intros v Lv Hv. destruct v as [|t v]; [simpl in Hv; lia|].
   assert (Ht := Forall_inv Lv : (t < count F)%nat). apply Forall_inv_tail in Lv.
-  destruct (element_facts u Hu) as [_ [_ Reading]]. destruct (Reading t Ht) as [c [Ec [Hc _]]].
-  apply (seq_forallb _ _ c) in H; auto. cbv beta in H. destruct (nth_error l c) as [b|] eqn:Eb; [|discriminate]. fold n in H. rewrite <- Ec in H.
+  destruct (element_facts u Hu) as [_ [_ Reading]]. destruct (Reading t Ht) as [c [Ec [Hc [_ Move]]]].
+  apply (seq_forallb _ _ c) in H; auto. cbv beta in H. destruct (kept j c) eqn:EK.
+  { destruct (Kept j c EK Hj Hc) as [k [Hk HK]]. exists [t], v. split; auto. split. simpl; lia. split. discriminate.
+    exists (k * m + u)%nat. split. { unfold total. nia. }
+    assert (Hm : m <> 0%nat) by lia. intros x. cbn [app run length pow]. unfold larger_norm. fold m j u. rewrite Nat.div_add_l, Nat.div_small, Nat.add_0_r by lia.
+    rewrite (Nat.add_comm (k * m)), Nat.mod_add, Nat.mod_small, Rmult_1_r by lia.
+    rewrite (larger_ext j _ (apply n (T (nth c firsts 0%nat)) (act u x))) by (intros; apply Move; auto). apply HK. }
+  destruct (nth_error l c) as [b|] eqn:Eb; [|discriminate]. fold n in H. rewrite <- Ec in H.
   assert (Hf : follows i [] j u (table n (fun i j => if_equal i j unity)) unity 0).
   { exists 1. split; auto. intros x. simpl run. simpl length. simpl pow. change (from i x) with (at_ j u x). split. fold U. lra.
     rewrite (len_ext n _ (scal 0 x)). rewrite len_scal, Rabs_R0. lra.
@@ -988,7 +1039,7 @@ Proof.
   assert (Le : (height b <= fold_right (fun b h => Nat.max (height b) h) 0 l)%nat).
   { apply nth_error_In in Eb. clear - Eb. induction l as [|b' l IH]; [destruct Eb|]. simpl. destruct Eb as [-> | I]. lia. apply IH in I. lia. }
   destruct (C v Lv ltac:(simpl in Hv; lia)) as [a [z [E1 [E2 E3]]]].
-  exists (t :: a), z. subst v. split; auto. split. simpl; lia. exact E3.
+  exists (t :: a), z. subst v. split; auto. split. simpl; lia. apply leads_larger; auto.
 Qed.
 
 (* Each of the norms is bounded. *)
@@ -1025,16 +1076,42 @@ Proof.
   apply Rle_trans with (INR n * (C * l)). 2: lra.
   apply sum_bound. intros i Hi. apply B; auto.
 Qed.
+Lemma larger_norm_high : exists high, forall i x, (i < total)%nat -> 0 <= larger_norm i x <= high * norm n x.
+Proof.
+  destruct norm_high as [high H]. exists (rho / r * high). intros i x Hi. destruct (larger_norm_between i x Hi) as [A B].
+  specialize (H i x Hi). assert (Hr := bound_positive). split. lra. apply (Rmult_le_reg_l r); auto. eapply Rle_trans. apply B.
+  replace (r * (rho / r * high * norm n x)) with (rho * (high * norm n x)) by (field; lra). apply Rmult_le_compat_l; lra.
+Qed.
 End Sound.
 
-(* Theorem 29 of SPEC.md *)
+(* Theorem 29 of SPEC.md, and what Theorem 30 needs of it: seminorms beside the norms of states *)
+Theorem graph_but_sound kept F g unity firsts group turns states beside rho : well_formed F = true ->
+  graph_but kept F g unity firsts group turns states = true -> real_of g <= rho ->
+  (forall j x y, (forall i, (i < size F)%nat -> x i = y i) -> beside j x = beside j y) ->
+  (forall j x, (j < length states)%nat ->
+     real_of g * beside j x <= rho * len (size F) (apply (size F) (mr (coordinates_of states j)) x)) ->
+  (forall j c, kept j c = true -> (j < length states)%nat -> (c < length firsts)%nat -> exists i, (i < length states)%nat /\
+     forall x, larger F states beside j (apply (size F) (real F (nth c firsts 0%nat)) x) <= rho * larger F states beside i x) ->
+  grows_at_most (size F) (count F) (real F) rho.
+Proof.
+  intros WF H Le Ext Below Kept. unfold graph_but in H. cbv zeta in H. repeat rewrite andb_true_iff in H.
+  destruct H as [[[[[[[[H1 H3] H4] H5] H6] H7] H8] H9] H10].
+  apply Z.ltb_lt in H1, H3. apply Nat.ltb_lt in H4, H5.
+  assert (Hg : 0 < real_of g) by (eapply bound_positive; eauto).
+  set (by_state := map (fun s => map (map (with_columns F)) (steps s)) states) in *.
+  destruct (norm_low F g unity firsts group turns states H9 H4 H5 H6) as [low [Hlow Low]].
+  destruct (larger_norm_high F g group states H1 beside rho Le Below) as [high High].
+  apply (cuts_bound (size F) (count F) (length states * length group) (real F) (larger_norm F group states beside) rho low high); auto.
+  - lra.
+  - nia.
+  - intros x. eapply Rle_trans. apply Low. apply (larger_norm_between F g group states H1 beside rho Le Below). nia.
+  - intros i Hi. apply (words_cut F g unity firsts group turns states WF H1 H3 H7 H8 H9 by_state eq_refl beside rho kept Le Ext Below Kept i Hi H10).
+Qed.
+
 Theorem graph_sound F u g unity firsts group turns states : well_formed F = true ->
   graph F u g unity firsts group turns states = true -> radius_at_most (size F) (count F) (real F) (real_of u).
 Proof.
-  intros WF H. unfold graph in H. cbv zeta in H. repeat rewrite andb_true_iff in H.
-  destruct H as [[[[[[[[[H1 H2] H3] H4] H5] H6] H7] H8] H9] H10].
-  apply Z.ltb_lt in H1, H3. apply Nat.ltb_lt in H4, H5.
-  assert (Hg : 0 < real_of g) by (eapply bound_positive; eauto).
+  intros WF H. apply andb_prop in H. destruct H as [H2 H].
   assert (Le : real_of g <= real_of u).
   { apply Qle_bool_iff in H2. unfold Qle in H2. apply IZR_le in H2. rewrite !mult_IZR in H2. unfold real_of.
     assert (P1 : 0 < IZR (Zpos (Qden g))) by (apply IZR_lt; lia). assert (P2 : 0 < IZR (Zpos (Qden u))) by (apply IZR_lt; lia).
@@ -1042,13 +1119,11 @@ Proof.
     replace (IZR (Qnum g) / IZR (Zpos (Qden g)) * (IZR (Zpos (Qden g)) * IZR (Zpos (Qden u)))) with (IZR (Qnum g) * IZR (Zpos (Qden u))) by (field; lra).
     replace (IZR (Qnum u) / IZR (Zpos (Qden u)) * (IZR (Zpos (Qden g)) * IZR (Zpos (Qden u)))) with (IZR (Qnum u) * IZR (Zpos (Qden g))) by (field; lra).
     exact H2. }
-  set (by_state := map (fun s => map (map (with_columns F)) (steps s)) states) in *.
-  destruct (norm_low F g unity firsts group turns states H9 H4 H5 H6) as [low [Hlow Low]].
-  destruct (norm_high F group states) as [high High].
-  assert (G : grows_at_most (size F) (count F) (real F) (real_of g)).
-  { apply (cuts_bound (size F) (count F) (length states * length group) (real F) (state_norm F group states) (real_of g) low high); auto.
-    - lra.
-    - nia.
-    - intros i Hi. apply (words_cut F g unity firsts group turns states WF H1 H3 H7 H8 H9 by_state eq_refl i Hi H10). }
-  intros x Hx Hx0. apply G; lra.
+  assert (Hg : 0 < real_of g).
+  { unfold graph_but in H. cbv zeta in H. repeat rewrite andb_true_iff in H. destruct H as [[[[[[[[H1 _] _] _] _] _] _] _] _].
+    apply Z.ltb_lt in H1. eapply bound_positive; eauto. }
+  intros x Hx Hx0.
+  apply (graph_but_sound (fun _ _ => false) F g unity firsts group turns states (fun _ _ => 0) (real_of g)); auto; try lra.
+  - intros j y Hj. rewrite Rmult_0_r. apply Rmult_le_pos. lra. apply len_nonneg.
+  - intros j c D. discriminate.
 Qed.

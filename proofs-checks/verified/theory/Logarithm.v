@@ -2,7 +2,7 @@
    Without a power of a logarithm the exponent is attained. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Existence Upper Integers Sections Eigenvalue Single Check Complex Number Attained Largest Sharp Power Subdivision
+From Subcert Require Import Radius Existence Upper Integers Sections Eigenvalue Single Check Complex Number Attained Cycles Largest Sharp Power Subdivision
   Coefficients Growth Squares Descartes Stability Modulus Exponent Enclosure Exact.
 Import ListNotations.
 Open Scope Z_scope.
@@ -26,6 +26,7 @@ Definition is_power (e : exact_number) (x : Z) : bool :=
 Definition attains_alone (c : exact_certificate) : bool :=
   match exact_basis c, exact_blocks c with
   | None, [(_, Attains _ _)] => true
+  | None, [(_, Cyclic _ _ _ _ _ _ _ _)] => true
   | None, [(_, Leading p)] => (multiplicity p =? 1)%nat
   | _, _ => false
   end.
@@ -355,7 +356,8 @@ Proof.
   assert (Sc : (0 < near_scale h)%Z) by (apply lt_IZR; auto).
   assert (Sm : (0 <= near_radius h)%Z).
   { apply le_IZR. apply (Rmult_le_reg_r (/ IZR (near_scale h))). apply Rinv_0_lt_compat; auto. unfold Rdiv in Rho. lra. }
-  destruct (exact_blocks c) as [|[d [s|tr b|p]] [|x l]]; try discriminate; cbn [all_blocks] in H; apply andb_prop in H; destruct H as [_ HB].
+  destruct (exact_blocks c) as [|[d [s|tr b|g unity firsts group turns states bs cycles|p]] [|x l]]; try discriminate; cbn [all_blocks] in H; apply andb_prop in H; destruct H as [_ HB].
+  2:{ apply (graph_below_sound F (polynomial e) (root e) h z' r g unity firsts group turns states bs cycles); auto. }
   2:{ cbn [block_below] in HB. fold h in HB. apply andb_prop in HB. destruct HB as [HS HB]. apply Nat.eqb_eq in HA.
     unfold simple_number in HS. apply andb_prop in HS. destruct HS as [HS HR1]. apply Nat.eqb_eq in HR1. apply (positive_zero_sound e h z') in HS; auto.
     rewrite HR1, pow_1 in Rp. rewrite <- Rp in HS. rewrite HS, value_real in Vz. apply (f_equal fst) in Vz.

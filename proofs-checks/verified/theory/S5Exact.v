@@ -1,6 +1,6 @@
 (* Made by subcert-check-verified --theorem S5Exact: the claim, its certificate, and the proof by computation. *)
 Require Import Reals List ZArith QArith.
-From Subcert Require Import Radius Integers Sections Eigenvalue Quadratic Graph Single Check Subdivision Stability Exponent Enclosure Number Attained Largest Exact.
+From Subcert Require Import Radius Integers Sections Eigenvalue Quadratic Graph Single Check Subdivision Stability Exponent Enclosure Number Attained Cycles Largest Exact.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -223,6 +223,20 @@ ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& 
   return exact;
 }
 
+/// The upper end of the radius that is proved; where letters of a graph are kept, by its product.
+Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact) {
+  const auto of_block = [&](const JointSpectralRadius& block, std::size_t i) {
+    const auto* graph = std::get_if<GraphProof>(&block.proof);
+    return graph && i < exact.cycles.size() && !exact.cycles[i].empty() ? *graph->attained->radius.upper
+                                                                        : block.proved_upper();
+  };
+  const BlockProof* blocks = radius.by_blocks();
+  if (!blocks) return of_block(radius, 0);
+  Rational most = 0;
+  for (std::size_t i = 0; i < blocks->blocks.size(); ++i) most = std::max(most, of_block(blocks->blocks[i], i));
+  return most;
+}
+
 std::string exact_text(const CertificateClaim& claim, const ExactRadius& exact) {
   return claim.exact ? fmt::format("exact {}\n{}", *claim.exact, exact.root) : "";
 }
@@ -319,8 +333,8 @@ std::optional<std::pair<int, std::string>> logarithm_lines(const Mask& mask, con
 }
 
 /// What the certificate proves; the exponent may be known more sharply.
-Rational lower_end(const Mask& mask, const HolderRegularity& regularity) {
-  return regularity.bounds.sum_rules - *log_ratio(regularity.radius.proved_upper(), mask.arity()).upper;
+Rational lower_end(const Mask& mask, const HolderRegularity& regularity, const ExactRadius& exact = {}) {
+  return regularity.bounds.sum_rules - *log_ratio(upper_end(regularity.radius, exact), mask.arity()).upper;
 }
 
 /// The claim, and the lines from that of the sum rules on; those that come before are about what is exact.
@@ -334,7 +348,6 @@ ExponentLines exponent_lines(const Mask& mask, const HolderRegularity& regularit
   const int rules = regularity.bounds.sum_rules;
   const JointSpectralRadius& radius = regularity.radius;
   ExponentLines result;
-  result.claim.lower = outward(lower_end(mask, regularity), Rounding::down);
   const std::optional<Rational>& product = radius.product.radius.lower;
   const std::string whole = std::to_string(rules),
                     decimal = product && *product > 1
@@ -348,6 +361,7 @@ ExponentLines exponent_lines(const Mask& mask, const HolderRegularity& regularit
   const bool upper = result.claim.upper.has_value();
   ExactRadius exact;
   if (upper && by_product && !rounding && tell_exact) exact = exact_radius(family_of(mask, regularity), radius);
+  result.claim.lower = outward(lower_end(mask, regularity, exact), Rounding::down);
   if (!exact.number.empty()) {
     result.claim.exact = fmt::format("{}-log{}", rules, exact.number);
     result.exact = exact_text(result.claim, exact);
@@ -394,7 +408,7 @@ std::string gram_text(const LatticeSequence& gram) {
 template <class Make>
 Certificate with_bounds(const Make& make) {
   Certificate certificate = make(true);
-  if (certificate.text.find('*') != std::string::npos) certificate.bounds = make(false).text;
+  if (certificate.text.find('*') != std::string::npos) certificate.bounds = {make(false)};
   return certificate;
 }
 
@@ -402,10 +416,7 @@ Certificate with_bounds(const Make& make) {
 
 Certificate Certificate::of_bounds() const {
   Certificate result{{claim.lower, claim.upper}, {}};
-  if (!bounds.empty()) {
-    result.text = bounds;
-    return result;
-  }
+  if (!bounds.empty()) return bounds.front();
   std::istringstream lines(text);
   bool after_logarithm = false;  // its recurrence, not that of a section
   for (std::string line; std::getline(lines, line);) {
@@ -448,20 +459,23 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   const JointSpectralRadius& radius = *regularity.radius;
   const Dilation& dilation = mask.dilation();
   require(dilation.is_isotropic(), "surface_certificate: need an isotropic dilation, got {}", dilation.to_text());
-  const Enclosure exponent = exponent_of_radius({radius.product.radius.lower, radius.proved_upper()},
-                                                dilation.classes(), dilation.variables());
   const DifferenceSpace& space = *regularity.space;
-  const Rational lower = std::min(exponent.lower.value_or(0), Rational(space.order));
-  require(lower > 0, "surface_certificate: need a positive lower bound of the exponent, got {}",
-          to_decimal(lower, 6, Rounding::nearest));
+  const auto exponent = [&](const ExactRadius& exact) {
+    Enclosure ends = exponent_of_radius({radius.product.radius.lower, upper_end(radius, exact)}, dilation.classes(),
+                                        dilation.variables());
+    ends.lower = std::min(ends.lower.value_or(0), Rational(space.order));
+    return ends;
+  };
+  const Enclosure ends = exponent({});
+  const std::optional<Rational>&lower = ends.lower, &upper = ends.upper;
+  require(*lower > 0, "surface_certificate: need a positive lower bound of the exponent, got {}",
+          to_decimal(*lower, 6, Rounding::nearest));
+  const bool tells_upper_end = (space.is_of_values() || regularity.stable.is_yes()) && upper && *upper < space.order;
   return with_bounds([&](bool tell_exact) {
+    const ExactRadius exact = tells_upper_end && tell_exact ? exact_radius(space.family, radius) : ExactRadius{};
     Certificate certificate;
-    certificate.claim.lower = outward(lower, Rounding::down);
-    const bool tells_upper_end = space.is_of_values() || regularity.stable.is_yes();
-    if (tells_upper_end && exponent.upper && *exponent.upper < space.order)
-      certificate.claim.upper = outward(*exponent.upper, Rounding::up);
-    ExactRadius exact;
-    if (certificate.claim.upper && tell_exact) exact = exact_radius(space.family, radius);
+    certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
+    if (tells_upper_end) certificate.claim.upper = outward(*upper, Rounding::up);
     if (!exact.number.empty()) certificate.claim.exact = "0-log" + exact.number;
     certificate.text = fmt::format("subcert-certificate 3\nsurface {} {}\n{}", to_mask_text(mask), dilation.to_text(),
                                    bounds_text(certificate.claim)) +
@@ -469,7 +483,7 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
     if (certificate.claim.upper && !space.is_of_values()) certificate.text += gram_text(*regularity.gram);
     certificate.text += blocks_text(radius);
     if (certificate.claim.upper) certificate.text += product_text(space.family, radius);
-    certificate.text += SectionWriter(space.family.count(), std::move(exact.cycles)).text(radius.proof) + "end\n";
+    certificate.text += SectionWriter(space.family.count(), exact.cycles).text(radius.proof) + "end\n";
     return certificate;
   });
 }
@@ -566,10 +580,10 @@ Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRa
     Certificate certificate;
     if (*radius.product.radius.lower > 0)
       certificate.claim.lower = outward(*radius.product.radius.lower, Rounding::down);
-    certificate.claim.upper = outward(radius.proved_upper(), Rounding::up);
+    ExactRadius exact = tell_exact ? exact_radius(family, radius) : ExactRadius{};
+    certificate.claim.upper = outward(upper_end(radius, exact), Rounding::up);
     certificate.text = fmt::format("subcert-certificate 3\nradius {} {}\n{}", family.count(), family.size(),
                                    bounds_text(certificate.claim));
-    ExactRadius exact = tell_exact ? exact_radius(family, radius) : ExactRadius{};
     if (!exact.number.empty()) certificate.claim.exact = exact.number;
     certificate.text += exact_text(certificate.claim, exact) + blocks_text(radius);
     if (certificate.claim.lower) certificate.text += product_text(family, radius);

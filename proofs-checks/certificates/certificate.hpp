@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace subcert {
 
@@ -26,7 +27,8 @@ struct CertificateClaim {
 struct Certificate {
   CertificateClaim claim;
   std::string text;
-  std::string bounds = {};  ///< other text that proves the bounds alone, where lines cannot just be left out of `text`
+  /// One that proves bounds alone, and perhaps wider ones, where lines cannot just be left out of the text.
+  std::vector<Certificate> bounds = {};
 
   /// The same without the lines that say what the number is: where the checker does not accept them, as an image may
   /// lie too near to the boundary.

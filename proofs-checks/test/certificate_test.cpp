@@ -308,8 +308,9 @@ namespace {
 bool proves_exactly(const std::string& subject, const Certificate& certificate) {
   const CertificateClaim& claim = certificate.claim;
   REQUIRE(claim.exact);
-  CHECK(certificate.of_bounds().text.find("cycle") == std::string::npos);
-  CHECK(proves(subject, *claim.lower, *claim.upper, certificate.of_bounds().text));
+  const Certificate bounds = certificate.of_bounds();
+  CHECK(bounds.text.find("cycle") == std::string::npos);
+  CHECK(proves(subject, *bounds.claim.lower, *bounds.claim.upper, bounds.text));
   std::string other = *claim.exact;
   other.back() = other.back() == '9' ? '8' : '9';
   CHECK_FALSE(proves(subject + " --exact '" + other + "'", "", "", certificate.text));

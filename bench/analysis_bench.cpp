@@ -7,6 +7,7 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include <subcert/analysis/regularity/quadratic/product_tree.hpp>
+#include <subcert/analysis/regularity/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/regularity/radius/single_radius.hpp>
 #include <subcert/analysis/symbol/sum_of_squares.hpp>
 #include <subcert/analysis/transition/transition.hpp>
@@ -173,7 +174,22 @@ void BM_product_tree(benchmark::State& state, const std::string& scheme, double 
   for (const std::string& ends : tree->ends) words += std::ranges::count_if(ends, [](char end) { return end != '+'; });
   state.counters["words"] = static_cast<double>(words);
 }
+/// From a product to a graph of forms that it keeps, with the proof that it attains the radius.
+void BM_kept_product(benchmark::State& state, const std::string& scheme, const std::vector<int>& product) {
+  const MatrixFamily family = difference_matrices(scheme);
+  const ProductEvidence evidence = prove_product(family, product);
+  std::optional<GraphProof> proof;
+  for (auto _ : state) proof = prove_by_quadratic_forms(family, *evidence.radius.lower, {Deadline::in(60)}, evidence);
+  if (!proof || !proof->attained) return state.SkipWithError("not proved");
+  state.counters["words"] = static_cast<double>(proof->words());
+}
 const bool context_benchmarks = [] {
+  benchmark::RegisterBenchmark("BM_kept_product/primal:n=6,d=5", BM_kept_product, "primal:n=6,d=5", std::vector{0})
+      ->Unit(benchmark::kSecond);
+  benchmark::RegisterBenchmark("BM_kept_product/primal:n=8,d=3", BM_kept_product, "primal:n=8,d=3",
+                               std::vector{1, 0, 1, 1, 0, 1, 0, 0})
+      ->Unit(benchmark::kSecond)
+      ->Iterations(1);
   for (const auto& [scheme, radius] :
        {std::pair{"primal:n=6,d=3", 1.79008312595166}, {"primal:n=8,d=3", 1.44650169078056}})
     benchmark::RegisterBenchmark((std::string("BM_context_forms/") + scheme).c_str(), BM_context_forms, scheme, radius)

@@ -8,6 +8,7 @@
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include <subcert/analysis/regularity/quadratic/product_tree.hpp>
 #include <subcert/analysis/regularity/quadratic/quadratic_proof.hpp>
+#include <subcert/analysis/regularity/radius/product.hpp>
 #include <subcert/analysis/regularity/radius/single_radius.hpp>
 #include <subcert/analysis/symbol/sum_of_squares.hpp>
 #include <subcert/analysis/transition/transition.hpp>
@@ -179,7 +180,9 @@ void BM_kept_product(benchmark::State& state, const std::string& scheme, const s
   const MatrixFamily family = difference_matrices(scheme);
   const ProductEvidence evidence = prove_product(family, product);
   std::optional<GraphProof> proof;
-  for (auto _ : state) proof = prove_by_quadratic_forms(family, *evidence.radius.lower, {Deadline::in(60)}, evidence);
+  for (auto _ : state)
+    proof = prove_by_quadratic_forms(family, *evidence.radius.lower, {Deadline::in(60)},
+                                     {product, evidence.eigenvalue});
   if (!proof || !proof->attained) return state.SkipWithError("not proved");
   state.counters["words"] = static_cast<double>(proof->words());
 }

@@ -64,7 +64,7 @@ TEST_CASE("a quadratic form bounds the radius of the golden pair") {
   // With its product, of which states have forms that it keeps.
   const Rational radius(Integer("16180339887498948482"), pow(Integer(10), 19));
   const ProductEvidence product = prove_product(golden, {0, 1});
-  const auto near = prove_by_quadratic_forms(golden, radius, {Deadline::in(20)}, product);
+  const auto near = prove_by_quadratic_forms(golden, radius, {Deadline::in(20)}, {product.word, product.eigenvalue});
   REQUIRE(near);
   CHECK(near->bound < radius * (1 + power(Rational(10), -10)));
   CHECK(is_complete(*near, 2));
@@ -95,7 +95,8 @@ TEST_CASE("letters are kept only by the best product") {
   // 001 has the radius 1.55..., and 0 the radius 1 with a Jordan block.
   for (const std::vector<int>& word : {std::vector<int>{0, 0, 1}, std::vector<int>{0}}) {
     const ProductEvidence product = prove_product(golden, word);
-    const auto proof = prove_by_quadratic_forms(golden, *product.radius.lower, {Deadline::in(3)}, product);
+    const auto proof = prove_by_quadratic_forms(golden, *product.radius.lower, {Deadline::in(3)},
+                                                {product.word, product.eigenvalue});
     REQUIRE(proof);
     CHECK_FALSE(proof->attained);
     CHECK(power(2 * proof->bound - 1, 2) >= 5);

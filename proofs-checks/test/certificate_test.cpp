@@ -350,7 +350,7 @@ TEST_CASE("certificates of letters that a product keeps") {
     JointSpectralRadius result;
     result.product = prove_product(family, word);
     const auto graph = prove_by_quadratic_forms(family, *result.product.radius.lower, {Deadline::in(20)},
-                                                result.product);
+                                                {result.product.word, result.product.eigenvalue});
     REQUIRE((graph && graph->attained));
     result.exact = {Truth::yes, "by a graph"};
     result.radius = graph->attained->radius;

@@ -139,7 +139,7 @@ std::optional<ProductTree> least_tree(const quadratic::StateForms& forms, double
 class Search {
  public:
   /// `radius`: that of the product, or a bound that is small enough.
-  Search(const MatrixFamily& family, Shape shape, double radius, const ProductEvidence& product, const Budget& budget)
+  Search(const MatrixFamily& family, Shape shape, double radius, const LeadingProduct& product, const Budget& budget)
       : family_(family),
         shape_(std::move(shape)),
         radius_(radius),
@@ -252,7 +252,7 @@ class Search {
   const MatrixFamily& family_;
   Shape shape_;
   double radius_;
-  const ProductEvidence& product_;
+  const LeadingProduct& product_;
   Budget budget_;
   Deadline trees_end_;
 };
@@ -265,7 +265,7 @@ QuadraticProof scaled(QuadraticProof proof, long exponent) {
 }
 
 std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, const Rational& target,
-                                                   const Budget& budget, const ProductEvidence& product,
+                                                   const Budget& budget, const LeadingProduct& product,
                                                    const quadratic::ContextForms* known) {
   if (std::all_of(family.begin(), family.end(), [](const RationalMatrix& m) { return one_norm(m) == 0; }))
     return std::nullopt;

@@ -3,8 +3,6 @@
 
 #include "graph_proof.hpp"
 
-#include <subcert/analysis/regularity/radius/product.hpp>
-
 namespace subcert {
 namespace quadratic {
 class ContextForms;
@@ -21,13 +19,19 @@ struct QuadraticProof {
 /// The proof for 2^exponent times the matrices.
 QuadraticProof scaled(QuadraticProof proof, long exponent);
 
+/// A product that may attain the joint spectral radius, from left to right.
+struct LeadingProduct {
+  std::vector<int> word;
+  RationalComplex eigenvalue;  ///< the leading one, nearly
+};
+
 /// Searches forms and trees in floating point and confirms them in exact arithmetic. Nothing is returned where that
 /// fails. Domain: entries whose doubles are finite and not far from 1 in size; different matrices. `target`: a bound
 /// that is small enough; `product`: one that may attain the radius, which is proved too if possible; `known`: forms to
 /// go on with, if they are in the coordinates of the search. Error: none, the bound is proved. Cost: a few hundred
 /// decompositions of each matrix, then two products of matrices for each word; the checker's work is limited likewise.
 std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, const Rational& target,
-                                                   const Budget& budget, const ProductEvidence& product = {},
+                                                   const Budget& budget, const LeadingProduct& product = {},
                                                    const quadratic::ContextForms* known = nullptr);
 
 /// The proof for matrices that are a rational number times isometries of one positive definite form: the bound is that

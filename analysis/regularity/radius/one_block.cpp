@@ -216,7 +216,7 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   // A polytope that closed in floating point may have no proof.
   const bool closed = candidate.closed && by_polytope;
   if (!closed && lower < upper && !enough)
-    form = prove_by_quadratic_forms(scaled_family, lower / unit, budget, product,
+    form = prove_by_quadratic_forms(scaled_family, lower / unit, budget, {product.word, product.eigenvalue},
                                     found.contexts ? &*found.contexts : nullptr);
   const bool attained = form && form->attained && !found.exact.is_yes(),
              by_form = form && (attained || form->bound * unit < upper);

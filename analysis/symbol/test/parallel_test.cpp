@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace subcert;
@@ -32,6 +34,8 @@ TEST_CASE("the first exception comes out, and no work is begun after it") {
       parallel_for_each(100'000, jobs, [&](std::size_t i) {
         ++begun;
         if (i == 5) throw std::runtime_error("five");
+        // Or the others do all that is left while the one that throws waits for its turn.
+        std::this_thread::sleep_for(std::chrono::microseconds(20));
       });
     } catch (const std::runtime_error& error) {
       message = error.what();

@@ -18,6 +18,7 @@ constexpr double symmetric_tolerance = 1e-12;  // a symmetry may be off by that,
 // Shares of the whole time. A polytope that closes exactly is worth most of it; enclosing gets the rest.
 constexpr double first_products = 0.35, later_products = 0.175;
 constexpr double first_race = 0.84, all_races = 0.91, last_race = 0.7;
+constexpr double last_share = 0.5;  // of what is left for races at last, where forms come after polytopes
 // A polytope that closes mostly does so within a small multiple of the first look at the products; one that does not
 // gets a wider look for a better product, and more time each round.
 constexpr double first_patience = 20, later_patience = 30;
@@ -94,9 +95,9 @@ class Search {
     for (std::size_t k = 1; k < product_looks.size(); ++k) {
       const bool last = k + 1 == product_looks.size();
       const double before = work_;
-      if (last && options_.more_products) look_for_more_products();
+      if (last && forms_follow()) look_for_more_products();
       look_for_products(product_looks[k], later_products);
-      const double rest = all_races * seconds_ - work_;
+      const double rest = (last && forms_follow() ? last_share : 1) * (all_races * seconds_ - work_);
       if (race(last ? rest : std::min(least_race + later_patience * (work_ - before), rest), 2)) return closed();
       if (k == 1 && race_with_large_extras(large_share * all_races * seconds_)) return closed();
       if (work_ > last_race * seconds_ || races_.expired() || full()) break;
@@ -106,6 +107,8 @@ class Search {
 
  private:
   const Deadline& deadline() const { return options_.budget.deadline; }
+  // Who has other products has forms.
+  bool forms_follow() const { return static_cast<bool>(options_.more_products); }
   // Products get a quarter of the memory, polytopes the rest.
   std::size_t memory_of_products() const { return options_.budget.memory / 4; }
   std::size_t memory_of_polytopes() const { return options_.budget.memory - memory_of_products(); }
@@ -274,8 +277,9 @@ class Search {
     return with_counters(std::move(result));
   }
 
-  // Images divided by (1 + excess) radius, the excess smaller as long as time and memory last.
+  // Images divided by (1 + excess) radius, the excess smaller as long as time and memory last. Forms enclose better.
   SearchResult enclosed() {
+    const Deadline end = forms_follow() ? deadline().at_most((1 - all_races) * seconds_) : deadline();
     SearchResult best;
     const double radius = candidates_.front().radius;
     const std::size_t side = runs_[0] && runs_[1] && runs_[1]->open_share() < runs_[0]->open_share() ? 1 : 0;
@@ -284,17 +288,17 @@ class Search {
     // No image needs to come back to a vertex any more, so that real polytopes do for complex eigenvalues.
     const PolytopeKind simple = kind() == PolytopeKind::nonnegative ? PolytopeKind::nonnegative : PolytopeKind::real;
     double excess = first_excess;
-    for (int k = 0; k < excess_count && !deadline().expired(); ++k, excess *= excess_factor) {
+    for (int k = 0; k < excess_count && !end.expired(); ++k, excess *= excess_factor) {
       if (k == 3) excess = third_excess;
       const std::size_t held = std::min(bytes_of(best), memory_of_polytopes());
       // An image that is inside by less than the excess need not become a vertex: it would by the radius itself.
       options_.tolerance = std::min(options_.tolerance, inner_share * excess);
       auto run = start(side, radius * (1 + excess), simple, memory_of_polytopes() - held);
-      if (run->advance(no_limit, deadline()) != PolytopeRun::State::closed) {
+      if (run->advance(no_limit, end) != PolytopeRun::State::closed) {
         retire(run);
         break;
       }
-      run->finish(deadline().after(0.5));
+      run->finish(end.after(0.5));
       counters_.vertices = run->size();
       run->count(counters_);
       std::move(*run).report(best);

@@ -16,7 +16,7 @@ using quadratic::ProductTree;
 
 // Of the time: until the first form is found; of the rest until the last contexts are, and their tree.
 constexpr double shape_share = 0.3, contexts_share = 0.78, tree_share = 0.9;
-constexpr double look_share = 0.2;       // of the time for contexts: for a look whether words are few already
+constexpr double look_share = 0.4;       // of the time for contexts: for a look whether words are few already
 constexpr double first_look = 0.1;       // seconds, before there are contexts
 constexpr double most_work = 2e10;       // of a proof; a checker takes a few seconds for it, the verified one a minute
 constexpr double most_fine_work = 1e8;   // with long numbers

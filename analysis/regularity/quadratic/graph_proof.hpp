@@ -11,11 +11,12 @@
 
 namespace subcert {
 
+struct AttainedGraph;
+
 /// States with norms |x| = |L x|, L lower triangular, and steps L A_t = bound (B + E) L_to g / 2^bits, g an element of
 /// the group, E an error of norm at most the size of the matrices. Words of steps lead away from each state whose
 /// products are contractions, errors included; every infinite sequence of letters begins with one
 /// (proofs-checks/certificates/SPEC.md, 4.13).
-struct AttainedGraph;
 struct GraphProof {
   struct Step {
     std::size_t letter = 0, to = 0;

@@ -68,10 +68,13 @@ RationalMatrix to_matrix(const Integers& coordinates, std::size_t n) {
   return result;
 }
 
-/// The largest |row x|^2 of all x with |L x| = 1.
-double largest_square(const ComplexVector& row, const Integers& coordinates) {
+/// The largest |row x|^2 / scale of all x with |L x| = 1.
+double largest_square(const ComplexVector& row, const Integers& coordinates, const Rational& scale) {
   const std::size_t n = row.size();
-  ComplexVector y = row;
+  // Doubles hold neither of them, perhaps.
+  const Rational unit = power(Rational(2), -binary_exponent(one_norm(row)));
+  ComplexVector y;
+  for (const RationalComplex& entry : row) y.push_back(unit * entry);
   double re = 0, im = 0, mixed = 0;
   for (std::size_t j = n; j-- > 0;) {
     for (std::size_t k = j + 1; k < n; ++k) y[j] += Rational(-coordinates[k * n + j]) * y[k];
@@ -81,11 +84,10 @@ double largest_square(const ComplexVector& row, const Integers& coordinates) {
     im += b * b;
     mixed += a * b;
   }
-  return (re + im + std::hypot(re - im, 2 * mixed)) / 2;
+  return (re + im + std::hypot(re - im, 2 * mixed)) / 2 / Rational(unit * unit * scale).convert_to<double>();
 }
 
-/// Numbers of few digits; their powers of the radius are such that the proof
-/// becomes harder by them.
+/// With 512 binary digits.
 Rational rounded(const Rational& value, Rounding rounding) {
   constexpr long bits = 512;
   const Rational unit = power(Rational(2), binary_exponent(value) - bits);
@@ -109,8 +111,7 @@ std::optional<KeptCycle> prove_kept_cycle(const MatrixFamily& family, const std:
   if (bound > low) return std::nullopt;
 
   std::vector<Row> rows{pair->row};
-  std::vector<RationalMatrix> forms,
-      images;  // |L x|^2, and |L A x|^2 of the state before
+  std::vector<RationalMatrix> forms, images;  // |L x|^2 and |L A x|^2
   for (std::size_t i = 0; i < length; ++i) {
     const RationalMatrix &letter = family[static_cast<std::size_t>(product[i])], letter_transposed = transposed(letter),
                          triangle = to_matrix(coordinates[i], n), image = triangle * letter;
@@ -129,8 +130,9 @@ std::optional<KeptCycle> prove_kept_cycle(const MatrixFamily& family, const std:
   const double ratio = Rational(low / bound).convert_to<double>();
   double largest = 0;
   for (std::size_t i = 0; i < length; ++i)
-    largest = std::max(largest, largest_square(rows[i].entries, coordinates[i]) /
-                                    Rational(least * power(low, 2 * static_cast<long>(i))).convert_to<double>());
+    largest = std::max(largest,
+                       largest_square(rows[i].entries, coordinates[i], least * power(low, 2 * static_cast<long>(i))));
+  if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;
   result.scale = Rational((1 + ratio) / 2 / std::sqrt(largest));
   const auto error_of = [](const Row& row) { return Rational(2 * one_norm(row.entries) * row.error); };
   // The two matrices of SPEC.md, 4.14, for the letter i.

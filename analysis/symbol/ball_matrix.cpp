@@ -26,30 +26,20 @@ class ComplexBallMatrix {
   acb_mat_t value_;
 };
 
-/// conj(v) . (matrix v) / conj(v) . v. Domain: v not 0.
-RationalComplex rayleigh_quotient(const RationalMatrix& matrix, const ComplexVector& v) {
-  const ComplexVector image = matrix * v;
-  RationalComplex sum;
-  Rational square = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    square += v[i].squared_modulus();
-    sum += v[i].conjugate() * image[i];
-  }
-  return 1 / square * sum;
-}
-
 }  // namespace
 
 std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const ComplexVector& approximation,
                                                     slong bits) {
   const std::size_t n = matrix.rows();
   ComplexBallMatrix balls(n, n), start(n, 1), vector(n, 1), subspace(1, 1);
+  // Inclusion is decided by absolute errors, so that the vector has to be about as long as 1.
+  const Rational unit = power(Rational(2), -binary_exponent(one_norm(approximation)));
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) acb_set(balls.entry(i, j), ball_around({matrix(i, j), 0}, bits).get());
-    acb_set(start.entry(i, 0), ball_around(approximation[i], bits).get());
+    acb_set(start.entry(i, 0), ball_around(unit * approximation[i], bits).get());
   }
   acb_mat_get_mid(start.get(), start.get());
-  const ComplexBall near = middle(ball_around(rayleigh_quotient(matrix, approximation), bits));
+  const ComplexBall near = middle(ball_around(rayleigh_quotient(approximation, matrix * approximation), bits));
   EigenpairEnclosure result{ComplexBall(bits), {}};
   acb_mat_eig_enclosure_rump(result.value.get(), subspace.get(), vector.get(), balls.get(), near.get(), start.get(),
                              bits);

@@ -38,8 +38,6 @@ std::optional<LeftEigenpair> left_eigenpair(const RationalMatrix& product, const
   std::optional<EigenpairEnclosure> pair;
   // Each time twice as many digits are right.
   for (int k = 0; k < refinements; ++k) {
-    const Rational unit = power(Rational(2), -binary_exponent(one_norm(near)));
-    for (RationalComplex& entry : near) entry = unit * entry;
     pair = enclose_eigenpair(matrix, near, bits);
     if (!pair) return std::nullopt;
     std::ranges::transform(pair->vector, near.begin(), exact_middle);

@@ -160,8 +160,7 @@ class Search {
       if (kept)
         if (auto proof = attained(states, *kept)) return proof;
       if (kept || states.product.empty())
-        if (auto tree = tree_at_goal(states, goal(), {work, trees_end_}))
-          return proved({states, *tree, bits_of(*tree), 0});
+        if (auto tree = tree_at_goal(states, goal(), {work, trees_end_})) return proved(states, *tree, bits_of(*tree));
       const Stopwatch stopwatch;
       if (!contexts.grow({contexts_end, budget_.memory / 2})) break;
       states = with_product(contexts);
@@ -183,7 +182,7 @@ class Search {
       try_out(*found, quadratic::most_bits, std::min(most, fine_work()));
       try_out(*found, quadratic::double_bits, most);
     }
-    return best ? proved(*best) : std::nullopt;
+    return best ? proved(best->forms, best->tree, best->bits) : std::nullopt;
   }
 
  private:
@@ -208,11 +207,16 @@ class Search {
     return proof ? std::move(proof) : prove(quadratic::double_bits, end);
   }
 
-  std::optional<GraphProof> proved(const FormedTree& found) const {
-    const auto coordinates = quadratic::triangular_coordinates(found.forms.to, shape_.round);
-    if (!coordinates) return std::nullopt;
-    return with_bits(found.bits, [&](int bits, const Deadline& deadline) {
-      return quadratic::prove_graph(family_, *coordinates, found.forms, found.tree, bits, deadline);
+  using Coordinates = std::vector<quadratic::Integers>;
+
+  std::optional<GraphProof> proved(const quadratic::StateForms& forms, const ProductTree& tree, int bits) const {
+    const auto coordinates = quadratic::triangular_coordinates(forms.to, shape_.round);
+    return coordinates ? proved(forms, tree, bits, *coordinates) : std::nullopt;
+  }
+  std::optional<GraphProof> proved(const quadratic::StateForms& forms, const ProductTree& tree, int bits,
+                                   const Coordinates& coordinates) const {
+    return with_bits(bits, [&](int digits, const Deadline& deadline) {
+      return quadratic::prove_graph(family_, coordinates, forms, tree, digits, deadline);
     });
   }
 
@@ -244,7 +248,7 @@ class Search {
     }
     if (!graph) return std::nullopt;
     tree.bound = radius_;
-    auto proof = proved({forms, tree, graph->graph.bits, 0});
+    auto proof = proved(forms, tree, graph->graph.bits, *coordinates);
     if (proof) proof->attained = std::make_shared<AttainedGraph>(std::move(*graph));
     return proof;
   }

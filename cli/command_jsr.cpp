@@ -1,4 +1,4 @@
-// subcert jsr FILE: the joint spectral radius of any finite set of rational matrices
+// subcert jsr FILE: the joint spectral radius of any finite set of rational matrices, or the subradius
 
 #include "checker.hpp"
 #include "command.hpp"
@@ -7,6 +7,7 @@
 
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/regularity/radius/p_radius.hpp>
+#include <subcert/analysis/regularity/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
@@ -24,7 +25,8 @@ struct JsrOptions : SearchOptions {
   std::string file;
   std::string certificate;
   std::string lower, upper;
-  int power = 0;  ///< of the averaged growth; 0 for the joint spectral radius
+  int power = 0;       ///< of the averaged growth; 0 for the joint spectral radius
+  bool least = false;  ///< the joint spectral subradius is meant
 };
 
 std::optional<Rational> read_bound(const std::string& name, const std::string& text) {
@@ -79,6 +81,27 @@ JointSpectralRadius radius_of(const MatrixFamily& family, const std::optional<Ra
   return result;
 }
 
+void add_verdicts(Json& json, const std::vector<Bound>& bounds) {
+  for (const Bound& bound : bounds)
+    json[bound.name] = {{"value", to_text(bound.value)}, {"verdict", verdict_text(bound.holds)}};
+}
+
+std::string verdicts_text(const std::vector<Bound>& bounds) {
+  std::string text;
+  for (const Bound& bound : bounds)
+    text += fmt::format("{}{}: {}\n", padded(bound.name, 13), to_text(bound.value), verdict_text(bound.holds));
+  return text;
+}
+
+/// Of bounds that were asked for, or else of the enclosure.
+ExitCode code_of(const std::vector<Bound>& bounds, bool is_closed) {
+  if (bounds.empty()) return is_closed ? done : undecided;
+  const auto any = [&](Truth truth) {
+    return std::ranges::any_of(bounds, [=](const Bound& b) { return b.holds == truth; });
+  };
+  return any(Truth::no) ? failed : any(Truth::unknown) ? undecided : done;
+}
+
 Json json_of(const JointSpectralRadius& radius, const std::vector<int>& word, const std::vector<Bound>& bounds,
              std::size_t size, int digits) {
   const BlockProof* blocks = radius.by_blocks();
@@ -90,8 +113,7 @@ Json json_of(const JointSpectralRadius& radius, const std::vector<int>& word, co
             {"method", method_text(radius)},
             {"vertices", radius.vertices()},
             {"blocks", blocks ? Json(blocks->triangular.sizes) : Json({size})}};
-  for (const Bound& bound : bounds)
-    json[bound.name] = {{"value", to_text(bound.value)}, {"verdict", verdict_text(bound.holds)}};
+  add_verdicts(json, bounds);
   return json;
 }
 
@@ -104,9 +126,7 @@ std::string text_of(const JointSpectralRadius& radius, const std::vector<int>& w
                       enclosure_text(radius.radius, std::max(digits, 14)), sized_method_text(radius),
                       fmt::join(word, " "), enclosure_text(radius.product.radius, 14),
                       radius.exact.is_yes() ? ", proved to attain the joint spectral radius" : "");
-  for (const Bound& bound : bounds)
-    text += fmt::format("{}{}: {}\n", padded(bound.name, 13), to_text(bound.value), verdict_text(bound.holds));
-  return text;
+  return text + verdicts_text(bounds);
 }
 
 ExitCode run_averaged(const JsrOptions& options, const MatricesFile& file, const WantedWidth& wanted) {
@@ -127,9 +147,42 @@ ExitCode run_averaged(const JsrOptions& options, const MatricesFile& file, const
   return wanted.holds(found->radius) ? done : undecided;
 }
 
+ExitCode run_least(const JsrOptions& options, const MatricesFile& file, const WantedWidth& wanted) {
+  if (!file.graph.empty()) fail(ErrorKind::usage, "--subradius: expected matrices without a graph, got \"edges\"");
+  if (options.power > 0) fail(ErrorKind::usage, "--subradius: expected no --p beside it");
+  const MatrixFamily& family = file.family;
+  if (!is_nonnegative(family)) fail(ErrorKind::usage, "--subradius: expected matrices without negative entries");
+  const auto lower = read_bound("--lower", options.lower), upper = read_bound("--upper", options.upper);
+  options.progress("products and polytopes");
+  const JointSpectralSubradius found = joint_spectral_subradius(family, options.limits(), {lower, upper, wanted.bits});
+  options.end_progress();
+  std::optional<CertificateClaim> claim;
+  if (!options.certificate.empty())
+    claim = write_verified(options.certificate, subradius_certificate(family, found), matrices_text(family));
+  const std::vector<Bound> bounds = decided(found.radius, lower, upper);
+  const std::size_t vertices = found.antinorm ? found.antinorm->vertices.size() : 0;
+  Json json{{"subradius", enclosure_json(found.radius, std::max(wanted.digits, 20))},
+            {"closed", found.is_closed()},
+            {"product", found.product.word},
+            {"vertices", vertices}};
+  add_verdicts(json, bounds);
+  if (claim) json["certificate"] = claim_json(*claim);
+  const std::string polytope = vertices == 0 ? ""
+                                             : fmt::format(", lower end by a polytope with {} {}", vertices,
+                                                           vertices == 1 ? "vertex" : "vertices");
+  options.answer(json,
+                 fmt::format("matrices     {} of size {}\nsubradius    {}  (upper end by the product{})\n"
+                             "product      {}\n{}{}",
+                             family.count(), family.size(), enclosure_text(found.radius, std::max(wanted.digits, 14)),
+                             polytope, fmt::join(found.product.word, " "), verdicts_text(bounds),
+                             claim ? verified_text(options.certificate, *claim) : ""));
+  return code_of(bounds, found.is_closed() && wanted.holds(found.radius));
+}
+
 ExitCode run(const JsrOptions& options) {
   const MatricesFile file = parse_matrices(read_file(options.file), options.file);
   const WantedWidth wanted = wanted_width(options);
+  if (options.least) return run_least(options, file, wanted);
   if (options.power > 0) return run_averaged(options, file, wanted);
   const auto lower = read_bound("--lower", options.lower), upper = read_bound("--upper", options.upper);
   std::optional<LiftedFamily> lift;
@@ -155,11 +208,7 @@ ExitCode run(const JsrOptions& options) {
   if (claim) json["certificate"] = claim_json(*claim);
   options.answer(json, head + text_of(radius, word, bounds, wanted.digits) +
                            (claim ? verified_text(options.certificate, *claim) : ""));
-  if (bounds.empty()) return radius.is_closed() && wanted.holds(radius.radius) ? done : undecided;
-  const auto any = [&](Truth truth) {
-    return std::ranges::any_of(bounds, [=](const Bound& b) { return b.holds == truth; });
-  };
-  return any(Truth::no) ? failed : any(Truth::unknown) ? undecided : done;
+  return code_of(bounds, radius.is_closed() && wanted.holds(radius.radius));
 }
 
 }  // namespace
@@ -182,6 +231,9 @@ void add_jsr(Command& app) {
       .option("--p", options->power,
               "The p-radius instead: how averages of p-th powers of norms grow; p even, or no entry negative")
       .within(1, 64);
+  command.flag("--subradius", options->least,
+               "The joint spectral subradius instead, also called lower spectral radius: how slowly products can grow; "
+               "no entry negative");
   add_limits(command, *options);
   add_width(command, *options);
   command.option("--certificate", options->certificate,

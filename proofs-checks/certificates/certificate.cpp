@@ -21,10 +21,11 @@ namespace {
 constexpr std::size_t least_inverted = 24;  // the size from which on an inverse proves a product
 constexpr int most_levels = 6;              // of the norms that bound differences
 
-/// A decimal of 15 places as a fraction in lowest terms; of 15 more than the zeros after the point for tiny numbers.
-std::string outward(const Rational& value, Rounding rounding) {
+/// A decimal of so many places as a fraction in lowest terms; of as many more as there are zeros after the point for
+/// tiny numbers.
+std::string outward(const Rational& value, Rounding rounding, int least_places = 15) {
   const long bits = value == 0 ? 0 : -binary_exponent(value);
-  const int places = bits < 20 ? 15 : 15 + static_cast<int>(bits * 302 / 1000);
+  const int places = bits < 20 ? least_places : least_places + static_cast<int>(bits * 302 / 1000);
   std::string digits = to_fixed(value, places, rounding);
   digits.erase(digits.find('.'), 1);
   const Rational rounded = *parse_rational(digits) * power(Rational(10), -places);
@@ -590,6 +591,32 @@ Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRa
     certificate.text += SectionWriter(family.count(), std::move(exact.cycles)).text(radius.proof) + "end\n";
     return certificate;
   });
+}
+
+Certificate subradius_certificate(const MatrixFamily& family, const JointSpectralSubradius& radius) {
+  constexpr int least_places = 15;
+  const auto& [ends, product, proof] = radius;
+  // As many as tell the ends apart.
+  const int places = ends.is_exact() ? least_places : std::max(least_places, decimal_places(*ends.upper - *ends.lower));
+  Certificate certificate;
+  certificate.claim.upper = outward(*ends.upper, Rounding::up, places);
+  std::string proofs = product_text(0, {product.radius, 0}, product.word) + "weights" + numbers_text(product.weights) +
+                       "\n";
+  if (proof) {
+    certificate.claim.lower = outward(*ends.lower, Rounding::down, places);
+    proofs += fmt::format("block 0 polytope {} 0 {}{}\n", proof->vertices.size(), proof->weight_bits,
+                          proof->transposed ? " transposed" : "");
+    for (const std::vector<Integer>& vertex : proof->vertices) proofs += "vertex" + numbers_text(vertex) + "\n";
+    for (std::size_t i = 0; i < proof->images.size(); ++i) {
+      proofs += fmt::format("image {} {}", i / family.count(), i % family.count());
+      for (const AntinormProof::Term& term : proof->images[i])
+        proofs += fmt::format(" {}:{}", term.vertex, term.weight.str());
+      proofs += "\n";
+    }
+  }
+  certificate.text = fmt::format("subcert-certificate 3\nsubradius {} {}\n{}{}end\n", family.count(), family.size(),
+                                 bounds_text(certificate.claim), proofs);
+  return certificate;
 }
 
 std::string matrices_text(const MatrixFamily& family) {

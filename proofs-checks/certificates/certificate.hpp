@@ -4,6 +4,7 @@
 #include <subcert/analysis/family/exponent_curve.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/subradius/joint_spectral_subradius.hpp>
 
 #include <optional>
 #include <string>
@@ -65,6 +66,9 @@ std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, cha
 
 /// Proves bounds of the joint spectral radius of these matrices. Domain: `radius` is that of the family.
 Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRadius& radius);
+
+/// Proves bounds of the joint spectral subradius of these matrices. Domain: `radius` is that of the family.
+Certificate subradius_certificate(const MatrixFamily& family, const JointSpectralSubradius& radius);
 
 /// The matrices as the checker reads them.
 std::string matrices_text(const MatrixFamily& family);

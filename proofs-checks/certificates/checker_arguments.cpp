@@ -31,13 +31,14 @@ std::vector<std::string> parts_of(const std::string& claim) {
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
-       "scheme, 'FAMILY for w=LOW..HIGH', or 'radius FILE'",
+       "scheme, 'FAMILY for w=LOW..HIGH', 'radius FILE' or 'subradius FILE'",
        claim);
 }
 
 std::vector<std::string> subject_arguments(const std::string& subject) {
-  constexpr std::string_view radius = "radius ", range = " for ";
+  constexpr std::string_view radius = "radius ", subradius = "subradius ", range = " for ";
   if (subject.starts_with(radius)) return {"--matrices", trimmed(subject.substr(radius.size()))};
+  if (subject.starts_with(subradius)) return {"--subradius", trimmed(subject.substr(subradius.size()))};
   if (const std::size_t at = subject.find(range); at != std::string::npos) {
     const std::string values = trimmed(subject.substr(at + range.size()));
     const ParametricScheme family = make_parametric_scheme(trimmed(subject.substr(0, at)));
@@ -106,8 +107,10 @@ std::vector<std::string> checker_arguments(const std::string& text, const std::s
     arguments = {"--surface", first, "--dilation", second};
   else if (kind == "radius")
     arguments = {"--matrices", file + ".matrices"};
+  else if (kind == "subradius")
+    arguments = {"--subradius", file + ".matrices"};
   else
-    fail(ErrorKind::data, "{}, line 2: expected exponent, surface or radius", file);
+    fail(ErrorKind::data, "{}, line 2: expected exponent, surface, radius or subradius", file);
   constexpr std::string_view within = "within=";
   if (kind == "exponent" && range.starts_with(within))
     arguments.insert(arguments.end(), {"--within", range.substr(within.size())});

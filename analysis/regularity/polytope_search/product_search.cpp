@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -71,10 +72,9 @@ class ProductSearch {
       level_ = std::move(next);
     }
     std::vector<Candidate> result;
-    for (const auto& [word, radius] : known_) {
-      if (radius >= best_ * (1 - options_.near)) result.push_back({word, radius * orbit_.radius_bound});
-    }
-    sort_candidates(result);
+    for (const auto& [word, radius] : known_)
+      if (is_near(radius)) result.push_back({word, radius * orbit_.radius_bound});
+    sort_candidates(result, options_.least);
     if (result.size() > max_candidates) result.resize(max_candidates);
     return result;
   }
@@ -82,12 +82,19 @@ class ProductSearch {
  private:
   bool late() const { return options_.budget.deadline.expired(); }
 
+  // Whether a radius is better than another one.
+  bool leads(double radius, double other) const { return options_.least ? radius < other : radius > other; }
+  // Whether it is as good as the best, or nearly.
+  bool is_near(double radius) const {
+    return !leads(best_ * (options_.least ? 1 + options_.near : 1 - options_.near), radius);
+  }
+
   // The exact radius of a product, unless it is known already.
   bool record(const Partial& p) {
     std::vector<int> word = canonical_word(p.word, family_.matrices.size(), family_.symmetry);
     if (known_.contains(word)) return false;
     const double radius = std::pow(spectral_radius(p.product), 1.0 / static_cast<double>(p.word.size()));
-    best_ = std::max(best_, radius);
+    if (known_.empty() || leads(radius, best_)) best_ = radius;
     return known_.emplace(std::move(word), radius).second;
   }
 
@@ -117,10 +124,10 @@ class ProductSearch {
     }
   }
 
-  static std::vector<std::size_t> by_score(const std::vector<Partial>& partials) {
+  std::vector<std::size_t> by_score(const std::vector<Partial>& partials) const {
     std::vector<std::size_t> order(partials.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return partials[a].score > partials[b].score; });
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return leads(partials[a].score, partials[b].score); });
     return order;
   }
 
@@ -143,7 +150,7 @@ class ProductSearch {
         p.product = matrices_[a] * parent.product;
         p.norm = std::pow(norm(p.product.entries()), exponent);
         p.bound = std::min(parent.bound, p.norm);
-        if (p.bound <= best_ * (1 - options_.near)) continue;
+        if (!options_.least && p.bound <= best_ * (1 - options_.near)) continue;
         p.score = std::pow(estimated_radius(p.product), exponent);
         next.push_back(std::move(p));
       }
@@ -155,16 +162,16 @@ class ProductSearch {
     int solved = 0;
     for (const std::size_t k : order) {
       if (solved >= (length <= short_word ? solved_short : solved_long) || late()) break;
-      if (next[k].score < best_ * (1 - options_.near)) break;
+      if (!options_.least && !is_near(next[k].score)) break;
       if (record(next[k])) ++solved;
     }
   }
 
   // Keeps `width` of them: half by estimated radius, which is what `order` goes by, half by norm.
-  static void narrow(std::vector<Partial>& next, std::vector<std::size_t>& order, std::size_t width) {
+  void narrow(std::vector<Partial>& next, std::vector<std::size_t>& order, std::size_t width) const {
     std::vector<char> keep(next.size(), 0);
     for (std::size_t k = 0; k < width / 2; ++k) keep[order[k]] = 1;
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return next[a].norm > next[b].norm; });
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return leads(next[a].norm, next[b].norm); });
     std::size_t kept = width / 2;
     for (const std::size_t k : order) {
       if (kept >= width) break;
@@ -206,16 +213,18 @@ std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count,
   return best;
 }
 
-std::size_t sort_candidates(std::vector<Candidate>& candidates) {
-  double top = 0;
-  for (const Candidate& c : candidates) top = std::max(top, c.radius);
-  const auto maximizes = [top](const Candidate& c) { return c.radius >= top * (1 - equal_radii); };
+std::size_t sort_candidates(std::vector<Candidate>& candidates, bool least) {
+  double top = least ? std::numeric_limits<double>::infinity() : 0;
+  for (const Candidate& c : candidates) top = least ? std::min(top, c.radius) : std::max(top, c.radius);
+  const auto leads = [=](const Candidate& c) {
+    return least ? c.radius <= top * (1 + equal_radii) : c.radius >= top * (1 - equal_radii);
+  };
   std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
-    if (maximizes(a) != maximizes(b)) return maximizes(a);
-    if (maximizes(a) && a.word.size() != b.word.size()) return a.word.size() < b.word.size();
-    return a.radius > b.radius;
+    if (leads(a) != leads(b)) return leads(a);
+    if (leads(a) && a.word.size() != b.word.size()) return a.word.size() < b.word.size();
+    return least ? a.radius < b.radius : a.radius > b.radius;
   });
-  return static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), maximizes));
+  return static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), leads));
 }
 
 double product_radius(const std::vector<Matrix>& matrices, const std::vector<int>& word) {

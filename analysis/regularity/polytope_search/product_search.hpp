@@ -1,6 +1,6 @@
 #pragma once
-/// Products of the matrices of a family whose averaged spectral radius is large: the candidates for spectrum maximizing
-/// products that the search for a polytope starts from.
+/// Products of the matrices of a family whose averaged spectral radius is large, or small: the candidates for spectrum
+/// maximizing, or minimizing, products that the search for a polytope starts from.
 
 #include "symmetry.hpp"
 
@@ -30,6 +30,7 @@ struct ProductSearchOptions {
   int width = 32;      ///< products kept per length; fewer where the memory does not hold so many
   double near = 5e-3;  ///< candidates within this relative distance of the best are reported
   Budget budget;
+  bool least = false;  ///< products of small radius are meant instead
 };
 
 /// Looks of rising cost: with each one better products may be found.
@@ -42,8 +43,9 @@ inline constexpr std::array<ProductLook, 4> product_looks{{{12, 12}, {40, 32}, {
 /// the symmetry.
 std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count, const SymmetryGroup& symmetry);
 
-/// Best first; among those that equal the best to a relative 1e-11 the shorter words first. Returns how many do.
-std::size_t sort_candidates(std::vector<Candidate>& candidates);
+/// Best first, those of largest radius or with `least` of smallest; among those that equal the best to a relative 1e-11
+/// the shorter words first. Returns how many do.
+std::size_t sort_candidates(std::vector<Candidate>& candidates, bool least = false);
 
 /// rho(A_{w_k} ... A_{w_1})^(1/k), from the eigenvalues of the product in double precision.
 /// Domain: non-empty word over the family.
@@ -71,7 +73,8 @@ Whitening whitening(const Matrix& shape, double least);
 /// them, at least one. A width limited branch and bound: per length it keeps the products of largest norm and those of
 /// largest estimated radius, and drops those whose norm shows that no power of them can beat the best.
 /// Within the budget it never misses a product of length k with count^k <= width. The result is a lower bound of the
-/// joint spectral radius, not more. Domain: at least one matrix. Error: radii as exact as double precision eigenvalues.
+/// joint spectral radius, not more. With `least` it keeps products of small norm and radius, and drops none for its
+/// norm. Domain: at least one matrix. Error: radii as exact as double precision eigenvalues.
 /// Cost: 2 width * max_length matrix products and a few hundred eigenvalue problems. Ref: [Gri96], [Mej20, sec. 3].
 std::vector<Candidate> search_products(const SearchFamily& family, const ProductSearchOptions& options);
 

@@ -1,0 +1,31 @@
+#pragma once
+/// Rational proofs of both ends of a joint spectral subradius.
+
+#include <subcert/analysis/symbol/matrix_family.hpp>
+
+#include <optional>
+
+namespace subcert {
+
+/// A product N with N x <= radius x for a positive vector x: its spectral radius is at most `radius`.
+struct SlowProduct {
+  std::vector<int> word;  ///< A_{word[0]} A_{word[1]} ..., from left to right
+  Rational radius;
+  std::vector<Integer> weights;  ///< x
+};
+
+/// Non-negative vertices, and for the image of each under each matrix a combination of vertices that is at most the
+/// image in each coordinate: each product of k matrices has at least the norm c bound^k.
+struct AntinormProof {
+  struct Term {
+    std::size_t vertex;
+    Integer weight;  ///< over 2^weight_bits
+  };
+  bool transposed = false;  ///< the matrices are the transposed ones
+  int weight_bits = 0;
+  std::vector<std::vector<Integer>> vertices;
+  std::vector<std::vector<Term>> images;  ///< vertex by vertex, matrix by matrix
+  Rational bound;                         ///< the least sum of weights of an image
+};
+
+}  // namespace subcert

@@ -1,0 +1,265 @@
+#include "certify.hpp"
+
+#include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
+#include <subcert/analysis/regularity/radius/cost.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace subcert::subradius {
+namespace {
+
+constexpr double clearly_above = 1e-9;  // an antinorm so far above 1 needs no exact weights
+constexpr double shrink = 1 - 1e-11;    // of weights in double precision
+constexpr int spare_bits = 64;
+
+using IntegerVector = std::vector<Integer>;
+
+Rational two_to(long exponent) { return power(Rational(2), exponent); }
+
+bool is_positive(const IntegerVector& x) {
+  return std::all_of(x.begin(), x.end(), [](const Integer& c) { return c > 0; });
+}
+
+/// The least multiple of rational numbers whose coordinates are integers.
+IntegerVector cleared(const std::vector<Rational>& x) {
+  Integer common = 1;
+  for (const Rational& c : x) common = lcm(common, denominator(c));
+  IntegerVector result;
+  for (const Rational& c : x) result.push_back(numerator(c * Rational(common)));
+  return result;
+}
+
+/// The only eigenvector of an eigenvalue, with signs such that it is >= 0; empty where there is none.
+IntegerVector eigenvector_of(const RationalMatrix& matrix, const Rational& eigenvalue) {
+  RationalMatrix shifted = matrix;
+  for (std::size_t i = 0; i < matrix.rows(); ++i) shifted(i, i) -= eigenvalue;
+  const auto basis = kernel(shifted);
+  if (basis.size() != 1) return {};
+  IntegerVector x = cleared(basis[0]);
+  if (std::all_of(x.begin(), x.end(), [](const Integer& c) { return c <= 0; }))
+    for (Integer& c : x) c = -c;
+  return std::all_of(x.begin(), x.end(), [](const Integer& c) { return c >= 0; }) ? x : IntegerVector{};
+}
+
+/// Positive integers x with matrix x <= shift x, near a leading eigenvector if the shift is just above its eigenvalue.
+/// Empty where the shift is not above it.
+IntegerVector subinvariant_vector(const RationalMatrix& matrix, const Rational& shift) {
+  const std::size_t n = matrix.rows();
+  RationalMatrix shifted = Rational(-1) * matrix, ones(n, 1);
+  Rational most = 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    Rational row = 0;
+    for (std::size_t j = 0; j < n; ++j) row += matrix(i, j);
+    most = std::max(most, row);
+    shifted(i, i) += shift;
+    ones(i, 0) = 1;
+  }
+  if (determinant(shifted) == 0) return {};
+  // (shift - matrix) y = 1, and rounding most * y up adds at most `most` to matrix y.
+  const RationalMatrix y = solve(shifted, ones);
+  IntegerVector x;
+  for (std::size_t i = 0; i < n; ++i) x.push_back(to_integer(most * y(i, 0), Rounding::up));
+  if (!is_positive(x)) return {};
+  for (std::size_t i = 0; i < n; ++i) {
+    Rational image = 0;
+    for (std::size_t j = 0; j < n; ++j) image += matrix(i, j) * Rational(x[j]);
+    if (image > shift * Rational(x[i])) return {};
+  }
+  return x;
+}
+
+/// A large integer that a number with a short numerator divides many times.
+Integer divisible(const Rational& rate, int bits) {
+  const Integer base = numerator(rate), longest = Integer(1) << 32;
+  return (base < longest ? pow(base, static_cast<unsigned long>(bits) / 4) : Integer(1))
+         << static_cast<std::size_t>(2 * bits);
+}
+
+/// Without coordinates that are 0 in the eigenvector, as far as one can see, and not longer than needed.
+IntegerVector rounded(IntegerVector x, int bits) {
+  const Integer largest = *std::max_element(x.begin(), x.end());
+  const long excess = binary_exponent(Rational(largest)) - 2L * bits;
+  for (Integer& c : x) {
+    if ((c << static_cast<std::size_t>(bits / 2)) < largest) c = 0;
+    if (excess > 0) c >>= static_cast<std::size_t>(excess);
+  }
+  return x;
+}
+
+/// The proof under construction.
+class Certifier {
+ public:
+  Certifier(const MatrixFamily& family, const AntinormCandidate& candidate, const std::vector<int>& cycle,
+            const Rational& rate, int bits)
+      : count_(family.count()),
+        candidate_(candidate),
+        cycle_(cycle),
+        rate_(rate),
+        denominator_(common_denominator(family)),
+        program_(family.size()) {
+    for (const RationalMatrix& matrix : family) {
+      matrices_.push_back(integer_multiple(matrix, denominator_));
+      rough_.push_back(radius::to_double(Rational(1) / rate * matrix));
+    }
+    proof_.weight_bits = bits + static_cast<int>(std::max(0L, -binary_exponent(rate)));
+  }
+
+  std::optional<AntinormProof> run(const IntegerVector& first, const Deadline& deadline) {
+    proof_.vertices.push_back(first);
+    for (std::size_t j = 1; j < candidate_.kept; ++j) {
+      const AntinormCandidate::Vertex& vertex = candidate_.vertices[j];
+      const auto parent = static_cast<std::size_t>(vertex.parent), letter = static_cast<std::size_t>(vertex.letter);
+      const Rational divisor = rate_ * Rational(denominator_);
+      IntegerVector next = image(parent, letter);
+      for (Integer& c : next) c = c * subcert::denominator(divisor) / numerator(divisor);
+      if (std::all_of(next.begin(), next.end(), [](const Integer& c) { return c == 0; })) return std::nullopt;
+      proof_.vertices.push_back(std::move(next));
+      children_[{parent, letter}] = j;
+    }
+    if (!cycle_.empty()) children_[{cycle_.size() - 1, static_cast<std::size_t>(cycle_.back())}] = 0;
+    for (std::size_t j = 0; j < candidate_.kept; ++j) program_.add(candidate_.vertices[j].value);
+    std::optional<Rational> least;
+    for (std::size_t j = 0; j < candidate_.kept; ++j)
+      for (std::size_t t = 0; t < count_; ++t) {
+        if (deadline.expired()) return std::nullopt;
+        proof_.images.push_back(terms_below(j, t));
+        Integer sum = 0;
+        for (const AntinormProof::Term& term : proof_.images.back()) sum += term.weight;
+        const Rational value = Rational(sum) * two_to(-proof_.weight_bits);
+        if (!least || value < *least) least = value;
+        if (*least == 0) return std::nullopt;
+      }
+    proof_.bound = *least;
+    return std::move(proof_);
+  }
+
+ private:
+  using Terms = std::vector<AntinormProof::Term>;
+
+  /// The image of a vertex, times the denominator of the matrices.
+  IntegerVector image(std::size_t vertex, std::size_t letter) const {
+    const IntegerVector &x = proof_.vertices[vertex], &matrix = matrices_[letter];
+    const std::size_t n = x.size();
+    IntegerVector result(n, 0);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < n; ++k) add_product(result[i], matrix[i * n + k], x[k]);
+    return result;
+  }
+
+  Terms terms_below(std::size_t vertex, std::size_t letter) const {
+    const IntegerVector point = image(vertex, letter);
+    if (const auto child = children_.find({vertex, letter}); child != children_.end())
+      return multiple_below(point, child->second);
+    const Combination combination = program_.below(rough_[letter] * candidate_.vertices[vertex].value,
+                                                   1 + clearly_above);
+    Terms terms;
+    if (combination.value < 1 + clearly_above && combination.rows.size() == combination.terms.size())
+      terms = solved(point, combination);
+    if (terms.empty())
+      for (const Combination::Term& term : combination.terms)
+        add(terms, term.vertex, Rational(term.weight * shrink) * rate_);
+    return shrunk(point, std::move(terms));
+  }
+
+  /// The largest multiple of a vertex.
+  Terms multiple_below(const IntegerVector& point, std::size_t vertex) const {
+    Terms terms;
+    add(terms, vertex, 2 * rate_);
+    return shrunk(point, std::move(terms));
+  }
+
+  void add(Terms& terms, std::size_t vertex, const Rational& weight) const {
+    const Integer rounded = to_integer(weight * two_to(proof_.weight_bits), Rounding::down);
+    if (rounded > 0) terms.push_back({vertex, rounded});
+  }
+
+  /// The weights with which the basis is equal to the point where it is to be.
+  Terms solved(const IntegerVector& point, const Combination& combination) const {
+    const std::size_t n = combination.rows.size();
+    RationalMatrix columns(n, n), right(n, 1);
+    for (std::size_t i = 0; i < n; ++i) {
+      right(i, 0) = Rational(point[combination.rows[i]], denominator_);
+      for (std::size_t k = 0; k < n; ++k)
+        columns(i, k) = Rational(proof_.vertices[combination.terms[k].vertex][combination.rows[i]]);
+    }
+    Terms terms;
+    if (n == 0 || determinant(columns) == 0) return terms;
+    const RationalMatrix weights = solve(columns, right);
+    for (std::size_t k = 0; k < n; ++k) add(terms, combination.terms[k].vertex, weights(k, 0));
+    return terms;
+  }
+
+  /// Weights that are at most as large, so that the combination is below the point.
+  Terms shrunk(const IntegerVector& point, Terms terms) const {
+    const std::size_t n = point.size();
+    std::erase_if(terms, [&](const AntinormProof::Term& term) {
+      for (std::size_t i = 0; i < n; ++i)
+        if (point[i] == 0 && proof_.vertices[term.vertex][i] > 0) return true;
+      return false;
+    });
+    Rational factor = 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      Integer sum = 0;
+      for (const AntinormProof::Term& term : terms) add_product(sum, term.weight, proof_.vertices[term.vertex][i]);
+      const Integer above = point[i] << static_cast<std::size_t>(proof_.weight_bits), below = sum * denominator_;
+      if (factor * Rational(below) > Rational(above)) factor = Rational(above, below);
+    }
+    if (factor < 1)
+      for (AntinormProof::Term& term : terms) term.weight = to_integer(Rational(term.weight) * factor, Rounding::down);
+    std::erase_if(terms, [](const AntinormProof::Term& term) { return term.weight == 0; });
+    return terms;
+  }
+
+  std::size_t count_;
+  const AntinormCandidate& candidate_;
+  const std::vector<int>& cycle_;
+  Rational rate_;
+  Integer denominator_;
+  AntinormProgram program_;
+  std::vector<IntegerVector> matrices_;  // times the denominator
+  std::vector<polytope::Matrix> rough_;  // over the rate
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> children_;
+  AntinormProof proof_;
+};
+
+}  // namespace
+
+std::optional<LeadingVector> leading_vector(const MatrixFamily& family, const std::vector<int>& word, int bits,
+                                            const Deadline& deadline) {
+  const RationalMatrix matrix = family.product(word);
+  const auto characteristic = characteristic_polynomial(matrix, deadline);
+  if (!characteristic || !radius::has_time_for_roots(*characteristic, deadline)) return std::nullopt;
+  const Enclosure modulus = largest_root_modulus(*characteristic, bits + spare_bits).largest;
+  const int length = static_cast<int>(word.size());
+  if (*modulus.upper == 0) {
+    std::vector<int> repeated;
+    for (std::size_t k = 0; k < family.size(); ++k) repeated.insert(repeated.end(), word.begin(), word.end());
+    return LeadingVector{{repeated, 0, IntegerVector(family.size(), 1)}, 0, {}};
+  }
+  if (!radius::has_time_for_elimination(matrix, deadline)) return std::nullopt;
+  const auto rate_of = [&](const Rational& value) {
+    const auto root = exact_root(value, word.size());
+    return root ? *root : *root_enclosure(value, length, bits + spare_bits).upper;
+  };
+  IntegerVector vector;
+  if (modulus.is_exact()) {
+    const IntegerVector weights = eigenvector_of(matrix, *modulus.upper);
+    const Rational rate = rate_of(*modulus.upper);
+    for (const Integer& c : weights) vector.push_back(c * divisible(rate * Rational(common_denominator(family)), bits));
+    if (!weights.empty() && is_positive(weights)) return LeadingVector{{word, *modulus.upper, weights}, rate, vector};
+  }
+  const Rational shift = *modulus.upper * (1 + two_to(-bits));
+  const IntegerVector weights = subinvariant_vector(matrix, shift);
+  if (weights.empty()) return std::nullopt;
+  return LeadingVector{{word, shift, weights}, rate_of(shift), vector.empty() ? rounded(weights, bits) : vector};
+}
+
+std::optional<AntinormProof> certify_antinorm(const MatrixFamily& family, const AntinormCandidate& candidate,
+                                              const std::vector<int>& cycle, const std::vector<Integer>& first,
+                                              const Rational& rate, int bits, const Deadline& deadline) {
+  if (candidate.kept == 0) return std::nullopt;
+  return Certifier(family, candidate, cycle, rate, bits).run(first, deadline);
+}
+
+}  // namespace subcert::subradius

@@ -7,6 +7,7 @@ open Text
 
 let usage =
   "usage: subcert-check-verified --matrices MATRICES [--lower P/Q] [--upper P/Q] [--show] FILE    (at least one bound)\n\
+  \       subcert-check-verified --subradius MATRICES [--lower P/Q] [--upper P/Q] [--show] FILE    (the joint spectral subradius)\n\
   \       subcert-check-verified --mask '[c0,c1,...]/D@first' --arity A --lower P/Q [--upper P/Q] [--show] FILE\n\
   \       subcert-check-verified --matrices MATRICES --exact '|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE    (what the radius is)\n\
   \       subcert-check-verified --mask ... --arity A --exact 'M-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE\n\
@@ -16,7 +17,7 @@ let usage =
    exponents, and about surfaces, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
-let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--lower"; "--upper"; "--exact"; "--logarithm"; "--theorem" ]
+let known = [ "--mask"; "--arity"; "--for"; "--within"; "--surface"; "--dilation"; "--matrices"; "--subradius"; "--lower"; "--upper"; "--exact"; "--logarithm"; "--theorem" ]
 
 let rec options given = function
   | [] -> given
@@ -145,6 +146,10 @@ let read_bounds r =
 
 let line r head = ignore (take r head 0 0)
 
+let read_end r =
+  line r "end";
+  require (at_end r) "text after 'end'"
+
 (* An exact number, of which the program is given its text and its parts; the same must stand in the certificate. *)
 type exact = { text : string; order : int option; number : exact_number }
 
@@ -189,9 +194,11 @@ let show_exact exact =
     (over e.disc_radius) (over e.disc_re) (over e.disc_im);
   List.iteri (fun k c -> Printf.printf "coefficient of x^%d is %s\n" k (Z.to_string c)) e.polynomial
 
-let read_start r claim =
+(* `domain` is asked with the line of the claim. *)
+let read_start ?(domain = ignore) r claim =
   line r "subcert-certificate 3";
   line r claim;
+  domain ();
   read_bounds r
 
 (* Where the number is, if one is claimed; whether the certificate has one. *)
@@ -253,8 +260,7 @@ let read_lines family lower r sections =
   let sections = sections divided blocks in
   let logarithm = if at r "logarithm" then take r "logarithm" 1 3 else [] in
   let recurrence = if logarithm <> [] && at r "recurrence" then Single_hint.polynomial r "recurrence" 2 else [] in
-  line r "end";
-  require (at_end r) "text after 'end'";
+  read_end r;
   (new_basis, (if divided then sizes else []), chosen, eigenvector, sections, (logarithm, recurrence))
 
 (* What proves bounds of the radius. *)
@@ -326,10 +332,10 @@ let read_exact_proof ~single family (e, root) r =
   require (List.exists (function _, Bounded _ -> false | _ -> true) exact_blocks) "no block attains the exact radius";
   ({ number_place = place; exact_basis; exact_blocks }, modulus)
 
-let show claim =
+let show what claim =
   let text q = Q.to_string (Q.make q.qnum q.qden) in
   let family = claim.matrices_of in
-  Printf.printf "the joint spectral radius of %d matrices of size %d%s%s\n" (List.length family.matrices) family.size
+  Printf.printf "the joint spectral %s of %d matrices of size %d%s%s\n" what (List.length family.matrices) family.size
     (match claim.lower with Some l -> ", at least " ^ text l | None -> "")
     (match claim.upper with Some u -> ", at most " ^ text u | None -> "");
   List.iter
@@ -341,11 +347,15 @@ let show claim =
 let side value render = match value with Some q -> render (Q.to_string q) | None -> ""
 let number_text exact = match exact with Some e -> " = " ^ e.text | None -> ""
 
-(* A claim about matrices: its text, its proof, what --theorem and --show print. *)
-let radius matrices lower upper exact file =
+(* Matrices, what is claimed of them, and the line that says so *)
+let read_claim what matrices lower upper =
   let family = read_matrices matrices in
   let claim = { matrices_of = family; lower = Option.map bound_of lower; upper = Option.map bound_of upper } in
-  let head = Printf.sprintf "radius %d %d" (List.length family.matrices) family.size in
+  (family, claim, Printf.sprintf "%s %d %d" what (List.length family.matrices) family.size)
+
+(* A claim about matrices: its text, its proof, what --theorem and --show print. *)
+let radius matrices lower upper exact file =
+  let family, claim, head = read_claim "radius" matrices lower upper in
   let theorem =
     with_number file false head exact @@ fun exact ->
     read file 1 (fun r ->
@@ -361,7 +371,22 @@ let radius matrices lower upper exact file =
   in
   ( side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ number_text exact ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices,
     theorem,
-    fun () -> show claim; Option.iter show_exact exact )
+    fun () -> show "radius" claim; Option.iter show_exact exact )
+
+(* The same of the subradius *)
+let subradius matrices lower upper file =
+  let family, claim, head = read_claim "subradius" matrices lower upper in
+  let theorem =
+    read file 1 (fun r ->
+        read_start r head ~domain:(fun () -> require (all_nonnegative family []) "a matrix is not non-negative");
+        let certificate = Subradius.read r family lower upper in
+        read_end r;
+        require (check_subradius claim certificate) "the certificate does not prove the claim";
+        fun name -> Theorem.print_subradius name claim certificate)
+  in
+  ( side lower (fun l -> l ^ " <= ") ^ "joint spectral subradius" ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices,
+    theorem,
+    fun () -> show "subradius" claim )
 
 (* The text [c0,c1,...]/D@first *)
 let read_mask text arity =
@@ -526,7 +551,7 @@ let check arguments =
   let find name = List.assoc_opt name given in
   let has name = find name <> None and get name = Option.get (find name) in
   let only names = List.for_all (fun (name, _) -> List.mem name ([ "--lower"; "--theorem"; "--show"; "FILE" ] @ names)) given in
-  require (has "FILE" && (has "--matrices" || has "--mask" || has "--surface")) usage;
+  require (has "FILE" && List.exists has [ "--matrices"; "--subradius"; "--mask"; "--surface" ]) usage;
   let letter c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') and digit c = c >= '0' && c <= '9' in
   let is_name name = name <> "" && letter name.[0] && String.for_all (fun c -> letter c || digit c) name in
   require (Option.fold ~none:true ~some:is_name (find "--theorem")) "--theorem needs a name of letters and digits";
@@ -537,6 +562,10 @@ let check arguments =
       require (only [ "--matrices"; "--upper"; "--exact" ] && (has "--lower" || has "--upper" || has "--exact")) usage;
       let exact = Option.map (read_exact false) (find "--exact") in
       radius (get "--matrices") (bound "--lower") (bound "--upper") exact (get "FILE")
+    end
+    else if has "--subradius" then begin
+      require (only [ "--subradius"; "--upper" ] && (has "--lower" || has "--upper")) usage;
+      subradius (get "--subradius") (bound "--lower") (bound "--upper") (get "FILE")
     end
     else if
       only [ "--mask"; "--arity"; "--upper"; "--exact"; "--logarithm" ]

@@ -78,13 +78,28 @@ let print name modules claim certificate theorem =
      Theorem %s_%s.\n"
     name modules name claim name certificate name theorem
 
+let claim_of c =
+  Printf.sprintf "claim : claim := Claim %s %s %s" (family c.matrices_of) (option fraction c.lower) (option fraction c.upper)
+
 let print_radius name claim c =
-  print name ""
-    (Printf.sprintf "claim : claim := Claim %s %s %s" (family claim.matrices_of) (option fraction claim.lower)
-       (option fraction claim.upper))
-    (certificate c)
+  print name "" (claim_of claim) (certificate c)
     (Printf.sprintf
        "claim_holds : claim_holds %s_claim.\nProof. apply (check_radius_sound _ %s_certificate). %s"
+       name name by_computation)
+
+let slow_product p =
+  Printf.sprintf "(SlowProduct %s %s %s)" (list natural p.slow_word) (fraction p.slow_factor) (vector p.slow_weights)
+
+let climb c =
+  Printf.sprintf "(Climb %b %s %s\n%s)" c.climb_transposed (integer c.climb_scale)
+    (list (pair vector vector) c.climb_points)
+    (list (list (list term)) c.climb_terms)
+
+let print_subradius name claim c =
+  print name " Subradius" (claim_of claim)
+    (Printf.sprintf "SubradiusCertificate %s\n%s" (option slow_product c.upper_product) (option climb c.lower_climb))
+    (Printf.sprintf
+       "subradius_claim_holds : subradius_claim_holds %s_claim.\nProof. apply (check_subradius_sound _ %s_certificate). %s"
        name name by_computation)
 
 let scheme_of s =

@@ -1996,6 +1996,115 @@ let check_radius c cert =
        (&&) (basis_valid f.size b) (check_bounds (in_basis f b) c cert)
      | None -> check_bounds f c cert)
 
+type slow_product = { slow_word : int list; slow_factor : q;
+                      slow_weights : zvec }
+
+type climb = { climb_transposed : bool; climb_scale : Number.t;
+               climb_points : point list; climb_terms : term list list list }
+
+type subradius_certificate = { upper_product : slow_product option;
+                               lower_climb : climb option }
+
+(** val check_product : family -> slow_product -> bool **)
+
+let check_product f p =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&) (forallb (fun t0 -> Nat.ltb t0 (count f)) p.slow_word)
+            (Nat.ltb 0 (length p.slow_word)))
+          (Nat.eqb (length p.slow_weights) f.size))
+        (forallb (Number.less_equal Number.one) p.slow_weights))
+      (Number.less_equal Number.zero p.slow_factor.qnum))
+    (vector_nonnegative
+      (addmul (Number.opposite p.slow_factor.qden)
+        (zrun f.matrices p.slow_word p.slow_weights)
+        (addmul
+          (Number.mul p.slow_factor.qnum
+            (Number.power f.denominator
+              (Number.of_natural (length p.slow_word)))) p.slow_weights [])))
+
+(** val factor_below : q -> slow_product -> bool **)
+
+let factor_below u p =
+  let l = Number.of_natural (length p.slow_word) in
+  (&&) (Number.less_equal Number.zero u.qnum)
+    (Number.less_equal
+      (Number.mul p.slow_factor.qnum (Number.power u.qden l))
+      (Number.mul (Number.power u.qnum l) p.slow_factor.qden))
+
+(** val positive_terms : term list -> bool **)
+
+let positive_terms =
+  forallb (fun t0 ->
+    (&&) (Number.less_equal Number.zero (fst (snd t0)))
+      (Number.equal (snd (snd t0)) Number.zero))
+
+(** val image_above :
+    family -> points -> Number.t -> q -> zvec -> zmat -> term list -> bool **)
+
+let image_above f ps scale0 l x m ts =
+  match combine0 ps ts with
+  | Some p ->
+    let w,p0 = p in
+    let y,_ = p0 in
+    (&&)
+      ((&&) (positive_terms ts)
+        (vector_nonnegative
+          (addmul (Number.opposite f.denominator) y
+            (addmul scale0 (mv m x) []))))
+      (Number.less_equal (Number.mul l.qnum scale0) (Number.mul w l.qden))
+  | None -> false
+
+(** val paired : ('a1 -> 'a2 -> bool) -> 'a1 list -> 'a2 list -> bool **)
+
+let rec paired check xs ys =
+  match xs with
+  | [] -> true
+  | x::xs' ->
+    (match ys with
+     | [] -> false
+     | y::ys' -> (&&) (check x y) (paired check xs' ys'))
+
+(** val check_climb : family -> q -> climb -> bool **)
+
+let check_climb f l c =
+  let all = c.climb_points in
+  let ps = number Number.one all in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) (Number.less Number.zero c.climb_scale) (all_nonnegative f all))
+        (Nat.ltb 0 (length all)))
+      (forallb (fun p ->
+        (&&) (Nat.leb (length (fst p)) f.size)
+          (Number.less Number.zero (norm1 (fst p)))) all))
+    (paired (fun p ->
+      paired (image_above f ps c.climb_scale l (fst p)) f.matrices) all
+      c.climb_terms)
+
+(** val check_subradius : claim -> subradius_certificate -> bool **)
+
+let check_subradius c cert =
+  let f = c.matrices_of in
+  (&&)
+    ((&&) ((&&) (well_formed f) (all_nonnegative f []))
+      (match c.upper with
+       | Some u ->
+         (match cert.upper_product with
+          | Some p -> (&&) (check_product f p) (factor_below u p)
+          | None -> false)
+       | None -> true))
+    (match c.lower with
+     | Some l ->
+       (||) (Number.less_equal l.qnum Number.zero)
+         (match cert.lower_climb with
+          | Some d ->
+            check_climb (if d.climb_transposed then transpose f else f) l d
+          | None -> false)
+     | None -> true)
+
 type scheme = { arity : int; first : Number.t; coefficients : Number.t list;
                 common : Number.t }
 

@@ -468,6 +468,30 @@ val check_bounds : family -> claim -> certificate -> bool
 
 val check_radius : claim -> certificate -> bool
 
+type slow_product = { slow_word : int list; slow_factor : q;
+                      slow_weights : zvec }
+
+type climb = { climb_transposed : bool; climb_scale : Number.t;
+               climb_points : point list; climb_terms : term list list list }
+
+type subradius_certificate = { upper_product : slow_product option;
+                               lower_climb : climb option }
+
+val check_product : family -> slow_product -> bool
+
+val factor_below : q -> slow_product -> bool
+
+val positive_terms : term list -> bool
+
+val image_above :
+  family -> points -> Number.t -> q -> zvec -> zmat -> term list -> bool
+
+val paired : ('a1 -> 'a2 -> bool) -> 'a1 list -> 'a2 list -> bool
+
+val check_climb : family -> q -> climb -> bool
+
+val check_subradius : claim -> subradius_certificate -> bool
+
 type scheme = { arity : int; first : Number.t; coefficients : Number.t list;
                 common : Number.t }
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Runs the verified checker and the one in C++ on a corpus of claims. Usage: agree.py VERIFIED CHECKER DIRECTORY
 
-Claims about radii, and about exponents of one mask: both print the same verdict, and `VERIFIED` in the same words. Of a
-corpus of right claims also with other bounds, with other exact numbers, and without what is claimed beside. Other claims
-are never decided here."""
+Claims about radii and subradii, and about exponents of one mask: both print the same verdict, and `VERIFIED` in the same
+words. Of a corpus of right claims also with other bounds, with other exact numbers, and without what is claimed beside.
+Other claims are never decided here."""
 import re
 import subprocess
 import sys
@@ -40,7 +40,7 @@ def text_of(name):
 def decided(name, arguments):
     options = {argument for argument in arguments if argument.startswith("--")}
     text = text_of(name)
-    if "--matrices" in options:
+    if options & {"--matrices", "--subradius"}:
         return True
     ends = options - {"--mask", "--arity"}
     known = {"--lower", "--upper", "--exact", "--logarithm"}
@@ -118,16 +118,21 @@ for line in (directory / "claims.txt").read_text().splitlines():
                         changed = [*bounded[:at], str(end), *bounded[at + 1:]]
                         # exponents of claims are at most 10000
                         compare(f"{name} with {key} {end}", [*changed, f"{name}.cert"], accepted if end <= 10000 else False)
-    if "--matrices" in arguments and len(arguments) > 2 and directory.name == "accept":
+    # how far the vertices of a subradius prove more than is claimed is not asked
+    subradius = "--subradius" in arguments
+    if (subradius or "--matrices" in arguments) and len(arguments) > 2 and directory.name == "accept":
+        worse = None if subradius else False
         value = {key: Fraction(arguments[arguments.index(key) + 1]) for key in ("--lower", "--upper") if key in arguments}
         for key, step in (("--lower", Fraction(1, 1000)), ("--upper", Fraction(-1, 1000))):
             if key in value:
                 changed = list(arguments)
                 changed[arguments.index(key) + 1] = str(value[key] + step)
-                compare(f"{name} with another {key}", [*changed, f"{name}.cert"], False)
+                compare(f"{name} with another {key}", [*changed, f"{name}.cert"], worse)
         flipped = [{"--lower": "--upper", "--upper": "--lower"}.get(a, a) for a in arguments]
         if len(value) == 2 and value["--lower"] != value["--upper"]:
             compare(f"{name} with its bounds exchanged", [*flipped, f"{name}.cert"], False)
+        for key in value if subradius and len(value) == 2 else []:
+            compare(f"{name} without {key}", [*without(key, arguments), f"{name}.cert"], True)
 
 print(", ".join(f"{count} {word}" for word, count in sorted(counts.items())), f"- the slowest took {slowest:.2f} s,",
       f"{len(failures)} failures")

@@ -93,6 +93,26 @@ expect 0 --matrices golden.mat --upper 2 --show golden.cert
 echo "$output" | grep -qx 'row 1 1'
 
 cd "$here/accept"
+slow() {
+  code=$1
+  shift
+  expect "$code" --subradius slow-pair.mat "$@" slow-pair.cert
+}
+slow 0 --lower 1 --show
+echo "$output" | grep -qx 'the joint spectral subradius of 2 matrices of size 2, at least 1'
+slow 0 --upper 1
+slow 1 --lower 1001/1000
+slow 1 --upper 999/1000
+slow 1 --upper -1
+slow 64
+slow 64 --upper C1
+slow 64 --upper 1 --matrices slow-pair.mat
+slow 64 --exact '|[-1,1]@1,0,1/2|^1/1'
+slow 64 --lower 1 --exact '|[-1,1]@1,0,1/2|^1/1'
+expect 1 --matrices slow-pair.mat --lower 1 slow-pair.cert
+expect 1 --subradius primal-5.mat --lower 0 slow-pair.cert
+expect 66 --subradius none.mat --lower 1 slow-pair.cert
+
 # theorem CLAIM NAME: as it is checked in
 theorem() {
   # shellcheck disable=SC2046

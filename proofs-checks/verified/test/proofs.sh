@@ -57,3 +57,5 @@ theorem KeptThirds --matrices kept-thirds.mat --exact '|[1,-27,81]@3/10,0,1/20|^
 theorem KeptTurns --matrices kept-turns.mat --exact '|[7,-2,1]@1,49/20,1/5|^1/1' kept-turns-least.cert
 theorem KeptFourPoint --mask "$four" --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --lower 2 kept-four-point.cert
 theorem BlocksExact --matrices slow-blocks.mat --exact '|[81,-270,100]@47/20,0,1/10|^1/2' blocks-exact.cert
+corpus=$here/test/accept
+theorem SlowPair --subradius slow-pair.mat --lower 1 --upper 1 slow-pair.cert

@@ -1,8 +1,10 @@
 (* The axioms that the theorems rest on. *)
-From Subcert Require Import Radius Existence Check Exponent Enclosure Exact Logarithm Scheme.
+From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact Logarithm Scheme.
 
 Print Assumptions radius_exists.
 Print Assumptions check_radius_sound.
+Print Assumptions subradius_exists.
+Print Assumptions check_subradius_sound.
 Print Assumptions check_exponent_lower_sound.
 Print Assumptions check_exponent_sound.
 Print Assumptions S5_radius.

@@ -99,11 +99,17 @@ Qed.
 Lemma count_map (f : zmat -> zmat) F n d : count (Family n d (map f (matrices F))) = count F.
 Proof. apply map_length. Qed.
 
+Lemma transpose_entry F t i j : (t < count F)%nat -> (i < size F)%nat -> (j < size F)%nat ->
+  real (transpose F) t i j = transposed (real F) t i j.
+Proof.
+  intros Ht Hi Hj. unfold transposed, real. simpl denominator. f_equal.
+  unfold mr, transpose. rewrite letter_map by auto. unfold columns. rewrite entry_table; auto.
+Qed.
+
 Lemma transpose_growth F r : growth (size F) (count (transpose F)) (real (transpose F)) r -> growth (size F) (count F) (real F) r.
 Proof.
   intros H. apply growth_transposed. unfold transpose in H. rewrite count_map in H.
-  eapply growth_ext; [|apply H]. intros t i j Ht Hi Hj. unfold transposed, real. simpl denominator. f_equal.
-  unfold mr. rewrite letter_map by auto. unfold columns. rewrite entry_table; auto.
+  eapply growth_ext; [|apply H]. intros. apply transpose_entry; auto.
 Qed.
 
 Lemma transpose_sound F u : radius_at_most (size F) (count (transpose F)) (real (transpose F)) u ->

@@ -114,8 +114,7 @@ Lemma transpose_least F l : radius_at_least (size F) (count (transpose F)) (real
 Proof.
   intros H r Hr G. apply H; auto. unfold transpose at 1. rewrite count_map.
   apply (growth_ext _ _ (transposed (real F))).
-  - intros t i j Ht Hi Hj. unfold transposed, real. simpl denominator. f_equal.
-    unfold mr, transpose. rewrite letter_map by auto. unfold columns. rewrite entry_table; auto.
+  - intros. symmetry. apply transpose_entry; auto.
   - apply growth_transposed. exact G.
 Qed.
 

@@ -6,7 +6,10 @@ open Text
 open Sections
 
 let widest_of rows = widest (Array.of_list rows)
-let bits_of_family family = List.fold_left (fun most m -> max most (bits_of (array_of m))) (Z.numbits family.denominator) family.matrices
+
+let bits_of_family family =
+  let wider most matrix = max most (bits_of (array_of matrix)) in
+  List.fold_left wider (Z.numbits family.denominator) family.matrices
 
 (* A product that takes positive weights to at most RE times them. *)
 let read_product r family upper =
@@ -58,14 +61,13 @@ let read_climb r family lower =
             (Z.of_int (index + 1), (weight, Z.zero))
         | _ -> reject "a term is INDEX:WEIGHT"
       in
-      let total terms = List.fold_left (fun sum (_, (weight, _)) -> Z.add sum weight) Z.zero terms in
       let least = ref None in
       let bits = List.fold_left (fun most (x, _) -> max most (widest_of x)) 0 climb_points in
       let wide = width bits * width (bits_of_family family) in
       let nothing = bound_of Q.zero in
       let read_image j vertex t matrix =
         let terms = List.map read_term (take r (Printf.sprintf "image %d %d" j t) 0 max_line) in
-        let sum = total terms in
+        let sum = List.fold_left (fun sum (_, (weight, _)) -> Z.add sum weight) Z.zero terms in
         spend_times wide (n * (n + (List.length terms * width (Z.numbits sum))));
         require (image_above family points climb_scale nothing vertex matrix terms) "an image is not above the sum of its terms";
         least := Some (Option.fold ~none:sum ~some:(Z.min sum) !least);
@@ -73,7 +75,8 @@ let read_climb r family lower =
       in
       let climb_terms = List.mapi (fun j (vertex, _) -> List.mapi (read_image j vertex) family.matrices) climb_points in
       let least = Q.make (Option.get !least) climb_scale in
-      require (Option.fold ~none:true ~some:(fun l -> Q.leq l least) lower) "the weights of an image do not prove the lower end";
+      let proves l = Q.leq l least in
+      require (Option.fold ~none:true ~some:proves lower) "the weights of an image do not prove the lower end";
       { climb_transposed; climb_scale; climb_points; climb_terms }
   | _ -> reject "expected 'polytope' and its numbers"
 

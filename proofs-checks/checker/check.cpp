@@ -8,6 +8,7 @@
 #include "quadratic.hpp"
 #include "rounding.hpp"
 #include "single.hpp"
+#include "subradius.hpp"
 #include "surface.hpp"
 
 #include <algorithm>
@@ -33,8 +34,8 @@ std::pair<ExactRadius, std::size_t> parse_exact(std::string_view text, bool expo
 }
 
 /// What is to be proved: about the exponent of a mask with an arity or a dilation, otherwise about the radius of a
-/// family. For a range of a parameter the inequalities are strict. Or that limits are not C^k for k = `rough`. Without
-/// any of them: the shifts are stable.
+/// family or its subradius. For a range of a parameter the inequalities are strict. Or that limits are not C^k for k =
+/// `rough`. Without any of them: the shifts are stable.
 struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
@@ -42,6 +43,7 @@ struct Claim {
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
   Family family;
+  bool subradius = false;
   std::optional<mpq_class> lower, upper;
   std::optional<std::size_t> rough;
   std::optional<ExactRadius> exact;  // of the radius; of an exponent: exact_order less its logarithm
@@ -60,12 +62,24 @@ class Checker {
   void run() {
     reader_.take("subcert-certificate 3", 0, 0);
     reader_.take(claim_.head, 0, 0);
+    require(!claim_.subradius || is_nonnegative(claim_.family.entries), "a matrix is not non-negative");
     const Fields bounds = reader_.take("bounds", 2, 2);  // for people: any claim may be asked
     if (bounds[0] != "-") parse_rational(bounds[0]);
     if (bounds[1].starts_with('C'))
       parse_size(bounds[1].substr(1), 1, 500);
     else if (bounds[1] != "-")
       parse_rational(bounds[1]);
+    if (claim_.subradius)
+      read_subradius(claim_.family, claim_.lower, claim_.upper, reader_, arithmetic_);
+    else
+      read_proof();
+    reader_.take("end", 0, 0);
+    require(reader_.at_end(), "text after 'end'");
+  }
+
+ private:
+  /// What follows the line `bounds`, but of a subradius.
+  void read_proof() {
     if (claim_.exact || reader_.at("exact")) read_exact();
     if (claim_.arity != 0 && !claim_.range && reader_.at("reduced"))
       read_reduced();
@@ -75,11 +89,8 @@ class Checker {
       read_bounds(family, claim_.arity != 0);
       show_attained(claim_.mask);
     }
-    reader_.take("end", 0, 0);
-    require(reader_.at_end(), "text after 'end'");
   }
 
- private:
   /// Section 4.10: the number that the joint spectral radius is said to be.
   void read_exact() {
     require(!claim_.range && !claim_.rounding, "exact numbers are those of one mask or family");
@@ -518,6 +529,7 @@ constexpr const char* usage =
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
+    "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
     "       subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to "
     "the\n"
     "                     base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: "
@@ -532,8 +544,8 @@ using Options = std::map<std::string, std::optional<std::string>>;
 
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
-  for (const char* name : {"--mask", "--arity", "--for", "--within", "--surface", "--dilation", "--matrices", "--lower",
-                           "--upper", "--exact", "--logarithm", "FILE"})
+  for (const char* name : {"--mask", "--arity", "--for", "--within", "--surface", "--dilation", "--matrices",
+                           "--subradius", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -566,13 +578,14 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
 Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
   const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
-             &surface = given["--surface"], &dilation = given["--dilation"], &matrices = given["--matrices"],
-             &lower = given["--lower"], &upper = given["--upper"], &exact = given["--exact"],
-             &logarithm = given["--logarithm"], &file = given["FILE"];
+             &surface = given["--surface"], &dilation = given["--dilation"], &radius = given["--matrices"],
+             &subradius = given["--subradius"], &matrices = subradius ? subradius : radius, &lower = given["--lower"],
+             &upper = given["--upper"], &exact = given["--exact"], &logarithm = given["--logarithm"],
+             &file = given["FILE"];
   const bool rough = upper && upper->starts_with('C');
-  require(file && mask.has_value() + surface.has_value() + matrices.has_value() == 1 &&
+  require(file && mask.has_value() + surface.has_value() + radius.has_value() + subradius.has_value() == 1 &&
               mask.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&
-              (mask || !(range || rounding)) && !(range && rounding) && !(exact && (range || rounding)) &&
+              (mask || !(range || rounding)) && !(range && rounding) && !(exact && (range || rounding || subradius)) &&
               (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
               (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)),
           usage);
@@ -598,8 +611,10 @@ Claim read_claim(const std::vector<std::string>& arguments) {
       claim.family = read_family(reader, "row", count, size);
       require(reader.at_end(), "text after the last row");
     });
-    claim.head = "radius " + std::to_string(claim.family.count()) + " " + std::to_string(claim.family.size);
-    claim.text = "joint spectral radius";
+    claim.subradius = subradius.has_value();
+    const std::string what = claim.subradius ? "subradius" : "radius";
+    claim.head = what + " " + std::to_string(claim.family.count()) + " " + std::to_string(claim.family.size);
+    claim.text = "joint spectral " + what;
     claim.subject = *matrices;
   }
   if (exact) claim.text += " = " + *exact;

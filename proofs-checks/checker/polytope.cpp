@@ -63,8 +63,8 @@ Polytope::Combination read_combination(const std::string& head, Polytope& body, 
 
 }  // namespace
 
-Polytope read_polytope(Family family, const Fields& fields, const mpq_class& entry_error, Reader& reader,
-                       Arithmetic& arithmetic) {
+Polytope read_polytope_head(Family family, const Fields& fields, const mpq_class& entry_error, Reader& reader,
+                            Arithmetic& arithmetic) {
   require(fields[0] == "polytope" && fields.size() >= 4,
           "expected 'norm', 'polytope', 'quadratic', 'graph' or 'single' and its numbers");
   const std::size_t n = family.size, vertices = parse_size(fields[1], 1, max_bytes);
@@ -80,13 +80,13 @@ Polytope read_polytope(Family family, const Fields& fields, const mpq_class& ent
   require(generators == 0 || entry_error == 0, "a group proves nothing of rounded masks");
   require(properties.empty() && !(complex && nonnegative), "unknown polytope property");
   const Vector& entries = family.entries;
-  const auto negative = [](const mpz_class& x) { return x < 0; };
   require(!symmetric || std::equal(entries.begin(), entries.end(), entries.rbegin()), "the family is not symmetric");
-  require(!nonnegative || std::none_of(entries.begin(), entries.end(), negative), "a matrix is not non-negative");
+  require(!nonnegative || is_nonnegative(entries), "a matrix is not non-negative");
 
   Polytope body{family,
                 n,
                 complex ? 2U : 1U,
+                vertices,
                 nonnegative,
                 symmetric,
                 {},
@@ -98,15 +98,33 @@ Polytope read_polytope(Family family, const Fields& fields, const mpq_class& ent
                 {},
                 {}};
   body.generators = read_generators(family, generators, reader, arithmetic);
-  for (std::size_t i = 0; i < vertices; ++i) {
-    Vector& vertex = body.vertices.emplace_back();
-    for (const std::string_view field : reader.take("vertex", body.parts * n, body.parts * n))
-      vertex.push_back(parse_integer(field));
-    require(!nonnegative || std::none_of(vertex.begin(), vertex.end(), negative), "negative coordinate");
-  }
+  return body;
+}
+
+const Vector& read_vertex(Polytope& body, Reader& reader) {
+  Vector& vertex = body.vertices.emplace_back();
+  for (const std::string_view field : reader.take("vertex", body.parts * body.size, body.parts * body.size))
+    vertex.push_back(parse_integer(field));
+  require(!body.nonnegative || is_nonnegative(vertex), "negative coordinate");
+  return vertex;
+}
+
+Polytope::Combination read_image(Polytope& body, std::size_t vertex, std::size_t matrix, int side, Reader& reader,
+                                 Arithmetic& arithmetic) {
+  const Vector image = arithmetic.multiply(body.family.matrix(matrix), body.vertices[vertex], body.size);
+  return read_combination("image " + std::to_string(vertex) + " " + std::to_string(matrix), body, image,
+                          side * body.weight_one, side * body.family.denominator, reader, arithmetic);
+}
+
+Polytope read_polytope(Family family, const Fields& fields, const mpq_class& entry_error, Reader& reader,
+                       Arithmetic& arithmetic) {
+  Polytope body = read_polytope_head(std::move(family), fields, entry_error, reader, arithmetic);
+  while (body.vertices.size() < body.count) read_vertex(body, reader);
+  const std::size_t n = body.size;
+  const mpz_class& denominator = body.family.denominator;
   const mpz_class one = body.weight_one * body.vertex_one;
   mpz_class most_residual = 0, most_weights = 0;  // R and S of Theorem 6, over `one` and over weight_one
-  for (std::size_t k = 0; k < (symmetric ? (n + 1) / 2 : n); ++k) {
+  for (std::size_t k = 0; k < (body.symmetric ? (n + 1) / 2 : n); ++k) {
     Vector unit(body.parts * n);
     unit[k] = 1;
     const auto [weights, residual] = read_combination("unit " + std::to_string(k), body, unit, one, 1, reader,
@@ -117,20 +135,16 @@ Polytope read_polytope(Family family, const Fields& fields, const mpq_class& ent
   require(most_residual < one, "the vertices do not span: a unit's residual is 1 or more");
   body.unit_norm = most_weights * body.vertex_one / (one - most_residual) + 1;  // at least E
   mpq_class bound = 0;                                                          // over `one` * denominator
-  for (std::size_t j = 0; j < vertices; ++j)
-    for (std::size_t t = 0; t < family.count(); ++t) {
-      const Vector image = arithmetic.multiply(family.matrix(t), body.vertices[j], n);
-      const std::string head = "image " + std::to_string(j) + " " + std::to_string(t);
-      body.images.push_back(
-          read_combination(head, body, image, body.weight_one, family.denominator, reader, arithmetic));
+  for (std::size_t j = 0; j < body.count; ++j)
+    for (std::size_t t = 0; t < body.family.count(); ++t) {
+      body.images.push_back(read_image(body, j, t, 1, reader, arithmetic));
       const auto& [weights, residual] = body.images.back();
       mpz_class length = 0;
       for (const mpz_class& x : body.vertices[j]) length += abs(x);
-      const mpq_class off = entry_error * (length * n * body.weight_one * family.denominator);
-      bound = std::max(bound,
-                       mpq_class(weights * family.denominator * body.vertex_one + (residual + off) * body.unit_norm));
+      const mpq_class off = entry_error * (length * n * body.weight_one * denominator);
+      bound = std::max(bound, mpq_class(weights * denominator * body.vertex_one + (residual + off) * body.unit_norm));
     }
-  body.bound = bound / (one * family.denominator);
+  body.bound = bound / (one * denominator);
   return body;
 }
 

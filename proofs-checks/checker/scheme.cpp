@@ -47,6 +47,10 @@ Rationals parse_polynomial(std::string_view text, char letter) {
 
 }  // namespace
 
+bool is_nonnegative(const Vector& x) {
+  return std::all_of(x.begin(), x.end(), [](const mpz_class& entry) { return entry >= 0; });
+}
+
 void Family::transpose() {
   for (std::size_t t = 0; t < count(); ++t)
     for (std::size_t i = 0; i < size; ++i)

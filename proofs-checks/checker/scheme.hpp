@@ -5,6 +5,8 @@
 
 namespace subcert_check {
 
+bool is_nonnegative(const Vector& x);
+
 /// Square matrices of one size, one after another, each column by column; all entries over one denominator > 0.
 struct Family {
   std::size_t size = 1;

@@ -685,10 +685,14 @@ var check_certificate = (() => {
     const group = has('group') ? small(names[plain.indexOf('group')].slice(6), 1, 8) : 0;
     return {...Object.fromEntries(plain.map(name => [name, true])), group};
   }
-  function read_polytope(reader, family, fields, rounding, exact) {
+  function read_sizes(fields) {  // COUNT, VBITS and CBITS
     demand(fields.length >= 3, 'wrong number of fields');
-    const count = small(fields[0], 1, 2 ** 28), [v_bits, c_bits] = fields.slice(1, 3).map(x => small(x, 0, 4096));
-    const has = read_properties(fields.slice(3)), {size, den} = family, scale = BigInt(v_bits + c_bits);
+    const [v_bits, c_bits] = fields.slice(1, 3).map(x => small(x, 0, 4096));
+    return {count: small(fields[0], 1, 2 ** 28), v_bits, c_bits};
+  }
+  function read_polytope(reader, family, fields, rounding, exact) {
+    const {count, v_bits, c_bits} = read_sizes(fields), scale = BigInt(v_bits + c_bits);
+    const has = read_properties(fields.slice(3)), {size, den} = family;
     const matrices = has.transposed ? family.matrices.map(transpose) : family.matrices, last = matrices.length - 1;
     demand(!has.group || !rounding, 'a group proves nothing of rounded masks');
     demand(!has.nonnegative || matrices.flat(2).every(x => x >= 0n), 'a matrix is not non-negative');
@@ -729,11 +733,12 @@ var check_certificate = (() => {
   class Body {
     constructor(reader, options) {
       Object.assign(this, options, {reader, width: 0, most: 0n, vertices: []});
-      const {size, count, has: {complex, nonnegative}, group} = this;
+      const {size, count, has: {complex, nonnegative, nonzero}, group} = this;
       this.parts = complex ? 2 : 1;
       for (let j = 0; j < count; ++j) {
         const x = reader.read('vertex', this.parts * size).map(integer), top = largest(x);
         demand(!nonnegative || x.every(value => value >= 0n), 'negative coordinate');
+        demand(!nonzero || top, 'a vertex is 0');
         if (top > this.most) this.set_width(bits(top) + 64);
         this.most = max(this.most, top);
         spend(x.length, this.width);
@@ -1453,6 +1458,42 @@ var check_certificate = (() => {
     prove(reader, family, {below: upper && at_most(upper, false), above: least}, {exact});
   }
 
+  // ---- 4.15: subradius claims ---------------------------------------------------------------------------------------
+  function read_upper_end(reader, family, upper) {
+    const {size, den, matrices} = family, {c: [re, im], word} = read_word(reader, [family], matrices.length);
+    demand(sign(re) >= 0 && !sign(im), 'the product of a subradius needs a real number that is not negative');
+    const weights = reader.read('weights', size).map(integer);
+    demand(weights.every(x => x > 0n), 'a weight is not positive');
+    const image = word.reduceRight((x, t) => multiply(matrices[t], x), weights.map(x => [x]));
+    const all = power(fraction(den), word.length).n * re.n;
+    spend(2 * size, bits(all), bits(largest(weights)) + bits(re.d));
+    demand(image.every(([x], i) => x * re.d <= all * weights[i]), 'the product takes a weight to more than the given multiple');
+    demand(!upper || (sign(upper) >= 0 && !less(power(upper, word.length), re)),
+           'the product does not prove the upper end');
+  }
+  function read_lower_end(reader, {size, den, matrices}, lower) {
+    const [kind, ...fields] = reader.read('block 0', 4, 5), transposed = fields.length > 3;
+    demand(kind === 'polytope', section_form);
+    demand(!transposed || fields[3] === 'transposed', 'unknown property of the polytope of a subradius');
+    const {count, c_bits} = read_sizes(fields), all = transposed ? matrices.map(transpose) : matrices;
+    const has = {nonnegative: true, nonzero: true};
+    const body = new Body(reader, {size, count, c_bits, has, group: trivial_group(0)});
+    let g = null;
+    for (let j = 0; j < count; ++j)
+      body.images(all, j).forEach((image, t) => {
+        const below = image.map(x => x.map(value => -value << BigInt(c_bits)));
+        const {residual, weight} = body.read_combination(`image ${j} ${t}`, below, -den);
+        demand(!residual, 'an image is not above the sum of its terms');
+        if (g === null || weight < g) g = weight;
+      });
+    demand(!lower || !less(fraction(g, 1n << BigInt(c_bits)), lower),
+           'the weights of an image do not prove the lower end');
+  }
+  function check_subradius(reader, {family, lower, upper}) {
+    if (upper || reader.peek() === 'product') read_upper_end(reader, family, upper);
+    if (lower || reader.peek() === 'block') read_lower_end(reader, family, lower);
+  }
+
   // ---- Exponent, range, roughness and rounded claims: 4.2, 4.3, 4.9, 6.1, 6.2, 6.4 ----------------------------------
   function check_ends(lower, upper, least) {  // 2, the limits
     demand(!lower || sign(lower) >= least, 'the lower end of an exponent must be positive');
@@ -1890,6 +1931,7 @@ var check_certificate = (() => {
        subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
+       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
        subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to the
                      base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: without
                      M-log; beside bounds, or without)
@@ -1898,8 +1940,8 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'arity', 'for', 'within', 'surface', 'dilation', 'matrices', 'lower', 'upper', 'exact',
-                   'logarithm'];
+    const names = ['mask', 'arity', 'for', 'within', 'surface', 'dilation', 'matrices', 'subradius', 'lower',
+                   'upper', 'exact', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
       const option = words[i].startsWith('--') ? words[i].slice(2) : 'FILE';
@@ -1911,20 +1953,24 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const has = (...all) => all.every(name => name in options), some = (...all) => all.some(name => name in options);
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
-    const curve = has('mask', 'arity') && none('surface', 'dilation', 'matrices') && !(has('for') && has('within')) &&
+    const curve = has('mask', 'arity') && none('surface', 'dilation', 'matrices', 'subradius') &&
+      !(has('for') && has('within')) &&
       (!has('upper') || some('lower', 'for', 'exact') || (rough && none('within'))) && !(rough && has('within')) &&
       !(has('exact') && some('for', 'within')) && !(has('logarithm') && none('exact'));
     const surface = has('surface', 'dilation') && some('lower', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'within', 'matrices', 'logarithm');
-    const radius = has('matrices') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'within', 'surface', 'dilation', 'logarithm');
-    demand(has('FILE') && (curve || surface || radius), usage);
-    return {options, rough, kind: curve ? check_curve : surface ? check_surface : check_radius};
+      none('mask', 'arity', 'for', 'within', 'matrices', 'subradius', 'logarithm');
+    const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
+      !has('subradius', 'exact') && none('mask', 'arity', 'for', 'within', 'surface', 'dilation', 'logarithm');
+    demand(has('FILE') && (curve || surface || family), usage);
+    const of_family = has('subradius') ? check_subradius : check_radius;
+    return {options, rough, kind: curve ? check_curve : surface ? check_surface : of_family};
   }
   // The claim: what the checks need, the second line of its certificate, and the text of what is proved
   function read_claim(words) {
     const {options, rough, kind} = read_options(words);
     const claim = {options, kind, lower: options.lower === undefined ? null : rational(options.lower), upper: null};
+    if (kind === check_radius) claim.of_family = {what: 'radius', file: options.matrices};
+    if (kind === check_subradius) claim.of_family = {what: 'subradius', file: options.subradius};
     if (options.exact !== undefined) read_exact(options.exact, kind !== check_radius);
     if (options.logarithm !== undefined) claim.logarithm = small(options.logarithm, 0, 256);
     if (rough) claim.rough = small(options.upper.slice(1), 1, 500);
@@ -1959,9 +2005,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     demand(sign(rounding.eps) > 0, form);
     return rounding;
   }
-  function text_of({options, kind, lower, upper, rough, interval}) {
+  function text_of({options, of_family, lower, upper, rough, interval}) {
     const relation = interval ? ' < ' : ' <= ', number = x => x.d === 1n ? `${x.n}` : `${x.n}/${x.d}`;
-    let what = kind === check_radius ? 'joint spectral radius' : 'Hoelder exponent';
+    let what = of_family ? `joint spectral ${of_family.what}` : 'Hoelder exponent';
     const exact = options.exact !== undefined, power =
       options.logarithm === undefined ? '' : ` with |log h|^${options.logarithm}`;
     const number_itself = exact ? `${what} = ${options.exact}` : what;
@@ -1969,7 +2015,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     else what = lower || upper || exact ? number_itself : 'stable integer shifts';
     const ends = !lower && interval && upper && !sign(upper) ? 'no convergence'
       : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}${power}`;
-    const subject = kind === check_radius ? options.matrices : kind === check_surface
+    const subject = of_family ? of_family.file : options.surface !== undefined
       ? `${options.surface} with dilation ${options.dilation}` : `${options.mask} with arity ${options.arity}`;
     return `${ends} of ${subject}` + (interval ? ` for all ${options.for}` : '') +
       (options.within ? ` for all masks within=${options.within}` : '');
@@ -1991,10 +2037,12 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function check_file(reader, claim) {
     reader.read('subcert-certificate 3');
     reader.read(claim.head);
+    const is_subradius = claim.kind === check_subradius;
+    demand(!is_subradius || claim.family.matrices.flat(2).every(x => x >= 0n), 'a matrix is not non-negative');
     read_bounds(reader);
     const one = !claim.interval && !claim.within;
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
-    if (one) claim.exact = read_root(reader, claim);
+    if (one && !is_subradius) claim.exact = read_root(reader, claim);
     claim.kind(reader, claim);
     reader.finish('end', "text after 'end'");
   }
@@ -2017,13 +2065,13 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     } catch (error) {
       return wrong(64, reason(error));
     }
-    const {matrices, FILE} = claim.options, text = matrices === undefined ? '' : read_text(matrices);
-    if (text === null) return wrong(66, `cannot read ${matrices}`);
+    const {options: {FILE}, of_family} = claim, text = of_family ? read_text(of_family.file) : '';
+    if (text === null) return wrong(66, `cannot read ${of_family.file}`);
     try {
-      if (matrices !== undefined) {
+      if (of_family) {
         reader = new Reader(text);
         claim.family = read_matrices(reader);
-        claim.head = `radius ${claim.family.matrices.length} ${claim.family.size}`;
+        claim.head = `${of_family.what} ${claim.family.matrices.length} ${claim.family.size}`;
       }
     } catch (error) {
       return wrong(65, `${reason(error)}, line ${reader.line}`);

@@ -26,8 +26,9 @@ def claims_of(options):
     values = dict(zip(options[::2], options[1::2]))
     names = ("--lower", "--upper", "--exact", "--logarithm")
     lower, upper, exact, power = (values.pop(option, None) for option in names)
-    if "--matrices" in values:
-        values["--matrices"] = str(directory / values["--matrices"])
+    for option in ("--matrices", "--subradius"):
+        if option in values:
+            values[option] = str(directory / values[option])
     subject = [word for pair in values.items() for word in pair]
     rough = upper is not None and upper.startswith("C")
     ends = [(lower, upper), (lower, None), (None, upper), (None, None)]

@@ -18,6 +18,7 @@ import edge_cases
 import graph_cases
 import make_surfaces
 import single_cases
+import subradius_cases
 import variant_cases
 
 BITS = 64
@@ -651,12 +652,13 @@ def main(out):
         case = options.split()
         body = lines.split("; ") if lines else body
         write(name, (case, ["subcert-certificate 3", f"exponent {case[1]} {case[3]}", *body]))
-    for name, family in edge_cases.MATRICES + variant_cases.MATRICES + graph_cases.MATRICES + cycle_cases.MATRICES:
+    modules = edge_cases, variant_cases, graph_cases, cycle_cases, subradius_cases
+    for name, family in [case for module in modules for case in module.MATRICES]:
         write_matrices(name, family)
-    for name, options, lines in edge_cases.ACCEPTED + variant_cases.ACCEPTED + graph_cases.ACCEPTED + cycle_cases.ACCEPTED:
+    for name, options, lines in [case for module in modules for case in module.ACCEPTED]:
         write(name, (options.split(), ["subcert-certificate 3", *lines.split("; ")]))
     write("four-point-exact-group", (made["four-point-exact"][0], as_group(made["four-point-exact"][1])))
-    for name, base, options, edits in edge_cases.CHANGED + variant_cases.CHANGED + graph_cases.CHANGED + cycle_cases.CHANGED:
+    for name, base, options, edits in [case for module in modules for case in module.CHANGED]:
         write(name, (options.split() if options else made[base][0], edited(made[base][1], edits)))
     write("slow-exact-opposite", (made["slow-exact"][0], opposite(made["slow-exact"][1], 1)))
     # the same vertices for a cone

@@ -103,7 +103,8 @@ std::vector<Case> read_cases(const std::string& directory) {
       if (option == "--logarithm") logarithm = value;
       if (option == "--lower" || option == "--upper" || option == "--exact" || option == "--logarithm") continue;
       exponent = exponent || option == "--mask" || option == "--surface";
-      subject.insert(subject.end(), {option, option == "--matrices" ? directory + "/" + value : value});
+      subject.insert(subject.end(),
+                     {option, option == "--matrices" || option == "--subradius" ? directory + "/" + value : value});
     }
     const auto claim = [&subject](const std::optional<mpq_class>& low, const std::optional<mpq_class>& high) {
       Claim options = subject;

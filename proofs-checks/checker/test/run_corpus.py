@@ -128,6 +128,15 @@ if mode == "usage":
             (64, f"--surface [{'1,' * 10000}1] --dilation [2] --lower 1 golden.cert"),
             (65, f"--matrices {more} --upper 2 golden.cert"), (65, f"--matrices {many} --upper 2 golden.cert"),
             (65, f"--matrices {large} --upper 2 golden.cert"),
+            (64, "--subradius golden.mat golden.cert"), (64, "--subradius golden.mat --upper C1 golden.cert"),
+            (64, "--subradius golden.mat --matrices golden.mat --upper 2 golden.cert"),
+            (64, "--subradius golden.mat --mask [1,1] --arity 2 --lower 1 golden.cert"),
+            (64, "--subradius golden.mat --surface [1,1] --dilation [2] --lower 1 golden.cert"),
+            *((64, f"--subradius golden.mat --lower 1 {option} golden.cert") for option in (
+                "--exact |[-1,1]@1,0,1|^1/1", "--logarithm 0", "--for w=0..1", "--within 1/9,1", "--arity 2", "--dilation [2]")),
+            (64, "--subradius golden.mat --exact |[-1,1]@1,0,1|^1/1 golden.cert"), (64, "--subradius golden.mat --lower 1"),
+            (65, "--subradius golden.cert --upper 2 golden.cert"), (66, "--subradius none.mat --upper 2 golden.cert"),
+            (66, "--subradius golden.mat --upper 2 none.cert"),
             (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
             (66, f"{golden} none.cert"), (66, f"{golden} ."), (0, "--help"), (0, f"{golden} golden.cert")]:
         result = run(arguments.split())
@@ -146,6 +155,7 @@ else:
             lower, upper, range_, within = (values.get(f"--{option}") for option in ("lower", "upper", "for", "within"))
             exact, logarithm = values.pop("--exact", None), values.pop("--logarithm", None)
             what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
+            what = "joint spectral subradius" if "--subradius" in values else what
             what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts"
             subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
                                     for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))

@@ -1467,7 +1467,8 @@ var check_certificate = (() => {
     const image = word.reduceRight((x, t) => multiply(matrices[t], x), weights.map(x => [x]));
     const all = power(fraction(den), word.length).n * re.n;
     spend(2 * size, bits(all), bits(largest(weights)) + bits(re.d));
-    demand(image.every(([x], i) => x * re.d <= all * weights[i]), 'the product takes a weight to more than the given multiple');
+    demand(image.every(([x], i) => x * re.d <= all * weights[i]),
+           'the product takes a weight to more than the given multiple');
     demand(!upper || (sign(upper) >= 0 && !less(power(upper, word.length), re)),
            'the product does not prove the upper end');
   }
@@ -1478,16 +1479,17 @@ var check_certificate = (() => {
     const {count, c_bits} = read_sizes(fields), all = transposed ? matrices.map(transpose) : matrices;
     const has = {nonnegative: true, nonzero: true};
     const body = new Body(reader, {size, count, c_bits, has, group: trivial_group(0)});
-    let g = null;
+    const one = 1n << BigInt(c_bits);
+    const least = lower ? ceil_div(lower.n * one, lower.d) : 0n;
+    let reached = true;  // least <= g one, which is an integer
     for (let j = 0; j < count; ++j)
       body.images(all, j).forEach((image, t) => {
-        const below = image.map(x => x.map(value => -value << BigInt(c_bits)));
+        const below = image.map(x => x.map(value => -value * one));
         const {residual, weight} = body.read_combination(`image ${j} ${t}`, below, -den);
         demand(!residual, 'an image is not above the sum of its terms');
-        if (g === null || weight < g) g = weight;
+        if (weight < least) reached = false;
       });
-    demand(!lower || !less(fraction(g, 1n << BigInt(c_bits)), lower),
-           'the weights of an image do not prove the lower end');
+    demand(reached, 'the weights of an image do not prove the lower end');
   }
   function check_subradius(reader, {family, lower, upper}) {
     if (upper || reader.peek() === 'product') read_upper_end(reader, family, upper);
@@ -2042,7 +2044,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     read_bounds(reader);
     const one = !claim.interval && !claim.within;
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
-    if (one && !is_subradius) claim.exact = read_root(reader, claim);
+    if (!is_subradius) claim.exact = read_root(reader, claim);
     claim.kind(reader, claim);
     reader.finish('end', "text after 'end'");
   }

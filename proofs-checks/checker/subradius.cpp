@@ -12,9 +12,8 @@ void read_upper_end(const Family& family, const std::optional<mpq_class>& upper,
                     Arithmetic& arithmetic) {
   const Fields fields = reader.take("product", 4, 3 + 4096);
   parse_size(fields[0], 0, 0);
-  const mpq_class re = parse_rational(fields[1]);
-  require(re >= 0 && parse_rational(fields[2]) == 0,
-          "the product of a subradius needs a real number that is not negative");
+  const mpq_class re = parse_rational(fields[1]), im = parse_rational(fields[2]);
+  require(re >= 0 && im == 0, "the product of a subradius needs a real number that is not negative");
   std::vector<std::size_t> letters;
   for (std::size_t i = 3; i < fields.size(); ++i) letters.push_back(parse_size(fields[i], 0, family.count() - 1));
   Vector weights;

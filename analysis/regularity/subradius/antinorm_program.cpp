@@ -13,30 +13,23 @@ using polytope::Vector;
 constexpr double tiny_price = 1e-12;  // reduced costs below that do not count
 constexpr double tiny_pivot = 1e-11;
 
-/// One program: its rows are the positive coordinates of the point, its columns the vertices without others.
+/// One program: its rows are the positive coordinates of the point, in units of the point, its columns the vertices
+/// that have no other positive coordinates.
 class Pivoting {
  public:
-  Pivoting(const Vector& x, const std::vector<Vector>& vertices) {
+  Pivoting(const Vector& x, const AntinormProgram& program) : program_(program), units_(x.size(), 0) {
     for (std::size_t i = 0; i < x.size(); ++i)
-      if (x[i] > 0) rows_.push_back(i);
-    for (std::size_t j = 0; j < vertices.size(); ++j) {
-      Vector column;
-      double rest = 0;
-      for (std::size_t i = 0; i < x.size(); ++i)
-        if (x[i] > 0)
-          column.push_back(vertices[j][i] / x[i]);  // in units of the point
-        else
-          rest += vertices[j][i];
-      if (rest > 0) continue;
-      names_.push_back(j);
-      columns_.push_back(std::move(column));
-    }
+      if (x[i] > 0) {
+        rows_.push_back(i);
+        units_[i] = 1 / x[i];
+      }
+    for (std::size_t j = 0; j < program.count(); ++j)
+      if (rows_.size() == x.size() || !sticks_out(program.vertex(j))) columns_.push_back(j);
     const std::size_t n = rows_.size();
     inverse_ = Matrix::identity(n);
     basis_.resize(n);
     std::iota(basis_.begin(), basis_.end(), columns_.size());  // the slacks
     solution_.assign(n, 1);
-    multipliers_.assign(n, 0);
   }
 
   Combination run(double enough) {
@@ -53,6 +46,12 @@ class Pivoting {
  private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
+  bool sticks_out(const double* vertex) const {
+    for (std::size_t i = 0; i < units_.size(); ++i)
+      if (units_[i] == 0 && vertex[i] > 0) return true;
+    return false;
+  }
+
   bool is_slack(std::size_t column) const { return column >= columns_.size(); }
 
   double value() const {
@@ -66,38 +65,41 @@ class Pivoting {
   std::size_t best_single() const {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < columns_.size(); ++j) {
-      const double largest = *std::max_element(columns_[j].begin(), columns_[j].end());
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      const double* vertex = program_.vertex(columns_[k]);
+      double largest = 0;
+      for (std::size_t i = 0; i < units_.size(); ++i) largest = std::max(largest, units_[i] * vertex[i]);
       if (largest < least) {
         least = largest;
-        best = j;
+        best = k;
       }
     }
     return best;
   }
 
   /// The column whose weight raises the value fastest, or none.
-  std::size_t priced() {
+  std::size_t priced() const {
     const std::size_t n = rows_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      multipliers_[i] = 0;
-      for (std::size_t k = 0; k < n; ++k)
-        if (!is_slack(basis_[k])) multipliers_[i] += inverse_(k, i);
-    }
     std::size_t entering = none;
     double best = tiny_price;
-    for (std::size_t j = 0; j < columns_.size(); ++j) {
-      const double price = 1 - polytope::inner(multipliers_, columns_[j]);
-      if (price > best) {
-        best = price;
-        entering = j;
-      }
+    Vector prices(units_.size(), 0);  // of the coordinates
+    for (std::size_t i = 0; i < n; ++i) {
+      double multiplier = 0;
+      for (std::size_t k = 0; k < n; ++k)
+        if (!is_slack(basis_[k])) multiplier += inverse_(k, i);
+      prices[rows_[i]] = multiplier * units_[rows_[i]];
+      if (-multiplier <= best) continue;
+      best = -multiplier;
+      entering = columns_.size() + i;
     }
-    for (std::size_t i = 0; i < n; ++i)
-      if (-multipliers_[i] > best) {
-        best = -multipliers_[i];
-        entering = columns_.size() + i;
-      }
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      const double* vertex = program_.vertex(columns_[k]);
+      double value = 1;
+      for (std::size_t i = 0; i < prices.size(); ++i) value -= prices[i] * vertex[i];
+      if (value <= best) continue;
+      best = value;
+      entering = k;
+    }
     return entering;
   }
 
@@ -108,7 +110,7 @@ class Pivoting {
     if (is_slack(entering))
       for (std::size_t k = 0; k < n; ++k) direction[k] = inverse_(k, entering - columns_.size());
     else
-      direction = inverse_ * columns_[entering];
+      direction = inverse_ * column(entering);
     std::size_t leaving = none;
     double step = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < n; ++k) {
@@ -130,6 +132,13 @@ class Pivoting {
     return true;
   }
 
+  Vector column(std::size_t k) const {
+    const double* vertex = program_.vertex(columns_[k]);
+    Vector result;
+    for (const std::size_t i : rows_) result.push_back(units_[i] * vertex[i]);
+    return result;
+  }
+
   Combination combination() const {
     Combination result;
     std::vector<bool> free(rows_.size(), false);
@@ -139,7 +148,7 @@ class Pivoting {
         continue;
       }
       const double weight = std::max(solution_[k], 0.0);
-      result.terms.push_back({names_[basis_[k]], weight});
+      result.terms.push_back({columns_[basis_[k]], weight});
       result.value += weight;
     }
     for (std::size_t i = 0; i < rows_.size(); ++i)
@@ -147,15 +156,16 @@ class Pivoting {
     return result;
   }
 
-  std::vector<std::size_t> rows_, names_;  // coordinates; vertices of the columns
-  std::vector<Vector> columns_;
-  Matrix inverse_;                  // of the basis
-  std::vector<std::size_t> basis_;  // columns, then slacks
-  Vector solution_, multipliers_;
+  const AntinormProgram& program_;
+  Vector units_;                             // 1 over the coordinates of the point, 0 for zeros
+  std::vector<std::size_t> rows_, columns_;  // coordinates, vertices
+  Matrix inverse_;                           // of the basis
+  std::vector<std::size_t> basis_;           // columns, then slacks
+  Vector solution_;
 };
 
 }  // namespace
 
-Combination AntinormProgram::below(const Vector& x, double enough) const { return Pivoting(x, vertices_).run(enough); }
+Combination AntinormProgram::below(const Vector& x, double enough) const { return Pivoting(x, *this).run(enough); }
 
 }  // namespace subcert::subradius

@@ -26,9 +26,9 @@ class AntinormProgram {
   explicit AntinormProgram(std::size_t dimension) : dimension_(dimension) {}
 
   /// Domain: `dimension` numbers >= 0, one of them positive.
-  void add(polytope::Vector vertex) { vertices_.push_back(std::move(vertex)); }
-  std::size_t count() const { return vertices_.size(); }
-  const polytope::Vector& vertex(std::size_t j) const { return vertices_[j]; }
+  void add(const polytope::Vector& vertex) { entries_.insert(entries_.end(), vertex.begin(), vertex.end()); }
+  std::size_t count() const { return entries_.size() / dimension_; }
+  const double* vertex(std::size_t j) const { return &entries_[j * dimension_]; }
   std::size_t dimension() const { return dimension_; }
 
   /// The best combination below x, or the first one found whose value is at least `enough`. Domain: x >= 0. Error:
@@ -38,7 +38,7 @@ class AntinormProgram {
 
  private:
   std::size_t dimension_;
-  std::vector<polytope::Vector> vertices_;
+  std::vector<double> entries_;  // vertex by vertex
 };
 
 }  // namespace subcert::subradius

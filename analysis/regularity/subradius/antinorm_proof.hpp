@@ -21,11 +21,27 @@ struct AntinormProof {
     std::size_t vertex;
     Integer weight;  ///< over 2^weight_bits
   };
+  /// Which image a vertex is, rounded down.
+  struct Origin {
+    std::size_t parent, letter;
+  };
   bool transposed = false;  ///< the matrices are the transposed ones
   int weight_bits = 0;
   std::vector<std::vector<Integer>> vertices;
   std::vector<std::vector<Term>> images;  ///< vertex by vertex, matrix by matrix
   Rational bound;                         ///< the least sum of weights of an image
+  std::vector<std::size_t> cycle;  ///< letters after which vertex 0 comes back, nearly, the first applied in front
+  std::vector<Origin> origins;     ///< of vertex 1, 2, ...
+  /// Images that are at least a vertex times the radius of the cycle, by equations and clear inequalities.
+  struct Coincidence {
+    std::size_t vertex, letter, target;
+  };
+  std::vector<Coincidence> coincidences;
+
+  /// Of the image of a vertex under a matrix: the index in `images`. Domain: `letters` matrices.
+  static std::size_t image_index(std::size_t vertex, std::size_t letter, std::size_t letters) {
+    return vertex * letters + letter;
+  }
 };
 
 }  // namespace subcert

@@ -13,16 +13,25 @@ using polytope::Vector;
 
 constexpr std::size_t longest_suffix = 200;  // of the products that are looked at where an image is small
 constexpr double clearly_less = 1 - 1e-10;   // of spectral radii
+constexpr double clearly_above = 1e-9;       // an antinorm so far above 1 is inside for certain
+// Coordinates of a vertex that are so much smaller than its largest one become 0: a smaller vertex is as good, and
+// where a coordinate decays along a word only that ends.
+constexpr double tiny_coordinate = 1e-30;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-AntinormSearch::AntinormSearch(std::vector<Matrix> matrices, Vector first, std::vector<int> cycle, std::size_t memory)
-    : matrices_(std::move(matrices)), cycle_(std::move(cycle)), memory_(memory), program_(first.size()) {
+AntinormSearch::AntinormSearch(std::vector<Matrix> matrices, Vector first, std::vector<int> cycle, std::size_t most,
+                               bool explained)
+    : matrices_(std::move(matrices)),
+      cycle_(std::move(cycle)),
+      most_(most),
+      explained_(explained),
+      program_(first.size()) {
   add({std::move(first)});
   for (std::size_t k = 0; k + 1 < cycle_.size(); ++k)
-    add({matrices_[at(cycle_[k])] * result_.vertices.back().value, static_cast<int>(k), cycle_[k]});
+    add_image({matrices_[at(cycle_[k])] * result_.vertices.back().value, static_cast<int>(k), cycle_[k], 1});
   end_ = result_.vertices.size();
 }
 
@@ -32,8 +41,9 @@ const AntinormCandidate& AntinormSearch::advance(const Deadline& deadline) {
       look_at_images(next_++);
       if (next_ == end_) end_generation();
     } else if (added_ < below_.size()) {
-      const Image& image = below_[added_++];
-      if (program_.below(image.value, 1).value < 1 - rounding) add({image.value, image.parent, image.letter});
+      Image& image = below_[added_++];
+      image.antinorm = program_.below(image.value, 1 + clearly_above).value;
+      if (!is_inside(image)) add_image(image);
     } else {
       below_.clear();
       added_ = 0;
@@ -42,31 +52,58 @@ const AntinormCandidate& AntinormSearch::advance(const Deadline& deadline) {
   return result_;
 }
 
-bool AntinormSearch::is_full() const {
-  const std::size_t bytes = 3 * sizeof(double) * program_.dimension() + sizeof(AntinormCandidate::Vertex);
-  return (result_.vertices.size() + below_.size()) * bytes > memory_;
-}
-
 void AntinormSearch::add(AntinormCandidate::Vertex vertex) {
+  const double least = tiny_coordinate * *std::max_element(vertex.value.begin(), vertex.value.end());
+  for (double& c : vertex.value)
+    if (c > 0 && c < least) {
+      c = 0;
+      vertex.cut = true;
+    }
   program_.add(vertex.value);
   result_.vertices.push_back(std::move(vertex));
+}
+
+void AntinormSearch::add_image(const Image& image) {
+  const AntinormCandidate::Vertex& parent = result_.vertices[at(image.parent)];
+  add({image.value, image.parent, image.letter, parent.steps + 1, parent.cut});
 }
 
 void AntinormSearch::look_at_images(std::size_t vertex) {
   for (std::size_t t = 0; t < matrices_.size(); ++t) {
     if (vertex < cycle_.size() && at(cycle_[vertex]) == t) continue;  // the next vertex
-    Vector image = matrices_[t] * result_.vertices[vertex].value;
-    const double antinorm = program_.below(image, 1).value;
-    if (antinorm < 1 - rounding)
-      below_.push_back({std::move(image), static_cast<int>(vertex), static_cast<int>(t), antinorm});
+    Image image{matrices_[t] * result_.vertices[vertex].value, static_cast<int>(vertex), static_cast<int>(t), 0};
+    image.antinorm = program_.below(image.value, 1 + clearly_above).value;
+    if (!is_inside(image)) below_.push_back(std::move(image));
   }
+}
+
+bool AntinormSearch::is_inside(const Image& image) {
+  if (image.antinorm < 1 - rounding) return false;
+  if (image.antinorm > 1 + clearly_above / 2) return true;
+  const auto target = coincident(image);
+  if (target) result_.coincidences.push_back({at(image.parent), at(image.letter), *target});
+  return target || !explained_;
+}
+
+std::optional<std::size_t> AntinormSearch::coincident(const Image& image) const {
+  const AntinormCandidate::Vertex& parent = result_.vertices[at(image.parent)];
+  for (std::size_t k = 0; k < result_.vertices.size() && !parent.cut; ++k) {
+    const AntinormCandidate::Vertex& vertex = result_.vertices[k];
+    const std::size_t more = std::max(vertex.steps, parent.steps + 1) - std::min(vertex.steps, parent.steps + 1);
+    if (vertex.cut || more % cycle_.size() != 0) continue;
+    bool is_above = true;
+    for (std::size_t i = 0; i < vertex.value.size() && is_above; ++i)
+      is_above = image.value[i] >= (1 - rounding) * vertex.value[i];
+    if (is_above) return k;
+  }
+  return std::nullopt;
 }
 
 /// The images of all vertices of the generation are known.
 void AntinormSearch::end_generation() {
   std::sort(below_.begin(), below_.end(), [](const Image& a, const Image& b) { return a.antinorm < b.antinorm; });
-  const double least = below_.empty() ? 1 : below_.front().antinorm;
-  if (least > result_.least) {
+  const double least = below_.empty() ? 1 : std::min(below_.front().antinorm, 1.0);
+  if (least > result_.least || below_.empty()) {
     result_.least = least;
     result_.kept = end_;
   }

@@ -5,15 +5,25 @@
 
 #include <subcert/analysis/symbol/budget.hpp>
 
+#include <optional>
+
 namespace subcert::subradius {
 
 /// A set of vertices that grows by images of its own until no image falls below it.
 struct AntinormCandidate {
   struct Vertex {
     polytope::Vector value;
-    int parent = -1, letter = -1;  ///< the image of that vertex; -1: one of the first
+    int parent = -1, letter = -1;  ///< the image of that vertex; -1: the first one
+    std::size_t steps = 0;         ///< letters that lead to it
+    bool cut = false;              ///< it, or one that leads to it, has lost coordinates
+  };
+  /// An image that is a vertex, or above it in some coordinates and equal in the others, as words of equal effect lead
+  /// to both.
+  struct Coincidence {
+    std::size_t vertex, letter, target;
   };
   std::vector<Vertex> vertices;
+  std::vector<Coincidence> coincidences;
   std::size_t kept = 0;  ///< the first so many are best
   double least = 0;      ///< antinorm of their images
   bool closed = false;   ///< no image falls below, up to rounding
@@ -27,15 +37,23 @@ struct AntinormCandidate {
 class AntinormSearch {
  public:
   /// Domain: matrices without negative entries, divided by the averaged spectral radius of the product; a vertex >= 0
-  /// that is not 0. `memory`: bytes that vertices may take.
+  /// that is not 0. `most`: vertices. `explained`: as below.
   AntinormSearch(std::vector<polytope::Matrix> matrices, polytope::Vector first, std::vector<int> cycle,
-                 std::size_t memory);
+                 std::size_t most, bool explained = false);
 
   /// Goes on until a set closes, a smaller product is met or no more is allowed, or the deadline passes. Cost: a
   /// program per vertex and matrix, and one more for each image that falls below.
   const AntinormCandidate& advance(const Deadline& deadline);
 
+  /// The same from the beginning, in which images on the boundary have to be coincidences, or become vertices; at most
+  /// so many.
+  AntinormSearch explained(std::size_t most) const {
+    return {matrices_, result_.vertices.front().value, cycle_, most, true};
+  }
+
   const std::vector<int>& cycle() const { return cycle_; }
+  std::size_t count() const { return result_.vertices.size(); }
+  bool has_closed() const { return result_.closed; }
   /// Whether going on may change anything.
   bool is_over() const { return result_.closed || !result_.smaller.empty() || is_full(); }
 
@@ -46,15 +64,19 @@ class AntinormSearch {
     double antinorm;
   };
 
-  bool is_full() const;
+  bool is_full() const { return result_.vertices.size() > most_; }
   void add(AntinormCandidate::Vertex vertex);
+  void add_image(const Image& image);
   void look_at_images(std::size_t vertex);
+  bool is_inside(const Image& image);
+  std::optional<std::size_t> coincident(const Image& image) const;
   void end_generation();
   void find_smaller(const Image& image);
 
   std::vector<polytope::Matrix> matrices_;
   std::vector<int> cycle_;
-  std::size_t memory_;
+  std::size_t most_;
+  bool explained_;
   AntinormProgram program_;
   AntinormCandidate result_;
   // Of the generation that is looked at: its vertices, the next one of them, and the images that fall below. These are

@@ -1,9 +1,12 @@
 #include "certify.hpp"
 
+#include "attained_subradius.hpp"
+
 #include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
 #include <subcert/analysis/regularity/radius/cost.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace subcert::subradius {
@@ -19,54 +22,6 @@ Rational two_to(long exponent) { return power(Rational(2), exponent); }
 
 bool is_positive(const IntegerVector& x) {
   return std::all_of(x.begin(), x.end(), [](const Integer& c) { return c > 0; });
-}
-
-/// The least multiple of rational numbers whose coordinates are integers.
-IntegerVector cleared(const std::vector<Rational>& x) {
-  Integer common = 1;
-  for (const Rational& c : x) common = lcm(common, denominator(c));
-  IntegerVector result;
-  for (const Rational& c : x) result.push_back(numerator(c * Rational(common)));
-  return result;
-}
-
-/// The only eigenvector of an eigenvalue, with signs such that it is >= 0; empty where there is none.
-IntegerVector eigenvector_of(const RationalMatrix& matrix, const Rational& eigenvalue) {
-  RationalMatrix shifted = matrix;
-  for (std::size_t i = 0; i < matrix.rows(); ++i) shifted(i, i) -= eigenvalue;
-  const auto basis = kernel(shifted);
-  if (basis.size() != 1) return {};
-  IntegerVector x = cleared(basis[0]);
-  if (std::all_of(x.begin(), x.end(), [](const Integer& c) { return c <= 0; }))
-    for (Integer& c : x) c = -c;
-  return std::all_of(x.begin(), x.end(), [](const Integer& c) { return c >= 0; }) ? x : IntegerVector{};
-}
-
-/// Positive integers x with matrix x <= shift x, near a leading eigenvector if the shift is just above its eigenvalue.
-/// Empty where the shift is not above it.
-IntegerVector subinvariant_vector(const RationalMatrix& matrix, const Rational& shift) {
-  const std::size_t n = matrix.rows();
-  RationalMatrix shifted = Rational(-1) * matrix, ones(n, 1);
-  Rational most = 1;
-  for (std::size_t i = 0; i < n; ++i) {
-    Rational row = 0;
-    for (std::size_t j = 0; j < n; ++j) row += matrix(i, j);
-    most = std::max(most, row);
-    shifted(i, i) += shift;
-    ones(i, 0) = 1;
-  }
-  if (determinant(shifted) == 0) return {};
-  // (shift - matrix) y = 1, and rounding most * y up adds at most `most` to matrix y.
-  const RationalMatrix y = solve(shifted, ones);
-  IntegerVector x;
-  for (std::size_t i = 0; i < n; ++i) x.push_back(to_integer(most * y(i, 0), Rounding::up));
-  if (!is_positive(x)) return {};
-  for (std::size_t i = 0; i < n; ++i) {
-    Rational image = 0;
-    for (std::size_t j = 0; j < n; ++j) image += matrix(i, j) * Rational(x[j]);
-    if (image > shift * Rational(x[i])) return {};
-  }
-  return x;
 }
 
 /// A large integer that a number with a short numerator divides many times.
@@ -106,18 +61,23 @@ class Certifier {
   }
 
   std::optional<AntinormProof> run(const IntegerVector& first, const Deadline& deadline) {
-    proof_.vertices.push_back(first);
+    proof_.cycle.assign(cycle_.begin(), cycle_.end());
+    proof_.vertices.push_back(lengthened(first));
     for (std::size_t j = 1; j < candidate_.kept; ++j) {
       const AntinormCandidate::Vertex& vertex = candidate_.vertices[j];
       const auto parent = static_cast<std::size_t>(vertex.parent), letter = static_cast<std::size_t>(vertex.letter);
       const Rational divisor = rate_ * Rational(denominator_);
       IntegerVector next = image(parent, letter);
-      for (Integer& c : next) c = c * subcert::denominator(divisor) / numerator(divisor);
+      for (std::size_t i = 0; i < next.size(); ++i)
+        next[i] = vertex.value[i] == 0 ? Integer(0) : next[i] * denominator(divisor) / numerator(divisor);
       if (std::all_of(next.begin(), next.end(), [](const Integer& c) { return c == 0; })) return std::nullopt;
       proof_.vertices.push_back(std::move(next));
-      children_[{parent, letter}] = j;
+      proof_.origins.push_back({parent, letter});
+      known_[{parent, letter}] = j;
     }
-    if (!cycle_.empty()) children_[{cycle_.size() - 1, static_cast<std::size_t>(cycle_.back())}] = 0;
+    if (!cycle_.empty()) known_[{cycle_.size() - 1, static_cast<std::size_t>(cycle_.back())}] = 0;
+    for (const auto& [vertex, letter, target] : candidate_.coincidences)
+      if (vertex < candidate_.kept && target < candidate_.kept) known_.emplace(std::pair(vertex, letter), target);
     for (std::size_t j = 0; j < candidate_.kept; ++j) program_.add(candidate_.vertices[j].value);
     std::optional<Rational> least;
     for (std::size_t j = 0; j < candidate_.kept; ++j)
@@ -137,6 +97,19 @@ class Certifier {
  private:
   using Terms = std::vector<AntinormProof::Term>;
 
+  /// So long that the smallest coordinate of a vertex has some digits.
+  IntegerVector lengthened(IntegerVector first) const {
+    double largest = 0, least = 1;
+    for (const double c : candidate_.vertices.front().value) largest = std::max(largest, c);
+    for (std::size_t j = 0; j < candidate_.kept; ++j)
+      for (const double c : candidate_.vertices[j].value)
+        if (c > 0) least = std::min(least, c);
+    const long length = proof_.weight_bits + spare_bits + std::ilogb(largest) - std::ilogb(least);
+    const long missing = length - binary_exponent(Rational(*std::max_element(first.begin(), first.end())));
+    for (Integer& c : first) c <<= static_cast<std::size_t>(std::max(0L, missing));
+    return first;
+  }
+
   /// The image of a vertex, times the denominator of the matrices.
   IntegerVector image(std::size_t vertex, std::size_t letter) const {
     const IntegerVector &x = proof_.vertices[vertex], &matrix = matrices_[letter];
@@ -149,8 +122,8 @@ class Certifier {
 
   Terms terms_below(std::size_t vertex, std::size_t letter) const {
     const IntegerVector point = image(vertex, letter);
-    if (const auto child = children_.find({vertex, letter}); child != children_.end())
-      return multiple_below(point, child->second);
+    if (const auto known = known_.find({vertex, letter}); known != known_.end())
+      return multiple_below(point, known->second);
     const Combination combination = program_.below(rough_[letter] * candidate_.vertices[vertex].value,
                                                    1 + clearly_above);
     Terms terms;
@@ -217,9 +190,9 @@ class Certifier {
   Rational rate_;
   Integer denominator_;
   AntinormProgram program_;
-  std::vector<IntegerVector> matrices_;  // times the denominator
-  std::vector<polytope::Matrix> rough_;  // over the rate
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> children_;
+  std::vector<IntegerVector> matrices_;                               // times the denominator
+  std::vector<polytope::Matrix> rough_;                               // over the rate
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_;  // images that are vertices
   AntinormProof proof_;
 };
 
@@ -235,24 +208,29 @@ std::optional<LeadingVector> leading_vector(const MatrixFamily& family, const st
   if (*modulus.upper == 0) {
     std::vector<int> repeated;
     for (std::size_t k = 0; k < family.size(); ++k) repeated.insert(repeated.end(), word.begin(), word.end());
-    return LeadingVector{{repeated, 0, IntegerVector(family.size(), 1)}, 0, {}};
+    return LeadingVector{{repeated, 0, IntegerVector(family.size(), 1)}, Enclosure::exactly(0), 0, {}};
   }
   if (!radius::has_time_for_elimination(matrix, deadline)) return std::nullopt;
-  const auto rate_of = [&](const Rational& value) {
+  const auto root_of = [&](const Rational& value) {
     const auto root = exact_root(value, word.size());
-    return root ? *root : *root_enclosure(value, length, bits + spare_bits).upper;
+    return root ? Enclosure::exactly(*root) : root_enclosure(value, length, bits + spare_bits);
   };
+  const Enclosure radius{root_of(*modulus.lower).lower, root_of(*modulus.upper).upper};
   IntegerVector vector;
   if (modulus.is_exact()) {
     const IntegerVector weights = eigenvector_of(matrix, *modulus.upper);
-    const Rational rate = rate_of(*modulus.upper);
-    for (const Integer& c : weights) vector.push_back(c * divisible(rate * Rational(common_denominator(family)), bits));
-    if (!weights.empty() && is_positive(weights)) return LeadingVector{{word, *modulus.upper, weights}, rate, vector};
+    const Integer factor = divisible(*radius.upper * Rational(common_denominator(family)), bits);
+    for (const Integer& c : weights) vector.push_back(c * factor);
+    if (!weights.empty() && is_positive(weights))
+      return LeadingVector{{word, *modulus.upper, weights}, radius, *radius.upper, vector};
   }
   const Rational shift = *modulus.upper * (1 + two_to(-bits));
-  const IntegerVector weights = subinvariant_vector(matrix, shift);
-  if (weights.empty()) return std::nullopt;
-  return LeadingVector{{word, shift, weights}, rate_of(shift), vector.empty() ? rounded(weights, bits) : vector};
+  const IntegerVector longer = subinvariant_vector(matrix, shift, bits);
+  if (longer.empty()) return std::nullopt;
+  IntegerVector weights;
+  for (const Integer& c : longer) weights.push_back(-(-c >> static_cast<std::size_t>(bits)));  // rounded up
+  return LeadingVector{
+      {word, shift, weights}, radius, *root_of(shift).upper, vector.empty() ? rounded(longer, bits) : vector};
 }
 
 std::optional<AntinormProof> certify_antinorm(const MatrixFamily& family, const AntinormCandidate& candidate,

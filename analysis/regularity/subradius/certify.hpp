@@ -9,6 +9,7 @@ namespace subcert::subradius {
 /// A proved product, and what a polytope begins with.
 struct LeadingVector {
   SlowProduct product;
+  Enclosure radius;             ///< of the averaged spectral radius; exact where that is rational
   Rational rate;                ///< at least product.radius^(1/length), by less than 2^-bits, relatively
   std::vector<Integer> vector;  ///< near a leading eigenvector of the product, >= 0 and not 0
 };

@@ -1,5 +1,6 @@
 #include "joint_spectral_subradius.hpp"
 
+#include "attained_subradius.hpp"
 #include "certify.hpp"
 
 #include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
@@ -21,6 +22,9 @@ struct Look {
 };
 constexpr std::array<Look, 4> looks{
     {{{12, 64}, 0.02, 0.003}, {{40, 128}, 0.05, 0.01}, {{100, 400}, 0.1, 0.05}, {{200, 2000}, 0.1, 0.3}}};
+
+constexpr double explanation_share = 0.3;  // of the time that is left then
+constexpr std::size_t most_explained = 8;  // times as many vertices
 
 /// One search: products first, then polytopes of the family and of its transposed matrices.
 class SubradiusSearch {
@@ -44,6 +48,11 @@ class SubradiusSearch {
       try_product({found.front().word.rbegin(), found.front().word.rend()});
       grow(look.polytope_share);
     }
+    for (const bool closed : {true, false})
+      for (const Growth& growth : growths_)
+        if (growth.search.has_closed() == closed && best_.is_closed() && !best_.exact.is_yes())
+          explain(growth, budget_.deadline.after(explanation_share));
+    if (best_.radius.is_exact()) best_.exact = {Truth::yes, "both ends are this number"};
     return std::move(best_);
   }
 
@@ -62,6 +71,7 @@ class SubradiusSearch {
       if (t > 0 && norm >= *best_.radius.upper) continue;
       best_.product = {{static_cast<int>(t)}, norm, std::vector<Integer>(family_.size(), 1)};
       best_.radius = {0, norm};
+      best_.exact = {Truth::unknown, "no polytope closed"};
     }
   }
 
@@ -71,7 +81,7 @@ class SubradiusSearch {
     if (!found) return false;
     const Rational upper = found->product.radius == 0 ? Rational(0) : found->rate;
     if (is_led_ && *best_.radius.upper * (1 - power(Rational(2), -40)) <= upper) return false;
-    if (upper < *best_.radius.upper) {
+    if (upper <= *best_.radius.upper) {
       best_.radius.upper = upper;
       best_.product = found->product;
     }
@@ -96,6 +106,8 @@ class SubradiusSearch {
   }
 
   std::vector<Growth> begun() const {
+    // A search holds each number of a vertex in some places.
+    const std::size_t most = budget_.memory / (8 * sizeof(double) * family_.size() + 256);
     std::vector<Growth> result;
     for (const bool of_transposed : {false, true}) {
       const MatrixFamily& family = of_transposed ? transposed_ : family_;
@@ -112,9 +124,8 @@ class SubradiusSearch {
       const Integer largest = *std::max_element(own->vector.begin(), own->vector.end());
       polytope::Vector start;
       for (const Integer& c : own->vector) start.push_back(Rational(c, largest).convert_to<double>());
-      result.push_back({of_transposed,
-                        own->vector,
-                        {std::move(matrices), std::move(start), {word.rbegin(), word.rend()}, budget_.memory / 4}});
+      result.push_back(
+          {of_transposed, own->vector, {std::move(matrices), std::move(start), {word.rbegin(), word.rend()}, most}});
     }
     return result;
   }
@@ -124,11 +135,10 @@ class SubradiusSearch {
     const subradius::AntinormCandidate& found = growth.search.advance(deadline);
     if (found.kept != growth.proved) {
       growth.proved = found.kept;
-      auto proof = subradius::certify_antinorm(growth.transposed ? transposed_ : family_, found, growth.search.cycle(),
-                                               growth.first, leading_.rate, target_.bits, budget_.deadline);
+      auto proof = certified(growth, found);
       if (proof && proof->bound > *best_.radius.lower) {
-        proof->transposed = growth.transposed;
         best_.radius.lower = proof->bound;
+        if (found.closed) best_.exact = settled(growth, *proof);
         best_.antinorm = std::move(proof);
       }
     }
@@ -136,6 +146,35 @@ class SubradiusSearch {
     if (!growth.transposed) std::reverse(word.begin(), word.end());
     return !word.empty() && try_product(word);
   }
+
+  /// Once more with vertices in place of images on the boundary, so that the product is seen to attain the subradius.
+  void explain(const Growth& growth, const Deadline& deadline) {
+    subradius::AntinormSearch search = growth.search.explained(most_explained * growth.search.count());
+    const subradius::AntinormCandidate& found = search.advance(deadline);
+    auto proof = found.closed ? certified(growth, found) : std::nullopt;
+    if (!proof) return;
+    const Decision exact = settled(growth, *proof);
+    if (!exact.is_yes()) return;
+    best_.exact = exact;
+    best_.antinorm = std::move(proof);
+  }
+
+  std::optional<AntinormProof> certified(const Growth& growth, const subradius::AntinormCandidate& found) const {
+    auto proof = subradius::certify_antinorm(family_of(growth), found, growth.search.cycle(), growth.first,
+                                             leading_.rate, target_.bits, budget_.deadline);
+    if (proof) proof->transposed = growth.transposed;
+    return proof;
+  }
+
+  /// Whether the product of a closed polytope attains the subradius, which is then enclosed by its radius.
+  Decision settled(const Growth& growth, AntinormProof& proof) {
+    const Decision exact = subradius::product_attains_subradius(family_of(growth), proof, leading_.radius,
+                                                                budget_.deadline);
+    if (exact.is_yes()) best_.radius = leading_.radius;
+    return exact;
+  }
+
+  const MatrixFamily& family_of(const Growth& growth) const { return growth.transposed ? transposed_ : family_; }
 
   const MatrixFamily& family_;
   MatrixFamily transposed_;

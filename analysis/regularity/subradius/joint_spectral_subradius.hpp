@@ -11,6 +11,9 @@ struct JointSpectralSubradius {
   Enclosure radius;                       ///< bounded
   SlowProduct product;                    ///< of the upper end
   std::optional<AntinormProof> antinorm;  ///< of the lower end, where that is positive
+  /// Whether `product` attains the subradius exactly, proved or unknown. The ends are then those of its averaged
+  /// spectral radius, which may be nearer to each other than what `antinorm` proves.
+  Decision exact;
 
   /// The ends are within 1e-12 of each other, relatively, or both 0: in practice the search closed with `product` as
   /// spectrum minimizing product.

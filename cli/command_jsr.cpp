@@ -147,6 +147,14 @@ ExitCode run_averaged(const JsrOptions& options, const MatricesFile& file, const
   return wanted.holds(found->radius) ? done : undecided;
 }
 
+/// Of the subradius.
+std::string method_text(const JointSpectralSubradius& found) {
+  const std::size_t vertices = found.antinorm ? found.antinorm->vertices.size() : 0;
+  if (vertices == 0) return "by the product";
+  const std::string polytope = fmt::format("polytope with {} {}", vertices, vertices == 1 ? "vertex" : "vertices");
+  return found.is_closed() ? polytope : "upper end by the product, lower end by a " + polytope;
+}
+
 ExitCode run_least(const JsrOptions& options, const MatricesFile& file, const WantedWidth& wanted) {
   if (!file.graph.empty()) fail(ErrorKind::usage, "--subradius: expected matrices without a graph, got \"edges\"");
   if (options.power > 0) fail(ErrorKind::usage, "--subradius: expected no --p beside it");
@@ -160,22 +168,20 @@ ExitCode run_least(const JsrOptions& options, const MatricesFile& file, const Wa
   if (!options.certificate.empty())
     claim = write_verified(options.certificate, subradius_certificate(family, found), matrices_text(family));
   const std::vector<Bound> bounds = decided(found.radius, lower, upper);
-  const std::size_t vertices = found.antinorm ? found.antinorm->vertices.size() : 0;
   Json json{{"subradius", enclosure_json(found.radius, std::max(wanted.digits, 20))},
+            {"exact", found.exact.is_yes()},
+            {"exactness", found.exact.reason},
             {"closed", found.is_closed()},
             {"product", found.product.word},
-            {"vertices", vertices}};
+            {"vertices", found.antinorm ? found.antinorm->vertices.size() : 0}};
   add_verdicts(json, bounds);
   if (claim) json["certificate"] = claim_json(*claim);
-  const std::string polytope = vertices == 0 ? ""
-                                             : fmt::format(", lower end by a polytope with {} {}", vertices,
-                                                           vertices == 1 ? "vertex" : "vertices");
-  options.answer(json,
-                 fmt::format("matrices     {} of size {}\nsubradius    {}  (upper end by the product{})\n"
-                             "product      {}\n{}{}",
-                             family.count(), family.size(), enclosure_text(found.radius, std::max(wanted.digits, 14)),
-                             polytope, fmt::join(found.product.word, " "), verdicts_text(bounds),
-                             claim ? verified_text(options.certificate, *claim) : ""));
+  options.answer(
+      json, fmt::format("matrices     {} of size {}\nsubradius    {}  ({})\nproduct      {}{}\n{}{}", family.count(),
+                        family.size(), enclosure_text(found.radius, std::max(wanted.digits, 14)), method_text(found),
+                        fmt::join(found.product.word, " "),
+                        found.exact.is_yes() ? "  (proved to attain the joint spectral subradius)" : "",
+                        verdicts_text(bounds), claim ? verified_text(options.certificate, *claim) : ""));
   return code_of(bounds, found.is_closed() && wanted.holds(found.radius));
 }
 

@@ -423,8 +423,8 @@ Certificate Certificate::of_bounds() const {
   for (std::string line; std::getline(lines, line);) {
     const std::string head = line.substr(0, line.find(' '));
     after_logarithm = head == "logarithm" || (after_logarithm && head == "recurrence");
-    if (!after_logarithm && head != "exact" && head != "root" && head != "cycle" && head != "seed" &&
-        head != "origin" && head != "same")
+    if (!after_logarithm && head != "exact" && head != "root" && head != "cycle" && head != "seed" && head != "rest" &&
+        head != "rest" && head != "origin" && head != "same")
       result.text += line + "\n";
   }
   return result;
@@ -595,15 +595,20 @@ Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRa
 
 Certificate subradius_certificate(const MatrixFamily& family, const JointSpectralSubradius& radius) {
   constexpr int least_places = 15;
-  const auto& [ends, product, proof] = radius;
+  const SlowProduct& product = radius.product;
+  const std::optional<AntinormProof>& proof = radius.antinorm;
+  const int length = static_cast<int>(product.word.size());
+  const Rational upper = *root_enclosure(product.radius, length).upper, lower = proof ? proof->bound : Rational(0);
   // As many as tell the ends apart.
-  const int places = ends.is_exact() ? least_places : std::max(least_places, decimal_places(*ends.upper - *ends.lower));
+  const int places = upper == lower ? least_places : std::max(least_places, decimal_places(upper - lower));
   Certificate certificate;
-  certificate.claim.upper = outward(*ends.upper, Rounding::up, places);
+  certificate.claim.upper = outward(upper, Rounding::up, places);
   std::string proofs = product_text(0, {product.radius, 0}, product.word) + "weights" + numbers_text(product.weights) +
                        "\n";
+  std::optional<ExactRadiusLines> lines;
   if (proof) {
-    certificate.claim.lower = outward(*ends.lower, Rounding::down, places);
+    certificate.claim.lower = outward(lower, Rounding::down, places);
+    if (radius.exact.is_yes()) lines = exact_subradius_lines(family, *proof);
     proofs += fmt::format("block 0 polytope {} 0 {}{}\n", proof->vertices.size(), proof->weight_bits,
                           proof->transposed ? " transposed" : "");
     for (const std::vector<Integer>& vertex : proof->vertices) proofs += "vertex" + numbers_text(vertex) + "\n";
@@ -613,6 +618,10 @@ Certificate subradius_certificate(const MatrixFamily& family, const JointSpectra
         proofs += fmt::format(" {}:{}", term.vertex, term.weight.str());
       proofs += "\n";
     }
+  }
+  if (lines) {
+    certificate.claim.exact = lines->number;
+    proofs = fmt::format("exact {}\n{}{}{}", lines->number, lines->root, proofs, lines->cycles);
   }
   certificate.text = fmt::format("subcert-certificate 3\nsubradius {} {}\n{}{}end\n", family.count(), family.size(),
                                  bounds_text(certificate.claim), proofs);

@@ -3,6 +3,7 @@
 #include "group_words.hpp"
 
 #include <subcert/analysis/regularity/radius/subspace.hpp>
+#include <subcert/analysis/regularity/subradius/attained_subradius.hpp>
 #include <subcert/analysis/symbol/balls.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
@@ -119,10 +120,12 @@ std::string coefficients_text(const LaurentPolynomial& p) {
 ExactRadiusLines lines_of(const Zero& z, std::size_t length_of_cycles, const std::string& cycles) {
   const Enclosure modulus = root_enclosure(z.point.squared_modulus(), 2, radius_bits);
   const int length = static_cast<int>(length_of_cycles);
-  const Rational low = rounded(*root_enclosure(*modulus.lower - z.error, length, radius_bits).lower, radius_bits,
-                               Rounding::down),
-                 high = rounded(*root_enclosure(*modulus.upper + z.error, length, radius_bits).upper, radius_bits,
-                                Rounding::up);
+  const auto exact = z.error == 0 ? exact_root(z.point.squared_modulus(), 2 * length_of_cycles) : std::nullopt;
+  const auto bound = [&](const Rational& power, std::optional<Rational> Enclosure::*end, Rounding rounding) {
+    return exact ? *exact : rounded(*(root_enclosure(power, length, radius_bits).*end), radius_bits, rounding);
+  };
+  const Rational low = bound(*modulus.lower - z.error, &Enclosure::lower, Rounding::down),
+                 high = bound(*modulus.upper + z.error, &Enclosure::upper, Rounding::up);
   return {fmt::format("|[{}]@{},{},{}|^1/{}", coefficients_text(z.polynomial), to_text(z.centre.re),
                       to_text(z.centre.im), to_text(z.within), length),
           fmt::format("root {} {} {} {} {}\n", to_text(z.point.re), to_text(z.point.im), to_text(z.error), to_text(low),
@@ -285,6 +288,37 @@ std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, c
   if (!seed) return std::nullopt;
   return zero.lines(fmt::format("cycle {} {} {} {}\nseed {}\n", graph.first, graph.coordinate, to_text(graph.kept),
                                 to_text(graph.scale), fmt::join(*seed, " ")));
+}
+
+std::optional<ExactRadiusLines> exact_subradius_lines(const MatrixFamily& family, const AntinormProof& proof) {
+  const std::vector<Integer>& first = proof.vertices.front();
+  const RationalMatrix product = subradius::product_of_cycle(proof.transposed ? transposed(family) : family,
+                                                             proof.cycle),
+                       inner = subradius::restricted(product, first, false),
+                       rest = subradius::restricted(product, first, true);
+  ComplexVector start;
+  for (const Integer& c : first)
+    if (c > 0) start.push_back({Rational(c), 0});
+  CommonZero zero;
+  const auto seed = zero.seed_of(inner, rayleigh_quotient(start, inner * start), proof.cycle.size());
+  if (!seed || proof.cycle.size() > longest_cycle) return std::nullopt;
+  ExactRadiusLines lines = zero.lines(fmt::format("cycle 0 - {}\nseed", fmt::join(proof.cycle, " ")));
+  const std::vector<Integer> weights = rest.rows() == 0
+                                           ? std::vector<Integer>{}
+                                           : subradius::subinvariant_vector(
+                                                 rest, power(lines.low, static_cast<long>(proof.cycle.size())));
+  if (weights.size() != rest.rows()) return std::nullopt;
+  std::string others = "rest";
+  for (std::size_t i = 0, inside = 0, outside = 0; i < first.size(); ++i) {
+    lines.cycles += " " + (first[i] > 0 ? (*seed)[inside++] : Integer(0)).str();
+    others += " " + (first[i] > 0 ? Integer(1) : weights[outside++]).str();
+  }
+  lines.cycles += "\n" + (weights.empty() ? "" : others + "\n");
+  for (std::size_t j = 1; j < proof.vertices.size(); ++j)
+    lines.cycles += fmt::format("origin {} {} {}\n", j, proof.origins[j - 1].parent, proof.origins[j - 1].letter);
+  for (const auto& [vertex, letter, target] : proof.coincidences)
+    lines.cycles += fmt::format("same {} {} {}\n", vertex, letter, target);
+  return lines;
 }
 
 std::optional<ExactRadiusLines> exact_radius_lines(const CoefficientGrowth& growth) {

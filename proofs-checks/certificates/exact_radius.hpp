@@ -4,6 +4,7 @@
 #include <subcert/analysis/regularity/polytope_proof/polytope_proof.hpp>
 #include <subcert/analysis/regularity/quadratic/graph_proof.hpp>
 #include <subcert/analysis/regularity/radius/single_radius.hpp>
+#include <subcert/analysis/regularity/subradius/antinorm_proof.hpp>
 
 #include <optional>
 #include <string>
@@ -29,5 +30,8 @@ std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, c
 
 /// The same for the largest real zero of a recurrence; without cycles. Source: SPEC.md, section 4.11.
 std::optional<ExactRadiusLines> exact_radius_lines(const CoefficientGrowth& growth);
+
+/// The same for a subradius that the product of the cycle attains. Source: SPEC.md, section 4.15.
+std::optional<ExactRadiusLines> exact_subradius_lines(const MatrixFamily& family, const AntinormProof& proof);
 
 }  // namespace subcert

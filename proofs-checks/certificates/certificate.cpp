@@ -21,11 +21,10 @@ namespace {
 constexpr std::size_t least_inverted = 24;  // the size from which on an inverse proves a product
 constexpr int most_levels = 6;              // of the norms that bound differences
 
-/// A decimal of so many places as a fraction in lowest terms; of as many more as there are zeros after the point for
-/// tiny numbers.
-std::string outward(const Rational& value, Rounding rounding, int least_places = 15) {
+/// A decimal of 15 places as a fraction in lowest terms; of 15 more than the zeros after the point for tiny numbers.
+std::string outward(const Rational& value, Rounding rounding) {
   const long bits = value == 0 ? 0 : -binary_exponent(value);
-  const int places = bits < 20 ? least_places : least_places + static_cast<int>(bits * 302 / 1000);
+  const int places = bits < 20 ? 15 : 15 + static_cast<int>(bits * 302 / 1000);
   std::string digits = to_fixed(value, places, rounding);
   digits.erase(digits.find('.'), 1);
   const Rational rounded = *parse_rational(digits) * power(Rational(10), -places);
@@ -594,20 +593,16 @@ Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRa
 }
 
 Certificate subradius_certificate(const MatrixFamily& family, const JointSpectralSubradius& radius) {
-  constexpr int least_places = 15;
   const SlowProduct& product = radius.product;
   const std::optional<AntinormProof>& proof = radius.antinorm;
-  const int length = static_cast<int>(product.word.size());
-  const Rational upper = *root_enclosure(product.radius, length).upper, lower = proof ? proof->bound : Rational(0);
-  // As many as tell the ends apart.
-  const int places = upper == lower ? least_places : std::max(least_places, decimal_places(upper - lower));
   Certificate certificate;
-  certificate.claim.upper = outward(upper, Rounding::up, places);
+  certificate.claim.upper = outward(*root_enclosure(product.radius, static_cast<int>(product.word.size())).upper,
+                                    Rounding::up);
   std::string proofs = product_text(0, {product.radius, 0}, product.word) + "weights" + numbers_text(product.weights) +
                        "\n";
   std::optional<ExactRadiusLines> lines;
   if (proof) {
-    certificate.claim.lower = outward(lower, Rounding::down, places);
+    certificate.claim.lower = outward(proof->bound, Rounding::down);
     if (radius.exact.is_yes()) lines = exact_subradius_lines(family, *proof);
     proofs += fmt::format("block 0 polytope {} 0 {}{}\n", proof->vertices.size(), proof->weight_bits,
                           proof->transposed ? " transposed" : "");

@@ -22,11 +22,11 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-AntinormSearch::AntinormSearch(std::vector<Matrix> matrices, Vector first, std::vector<int> cycle, std::size_t most,
+AntinormSearch::AntinormSearch(std::vector<Matrix> matrices, Vector first, std::vector<int> cycle, std::size_t memory,
                                bool explained)
     : matrices_(std::move(matrices)),
       cycle_(std::move(cycle)),
-      most_(most),
+      memory_(memory),
       explained_(explained),
       program_(first.size()) {
   add({std::move(first)});
@@ -35,8 +35,13 @@ AntinormSearch::AntinormSearch(std::vector<Matrix> matrices, Vector first, std::
   end_ = result_.vertices.size();
 }
 
-const AntinormCandidate& AntinormSearch::advance(const Deadline& deadline) {
-  while (!is_over() && !deadline.expired())
+bool AntinormSearch::is_full() const {
+  const std::size_t bytes = 3 * sizeof(double) * program_.dimension() + sizeof(AntinormCandidate::Vertex);
+  return (result_.vertices.size() + below_.size()) * bytes > memory_;
+}
+
+const AntinormCandidate& AntinormSearch::advance(std::size_t vertices, const Deadline& deadline) {
+  while (!is_over() && result_.vertices.size() < std::max(vertices, cycle_.size() + 1) && !deadline.expired())
     if (next_ < end_) {
       look_at_images(next_++);
       if (next_ == end_) end_generation();

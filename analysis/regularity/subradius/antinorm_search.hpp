@@ -33,23 +33,20 @@ struct AntinormCandidate {
 };
 
 /// Grows the vertices of a cycle, each the image of the one before under the letters; the last letter leads back to the
-/// first vertex. Without letters the first vertex is any. Ref: [GP13, Alg. 2].
+/// first vertex. Ref: [GP13, Alg. 2].
 class AntinormSearch {
  public:
   /// Domain: matrices without negative entries, divided by the averaged spectral radius of the product; a vertex >= 0
-  /// that is not 0. `most`: vertices. `explained`: as below.
+  /// that is not 0. `memory`: bytes that vertices may take. `explained`: as below.
   AntinormSearch(std::vector<polytope::Matrix> matrices, polytope::Vector first, std::vector<int> cycle,
-                 std::size_t most, bool explained = false);
+                 std::size_t memory, bool explained = false);
 
-  /// Goes on until a set closes, a smaller product is met or no more is allowed, or the deadline passes. Cost: a
-  /// program per vertex and matrix, and one more for each image that falls below.
-  const AntinormCandidate& advance(const Deadline& deadline);
+  /// Goes on until a set closes, a smaller product is met, there are so many vertices or no more memory, or the
+  /// deadline passes. Cost: a program per vertex and matrix, and one more for each image that falls below.
+  const AntinormCandidate& advance(std::size_t vertices, const Deadline& deadline);
 
-  /// The same from the beginning, in which images on the boundary have to be coincidences, or become vertices; at most
-  /// so many.
-  AntinormSearch explained(std::size_t most) const {
-    return {matrices_, result_.vertices.front().value, cycle_, most, true};
-  }
+  /// The same from the beginning, in which images on the boundary have to be coincidences, or become vertices.
+  AntinormSearch explained() const { return {matrices_, result_.vertices.front().value, cycle_, memory_, true}; }
 
   const std::vector<int>& cycle() const { return cycle_; }
   std::size_t count() const { return result_.vertices.size(); }
@@ -64,7 +61,7 @@ class AntinormSearch {
     double antinorm;
   };
 
-  bool is_full() const { return result_.vertices.size() > most_; }
+  bool is_full() const;
   void add(AntinormCandidate::Vertex vertex);
   void add_image(const Image& image);
   void look_at_images(std::size_t vertex);
@@ -75,7 +72,7 @@ class AntinormSearch {
 
   std::vector<polytope::Matrix> matrices_;
   std::vector<int> cycle_;
-  std::size_t most_;
+  std::size_t memory_;
   bool explained_;
   AntinormProgram program_;
   AntinormCandidate result_;

@@ -10,18 +10,22 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace subcert {
 namespace {
 
 /// A look for products, then one for polytopes of the family and of its transposed matrices: often one of them closes
-/// at once and the other one never. Shares are of the time that is left.
+/// with few vertices and the other one never. Shares are of the time that is left.
 struct Look {
   polytope::ProductLook products;
   double products_share, polytope_share;
+  std::size_t vertices;  ///< of a polytope
 };
-constexpr std::array<Look, 4> looks{
-    {{{12, 64}, 0.02, 0.003}, {{40, 128}, 0.05, 0.01}, {{100, 400}, 0.1, 0.05}, {{200, 2000}, 0.1, 0.3}}};
+constexpr std::array<Look, 4> looks{{{{12, 64}, 0.02, 0.1, 40},
+                                     {{40, 128}, 0.05, 0.1, 400},
+                                     {{100, 400}, 0.1, 0.2, 4000},
+                                     {{200, 2000}, 0.1, 0.3, std::numeric_limits<std::size_t>::max()}}};
 
 constexpr double explanation_share = 0.3;  // of the time that is left then
 constexpr std::size_t most_explained = 8;  // times as many vertices
@@ -46,7 +50,7 @@ class SubradiusSearch {
           scaled_, {.max_length = look.products.length, .width = look.products.width, .budget = share, .least = true});
       // The letter applied first stands at the end of a word.
       try_product({found.front().word.rbegin(), found.front().word.rend()});
-      grow(look.polytope_share);
+      grow(look);
     }
     for (const bool closed : {true, false})
       for (const Growth& growth : growths_)
@@ -100,14 +104,14 @@ class SubradiusSearch {
   };
 
   /// Polytopes for the best product, and for better ones that they meet.
-  void grow(double share) {
-    for (std::size_t k = 0; k < growths_.size() && !is_enough(); ++k)
-      if (advance(growths_[k], budget_.deadline.after(share * static_cast<double>(k + 1)))) return grow(share);
+  void grow(const Look& look) {
+    for (std::size_t k = 0; k < growths_.size() && !is_enough(); ++k) {
+      const Deadline deadline = budget_.deadline.after(look.polytope_share * static_cast<double>(k + 1));
+      if (advance(growths_[k], look.vertices, deadline)) return grow(look);
+    }
   }
 
   std::vector<Growth> begun() const {
-    // A search holds each number of a vertex in some places.
-    const std::size_t most = budget_.memory / (8 * sizeof(double) * family_.size() + 256);
     std::vector<Growth> result;
     for (const bool of_transposed : {false, true}) {
       const MatrixFamily& family = of_transposed ? transposed_ : family_;
@@ -124,15 +128,16 @@ class SubradiusSearch {
       const Integer largest = *std::max_element(own->vector.begin(), own->vector.end());
       polytope::Vector start;
       for (const Integer& c : own->vector) start.push_back(Rational(c, largest).convert_to<double>());
-      result.push_back(
-          {of_transposed, own->vector, {std::move(matrices), std::move(start), {word.rbegin(), word.rend()}, most}});
+      result.push_back({of_transposed,
+                        own->vector,
+                        {std::move(matrices), std::move(start), {word.rbegin(), word.rend()}, budget_.memory / 4}});
     }
     return result;
   }
 
   /// Whether a better product was met.
-  bool advance(Growth& growth, const Deadline& deadline) {
-    const subradius::AntinormCandidate& found = growth.search.advance(deadline);
+  bool advance(Growth& growth, std::size_t vertices, const Deadline& deadline) {
+    const subradius::AntinormCandidate& found = growth.search.advance(vertices, deadline);
     if (found.kept != growth.proved) {
       growth.proved = found.kept;
       auto proof = certified(growth, found);
@@ -149,8 +154,8 @@ class SubradiusSearch {
 
   /// Once more with vertices in place of images on the boundary, so that the product is seen to attain the subradius.
   void explain(const Growth& growth, const Deadline& deadline) {
-    subradius::AntinormSearch search = growth.search.explained(most_explained * growth.search.count());
-    const subradius::AntinormCandidate& found = search.advance(deadline);
+    subradius::AntinormSearch search = growth.search.explained();
+    const subradius::AntinormCandidate& found = search.advance(most_explained * growth.search.count(), deadline);
     auto proof = found.closed ? certified(growth, found) : std::nullopt;
     if (!proof) return;
     const Decision exact = settled(growth, *proof);

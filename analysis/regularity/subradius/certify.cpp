@@ -36,7 +36,7 @@ IntegerVector rounded(IntegerVector x, int bits) {
   const Integer largest = *std::max_element(x.begin(), x.end());
   const long excess = binary_exponent(Rational(largest)) - 2L * bits;
   for (Integer& c : x) {
-    if ((c << static_cast<std::size_t>(bits / 2)) < largest) c = 0;
+    if ((c << static_cast<std::size_t>(3 * bits / 4)) < largest) c = 0;
     if (excess > 0) c >>= static_cast<std::size_t>(excess);
   }
   return x;

@@ -7,10 +7,12 @@
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/regularity/radius/scaling.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/interval.hpp>
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
 
 namespace subcert {
 namespace {
@@ -25,10 +27,11 @@ struct Look {
 constexpr std::array<Look, 4> looks{{{{12, 64}, 0.02, 0.1, 40},
                                      {{40, 128}, 0.05, 0.1, 400},
                                      {{100, 400}, 0.1, 0.2, 4000},
-                                     {{200, 2000}, 0.1, 0.3, std::numeric_limits<std::size_t>::max()}}};
+                                     {{200, 2000}, 0.1, 0.6, std::numeric_limits<std::size_t>::max()}}};
 
 constexpr double explanation_share = 0.3;  // of the time that is left then
 constexpr std::size_t most_explained = 8;  // times as many vertices
+constexpr std::size_t most_products = 4;   // of equal radius
 
 /// One search: products first, then polytopes of the family and of its transposed matrices.
 class SubradiusSearch {
@@ -38,18 +41,14 @@ class SubradiusSearch {
         transposed_(transposed(family)),
         budget_(budget),
         target_(target),
-        scaled_(radius::to_search_family(power(Rational(2), -radius::scaling_exponent(family)) * family)) {
+        search_family_(radius::to_search_family(family)) {
     start();
   }
 
   JointSpectralSubradius run() {
     for (const Look& look : looks) {
       if (is_enough() || budget_.deadline.expired()) break;
-      const Budget share{budget_.deadline.after(look.products_share), budget_.memory};
-      const auto found = polytope::search_products(
-          scaled_, {.max_length = look.products.length, .width = look.products.width, .budget = share, .least = true});
-      // The letter applied first stands at the end of a word.
-      try_product({found.front().word.rbegin(), found.front().word.rend()});
+      look_for_products(look);
       grow(look);
     }
     for (const bool closed : {true, false})
@@ -61,6 +60,15 @@ class SubradiusSearch {
   }
 
  private:
+  /// A search for a polytope that starts from a product, of the family or of its transposed matrices.
+  struct Growth {
+    subradius::LeadingVector leading;  ///< of the product
+    bool transposed;
+    std::vector<Integer> first;  ///< the vertex it begins with
+    subradius::AntinormSearch search;
+    std::size_t proved = 0;  ///< vertices of the last proof that was tried
+  };
+
   bool is_enough() const {
     const Rational &lower = *best_.radius.lower, &upper = *best_.radius.upper;
     const auto &least = target_.lower, &most = target_.upper;
@@ -79,60 +87,69 @@ class SubradiusSearch {
     }
   }
 
-  /// Whether a product has a smaller radius than the best so far.
+  void look_for_products(const Look& look) {
+    const Budget share{budget_.deadline.after(look.products_share), budget_.memory};
+    auto found = polytope::search_products(
+        search_family_,
+        {.max_length = look.products.length, .width = look.products.width, .budget = share, .least = true});
+    found.resize(std::min(polytope::sort_candidates(found, true), most_products));
+    // The letter applied first stands at the end of a word.
+    for (const polytope::Candidate& candidate : found) try_product({candidate.word.rbegin(), candidate.word.rend()});
+  }
+
+  /// Whether a product has a smaller radius than the best so far. It is grown from, and with those of equal radius.
   bool try_product(const std::vector<int>& word) {
-    auto found = subradius::leading_vector(family_, word, target_.bits, budget_.deadline);
-    if (!found) return false;
-    const Rational upper = found->product.radius == 0 ? Rational(0) : found->rate;
-    if (is_led_ && *best_.radius.upper * (1 - power(Rational(2), -40)) <= upper) return false;
-    if (upper <= *best_.radius.upper) {
-      best_.radius.upper = upper;
-      best_.product = found->product;
+    if (!tried_.insert(word).second) return false;
+    auto leading = subradius::leading_vector(family_, word, target_.bits, budget_.deadline);
+    if (!leading) return false;
+    const Rational rate = leading->product.radius == 0 ? Rational(0) : leading->rate, slack = power(Rational(2), -40);
+    const bool better = !rate_ || rate < *rate_ * (1 - slack);
+    if (!better && rate > *rate_ * (1 + slack)) return false;
+    if (better) {
+      if (rate <= *best_.radius.upper) {
+        best_.radius.upper = rate;
+        best_.product = leading->product;
+      }
+      rate_ = rate;
+      growths_.clear();
     }
-    is_led_ = true;
-    leading_ = std::move(*found);
-    growths_ = begun();
-    return true;
+    if (rate > 0) begin(*leading);
+    return better;
   }
 
-  /// A search for a polytope, of the family or of its transposed matrices.
-  struct Growth {
-    bool transposed;
-    std::vector<Integer> first;  ///< the vertex it begins with
-    subradius::AntinormSearch search;
-    std::size_t proved = 0;  ///< vertices of the last proof that was tried
-  };
-
-  /// Polytopes for the best product, and for better ones that they meet.
-  void grow(const Look& look) {
-    for (std::size_t k = 0; k < growths_.size() && !is_enough(); ++k) {
-      const Deadline deadline = budget_.deadline.after(look.polytope_share * static_cast<double>(k + 1));
-      if (advance(growths_[k], look.vertices, deadline)) return grow(look);
-    }
-  }
-
-  std::vector<Growth> begun() const {
-    std::vector<Growth> result;
+  void begin(const subradius::LeadingVector& leading) {
     for (const bool of_transposed : {false, true}) {
       const MatrixFamily& family = of_transposed ? transposed_ : family_;
-      std::vector<int> word = leading_.product.word;
-      std::optional<subradius::LeadingVector> own = leading_;
+      std::vector<int> word = leading.product.word;
+      std::vector<Integer> first = leading.vector;
       if (of_transposed) {
         std::reverse(word.begin(), word.end());
-        own = subradius::leading_vector(family, word, target_.bits, budget_.deadline);
+        auto own = subradius::leading_vector(family, word, target_.bits, budget_.deadline);
+        if (!own) continue;
+        first = std::move(own->vector);
       }
-      if (!own || own->vector.empty()) continue;
       std::vector<polytope::Matrix> matrices;
       for (const RationalMatrix& matrix : family)
-        matrices.push_back(radius::to_double(Rational(1) / leading_.rate * matrix));
-      const Integer largest = *std::max_element(own->vector.begin(), own->vector.end());
+        matrices.push_back(radius::to_double(Rational(1) / leading.rate * matrix));
+      const Integer largest = *std::max_element(first.begin(), first.end());
       polytope::Vector start;
-      for (const Integer& c : own->vector) start.push_back(Rational(c, largest).convert_to<double>());
-      result.push_back({of_transposed,
-                        own->vector,
-                        {std::move(matrices), std::move(start), {word.rbegin(), word.rend()}, budget_.memory / 4}});
+      for (const Integer& c : first) start.push_back(Rational(c, largest).convert_to<double>());
+      growths_.push_back({leading,
+                          of_transposed,
+                          std::move(first),
+                          {std::move(matrices),
+                           std::move(start),
+                           {word.rbegin(), word.rend()},
+                           budget_.memory / (4 * most_products)}});
     }
-    return result;
+  }
+
+  /// Polytopes for the best products, and for better ones that they meet.
+  void grow(const Look& look) {
+    for (std::size_t k = 0; k < growths_.size() && !is_enough(); ++k) {
+      const double parts = static_cast<double>(growths_.size() - k);
+      if (advance(growths_[k], look.vertices, budget_.deadline.after(look.polytope_share / parts))) return grow(look);
+    }
   }
 
   /// Whether a better product was met.
@@ -143,8 +160,7 @@ class SubradiusSearch {
       auto proof = certified(growth, found);
       if (proof && proof->bound > *best_.radius.lower) {
         best_.radius.lower = proof->bound;
-        if (found.closed) best_.exact = settled(growth, *proof);
-        best_.antinorm = std::move(proof);
+        if (!found.closed || !is_settled(growth, *proof)) best_.antinorm = std::move(proof);
       }
     }
     std::vector<int> word = found.smaller;  // the letter applied first in front
@@ -156,27 +172,26 @@ class SubradiusSearch {
   void explain(const Growth& growth, const Deadline& deadline) {
     subradius::AntinormSearch search = growth.search.explained();
     const subradius::AntinormCandidate& found = search.advance(most_explained * growth.search.count(), deadline);
-    auto proof = found.closed ? certified(growth, found) : std::nullopt;
-    if (!proof) return;
-    const Decision exact = settled(growth, *proof);
-    if (!exact.is_yes()) return;
-    best_.exact = exact;
-    best_.antinorm = std::move(proof);
+    if (!found.closed) return;
+    if (auto proof = certified(growth, found)) is_settled(growth, *proof);
   }
 
   std::optional<AntinormProof> certified(const Growth& growth, const subradius::AntinormCandidate& found) const {
     auto proof = subradius::certify_antinorm(family_of(growth), found, growth.search.cycle(), growth.first,
-                                             leading_.rate, target_.bits, budget_.deadline);
+                                             growth.leading.rate, target_.bits, budget_.deadline);
     if (proof) proof->transposed = growth.transposed;
     return proof;
   }
 
   /// Whether the product of a closed polytope attains the subradius, which is then enclosed by its radius.
-  Decision settled(const Growth& growth, AntinormProof& proof) {
-    const Decision exact = subradius::product_attains_subradius(family_of(growth), proof, leading_.radius,
-                                                                budget_.deadline);
-    if (exact.is_yes()) best_.radius = leading_.radius;
-    return exact;
+  bool is_settled(const Growth& growth, AntinormProof& proof) {
+    best_.exact = subradius::product_attains_subradius(family_of(growth), proof, growth.leading.radius,
+                                                       budget_.deadline);
+    if (!best_.exact.is_yes()) return false;
+    best_.radius = growth.leading.radius;
+    best_.product = growth.leading.product;
+    best_.antinorm = std::move(proof);
+    return true;
   }
 
   const MatrixFamily& family_of(const Growth& growth) const { return growth.transposed ? transposed_ : family_; }
@@ -185,12 +200,28 @@ class SubradiusSearch {
   MatrixFamily transposed_;
   const Budget& budget_;
   const SubradiusTarget& target_;
-  polytope::SearchFamily scaled_;
+  polytope::SearchFamily search_family_;
   JointSpectralSubradius best_;
-  bool is_led_ = false;  // by the vector of a product
-  subradius::LeadingVector leading_;
+  std::optional<Rational> rate_;  // of the best product with a proof
+  std::set<std::vector<int>> tried_;
   std::vector<Growth> growths_;
 };
+
+/// For 2^exponent times the matrices.
+JointSpectralSubradius scaled(JointSpectralSubradius result, long exponent) {
+  const auto factor = [](long bits) { return power(Rational(2), bits); };
+  result.radius = scaled(result.radius, factor(exponent));
+  result.product.radius *= factor(exponent * static_cast<long>(result.product.word.size()));
+  if (result.antinorm) {
+    AntinormProof& proof = *result.antinorm;
+    proof.bound *= factor(exponent);
+    const long bits = proof.weight_bits - exponent;
+    for (std::vector<AntinormProof::Term>& terms : proof.images)
+      for (AntinormProof::Term& term : terms) term.weight <<= static_cast<std::size_t>(std::max(0L, -bits));
+    proof.weight_bits = static_cast<int>(std::max(0L, bits));
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -205,7 +236,14 @@ JointSpectralSubradius joint_spectral_subradius(const MatrixFamily& family, cons
           FamilyLimits::matrices, FamilyLimits::size, FamilyLimits::entries, family.count(), family.size());
   require(is_nonnegative(family), "joint_spectral_subradius: need matrices without negative entries, got {} of size {}",
           family.count(), family.size());
-  return SubradiusSearch(family, budget, target).run();
+  const long exponent = radius::scaling_exponent(family);
+  if (exponent == 0) return SubradiusSearch(family, budget, target).run();
+  const Rational unit = power(Rational(2), -exponent);
+  const MatrixFamily scaled_family = unit * family;
+  SubradiusTarget near = target;
+  if (near.lower) *near.lower *= unit;
+  if (near.upper) *near.upper *= unit;
+  return scaled(SubradiusSearch(scaled_family, budget, near).run(), exponent);
 }
 
 }  // namespace subcert

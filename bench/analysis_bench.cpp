@@ -10,6 +10,7 @@
 #include <subcert/analysis/regularity/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/regularity/radius/product.hpp>
 #include <subcert/analysis/regularity/radius/single_radius.hpp>
+#include <subcert/analysis/regularity/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/symbol/sum_of_squares.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/analysis/variance/variance.hpp>
@@ -205,6 +206,20 @@ const bool context_benchmarks = [] {
       ->Unit(benchmark::kSecond);
   return true;
 }();
+
+/// Two matrices of zeros and ones, as many of each: products, a polytope and the proof that one attains the subradius.
+void BM_subradius(benchmark::State& state) {
+  std::mt19937_64 engine(1);
+  const auto size = static_cast<std::size_t>(state.range(0));
+  std::vector<RationalMatrix> matrices(2, RationalMatrix(size, size));
+  for (RationalMatrix& matrix : matrices)
+    for (std::size_t i = 0; i < size * size; ++i) matrix(i / size, i % size) = static_cast<long>(engine() % 2);
+  std::optional<JointSpectralSubradius> found;
+  for (auto _ : state) found = joint_spectral_subradius(matrices, {Deadline::in(60)});
+  if (!found->exact.is_yes()) return state.SkipWithError("not proved");
+  state.counters["vertices"] = static_cast<double>(found->antinorm->vertices.size());
+}
+BENCHMARK(BM_subradius)->Arg(5)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
 
 void BM_single_spectral_radius(benchmark::State& state) {
   const Mask mask = deslauriers_dubuc(state.range(0));

@@ -91,3 +91,41 @@ TEST_CASE("jsr: exact numbers, lines, graphs and targets") {
   for (const char* width : {"0", "-1", "x", "2", "1e-1001", "1/0"})
     CHECK(run("jsr " + file + " --width " + width).code == 64);
 }
+
+TEST_CASE("jsr --subradius") {
+  const Folder folder;
+  const std::string file = folder / "pair", certificate = folder / "pair.cert";
+  const auto with = [&](const std::string& text, const std::string& options, int code = 0) {
+    std::ofstream(file, std::ios::binary) << text;
+    const Run done = run("jsr " + file + " --subradius" + options);
+    CAPTURE(text, done.out, done.err);
+    CHECK(done.code == code);
+    return done;
+  };
+  const auto contains = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string slow = R"({"matrices": [[[7,2],[0,3]], [[2,0],[4,8]]]})";
+  const auto json = nlohmann::json::parse(with(slow, " --json --certificate " + certificate).out);
+  CHECK(json.at("product") == nlohmann::json({1, 0, 1, 0, 0, 1, 0, 0}));
+  CHECK(json.at("exact") == true);
+  CHECK(has_digits(json.at("subradius"), "lower", "6.009313489530125114"));
+  CHECK(json.at("certificate").at("exact").is_string());
+  CHECK(run("verify " + certificate).code == 0);
+  CHECK(run("verify " + certificate + " --claim '6 <= subradius " + file + ".mat <= 6.01'").code == 66);
+  std::filesystem::rename(certificate + ".matrices", file + ".mat");
+  CHECK(run("verify " + certificate + " --claim '6 <= subradius " + file + ".mat <= 6.01'").code == 0);
+  CHECK(run("verify " + certificate + " --claim '6.01 <= subradius " + file + ".mat'").code == 1);
+  CHECK(contains(with(slow, "").out, "proved to attain the joint spectral subradius"));
+  const auto fine = nlohmann::json::parse(with(slow, " --json --width 1e-60").out).at("subradius");
+  CHECK(has_digits(fine, "upper", "6.009313489530125114150906576551805313658780636323343183441916"));
+  CHECK(contains(with(slow, " --lower 6 --upper 7").out, "lower        6: proved"));
+  CHECK(contains(with(slow, " --upper 6", 1).out, "upper        6: refuted"));
+  // A product is nilpotent.
+  CHECK(contains(with(R"({"matrices": [[[0,1],[0,0]], [[1,1],[1,1]]]})", " --certificate " + certificate).out,
+                 "subradius    0"));
+  CHECK(run("verify " + certificate).code == 0);
+  CHECK(contains(with("matrices 1 1\nrow -1\n", "", 64).err, "without negative entries"));
+  CHECK(contains(with(R"({"matrices": [[[1]]], "edges": [[0,0,0]]})", "", 64).err, "without a graph"));
+  with(slow, " --p 2", 64);
+}

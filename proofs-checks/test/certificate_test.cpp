@@ -598,6 +598,38 @@ TEST_CASE("cones: exact where images lie below vertices") {
   CHECK(joint_spectral_radius({step}, {Deadline::in(5)}).exact.is_yes());
 }
 
+TEST_CASE("certificates of subradii are proved by the checker, false claims are not") {
+  const auto family_of = [](std::size_t size, const std::vector<std::vector<Rational>>& matrices) {
+    std::vector<RationalMatrix> result;
+    for (const std::vector<Rational>& entries : matrices) {
+      RationalMatrix& matrix = result.emplace_back(size, size);
+      for (std::size_t i = 0; i < size * size; ++i) matrix(i / size, i % size) = entries[i];
+    }
+    return MatrixFamily(result);
+  };
+  // By a transposed polytope; with a zero in the first vertex; by equations; with tiny numbers; of a number.
+  for (const MatrixFamily& family :
+       {family_of(2, {{7, 2, 0, 3}, {2, 0, 4, 8}}), family_of(2, {{1, 1, 0, 1}, {q("4/5"), 0, q("4/5"), q("4/5")}}),
+        family_of(2, {{1, 1, 1, 0}, {1, 1, 1, 1}}), family_of(1, {{q("2/7")}}),
+        power(Rational(10), -100) * family_of(2, {{7, 2, 0, 3}, {2, 0, 4, 8}})}) {
+    const JointSpectralSubradius found = joint_spectral_subradius(family, {Deadline::in(60)});
+    REQUIRE(found.exact.is_yes());
+    const Certificate certificate = subradius_certificate(family, found);
+    const fs::path file = fs::temp_directory_path() / ("subcert-proofs-test-" + std::to_string(getpid()) + ".mat");
+    std::ofstream(file, std::ios::binary) << matrices_text(family);
+    const std::string subject = "--subradius " + file.string();
+    REQUIRE(certificate.claim.exact);
+    const std::string lower = *certificate.claim.lower, upper = *certificate.claim.upper;
+    CHECK(proves(subject + " --exact '" + *certificate.claim.exact + "'", lower, upper, certificate.text));
+    CHECK(proves(subject, lower, upper, certificate.of_bounds().text));
+    const auto above = [](const std::string& end) { return to_text(*parse_rational(end) * Rational(1001, 1000)); };
+    const auto below = [](const std::string& end) { return to_text(*parse_rational(end) * Rational(999, 1000)); };
+    CHECK_FALSE(proves(subject, above(lower), "", certificate.text));
+    CHECK_FALSE(proves(subject, "", below(upper), certificate.text));
+    fs::remove(file);
+  }
+}
+
 TEST_CASE("isometries end at once") {
   const auto matrix = [](const char* a, const char* b, const char* c, const char* d) {
     return matrix_of(2, {a, b, c, d});

@@ -3,6 +3,7 @@
 #include <subcert/analysis/regularity/radius/constrained.hpp>
 #include <subcert/analysis/regularity/radius/p_radius.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
+#include <subcert/analysis/regularity/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -155,6 +156,29 @@ py::dict jsr_dict(const RadiusEvidence& evidence) {
   return radius_dict(evidence.radius, word);
 }
 
+struct SubradiusEvidence {
+  MatrixFamily family;
+  JointSpectralSubradius radius;
+};
+
+std::shared_ptr<SubradiusEvidence> subradius(const std::vector<std::vector<std::vector<Rational>>>& matrices,
+                                             double seconds, std::size_t memory, int bits,
+                                             const py::object& progress) {
+  MatrixFamily family = family_of(matrices);
+  require(is_nonnegative(family), "matrices: need no negative entry for a subradius");
+  return interruptible(progress, [&] {
+    JointSpectralSubradius radius = joint_spectral_subradius(family, budget_of(seconds, memory), {{}, {}, bits});
+    return std::make_shared<SubradiusEvidence>(SubradiusEvidence{std::move(family), std::move(radius)});
+  });
+}
+
+py::dict subradius_dict(const SubradiusEvidence& evidence) {
+  const JointSpectralSubradius& radius = evidence.radius;
+  return py::dict("radius"_a = radius.radius, "product"_a = radius.product.word, "exact"_a = radius.exact.is_yes(),
+                  "exactness"_a = radius.exact.reason, "closed"_a = radius.is_closed(),
+                  "vertices"_a = radius.antinorm ? radius.antinorm->vertices.size() : 0);
+}
+
 }  // namespace
 
 void add_regularity(py::module_& module) {
@@ -182,6 +206,12 @@ void add_regularity(py::module_& module) {
         return to_list(radius_certificate(evidence.family, evidence.radius), matrices_text(evidence.family));
       });
   module.def("jsr", &jsr);
+  py::class_<SubradiusEvidence, std::shared_ptr<SubradiusEvidence>>(module, "SubradiusEvidence")
+      .def_property_readonly("facts", &subradius_dict)
+      .def("certificate", [](const SubradiusEvidence& evidence) {
+        return to_list(subradius_certificate(evidence.family, evidence.radius), matrices_text(evidence.family));
+      });
+  module.def("subradius", &subradius);
   module.def("p_radius", [](const std::vector<std::vector<std::vector<Rational>>>& matrices, int p, int bits,
                             double seconds, const py::object& progress) {
     const MatrixFamily family = family_of(matrices);

@@ -36,7 +36,15 @@ from ._proofs import (
     reproduce,
     statements,
 )
-from ._regularity import Bound, HolderExponent, JointSpectralRadius, jsr, p_radius
+from ._regularity import (
+    Bound,
+    HolderExponent,
+    JointSpectralRadius,
+    JointSpectralSubradius,
+    jsr,
+    p_radius,
+    subradius,
+)
 from ._schemes import (
     DataDependentScheme,
     LimitRange,

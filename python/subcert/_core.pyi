@@ -58,6 +58,10 @@ class RadiusEvidence:
     facts: dict[str, Any]
     def certificate(self) -> _Certificates: ...
 
+class SubradiusEvidence:
+    facts: dict[str, Any]
+    def certificate(self) -> _Certificates: ...
+
 class RangeEvidence:
     facts: dict[str, Any]
     def certificates(self) -> list[tuple[Fraction, Fraction, str, str, Optional[str], Optional[str]]]: ...
@@ -91,6 +95,9 @@ def jsr(
     bits: int,
     progress: _Progress,
 ) -> RadiusEvidence: ...
+def subradius(
+    matrices: Sequence[Sequence[Sequence[Fraction]]], budget: float, memory: int, bits: int, progress: _Progress
+) -> SubradiusEvidence: ...
 def p_radius(
     matrices: Sequence[Sequence[Sequence[Fraction]]], p: int, bits: int, budget: float, progress: _Progress
 ) -> _Ends: ...

@@ -132,6 +132,32 @@ class JointSpectralRadius(_Certified):
 
 
 @dataclasses.dataclass(frozen=True, repr=False)
+class JointSpectralSubradius(_Certified):
+    """A joint spectral subradius between two rational numbers.
+
+    >>> import subcert
+    >>> slow = subcert.subradius([[[7, 2], [0, 3]], [[2, 0], [4, 8]]])
+    >>> print(slow)
+    6.0093134895301
+    >>> slow.exact, slow.product
+    (True, (1, 0, 1, 0, 0, 1, 0, 0))
+    >>> slow.verify().accepted
+    True
+    """
+
+    enclosure: Enclosure
+    exact: bool
+    """Whether the product is proved to attain the subradius."""
+    exactness: str
+    product: tuple[int, ...]
+    vertices: int
+    closed: bool
+    """Whether the ends are within 1e-12 of each other."""
+    _evidence: Any = _hidden()
+    _again: Any = _hidden()
+
+
+@dataclasses.dataclass(frozen=True, repr=False)
 class HolderExponent(_Certified):
     """The Hoelder exponent of the limits between two rational numbers. No ends where convergence is not proved.
 
@@ -240,6 +266,31 @@ def jsr(
         _evidence=evidence,
         _again=Computation("jsr", (*arguments, None)),
         **_radius_fields(evidence.facts),
+    )
+
+
+def subradius(
+    matrices: Iterable[Any],
+    *,
+    budget: float = 60,
+    memory: int = 1024,
+    width: Optional[Exact] = None,
+    progress: Progress = None,
+) -> JointSpectralSubradius:
+    """The joint spectral subradius, also called lower spectral radius, of matrices without negative entries: how slowly
+    products can grow. The arguments are those of `jsr`. Raises DomainError for negative entries."""
+    arguments = (_lists(matrices), budget, memory, bits_of(width))
+    evidence = _core.subradius(*arguments, progress)
+    facts = evidence.facts
+    return JointSpectralSubradius(
+        enclosure=Enclosure._of(facts["radius"]),
+        exact=facts["exact"],
+        exactness=facts["exactness"],
+        product=tuple(facts["product"]),
+        vertices=facts["vertices"],
+        closed=facts["closed"],
+        _evidence=evidence,
+        _again=Computation("subradius", (*arguments, None)),
     )
 
 

@@ -121,7 +121,8 @@ class Attained {
     const Rational lower = power(*radius_.lower, static_cast<long>(proof_.cycle.size()));
     const auto rational = zero_of_linear(near->polynomial);
     const Rational least = rational ? *rational : std::min(near->eigenvalue, lower);
-    if (rest.rows() > 0 && (least <= 0 || subinvariant_vector(rest, least, 0).empty()))
+    const bool leads = rational && radius_.is_exact() && *rational == lower;
+    if (!leads && rest.rows() > 0 && (least <= 0 || subinvariant_vector(rest, least).empty()))
       return "the product may have another leading eigenvalue";
     factors_.push_back(near->factor);
     conjugates_of(value_at(near->polynomial, inner), inner);

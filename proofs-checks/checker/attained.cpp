@@ -1,7 +1,8 @@
 #include "attained.hpp"
 
+#include "origins.hpp"
+
 #include <algorithm>
-#include <optional>
 #include <set>
 
 namespace subcert_check {
@@ -11,7 +12,12 @@ namespace {
 class Attained {
  public:
   Attained(const Polytope& body, const ExactRadius& radius, Reader& reader, Arithmetic& arithmetic)
-      : body_(body), radius_(radius), reader_(reader), arithmetic_(arithmetic), vertices_(body.vertices.size()) {}
+      : body_(body),
+        radius_(radius),
+        reader_(reader),
+        arithmetic_(arithmetic),
+        vertices_(body.vertices.size()),
+        origins_(body, arithmetic) {}
 
   void run() {
     for (const Vector& vertex : body_.vertices)
@@ -21,7 +27,7 @@ class Attained {
       if (reader_.at("origin " + std::to_string(j))) read_origin(j);
     for (const Vertex& vertex : vertices_) error_ = std::max(error_, vertex.error);
     require(error_ < 1, "the true vertices are too far from the given ones");
-    for (const Cycle& cycle : cycles_) close(cycle);
+    for (const Cycle& cycle : cycles_) met_.insert(origins_.last_image(cycle.root, cycle.letters));
     while (reader_.at("same")) read_same();
     check_images();
   }
@@ -34,22 +40,17 @@ class Attained {
     std::vector<Vector> basis;         // y_0, y_1, ... of the theorem
   };
   struct Vertex {
-    std::optional<std::size_t> cycle, parent;  // of a first vertex of a cycle; of the image of another one
-    std::size_t letter = 0;
-    mpq_class error = 0;  // of the norm of true less given vertex
+    std::optional<std::size_t> cycle;  // of a first vertex of a cycle
+    mpq_class error = 0;               // of the norm of true less given vertex
   };
-  using Image = std::pair<std::size_t, std::size_t>;  // of a vertex under a matrix
 
-  Vector moved(std::size_t letter, const Vector& x) {
-    return arithmetic_.multiply(body_.family.matrix(letter), x, body_.size);
-  }
   Vector turned(const std::string& word, Vector x) {
     require(!body_.symmetric || word.size() <= 1, "unknown generator");
     for (std::size_t k = word.size(); k-- > 0;) x = body_.turn(word[k], std::move(x), arithmetic_);
     return x;
   }
   Vector around(const Cycle& cycle, Vector x) {
-    for (const std::size_t t : cycle.letters) x = moved(t, x);
+    for (const std::size_t t : cycle.letters) x = body_.image(t, x, arithmetic_);
     return turned(cycle.word, std::move(x));
   }
 
@@ -103,11 +104,9 @@ class Attained {
 
   /// True vertex j is +- (matrix) (true parent) / radius.
   void read_origin(std::size_t j) {
-    const Fields fields = reader_.take("origin " + std::to_string(j), 2, 2);
     require(j > 0 && !vertices_[j].cycle, "the first vertex of a cycle is no image");
-    const std::size_t parent = parse_size(fields[0], 0, j - 1),
-                      letter = parse_size(fields[1], 0, body_.family.count() - 1);
-    const Vector image = moved(letter, body_.vertices[parent]);
+    const auto [parent, letter] = origins_.read(j, reader_);
+    const Vector image = body_.image(letter, body_.vertices[parent], arithmetic_);
     const mpz_class left = radius_.low.get_den(), right = radius_.low.get_num() * body_.family.denominator;
     mpz_class least = -1;
     for (const int sign : {1, -1}) {
@@ -123,89 +122,62 @@ class Attained {
     }
     const mpq_class off = ratio(least, left * body_.family.denominator) +
                           (radius_.high - radius_.low) * norm(body_.vertices[j]);
-    Vertex& vertex = vertices_[j];
-    vertex.parent = parent;
-    vertex.letter = letter;
-    vertex.error = rounded_up((body_.bound * vertices_[parent].error + off * body_.unit_norm / body_.vertex_one) /
-                              radius_.low);
-    children_[{parent, letter}] = j;
-  }
-
-  /// The last image of a cycle is its first vertex, up to a factor and the group.
-  void close(const Cycle& cycle) {
-    std::size_t at = cycle.root;
-    for (std::size_t k = 0; k + 1 < cycle.letters.size(); ++k) {
-      const auto next = children_.find({at, cycle.letters[k]});
-      require(next != children_.end(), "a vertex of a cycle is missing");
-      at = next->second;
-    }
-    met_.emplace(at, cycle.letters.back());
-  }
-
-  /// The first vertex that a vertex stems from, and the letters in between, the last one first.
-  std::pair<std::size_t, std::vector<std::size_t>> descent(std::size_t j) {
-    std::vector<std::size_t> letters;
-    for (; vertices_[j].parent; j = *vertices_[j].parent) letters.push_back(vertices_[j].letter);
-    arithmetic_.spend(letters.size());
-    return {j, std::move(letters)};
+    vertices_[j].error = rounded_up((body_.bound * vertices_[parent].error + off * body_.unit_norm / body_.vertex_one) /
+                                    radius_.low);
   }
 
   /// An image is a vertex, up to its sign, because both stem from one cycle, or from given vertices, by linear
   /// equations. Cones: it lies below, as each coordinate is equal by such equations, or clearly less.
   void read_same() {
     const Fields fields = reader_.take("same", 3, 3);
-    const std::size_t source = parse_size(fields[0], 0, vertices_.size() - 1),
-                      letter = parse_size(fields[1], 0, body_.family.count() - 1);
+    const Image image{parse_size(fields[0], 0, vertices_.size() - 1),
+                      parse_size(fields[1], 0, body_.family.count() - 1)};
     const auto [target, word] = parse_turned_index(fields[2], vertices_.size());
     const std::size_t n = body_.size;
     std::vector<bool> equal(body_.parts * n, true), opposite = equal;
-    compare(source, letter, target, word, equal, opposite);
-    for (std::size_t i = 0; body_.nonnegative && i < n; ++i)
-      equal[i] = equal[i] || is_below(source, letter, target, word, i);
+    compare(image, target, word, equal, opposite);
+    for (std::size_t i = 0; body_.nonnegative && i < n; ++i) equal[i] = equal[i] || is_below(image, target, word, i);
     const auto all = [](const std::vector<bool>& marks) {
       return std::find(marks.begin(), marks.end(), false) == marks.end();
     };
     require(all(equal) || all(opposite), "an image is not the vertex that it is said to be");
-    met_.emplace(source, letter);
+    met_.insert(image);
   }
 
   /// Marks the coordinates for which no equation says that image and vertex are equal, or opposite.
-  void compare(std::size_t source, std::size_t letter, std::size_t target, const std::string& word,
-               std::vector<bool>& equal, std::vector<bool>& opposite) {
-    auto [from, left] = descent(source);
-    left.insert(left.begin(), letter);
-    const auto [to, right] = descent(target);
-    const std::optional<std::size_t> cycle = vertices_[from].cycle;
-    const std::size_t more = std::max(left.size(), right.size()) - std::min(left.size(), right.size());
-    if (vertices_[to].cycle != cycle || (cycle ? more % radius_.length : more) != 0) {
+  void compare(const Image& image, std::size_t target, const std::string& word, std::vector<bool>& equal,
+               std::vector<bool>& opposite) {
+    Origins::Way left = origins_.way_to(image.vertex);
+    left.letters.insert(left.letters.begin(), image.letter);
+    const Origins::Way right = origins_.way_to(target);
+    const std::size_t a = left.letters.size(), b = right.letters.size(), more = std::max(a, b) - std::min(a, b);
+    const std::optional<std::size_t> cycle = vertices_[left.first].cycle;
+    if (vertices_[right.first].cycle != cycle || (cycle ? more % radius_.length : more) != 0) {
       equal.assign(equal.size(), false);
       opposite = equal;
       return;
     }
-    const auto led = [&](std::size_t first, std::size_t k, bool fewer, const std::vector<std::size_t>& letters) {
-      Vector x = cycle ? cycles_[*cycle].basis[k] : body_.vertices[first];
-      for (std::size_t turns = 0; fewer && turns < more / radius_.length; ++turns)
-        x = around(cycles_[*cycle], std::move(x));
-      for (std::size_t at = letters.size(); at-- > 0;) x = moved(letters[at], x);
-      return x;
+    const auto led = [&](const Origins::Way& way, std::size_t k, bool fewer) {
+      return origins_.led(
+          cycle ? cycles_[*cycle].basis[k] : body_.vertices[way.first],
+          [&](Vector x) { return around(cycles_[*cycle], std::move(x)); }, fewer ? more / radius_.length : 0, way);
     };
     for (std::size_t k = 0; k < (cycle ? cycles_[*cycle].basis.size() : 1); ++k) {
-      const Vector image = led(from, k, left.size() < right.size(), left),
-                   vertex = turned(word, led(to, k, left.size() > right.size(), right));
-      for (std::size_t i = 0; i < image.size(); ++i) {
-        equal[i] = equal[i] && image[i] == vertex[i];
-        opposite[i] = opposite[i] && image[i] == -vertex[i];
+      const Vector moved = led(left, k, a < b), vertex = turned(word, led(right, k, a > b));
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        equal[i] = equal[i] && moved[i] == vertex[i];
+        opposite[i] = opposite[i] && moved[i] == -vertex[i];
       }
     }
   }
 
   /// Whether a coordinate of the image is below that of radius * vertex, for a cone.
-  bool is_below(std::size_t source, std::size_t letter, std::size_t target, const std::string& word, std::size_t i) {
-    const auto matrix = body_.family.matrix(letter);
+  bool is_below(const Image& image, std::size_t target, const std::string& word, std::size_t i) {
+    const auto matrix = body_.family.matrix(image.letter);
     mpz_class row = 0;
     for (std::size_t k = 0; k < body_.size; ++k) row += matrix[k * body_.size + i];
     const mpq_class off = error_ * largest_;  // no coordinate of a true vertex differs by more
-    return moved(letter, body_.vertices[source])[i] + row * off <=
+    return body_.image(image.letter, body_.vertices[image.vertex], arithmetic_)[i] + row * off <=
            radius_.low * body_.family.denominator * (turned(word, body_.vertices[target])[i] - off);
   }
 
@@ -215,12 +187,12 @@ class Attained {
     const mpz_class residual_one = body_.weight_one * body_.vertex_one * body_.family.denominator;
     for (std::size_t i = 0; i < body_.images.size(); ++i) {
       const Image image{i / count, i % count};
-      if (children_.contains(image) || met_.contains(image)) continue;
+      if (origins_.contains(image) || met_.contains(image)) continue;
       const mpq_class weights = ratio(body_.images[i].weights, body_.weight_one),
                       rest = ratio(body_.images[i].residual * body_.unit_norm, residual_one) +
                              (body_.bound + weights) * error_;
       require(weights + rest / (1 - error_) <= radius_.low,
-              "image " + std::to_string(image.first) + " " + std::to_string(image.second) + " may lie outside");
+              "image " + std::to_string(image.vertex) + " " + std::to_string(image.letter) + " may lie outside");
     }
   }
 
@@ -230,8 +202,8 @@ class Attained {
   Arithmetic& arithmetic_;
   std::vector<Vertex> vertices_;
   std::vector<Cycle> cycles_;
-  std::map<Image, std::size_t> children_;  // vertices that are images, up to the radius and a sign
-  std::set<Image> met_;                    // other images whose norm is the radius at most
+  Origins origins_;      // vertices that are images, up to the radius and a sign
+  std::set<Image> met_;  // other images whose norm is the radius at most
   mpq_class error_ = 0;
   mpz_class largest_ = 0;  // coordinate of the given vertices
 };

@@ -111,9 +111,9 @@ const Vector& read_vertex(Polytope& body, Reader& reader) {
 
 Polytope::Combination read_image(Polytope& body, std::size_t vertex, std::size_t matrix, int side, Reader& reader,
                                  Arithmetic& arithmetic) {
-  const Vector image = arithmetic.multiply(body.family.matrix(matrix), body.vertices[vertex], body.size);
-  return read_combination("image " + std::to_string(vertex) + " " + std::to_string(matrix), body, image,
-                          side * body.weight_one, side * body.family.denominator, reader, arithmetic);
+  return read_combination("image " + std::to_string(vertex) + " " + std::to_string(matrix), body,
+                          body.image(matrix, body.vertices[vertex], arithmetic), side * body.weight_one,
+                          side * body.family.denominator, reader, arithmetic);
 }
 
 Polytope read_polytope(Family family, const Fields& fields, const mpq_class& entry_error, Reader& reader,

@@ -23,6 +23,10 @@ struct Polytope {
   std::vector<Combination> images;  // vertex by vertex, matrix by matrix
   mpq_class bound;                  // of the norms of all matrices
 
+  /// The image of x, which holds one vector or several, under a matrix.
+  Vector image(std::size_t letter, const Vector& x, Arithmetic& arithmetic) const {
+    return arithmetic.multiply(family.matrix(letter), x, size);
+  }
   /// The image under one generator, which a letter names; f is the flip. `x` holds one vector or several.
   Vector turn(char letter, Vector x, Arithmetic& arithmetic) const;
 };

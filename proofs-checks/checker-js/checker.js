@@ -838,7 +838,8 @@ var check_certificate = (() => {
     if (options.exact !== undefined) reader.read(`exact ${text}`);
     const exact = read_exact(text, kind !== check_radius), {p, L} = exact, n = p.length - 1;
     const [re, im, eps, low, high] = reader.read('root', 5).map(rational);
-    demand(sign(eps) >= 0 && sign(low) > 0, 'the error of a root is negative, or its modulus not positive');
+    demand(sign(eps) >= 0 && sign(low) > 0 && sign(high) > 0,
+           'the error of a root is negative, or its modulus not positive');
     const square = x => times(x, x), squares = ([x, y]) => plus(square(x), square(y));
     const integral = (x, y) => ({h: x.d * y.d, y: [x.n * y.d, y.n * x.d]});
     const gap = minus(exact.eps, eps), apart = squares([minus(re, exact.re), minus(im, exact.im)]);

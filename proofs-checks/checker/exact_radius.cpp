@@ -132,7 +132,8 @@ void read_root(ExactRadius& radius, Reader& reader, Arithmetic& arithmetic) {
   const auto squared = [](const mpq_class& x) { return mpq_class(x * x); };
   const mpq_class &error = radius.error, low = power(radius.low, radius.length),
                   high = power(radius.high, radius.length);
-  require(error >= 0 && radius.low > 0, "the error of a root is negative, or its modulus not positive");
+  require(error >= 0 && radius.low > 0 && radius.high > 0,
+          "the error of a root is negative, or its modulus not positive");
   const mpq_class away = squared(radius.near_re - radius.re) + squared(radius.near_im - radius.im),
                   modulus = squared(radius.near_re) + squared(radius.near_im);
   require(error <= radius.within && away <= squared(radius.within - error), "the root is not the one of the claim");

@@ -69,8 +69,9 @@ class Checker {
       parse_size(bounds[1].substr(1), 1, 500);
     else if (bounds[1] != "-")
       parse_rational(bounds[1]);
+    if (claim_.exact || reader_.at("exact")) read_exact();
     if (claim_.subradius)
-      read_subradius(claim_.family, claim_.lower, claim_.upper, reader_, arithmetic_);
+      read_subradius(claim_.family, {claim_.lower, claim_.upper, exact_}, reader_, arithmetic_);
     else
       read_proof();
     reader_.take("end", 0, 0);
@@ -78,9 +79,8 @@ class Checker {
   }
 
  private:
-  /// What follows the line `bounds`, but of a subradius.
+  /// What follows these lines, but of a subradius.
   void read_proof() {
-    if (claim_.exact || reader_.at("exact")) read_exact();
     if (claim_.arity != 0 && !claim_.range && reader_.at("reduced"))
       read_reduced();
     else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
@@ -585,7 +585,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   const bool rough = upper && upper->starts_with('C');
   require(file && mask.has_value() + surface.has_value() + radius.has_value() + subradius.has_value() == 1 &&
               mask.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&
-              (mask || !(range || rounding)) && !(range && rounding) && !(exact && (range || rounding || subradius)) &&
+              (mask || !(range || rounding)) && !(range && rounding) && !(exact && (range || rounding)) &&
               (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
               (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)),
           usage);

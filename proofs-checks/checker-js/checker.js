@@ -726,7 +726,7 @@ var check_certificate = (() => {
       });
     }
     const attained = Boolean(exact) && reader.peek() === 'cycle';
-    if (attained) new TrueVertices(reader, body, exact, {matrices, den, v_bits, E, g}).settle(values, den << scale);
+    if (attained) new TrueVertices(reader, body, exact, {matrices, den, v_bits, E, g}).check(values, den << scale);
     return {value: g, level: 1, attained};
   }
   // The vertices and their images under the group, packed; a complex vector is its real and its imaginary part.
@@ -832,11 +832,11 @@ var check_certificate = (() => {
     return {order: with_order ? small(M, 0, 500) : null, p, re, im, eps, L: small(L, 1, 256)};
   }
   // The lines `exact` and `root`, if they are there or the claim needs them: the exact number, with c = y / h near z
-  function read_root(reader, {options, kind}) {
+  function read_root(reader, {options, of_family}) {
     if (options.exact === undefined && reader.peek() !== 'exact') return null;
     const text = options.exact === undefined ? reader.read('exact', 1)[0] : options.exact;
     if (options.exact !== undefined) reader.read(`exact ${text}`);
-    const exact = read_exact(text, kind !== check_radius), {p, L} = exact, n = p.length - 1;
+    const exact = read_exact(text, !of_family), {p, L} = exact, n = p.length - 1;
     const [re, im, eps, low, high] = reader.read('root', 5).map(rational);
     demand(sign(eps) >= 0 && sign(low) > 0 && sign(high) > 0,
            'the error of a root is negative, or its modulus not positive');
@@ -882,34 +882,57 @@ var check_certificate = (() => {
     const sums = horner(columns.map((x, k) => norm(x) * BigInt(k)).slice(1), times(m, D));
     return {U, error: times(times(times(2n, eps), sums), h ** BigInt(n - 1) * D)};
   }
+  // The lines `origin` of a body, or of a body for a subradius; children[key(K, T)] is the last J with `origin J K T`.
+  class Origins {
+    constructor(reader, body, matrices) {
+      Object.assign(this, {reader, body, matrices, origins: new Map(), children: new Map()});
+    }
+    key(j, t) { return j * this.matrices.length + t; }
+    vertex(token) { return small(token, 0, this.body.count - 1); }
+    letter(token) { return small(token, 0, this.matrices.length - 1); }
+    link(J, [vertex, letter]) {  // of the line of J
+      const K = small(vertex, 0, J - 1), T = this.letter(letter);
+      this.origins.set(J, {K, T});
+      this.children.set(this.key(K, T), J);
+      return {K, T};
+    }
+    follow(word, columns) { return word.reduce((x, t) => multiply(this.matrices[t], x), columns); }
+    way(j) {  // the first vertex that j stems from, and the letters
+      const letters = [];
+      for (let at; (at = this.origins.get(j)); j = at.K) letters.push(at.T);
+      spend(letters.length);
+      return {source: j, letters: letters.reverse()};
+    }
+    last_of(word, J) {  // the vertex to which the word without its last letter leads from J
+      const last = word.slice(0, -1).reduce((j, t) => this.children.get(this.key(j, t)), J);
+      demand(last !== undefined, 'a vertex of a cycle is missing');
+      return last;
+    }
+    settle(j, t) {  // an image that is no child, but as good as one
+      this.settled.add(this.key(j, t));
+      allow_bits(this.settled.size * 1024);
+    }
+  }
   // The vertices V_J near those of a body. `known` are E, g, the matrices, their denominator, VBITS; e_J is errors[J] /
-  // 2^512, of cycles and origins; children[key(K, T)] is the last J with `origin J K T`.
-  class TrueVertices {
+  // 2^512, of cycles and origins.
+  class TrueVertices extends Origins {
     constructor(reader, body, exact, known) {
-      Object.assign(this, known, {reader, body, exact, cycles: new Map(), errors: new Map(), origins: new Map()});
-      [this.children, this.memory] = [new Map(), 0];
+      super(reader, body, known.matrices);
+      Object.assign(this, known, {exact, cycles: new Map(), errors: new Map(), memory: 0});
       while (reader.peek() === 'cycle') this.read_cycle();
       while (this.last_origin !== body.count - 1 && reader.peek() === 'origin') this.read_origin();
       this.e = fraction([...this.errors.values()].reduce(max, 0n), 1n << 512n);
       demand(less(this.e, 1n), 'a vertex is too far from the true one');
       this.settled = new Set(this.children.keys());
-      for (const [J, {word}] of this.cycles) {
-        const last = word.slice(0, -1).reduce((j, t) => this.children.get(this.key(j, t)), J);
-        demand(last !== undefined, 'a vertex of a cycle is missing');
-        this.settled.add(this.key(last, word[word.length - 1]));
-      }
+      for (const [J, {word}] of this.cycles) this.settle(this.last_of(word, J), word[word.length - 1]);
       while (reader.peek() === 'same') this.read_same();
     }
-    key(j, t) { return j * this.matrices.length + t; }
-    vertex(token) { return small(token, 0, this.body.count - 1); }
-    letter(token) { return small(token, 0, this.matrices.length - 1); }
     enter(J, error) {
       spend(8, bits(error.n) + 512, bits(error.d));
       const far = !less(error, 1n);  // as good as any number that is too large
       this.errors.set(J, far ? 1n << 512n : ceil_div(error.n << 512n, error.d));
       allow_bits(this.errors.size * 2048);
     }
-    follow(word, columns) { return word.reduce((x, t) => multiply(this.matrices[t], x), columns); }
     read_cycle() {  // column k of Y is den^(L (n - 1 - k)) y_k
       const {body, exact: {L}, v_bits} = this;
       const [first, letters, ...rest] = this.reader.read('cycle', 2 + L), J = this.vertex(first);
@@ -942,10 +965,8 @@ var check_certificate = (() => {
       const J = this.vertex(first);
       demand(!this.cycles.has(J), 'the first vertex of a cycle is no image');
       demand(!(J <= this.last_origin), 'the vertices of origins are not in order');
-      const K = small(rest[0], 0, J - 1), T = this.letter(rest[1]);
+      const {K, T} = this.link(J, rest);
       this.last_origin = J;
-      this.origins.set(J, {K, T});
-      this.children.set(this.key(K, T), J);
       const v = transpose(body.coordinates(J)), image = multiply(this.matrices[T], transpose(body.coordinates(K)));
       const away = s => sum(v.map((row, i) => sum(row.map((x, part) => abs(low.d * image[i][part] - s * x)))));
       const [plain, turned] = [low.n * den, -low.n * den].map(away);
@@ -953,12 +974,6 @@ var check_certificate = (() => {
       const drift = times(minus(high, low), sum(v.map(norm)));
       const own = times(plus(near, drift), fraction(E, 1n << BigInt(v_bits)));
       this.enter(J, over(plus(times(g, fraction(this.errors.get(K) || 0n, 1n << 512n)), own), low));
-    }
-    way(j) {  // the first vertex that j stems from, and the letters
-      const letters = [];
-      for (let at; (at = this.origins.get(j)); j = at.K) letters.push(at.T);
-      spend(letters.length);
-      return {source: j, letters: letters.reverse()};
     }
     read_same() {
       const [first, second, third] = this.reader.read('same', 3), {body, exact: {low, L}, den, v_bits, e} = this;
@@ -981,10 +996,9 @@ var check_certificate = (() => {
       };
       const opposite = () => related && equal(scaled(left, -1n), right);
       demand(body.has.nonnegative ? opposite() || below() : left.every((row, i) => same_row(i)) || opposite(), wrong);
-      this.settled.add(this.key(j, T));
-      allow_bits(this.settled.size * 1024);
+      this.settle(j, T);
     }
-    settle(values, den) {  // the values w + |r|_1 E of all images, times den: below LOW (1 - e) - g e, or settled
+    check(values, den) {  // the values w + |r|_1 E of all images, times den: below LOW (1 - e) - g e, or settled
       const {exact: {low}, e, g, matrices} = this, limit = minus(times(low, minus(1n, e)), times(g, e));
       const most = floor_div(limit.n * den, limit.d), at = values.findIndex((x, i) => x > most && !this.settled.has(i));
       demand(at < 0, `image ${Math.floor(at / matrices.length)} ${at % matrices.length} may lie outside`);
@@ -1473,7 +1487,7 @@ var check_certificate = (() => {
     demand(!upper || (sign(upper) >= 0 && !less(power(upper, word.length), re)),
            'the product does not prove the upper end');
   }
-  function read_lower_end(reader, {size, den, matrices}, lower) {
+  function read_lower_end(reader, {size, den, matrices}, lower, exact) {
     const [kind, ...fields] = reader.read('block 0', 4, 5), transposed = fields.length > 3;
     demand(kind === 'polytope', section_form);
     demand(!transposed || fields[3] === 'transposed', 'unknown property of the polytope of a subradius');
@@ -1481,20 +1495,101 @@ var check_certificate = (() => {
     const has = {nonnegative: true, nonzero: true};
     const body = new Body(reader, {size, count, c_bits, has, group: trivial_group(0)});
     const one = 1n << BigInt(c_bits);
-    const least = lower ? ceil_div(lower.n * one, lower.d) : 0n;
-    let reached = true;  // least <= g one, which is an integer
+    const least = lower ? ceil_div(lower.n * one, lower.d) : 0n, weights = [];
+    let reached = true, memory = 0;  // least <= g one, which is an integer
     for (let j = 0; j < count; ++j)
       body.images(all, j).forEach((image, t) => {
         const below = image.map(x => x.map(value => -value * one));
         const {residual, weight} = body.read_combination(`image ${j} ${t}`, below, -den);
         demand(!residual, 'an image is not above the sum of its terms');
         if (weight < least) reached = false;
+        if (exact) weights.push(weight);
+        allow_bits(memory += bits(weight) + 256);
       });
     demand(reached, 'the weights of an image do not prove the lower end');
+    if (exact) new SlowVertices(reader, body, exact, {matrices: all, den}).check(weights, c_bits);
   }
-  function check_subradius(reader, {family, lower, upper}) {
+  // The vertices V_J above those of a body: factors[J] / 2^512 is D_J.
+  class SlowVertices extends Origins {
+    constructor(reader, body, exact, {matrices, den}) {
+      super(reader, body, matrices);
+      Object.assign(this, {exact, den, factors: [], cut: [], settled: new Set(), memory: 0});
+      this.read_cycle();
+      for (let J = 1; J < body.count; ++J) this.read_origin(J);
+      const last = this.last_of(this.word, 0);
+      demand(!this.cut[last], 'a vertex of the cycle is cut');
+      this.settle(last, this.word[this.word.length - 1]);
+      this.needed = times(exact.high, fraction(largest(this.factors), 1n << 512n));  // HIGH D
+      while (reader.peek() === 'same') this.read_same();
+    }
+    enter(factor) {
+      spend(8, bits(factor.n) + 512, bits(factor.d));
+      const up = ceil_div(factor.n << 512n, factor.d);
+      allow_bits(this.memory += bits(up) + 2048);
+      this.factors.push(up);
+    }
+    quotient(x, y) {  // the largest x_i / y_i where y_i > 0
+      spend(3 * x.length, bits(largest(x)), bits(largest(y)));
+      return x.reduce((most, value, i) => {
+        const next = y[i] > 0n ? fraction(value, y[i]) : most;
+        return less(most, next) ? next : most;
+      }, fraction(0n));
+    }
+    read_cycle() {
+      const {reader, body, exact, den} = this, {L} = exact, {size} = body, D = den ** BigInt(L);
+      const [v] = body.coordinates(0);
+      const word = this.word = reader.read('cycle 0 -', L).map(t => this.letter(t));
+      this.next = x => this.follow(word, x);
+      const {columns, memory} = read_seed(reader, exact, size, D, () => this.next, 0);
+      [this.Y, this.memory] = [transpose(columns), memory];
+      const {U, error: u} = eigenvector_of(exact, columns, D), turn = U[v.findIndex(x => x)][0] < 0n ? -u.d : u.d;
+      spend(4 * size, bits(largest_of(U)), bits(u.d));
+      const least = U.map(([x]) => turn * x - u.n), most = U.map(([x]) => turn * x + u.n);
+      demand(v.every((x, i) => x ? least[i] > 0n : columns.every(y => !y[i])),
+             'a coordinate of the eigenvector may not be positive, or not be 0, as that of the vertex is');
+      this.enter(times(this.quotient(v, least), this.quotient(most, v)));
+      if (v.every(x => x)) return;
+      const weights = reader.read('rest', size).map(integer), low = power(exact.low, L);
+      demand(weights.every(x => x > 0n), 'a weight is not positive');
+      const rest = weights.map((x, i) => v[i] ? 0n : x), image = this.next(rest.map(x => [x]));
+      spend(4 * size, bits(low.n) + bits(D), bits(largest(rest)) + bits(low.d));
+      demand(image.every(([x], i) => v[i] || x * low.d <= low.n * D * rest[i]),
+             'the cycle takes a weight of the rest to too much');
+    }
+    read_origin(J) {
+      const {K, T} = this.link(J, this.reader.read(`origin ${J}`, 2)), {exact: {low, high}, den, body} = this;
+      const [v] = body.coordinates(J), image = this.follow([T], body.coordinates(K)[0].map(x => [x])).map(([x]) => x);
+      spend(4 * v.length, bits(largest(v)) + bits(high.d), bits(high.n) + bits(den));
+      const below = v.every((x, i) => x * high.n * den <= image[i] * high.d);
+      demand(below, 'a vertex is above the image from which it stems');
+      this.cut[J] = this.cut[K] || v.some((x, i) => !x && image[i]);
+      this.enter(over(times(fraction(this.factors[K], 1n << 512n), this.quotient(image, v)), times(low, den)));
+    }
+    read_same() {
+      const [first, second, third] = this.reader.read('same', 3), {body, exact: {L}, den, needed, cut} = this;
+      const j = this.vertex(first), T = this.letter(second), K = this.vertex(third), A = this.way(j), B = this.way(K);
+      A.letters.push(T);
+      const more = (A.letters.length - B.letters.length) / L, related = !cut[j] && !cut[K] && Number.isInteger(more);
+      const lead = ({letters}, rounds) => this.follow(letters,
+        range_of(Math.max(0, rounds)).reduce(x => this.next(x), this.Y));
+      const left = related ? lead(A, -more) : [], right = related ? lead(B, more) : [];
+      const [v] = body.coordinates(K), image = this.follow([T], body.coordinates(j)[0].map(x => [x]));
+      spend(4 * v.length, bits(largest(v)) + bits(needed.n), bits(needed.d) + bits(den));
+      const same_row = i => related && equal([left[i]], [right[i]]);
+      demand(v.every((x, i) => same_row(i) || image[i][0] * needed.d >= needed.n * den * x),
+             'an image is not above the vertex that it is said to be');
+      this.settle(j, T);
+    }
+    check(weights, c_bits) {  // the sums of the weights of all images, times 2^CBITS: HIGH D or more, or settled
+      const least = ceil_div(this.needed.n << BigInt(c_bits), this.needed.d), count = this.matrices.length;
+      const at = weights.findIndex((x, i) => x < least && !this.settled.has(i) && !this.children.has(i));
+      demand(at < 0, `image ${Math.floor(at / count)} ${at % count} may lie below`);
+    }
+  }
+  function check_subradius(reader, {family, lower, upper, exact}) {
+    demand(!exact || exact.real, 'a subradius needs a real zero');
     if (upper || reader.peek() === 'product') read_upper_end(reader, family, upper);
-    if (lower || reader.peek() === 'block') read_lower_end(reader, family, lower);
+    if (lower || exact || reader.peek() === 'block') read_lower_end(reader, family, lower, exact);
   }
 
   // ---- Exponent, range, roughness and rounded claims: 4.2, 4.3, 4.9, 6.1, 6.2, 6.4 ----------------------------------
@@ -1963,7 +2058,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const surface = has('surface', 'dilation') && some('lower', 'exact') && !rough &&
       none('mask', 'arity', 'for', 'within', 'matrices', 'subradius', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      !has('subradius', 'exact') && none('mask', 'arity', 'for', 'within', 'surface', 'dilation', 'logarithm');
+      none('mask', 'arity', 'for', 'within', 'surface', 'dilation', 'logarithm');
     demand(has('FILE') && (curve || surface || family), usage);
     const of_family = has('subradius') ? check_subradius : check_radius;
     return {options, rough, kind: curve ? check_curve : surface ? check_surface : of_family};
@@ -1974,7 +2069,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const claim = {options, kind, lower: options.lower === undefined ? null : rational(options.lower), upper: null};
     if (kind === check_radius) claim.of_family = {what: 'radius', file: options.matrices};
     if (kind === check_subradius) claim.of_family = {what: 'subradius', file: options.subradius};
-    if (options.exact !== undefined) read_exact(options.exact, kind !== check_radius);
+    if (options.exact !== undefined) read_exact(options.exact, !claim.of_family);
     if (options.logarithm !== undefined) claim.logarithm = small(options.logarithm, 0, 256);
     if (rough) claim.rough = small(options.upper.slice(1), 1, 500);
     else if (options.upper !== undefined) claim.upper = rational(options.upper);
@@ -2045,7 +2140,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     read_bounds(reader);
     const one = !claim.interval && !claim.within;
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
-    if (!is_subradius) claim.exact = read_root(reader, claim);
+    claim.exact = read_root(reader, claim);
     claim.kind(reader, claim);
     reader.finish('end', "text after 'end'");
   }

@@ -133,8 +133,9 @@ if mode == "usage":
             (64, "--subradius golden.mat --mask [1,1] --arity 2 --lower 1 golden.cert"),
             (64, "--subradius golden.mat --surface [1,1] --dilation [2] --lower 1 golden.cert"),
             *((64, f"--subradius golden.mat --lower 1 {option} golden.cert") for option in (
-                "--exact |[-1,1]@1,0,1|^1/1", "--logarithm 0", "--for w=0..1", "--within 1/9,1", "--arity 2", "--dilation [2]")),
-            (64, "--subradius golden.mat --exact |[-1,1]@1,0,1|^1/1 golden.cert"), (64, "--subradius golden.mat --lower 1"),
+                "--exact 1-log|[-1,1]@1,0,1|^1/1", "--logarithm 0", "--for w=0..1", "--within 1/9,1", "--arity 2", "--dilation [2]")),
+            (64, "--subradius golden.mat --exact |[-1,1]@1,0,1|^1/1 --logarithm 0 golden.cert"),
+            (64, "--subradius golden.mat --exact |[-1,1]@1,0,0|^1/1 golden.cert"), (64, "--subradius golden.mat --lower 1"),
             (65, "--subradius golden.cert --upper 2 golden.cert"), (66, "--subradius none.mat --upper 2 golden.cert"),
             (66, "--subradius golden.mat --upper 2 none.cert"),
             (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),

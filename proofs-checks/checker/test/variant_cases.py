@@ -78,6 +78,7 @@ MATRICES = [
     ("unit-shear.mat", rows([[1, 0], [0, 1]], [[1, 1], [0, 1]])),
     ("middle.mat", rows([[1, 0], [0, 0]], [[1, 0], [0, 1]], [[1, 0], [0, 0]])),
     ("three-quarters.mat", rows([[1]], [["3/4"]])),
+    ("one-two.mat", rows([[1]], [[2]])),
 ]
 
 # name, options of the claim, and the lines after the first one
@@ -166,7 +167,7 @@ CHANGED = [
 # name, accepted case that is changed, other options or None, reason, changes of its text
 REJECTED = [
     ("first-line-empty", "golden", None, "expected 'subcert-certificate 3', line 1", [("subcert-certificate 3\n", "\nsubcert-certificate 3\n")]),
-    ("root-high-negative", "four-point-exact", None, "the bounds of the exact radius are wrong", [("root 4 0 0 4 4\n", "root 4 0 0 4 -4\n")]),
+    ("root-high-negative", "four-point-exact", None, "its modulus not positive", [("root 4 0 0 4 4\n", "root 4 0 0 4 -4\n")]),
     ("single-bound-zero", "single-four-point", None, "the recurrence may have a zero above the bound", [("single 4 0\n", "single 0 0\n")]),
     ("gram-sum-0", "hat-by-hand", None, "have no positive sum", [("gram 0:4 1:1\n", "gram 0:2 1:-1\n")]),
     ("origin-order-middle", "slow-exact", None, ", line 28",
@@ -230,6 +231,11 @@ REJECTED = [
 
 # name, options of the claim, the lines after the first one, and the reason
 WRITTEN = [
+    # with HIGH < 0 the vertices would be nearer to the true ones than they are; the radius is 2
+    ("root-high-negative-even", "--matrices one-two.mat --exact |[-1,1]@1,0,1/10|^1/2",
+     "radius 2 1; bounds 1 1; exact |[-1,1]@1,0,1/10|^1/2; root 1 0 0 1 -1000; block 0 polytope 4 8 8; vertex 256; vertex 256; vertex 1; "
+     "vertex 1; unit 0 0:256; image 0 0 0:256; image 0 1 0:512; image 1 0 0:256; image 1 1 0:512; image 2 0 0:1; image 2 1 0:2; "
+     "image 3 0 0:1; image 3 1 0:2; cycle 0 - 0 0; seed 1; origin 1 0 0; origin 2 0 1; origin 3 1 1; end", "its modulus not positive, line 5"),
     ("product-zero", "--matrices zero.mat --lower 0", "radius 1 1; bounds 0 -; product 0 0 0 0; end", "no positive spectral radius"),
     ("inverse-trace-zero", "--matrices odd.mat --lower 1", "radius 1 2; bounds 1 -; product 0 2 0 0; inverse 0; column 0 1 0; column 1 0 -1; end",
      "no eigenvalue near"),

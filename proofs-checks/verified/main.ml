@@ -10,6 +10,7 @@ let usage =
   \       subcert-check-verified --subradius MATRICES [--lower P/Q] [--upper P/Q] [--show] FILE    (the joint spectral subradius)\n\
   \       subcert-check-verified --mask '[c0,c1,...]/D@first' --arity A --lower P/Q [--upper P/Q] [--show] FILE\n\
   \       subcert-check-verified --matrices MATRICES --exact '|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE    (what the radius is)\n\
+  \       subcert-check-verified --subradius MATRICES --exact '|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE    (likewise)\n\
   \       subcert-check-verified --mask ... --arity A --exact 'M-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE\n\
   \       subcert-check-verified --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
@@ -202,8 +203,8 @@ let read_start ?(domain = ignore) r claim =
   read_bounds r
 
 (* Where the number is, if one is claimed; whether the certificate has one. *)
-let read_head r claim exact =
-  read_start r claim;
+let read_head ?domain r claim exact =
+  read_start ?domain r claim;
   match exact with
   | None ->
       let has = at r "exact" in
@@ -347,46 +348,56 @@ let show what claim =
 let side value render = match value with Some q -> render (Q.to_string q) | None -> ""
 let number_text exact = match exact with Some e -> " = " ^ e.text | None -> ""
 
+let unproved = "the certificate does not prove the claim"
+
 (* Matrices, what is claimed of them, and the line that says so *)
 let read_claim what matrices lower upper =
   let family = read_matrices matrices in
   let claim = { matrices_of = family; lower = Option.map bound_of lower; upper = Option.map bound_of upper } in
   (family, claim, Printf.sprintf "%s %d %d" what (List.length family.matrices) family.size)
 
-(* A claim about matrices: its text, its proof, what --theorem and --show print. *)
+(* The text of a claim about matrices, its proof, and what --show prints *)
+let matrix_claim what matrices lower upper exact claim theorem =
+  ( side lower (fun l -> l ^ " <= ") ^ "joint spectral " ^ what ^ number_text exact ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices,
+    theorem,
+    fun () ->
+      show what claim;
+      Option.iter show_exact exact )
+
+(* A claim about the radius, and what --theorem prints of it *)
 let radius matrices lower upper exact file =
   let family, claim, head = read_claim "radius" matrices lower upper in
-  let theorem =
-    with_number file false head exact @@ fun exact ->
-    read file 1 (fun r ->
-        match read_head r head exact with
-        | None, may_keep ->
-            let certificate = read_proof ~single:false ~may_keep family lower upper r in
-            require (check_radius claim certificate) "the certificate does not prove the claim";
-            fun name -> Theorem.print_radius name claim certificate
-        | Some ((e, _) as number), _ ->
-            let certificate, _ = read_exact_proof ~single:false family number r in
-            require (check_exact_radius family e claim.lower claim.upper certificate) "the certificate does not prove the claim";
-            fun name -> Theorem.print_exact_radius name claim e certificate)
-  in
-  ( side lower (fun l -> l ^ " <= ") ^ "joint spectral radius" ^ number_text exact ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices,
-    theorem,
-    fun () -> show "radius" claim; Option.iter show_exact exact )
+  matrix_claim "radius" matrices lower upper exact claim
+    (with_number file false head exact @@ fun exact ->
+     read file 1 (fun r ->
+         match read_head r head exact with
+         | None, may_keep ->
+             let certificate = read_proof ~single:false ~may_keep family lower upper r in
+             require (check_radius claim certificate) unproved;
+             fun name -> Theorem.print_radius name claim certificate
+         | Some ((e, _) as number), _ ->
+             let certificate, _ = read_exact_proof ~single:false family number r in
+             require (check_exact_radius family e claim.lower claim.upper certificate) unproved;
+             fun name -> Theorem.print_exact_radius name claim e certificate))
 
 (* The same of the subradius *)
-let subradius matrices lower upper file =
+let subradius matrices lower upper exact file =
   let family, claim, head = read_claim "subradius" matrices lower upper in
-  let theorem =
-    read file 1 (fun r ->
-        read_start r head ~domain:(fun () -> require (all_nonnegative family []) "a matrix is not non-negative");
-        let certificate = Subradius.read r family lower upper in
-        read_end r;
-        require (check_subradius claim certificate) "the certificate does not prove the claim";
-        fun name -> Theorem.print_subradius name claim certificate)
-  in
-  ( side lower (fun l -> l ^ " <= ") ^ "joint spectral subradius" ^ side upper (fun u -> " <= " ^ u) ^ " of " ^ matrices,
-    theorem,
-    fun () -> show "subradius" claim )
+  let domain () = require (all_nonnegative family []) "a matrix is not non-negative" in
+  matrix_claim "subradius" matrices lower upper exact claim
+    (read file 1 (fun r ->
+         let number, has_number = read_head ~domain r head exact in
+         let bounds, draft = Subradius.read r family lower upper number in
+         if number = None && has_number then skip r [ "cycle"; "seed"; "rest"; "origin" ];
+         read_end r;
+         match (number, draft) with
+         | Some (e, root), Some draft ->
+             let place, ascent = Ascent_hint.write_out draft e root in
+             require (check_exact_subradius family e claim.lower claim.upper place ascent bounds) unproved;
+             fun name -> Theorem.print_exact_subradius name claim e place ascent bounds
+         | _ ->
+             require (check_subradius claim bounds) unproved;
+             fun name -> Theorem.print_subradius name claim bounds))
 
 (* The text [c0,c1,...]/D@first *)
 let read_mask text arity =
@@ -446,10 +457,10 @@ let prove_bounds ~may_keep scheme order family lower upper r =
   match (upper, least) with
   | Some u, Some g ->
       let both = { lower_end = low; radius_least = bound_of g; shifts = stable_shifts scheme } in
-      require (check_exponent scheme l (bound_of u) both) "the certificate does not prove the claim";
+      require (check_exponent scheme l (bound_of u) both) unproved;
       fun name -> Theorem.print_enclosure name scheme l (bound_of u) both
   | _ ->
-      require (check_exponent_lower scheme l low) "the certificate does not prove the claim";
+      require (check_exponent_lower scheme l low) unproved;
       fun name -> Theorem.print_exponent name scheme l low
 
 (* What the lines `logarithm` and `recurrence` are worth. *)
@@ -494,7 +505,7 @@ let prove_number scheme order family lower upper logarithm exact ((e, _) as numb
   let shifts = stable_shifts scheme in
   match logarithm with
   | None ->
-      require (check_exact_exponent scheme order e lower upper certificate shifts) "the certificate does not prove the claim";
+      require (check_exact_exponent scheme order e lower upper certificate shifts) unproved;
       fun name -> Theorem.print_exact_exponent name scheme order e lower upper certificate shifts
   | Some power ->
       let proof = modulus_proof scheme order certificate power modulus in
@@ -558,14 +569,11 @@ let check arguments =
   let bound name = Option.map rational (find name) in
   let rough = String.starts_with ~prefix:"C" (Option.value (find "--upper") ~default:"") in
   let text, theorem, shown =
-    if has "--matrices" then begin
-      require (only [ "--matrices"; "--upper"; "--exact" ] && (has "--lower" || has "--upper" || has "--exact")) usage;
+    if has "--matrices" || has "--subradius" then begin
+      let option, prove = if has "--matrices" then ("--matrices", radius) else ("--subradius", subradius) in
+      require (only [ option; "--upper"; "--exact" ] && (has "--lower" || has "--upper" || has "--exact")) usage;
       let exact = Option.map (read_exact false) (find "--exact") in
-      radius (get "--matrices") (bound "--lower") (bound "--upper") exact (get "FILE")
-    end
-    else if has "--subradius" then begin
-      require (only [ "--subradius"; "--upper" ] && (has "--lower" || has "--upper")) usage;
-      subradius (get "--subradius") (bound "--lower") (bound "--upper") (get "FILE")
+      prove (get option) (bound "--lower") (bound "--upper") exact (get "FILE")
     end
     else if
       only [ "--mask"; "--arity"; "--upper"; "--exact"; "--logarithm" ]

@@ -67,7 +67,7 @@ let read_climb r family lower =
       let nothing = bound_of Q.zero in
       let read_image j vertex t matrix =
         let terms = List.map read_term (take r (Printf.sprintf "image %d %d" j t) 0 max_line) in
-        let sum = List.fold_left (fun sum (_, (weight, _)) -> Z.add sum weight) Z.zero terms in
+        let sum = Ascent_hint.sum_of terms in
         spend_times wide (n * (n + (List.length terms * width (Z.numbits sum))));
         require (image_above family points climb_scale nothing vertex matrix terms) "an image is not above the sum of its terms";
         least := Some (Option.fold ~none:sum ~some:(Z.min sum) !least);
@@ -80,8 +80,10 @@ let read_climb r family lower =
       { climb_transposed; climb_scale; climb_points; climb_terms }
   | _ -> reject "expected 'polytope' and its numbers"
 
-(* All that stands between the bounds and the end *)
-let read r family lower upper =
+(* All that stands between the bounds and the end: what proves the claimed ends, and the number if one is claimed *)
+let read r family lower upper number =
   let upper_product = if upper <> None || at r "product" then Some (read_product r family upper) else None in
-  let lower_climb = if lower <> None || at r "block 0" then Some (read_climb r family lower) else None in
-  { upper_product; lower_climb }
+  let lower_climb = if lower <> None || number <> None || at r "block 0" then Some (read_climb r family lower) else None in
+  let draft = Option.map (fun (e, root) -> Ascent_hint.read r family (Option.get lower_climb) e root) number in
+  let needed bound proof = if bound = None then None else proof in
+  ({ upper_product = needed upper upper_product; lower_climb = needed lower lower_climb }, draft)

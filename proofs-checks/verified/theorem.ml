@@ -95,9 +95,11 @@ let climb c =
     (list (pair vector vector) c.climb_points)
     (list (list (list term)) c.climb_terms)
 
+let subradius_certificate c =
+  Printf.sprintf "SubradiusCertificate %s\n%s" (option slow_product c.upper_product) (option climb c.lower_climb)
+
 let print_subradius name claim c =
-  print name " Subradius" (claim_of claim)
-    (Printf.sprintf "SubradiusCertificate %s\n%s" (option slow_product c.upper_product) (option climb c.lower_climb))
+  print name " Subradius" (claim_of claim) (subradius_certificate c)
     (Printf.sprintf
        "subradius_claim_holds : subradius_claim_holds %s_claim.\nProof. apply (check_subradius_sound _ %s_certificate). %s"
        name name by_computation)
@@ -167,10 +169,12 @@ let exact_section = function
         (list cycle cycles)
   | Leading c -> "(Leading " ^ pole c ^ ")"
 
+let place p =
+  Printf.sprintf "(Place %s %s %s %s %s %s %s)" (integer p.near_re) (integer p.near_im) (integer p.near_radius)
+    (integer p.near_scale) (integer p.low) (integer p.high) (integer p.bottom)
+
 let exact_certificate c =
-  let p = c.number_place in
-  Printf.sprintf "Exact (Place %s %s %s %s %s %s %s)\n%s\n%s" (integer p.near_re) (integer p.near_im) (integer p.near_radius)
-    (integer p.near_scale) (integer p.low) (integer p.high) (integer p.bottom) (option basis c.exact_basis)
+  Printf.sprintf "Exact %s\n%s\n%s" (place c.number_place) (option basis c.exact_basis)
     (list (pair natural exact_section) c.exact_blocks)
 
 let exact_modules = " Subdivision Stability Exponent Enclosure Number Attained Cycles Largest Exact"
@@ -181,6 +185,28 @@ let print_exact_radius name claim e c =
        "exact_radius_holds : exact_radius_holds %s_family %s %s %s.\n\
         Proof. apply (check_exact_radius_sound _ _ _ _ %s_certificate). %s"
        name (number e) (option fraction claim.lower) (option fraction claim.upper) name by_computation)
+
+let rise = function
+  | Reaches i -> "(Reaches " ^ numeral i ^ ")"
+  | Exceeds terms -> "(Exceeds " ^ list term terms ^ ")"
+
+let peak x =
+  Printf.sprintf "(Peak %s %s %s %s %s)" (vector x.peak_given) (integer x.peak_factor) (list natural x.peak_word)
+    (numeral x.peak_origin) (list rise x.peak_rises)
+
+let ascent a =
+  Printf.sprintf "Ascent %b %s %s %s %s %s\n%s" a.ascent_transposed (base a.eigenvector_base) (fraction a.eigenvector_multiple)
+    (vector a.beside) (integer a.ascent_scale) (integer a.factor_scale) (list peak a.peaks)
+
+let print_exact_subradius name claim e h a bounds =
+  print name (" Subradius" ^ exact_modules ^ " SubradiusExact")
+    (Printf.sprintf "family : family := %s" (family claim.matrices_of))
+    (ascent a)
+    (Printf.sprintf
+       "exact_subradius_holds : exact_subradius_holds %s_family %s %s %s.\n\
+        Proof. apply (check_exact_subradius_sound _ _ _ _ %s %s_certificate (%s)). %s"
+       name (number e) (option fraction claim.lower) (option fraction claim.upper) (place h) name (subradius_certificate bounds)
+       by_computation)
 
 let modulus_proof = function
   | Between below -> "(Between " ^ natural below ^ ")"

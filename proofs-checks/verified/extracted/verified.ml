@@ -943,7 +943,7 @@ type term = Number.t*(Number.t*Number.t)
 
 type points = point PositiveMap.t
 
-(** val number : Number.t -> point list -> points **)
+(** val number : Number.t -> 'a1 list -> 'a1 PositiveMap.t **)
 
 let rec number i = function
 | [] -> PositiveMap.empty
@@ -3628,3 +3628,168 @@ let check_logarithm a order0 e lower0 upper0 c shifts0 m p =
   (&&)
     ((&&) (check_exact_exponent a order0 e lower0 upper0 c shifts0)
       (check_modulus a order0 e c m)) (Nat.eqb p (power_of m))
+
+type rise =
+| Reaches of Number.t
+| Exceeds of term list
+
+type peak = { peak_given : zvec; peak_factor : Number.t;
+              peak_word : int list; peak_origin : Number.t;
+              peak_rises : rise list }
+
+type ascent = { ascent_transposed : bool; eigenvector_base : base;
+                eigenvector_multiple : q; beside : zvec;
+                ascent_scale : Number.t; factor_scale : Number.t;
+                peaks : peak list }
+
+(** val eigenvector_word : ascent -> int list **)
+
+let eigenvector_word a =
+  match a.eigenvector_base.previous with
+  | Some p -> let _,p0 = p in let w,_ = p0 in w
+  | None -> []
+
+(** val at_eigenvector :
+    family -> place -> ascent -> zvec -> Number.t -> bool **)
+
+let at_eigenvector f h a =
+  let n = f.size in
+  let ys = a.eigenvector_base.vectors in
+  (fun v d ->
+  let p,off0 = evaluate n h.near_scale h.near_re h.near_im h.near_radius ys in
+  let u,_ = p in
+  forallb (fun i ->
+    let x = Number.mul a.eigenvector_multiple.qden (nth i v Number.zero) in
+    if Number.equal x Number.zero
+    then forallb (fun y ->
+           Number.equal (nth i (fst y) Number.zero) Number.zero) ys
+    else (&&)
+           (Number.less_equal x
+             (Number.mul a.eigenvector_multiple.qnum
+               (Number.sub (nth i u Number.zero) off0)))
+           (Number.less_equal
+             (Number.mul
+               (Number.mul a.factor_scale a.eigenvector_multiple.qnum)
+               (Number.add (nth i u Number.zero) off0)) (Number.mul d x)))
+    (seq 0 n))
+
+(** val beside_right :
+    family -> exact_number -> place -> ascent -> zvec -> bool **)
+
+let beside_right f e h a =
+  let n = f.size in
+  let d = f.denominator in
+  (fun v ->
+  let moved0 = zrun f.matrices (eigenvector_word a) a.beside in
+  let low_power = Number.power (Number.mul h.low d) (Number.of_natural e.root)
+  in
+  let bottom_power = Number.power h.bottom (Number.of_natural e.root) in
+  forallb (fun i ->
+    let x = nth i a.beside Number.zero in
+    if Number.equal (nth i v Number.zero) Number.zero
+    then (&&) (Number.less Number.zero x)
+           (Number.less_equal
+             (Number.mul bottom_power (nth i moved0 Number.zero))
+             (Number.mul low_power x))
+    else Number.equal x Number.zero) (seq 0 n))
+
+(** val follows : family -> place -> peak -> peak -> int -> bool **)
+
+let follows f h =
+  let n = f.size in
+  let d = f.denominator in
+  (fun x y t0 ->
+  let moved0 = mv (letter f t0) y.peak_given in
+  forallb (fun i ->
+    let v = nth i x.peak_given Number.zero in
+    let above = Number.mul h.bottom (nth i moved0 Number.zero) in
+    (&&) (Number.less_equal (Number.mul (Number.mul h.high d) v) above)
+      (Number.less_equal (Number.mul y.peak_factor above)
+        (Number.mul x.peak_factor (Number.mul (Number.mul h.low d) v))))
+    (seq 0 n))
+
+(** val peak_right :
+    family -> place -> ascent -> peak PositiveMap.t -> peak -> bool **)
+
+let peak_right f h a =
+  let n = f.size in
+  (fun known x ->
+  (&&)
+    ((&&)
+      ((&&) (vector_nonnegative x.peak_given)
+        (Nat.leb (length x.peak_given) n))
+      (Number.less Number.zero (norm1 x.peak_given)))
+    (match x.peak_word with
+     | [] -> at_eigenvector f h a x.peak_given x.peak_factor
+     | t0::w ->
+       (match PositiveMap.find x.peak_origin known with
+        | Some y ->
+          (&&) ((&&) (Nat.ltb t0 (count f)) (same_word w y.peak_word))
+            (follows f h x y t0)
+        | None -> false)))
+
+(** val rise_right :
+    family -> place -> ascent -> peak PositiveMap.t -> points -> Number.t ->
+    peak -> int -> rise -> bool **)
+
+let rise_right f h a known ps most x t0 = function
+| Reaches j ->
+  (match PositiveMap.find j known with
+   | Some y ->
+     let w = t0::x.peak_word in
+     (||) (same_word w y.peak_word)
+       ((&&) (same_word w (eigenvector_word a)) (same_word [] y.peak_word))
+   | None -> false)
+| Exceeds ts ->
+  image_above f ps a.ascent_scale { qnum = (Number.mul h.high most); qden =
+    (Z.to_pos (Number.mul h.bottom a.factor_scale)) } x.peak_given
+    (letter f t0) ts
+
+(** val check_ascent : family -> exact_number -> place -> ascent -> bool **)
+
+let check_ascent f e h a =
+  let ys = a.eigenvector_base.vectors in
+  let most = largest_of (map (fun p -> p.peak_factor) a.peaks) in
+  let known = number Number.one a.peaks in
+  let ps = number Number.one (map (fun x -> x.peak_given,[]) a.peaks) in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&)
+                ((&&)
+                  ((&&) (all_nonnegative f [])
+                    (Number.less Number.zero a.ascent_scale))
+                  (Number.less Number.zero a.factor_scale))
+                (Number.less Number.zero most))
+              (Number.less Number.zero a.eigenvector_multiple.qnum))
+            (negb a.eigenvector_base.conjugated))
+          (forallb (fun y -> vanishes (snd y)) ys))
+        (base_right f e.polynomial e.root (a.eigenvector_base::[])
+          a.eigenvector_base))
+      (match a.eigenvector_base.previous with
+       | Some _ ->
+         (match a.peaks with
+          | [] -> false
+          | x::_ ->
+            (&&) (same_word [] x.peak_word)
+              (beside_right f e h a x.peak_given))
+       | None -> false))
+    (forallb (fun x ->
+      (&&) (peak_right f h a known x)
+        (paired (rise_right f h a known ps most x) (seq 0 (count f))
+          x.peak_rises)) a.peaks)
+
+(** val check_exact_subradius :
+    family -> exact_number -> q option -> q option -> place -> ascent ->
+    subradius_certificate -> bool **)
+
+let check_exact_subradius f e lower0 upper0 h a bounds =
+  (&&)
+    ((&&)
+      ((&&) ((&&) (well_formed f) (check_number e h)) (positive_zero e h))
+      (check_ascent (if a.ascent_transposed then transpose f else f) e h a))
+    (check_subradius { matrices_of = f; lower = lower0; upper = upper0 }
+      bounds)

@@ -233,7 +233,7 @@ type term = Number.t*(Number.t*Number.t)
 
 type points = point PositiveMap.t
 
-val number : Number.t -> point list -> points
+val number : Number.t -> 'a1 list -> 'a1 PositiveMap.t
 
 val zmodulus : Number.t -> Number.t -> Number.t
 
@@ -810,3 +810,37 @@ val power_of : modulus_proof -> int
 val check_logarithm :
   scheme -> int -> exact_number -> q option -> q option -> exact_certificate
   -> stability -> modulus_proof -> int -> bool
+
+type rise =
+| Reaches of Number.t
+| Exceeds of term list
+
+type peak = { peak_given : zvec; peak_factor : Number.t;
+              peak_word : int list; peak_origin : Number.t;
+              peak_rises : rise list }
+
+type ascent = { ascent_transposed : bool; eigenvector_base : base;
+                eigenvector_multiple : q; beside : zvec;
+                ascent_scale : Number.t; factor_scale : Number.t;
+                peaks : peak list }
+
+val eigenvector_word : ascent -> int list
+
+val at_eigenvector : family -> place -> ascent -> zvec -> Number.t -> bool
+
+val beside_right : family -> exact_number -> place -> ascent -> zvec -> bool
+
+val follows : family -> place -> peak -> peak -> int -> bool
+
+val peak_right :
+  family -> place -> ascent -> peak PositiveMap.t -> peak -> bool
+
+val rise_right :
+  family -> place -> ascent -> peak PositiveMap.t -> points -> Number.t ->
+  peak -> int -> rise -> bool
+
+val check_ascent : family -> exact_number -> place -> ascent -> bool
+
+val check_exact_subradius :
+  family -> exact_number -> q option -> q option -> place -> ascent ->
+  subradius_certificate -> bool

@@ -1,5 +1,5 @@
 (* The axioms that the theorems rest on. *)
-From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact Logarithm Scheme.
+From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Scheme.
 
 Print Assumptions radius_exists.
 Print Assumptions check_radius_sound.
@@ -10,6 +10,7 @@ Print Assumptions check_exponent_sound.
 Print Assumptions S5_radius.
 Print Assumptions S5_exponent.
 Print Assumptions check_exact_radius_sound.
+Print Assumptions check_exact_subradius_sound.
 Print Assumptions check_exact_exponent_sound.
 Print Assumptions S5_exact.
 Print Assumptions check_logarithm_sound.

@@ -14,7 +14,7 @@ Definition point := (zvec * zvec)%type.                (* real and imaginary par
 Definition term := (positive * (Z * Z))%type.          (* number of a point, from 1 on, and its weight *)
 Definition points := PositiveMap.t point.
 
-Fixpoint number (i : positive) (ps : list point) : points :=
+Fixpoint number {A : Type} (i : positive) (ps : list A) : PositiveMap.t A :=
   match ps with [] => PositiveMap.empty _ | p :: ps' => PositiveMap.add i p (number (Pos.succ i) ps') end.
 
 Definition zmodulus (a b : Z) : Z := if b =? 0 then Z.abs a else Z.sqrt_up (a * a + b * b).
@@ -354,7 +354,7 @@ Qed.
 End Bound.
 End Polytope.
 
-Lemma number_in all : forall k i p, PositiveMap.find i (number k all) = Some p -> In p all.
+Lemma number_in {A : Type} (all : list A) : forall k i p, PositiveMap.find i (number k all) = Some p -> In p all.
 Proof.
   induction all; intros k i p H; simpl in H. rewrite PositiveMap.gempty in H. discriminate.
   destruct (Pos.eq_dec i k) as [->|N].

@@ -429,6 +429,39 @@ Proof.
     apply IZR_le in Pa. apply (Rmult_le_compat_l (IZR a)) in E; auto. lra.
 Qed.
 
+(* A linear form that is d at least at the points is l d at least at an image that is above a combination with weights of
+   sum l. *)
+Lemma image_above_sound F (ps : points) scale l x t ts w d : well_formed F = true ->
+  (forall t, (t < count F)%nat -> forall i j, (0 <= real F t i j)%R) -> 0 < scale -> (t < count F)%nat -> letters (count F) w -> (0 <= d)%R ->
+  (forall i p, PositiveMap.find i ps = Some p -> (d <= sum (size F) (run (size F) (real F) w (vr (fst p))))%R) ->
+  image_above F ps scale l x (letter F t) ts = true ->
+  (real_of l * d <= sum (size F) (run (size F) (real F) w (apply (size F) (real F t) (vr x))))%R.
+Proof.
+  intros WF HT H2 Ht Hw Hd HW H.
+  unfold image_above in H. destruct (combine ps ts) as [[s [y z]]|] eqn:EC; [|discriminate].
+  repeat rewrite andb_true_iff in H. destruct H as [[A1 A2] A3]. apply Z.leb_le in A3.
+  assert (B := combine_above (size F) (real F) w ps d Hd HW ts s y z A1 EC).
+  assert (D := denominator_positive F WF). assert (Sc : (0 < IZR scale)%R) by (apply IZR_lt; auto).
+  assert (Ql : (0 < IZR (Zpos (Qden l)))%R) by (apply IZR_lt; lia).
+  (* the product of the image less the combination has no negative coordinate *)
+  assert (M : (0 <= sum (size F) (run (size F) (real F) w (vr (addmul (- denominator F) y (addmul scale (mv (letter F t) x) [])))))%R).
+  { apply sum_nonneg. apply (run_nonnegative (size F) (count F)); auto. intros i Hi. apply vector_nonnegative_vr; auto. }
+  rewrite !vr_addmul, vr_nil, vr_letter in M by auto. rewrite !run_plus, !run_scal, run_zero in M. unfold plus, scal, zero in M.
+  rewrite !sum_plus, !sum_scal, (sum_zero _ (fun _ => 0%R)) in M by auto. rewrite opp_IZR in M.
+  set (image := sum (size F) (run (size F) (real F) w (apply (size F) (real F t) (vr x)))) in *.
+  assert (M' : (IZR (denominator F) * (IZR s * d) <= IZR (denominator F) * (IZR scale * image))%R).
+  { apply Rle_trans with (IZR (denominator F) * sum (size F) (run (size F) (real F) w (vr y)))%R; [|lra].
+    apply Rmult_le_compat_l; lra. }
+  apply Rmult_le_reg_l in M'; auto.
+  apply IZR_le in A3. rewrite !mult_IZR in A3. unfold real_of.
+  apply (Rmult_le_reg_l (IZR scale * IZR (Zpos (Qden l)))). apply Rmult_lt_0_compat; auto.
+  replace (IZR scale * IZR (Zpos (Qden l)) * (IZR (Qnum l) / IZR (Zpos (Qden l)) * d))%R with (IZR (Qnum l) * IZR scale * d)%R by (field; lra).
+  apply Rle_trans with (IZR s * IZR (Zpos (Qden l)) * d)%R. apply Rmult_le_compat_r; auto.
+  replace (IZR s * IZR (Zpos (Qden l)) * d)%R with (IZR (Zpos (Qden l)) * (IZR s * d))%R by ring.
+  replace (IZR scale * IZR (Zpos (Qden l)) * image)%R with (IZR (Zpos (Qden l)) * (IZR scale * image))%R by ring.
+  apply Rmult_le_compat_l; lra.
+Qed.
+
 Theorem check_climb_sound F l c : well_formed F = true -> 0 <= Qnum l -> check_climb F l c = true ->
   subradius_at_least (size F) (count F) (real F) (real_of l).
 Proof.
@@ -451,38 +484,21 @@ Proof.
   - intros v t w d [p [I ->]] Ht Hw Hd HW.
     destruct (paired_spec _ _ _ H5 p I) as [lines HL].
     destruct (paired_spec _ _ _ HL (letter F t) ltac:(apply nth_In; auto)) as [ts HA].
-    unfold image_above in HA. destruct (combine ps ts) as [[s [y z]]|] eqn:EC; [|discriminate].
-    repeat rewrite andb_true_iff in HA. destruct HA as [[A1 A2] A3]. apply Z.leb_le in A3.
-    assert (B := combine_above (size F) (real F) w ps d Hd
-      ltac:(intros i q Eq; apply number_in in Eq; apply HW; exists q; auto) ts s y z A1 EC).
-    assert (D := denominator_positive F WF). assert (Sc : (0 < IZR scale)%R) by (apply IZR_lt; auto).
-    assert (Ql : (0 < IZR (Zpos (Qden l)))%R) by (apply IZR_lt; lia).
-    (* the product of the image less the combination has no negative coordinate *)
-    assert (M : (0 <= sum (size F) (run (size F) (real F) w (vr (addmul (- denominator F) y (addmul scale (mv (letter F t) (fst p)) [])))))%R).
-    { apply sum_nonneg. apply (run_nonnegative (size F) (count F)); auto. intros i Hi. apply vector_nonnegative_vr; auto. }
-    rewrite !vr_addmul, vr_nil, vr_letter in M by auto. rewrite !run_plus, !run_scal, run_zero in M. unfold plus, scal, zero in M.
-    rewrite !sum_plus, !sum_scal, (sum_zero _ (fun _ => 0%R)) in M by auto. rewrite opp_IZR in M.
-    set (image := sum (size F) (run (size F) (real F) w (apply (size F) (real F t) (vr (fst p))))) in *.
-    assert (M' : (IZR (denominator F) * (IZR s * d) <= IZR (denominator F) * (IZR scale * image))%R).
-    { apply Rle_trans with (IZR (denominator F) * sum (size F) (run (size F) (real F) w (vr y)))%R; [|lra].
-      apply Rmult_le_compat_l; lra. }
-    apply Rmult_le_reg_l in M'; auto.
-    apply IZR_le in A3. rewrite !mult_IZR in A3. unfold real_of.
-    apply (Rmult_le_reg_l (IZR scale * IZR (Zpos (Qden l)))). apply Rmult_lt_0_compat; auto.
-    replace (IZR scale * IZR (Zpos (Qden l)) * (IZR (Qnum l) / IZR (Zpos (Qden l)) * d))%R with (IZR (Qnum l) * IZR scale * d)%R by (field; lra).
-    apply Rle_trans with (IZR s * IZR (Zpos (Qden l)) * d)%R. apply Rmult_le_compat_r; auto.
-    replace (IZR s * IZR (Zpos (Qden l)) * d)%R with (IZR (Zpos (Qden l)) * (IZR s * d))%R by ring.
-    replace (IZR scale * IZR (Zpos (Qden l)) * image)%R with (IZR (Zpos (Qden l)) * (IZR scale * image))%R by ring.
-    apply Rmult_le_compat_l; lra.
+    apply (image_above_sound F ps scale l (fst p) t ts w d); auto.
+    intros i q E. apply number_in in E. apply HW. exists q. auto.
+Qed.
+
+Lemma transpose_slow F r :
+  slow (size F) (count F) (real F) r <-> slow (size F) (count (transpose F)) (real (transpose F)) r.
+Proof.
+  unfold transpose at 1. rewrite count_map. split; intros H; apply slow_transposed in H; revert H; apply slow_ext; intros.
+  - symmetry. apply transpose_entry; auto.
+  - apply transpose_entry; auto.
 Qed.
 
 Lemma transpose_slowest F l : subradius_at_least (size F) (count (transpose F)) (real (transpose F)) l ->
   subradius_at_least (size F) (count F) (real F) l.
-Proof.
-  intros H r Hr G. apply H; auto. unfold transpose. rewrite count_map.
-  apply (slow_ext _ _ (transposed (real F))); [|apply slow_transposed; auto].
-  intros. symmetry. apply transpose_entry; auto.
-Qed.
+Proof. intros H r Hr G. apply H; auto. apply transpose_slow. auto. Qed.
 
 (* What the checker accepts is true. *)
 Theorem check_subradius_sound c cert : check_subradius c cert = true -> subradius_claim_holds c.

@@ -26,7 +26,7 @@ let read_root r (e : exact_number) =
   match List.map rational (take r "root" 5 5) with
   | [ re; im; eps; low; high ] ->
       let disc x = Q.make x e.disc_scale and root = e.root in
-      require (Q.sign eps >= 0 && Q.sign low > 0) "the error of a root is negative, or its modulus not positive";
+      require (Q.sign eps >= 0 && Q.sign low > 0 && Q.sign high > 0) "the error of a root is negative, or its modulus not positive";
       let slack = Q.sub (disc e.disc_radius) eps in
       let away = Q.add (square (Q.sub re (disc e.disc_re))) (square (Q.sub im (disc e.disc_im))) in
       require (Q.sign slack >= 0 && Q.leq away (square slack)) "the root is not the one of the claim";
@@ -85,7 +85,7 @@ let approximate (e : exact_number) root bits =
     let x = back x and s = Z.shift_left Z.one bits in
     let value, slope = value_at s (x, y) e.polynomial in
     let ratio = Z.fdiv (Z.mul (Z.mul (Z.of_int 4) (Z.mul s s)) (zsquare value)) (Z.max Z.one (zsquare slope)) in
-    ((x, y), s, Z.add (Z.sqrt ratio) Z.one)
+    ((x, y), s, if value = (Z.zero, Z.zero) then Z.zero else Z.add (Z.sqrt ratio) Z.one)
   end
 
 (* Binary digits of the bounds of the number, and more of the zero. With `margin` there are so many more of all. *)

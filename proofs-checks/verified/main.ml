@@ -388,7 +388,7 @@ let subradius matrices lower upper exact file =
     (read file 1 (fun r ->
          let number, has_number = read_head ~domain r head exact in
          let bounds, draft = Subradius.read r family lower upper number in
-         if number = None && has_number then skip r [ "cycle"; "seed"; "rest"; "origin" ];
+         if number = None && has_number then skip r [ "cycle"; "seed"; "rest"; "origin"; "same" ];
          read_end r;
          match (number, draft) with
          | Some (e, root), Some draft ->

@@ -73,6 +73,12 @@ let normal_vector x =
 
 let conjugate n x = Array.mapi (fun k a -> if k < n then a else Z.neg a) x
 
+let widest_of row = widest (Array.of_list row)
+
+let bits_of_family family =
+  let wider most matrix = max most (bits_of (array_of matrix)) in
+  List.fold_left wider (Z.numbits family.denominator) family.matrices
+
 type element = { map : Z.t array array; letters : int array }
 
 let compose g h = { map = multiply g.map h.map; letters = Array.map (fun t -> h.letters.(t)) g.letters }

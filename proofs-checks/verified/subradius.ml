@@ -5,12 +5,6 @@ module Z = Z_of_zarith
 open Text
 open Sections
 
-let widest_of rows = widest (Array.of_list rows)
-
-let bits_of_family family =
-  let wider most matrix = max most (bits_of (array_of matrix)) in
-  List.fold_left wider (Z.numbits family.denominator) family.matrices
-
 (* A product that takes positive weights to at most RE times them. *)
 let read_product r family upper =
   match take r "product" 4 (3 + 4096) with
@@ -82,6 +76,8 @@ let read_climb r family lower =
 
 (* All that stands between the bounds and the end: what proves the claimed ends, and the number if one is claimed *)
 let read r family lower upper number =
+  let real (e, root) = Z.sign e.disc_im = 0 && Q.sign root.Attained_hint.im = 0 in
+  require (Option.fold ~none:true ~some:real number) "a subradius needs a real zero";
   let upper_product = if upper <> None || at r "product" then Some (read_product r family upper) else None in
   let lower_climb = if lower <> None || number <> None || at r "block 0" then Some (read_climb r family lower) else None in
   let draft = Option.map (fun (e, root) -> Ascent_hint.read r family (Option.get lower_climb) e root) number in

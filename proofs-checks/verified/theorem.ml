@@ -188,11 +188,13 @@ let print_exact_radius name claim e c =
 
 let rise = function
   | Reaches i -> "(Reaches " ^ numeral i ^ ")"
+  | Closes -> "Closes"
+  | Passes (i, a, b) -> Printf.sprintf "(Passes %s %s %s)" (numeral i) (natural a) (natural b)
   | Exceeds terms -> "(Exceeds " ^ list term terms ^ ")"
 
 let peak x =
-  Printf.sprintf "(Peak %s %s %s %s %s)" (vector x.peak_given) (integer x.peak_factor) (list natural x.peak_word)
-    (numeral x.peak_origin) (list rise x.peak_rises)
+  Printf.sprintf "(Peak %s %s %b %s %s %s)" (vector x.peak_given) (integer x.peak_factor) x.peak_whole
+    (list natural x.peak_word) (numeral x.peak_origin) (list rise x.peak_rises)
 
 let ascent a =
   Printf.sprintf "Ascent %b %s %s %s %s %s\n%s" a.ascent_transposed (base a.eigenvector_base) (fraction a.eigenvector_multiple)

@@ -1,4 +1,9 @@
 
+(** val implb : bool -> bool -> bool **)
+
+let implb b1 b2 =
+  if b1 then b2 else true
+
 (** val negb : bool -> bool **)
 
 let negb = function
@@ -2857,6 +2862,20 @@ let rec agree_at i xs ys =
        (&&) (Number.equal (nth i x Number.zero) (nth i y Number.zero))
          (agree_at i xs' ys'))
 
+(** val equal_at :
+    family -> base list -> int -> int list -> int -> int -> int list -> int
+    -> int -> bool **)
+
+let equal_at f bs k v turns k' w turns' i =
+  match led f bs k v turns with
+  | Some p0 ->
+    let l,xs = p0 in
+    (match led f bs k' w turns' with
+     | Some p1 ->
+       let l',ys = p1 in if Nat.eqb l l' then agree_at i xs ys else false
+     | None -> false)
+  | None -> false
+
 (** val at_most_point :
     family -> place -> base list -> vertex -> int -> int -> vertex -> int ->
     bool **)
@@ -2867,19 +2886,10 @@ let at_most_point f h =
   (fun bs x t0 turns y turns' ->
   let m = letter f t0 in
   let moved0 = mv m (fst x.shown) in
-  let equal_at = fun i ->
-    match led f bs x.from (t0::x.path) turns with
-    | Some p0 ->
-      let l,xs = p0 in
-      (match led f bs y.from y.path turns' with
-       | Some p1 ->
-         let l',ys = p1 in if Nat.eqb l l' then agree_at i xs ys else false
-       | None -> false)
-    | None -> false
-  in
+  let equal = equal_at f bs x.from (t0::x.path) turns y.from y.path turns' in
   let error = Number.mul (column_norm m) x.off in
   forallb (fun i ->
-    (||) (equal_at i)
+    (||) (equal i)
       (Number.less_equal
         (Number.mul h.bottom (Number.add (nth i moved0 Number.zero) error))
         (Number.mul (Number.mul h.low d)
@@ -3631,10 +3641,12 @@ let check_logarithm a order0 e lower0 upper0 c shifts0 m p =
 
 type rise =
 | Reaches of Number.t
+| Closes
+| Passes of Number.t * int * int
 | Exceeds of term list
 
-type peak = { peak_given : zvec; peak_factor : Number.t;
-              peak_word : int list; peak_origin : Number.t;
+type peak = { peak_given : zvec; peak_factor : Number.t; peak_whole : 
+              bool; peak_word : int list; peak_origin : Number.t;
               peak_rises : rise list }
 
 type ascent = { ascent_transposed : bool; eigenvector_base : base;
@@ -3703,9 +3715,12 @@ let follows f h =
   forallb (fun i ->
     let v = nth i x.peak_given Number.zero in
     let above = Number.mul h.bottom (nth i moved0 Number.zero) in
-    (&&) (Number.less_equal (Number.mul (Number.mul h.high d) v) above)
-      (Number.less_equal (Number.mul y.peak_factor above)
-        (Number.mul x.peak_factor (Number.mul (Number.mul h.low d) v))))
+    if Number.equal v Number.zero
+    then (||) (negb x.peak_whole)
+           (Number.equal (nth i moved0 Number.zero) Number.zero)
+    else (&&) (Number.less_equal (Number.mul (Number.mul h.high d) v) above)
+           (Number.less_equal (Number.mul y.peak_factor above)
+             (Number.mul x.peak_factor (Number.mul (Number.mul h.low d) v))))
     (seq 0 n))
 
 (** val peak_right :
@@ -3724,31 +3739,74 @@ let peak_right f h a =
      | t0::w ->
        (match PositiveMap.find x.peak_origin known with
         | Some y ->
-          (&&) ((&&) (Nat.ltb t0 (count f)) (same_word w y.peak_word))
-            (follows f h x y t0)
+          (&&)
+            ((&&) ((&&) (Nat.ltb t0 (count f)) (same_word w y.peak_word))
+              (implb x.peak_whole y.peak_whole)) (follows f h x y t0)
         | None -> false)))
+
+(** val passes :
+    family -> place -> ascent -> Number.t -> peak -> int -> int -> peak ->
+    int -> bool **)
+
+let passes f h a =
+  let n = f.size in
+  let d = f.denominator in
+  (fun most x t0 turns y turns' ->
+  let moved0 = mv (letter f t0) x.peak_given in
+  let equal =
+    if (&&) x.peak_whole y.peak_whole
+    then equal_at f (a.eigenvector_base::[]) 0 (t0::x.peak_word) turns 0
+           y.peak_word turns'
+    else (fun _ -> false)
+  in
+  forallb (fun i ->
+    (||) (equal i)
+      (Number.less_equal
+        (Number.mul (Number.mul (Number.mul h.high d) most)
+          (nth i y.peak_given Number.zero))
+        (Number.mul (Number.mul h.bottom a.factor_scale)
+          (nth i moved0 Number.zero)))) (seq 0 n))
 
 (** val rise_right :
     family -> place -> ascent -> peak PositiveMap.t -> points -> Number.t ->
-    peak -> int -> rise -> bool **)
+    Number.t -> peak -> int -> rise -> bool **)
 
-let rise_right f h a known ps most x t0 = function
+let rise_right f h a known ps most k x t0 = function
 | Reaches j ->
   (match PositiveMap.find j known with
    | Some y ->
-     let w = t0::x.peak_word in
-     (||) (same_word w y.peak_word)
-       ((&&) (same_word w (eigenvector_word a)) (same_word [] y.peak_word))
+     (&&) (Coq_Pos.eqb y.peak_origin k)
+       (match y.peak_word with
+        | [] -> false
+        | s::_ -> Nat.eqb s t0)
+   | None -> false)
+| Closes ->
+  (&&) x.peak_whole (same_word (t0::x.peak_word) (eigenvector_word a))
+| Passes (j, turns, turns') ->
+  (match PositiveMap.find j known with
+   | Some y -> passes f h a most x t0 turns y turns'
    | None -> false)
 | Exceeds ts ->
   image_above f ps a.ascent_scale { qnum = (Number.mul h.high most); qden =
     (Z.to_pos (Number.mul h.bottom a.factor_scale)) } x.peak_given
     (letter f t0) ts
 
+(** val all_right :
+    family -> place -> ascent -> peak PositiveMap.t -> points -> Number.t ->
+    Number.t -> peak list -> bool **)
+
+let rec all_right f h a known ps most k = function
+| [] -> true
+| x::xs' ->
+  (&&)
+    ((&&) (peak_right f h a known x)
+      (paired (rise_right f h a known ps most k x) (seq 0 (count f))
+        x.peak_rises))
+    (all_right f h a known ps most (Number.successor k) xs')
+
 (** val check_ascent : family -> exact_number -> place -> ascent -> bool **)
 
 let check_ascent f e h a =
-  let ys = a.eigenvector_base.vectors in
   let most = largest_of (map (fun p -> p.peak_factor) a.peaks) in
   let known = number Number.one a.peaks in
   let ps = number Number.one (map (fun x -> x.peak_given,[]) a.peaks) in
@@ -3759,14 +3817,12 @@ let check_ascent f e h a =
           ((&&)
             ((&&)
               ((&&)
-                ((&&)
-                  ((&&) (all_nonnegative f [])
-                    (Number.less Number.zero a.ascent_scale))
-                  (Number.less Number.zero a.factor_scale))
-                (Number.less Number.zero most))
-              (Number.less Number.zero a.eigenvector_multiple.qnum))
-            (negb a.eigenvector_base.conjugated))
-          (forallb (fun y -> vanishes (snd y)) ys))
+                ((&&) (all_nonnegative f [])
+                  (Number.less Number.zero a.ascent_scale))
+                (Number.less Number.zero a.factor_scale))
+              (Number.less Number.zero most))
+            (Number.less Number.zero a.eigenvector_multiple.qnum))
+          (negb a.eigenvector_base.conjugated))
         (base_right f e.polynomial e.root (a.eigenvector_base::[])
           a.eigenvector_base))
       (match a.eigenvector_base.previous with
@@ -3776,11 +3832,7 @@ let check_ascent f e h a =
           | x::_ ->
             (&&) (same_word [] x.peak_word)
               (beside_right f e h a x.peak_given))
-       | None -> false))
-    (forallb (fun x ->
-      (&&) (peak_right f h a known x)
-        (paired (rise_right f h a known ps most x) (seq 0 (count f))
-          x.peak_rises)) a.peaks)
+       | None -> false)) (all_right f h a known ps most Number.one a.peaks)
 
 (** val check_exact_subradius :
     family -> exact_number -> q option -> q option -> place -> ascent ->

@@ -1,4 +1,6 @@
 
+val implb : bool -> bool -> bool
+
 val negb : bool -> bool
 
 val option_map : ('a1 -> 'a2) -> 'a1 option -> 'a2 option
@@ -658,6 +660,10 @@ val led :
 
 val agree_at : int -> zvec list -> zvec list -> bool
 
+val equal_at :
+  family -> base list -> int -> int list -> int -> int -> int list -> int ->
+  int -> bool
+
 val at_most_point :
   family -> place -> base list -> vertex -> int -> int -> vertex -> int ->
   bool
@@ -813,10 +819,12 @@ val check_logarithm :
 
 type rise =
 | Reaches of Number.t
+| Closes
+| Passes of Number.t * int * int
 | Exceeds of term list
 
-type peak = { peak_given : zvec; peak_factor : Number.t;
-              peak_word : int list; peak_origin : Number.t;
+type peak = { peak_given : zvec; peak_factor : Number.t; peak_whole : 
+              bool; peak_word : int list; peak_origin : Number.t;
               peak_rises : rise list }
 
 type ascent = { ascent_transposed : bool; eigenvector_base : base;
@@ -835,9 +843,17 @@ val follows : family -> place -> peak -> peak -> int -> bool
 val peak_right :
   family -> place -> ascent -> peak PositiveMap.t -> peak -> bool
 
+val passes :
+  family -> place -> ascent -> Number.t -> peak -> int -> int -> peak -> int
+  -> bool
+
 val rise_right :
   family -> place -> ascent -> peak PositiveMap.t -> points -> Number.t ->
-  peak -> int -> rise -> bool
+  Number.t -> peak -> int -> rise -> bool
+
+val all_right :
+  family -> place -> ascent -> peak PositiveMap.t -> points -> Number.t ->
+  Number.t -> peak list -> bool
 
 val check_ascent : family -> exact_number -> place -> ascent -> bool
 

@@ -149,17 +149,20 @@ Fixpoint agree_at (i : nat) (xs ys : list zvec) : bool :=
   | _, _ => false
   end.
 
+(* Where the images of two bases by words, made longer by so many turns, are equal *)
+Definition equal_at (k : nat) (v : list nat) (turns k' : nat) (w : list nat) (turns' : nat) : nat -> bool :=
+  match led k v turns, led k' w turns' with
+  | Some (l, xs), Some (l', ys) => if Nat.eqb l l' then fun i => agree_at i xs ys else fun _ => false
+  | _, _ => fun _ => false
+  end.
+
 (* Image t of x is at most the radius times y, in each coordinate. *)
 Definition at_most_point (x : vertex) (t turns : nat) (y : vertex) (turns' : nat) : bool :=
   let M := letter F t in
   let moved := mv M (fst (shown x)) in
-  let equal_at :=
-    match led (from x) (t :: path x) turns, led (from y) (path y) turns' with
-    | Some (l, xs), Some (l', ys) => if Nat.eqb l l' then fun i => agree_at i xs ys else fun _ => false
-    | _, _ => fun _ => false
-    end in
+  let equal := equal_at (from x) (t :: path x) turns (from y) (path y) turns' in
   let error := column_norm M * off x in
-  forallb (fun i => equal_at i ||
+  forallb (fun i => equal i ||
     (bottom h * (nth i moved 0 + error) <=? low h * D * (nth i (fst (shown y)) 0 - off y))) (seq 0 n).
 
 (* The base is real, and has no negative coordinate. *)
@@ -768,6 +771,18 @@ Proof.
   unfold turn_re, plus, scal, real_number. cbn [fst snd]. ring.
 Qed.
 
+Lemma equal_at_sound k v a k' w b i : equal_at F bs k v a k' w b i = true -> letters (count F) v -> letters (count F) w ->
+  (length v + a * L = length w + b * L)%nat /\
+  cabs z ^ a * run n T v (fst (true_base k)) i = cabs z ^ b * run n T w (fst (true_base k')) i.
+Proof.
+  intros H Lv Lw. unfold equal_at in H.
+  destruct (led F bs k v a) as [[l xs]|] eqn:E1; [|discriminate]. destruct (led F bs k' w b) as [[l' ys]|] eqn:E2; [|discriminate].
+  destruct (Nat.eqb_spec l l') as [El|]; [|discriminate].
+  apply led_sound in E1; auto. apply led_sound in E2; auto. destruct E1 as [L1 E1]. destruct E2 as [L2 E2]. split. lia.
+  apply (agree_at_sound (cabs z)) in H. rewrite E1, E2, El in H.
+  apply Rmult_eq_reg_l in H; auto. apply pow_nonzero. assert (P := denominator_positive F WF). unfold D. lra.
+Qed.
+
 Lemma base_real k : snd (true_base k) = zero /\ forall i, (i < n)%nat -> 0 <= fst (true_base k) i.
 Proof.
   unfold true_base. destruct (nth_error bs k) as [b|] eqn:E. 2:{ split. auto. intros; simpl; unfold zero; lra. }
@@ -800,13 +815,8 @@ Lemma at_most_sound x t a y b : at_most_point F h bs x t a y b = true -> (t < co
 Proof.
   intros H Ht [Lx [Ox Dx]] [Ly [Oy Dy]] i Hi. unfold at_most_point in H. cbv zeta in H. rewrite forallb_forall in H.
   specialize (H i ltac:(apply in_seq; fold n; lia)). apply orb_prop in H. destruct H as [H|H].
-  - destruct (led F bs (from x) (t :: path x) a) as [[l xs]|] eqn:E1; [|discriminate].
-    destruct (led F bs (from y) (path y) b) as [[l' ys]|] eqn:E2; [|discriminate].
-    destruct (Nat.eqb_spec l l') as [El|]; [|discriminate].
-    apply led_sound in E1; [|constructor; auto]. apply led_sound in E2; auto. destruct E1 as [L1 E1]. destruct E2 as [L2 E2].
-    apply (agree_at_sound (cabs z)) in H. rewrite E1, E2, El in H. cbn [length] in L1.
-    apply Rmult_eq_reg_l in H. 2:{ apply pow_nonzero. assert (P := denominator_positive F WF). unfold D. lra. }
-    cbn [run] in H. apply Req_le. unfold true_re. rewrite apply_scal. unfold scal. apply (powers_equal a _ _ b); auto. lia.
+  - apply equal_at_sound in H; [|constructor; auto|auto]. destruct H as [HL H].
+    cbn [length run] in HL, H. apply Req_le. unfold true_re. rewrite apply_scal. unfold scal. apply (powers_equal a _ _ b); auto.
   - apply Z.leb_le, IZR_le in H. set (cn := column_norm (letter F t)) in *.
     rewrite !mult_IZR, plus_IZR, minus_IZR, mult_IZR in H. fold D in H.
     set (q := IZR (bottom h)) in *. set (lo := IZR (low h)) in *.

@@ -105,7 +105,7 @@ for line in (directory / "claims.txt").read_text().splitlines():
             changed = arguments[:at] + [str(int(arguments[at]) + 1)] + arguments[at + 1 :]
             compare(f"{name} with {changed}", [*changed, f"{name}.cert"], False if decided(name, changed) else None)
         arguments = without("--logarithm", without("--exact", arguments))
-        if "--lower" in arguments:
+        if "--lower" in arguments or {"--subradius", "--upper"} <= set(arguments):
             compare(name, [*arguments, f"{name}.cert"])
     if "--mask" in arguments and decided(name, without("--upper", arguments)) and directory.name == "accept":
         for bounded in [without("--upper", arguments)] + [arguments] * decided(name, arguments):

@@ -107,8 +107,23 @@ slow 1 --upper -1
 slow 64
 slow 64 --upper C1
 slow 64 --upper 1 --matrices slow-pair.mat
-slow 64 --exact '|[-1,1]@1,0,1/2|^1/1'
-slow 64 --lower 1 --exact '|[-1,1]@1,0,1/2|^1/1'
+slow 1 --exact '|[-1,1]@1,0,1/2|^1/1'
+slow 64 --exact '1-log|[-1,1]@1,0,1/2|^1/1'
+slow 64 --exact '|[-1,1]@1,0,1/2|^1/1' --logarithm 0
+golden() {
+  code=$1
+  shift
+  expect "$code" --subradius slow-golden.mat "$@" slow-golden.cert
+}
+number='|[-1,-1,1]@8/5,0,1/10|^1/1'
+golden 0 --exact "$number" --show
+echo "$output" | grep -q '^exactly the root 1 of the modulus of the zero within 1/10 of 8/5 + i 0 of'
+golden 0 --exact "$number" --lower 161803/100000 --upper 161804/100000
+golden 0 --lower 161803/100000
+golden 1 --exact "$number" --lower 17/10
+golden 1 --exact "$number" --upper 8/5
+golden 1 --exact '|[-1,-1,1]@8/5,0,1/5|^1/1'
+expect 1 --matrices slow-golden.mat --exact "$number" slow-golden.cert
 expect 1 --matrices slow-pair.mat --lower 1 slow-pair.cert
 expect 1 --subradius primal-5.mat --lower 0 slow-pair.cert
 expect 66 --subradius none.mat --lower 1 slow-pair.cert

@@ -208,7 +208,7 @@ let read_head ?domain r claim exact =
   match exact with
   | None ->
       let has = at r "exact" in
-      skip r [ "exact"; "root" ];
+      if has then skip r [ "exact"; "root" ];
       (None, has)
   | Some exact ->
       line r ("exact " ^ exact.text);

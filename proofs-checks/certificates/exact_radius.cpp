@@ -20,7 +20,7 @@ namespace {
 constexpr slong root_bits = 1024;   // of the balls of zeros
 constexpr int point_bits = 640;     // of a point near a zero
 constexpr int radius_bits = 400;    // of the bounds of the radius
-constexpr int most_decimals = 100;  // of the point that names a zero
+constexpr int most_decimals = 100;  // of the point that names a zero, less the zeros in front
 constexpr std::size_t longest_cycle = 256;
 
 ComplexVector difference(const ComplexVector& a, const RationalComplex& factor, const ComplexVector& b) {
@@ -80,7 +80,9 @@ std::optional<Zero> zero_in(const ComplexBall& ball, const LaurentPolynomial& p)
   if (steep == 0) return std::nullopt;
   const Rational squared = p.highest() * p.highest() * value_at(p, zero.point).squared_modulus() / steep;
   zero.error = squared == 0 ? Rational(0) : power(Rational(2), binary_exponent(squared) / 2 + 1);
-  for (int decimals = 3; decimals < most_decimals; ++decimals) {
+  const Rational size = one_norm({zero.point});
+  const int first_decimals = 3 + (size == 0 ? 0 : std::max(0, decimal_places(size) - 1));
+  for (int decimals = first_decimals; decimals < first_decimals + most_decimals; ++decimals) {
     const Rational unit = power(Rational(10), decimals);
     const auto decimal = [&](const Rational& x) { return Rational(to_integer(x * unit, Rounding::nearest)) / unit; };
     zero.centre = {decimal(zero.point.re), decimal(zero.point.im)};
@@ -99,13 +101,26 @@ struct NearestZero {
   ComplexBall ball;
 };
 
+/// p(2^exponent z). Domain: lowest exponent 0 or more.
+LaurentPolynomial stretched(const LaurentPolynomial& p, long exponent) {
+  std::vector<Rational> coefficients;
+  for (long k = 0; k <= p.highest(); ++k)
+    coefficients.push_back(p.coefficient(k) * power(power(Rational(2), exponent), k));
+  return LaurentPolynomial(coefficients, 0);
+}
+
 std::optional<NearestZero> nearest_zero(const LaurentPolynomial& p, const RationalComplex& point) {
   const ComplexBall near = ball_around(point, root_bits);
+  // Zeros that are about as large as 1 are found fast.
+  const Rational size = one_norm({point});
+  const long exponent = size == 0 ? 0 : binary_exponent(size);
   std::optional<NearestZero> best;
   for (const PolynomialFactor& factor : irreducible_factors(p)) {
     if (factor.polynomial.lowest() != 0) continue;
-    for (const ComplexBall& zero : complex_roots(factor.polynomial, root_bits))
+    for (const ComplexBall& stretched_zero : complex_roots(stretched(factor.polynomial, exponent), root_bits)) {
+      const ComplexBall zero = stretched_zero.scaled(exponent);
       if (!best || abs(zero - near).is_less(abs(best->ball - near))) best = {factor, zero};
+    }
   }
   return best;
 }

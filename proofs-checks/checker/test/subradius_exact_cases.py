@@ -130,7 +130,7 @@ ACCEPTED = [
 CHANGED = [
     ("subradius-exact-bounds", "subradius-exact", f"{PAIR_CLAIM} --lower 2 --upper 2", []),
     ("subradius-exact-lower", "subradius-exact", f"{PAIR_CLAIM} --lower 1", []),
-    ("subradius-exact-unasked", "subradius-exact", "--subradius pair.mat --upper 2", []),
+    ("subradius-exact-unasked", "subradius-exact", "--subradius pair.mat --upper 5/2", []),
 ]
 
 LOW, SAME, EIGENVECTOR = "may lie below", "is not above the vertex that it is said to be", "a coordinate of the eigenvector may"

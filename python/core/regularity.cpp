@@ -162,8 +162,7 @@ struct SubradiusEvidence {
 };
 
 std::shared_ptr<SubradiusEvidence> subradius(const std::vector<std::vector<std::vector<Rational>>>& matrices,
-                                             double seconds, std::size_t memory, int bits,
-                                             const py::object& progress) {
+                                             double seconds, std::size_t memory, int bits, const py::object& progress) {
   MatrixFamily family = family_of(matrices);
   require(is_nonnegative(family), "matrices: need no negative entry for a subradius");
   return interruptible(progress, [&] {

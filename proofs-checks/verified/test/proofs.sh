@@ -59,4 +59,5 @@ theorem KeptFourPoint --mask "$four" --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1'
 theorem BlocksExact --matrices slow-blocks.mat --exact '|[81,-270,100]@47/20,0,1/10|^1/2' blocks-exact.cert
 corpus=$here/test/accept
 theorem SlowPair --subradius slow-pair.mat --lower 1 --upper 1 slow-pair.cert
-theorem SlowGolden --subradius slow-golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' --lower 161803/100000 slow-golden.cert
+theorem SlowGolden --subradius slow-golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' --lower 161803/100000 \
+  slow-golden.cert

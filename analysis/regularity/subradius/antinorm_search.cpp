@@ -33,6 +33,8 @@ AntinormSearch::AntinormSearch(std::vector<Matrix> matrices, Vector first, std::
   for (std::size_t k = 0; k + 1 < cycle_.size(); ++k)
     add_image({matrices_[at(cycle_[k])] * result_.vertices.back().value, static_cast<int>(k), cycle_[k], 1});
   end_ = result_.vertices.size();
+  for (const AntinormCandidate::Vertex& vertex : result_.vertices)
+    overflows_ = overflows_ || !std::ranges::all_of(vertex.value, [](double c) { return std::isfinite(c); });
 }
 
 bool AntinormSearch::is_full() const {
@@ -44,7 +46,7 @@ const AntinormCandidate& AntinormSearch::advance(std::size_t vertices, const Dea
   while (!is_over() && result_.vertices.size() < std::max(vertices, cycle_.size() + 1) && !deadline.expired())
     if (next_ < end_) {
       look_at_images(next_++);
-      if (next_ == end_) end_generation();
+      if (next_ == end_ && !overflows_) end_generation();
     } else if (added_ < below_.size()) {
       Image& image = below_[added_++];
       image.antinorm = program_.below(image.value, 1 + clearly_above).value;
@@ -77,6 +79,8 @@ void AntinormSearch::look_at_images(std::size_t vertex) {
   for (std::size_t t = 0; t < matrices_.size(); ++t) {
     if (vertex < cycle_.size() && at(cycle_[vertex]) == t) continue;  // the next vertex
     Image image{matrices_[t] * result_.vertices[vertex].value, static_cast<int>(vertex), static_cast<int>(t), 0};
+    overflows_ = overflows_ || !std::ranges::all_of(image.value, [](double c) { return std::isfinite(c); });
+    if (overflows_) return;
     image.antinorm = program_.below(image.value, 1 + clearly_above).value;
     if (!is_inside(image)) below_.push_back(std::move(image));
   }

@@ -52,7 +52,7 @@ class AntinormSearch {
   std::size_t count() const { return result_.vertices.size(); }
   bool has_closed() const { return result_.closed; }
   /// Whether going on may change anything.
-  bool is_over() const { return result_.closed || !result_.smaller.empty() || is_full(); }
+  bool is_over() const { return result_.closed || !result_.smaller.empty() || overflows_ || is_full(); }
 
  private:
   struct Image {
@@ -74,6 +74,7 @@ class AntinormSearch {
   std::vector<int> cycle_;
   std::size_t memory_;
   bool explained_;
+  bool overflows_ = false;  // doubles do not hold an image
   AntinormProgram program_;
   AntinormCandidate result_;
   // Of the generation that is looked at: its vertices, the next one of them, and the images that fall below. These are

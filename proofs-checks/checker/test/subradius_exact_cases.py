@@ -25,6 +25,7 @@ FAMILIES = {
     "two-codes": [[[0, 1], [1, 1]], [[1, 1], [1, 0]]],
     "two-letters": [[[0, 1], [2, 2]], [[1, 1], [1, 0]]],
     "skew": [[[1, 2], [1, 0]], [[1, 3], [1, 0]]],  # transposed (1, 1) is an eigenvector
+    "numbers": [[[2]], [[8]]],
     "cut-on-cycle": [[[1, 0], [1, 1]], [[1, 0], [0, 0]]],
 }
 MATRICES = [(f"slow-{name}.mat", family) for name, family in FAMILIES.items()]
@@ -119,6 +120,10 @@ ACCEPTED = [
     golden("cut", "fibonacci-cut", [0], [1, 0, 0], [(0, 1), (1, 0)], ["1 0 0", "2 0 0", "1 1 2"], cut=[(1, [2])], rest="rest 1 1 1"),
     accepted("rest", "rest", TWO, "2 0 0 2 2", [0], [0, 0, 1], rest="rest 3 1 1", same=["0 1 0"]),
     accepted("rest-bare", "rest", TWO, "2 0 0 2 2", [0], [0, 0, 1], rest="rest 3 1 1", same=["0 1 0"], terms={(0, 0): [], (0, 1): []}),
+    accepted("rest-last", "rest", TWO, "2 0 0 2 2", [1], [0, 0, 1], rest="rest 1 1 1"),
+    # the true vertex is 4/3 of the given one, so that images need 8/3
+    ("subradius-exact-factor", f"--subradius slow-numbers.mat --exact {TWO}", f"subradius 2 1; bounds - -; {EXACT}; block 0 polytope 2 0 0; vertex 1; "
+     "vertex 3; image 0 0; image 0 1; image 1 0 0:3; image 1 1 0:3; cycle 0 - 0; seed 1; origin 1 0 1; end"),
     accepted("rest-opposite", "rest", TWO, "2 0 0 2 2", [0], [0, 0, -5], rest="rest 4 1 9"),
     accepted("codes", "two-codes", "|[-1,1]@1,0,1/10|^1/2", ONE_ROOT, [0, 1], [1, 0], [(0, 0)], rest="rest 7 3", polynomial=[-1, 1],
              terms={(0, 1): [0, 1], (1, 0): [0, 1]}),
@@ -212,6 +217,11 @@ REJECTED = [
     # the images
     *changes("subradius-exact-image", BASE, f"image 1 0 {LOW}, line 18", "image 1 0 0:2", "image 1 0 0:1", "image 1 0 1:1"),
     *changes("subradius-exact-image-last", BASE, f"image 1 1 {LOW}, line 18", "image 1 1 0:2", "image 1 1 0:1", "image 1 1"),
+    *changes("subradius-exact-image-first", "subradius-exact-rest-last", f"image 0 0 {LOW}, line 13", "image 0 0 0:2199023255552",
+             "image 0 0 0:2199023255551"),
+    *changes("subradius-exact-image-factor", "subradius-exact-factor", f"image 1 0 {LOW}, line 16", "image 1 0 0:3", "image 1 0 0:2"),
+    ("subradius-exact-image-factor-bits", "subradius-exact-factor", None, f"image 1 0 {LOW}, line 16",
+     [("polytope 2 0 0\n", "polytope 2 0 600\n"), ("1 0 0:3", f"1 0 0:{2**603 // 3}"), ("1 1 0:3", f"1 1 0:{2**602}")]),
     *changes("subradius-exact-image-above", BASE, "an image is not above the sum of its terms, line 11", "image 0 0 0:2", "image 0 0 0:3"),
     *changes("subradius-exact-image-close", "subradius-exact-mixed", f"image 0 1 {LOW}, line 12", "same 0 1 0\n", ""),
     *changes("subradius-exact-image-codes", "subradius-exact-codes", f"image 1 0 {LOW}", "image 1 0 0:1099511627776 1:1099511627776",

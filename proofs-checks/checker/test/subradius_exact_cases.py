@@ -26,6 +26,9 @@ FAMILIES = {
     "two-letters": [[[0, 1], [2, 2]], [[1, 1], [1, 0]]],
     "skew": [[[1, 2], [1, 0]], [[1, 3], [1, 0]]],  # transposed (1, 1) is an eigenvector
     "numbers": [[[2]], [[8]]],
+    # the rhombus of Pascal
+    "pascal": [[[0, 1, 0, 0, 0], [1, 0, 2, 0, 0], [0, 0, 0, 0, 0], [0, 1, 0, 0, 1], [0, 0, 0, 2, 1]],
+               [[1, 0, 2, 0, 0], [0, 0, 0, 2, 1], [1, 1, 0, 0, 0], [0, 0, 0, 0, 0], [0, 1, 0, 0, 0]]],
     "cut-on-cycle": [[[1, 0], [1, 1]], [[1, 0], [0, 0]]],
 }
 MATRICES = [(f"slow-{name}.mat", family) for name, family in FAMILIES.items()]
@@ -40,10 +43,10 @@ def apply(matrix, x):
 
 
 def above(image, vertices, terms, one):
-    """The terms of an image: as much as there may be of the first vertex, then of the next."""
+    """The terms of an image: as much as there may be of the first vertex, then of the next, or as much as is said after its number."""
     weights = []
-    for k in terms:
-        weight = floor(min(x * one / v for x, v in zip(image, vertices[k]) if v))
+    for k, *share in [term if isinstance(term, tuple) else (term,) for term in terms]:
+        weight = floor(min([x * one / v for x, v in zip(image, vertices[k]) if v] + [Q(x) * one for x in share]))
         image = [x - Q(weight, one) * v for x, v in zip(image, vertices[k])]
         weights.append(f"{k}:{weight}")
     return weights
@@ -130,6 +133,11 @@ ACCEPTED = [
     accepted("letters", "two-letters", ROOT_2, ROOT_2_ROOT, [0, 1], [1, 0], [(0, 0), (1, 1), (2, 0)], ["3 1 0", "0 0 3", "2 0 1"],
              terms={(0, 1): [0, 1], (1, 0): [0, 1], (2, 1): [0, 1], (3, 0): [0, 1]}, rest="rest 1 1"),
     accepted("transposed", "skew", TWO, "2 0 0 2 2", [0], [1, 1], [(0, 1)], transposed=True),
+    accepted("pascal", "pascal", "|[-121,20,-20,1]@2411/125,0,1/1000|^1/6",
+             f"{Q('19.288337885462')} 0 {Q('1/1000000000000')} {Q('1.637630057453')} {Q('1.637630057454')}", [1, 1, 1, 0, 0, 0],
+             [136, 330, 272, 330, 363], [(0, 1), (1, 1), (2, 1), (3, 0), (4, 0), (5, 1), (2, 0), (6, 0), (7, 1)],
+             terms={(0, 0): [(5, "1.027"), 0], (3, 1): [(3, "0.667"), 2], (8, 0): [(8, "0.113"), (6, "0.138"), 5],
+                    (9, 1): [(1, "0.163"), (0, "0.199"), 2]}, polynomial=[-121, 20, -20, 1], transposed=True),
     accepted("on-cycle", "cut-on-cycle", "|[-1,1]@1,0,1/10|^1/2", ONE_ROOT, [0, 1], [1, 0], [(0, 0)], rest="rest 1 1", polynomial=[-1, 1]),
 ]
 CHANGED = [

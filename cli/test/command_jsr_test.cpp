@@ -97,7 +97,7 @@ TEST_CASE("jsr --subradius") {
   const std::string file = folder / "pair", certificate = folder / "pair.cert";
   const auto with = [&](const std::string& text, const std::string& options, int code = 0) {
     std::ofstream(file, std::ios::binary) << text;
-    const Run done = run("jsr " + file + " --subradius" + options);
+    Run done = run("jsr " + file + " --subradius" + options);
     CAPTURE(text, done.out, done.err);
     CHECK(done.code == code);
     return done;

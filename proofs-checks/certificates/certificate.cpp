@@ -423,7 +423,7 @@ Certificate Certificate::of_bounds() const {
     const std::string head = line.substr(0, line.find(' '));
     after_logarithm = head == "logarithm" || (after_logarithm && head == "recurrence");
     if (!after_logarithm && head != "exact" && head != "root" && head != "cycle" && head != "seed" && head != "rest" &&
-        head != "rest" && head != "origin" && head != "same")
+        head != "origin" && head != "same")
       result.text += line + "\n";
   }
   return result;

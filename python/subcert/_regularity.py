@@ -205,15 +205,18 @@ class HolderExponent(_Certified):
         return f"<table>{cells}</table>"
 
 
-def _radius_fields(facts: dict[str, Any]) -> dict[str, Any]:
+def _product_fields(facts: dict[str, Any]) -> dict[str, Any]:
     return {
         "exact": facts["exact"],
         "exactness": facts["exactness"],
         "product": tuple(facts["product"]),
-        "method": facts["method"],
         "vertices": facts["vertices"],
         "closed": facts["closed"],
     }
+
+
+def _radius_fields(facts: dict[str, Any]) -> dict[str, Any]:
+    return {"method": facts["method"], **_product_fields(facts)}
 
 
 def exponent_of(evidence: Any, again: Computation) -> HolderExponent:
@@ -281,16 +284,11 @@ def subradius(
     products can grow. The arguments are those of `jsr`. Raises DomainError for negative entries."""
     arguments = (_lists(matrices), budget, memory, bits_of(width))
     evidence = _core.subradius(*arguments, progress)
-    facts = evidence.facts
     return JointSpectralSubradius(
-        enclosure=Enclosure._of(facts["radius"]),
-        exact=facts["exact"],
-        exactness=facts["exactness"],
-        product=tuple(facts["product"]),
-        vertices=facts["vertices"],
-        closed=facts["closed"],
+        enclosure=Enclosure._of(evidence.facts["radius"]),
         _evidence=evidence,
         _again=Computation("subradius", (*arguments, None)),
+        **_product_fields(evidence.facts),
     )
 
 

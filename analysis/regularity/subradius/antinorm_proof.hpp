@@ -32,7 +32,7 @@ struct AntinormProof {
   Rational bound;                         ///< the least sum of weights of an image
   std::vector<std::size_t> cycle;  ///< letters after which vertex 0 comes back, nearly, the first applied in front
   std::vector<Origin> origins;     ///< of vertex 1, 2, ...
-  /// Images that are at least a vertex times the radius of the cycle, by equations and clear inequalities.
+  /// An image that is at least a vertex times the radius of the cycle, by equations and clear inequalities.
   struct Coincidence {
     std::size_t vertex, letter, target;
   };

@@ -2,6 +2,7 @@
 /// Polytopes that matrices map above themselves, found in floating point. Inner header; nothing here is to be trusted.
 
 #include "antinorm_program.hpp"
+#include "antinorm_proof.hpp"
 
 #include <subcert/analysis/symbol/budget.hpp>
 
@@ -17,16 +18,11 @@ struct AntinormCandidate {
     std::size_t steps = 0;         ///< letters that lead to it
     bool cut = false;              ///< it, or one that leads to it, has lost coordinates
   };
-  /// An image that is a vertex, or above it in some coordinates and equal in the others, as words of equal effect lead
-  /// to both.
-  struct Coincidence {
-    std::size_t vertex, letter, target;
-  };
   std::vector<Vertex> vertices;
-  std::vector<Coincidence> coincidences;
-  std::size_t kept = 0;  ///< the first so many are best
-  double least = 0;      ///< antinorm of their images
-  bool closed = false;   ///< no image falls below, up to rounding
+  std::vector<AntinormProof::Coincidence> coincidences;  ///< as words of equal effect lead to both
+  std::size_t kept = 0;                                  ///< the first so many are best
+  double least = 0;                                      ///< antinorm of their images
+  bool closed = false;                                   ///< no image falls below, up to rounding
   /// The letters of a product whose averaged spectral radius is below 1, the one applied first in front; where that
   /// was met the search ends.
   std::vector<int> smaller;

@@ -1,6 +1,7 @@
 #include "attained_subradius.hpp"
 
 #include <subcert/analysis/regularity/radius/cost.hpp>
+#include <subcert/analysis/regularity/radius/subspace.hpp>
 #include <subcert/analysis/symbol/ball_matrix.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
@@ -25,15 +26,6 @@ bool leaves_zeros_alone(const RationalMatrix& matrix, const IntegerVector& vecto
     for (std::size_t j = 0; j < vector.size(); ++j)
       if (vector[i] == 0 && vector[j] != 0 && matrix(i, j) != 0) return false;
   return true;
-}
-
-/// The least multiple of rational numbers whose coordinates are integers.
-IntegerVector cleared(const std::vector<Rational>& x) {
-  Integer common = 1;
-  for (const Rational& c : x) common = lcm(common, denominator(c));
-  IntegerVector result;
-  for (const Rational& c : x) result.push_back(numerator(c * Rational(common)));
-  return result;
 }
 
 /// A number D such that v <= alpha U <= D v for the leading eigenvector U of a matrix and some alpha, the eigenvalue,
@@ -230,7 +222,7 @@ IntegerVector eigenvector_of(const RationalMatrix& matrix, const Rational& eigen
   for (std::size_t i = 0; i < matrix.rows(); ++i) shifted(i, i) -= eigenvalue;
   const auto basis = kernel(shifted);
   if (basis.size() != 1) return {};
-  IntegerVector x = cleared(basis[0]);
+  IntegerVector x = radius::primitive(basis[0]);
   if (std::all_of(x.begin(), x.end(), [](const Integer& c) { return c <= 0; }))
     for (Integer& c : x) c = -c;
   return std::all_of(x.begin(), x.end(), [](const Integer& c) { return c >= 0; }) ? x : IntegerVector{};

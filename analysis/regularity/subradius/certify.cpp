@@ -75,7 +75,7 @@ class Certifier {
       proof_.origins.push_back({parent, letter});
       known_[{parent, letter}] = j;
     }
-    if (!cycle_.empty()) known_[{cycle_.size() - 1, static_cast<std::size_t>(cycle_.back())}] = 0;
+    known_[{cycle_.size() - 1, static_cast<std::size_t>(cycle_.back())}] = 0;
     for (const auto& [vertex, letter, target] : candidate_.coincidences)
       if (vertex < candidate_.kept && target < candidate_.kept) known_.emplace(std::pair(vertex, letter), target);
     for (std::size_t j = 0; j < candidate_.kept; ++j) program_.add(candidate_.vertices[j].value);
@@ -196,6 +196,28 @@ class Certifier {
   AntinormProof proof_;
 };
 
+/// A vertex that a polytope begins with, and a proof that the spectral radius is at most the shift.
+struct Start {
+  IntegerVector vertex, weights;
+  Rational shift;
+};
+
+/// `modulus`: of the largest eigenvalue; `factor`: of the vertex where that is rational.
+std::optional<Start> start_of(const RationalMatrix& matrix, const Enclosure& modulus, const Integer& factor, int bits) {
+  IntegerVector vertex;
+  if (modulus.is_exact()) {
+    const IntegerVector weights = eigenvector_of(matrix, *modulus.upper);
+    for (const Integer& c : weights) vertex.push_back(c * factor);
+    if (!weights.empty() && is_positive(weights)) return Start{vertex, weights, *modulus.upper};
+  }
+  const Rational shift = *modulus.upper * (1 + two_to(-bits));
+  const IntegerVector longer = subinvariant_vector(matrix, shift, bits);
+  if (longer.empty()) return std::nullopt;
+  IntegerVector weights;
+  for (const Integer& c : longer) weights.push_back(-(-c >> static_cast<std::size_t>(bits)));  // rounded up
+  return Start{vertex.empty() ? rounded(longer, bits) : vertex, weights, shift};
+}
+
 }  // namespace
 
 std::optional<LeadingVector> leading_vector(const MatrixFamily& family, const std::vector<int>& word, int bits,
@@ -204,33 +226,26 @@ std::optional<LeadingVector> leading_vector(const MatrixFamily& family, const st
   const auto characteristic = characteristic_polynomial(matrix, deadline);
   if (!characteristic || !radius::has_time_for_roots(*characteristic, deadline)) return std::nullopt;
   const Enclosure modulus = largest_root_modulus(*characteristic, bits + spare_bits).largest;
-  const int length = static_cast<int>(word.size());
   if (*modulus.upper == 0) {
     std::vector<int> repeated;
     for (std::size_t k = 0; k < family.size(); ++k) repeated.insert(repeated.end(), word.begin(), word.end());
-    return LeadingVector{{repeated, 0, IntegerVector(family.size(), 1)}, Enclosure::exactly(0), 0, {}};
+    return LeadingVector{{repeated, 0, IntegerVector(family.size(), 1)}, Enclosure::exactly(0), 0, {}, {}};
   }
   if (!radius::has_time_for_elimination(matrix, deadline)) return std::nullopt;
   const auto root_of = [&](const Rational& value) {
     const auto root = exact_root(value, word.size());
-    return root ? Enclosure::exactly(*root) : root_enclosure(value, length, bits + spare_bits);
+    return root ? Enclosure::exactly(*root) : root_enclosure(value, static_cast<int>(word.size()), bits + spare_bits);
   };
   const Enclosure radius{root_of(*modulus.lower).lower, root_of(*modulus.upper).upper};
-  IntegerVector vector;
-  if (modulus.is_exact()) {
-    const IntegerVector weights = eigenvector_of(matrix, *modulus.upper);
-    const Integer factor = divisible(*radius.upper * Rational(common_denominator(family)), bits);
-    for (const Integer& c : weights) vector.push_back(c * factor);
-    if (!weights.empty() && is_positive(weights))
-      return LeadingVector{{word, *modulus.upper, weights}, radius, *radius.upper, vector};
-  }
-  const Rational shift = *modulus.upper * (1 + two_to(-bits));
-  const IntegerVector longer = subinvariant_vector(matrix, shift, bits);
-  if (longer.empty()) return std::nullopt;
-  IntegerVector weights;
-  for (const Integer& c : longer) weights.push_back(-(-c >> static_cast<std::size_t>(bits)));  // rounded up
-  return LeadingVector{
-      {word, shift, weights}, radius, *root_of(shift).upper, vector.empty() ? rounded(longer, bits) : vector};
+  const Integer factor = divisible(*radius.upper * Rational(common_denominator(family)), bits);
+  const auto right = start_of(matrix, modulus, factor, bits),
+             left = start_of(transposed(matrix), modulus, factor, bits);
+  if (!right) return std::nullopt;
+  return LeadingVector{{word, right->shift, right->weights},
+                       radius,
+                       *root_of(right->shift).upper,
+                       right->vertex,
+                       left ? left->vertex : IntegerVector{}};
 }
 
 std::optional<AntinormProof> certify_antinorm(const MatrixFamily& family, const AntinormCandidate& candidate,

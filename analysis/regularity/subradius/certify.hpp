@@ -6,18 +6,19 @@
 
 namespace subcert::subradius {
 
-/// A proved product, and what a polytope begins with.
+/// A proved product, and what polytopes of the family and of its transposed matrices begin with.
 struct LeadingVector {
   SlowProduct product;
-  Enclosure radius;             ///< of the averaged spectral radius; exact where that is rational
-  Rational rate;                ///< at least product.radius^(1/length), by less than 2^-bits, relatively
-  std::vector<Integer> vector;  ///< near a leading eigenvector of the product, >= 0 and not 0
+  Enclosure radius;            ///< of the averaged spectral radius; exact where that is rational
+  Rational rate;               ///< at least product.radius^(1/length), by less than 2^-bits, relatively
+  std::vector<Integer> right;  ///< near a leading eigenvector of the product, >= 0 and not 0; empty for nilpotent ones
+  std::vector<Integer> left;   ///< the same of the transposed product; empty also where none is found
 };
 
 /// Bounds the spectral radius of a product from above; of a product that is nilpotent, its power that is 0. Nothing
 /// where the deadline passes. Domain: no entry negative. Error: radius is at most 1 + 2^-bits times too large, and
-/// exact where it is a rational number with a positive eigenvector. Cost: a characteristic polynomial and a linear
-/// system.
+/// exact where it is a rational number with a positive eigenvector. Cost: a characteristic polynomial and two linear
+/// systems.
 std::optional<LeadingVector> leading_vector(const MatrixFamily& family, const std::vector<int>& word, int bits,
                                             const Deadline& deadline);
 

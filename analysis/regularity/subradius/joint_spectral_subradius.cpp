@@ -64,7 +64,6 @@ class SubradiusSearch {
   struct Growth {
     subradius::LeadingVector leading;  ///< of the product
     bool transposed;
-    std::vector<Integer> first;  ///< the vertex it begins with
     subradius::AntinormSearch search;
     std::size_t proved = 0;  ///< vertices of the last proof that was tried
   };
@@ -113,34 +112,26 @@ class SubradiusSearch {
       rate_ = rate;
       growths_.clear();
     }
-    if (rate > 0) begin(*leading);
+    begin(*leading);
     return better;
   }
 
   void begin(const subradius::LeadingVector& leading) {
     for (const bool of_transposed : {false, true}) {
-      const MatrixFamily& family = of_transposed ? transposed_ : family_;
-      std::vector<int> word = leading.product.word;
-      std::vector<Integer> first = leading.vector;
-      if (of_transposed) {
-        std::reverse(word.begin(), word.end());
-        auto own = subradius::leading_vector(family, word, target_.bits, budget_.deadline);
-        if (!own) continue;
-        first = std::move(own->vector);
-      }
+      const std::vector<Integer>& first = of_transposed ? leading.left : leading.right;
+      if (first.empty()) continue;
+      std::vector<int> cycle = leading.product.word;  // the letter applied first in front
+      if (!of_transposed) std::reverse(cycle.begin(), cycle.end());
       std::vector<polytope::Matrix> matrices;
-      for (const RationalMatrix& matrix : family)
+      for (const RationalMatrix& matrix : of_transposed ? transposed_ : family_)
         matrices.push_back(radius::to_double(Rational(1) / leading.rate * matrix));
       const Integer largest = *std::max_element(first.begin(), first.end());
       polytope::Vector start;
       for (const Integer& c : first) start.push_back(Rational(c, largest).convert_to<double>());
-      growths_.push_back({leading,
-                          of_transposed,
-                          std::move(first),
-                          {std::move(matrices),
-                           std::move(start),
-                           {word.rbegin(), word.rend()},
-                           budget_.memory / (4 * most_products)}});
+      growths_.push_back(
+          {leading,
+           of_transposed,
+           {std::move(matrices), std::move(start), std::move(cycle), budget_.memory / (4 * most_products)}});
     }
   }
 
@@ -160,7 +151,7 @@ class SubradiusSearch {
       auto proof = certified(growth, found);
       if (proof && proof->bound > *best_.radius.lower) {
         best_.radius.lower = proof->bound;
-        if (!found.closed || !is_settled(growth, *proof)) best_.antinorm = std::move(proof);
+        if (!found.closed || !settle(growth, *proof)) best_.antinorm = std::move(proof);
       }
     }
     std::vector<int> word = found.smaller;  // the letter applied first in front
@@ -173,18 +164,20 @@ class SubradiusSearch {
     subradius::AntinormSearch search = growth.search.explained();
     const subradius::AntinormCandidate& found = search.advance(most_explained * growth.search.count(), deadline);
     if (!found.closed) return;
-    if (auto proof = certified(growth, found)) is_settled(growth, *proof);
+    if (auto proof = certified(growth, found)) settle(growth, *proof);
   }
 
   std::optional<AntinormProof> certified(const Growth& growth, const subradius::AntinormCandidate& found) const {
-    auto proof = subradius::certify_antinorm(family_of(growth), found, growth.search.cycle(), growth.first,
+    auto proof = subradius::certify_antinorm(family_of(growth), found, growth.search.cycle(),
+                                             growth.transposed ? growth.leading.left : growth.leading.right,
                                              growth.leading.rate, target_.bits, budget_.deadline);
     if (proof) proof->transposed = growth.transposed;
     return proof;
   }
 
-  /// Whether the product of a closed polytope attains the subradius, which is then enclosed by its radius.
-  bool is_settled(const Growth& growth, AntinormProof& proof) {
+  /// Takes the radius of the product of a closed polytope and its proof, if the product attains the subradius; whether
+  /// it does.
+  bool settle(const Growth& growth, AntinormProof& proof) {
     best_.exact = subradius::product_attains_subradius(family_of(growth), proof, growth.leading.radius,
                                                        budget_.deadline);
     if (!best_.exact.is_yes()) return false;

@@ -128,14 +128,6 @@ let bound_of = Sections.bound_of
 (* Whether a section proves a bound of its block. Graphs, which take long, are looked at once, by the check of the claim. *)
 let proves block u section = match section with Graph _ -> true | _ -> check_section block (bound_of u) section
 
-(* Lines about what a radius is exactly: nothing is claimed of that here. *)
-let rec skip r heads =
-  match List.find_opt (at r) heads with
-  | None -> ()
-  | Some head ->
-      ignore (take r head 1 max_line);
-      skip r heads
-
 (* The bounds that the certificate says of itself, for people: what is proved is the claim. *)
 let read_bounds r =
   match take r "bounds" 2 2 with
@@ -195,31 +187,16 @@ let show_exact exact =
     (over e.disc_radius) (over e.disc_re) (over e.disc_im);
   List.iteri (fun k c -> Printf.printf "coefficient of x^%d is %s\n" k (Z.to_string c)) e.polynomial
 
-(* `domain` is asked with the line of the claim. *)
-let read_start ?(domain = ignore) r claim =
+(* The number that is claimed or, where none is, that which the certificate names all the same; and where it is. `domain`
+   is asked with the line of the claim. *)
+let read_head ?(domain = ignore) ~exponent r claim exact =
   line r "subcert-certificate 3";
   line r claim;
   domain ();
-  read_bounds r
-
-(* Where the number is, if one is claimed; whether the certificate has one. *)
-let read_head ?domain r claim exact =
-  read_start ?domain r claim;
-  match exact with
-  | None ->
-      let has = at r "exact" in
-      if has then skip r [ "exact"; "root" ];
-      (None, has)
-  | Some exact ->
-      line r ("exact " ^ exact.text);
-      (Some (exact.number, Attained_hint.read_root r exact.number), true)
-
-(* Where words that are kept need the number of the certificate, it is proved, too. *)
-let with_number file exponent claim exact prove =
-  try prove exact
-  with Sections.Kept_words ->
-    Sections.spent := 0;
-    prove (Some (read file 1 (fun r -> read_start r claim; read_exact exponent (List.hd (take r "exact" 1 1)))))
+  read_bounds r;
+  let named () = if at r "exact" then Some (read_exact exponent (List.hd (take r "exact" 1 1))) else None in
+  let exact = match exact with Some e -> line r ("exact " ^ e.text); exact | None -> named () in
+  Option.map (fun e -> (e, Attained_hint.read_root r e.number)) exact
 
 (* A basis, its blocks, the product, and the sections of the blocks as `section` reads them: all lines to the last one. *)
 let read_lines family lower r sections =
@@ -265,11 +242,9 @@ let read_lines family lower r sections =
   (new_basis, (if divided then sizes else []), chosen, eigenvector, sections, (logarithm, recurrence))
 
 (* What proves bounds of the radius. *)
-let read_proof ~single ~may_keep family lower upper r =
+let read_proof ~single family lower upper r =
   let section divided i block =
-    let own, section, beside = Sections.read_section ~single:(single && not divided) ~may_keep r i block upper in
-    (match beside with Kept kept when Sections.keeps kept -> raise Sections.Kept_words | _ -> ());
-    skip r [ "cycle"; "seed"; "origin"; "same" ];
+    let own, section, _ = Sections.read_section ~single:(single && not divided) ~may_keep:false r i block upper in
     (match (own, upper) with
     | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
     | _ -> ());
@@ -368,17 +343,16 @@ let matrix_claim what matrices lower upper exact claim theorem =
 let radius matrices lower upper exact file =
   let family, claim, head = read_claim "radius" matrices lower upper in
   matrix_claim "radius" matrices lower upper exact claim
-    (with_number file false head exact @@ fun exact ->
-     read file 1 (fun r ->
-         match read_head r head exact with
-         | None, may_keep ->
-             let certificate = read_proof ~single:false ~may_keep family lower upper r in
+    (read file 1 (fun r ->
+         match read_head ~exponent:false r head exact with
+         | None ->
+             let certificate = read_proof ~single:false family lower upper r in
              require (check_radius claim certificate) unproved;
              fun name -> Theorem.print_radius name claim certificate
-         | Some ((e, _) as number), _ ->
-             let certificate, _ = read_exact_proof ~single:false family number r in
-             require (check_exact_radius family e claim.lower claim.upper certificate) unproved;
-             fun name -> Theorem.print_exact_radius name claim e certificate))
+         | Some ({ number; _ }, root) ->
+             let certificate, _ = read_exact_proof ~single:false family (number, root) r in
+             require (check_exact_radius family number claim.lower claim.upper certificate) unproved;
+             fun name -> Theorem.print_exact_radius name claim number certificate))
 
 (* The same of the subradius *)
 let subradius matrices lower upper exact file =
@@ -386,9 +360,8 @@ let subradius matrices lower upper exact file =
   let domain () = require (all_nonnegative family []) "a matrix is not non-negative" in
   matrix_claim "subradius" matrices lower upper exact claim
     (read file 1 (fun r ->
-         let number, has_number = read_head ~domain r head exact in
+         let number = Option.map (fun (e, root) -> (e.number, root)) (read_head ~domain ~exponent:false r head exact) in
          let bounds, draft = Subradius.read r family lower upper number in
-         if number = None && has_number then skip r [ "cycle"; "seed"; "rest"; "origin"; "same" ];
          read_end r;
          match (number, draft) with
          | Some (e, root), Some draft ->
@@ -438,7 +411,7 @@ let stable_shifts scheme =
   match Stability_hint.make scheme with Some shifts -> shifts | None -> reject "stability: not shown for the integer shifts"
 
 (* Of bounds of the exponent: the certificate for the checker, and what --theorem prints *)
-let prove_bounds ~may_keep scheme order family lower upper r =
+let prove_bounds scheme order family lower upper r =
   let l = bound_of lower and base = Z.of_int scheme.arity and digits = 128 in
   (* arity^(order - lower), rounded down *)
   let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
@@ -453,7 +426,7 @@ let prove_bounds ~may_keep scheme order family lower upper r =
     Q.make (Z.max (Z.cdiv whole divisor) (Z.succ (Z.shift_left Z.one digits))) (Z.shift_left Z.one digits)
   in
   let least = Option.map least upper in
-  let low = { order; bound = bound_of bound; of_radius = read_proof ~single:true ~may_keep family least (Some bound) r } in
+  let low = { order; bound = bound_of bound; of_radius = read_proof ~single:true family least (Some bound) r } in
   match (upper, least) with
   | Some u, Some g ->
       let both = { lower_end = low; radius_least = bound_of g; shifts = stable_shifts scheme } in
@@ -499,9 +472,9 @@ let modulus_proof scheme order certificate power (fields, recurrence) =
           raise undecided
 
 (* Of what the exponent is, with bounds or without *)
-let prove_number scheme order family lower upper logarithm exact ((e, _) as number) r =
+let prove_number scheme order family lower upper logarithm ({ number = e; _ } as exact, root) r =
   require (exact.order = Some order) "the exact exponent has another number before its logarithm";
-  let certificate, modulus = read_exact_proof ~single:true family number r and lower = Option.map bound_of lower and upper = Option.map bound_of upper in
+  let certificate, modulus = read_exact_proof ~single:true family (e, root) r and lower = Option.map bound_of lower and upper = Option.map bound_of upper in
   let shifts = stable_shifts scheme in
   match logarithm with
   | None ->
@@ -516,9 +489,8 @@ let prove_number scheme order family lower upper logarithm exact ((e, _) as numb
 let exponent mask arity lower upper exact logarithm file =
   let scheme = read_mask mask arity and head = "exponent " ^ mask ^ " " ^ arity in
   let theorem =
-    with_number file true head exact @@ fun exact ->
     read file 1 (fun r ->
-        let number, may_keep = read_head r head exact in
+        let number = read_head ~exponent:true r head exact in
         if at r "reduced" then raise (Sections.Undecided "reduced masks are not decided here, but by subcert-check");
         let order, full = match take r "sum-rules" 1 2 with [ m ] -> (m, "") | m :: f -> (m, List.hd f) | [] -> assert false in
         let order = size order 1 500 in
@@ -535,15 +507,15 @@ let exponent mask arity lower upper exact logarithm file =
             require (Q.sign l > 0) "the lower end of an exponent must be positive";
             require (Q.leq l (Q.of_int order)) "the order of the sum rules does not prove the claim"
         | None -> ());
-        if upper <> None || exact <> None || at r "stability" then line r "stability";
+        if upper <> None || number <> None || at r "stability" then line r "stability";
         require (divides scheme order) "the mask has no sum rules of this order";
         let degree = List.length scheme.coefficients - 1 - (order * (scheme.arity - 1)) in
         require (degree <= 256 * (scheme.arity - 1)) "transition matrices larger than 256";
         let family = difference_family scheme order in
-        match (number, exact, lower) with
-        | Some number, Some exact, _ -> prove_number scheme order family lower upper logarithm exact number r
-        | _, _, Some lower -> prove_bounds ~may_keep scheme order family lower upper r
-        | _ -> assert false)
+        match (number, lower) with
+        | Some number, _ -> prove_number scheme order family lower upper logarithm number r
+        | None, Some lower -> prove_bounds scheme order family lower upper r
+        | None, None -> assert false)
   in
   ( Printf.sprintf "%sHoelder exponent%s%s%s of %s with arity %s"
       (side lower (fun l -> l ^ " <= "))

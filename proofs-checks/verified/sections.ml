@@ -6,9 +6,6 @@ open Text
 
 exception Undecided of string
 
-(* Bounds are claimed, which some words prove only with the number of the certificate. *)
-exception Kept_words
-
 let max_work = 1_000_000_000 (* multiplications: about a minute *)
 let spent = ref 0
 

@@ -6,6 +6,7 @@
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
+#include <subcert/analysis/regularity/quadratic/long_products.hpp>
 #include <subcert/analysis/regularity/quadratic/product_tree.hpp>
 #include <subcert/analysis/regularity/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/regularity/radius/product.hpp>
@@ -149,6 +150,25 @@ Mask deslauriers_dubuc(long n) {
   const Mask mask = make_scheme("dd:n=" + std::to_string(n)).mask;
   return divided_difference_scheme(mask, sum_rules(mask));
 }
+
+/// Products of many letters, from the product of one or two letters that is the best of the short ones.
+void BM_long_products(benchmark::State& state, const std::string& scheme, const std::vector<int>& product) {
+  const polytope::SearchFamily family = radius::to_search_family(difference_matrices(scheme));
+  const double radius = polytope::product_radius(family.matrices, product);
+  std::vector<polytope::Candidate> found;
+  for (auto _ : state) found = quadratic::long_products(family, radius, {Deadline::in(60)});
+  if (found.empty()) return state.SkipWithError("nothing found");
+  polytope::sort_candidates(found);
+  state.counters["letters"] = static_cast<double>(found.front().word.size());
+  state.counters["above"] = 100 * (found.front().radius / radius - 1);
+}
+const bool product_benchmarks = [] {
+  for (const char* scheme : {"dual:n=8,d=3", "dual:n=10,d=5"})
+    benchmark::RegisterBenchmark((std::string("BM_long_products/") + scheme).c_str(), BM_long_products, scheme,
+                                 std::vector{0, 1})
+        ->Unit(benchmark::kMillisecond);
+  return true;
+}();
 
 /// Forms of contexts until there are so many; by what their bound exceeds the radius of the best product, in percent.
 void BM_context_forms(benchmark::State& state, const std::string& scheme, double radius) {

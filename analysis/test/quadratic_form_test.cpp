@@ -4,7 +4,7 @@
 #include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
 #include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
 #include <subcert/analysis/regularity/quadratic/context_forms.hpp>
-#include <subcert/analysis/regularity/quadratic/context_products.hpp>
+#include <subcert/analysis/regularity/quadratic/long_products.hpp>
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/regularity/radius/one_block.hpp>
 #include <subcert/analysis/transition/transition.hpp>
@@ -162,7 +162,7 @@ TEST_CASE("forms of contexts and of a cycle are nearer than one form") {
   // The product itself keeps the forms of its cycle; all other steps are as before.
   const std::vector<int> product = joint_spectral_radius(family, {Deadline::in(60)}).product.word;
   const double radius = polytope::product_radius(search.matrices, {product.rbegin(), product.rend()});
-  const auto cycle = contexts.with_cycle(product, Deadline::in(60));
+  const auto cycle = contexts.with_cycle(product, {Deadline::in(60)});
   REQUIRE(cycle);
   REQUIRE(cycle->states() == 8 + product.size());
   for (std::size_t p = 0; p < product.size(); ++p) {
@@ -172,18 +172,15 @@ TEST_CASE("forms of contexts and of a cycle are nearer than one form") {
   }
 }
 
-TEST_CASE("words that stay large in forms of contexts name the product") {
+TEST_CASE("the longest images name the product") {
   const MatrixFamily family{matrix({{-1, 1, -1}, {-1, -1, 1}, {0, 1, 1}}),
                             matrix({{-1, 1, -1}, {-1, -1, 0}, {0, 1, 1}})};
   const polytope::SearchFamily search = radius::to_search_family(family);
-  std::optional<quadratic::ContextForms> contexts;
-  auto found = quadratic::context_products(search, polytope::product_radius(search.matrices, {0}), {Deadline::in(60)},
-                                           contexts);
+  auto found = quadratic::long_products(search, polytope::product_radius(search.matrices, {0}), {Deadline::in(60)});
   REQUIRE(!found.empty());
   polytope::sort_candidates(found);
   CHECK(found.front().word.size() == 41);
   CHECK(found.front().radius > 1.684185282);
-  CHECK(contexts->forms().states() > 1);
 }
 
 TEST_CASE("bounds by forms are above the products") {

@@ -306,7 +306,10 @@ class Search {
     }
     best.status = SearchStatus::budget_spent;
     best.radius = radius;
-    if (best.products.empty()) best.products = {candidates_.front()};
+    if (best.products.empty()) {
+      best.products = maximizing();
+      best.maximizing = maximizing_;
+    }
     best.upper_bound = std::min(best.upper_bound, radius_bound() * (1 + 1e-6));
     return with_counters(std::move(best));
   }

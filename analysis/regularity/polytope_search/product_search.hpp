@@ -37,7 +37,7 @@ struct ProductSearchOptions {
 struct ProductLook {
   int length, width;
 };
-inline constexpr std::array<ProductLook, 4> product_looks{{{12, 12}, {40, 32}, {200, 100}, {200, 2000}}};
+inline constexpr std::array<ProductLook, 3> product_looks{{{12, 12}, {40, 32}, {200, 100}}};
 
 /// The canonical form of a word, see Candidate. Domain: 0 <= letters < letter_count. Cost: O(length^2) per element of
 /// the symmetry.

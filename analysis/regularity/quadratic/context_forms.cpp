@@ -292,8 +292,10 @@ bool ContextForms::grow(const Budget& budget) {
   return true;
 }
 
-std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& product, const Deadline& deadline) const {
-  if (product.size() > most_states) return std::nullopt;
+std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& product, const Budget& budget) const {
+  const Deadline& deadline = budget.deadline;
+  const std::size_t most_matrices = budget.memory / (sizeof(double) * family_.matrices.front().entries().size());
+  if (product.size() > most_states || product.size() * family_.matrices.size() > most_matrices) return std::nullopt;
   const auto cycle = leading_vectors(family_.matrices, product, deadline);
   if (!cycle) return std::nullopt;
   const std::size_t n = family_.matrices.front().rows(), length = product.size(), first = forms_.states();
@@ -381,12 +383,17 @@ std::optional<StateForms> ContextForms::with_cycle(const std::vector<int>& produ
     on.element = 0;
     on.matrix = at.to[first + p] * family_.matrices[static_cast<std::size_t>(product[p])] * at.from[on.to];
   }
+  std::size_t held = at.steps.size();
   for (const Step& step : at.steps) {
     at.ends.emplace_back();
     if (step.to >= first) continue;
     for (const Step& ending : endings[step.to]) {
+      if (held > most_matrices || deadline.expired()) return std::nullopt;
       Step end{step.from, ending.to, step.element ^ ending.element, fast_product(step.matrix, ending.matrix)};
-      if (polytope::spectral_norm(end.matrix) < most_norm * forms_.bound) at.ends.back().push_back(std::move(end));
+      if (polytope::spectral_norm(end.matrix) < most_norm * forms_.bound) {
+        at.ends.back().push_back(std::move(end));
+        ++held;
+      }
     }
   }
   at.bound = std::max(at.bound, cycle->radius);

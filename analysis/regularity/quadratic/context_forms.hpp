@@ -44,16 +44,13 @@ class ContextForms {
   bool grow(const Budget& budget);
 
   const StateForms& forms() const { return forms_; }
-  const std::vector<polytope::Matrix>& matrices() const { return family_.matrices; }
-  /// By which elements of steps are counted.
-  const polytope::SymmetryGroup& symmetry() const { return family_.symmetry; }
 
   /// The same with a state for each letter of a product whose radius is the joint spectral radius, perhaps: words that
   /// have followed the product long enough end there. Its form is c^2 u u^T + W, u the left leading eigenvector, c the
   /// largest norm of the orbits of the right one, W contracted along the product: so the product keeps it, where forms
   /// of contexts of any length lose a little with each letter. Nothing unless the leading eigenvalue is simple, or one
-  /// of a pair. Domain: letters from left to right. Cost: that of a few hundred products of matrices for each letter.
-  std::optional<StateForms> with_cycle(const std::vector<int>& product, const Deadline& deadline) const;
+  /// of a pair, nor where the memory or the time is too short. Domain: letters from left to right. Cost: that of a few hundred products of matrices for each letter.
+  std::optional<StateForms> with_cycle(const std::vector<int>& product, const Budget& budget) const;
 
  private:
   /// The state of a context, and the element that moves it there.

@@ -195,7 +195,7 @@ class Search {
 
   quadratic::StateForms with_product(const quadratic::ContextForms& contexts) const {
     if (!product_.word.empty())
-      if (auto forms = contexts.with_cycle(product_.word, trees_end_)) return std::move(*forms);
+      if (auto forms = contexts.with_cycle(product_.word, {trees_end_, budget_.memory / 2})) return std::move(*forms);
     return contexts.forms();
   }
 
@@ -269,8 +269,7 @@ QuadraticProof scaled(QuadraticProof proof, long exponent) {
 }
 
 std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, const Rational& target,
-                                                   const Budget& budget, const LeadingProduct& product,
-                                                   const quadratic::ContextForms* known) {
+                                                   const Budget& budget, const LeadingProduct& product) {
   if (std::all_of(family.begin(), family.end(), [](const RationalMatrix& m) { return one_norm(m) == 0; }))
     return std::nullopt;
   double radius = target.convert_to<double>();
@@ -278,9 +277,7 @@ std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, c
   for (const polytope::Matrix& m : shape.round.family.matrices) radius = std::max(radius, polytope::spectral_radius(m));
   if (!(radius > 0)) return std::nullopt;
   const quadratic::ContextForms one(shape.round.family, shape.coordinates);
-  const auto same = [](const polytope::Matrix& a, const polytope::Matrix& b) { return a.entries() == b.entries(); };
-  const bool go_on = known && std::ranges::equal(known->matrices(), one.matrices(), same);
-  return Search(family, shape, radius, product, budget).run(one.forms(), go_on ? *known : one);
+  return Search(family, shape, radius, product, budget).run(one.forms(), one);
 }
 
 std::optional<QuadraticProof> prove_isometries(const MatrixFamily& family, const Deadline& deadline) {

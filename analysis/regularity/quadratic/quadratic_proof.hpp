@@ -4,10 +4,6 @@
 #include "graph_proof.hpp"
 
 namespace subcert {
-namespace quadratic {
-class ContextForms;
-}
-
 /// bound^2 P - A_t^T P A_t is positive semidefinite for the letters t, of equal matrices the first one's
 /// (proofs-checks/certificates/SPEC.md, 4.8).
 struct QuadraticProof {
@@ -27,12 +23,11 @@ struct LeadingProduct {
 
 /// Searches forms and trees in floating point and confirms them in exact arithmetic. Nothing is returned where that
 /// fails. Domain: entries whose doubles are finite and not far from 1 in size; different matrices. `target`: a bound
-/// that is small enough; `product`: one that may attain the radius, which is proved too if possible; `known`: forms to
-/// go on with, if they are in the coordinates of the search. Error: none, the bound is proved. Cost: a few hundred
-/// decompositions of each matrix, then two products of matrices for each word; the checker's work is limited likewise.
+/// that is small enough; `product`: one that may attain the radius, which is proved too if possible. Error: none, the
+/// bound is proved. Cost: a few hundred decompositions of each matrix, then two products of matrices for each word; the
+/// checker's work is limited likewise.
 std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, const Rational& target,
-                                                   const Budget& budget, const LeadingProduct& product = {},
-                                                   const quadratic::ContextForms* known = nullptr);
+                                                   const Budget& budget, const LeadingProduct& product = {});
 
 /// The proof for matrices that are a rational number times isometries of one positive definite form: the bound is that
 /// number, and the joint spectral radius. Nothing where they are not, or where the form was not found. Domain: size up

@@ -6,6 +6,7 @@
 #include "similarity.hpp"
 
 #include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
+#include <subcert/analysis/regularity/quadratic/long_products.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
@@ -239,17 +240,26 @@ ProductEvidence find_product_above(const MatrixFamily& family, const Rational& l
   const MatrixFamily scaled_family = exponent == 0 ? family : power(Rational(2), -exponent) * family;
   const polytope::SearchFamily search = radius::to_search_family(scaled_family);
   ProductEvidence best;
-  for (const auto& [length, width] : polytope::product_looks) {
-    const auto found = polytope::search_products(search, {.max_length = length, .width = width, .budget = budget});
-    for (std::size_t k = 0; k < std::min(found.size(), proved_products); ++k) {
-      const std::vector<int> word(found[k].word.rbegin(), found[k].word.rend());
+  double largest = 0;
+  // Whether one of them is large enough.
+  const auto enough = [&](std::vector<polytope::Candidate> found) {
+    polytope::sort_candidates(found);
+    if (found.size() > proved_products) found.resize(proved_products);
+    for (const polytope::Candidate& candidate : found) {
+      largest = std::max(largest, candidate.radius);
+      const std::vector<int> word(candidate.word.rbegin(), candidate.word.rend());
       ProductEvidence evidence = radius::scaled(prove_product(scaled_family, word, budget.deadline), exponent);
       const Rational& lower = evidence.exact ? *evidence.exact : *evidence.radius.lower;
       if (best.word.empty() || lower > *best.radius.lower) best = std::move(evidence);
-      if (*best.radius.lower >= least || (best.exact && *best.exact >= least)) return best;
+      if (*best.radius.lower >= least || (best.exact && *best.exact >= least)) return true;
     }
-    if (budget.deadline.expired()) break;
-  }
+    return false;
+  };
+  for (const auto& [length, width] : polytope::product_looks)
+    if (enough(polytope::search_products(search, {.max_length = length, .width = width, .budget = budget})) ||
+        budget.deadline.expired())
+      return best;
+  if (largest > 0) enough(quadratic::long_products(search, largest, budget));
   return best;
 }
 

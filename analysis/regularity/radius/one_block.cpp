@@ -1,7 +1,8 @@
 #include "one_block.hpp"
 
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
-#include <subcert/analysis/regularity/quadratic/context_products.hpp>
+#include <subcert/analysis/regularity/quadratic/long_products.hpp>
+
 #include "attains.hpp"
 #include "scaling.hpp"
 
@@ -123,7 +124,6 @@ struct Attempt {
   ProductEvidence product;
   std::optional<PolytopeProof> polytope;
   Decision exact;
-  std::optional<quadratic::ContextForms> contexts = {};  ///< that the search for products has found
 
   bool is_better_than(const Attempt& other) const {
     if (exact.is_yes() || other.exact.is_yes()) return exact.is_yes() && !other.exact.is_yes();
@@ -135,10 +135,7 @@ struct Attempt {
 Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budget& budget,
                 const std::optional<Rational>& target, bool cones) {
   Attempt result{{}, {}, std::nullopt, {Truth::unknown, "no polytope closed"}};
-  const auto products = [&](const polytope::SearchFamily& search, double radius, const Budget& looking) {
-    return quadratic::context_products(search, radius, looking, result.contexts);
-  };
-  result.candidate = find_polytope(family, searching, cones, true, products);
+  result.candidate = find_polytope(family, searching, cones, true, quadratic::long_products);
   const auto proving = [&](double share) {
     return Budget{Deadline::in(share * budget.deadline.remaining() + grace), budget.memory};
   };
@@ -216,8 +213,7 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   // A polytope that closed in floating point may have no proof.
   const bool closed = candidate.closed && by_polytope;
   if (!closed && lower < upper && !enough)
-    form = prove_by_quadratic_forms(scaled_family, lower / unit, budget, {product.word, product.eigenvalue},
-                                    found.contexts ? &*found.contexts : nullptr);
+    form = prove_by_quadratic_forms(scaled_family, lower / unit, budget, {product.word, product.eigenvalue});
   const bool attained = form && form->attained && !found.exact.is_yes(),
              by_form = form && (attained || form->bound * unit < upper);
   if (by_form) upper = form->bound * unit;

@@ -49,7 +49,8 @@ class ContextForms {
   /// have followed the product long enough end there. Its form is c^2 u u^T + W, u the left leading eigenvector, c the
   /// largest norm of the orbits of the right one, W contracted along the product: so the product keeps it, where forms
   /// of contexts of any length lose a little with each letter. Nothing unless the leading eigenvalue is simple, or one
-  /// of a pair, nor where the memory or the time is too short. Domain: letters from left to right. Cost: that of a few hundred products of matrices for each letter.
+  /// of a pair, nor where the memory or the time is too short. Domain: letters from left to right. Cost: that of a few
+  /// hundred products of matrices for each letter.
   std::optional<StateForms> with_cycle(const std::vector<int>& product, const Budget& budget) const;
 
  private:

@@ -172,15 +172,21 @@ TEST_CASE("forms of contexts and of a cycle are nearer than one form") {
   }
 }
 
-TEST_CASE("the longest images name the product") {
-  const MatrixFamily family{matrix({{-1, 1, -1}, {-1, -1, 1}, {0, 1, 1}}),
-                            matrix({{-1, 1, -1}, {-1, -1, 0}, {0, 1, 1}})};
-  const polytope::SearchFamily search = radius::to_search_family(family);
-  auto found = quadratic::long_products(search, polytope::product_radius(search.matrices, {0}), {Deadline::in(60)});
-  REQUIRE(!found.empty());
-  polytope::sort_candidates(found);
-  CHECK(found.front().word.size() == 41);
-  CHECK(found.front().radius > 1.684185282);
+TEST_CASE("the longest images and runs of a letter name the product") {
+  const auto best = [](const MatrixFamily& family, const std::vector<int>& word) {
+    const polytope::SearchFamily search = radius::to_search_family(family);
+    auto found = quadratic::long_products(search, polytope::product_radius(search.matrices, word), {Deadline::in(60)});
+    REQUIRE(!found.empty());
+    polytope::sort_candidates(found);
+    return found.front();
+  };
+  const polytope::Candidate images = best(
+      {matrix({{-1, 1, -1}, {-1, -1, 1}, {0, 1, 1}}), matrix({{-1, 1, -1}, {-1, -1, 0}, {0, 1, 1}})}, {0});
+  CHECK(images.word.size() == 41);
+  CHECK(images.radius > 1.684185282);
+  const polytope::Candidate run = best({matrix({{1, 1}, {0, 1}}), matrix({{0, 0}, {Rational(1, 100), 0}})}, {0});
+  CHECK(run.word.size() == 274);
+  CHECK(run.radius > 1.003672059);
 }
 
 TEST_CASE("bounds by forms are above the products") {

@@ -14,12 +14,14 @@ namespace {
 
 using polytope::Matrix;
 
-constexpr double coordinates_share = 0.5;              // of the time
-constexpr std::size_t contexts[] = {256, 1024, 4096};  // of last letters, for a look each
-constexpr std::size_t images_per_context = 4;          // that go on
-constexpr std::size_t path_length = 600, longest_product = 200, starts = 100;
+constexpr double coordinates_share = 0.5, runs_share = 0.2;  // of the time
+constexpr std::size_t contexts[] = {256, 1024, 4096};        // of last letters, for a look each
+constexpr std::size_t images_per_context = 4;                // that go on
+constexpr std::size_t path_length = 600, starts = 100, longest_run = 400;
+constexpr std::ptrdiff_t longest_product = 200;
 constexpr double near = 2e-3;        // products so far below the best are reported
 constexpr double better = 1e-9;      // relatively, for a wider look
+constexpr double hopeless = 0.1;     // the norm of a product, likewise, of a word that is not worth going on with
 constexpr double least_trace = 0.5;  // of the square of a product, divided by the power of the best radius
 
 /// Images of one vector by words of growing length.
@@ -100,23 +102,21 @@ class Cycles {
     // What comes first and last in a word is on its way to its cycle or from it.
     const std::size_t first = word.size() / 8, part = word.size() / 2;
     for (std::size_t start = 0; start < std::min(starts, part) && !deadline.expired(); ++start) {
-      const std::size_t begin = first + start * part / starts;
-      Matrix product = Matrix::identity(matrices_.front().rows());
-      for (std::size_t k = begin; k < std::min(word.size(), begin + longest_product); ++k) {
-        product = polytope::fast_product(matrices_[static_cast<std::size_t>(word[k])], product);
-        product /= best_;
-        double trace = 0;
-        for (std::size_t j = 0; j < product.columns(); ++j)
-          for (std::size_t i = 0; i < product.rows(); ++i) trace += product(i, j) * product(j, i);
-        const double length = static_cast<double>(k + 1 - begin);
-        if (std::abs(trace) < std::max(least_trace, std::pow(1 - near, 2 * length))) continue;
-        std::vector<int> letters = polytope::canonical_word(
-            {word.begin() + static_cast<std::ptrdiff_t>(begin), word.begin() + static_cast<std::ptrdiff_t>(k) + 1},
-            family_.matrices.size(), family_.symmetry);
-        if (known_.contains(letters)) continue;
-        known_.emplace(std::move(letters), best_ * std::pow(polytope::spectral_radius(product), 1 / length));
-      }
+      const auto begin = word.begin() + static_cast<std::ptrdiff_t>(first + start * part / starts);
+      try_beginnings({begin, begin + std::min(longest_product, word.end() - begin)});
     }
+  }
+
+  /// Of a letter that is followed by another one again and again.
+  void look_at_runs(const Deadline& deadline) {
+    const int letters = static_cast<int>(matrices_.size());
+    for (int once = 0; once < letters; ++once)
+      for (int again = 0; again < letters && !deadline.expired(); ++again) {
+        if (again == once) continue;
+        std::vector<int> word(longest_run, again);
+        word.front() = once;
+        try_beginnings(word);
+      }
   }
 
   /// The largest radius so far.
@@ -132,6 +132,25 @@ class Cycles {
   }
 
  private:
+  void try_beginnings(const std::vector<int>& word) {
+    Matrix product = Matrix::identity(matrices_.front().rows());
+    std::vector<int> letters;
+    for (const int letter : word) {
+      letters.push_back(letter);
+      product = polytope::fast_product(matrices_[static_cast<std::size_t>(letter)], product);
+      product /= best_;
+      if (polytope::norm(product.entries()) < hopeless) return;
+      double trace = 0;
+      for (std::size_t j = 0; j < product.columns(); ++j)
+        for (std::size_t i = 0; i < product.rows(); ++i) trace += product(i, j) * product(j, i);
+      const auto length = static_cast<double>(letters.size());
+      if (std::abs(trace) < std::max(least_trace, std::pow(1 - near, 2 * length))) continue;
+      auto canonical = polytope::canonical_word(letters, family_.matrices.size(), family_.symmetry);
+      if (known_.contains(canonical)) continue;
+      known_.emplace(std::move(canonical), best_ * std::pow(polytope::spectral_radius(product), 1 / length));
+    }
+  }
+
   const polytope::SearchFamily& family_;
   const std::vector<Matrix>& matrices_;
   double best_;
@@ -145,6 +164,7 @@ std::vector<polytope::Candidate> long_products(const polytope::SearchFamily& fam
   const std::vector<Matrix> matrices = ellipsoidal_coordinates(family, radius, budget.deadline.after(coordinates_share))
                                            .matrices;
   Cycles cycles(family, matrices, radius);
+  cycles.look_at_runs(budget.deadline.after(runs_share));
   for (const std::size_t count : contexts) {
     const double before = cycles.best();
     cycles.look_into(Beam(matrices, count, budget.memory).longest_path(budget.deadline), budget.deadline);

@@ -176,7 +176,9 @@ class Search {
       if (!best || bound < best->bound) best = FormedTree{found, std::move(*tree), bits, bound};
     };
     const double most = std::min(most_work, work_per_second / full_trees * remaining());
-    for (const quadratic::StateForms* found : {&std::as_const(states), &one}) {
+    // Words that leave a long product are many; other bounds may do without.
+    for (const quadratic::StateForms* found : {&contexts.forms(), &std::as_const(states), &one}) {
+      if (found == &states && states.product.empty()) continue;
       // Contexts that there was little time for may be worse than the one form.
       if (best && best->bound <= found->bound) break;
       try_out(*found, quadratic::most_bits, std::min(most, fine_work()));

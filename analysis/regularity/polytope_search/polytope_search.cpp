@@ -18,7 +18,8 @@ constexpr double symmetric_tolerance = 1e-12;  // a symmetry may be off by that,
 // Shares of the whole time. A polytope that closes exactly is worth most of it; enclosing gets the rest.
 constexpr double first_products = 0.35, later_products = 0.175;
 constexpr double first_race = 0.84, all_races = 0.91, last_race = 0.7;
-constexpr double last_share = 0.5;  // of what is left for races at last, where forms come after polytopes
+constexpr double early_share = 0.2;  // of that patience, before long products are looked for
+constexpr double last_share = 0.5;   // of what is left for races at last, where forms come after polytopes
 // A polytope that closes mostly does so within a small multiple of the first look at the products; one that does not
 // gets a wider look for a better product, and more time each round.
 constexpr double first_patience = 20, later_patience = 30;
@@ -95,10 +96,15 @@ class Search {
     for (std::size_t k = 1; k < product_looks.size(); ++k) {
       const bool last = k + 1 == product_looks.size();
       const double before = work_;
-      if (last && forms_follow()) look_for_more_products();
       look_for_products(product_looks[k], later_products);
       const double rest = (last && forms_follow() ? last_share : 1) * (all_races * seconds_ - work_);
-      if (race(last ? rest : std::min(least_race + later_patience * (work_ - before), rest), 2)) return closed();
+      double patience = last ? rest : std::min(least_race + later_patience * (work_ - before), rest);
+      if (k == 1 && forms_follow()) {
+        if (race(early_share * patience, 2)) return closed();
+        look_for_more_products();
+        patience *= 1 - early_share;
+      }
+      if (race(patience, 2)) return closed();
       if (k == 1 && race_with_large_extras(large_share * all_races * seconds_)) return closed();
       if (work_ > last_race * seconds_ || races_.expired() || full()) break;
     }

@@ -17,7 +17,7 @@ using quadratic::ProductTree;
 // Of the time: until the first form is found; of the rest until the last contexts are, and their tree.
 constexpr double shape_share = 0.3, contexts_share = 0.78, tree_share = 0.9;
 constexpr double look_share = 0.4;       // of the time for contexts: for a look whether words are few already
-constexpr double first_look = 0.1;       // seconds, before there are contexts
+constexpr double first_look = 0.1;       // seconds, of the first ones
 constexpr double most_work = 2e10;       // of a proof; a checker takes a few seconds for it, the verified one a minute
 constexpr double most_fine_work = 1e8;   // with long numbers
 constexpr double work_per_second = 8e9;  // of all cores, and some to spare
@@ -152,20 +152,21 @@ class Search {
   /// bound.
   std::optional<GraphProof> run(const quadratic::StateForms& one, quadratic::ContextForms contexts) {
     const Deadline contexts_end = budget_.deadline.after(contexts_share);
-    double seconds = first_look;
-    quadratic::StateForms states = with_product(contexts);
-    while (true) {
-      const double work = std::min(most_work, work_per_second * look_share * seconds);
-      const auto kept = kept_tree(states, kept_slacks[0], work, trees_end_);
+    for (double seconds = first_look;;) {
+      // A long product costs time of its own, and so do the ends of words on it.
+      const Deadline looking = trees_end_.at_most(seconds);
+      const quadratic::StateForms states = with_product(contexts, looking);
+      const double work = std::min(most_work, work_per_second * seconds);
+      const auto kept = kept_tree(states, kept_slacks[0], work, looking);
       if (kept)
         if (auto proof = attained(states, *kept)) return proof;
       if (kept || states.product.empty())
-        if (auto tree = tree_at_goal(states, goal(), {work, trees_end_})) return proved(states, *tree, bits_of(*tree));
+        if (auto tree = tree_at_goal(states, goal(), {work, looking})) return proved(states, *tree, bits_of(*tree));
       const Stopwatch stopwatch;
       if (!contexts.grow({contexts_end, budget_.memory / 2})) break;
-      states = with_product(contexts);
-      seconds = stopwatch.seconds();
+      seconds = std::max(first_look, look_share * stopwatch.seconds());
     }
+    const quadratic::StateForms states = with_product(contexts, trees_end_);
     if (const auto kept = kept_tree(states, kept_slacks[0], most_work, trees_end_.after(kept_share)))
       if (auto proof = attained(states, *kept)) return proof;
     std::optional<FormedTree> best;
@@ -177,7 +178,7 @@ class Search {
     };
     const double most = std::min(most_work, work_per_second / full_trees * remaining());
     // Words that leave a long product are many; other bounds may do without.
-    for (const quadratic::StateForms* found : {&contexts.forms(), &std::as_const(states), &one}) {
+    for (const quadratic::StateForms* found : {&contexts.forms(), &states, &one}) {
       if (found == &states && states.product.empty()) continue;
       // Contexts that there was little time for may be worse than the one form.
       if (best && best->bound <= found->bound) break;
@@ -195,9 +196,9 @@ class Search {
     return tree.work <= fine_work() ? quadratic::most_bits : quadratic::double_bits;
   }
 
-  quadratic::StateForms with_product(const quadratic::ContextForms& contexts) const {
+  quadratic::StateForms with_product(const quadratic::ContextForms& contexts, const Deadline& deadline) const {
     if (!product_.word.empty())
-      if (auto forms = contexts.with_cycle(product_.word, {trees_end_, budget_.memory / 2})) return std::move(*forms);
+      if (auto forms = contexts.with_cycle(product_.word, {deadline, budget_.memory / 2})) return std::move(*forms);
     return contexts.forms();
   }
 

@@ -181,7 +181,7 @@ class Search {
     for (const quadratic::StateForms* found : {&contexts.forms(), &states, &one}) {
       if (found == &states && states.product.empty()) continue;
       // Contexts that there was little time for may be worse than the one form.
-      if (best && best->bound <= found->bound) break;
+      if (found == &one && best && best->bound <= one.bound) break;
       try_out(*found, quadratic::most_bits, std::min(most, fine_work()));
       try_out(*found, quadratic::double_bits, most);
     }

@@ -35,7 +35,7 @@ void* reallocate(void* memory, std::size_t, std::size_t size) {
 void release(void* memory, std::size_t) { std::free(memory); }
 
 /// GMP ends the program where there is no memory left; this one answers.
-void set_caps() {
+[[maybe_unused]] void set_caps() {
   mp_set_memory_functions(allocate, reallocate, release);
   std::signal(SIGXCPU, [](int) { give_up("REJECTED more time than the checker allows, line 0\n"); });
   const rlimit seconds{most_seconds, most_seconds + 1}, memory{most_memory, most_memory};

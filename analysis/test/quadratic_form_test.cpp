@@ -175,9 +175,9 @@ TEST_CASE("forms of contexts and of a cycle are nearer than one form") {
 TEST_CASE("the longest images and runs of a letter name the product") {
   const auto best = [](const MatrixFamily& family, const std::vector<int>& word) {
     const polytope::SearchFamily search = radius::to_search_family(family);
-    auto found = quadratic::long_products(search, polytope::product_radius(search.matrices, word), {Deadline::in(60)});
+    const auto found = quadratic::long_products(search, polytope::product_radius(search.matrices, word),
+                                                {Deadline::in(60)});
     REQUIRE(!found.empty());
-    polytope::sort_candidates(found);
     return found.front();
   };
   const polytope::Candidate images = best(

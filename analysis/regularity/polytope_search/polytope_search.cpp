@@ -93,22 +93,18 @@ class Search {
     if (candidates_.front().radius == 0) return vanishing();
     if (!options_.exact) return enclosed();
     if (race(std::min(least_race + first_patience * work_, first_race * seconds_), 1)) return closed();
-    for (std::size_t k = 1; k < product_looks.size(); ++k) {
-      const bool last = k + 1 == product_looks.size();
-      const double before = work_;
-      look_for_products(product_looks[k], later_products);
-      const double rest = (last && forms_follow() ? last_share : 1) * (all_races * seconds_ - work_);
-      double patience = last ? rest : std::min(least_race + later_patience * (work_ - before), rest);
-      if (k == 1 && forms_follow()) {
-        if (race(early_share * patience, 2)) return closed();
-        look_for_more_products();
-        patience *= 1 - early_share;
-      }
-      if (race(patience, 2)) return closed();
-      if (k == 1 && race_with_large_extras(large_share * all_races * seconds_)) return closed();
-      if (work_ > last_race * seconds_ || races_.expired() || full()) break;
+    const double before = work_;
+    look_for_products(product_looks[1], later_products);
+    double patience = std::min(least_race + later_patience * (work_ - before), left_for_races());
+    if (forms_follow()) {
+      if (race(early_share * patience, 2)) return closed();
+      look_for_more_products();
+      patience *= 1 - early_share;
     }
-    return enclosed();
+    if (race(patience, 2) || race_with_large_extras(large_share * all_races * seconds_)) return closed();
+    if (work_ > last_race * seconds_ || races_.expired() || full()) return enclosed();
+    look_for_products(product_looks[2], later_products);
+    return race((forms_follow() ? last_share : 1) * left_for_races(), 2) ? closed() : enclosed();
   }
 
  private:
@@ -119,6 +115,7 @@ class Search {
   std::size_t memory_of_products() const { return options_.budget.memory / 4; }
   std::size_t memory_of_polytopes() const { return options_.budget.memory - memory_of_products(); }
 
+  double left_for_races() const { return all_races * seconds_ - work_; }
   bool full() const { return runs_[0] && runs_[1] && runs_[0]->full() && runs_[1]->full(); }
 
   // Looks for products and gives up what is built on a worse one.

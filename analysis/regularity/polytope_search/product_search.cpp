@@ -46,14 +46,6 @@ struct Partial {
   double score = 0;  // averaged estimate of the spectral radius
 };
 
-// |tr P^2|^(1/2) is the radius of P up to the weight of the other eigenvalues.
-double estimated_radius(const Matrix& p) {
-  double trace = 0;
-  for (std::size_t j = 0; j < p.columns(); ++j)
-    for (std::size_t i = 0; i < p.rows(); ++i) trace += p(i, j) * p(j, i);
-  return std::sqrt(std::abs(trace));
-}
-
 // One search, length by length.
 class ProductSearch {
  public:
@@ -225,6 +217,13 @@ std::size_t sort_candidates(std::vector<Candidate>& candidates, bool least) {
     return least ? a.radius < b.radius : a.radius > b.radius;
   });
   return static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), leads));
+}
+
+double estimated_radius(const Matrix& product) {
+  double trace = 0;
+  for (std::size_t j = 0; j < product.columns(); ++j)
+    for (std::size_t i = 0; i < product.rows(); ++i) trace += product(i, j) * product(j, i);
+  return std::sqrt(std::abs(trace));
 }
 
 double product_radius(const std::vector<Matrix>& matrices, const std::vector<int>& word) {

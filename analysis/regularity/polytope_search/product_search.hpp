@@ -47,6 +47,9 @@ std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count,
 /// the shorter words first. Returns how many do.
 std::size_t sort_candidates(std::vector<Candidate>& candidates, bool least = false);
 
+/// |tr P^2|^(1/2), the spectral radius of P up to the weight of the other eigenvalues.
+double estimated_radius(const Matrix& product);
+
 /// rho(A_{w_k} ... A_{w_1})^(1/k), from the eigenvalues of the product in double precision.
 /// Domain: non-empty word over the family.
 double product_radius(const std::vector<Matrix>& matrices, const std::vector<int>& word);

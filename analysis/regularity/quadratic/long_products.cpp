@@ -19,10 +19,10 @@ constexpr std::size_t contexts[] = {256, 1024, 4096};        // of last letters,
 constexpr std::size_t images_per_context = 4;                // that go on
 constexpr std::size_t path_length = 600, starts = 100, longest_run = 400;
 constexpr std::ptrdiff_t longest_product = 200;
-constexpr double near = 2e-3;        // products so far below the best are reported
-constexpr double better = 1e-9;      // relatively, for a wider look
-constexpr double hopeless = 0.1;     // the norm of a product, likewise, of a word that is not worth going on with
-constexpr double least_trace = 0.5;  // of the square of a product, divided by the power of the best radius
+constexpr double near = 2e-3;     // products so far below the best are reported
+constexpr double better = 1e-9;   // relatively, for a wider look
+constexpr double hopeless = 0.1;  // the norm of a product over the power of the best radius: the word is left there
+constexpr double least_radius = 0.7071;  // that is estimated of a product, likewise
 
 /// Images of one vector by words of growing length.
 class Beam {
@@ -125,9 +125,11 @@ class Cycles {
     return best_;
   }
   std::vector<polytope::Candidate> near_best() {
+    const double least = best() * (1 - near);
     std::vector<polytope::Candidate> result;
     for (const auto& [word, radius] : known_)
-      if (radius >= best() * (1 - near)) result.push_back({word, radius});
+      if (radius >= least) result.push_back({word, radius});
+    polytope::sort_candidates(result);
     return result;
   }
 
@@ -140,11 +142,8 @@ class Cycles {
       product = polytope::fast_product(matrices_[static_cast<std::size_t>(letter)], product);
       product /= best_;
       if (polytope::norm(product.entries()) < hopeless) return;
-      double trace = 0;
-      for (std::size_t j = 0; j < product.columns(); ++j)
-        for (std::size_t i = 0; i < product.rows(); ++i) trace += product(i, j) * product(j, i);
       const auto length = static_cast<double>(letters.size());
-      if (std::abs(trace) < std::max(least_trace, std::pow(1 - near, 2 * length))) continue;
+      if (polytope::estimated_radius(product) < std::max(least_radius, std::pow(1 - near, length))) continue;
       auto canonical = polytope::canonical_word(letters, family_.matrices.size(), family_.symmetry);
       if (known_.contains(canonical)) continue;
       known_.emplace(std::move(canonical), best_ * std::pow(polytope::spectral_radius(product), 1 / length));

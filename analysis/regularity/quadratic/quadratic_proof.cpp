@@ -152,10 +152,11 @@ class Search {
   /// bound.
   std::optional<GraphProof> run(const quadratic::StateForms& one, quadratic::ContextForms contexts) {
     const Deadline contexts_end = budget_.deadline.after(contexts_share);
+    quadratic::StateForms states;
     for (double seconds = first_look;;) {
       // A long product costs time of its own, and so do the ends of words on it.
       const Deadline looking = trees_end_.at_most(seconds);
-      const quadratic::StateForms states = with_product(contexts, looking);
+      states = with_product(contexts, looking);
       const double work = std::min(most_work, work_per_second * seconds);
       const auto kept = kept_tree(states, kept_slacks[0], work, looking);
       if (kept)
@@ -166,7 +167,7 @@ class Search {
       if (!contexts.grow({contexts_end, budget_.memory / 2})) break;
       seconds = std::max(first_look, look_share * stopwatch.seconds());
     }
-    const quadratic::StateForms states = with_product(contexts, trees_end_);
+    if (states.product.empty()) states = with_product(contexts, trees_end_);
     if (const auto kept = kept_tree(states, kept_slacks[0], most_work, trees_end_.after(kept_share)))
       if (auto proof = attained(states, *kept)) return proof;
     std::optional<FormedTree> best;
@@ -178,7 +179,7 @@ class Search {
     };
     const double most = std::min(most_work, work_per_second / full_trees * remaining());
     // Words that leave a long product are many; other bounds may do without.
-    for (const quadratic::StateForms* found : {&contexts.forms(), &states, &one}) {
+    for (const quadratic::StateForms* found : {&contexts.forms(), &std::as_const(states), &one}) {
       if (found == &states && states.product.empty()) continue;
       // Contexts that there was little time for may be worse than the one form.
       if (found == &one && best && best->bound <= one.bound) break;

@@ -242,12 +242,10 @@ ProductEvidence find_product_above(const MatrixFamily& family, const Rational& l
   ProductEvidence best;
   double largest = 0;
   // Whether one of them is large enough.
-  const auto enough = [&](std::vector<polytope::Candidate> found) {
-    polytope::sort_candidates(found);
-    if (found.size() > proved_products) found.resize(proved_products);
-    for (const polytope::Candidate& candidate : found) {
-      largest = std::max(largest, candidate.radius);
-      const std::vector<int> word(candidate.word.rbegin(), candidate.word.rend());
+  const auto enough = [&](const std::vector<polytope::Candidate>& found) {
+    for (std::size_t k = 0; k < std::min(found.size(), proved_products); ++k) {
+      largest = std::max(largest, found[k].radius);
+      const std::vector<int> word(found[k].word.rbegin(), found[k].word.rend());
       ProductEvidence evidence = radius::scaled(prove_product(scaled_family, word, budget.deadline), exponent);
       const Rational& lower = evidence.exact ? *evidence.exact : *evidence.radius.lower;
       if (best.word.empty() || lower > *best.radius.lower) best = std::move(evidence);

@@ -20,6 +20,10 @@ constexpr double tiny_coordinate = 1e-36;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+bool is_finite(const Vector& x) {
+  return std::ranges::all_of(x, [](double c) { return std::isfinite(c); });
+}
+
 }  // namespace
 
 AntinormSearch::AntinormSearch(std::vector<Matrix> matrices, Vector first, std::vector<int> cycle, std::size_t memory,
@@ -33,8 +37,7 @@ AntinormSearch::AntinormSearch(std::vector<Matrix> matrices, Vector first, std::
   for (std::size_t k = 0; k + 1 < cycle_.size(); ++k)
     add_image({matrices_[at(cycle_[k])] * result_.vertices.back().value, static_cast<int>(k), cycle_[k], 1});
   end_ = result_.vertices.size();
-  for (const AntinormCandidate::Vertex& vertex : result_.vertices)
-    overflows_ = overflows_ || !std::ranges::all_of(vertex.value, [](double c) { return std::isfinite(c); });
+  overflows_ = !std::ranges::all_of(result_.vertices, is_finite, &AntinormCandidate::Vertex::value);
 }
 
 bool AntinormSearch::is_full() const {
@@ -79,7 +82,7 @@ void AntinormSearch::look_at_images(std::size_t vertex) {
   for (std::size_t t = 0; t < matrices_.size(); ++t) {
     if (vertex < cycle_.size() && at(cycle_[vertex]) == t) continue;  // the next vertex
     Image image{matrices_[t] * result_.vertices[vertex].value, static_cast<int>(vertex), static_cast<int>(t), 0};
-    overflows_ = overflows_ || !std::ranges::all_of(image.value, [](double c) { return std::isfinite(c); });
+    overflows_ = overflows_ || !is_finite(image.value);
     if (overflows_) return;
     image.antinorm = program_.below(image.value, 1 + clearly_above).value;
     if (!is_inside(image)) below_.push_back(std::move(image));

@@ -21,7 +21,7 @@ constexpr slong root_bits = 1024;   // of the balls of zeros
 constexpr int point_bits = 640;     // of a point near a zero
 constexpr int radius_bits = 400;    // of the bounds of the radius
 constexpr int most_decimals = 100;  // of the point that names a zero, less the zeros in front
-constexpr std::size_t longest_cycle = 256;
+constexpr std::size_t longest_cycle = 1000;
 
 ComplexVector difference(const ComplexVector& a, const RationalComplex& factor, const ComplexVector& b) {
   ComplexVector result;

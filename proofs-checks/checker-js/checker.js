@@ -829,7 +829,7 @@ var check_certificate = (() => {
     const p = list.split(',').map(integer), [re, im, eps, ...more] = disc.split(',').map(rational);
     demand(p.length >= 2 && p.length <= 257 && p[p.length - 1], 'a polynomial has the degree 1 to 256');
     demand(eps && !more.length && sign(eps) > 0, form);
-    return {order: with_order ? small(M, 0, 500) : null, p, re, im, eps, L: small(L, 1, 256)};
+    return {order: with_order ? small(M, 0, 500) : null, p, re, im, eps, L: small(L, 1, 1000)};
   }
   // The lines `exact` and `root`, if they are there or the claim needs them: the exact number, with c = y / h near z
   function read_root(reader, {options, of_family}) {

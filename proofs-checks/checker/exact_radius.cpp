@@ -5,8 +5,9 @@
 namespace subcert_check {
 namespace {
 
-constexpr std::size_t most_letters = 256;  // of a cycle, and the largest degree
-constexpr std::size_t error_bits = 512;    // bounds are rounded up to so many binary digits after the point
+constexpr std::size_t most_letters = 1000;  // of a cycle
+constexpr std::size_t most_degree = 256;
+constexpr std::size_t error_bits = 512;  // bounds are rounded up to so many binary digits after the point
 
 mpz_class square(const mpz_class& x) { return x * x; }
 mpz_class squared_modulus(const Complex& z) { return square(z.re) + square(z.im); }
@@ -115,7 +116,7 @@ ExactRadius parse_exact_radius(std::string_view text) {
   ExactRadius radius;
   for (const std::string_view c : split(text.substr(2, end - 2), ",")) radius.polynomial.push_back(parse_integer(c));
   const std::size_t degree = radius.polynomial.size() - 1;
-  require(degree >= 1 && degree <= most_letters && radius.polynomial.back() != 0,
+  require(degree >= 1 && degree <= most_degree && radius.polynomial.back() != 0,
           "a polynomial has the degree 1 to 256 and a leading coefficient that is not zero");
   radius.re = parse_rational(point[0]);
   radius.im = parse_rational(point[1]);

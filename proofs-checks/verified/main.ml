@@ -174,7 +174,7 @@ let read_exact exponent text =
       require (Q.sign eps > 0) "the distance of a zero must be positive";
       let disc_scale = Z.lcm (Q.den re) (Z.lcm (Q.den im) (Q.den eps)) in
       let scaled x = Z.mul (Q.num x) (Z.divexact disc_scale (Q.den x)) in
-      let length = size (between (root + 4) (String.length text)) 1 256 in
+      let length = size (between (root + 4) (String.length text)) 1 1000 in
       { text; order;
         number = { polynomial; disc_re = scaled re; disc_im = scaled im; disc_radius = scaled eps; disc_scale; root = length } }
   | _ -> reject expected

@@ -245,6 +245,7 @@ bool PolytopeRun::settle(Pending& pending, bool optimum) {
     entry.norm = 0;
     return true;
   }
+  if (const int root = next_root(pending); root >= 0 && match(x, root, entry)) return true;
   if (kind_ == PolytopeKind::complex && match(x, entry)) return true;
   const double reject = optimum ? std::numeric_limits<double>::max() / 4 : 1.0;
   const std::int64_t pivots = simplex_.pivots();
@@ -292,27 +293,44 @@ bool PolytopeRun::is_term(const Vector& x, const CombinationTerm& term) const {
   return distance <= same_point * same_point * squared_norm(z);
 }
 
+// The root that the image of a root by the letter of its product is, or -1. A linear program may combine it of others
+// that lie on a line with it.
+int PolytopeRun::next_root(const Pending& pending) const {
+  const Node& root = vertices_[static_cast<std::size_t>(pending.vertex)];
+  if (root.cycle < 0) return -1;
+  const std::vector<int>& word = products_[static_cast<std::size_t>(root.cycle)].word;
+  if (word[static_cast<std::size_t>(root.place)] != pending.letter) return -1;
+  const int place = (root.place + 1) % static_cast<int>(word.size());
+  const auto next = std::ranges::find_if(
+      vertices_, [&](const Node& node) { return node.cycle == root.cycle && node.place == place; });
+  return next == vertices_.end() ? -1 : static_cast<int>(next - vertices_.begin());
+}
+
 // Is x a multiple c of a vertex, |c| = 1 up to rounding? A linear program comes near that phase by many pivots only.
 bool PolytopeRun::match(const Vector& x, Image& entry) {
+  for (std::size_t j = 0; j < vertices_.size(); ++j)
+    if (match(x, static_cast<int>(j), entry)) return true;
+  return false;
+}
+
+bool PolytopeRun::match(const Vector& x, int vertex, Image& entry) {
   const double size = inner(x, x);
-  for (std::size_t j = 0; j < vertices_.size(); ++j) {
-    // Those of another length are no candidates: |x| and |c v| differ by 2 same_point at most.
-    if (std::abs(inner(vertices_[j].value, vertices_[j].value) - size) > 10 * same_point * size) continue;
-    const ComplexVector z = complex_form(x);
-    for (int g = 0; g < coordinates_.action.order(); ++g) {
-      ComplexVector w = complex_form(vertices_[j].value);
-      coordinates_.action.apply(g, w.data());
-      for (const bool conjugated : {false, true}) {
-        if (conjugated) w = conjugate(std::move(w));
-        const std::complex<double> c = inner(w, z) / squared_norm(w);
-        double distance = 0;
-        for (std::size_t k = 0; k < dimension_; ++k) distance += std::norm(z[k] - c * w[k]);
-        if (std::abs(std::abs(c) - 1) > same_point || distance > same_point * same_point * size) continue;
-        entry.known = entry.identity = true;
-        entry.norm = 1;
-        set_terms(entry, {CombinationTerm{static_cast<int>(j), g, conjugated, c}});
-        return true;
-      }
+  // Those of another length are no candidates: |x| and |c v| differ by 2 same_point at most.
+  if (std::abs(inner(value(vertex), value(vertex)) - size) > 10 * same_point * size) return false;
+  const ComplexVector z = complex_form(x);
+  for (int g = 0; g < coordinates_.action.order(); ++g) {
+    ComplexVector w = complex_form(value(vertex));
+    coordinates_.action.apply(g, w.data());
+    for (const bool conjugated : {false, true}) {
+      if (conjugated) w = conjugate(std::move(w));
+      const std::complex<double> c = inner(w, z) / squared_norm(w);
+      double distance = 0;
+      for (std::size_t k = 0; k < dimension_; ++k) distance += std::norm(z[k] - c * w[k]);
+      if (std::abs(std::abs(c) - 1) > same_point || distance > same_point * same_point * size) continue;
+      entry.known = entry.identity = true;
+      entry.norm = 1;
+      set_terms(entry, {CombinationTerm{vertex, g, conjugated, c}});
+      return true;
     }
   }
   return false;

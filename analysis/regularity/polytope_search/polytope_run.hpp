@@ -76,7 +76,9 @@ class PolytopeRun {
   Matrix gram_of_vertices(double& size) const;
 
   bool settle(Pending& pending, bool optimum = false);
+  int next_root(const Pending& pending) const;
   bool match(const Vector& x, Image& entry);
+  bool match(const Vector& x, int vertex, Image& entry);
   bool is_term(const Vector& x, const CombinationTerm& term) const;
   bool settle_fresh(const Deadline& deadline);
   void add_largest(const Deadline& deadline);

@@ -587,6 +587,15 @@ def main(out):
     lone_case = (["--matrices", "lone.mat"], ["subcert-certificate 3", "radius 2 3", "bounds - -", *section, "end"])
     write("lone-exact", exactly(lone_case, lone, "", fibonacci, "8/5", "1/10", [(0, "-", [0], [1, 0, 0])]))
 
+    # the number 1, by a product of 300 letters
+    letters, number = 300, "|[-1,1]@1,0,1/2|^1/300"
+    images = [f"image {k} 0 {(k + 1) % letters}:1" for k in range(letters)]
+    origins = [f"origin {k} {k - 1} 0" for k in range(1, letters)]
+    write("long-exact", (["--matrices", "one.mat", "--lower", "1", "--upper", "1", "--exact", number], [
+        "subcert-certificate 3", "radius 1 1", "bounds 1 1", f"exact {number}", "root 1 0 0 1 1", "product 0 1 0 0",
+        f"block 0 polytope {letters} 0 0", *["vertex 1"] * letters, "unit 0 0:1", *images, "cycle 0 -" + " 0" * letters,
+        "seed 1", *origins, "end"]))
+
     # rounded masks
     # products by inverses: of a real eigenvalue, of a complex one, of all matrices near one
     near = Q(1, 1 << 60)

@@ -9,21 +9,37 @@
 
 namespace subcert {
 
-/// Lets another thread end what this one computes: deadlines that are made on this thread as long as the scope lives
-/// expire once the flag is set. Scopes may be nested; the innermost counts. Domain: the flag outlives those deadlines.
-class StopScope {
+/// Lets another thread end what is computed. A flag that is made within the scope of another one is set with it.
+class StopFlag {
  public:
-  explicit StopScope(const std::atomic<bool>* flag) : outer_(innermost) { innermost = flag; }
-  StopScope(const StopScope&) = delete;
-  StopScope& operator=(const StopScope&) = delete;
-  ~StopScope() { innermost = outer_; }
+  StopFlag() : outer_(innermost) {}
+  StopFlag(const StopFlag&) = delete;
+  StopFlag& operator=(const StopFlag&) = delete;
 
-  /// The flag of the innermost scope of this thread, or null.
-  static const std::atomic<bool>* current() { return innermost; }
+  void set() { set_.store(true, std::memory_order_relaxed); }
+  bool is_set() const { return set_.load(std::memory_order_relaxed) || (outer_ != nullptr && outer_->is_set()); }
 
  private:
-  const std::atomic<bool>* outer_;
-  static inline thread_local const std::atomic<bool>* innermost = nullptr;
+  friend class StopScope;
+  std::atomic<bool> set_ = false;
+  const StopFlag* outer_;
+  static inline thread_local const StopFlag* innermost = nullptr;
+};
+
+/// Deadlines that are made on this thread as long as the scope lives expire once the flag is set. Scopes may be nested;
+/// the innermost counts. Domain: the flag outlives those deadlines.
+class StopScope {
+ public:
+  explicit StopScope(const StopFlag* flag) : outer_(StopFlag::innermost) { StopFlag::innermost = flag; }
+  StopScope(const StopScope&) = delete;
+  StopScope& operator=(const StopScope&) = delete;
+  ~StopScope() { StopFlag::innermost = outer_; }
+
+  /// The flag of the innermost scope of this thread, or null.
+  static const StopFlag* current() { return StopFlag::innermost; }
+
+ private:
+  const StopFlag* outer_;
 };
 
 /// The moment at which work ends with what it has. Seconds are of wall clock.
@@ -55,10 +71,10 @@ class Deadline {
   static Clock::duration duration(double seconds) {
     return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   }
-  bool is_stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+  bool is_stopped() const { return stop_ != nullptr && stop_->is_set(); }
 
   Clock::time_point end_;
-  const std::atomic<bool>* stop_;
+  const StopFlag* stop_;
 };
 
 /// Seconds of wall clock since it was made.

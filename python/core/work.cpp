@@ -9,7 +9,7 @@ constexpr auto look = std::chrono::milliseconds(100);
 
 void wait_for(const py::object& progress, const std::function<void()>& work) {
   const Stopwatch watch;
-  std::atomic<bool> stop = false;
+  StopFlag stop;
   std::exception_ptr failure, interrupt;
   std::mutex ending;
   std::condition_variable ended;
@@ -22,7 +22,7 @@ void wait_for(const py::object& progress, const std::function<void()>& work) {
       if (!progress.is_none()) progress(watch.seconds());
     } catch (...) {
       interrupt = std::current_exception();
-      stop = true;
+      stop.set();
     }
   };
   {

@@ -97,9 +97,9 @@ void in_parts(std::size_t count, const Work& work) {
 }
 
 double largest_norm(const StateForms& forms) {
-  double largest = 0;
-  for (const Step& step : forms.steps) largest = std::max(largest, polytope::spectral_norm(step.matrix));
-  return largest;
+  std::vector<double> norms(forms.steps.size());
+  in_parts(norms.size(), [&](std::size_t k) { norms[k] = polytope::spectral_norm(forms.steps[k].matrix); });
+  return *std::ranges::max_element(norms);
 }
 
 /// Forms, and g^2 by its logarithm.
@@ -190,6 +190,7 @@ double longest_part(const Vector& direction, std::size_t states) {
 
 /// Follows the gradient for one weight.
 void descend(Point& at, double weight, const Deadline& deadline) {
+  if (deadline.expired()) return;
   LimitedMemory memory(first_step);
   std::optional<Value> here = value_of(at, weight);
   for (int k = 0; k < steps_per_weight && here && !deadline.expired(); ++k) {
@@ -203,7 +204,7 @@ void descend(Point& at, double weight, const Deadline& deadline) {
       next = moved(at, *way, share);
       there = value_of(next, weight);
       if (there && there->barrier <= here->barrier + 1e-4 * share * slope) break;
-      if (++halvings == most_halvings) return;
+      if (++halvings == most_halvings || deadline.expired()) return;
     }
     memory.remember(share, *way, here->gradient, there->gradient);
     const double gain = here->barrier - there->barrier;

@@ -14,8 +14,10 @@ namespace {
 using quadratic::EllipsoidalCoordinates;
 using quadratic::ProductTree;
 
-// Of the time: until the first form is found; of the rest until the last contexts are, and their tree.
-constexpr double shape_share = 0.3, contexts_share = 0.78, tree_share = 0.9;
+// Of the time that is left: for the first form, for contexts, and for their tree.
+constexpr double shape_share = 0.3, contexts_share = 0.78, tree_share = 0.55;
+constexpr double useful = 0.98;          // what longer contexts leave of the excess of their bound over the radius
+constexpr int most_useless = 2;          // contexts one after the other
 constexpr double look_share = 0.4;       // of the time for contexts: for a look whether words are few already
 constexpr double first_look = 0.1;       // seconds, of the first ones
 constexpr double most_work = 2e10;       // of a proof; a checker takes a few seconds for it, the verified one a minute
@@ -140,12 +142,7 @@ class Search {
  public:
   /// `radius`: that of the product, or a bound that is small enough.
   Search(const MatrixFamily& family, Shape shape, double radius, const LeadingProduct& product, const Budget& budget)
-      : family_(family),
-        shape_(std::move(shape)),
-        radius_(radius),
-        product_(product),
-        budget_(budget),
-        trees_end_(budget.deadline.after(tree_share)) {}
+      : family_(family), shape_(std::move(shape)), radius_(radius), product_(product), budget_(budget) {}
 
   /// Of one form and forms of contexts, ever longer, the first ones that prove the product to attain the radius, or
   /// whose tree has the goal for its bound; or, of the last ones and the one form, those whose proof has the least
@@ -153,9 +150,10 @@ class Search {
   std::optional<GraphProof> run(const quadratic::StateForms& one, quadratic::ContextForms contexts) {
     const Deadline contexts_end = budget_.deadline.after(contexts_share);
     quadratic::StateForms states;
-    for (double seconds = first_look;;) {
+    double seconds = first_look;
+    for (int useless = 0; useless < most_useless;) {
       // A long product costs time of its own, and so do the ends of words on it.
-      const Deadline looking = trees_end_.at_most(seconds);
+      const Deadline looking = for_trees().at_most(seconds);
       states = with_product(contexts, looking);
       const double work = std::min(most_work, work_per_second * seconds);
       const auto kept = kept_tree(states, kept_slacks[0], work, looking);
@@ -164,15 +162,18 @@ class Search {
       if (kept || states.product.empty())
         if (auto tree = tree_at_goal(states, goal(), {work, looking})) return proved(states, *tree, bits_of(*tree));
       const Stopwatch stopwatch;
+      const double excess = contexts.forms().bound - radius_;
       if (!contexts.grow({contexts_end, budget_.memory / 2})) break;
       seconds = std::max(first_look, look_share * stopwatch.seconds());
+      useless = contexts.forms().bound - radius_ < useful * excess ? 0 : useless + 1;
     }
-    if (states.product.empty()) states = with_product(contexts, trees_end_);
-    if (const auto kept = kept_tree(states, kept_slacks[0], most_work, trees_end_.after(kept_share)))
+    const Deadline trees_end = for_trees();
+    if (states.product.empty()) states = with_product(contexts, trees_end);
+    if (const auto kept = kept_tree(states, kept_slacks[0], most_work, trees_end.after(kept_share)))
       if (auto proof = attained(states, *kept)) return proof;
     std::optional<FormedTree> best;
     const auto try_out = [&](const quadratic::StateForms& found, int bits, double work) {
-      auto tree = least_tree(found, goal(), {work, trees_end_});
+      auto tree = least_tree(found, goal(), {work, trees_end});
       if (!tree) return;
       const double bound = tree->bound * (1 + quadratic::slack_of(bits, family_.size()));
       if (!best || bound < best->bound) best = FormedTree{found, std::move(*tree), bits, bound};
@@ -191,6 +192,7 @@ class Search {
 
  private:
   double goal() const { return radius_ * (1 - goal_below); }
+  Deadline for_trees() const { return budget_.deadline.after(tree_share); }
   double remaining() const { return budget_.deadline.remaining(); }
   double fine_work() const { return std::min(most_fine_work, work_per_second / 2 / fine_factor * remaining()); }
   int bits_of(const ProductTree& tree) const {
@@ -245,7 +247,7 @@ class Search {
     };
     auto graph = with_bits(bits_of(tree), prove);
     if (!graph) {
-      auto other = kept_tree(forms, kept_slacks[1], most_work, trees_end_.after(kept_share));
+      auto other = kept_tree(forms, kept_slacks[1], most_work, for_trees().after(kept_share));
       if (!other) return std::nullopt;
       tree = std::move(*other);
       graph = prove(quadratic::double_bits, budget_.deadline);
@@ -262,7 +264,6 @@ class Search {
   double radius_;
   const LeadingProduct& product_;
   Budget budget_;
-  Deadline trees_end_;
 };
 
 }  // namespace

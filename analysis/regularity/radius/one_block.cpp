@@ -2,11 +2,16 @@
 
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include <subcert/analysis/regularity/quadratic/long_products.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 
 #include "attains.hpp"
 #include "scaling.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <semaphore>
+#include <tuple>
 
 namespace subcert::radius {
 namespace {
@@ -18,6 +23,9 @@ constexpr double polytope_share = 0.5;  // of the time that is left; the rest is
 constexpr double exact_share = 0.6;     // of the time for a proof: that a closed polytope may take of it
 constexpr double larger_share = 0.3;    // of what is left then, for the search of another one
 constexpr double grace = 0.5;           // seconds that a proof may take in any case
+constexpr double alone_share = 0.05;    // of the time that polytopes have before forms are sought beside them,
+constexpr double most_alone = 10;       // in seconds
+constexpr double same_radius = 1e-9;    // of products, relatively
 
 /// Whether all maximizing products have the radius of the first, exactly.
 bool have_equal_radii(const MatrixFamily& family, const PolytopeCandidate& candidate, const ProductEvidence& first,
@@ -166,6 +174,68 @@ Attempt best_attempt(const MatrixFamily& family, const Budget& searching, const 
   return second.is_better_than(first) ? std::move(second) : std::move(first);
 }
 
+/// The search for quadratic forms, and the product that they are to keep.
+struct FormAttempt {
+  ProductEvidence product;
+  std::optional<GraphProof> proof;
+  bool is_exact() const { return proof && proof->attained; }
+};
+
+/// The best product of a quick look, and of the words along which a vector becomes longest.
+std::vector<int> find_long_product(const MatrixFamily& family, const Budget& budget) {
+  const polytope::SearchFamily search = round_family(family, budget.deadline).family;
+  const auto [length, width] = polytope::product_looks[1];
+  auto found = polytope::search_products(search, {.max_length = length, .width = width, .budget = budget});
+  if (found.front().radius > 0)
+    std::ranges::move(quadratic::long_products(search, found.front().radius, budget), std::back_inserter(found));
+  polytope::sort_candidates(found);
+  return {found.front().word.rbegin(), found.front().word.rend()};
+}
+
+struct Attempts {
+  Attempt polytopes;
+  std::optional<FormAttempt> forms;  ///< nothing where they were not sought, or are of no use
+};
+
+/// Searches polytopes and, where none closes soon, quadratic forms beside them, until one of them proves that a product
+/// attains the radius, or a polytope has the target for its bound. `known`: an upper bound.
+Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const std::optional<Rational>& target,
+                      const Rational& known) {
+  Attempts result;
+  StopFlag polytopes_end, forms_end;
+  std::binary_semaphore forms_begin(0);
+  std::atomic<double> radius_of_forms = 0;  // of the product, once there is one
+  const Budget half{budget.deadline, budget.memory / 2};
+  const auto seek_polytopes = [&] {
+    const StopScope scope(&polytopes_end);
+    const Deadline end = Deadline::in(budget.deadline.remaining());
+    result.polytopes = best_attempt(family, {end.after(polytope_share), half.memory}, {end, half.memory}, target);
+    const Attempt& found = result.polytopes;
+    const double radius = found.product.radius.lower->convert_to<double>(), other = radius_of_forms;
+    if ((found.candidate.closed && found.polytope) || *found.product.radius.lower >= known ||
+        (target && found.polytope && found.polytope->bound <= *target) ||
+        (other > 0 && other < radius * (1 - same_radius)))
+      forms_end.set();
+    forms_begin.release();
+  };
+  const auto seek_forms = [&] {
+    const StopScope scope(&forms_end);
+    const Budget its{Deadline::in(budget.deadline.remaining()), half.memory};
+    const double alone = std::min(most_alone, alone_share * its.deadline.remaining());
+    std::ignore = forms_begin.try_acquire_for(std::chrono::duration<double>(alone));
+    if (its.deadline.expired()) return;
+    FormAttempt forms;
+    forms.product = prove_product(family, find_long_product(family, its), its.deadline);
+    radius_of_forms = forms.product.radius.lower->convert_to<double>();
+    forms.proof = prove_by_quadratic_forms(family, *forms.product.radius.lower, its,
+                                           {forms.product.word, forms.product.eigenvalue});
+    if (forms.is_exact()) polytopes_end.set();
+    if (!forms_end.is_set()) result.forms = std::move(forms);
+  };
+  parallel_for_each(2, all_cores(), [&](std::size_t which) { which == 0 ? seek_polytopes() : seek_forms(); });
+  return result;
+}
+
 /// Of 2^exponent times matrices that are a number times isometries: no polytope has finitely many vertices there.
 JointSpectralRadius radius_of_isometries(const MatrixFamily& family, QuadraticProof proof, long exponent,
                                          const Deadline& deadline) {
@@ -188,19 +258,20 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   if (auto isometries = prove_isometries(scaled_family, budget.deadline))
     return radius_of_isometries(scaled_family, std::move(*isometries), exponent, budget.deadline);
   const NormProof norms = known ? *known : norm_of_products(family, {budget.deadline.after(norm_share), budget.memory});
-  const Deadline searching = budget.deadline.after(polytope_share);
-  Attempt found = best_attempt(scaled_family, {searching, budget.memory}, budget,
-                               target ? std::optional<Rational>(*target / unit) : std::nullopt);
+  auto [found, forms] = attempt_both(scaled_family, budget, target ? std::optional(*target / unit) : std::nullopt,
+                                     norms.bound() / unit);
   const PolytopeCandidate& candidate = found.candidate;
   std::optional<PolytopeProof>& polytope = found.polytope;
   ProductEvidence& product = found.product;
 
   // Doubles may not tell which of these products is the largest.
-  if (!found.exact.is_yes())
+  if (!found.exact.is_yes() && !(forms && forms->is_exact()))
     for (std::size_t k = 1; k < std::min(candidate.products.size(), proved_products); ++k) {
       ProductEvidence other = prove_product(scaled_family, candidate.products[k].word, budget.deadline);
       if (*other.radius.lower > *product.radius.lower) product = std::move(other);
     }
+  if (forms && (forms->is_exact() || *forms->product.radius.lower > *product.radius.lower))
+    product = std::move(forms->product);
 
   JointSpectralRadius result;
   const Rational lower = *product.radius.lower * unit;
@@ -208,11 +279,11 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   // Of two bounds that differ by rounding only, the polytope is the shorter proof.
   const bool by_polytope = polytope && polytope->bound * unit < upper * (1 + rounding);
   if (by_polytope) upper = polytope->bound * unit;
-  std::optional<GraphProof> form;
+  std::optional<GraphProof> form = forms ? std::move(forms->proof) : std::nullopt;
   const bool enough = target && upper <= *target;
   // A polytope that closed in floating point may have no proof.
   const bool closed = candidate.closed && by_polytope;
-  if (!closed && lower < upper && !enough)
+  if (!forms && !closed && lower < upper && !enough)
     form = prove_by_quadratic_forms(scaled_family, lower / unit, budget, {product.word, product.eigenvalue});
   const bool attained = form && form->attained && !found.exact.is_yes(),
              by_form = form && (attained || form->bound * unit < upper);

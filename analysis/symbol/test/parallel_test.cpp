@@ -47,14 +47,19 @@ TEST_CASE("the first exception comes out, and no work is begun after it") {
 
 TEST_CASE("a flag ends the deadlines of its scope, on other threads too, and no others") {
   const Deadline before = Deadline::in(1000), endless;
-  std::atomic<bool> flag = false;
+  StopFlag flag;
   {
     const StopScope scope(&flag);
+    StopFlag inner;
     const Deadline inside = Deadline::in(1000), unlimited, later = inside.after(0.5);
     std::vector<Deadline> elsewhere(3);
     parallel_for_each(3, 3, [&](std::size_t i) { elsewhere[i] = Deadline::in(1000); });
+    {
+      const StopScope inner_scope(&inner);
+      elsewhere.emplace_back();  // the outer flag ends it, too
+    }
     CHECK_FALSE(inside.expired());
-    flag = true;
+    flag.set();
     CHECK(inside.expired());
     CHECK(inside.remaining() == 0);
     CHECK(unlimited.expired());

@@ -133,6 +133,7 @@ struct Attempt {
   std::optional<PolytopeProof> polytope;
   Decision exact;
 
+  bool reaches(const std::optional<Rational>& target) const { return target && polytope && polytope->bound <= *target; }
   bool is_better_than(const Attempt& other) const {
     if (exact.is_yes() || other.exact.is_yes()) return exact.is_yes() && !other.exact.is_yes();
     return polytope && (!other.polytope || polytope->bound < other.polytope->bound);
@@ -156,7 +157,7 @@ Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budge
     result.polytope = certify_polytope(family, larger, proving(1));
     if (result.polytope) result.candidate = std::move(larger);
   }
-  if (result.polytope && target && result.polytope->bound <= *target)
+  if (result.reaches(target))
     result.exact.reason = "a bound was asked for, and nothing else";
   else if (result.polytope && *result.product.radius.lower > 0)
     result.exact = attains(family, result.candidate, *result.polytope, result.product, proving(1).deadline);
@@ -168,8 +169,7 @@ Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budge
 Attempt best_attempt(const MatrixFamily& family, const Budget& searching, const Budget& budget,
                      const std::optional<Rational>& target) {
   Attempt first = attempt(family, searching, budget, target, true);
-  const bool enough = first.exact.is_yes() || (target && first.polytope && first.polytope->bound <= *target);
-  if (first.candidate.kind != PolytopeKind::nonnegative || enough) return first;
+  if (first.candidate.kind != PolytopeKind::nonnegative || first.exact.is_yes() || first.reaches(target)) return first;
   Attempt second = attempt(family, searching, budget, target, false);
   return second.is_better_than(first) ? std::move(second) : std::move(first);
 }
@@ -205,22 +205,21 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
   StopFlag polytopes_end, forms_end;
   std::binary_semaphore forms_begin(0);
   std::atomic<double> radius_of_forms = 0;  // of the product, once there is one
-  const Budget half{budget.deadline, budget.memory / 2};
+  const std::size_t memory = budget.memory / 2;
   const auto seek_polytopes = [&] {
     const StopScope scope(&polytopes_end);
-    const Deadline end = Deadline::in(budget.deadline.remaining());
-    result.polytopes = best_attempt(family, {end.after(polytope_share), half.memory}, {end, half.memory}, target);
+    const Deadline end = budget.deadline.after(1);
+    result.polytopes = best_attempt(family, {end.after(polytope_share), memory}, {end, memory}, target);
     const Attempt& found = result.polytopes;
     const double radius = found.product.radius.lower->convert_to<double>(), other = radius_of_forms;
-    if ((found.candidate.closed && found.polytope) || *found.product.radius.lower >= known ||
-        (target && found.polytope && found.polytope->bound <= *target) ||
+    if ((found.candidate.closed && found.polytope) || *found.product.radius.lower >= known || found.reaches(target) ||
         (other > 0 && other < radius * (1 - same_radius)))
       forms_end.set();
     forms_begin.release();
   };
   const auto seek_forms = [&] {
     const StopScope scope(&forms_end);
-    const Budget its{Deadline::in(budget.deadline.remaining()), half.memory};
+    const Budget its{budget.deadline.after(1), memory};
     const double alone = std::min(most_alone, alone_share * its.deadline.remaining());
     std::ignore = forms_begin.try_acquire_for(std::chrono::duration<double>(alone));
     if (its.deadline.expired()) return;

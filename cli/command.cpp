@@ -116,7 +116,7 @@ Command add_command(Command& app, const std::string& name, const std::string& de
 }
 
 void add_limits(Command& command, SearchOptions& options) {
-  command.option("--budget", options.budget, "Seconds").within(0.001, 1e6).with_default();
+  command.option("--budget", options.budget, "Seconds of processor time").within(0.001, 1e6).with_default();
   command.option("--memory", options.memory, "MiB that the search may hold; near them it ends with what is proved")
       .within(16, 1 << 20)
       .with_default();

@@ -107,7 +107,9 @@ void add_analyze(Command& app) {
   Command command = add_command(app, "analyze", "One page about one scheme", "subcert analyze 'mask:[1,3,3,1]/4'",
                                 options, [=] { return run(*options); });
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
-  command.option("--budget", options->budget, "Seconds for each proof").within(0.001, 1e6).with_default();
+  command.option("--budget", options->budget, "Seconds of processor time for each proof")
+      .within(0.001, 1e6)
+      .with_default();
   command.option("--plot", options->plot,
                  "Draw the basic limit function of one or two variables, as .svg, .png or .html");
   command.option("--html", options->html, "A page with pictures and the certificate, all in one file");

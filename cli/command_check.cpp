@@ -59,7 +59,7 @@ ExitCode run(const CheckOptions& options) {
       for (const auto& expectation : scheme.expectations)
         questions.push_back({options.files[i], &scheme, &expectation});
   std::vector<Decision> answers(questions.size());
-  parallel_for_each(questions.size(), options.threads(), [&](std::size_t i) {
+  parallel_tasks(questions.size(), options.threads(), [&](std::size_t i) {
     answers[i] = has_property(*questions[i].scheme, *questions[i].expectation, options.budget);
   });
   Json json{{"properties", Json::array()}};
@@ -85,7 +85,9 @@ void add_check(Command& app) {
   Command command = add_command(app, "check", "Checks expected properties of schemes, given in TOML files",
                                 "subcert check my-schemes.toml", options, [=] { return run(*options); });
   command.option("FILE", options->files, "TOML files with schemes and properties").required();
-  command.option("--budget", options->budget, "Seconds for each search").within(0.001, 1e6).with_default();
+  command.option("--budget", options->budget, "Seconds of processor time for each search")
+      .within(0.001, 1e6)
+      .with_default();
   std::string known;
   for (const auto& property : properties::known_properties())
     known += "\n  " + property.name + " = " + property.values + "\n      " + property.meaning;

@@ -59,7 +59,9 @@ void add_conjecture(Command& app) {
   command.option("--width", options->budget.relative_width, "Relative width of the enclosures")
       .within(1e-15, 0.5)
       .with_default();
-  command.option("--budget", options->budget.seconds, "Seconds for each case").within(0.001, 1e6).with_default();
+  command.option("--budget", options->budget.seconds, "Seconds of processor time for each case")
+      .within(0.001, 1e6)
+      .with_default();
   add_sweep_arguments(command, *options);
 }
 

@@ -136,7 +136,8 @@ ExitCode run_averaged(const JsrOptions& options, const MatricesFile& file, const
   if (!has_p_radius(file.family, options.power))
     fail(ErrorKind::usage, "--p: expected an even number where entries are negative, got {}", options.power);
   const auto found = p_radius(file.family, options.power, wanted.bits, options.limits().deadline);
-  if (!found) fail(ErrorKind::undecided, "--budget: the p-radius takes more than {} seconds", options.budget);
+  if (!found)
+    fail(ErrorKind::undecided, "--budget: the p-radius takes more than {} seconds of processor time", options.budget);
   const Json json{{"p", options.power},
                   {"radius", enclosure_json(found->radius, std::max(wanted.digits, 20))},
                   {"size", found->size}};

@@ -120,7 +120,9 @@ void add_limit(Command& app) {
   command.option("--derivative", options->derivative, "Order of the derivative; of surfaces in each variable, as 1,0");
   command.flag("--range", options->range, "Maximum, minimum and sign of the function instead, with proof");
   command.option("--width", options->width, "Relative width of the enclosures of --range, p or p/q").with_default();
-  command.option("--budget", options->budget, "Seconds for --range, and for the proof of convergence of surfaces")
+  command
+      .option("--budget", options->budget,
+              "Seconds of processor time for --range, and for the proof of convergence of surfaces")
       .within(0.001, 1e6)
       .with_default();
   add_scheme(command, options->scheme, true);

@@ -67,7 +67,7 @@ void add_variance(Command& app) {
                                 "The variance curve psi: maximum, minimum and largest slope, enclosed with proof",
                                 "subcert variance primal:n=5", options, [=] { return run(*options); });
   command.option("--width", options->width, "Relative width of the enclosures, p or p/q").with_default();
-  command.option("--budget", options->budget, "Seconds").within(1e-9, 1e6).with_default();
+  command.option("--budget", options->budget, "Seconds of processor time").within(1e-9, 1e6).with_default();
   add_scheme(command, options->scheme);
 }
 

@@ -53,7 +53,7 @@ std::vector<reports::Plate> make_plates(const std::vector<reports::GalleryScheme
   std::vector<std::optional<reports::Plate>> made(schemes.size());
   std::mutex mutex;
   std::size_t finished = 0;
-  parallel_for_each(schemes.size(), options.threads(), [&](std::size_t i) {
+  parallel_tasks(schemes.size(), options.threads(), [&](std::size_t i) {
     made[i] = reports::make_plate(schemes[i], plate_options);
     const std::scoped_lock lock(mutex);
     options.progress(fmt::format("{} of {} schemes", ++finished, schemes.size()));

@@ -42,7 +42,7 @@ void make_missing(Map& map, const std::vector<std::string>& names, const ReportO
     const auto [entry, fresh] = map.try_emplace(name);
     if (fresh) missing.push_back(&*entry);
   }
-  parallel_for_each(missing.size(), options.jobs, [&](std::size_t i) {
+  parallel_tasks(missing.size(), options.jobs, [&](std::size_t i) {
     if (options.progress) options.progress(missing[i]->first);
     missing[i]->second = make(missing[i]->first);
   });

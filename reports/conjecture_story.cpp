@@ -60,7 +60,7 @@ struct Suggested {
   explicit Suggested(ComputedQuantities& quantities) {
     const auto& best = numerical_recipes()[quantities.recipes().best()];
     recipe.resize(last_n_of_figure_8);
-    parallel_for_each(recipe.size(), quantities.jobs(), [&](std::size_t i) {
+    parallel_tasks(recipe.size(), quantities.jobs(), [&](std::size_t i) {
       const int n = static_cast<int>(i) + 1;
       const auto values = evaluate_numerical_recipe(best, make_scheme(statements::specification("primal", n)).mask, n);
       recipe[i] = {n, n * n * values.slope};

@@ -1,11 +1,11 @@
 #include "errata.hpp"
 
+#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
 #include "formats/html.hpp"
 #include "formats/mathml.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
 
 namespace subcert::reports {
@@ -103,15 +103,14 @@ std::vector<CheckedStatement> check_statements(const std::vector<const Statement
                                                int jobs, const std::function<void(const std::string&)>& progress) {
   std::vector<CheckedStatement> results(chosen.size());
   std::mutex one_at_a_time;
-  parallel_for_each(chosen.size(), jobs, [&](std::size_t i) {
+  parallel_tasks(chosen.size(), jobs, [&](std::size_t i) {
     if (progress) {
       const std::lock_guard lock(one_at_a_time);
       progress(chosen[i]->id);
     }
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     Outcome outcome = check(*chosen[i], tier);
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    results[i] = {chosen[i], std::move(outcome), passed.count()};
+    results[i] = {chosen[i], std::move(outcome), watch.seconds()};
   });
   return results;
 }

@@ -156,8 +156,8 @@ Report report_families(const ReportOptions& options) {
   const statements::PublishedTable& published = statements::paper("families").table("ranges");
   formats::ComparisonTable table{"families", published.id, published.title, published.place, published.grid, {}};
   table.comparisons.resize(published.cells.size());
-  parallel_for_each(published.cells.size(), options.jobs,
-                    [&](std::size_t k) { table.comparisons[k] = compare_range(published.cells[k], 1); });
+  parallel_tasks(published.cells.size(), options.jobs,
+                 [&](std::size_t k) { table.comparisons[k] = compare_range(published.cells[k], 1); });
   formats::Section section{"ranges", "For which values of a parameter: published ranges, and what is proved", {}};
   section.paragraphs.push_back(
       "Ranges of a parameter for which the literature states convergence (C0) or smoothness, with the source of each. "

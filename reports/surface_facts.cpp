@@ -85,7 +85,7 @@ std::vector<std::string> SurfaceFacts::row(std::vector<std::string> before) cons
 std::vector<SurfaceFacts> surface_facts(const std::vector<std::string>& specifications, const ReportOptions& options,
                                         double seconds, long most_searched) {
   std::vector<SurfaceFacts> facts(specifications.size());
-  parallel_for_each(facts.size(), options.jobs, [&](std::size_t i) {
+  parallel_tasks(facts.size(), options.jobs, [&](std::size_t i) {
     if (options.progress) options.progress(specifications[i]);
     const auto scheme = std::get<MultivariateScheme>(make_linear_scheme(specifications[i]));
     const Budget budget{Deadline::in(options.budget.value_or(seconds))};

@@ -44,7 +44,7 @@ class CurveSearch {
     std::vector<CurvePiece> done;
     for (;;) {
       std::vector<CurvePiece> decided(open.size());
-      parallel_for_each(open.size(), options_.jobs, [&](std::size_t k) { decided[k] = piece(open[k]); });
+      parallel_tasks(open.size(), options_.jobs, [&](std::size_t k) { decided[k] = piece(open[k]); });
       std::move(decided.begin(), decided.end(), std::back_inserter(done));
       const auto missing = static_cast<std::size_t>(wanted) - done.size();
       if (missing == 0 || options_.budget.deadline.expired()) break;
@@ -82,7 +82,7 @@ class CurveSearch {
     CurvePiece result{{}, {segment.low, segment.high, std::nullopt, std::nullopt}};
     const Budget& budget = options_.budget;
     // Most pieces need less than their share; those that are harder may have more.
-    const double share = budget.deadline.remaining() * options_.jobs / options_.pieces;
+    const double share = budget.deadline.remaining() / options_.pieces;
     const double seconds = std::min(most_seconds, generous * share);
     if (budget.deadline.expired()) return result;
     result.proof.above = radius_.from_above(segment, excess_share / options_.pieces,

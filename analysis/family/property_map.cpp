@@ -206,7 +206,7 @@ PropertyMap property_map(const BiparametricMask& mask, const RangeProperty& prop
   std::vector<Rectangle> open{rectangle};
   for (int cells = 1; !open.empty(); cells *= 2) {
     std::vector<Truth> decided(open.size());
-    parallel_for_each(open.size(), options.jobs, [&](std::size_t k) { decided[k] = search.decide(open[k]); });
+    parallel_tasks(open.size(), options.jobs, [&](std::size_t k) { decided[k] = search.decide(open[k]); });
     std::vector<Rectangle> next;
     const bool last = cells >= options.resolution, late = options.budget.deadline.expired();
     for (std::size_t k = 0; k < open.size(); ++k) {

@@ -55,7 +55,7 @@ class RangeSearch {
       std::vector<IntervalProof> decided(open.size());
       std::vector<Look> middles(open.size());
       std::vector<double> seconds(open.size());
-      parallel_for_each(open.size(), options_.jobs, [&](std::size_t k) {
+      parallel_tasks(open.size(), options_.jobs, [&](std::size_t k) {
         middles[k] = look(open[k].segment.middle());
         const Stopwatch watch;
         decided[k] = decide(open[k], middles[k]);

@@ -1,11 +1,11 @@
 #pragma once
 /// How long work may take and how much memory it may hold.
 
-#include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
+#include <memory>
+#include <utility>
 
 namespace subcert {
 
@@ -42,48 +42,76 @@ class StopScope {
   const StopFlag* outer_;
 };
 
-/// The moment at which work ends with what it has. Seconds are of wall clock.
+/// Processor time of all threads that work for a task and for the tasks within it: it does not depend on what else the
+/// machine does, and threads that wait need none. Each thread enters its own time about every millisecond in which it
+/// asks for a meter, and when it ends its work.
+class Meter {
+ public:
+  using Nanoseconds = std::int64_t;
+
+  explicit Meter(std::shared_ptr<Meter> outer = nullptr) : outer_(std::move(outer)) {}
+  void add(Nanoseconds time);
+  Nanoseconds time() const { return time_.load(std::memory_order_relaxed); }
+
+ private:
+  std::atomic<Nanoseconds> time_ = 0;
+  std::shared_ptr<Meter> outer_;
+};
+
+/// As long as it lives, the time of this thread is that of a task of its own within the task before, or of one that is
+/// handed over. Questions that are answered side by side are tasks, so that their deadlines do not add up; threads that
+/// help with a question work for its task. A thread without a scope has a task of its own.
+class TaskScope {
+ public:
+  TaskScope() : TaskScope(std::make_shared<Meter>(current())) {}
+  explicit TaskScope(std::shared_ptr<Meter> task);
+  TaskScope(const TaskScope&) = delete;
+  TaskScope& operator=(const TaskScope&) = delete;
+  ~TaskScope();
+
+  /// The task of this thread.
+  static const std::shared_ptr<Meter>& current();
+
+ private:
+  std::shared_ptr<Meter> before_;
+};
+
+/// The moment at which work ends with what it has. Seconds are of processor time of the task that makes the deadline,
+/// whoever asks. Error: some milliseconds for each thread of the task, and what a thread does without asking.
 class Deadline {
  public:
   /// Work without end of its own.
-  Deadline() : end_(Clock::time_point::max()), stop_(StopScope::current()) {}
+  Deadline() : stop_(StopScope::current()) {}
   /// Domain: seconds >= 0; more than 10^9 is as good as no end.
-  static Deadline in(double seconds) {
-    Deadline result;
-    if (seconds < 1e9) result.end_ = Clock::now() + duration(seconds);
-    return result;
-  }
+  static Deadline in(double seconds);
 
-  bool expired() const { return is_stopped() || (end_ != Clock::time_point::max() && Clock::now() >= end_); }
+  /// Cost: a look at the clock of the machine, which is not asked of the system.
+  bool expired() const;
   /// Seconds left: 0 once expired, infinite without an end.
-  double remaining() const {
-    if (is_stopped()) return 0;
-    if (end_ == Clock::time_point::max()) return std::numeric_limits<double>::infinity();
-    return std::max(0.0, std::chrono::duration<double>(end_ - Clock::now()).count());
-  }
+  double remaining() const;
   /// After that share of the time that is left. Domain: 0 <= share <= 1.
-  Deadline after(double share) const { return in(share * remaining()); }
-  /// The earlier of this and `seconds` from now.
-  Deadline at_most(double seconds) const { return in(std::min(seconds, remaining())); }
+  Deadline after(double share) const { return at_most(share * remaining()); }
+  /// The earlier of this and `seconds` from now, of the task that asks.
+  Deadline at_most(double seconds) const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-  static Clock::duration duration(double seconds) {
-    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  }
   bool is_stopped() const { return stop_ != nullptr && stop_->is_set(); }
 
-  Clock::time_point end_;
+  std::shared_ptr<const Meter> task_;  ///< none: no end
+  Meter::Nanoseconds end_ = 0;
+  std::shared_ptr<const Deadline> outer_;  ///< of another task, which ends this one as well
   const StopFlag* stop_;
 };
 
-/// Seconds of wall clock since it was made.
+/// Seconds of processor time since it was made, of the task that made it.
 class Stopwatch {
  public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  Stopwatch();
+  double seconds() const;
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::shared_ptr<const Meter> task_;
+  Meter::Nanoseconds start_;
 };
 
 /// Limits of a search. Near either of them it ends with what is proved so far.

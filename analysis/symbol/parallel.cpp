@@ -16,8 +16,9 @@ namespace subcert {
 int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 std::jthread on_own_thread(std::function<void()> work) {
-  return std::jthread([work = std::move(work), flag = StopScope::current()] {
+  return std::jthread([work = std::move(work), flag = StopScope::current(), task = TaskScope::current()] {
     const StopScope scope(flag);
+    const TaskScope time(task);
     work();
     flint_cleanup();  // FLINT keeps numbers for each thread and gives them back on request only
   });
@@ -43,6 +44,13 @@ void parallel_for_each(std::size_t count, int jobs, const std::function<void(std
     share();
   }
   if (failure) std::rethrow_exception(failure);
+}
+
+void parallel_tasks(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
+  parallel_for_each(count, jobs, [&](std::size_t i) {
+    const TaskScope task;
+    work(i);
+  });
 }
 
 void parallel_ranges(std::size_t count, std::size_t ranges, int jobs,

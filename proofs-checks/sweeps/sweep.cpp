@@ -159,7 +159,7 @@ std::optional<SweepResults> run_sweep(const std::vector<SweepCase>& cases,
   const NextCase next = [&] { return ledger->next(); };
   const FinishCase finish = [&](std::size_t i, const CaseOutcome& outcome) { ledger->finish(i, outcome); };
   const auto own_share = [&] {
-    parallel_for_each(ledger->waiting(), jobs, [&](std::size_t) {
+    parallel_tasks(ledger->waiting(), jobs, [&](std::size_t) {
       if (const auto i = next()) finish(*i, outcome_of(*i));
     });
   };

@@ -75,7 +75,7 @@ void prepare_variance_ends(const std::vector<std::string>& schemes, int threads)
     if (!is_known(scheme)) open.push_back(scheme);
   // The costly ones first.
   std::reverse(open.begin(), open.end());
-  parallel_for_each(open.size(), threads, [&](std::size_t i) { variance_ends(open[i]); });
+  parallel_tasks(open.size(), threads, [&](std::size_t i) { variance_ends(open[i]); });
 }
 
 void prepare_variance_ends(int first, int last, const std::vector<int>& degrees, int threads) {

@@ -57,7 +57,7 @@ py::list check_properties(const std::string& text, double seconds, int jobs, con
     for (const auto& expectation : scheme.expectations) questions.emplace_back(&scheme, &expectation);
   const auto answers = interruptible(progress, [&] {
     std::vector<Decision> decisions(questions.size());
-    parallel_for_each(questions.size(), jobs, [&](std::size_t i) {
+    parallel_tasks(questions.size(), jobs, [&](std::size_t i) {
       decisions[i] = has_property(*questions[i].first, *questions[i].second, seconds);
     });
     return decisions;

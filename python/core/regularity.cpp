@@ -216,7 +216,8 @@ void add_regularity(py::module_& module) {
     const MatrixFamily family = family_of(matrices);
     require(has_p_radius(family, p), "p: need an even number where entries are negative, got {}", p);
     const auto found = interruptible(progress, [&] { return p_radius(family, p, bits, Deadline::in(seconds)); });
-    if (!found) fail(ErrorKind::undecided, "budget: the p-radius takes more than {} seconds", seconds);
+    if (!found)
+      fail(ErrorKind::undecided, "budget: the p-radius takes more than {} seconds of processor time", seconds);
     return found->radius;
   });
 }

@@ -8,7 +8,7 @@ constexpr auto look = std::chrono::milliseconds(100);
 }  // namespace
 
 void wait_for(const py::object& progress, const std::function<void()>& work) {
-  const Stopwatch watch;
+  const auto start = std::chrono::steady_clock::now();
   StopFlag stop;
   std::exception_ptr failure, interrupt;
   std::mutex ending;
@@ -19,7 +19,8 @@ void wait_for(const py::object& progress, const std::function<void()>& work) {
     const py::gil_scoped_acquire lock;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (!progress.is_none()) progress(watch.seconds());
+      if (!progress.is_none())
+        progress(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     } catch (...) {
       interrupt = std::current_exception();
       stop.set();

@@ -259,9 +259,9 @@ def jsr(
     """The joint spectral radius of rational matrices, enclosed with proof.
 
     `matrices`: square, of one size, with exact entries: nested lists, integer or object arrays of numpy, matrices of
-    sympy. `edges`: (from, to, matrix) where a graph says which matrix may follow which. `budget`: seconds. `memory`:
-    MiB. `width`: at most so wide, where a product is proved to attain the radius. Raises DomainError for matrices of
-    other shapes, TypeError for floats."""
+    sympy. `edges`: (from, to, matrix) where a graph says which matrix may follow which. `budget`: seconds of
+    processor time. `memory`: MiB. `width`: at most so wide, where a product is proved to attain the radius. Raises
+    DomainError for matrices of other shapes, TypeError for floats."""
     arguments = (_lists(matrices), list(edges), budget, memory, bits_of(width))
     evidence = _core.jsr(*arguments, progress)
     return JointSpectralRadius(

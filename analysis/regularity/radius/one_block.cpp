@@ -11,7 +11,6 @@
 #include <atomic>
 #include <chrono>
 #include <semaphore>
-#include <tuple>
 
 namespace subcert::radius {
 namespace {
@@ -25,7 +24,8 @@ constexpr double larger_share = 0.3;    // of what is left then, for the search 
 constexpr double grace = 0.5;           // seconds that a proof may take in any case
 constexpr double alone_share = 0.05;    // of the time that polytopes have before forms are sought beside them,
 constexpr double most_alone = 10;       // in seconds
-constexpr double same_radius = 1e-9;    // of products, relatively
+constexpr auto look = std::chrono::milliseconds(2);  // between looks at the time that they have had
+constexpr double same_radius = 1e-9;                 // of products, relatively
 
 /// Whether all maximizing products have the radius of the first, exactly.
 bool have_equal_radii(const MatrixFamily& family, const PolytopeCandidate& candidate, const ProductEvidence& first,
@@ -220,8 +220,8 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
   const auto seek_forms = [&] {
     const StopScope scope(&forms_end);
     const Budget its{budget.deadline.after(1), memory};
-    const double alone = std::min(most_alone, alone_share * its.deadline.remaining());
-    std::ignore = forms_begin.try_acquire_for(std::chrono::duration<double>(alone));
+    const Deadline alone = its.deadline.after(alone_share).at_most(most_alone);
+    while (!alone.expired() && !forms_begin.try_acquire_for(look)) continue;
     if (its.deadline.expired()) return;
     FormAttempt forms;
     forms.product = prove_product(family, find_long_product(family, its), its.deadline);

@@ -198,7 +198,7 @@ let read_head ?(domain = ignore) ~exponent r claim exact =
   let exact = match exact with Some e -> line r ("exact " ^ e.text); exact | None -> named () in
   Option.map (fun e -> (e, Attained_hint.read_root r e.number)) exact
 
-(* A basis, its blocks, the product, and the sections of the blocks as `section` reads them: all lines to the last one. *)
+(* A basis, its blocks, the product, and the sections of the blocks as `section` reads them *)
 let read_lines family lower r sections =
   let n = family.size in
   let divided = at r "blocks" in
@@ -235,11 +235,11 @@ let read_lines family lower r sections =
           (chosen, hint)
       | _ -> assert false
   in
-  let sections = sections divided blocks in
+  (new_basis, (if divided then sizes else []), chosen, eigenvector, sections divided blocks)
+
+let read_logarithm r =
   let logarithm = if at r "logarithm" then take r "logarithm" 1 3 else [] in
-  let recurrence = if logarithm <> [] && at r "recurrence" then Single_hint.polynomial r "recurrence" 2 else [] in
-  read_end r;
-  (new_basis, (if divided then sizes else []), chosen, eigenvector, sections, (logarithm, recurrence))
+  (logarithm, if logarithm <> [] && at r "recurrence" then Single_hint.polynomial r "recurrence" 2 else [])
 
 (* What proves bounds of the radius. *)
 let read_proof ~single family lower upper r =
@@ -256,7 +256,7 @@ let read_proof ~single family lower upper r =
     (block.size, section)
   in
   let sections divided blocks = if upper = None && not (at r "block 0") then [] else List.mapi (section divided) blocks in
-  let new_basis, sizes, chosen, eigenvector, sections, _ = read_lines family lower r sections in
+  let new_basis, sizes, chosen, eigenvector, sections = read_lines family lower r sections in
   { new_basis; sections; sizes; chosen; eigenvector }
 
 (* What proves that the radius is the number. *)
@@ -281,7 +281,7 @@ let read_exact_proof ~single family (e, root) r =
         require (proves block low section) "the bound of a block is above the exact radius";
         (block, `Whole (Bounded section))
   in
-  let exact_basis, _, _, _, sections, modulus = read_lines family None r (fun divided -> List.mapi (section divided)) in
+  let exact_basis, _, _, _, sections = read_lines family None r (fun divided -> List.mapi (section divided)) in
   let most least polytope graph =
     let larger m = function _, `Draft draft -> max m (polytope draft) | _, `Cycles draft -> max m (graph draft) | _ -> m in
     List.fold_left larger least sections
@@ -306,7 +306,7 @@ let read_exact_proof ~single family (e, root) r =
   in
   let exact_blocks = List.map written sections in
   require (List.exists (function _, Bounded _ -> false | _ -> true) exact_blocks) "no block attains the exact radius";
-  ({ number_place = place; exact_basis; exact_blocks }, modulus)
+  { number_place = place; exact_basis; exact_blocks }
 
 let show what claim =
   let text q = Q.to_string (Q.make q.qnum q.qden) in
@@ -347,10 +347,12 @@ let radius matrices lower upper exact file =
          match read_head ~exponent:false r head exact with
          | None ->
              let certificate = read_proof ~single:false family lower upper r in
+             read_end r;
              require (check_radius claim certificate) unproved;
              fun name -> Theorem.print_radius name claim certificate
          | Some ({ number; _ }, root) ->
-             let certificate, _ = read_exact_proof ~single:false family (number, root) r in
+             let certificate = read_exact_proof ~single:false family (number, root) r in
+             read_end r;
              require (check_exact_radius family number claim.lower claim.upper certificate) unproved;
              fun name -> Theorem.print_exact_radius name claim number certificate))
 
@@ -410,8 +412,11 @@ let show_exponent scheme lower upper exact =
 let stable_shifts scheme =
   match Stability_hint.make scheme with Some shifts -> shifts | None -> reject "stability: not shown for the integer shifts"
 
-(* Of bounds of the exponent: the certificate for the checker, and what --theorem prints *)
-let prove_bounds scheme order family lower upper r =
+(* Whether the proved checker accepts what was read, what it says if not, and what --theorem prints of the mask of the claim *)
+type proof = { holds : scheme -> bool; otherwise : string; print : string -> reduction option -> scheme -> unit }
+
+(* Of bounds of the exponent *)
+let read_bounds_proof scheme order family lower upper r =
   let l = bound_of lower and base = Z.of_int scheme.arity and digits = 128 in
   (* arity^(order - lower), rounded down *)
   let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
@@ -429,12 +434,9 @@ let prove_bounds scheme order family lower upper r =
   let low = { order; bound = bound_of bound; of_radius = read_proof ~single:true family least (Some bound) r } in
   match (upper, least) with
   | Some u, Some g ->
-      let both = { lower_end = low; radius_least = bound_of g; shifts = stable_shifts scheme } in
-      require (check_exponent scheme l (bound_of u) both) unproved;
-      fun name -> Theorem.print_enclosure name scheme l (bound_of u) both
-  | _ ->
-      require (check_exponent_lower scheme l low) unproved;
-      fun name -> Theorem.print_exponent name scheme l low
+      let both = { lower_end = low; radius_least = bound_of g; shifts = stable_shifts scheme } and u = bound_of u in
+      { holds = (fun a -> check_exponent a l u both); otherwise = unproved; print = Theorem.print_enclosure l u both }
+  | _ -> { holds = (fun a -> check_exponent_lower a l low); otherwise = unproved; print = Theorem.print_exponent l low }
 
 (* What the lines `logarithm` and `recurrence` are worth. *)
 let modulus_proof scheme order certificate power (fields, recurrence) =
@@ -472,18 +474,74 @@ let modulus_proof scheme order certificate power (fields, recurrence) =
           raise undecided
 
 (* Of what the exponent is, with bounds or without *)
-let prove_number scheme order family lower upper logarithm ({ number = e; _ } as exact, root) r =
+let read_number_proof scheme order family lower upper logarithm ({ number = e; _ } as exact, root) r =
   require (exact.order = Some order) "the exact exponent has another number before its logarithm";
-  let certificate, modulus = read_exact_proof ~single:true family (e, root) r and lower = Option.map bound_of lower and upper = Option.map bound_of upper in
+  let certificate = read_exact_proof ~single:true family (e, root) r in
+  let modulus = read_logarithm r and lower = Option.map bound_of lower and upper = Option.map bound_of upper in
   let shifts = stable_shifts scheme in
   match logarithm with
   | None ->
-      require (check_exact_exponent scheme order e lower upper certificate shifts) unproved;
-      fun name -> Theorem.print_exact_exponent name scheme order e lower upper certificate shifts
+      { holds = (fun a -> check_exact_exponent a order e lower upper certificate shifts);
+        otherwise = unproved;
+        print = Theorem.print_exact_exponent order e lower upper certificate shifts }
   | Some power ->
       let proof = modulus_proof scheme order certificate power modulus in
-      require (check_logarithm scheme order e lower upper certificate shifts proof power) "the modulus of continuity is not proved";
-      fun name -> Theorem.print_logarithm name scheme order e lower upper certificate shifts proof power
+      { holds = (fun a -> check_logarithm a order e lower upper certificate shifts proof power);
+        otherwise = "the modulus of continuity is not proved";
+        print = Theorem.print_logarithm order e lower upper certificate shifts proof power }
+
+(* The difference matrices of a mask, and what is wrong if there are none *)
+let differences scheme order =
+  require (divides scheme order) "the mask has no sum rules of this order";
+  let degree = List.length scheme.coefficients - 1 - (order * (scheme.arity - 1)) in
+  require (degree <= 256 * (scheme.arity - 1)) "transition matrices larger than 256";
+  difference_family scheme order
+
+(* What is shown of a mask, from its sum rules on *)
+let read_mask_proof scheme lower upper number logarithm r =
+  let order, full = match take r "sum-rules" 1 2 with [ m ] -> (m, "") | m :: f -> (m, List.hd f) | [] -> assert false in
+  let order = size order 1 500 in
+  require (full = "" || full = "full") "expected 'sum-rules M' or 'sum-rules M full'";
+  (match upper with
+  | Some u when full <> "" && Q.geq u (Q.of_int order) ->
+      raise (Sections.Undecided "upper ends by the number of sum rules are not decided here, but by subcert-check")
+  | _ -> ());
+  require
+    (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul (Z.of_int scheme.arity) scheme.common))
+    "the coefficients of the mask do not sum to the arity";
+  (match lower with
+  | Some l ->
+      require (Q.sign l > 0) "the lower end of an exponent must be positive";
+      require (Q.leq l (Q.of_int order)) "the order of the sum rules does not prove the claim"
+  | None -> ());
+  if upper <> None || number <> None || at r "stability" then line r "stability";
+  let family = differences scheme order in
+  match (number, lower) with
+  | Some number, _ -> read_number_proof scheme order family lower upper logarithm number r
+  | None, Some lower -> read_bounds_proof scheme order family lower upper r
+  | None, None -> assert false
+
+(* The line `reduced`: the coefficients of the factor, and the other mask, to begin where that of the claim does *)
+let read_factor scheme r =
+  match List.map (fun text -> read_mask text (string_of_int scheme.arity)) (take r "reduced" 2 2) with
+  | [ { coefficients = factor; _ }; other ] ->
+      let longest = List.length scheme.coefficients + List.length other.coefficients in
+      let widest = List.fold_left (fun m x -> max m (Z.numbits x)) 0 (scheme.common :: other.common :: (factor @ other.coefficients)) in
+      Sections.spend (List.length factor * longest * Sections.width widest);
+      let other = { other with first = scheme.first } in
+      require (Z.sign (List.fold_left Z.add Z.zero factor) <> 0) "the factor of the reduced mask is 0 at 1";
+      require (check_factor scheme other factor) "the reduced mask is not that of the mask and the factor";
+      (factor, other)
+  | _ -> assert false
+
+(* The lines after the second `sum-rules`: why the scheme of the mask converges. What is to be shown is that the radius is
+   below the power of the arity; the bound is that, less a little. *)
+let read_convergence scheme r =
+  let own_order = size (List.hd (take r "sum-rules" 1 1)) 1 500 and digits = 128 in
+  let family = differences scheme own_order in
+  let power = Z.pow (Z.of_int scheme.arity) own_order in
+  let bound = Q.make (Z.pred (Z.shift_left power digits)) (Z.shift_left Z.one digits) in
+  (own_order, bound_of bound, read_proof ~single:true family None (Some bound) r)
 
 (* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
 let exponent mask arity lower upper exact logarithm file =
@@ -491,31 +549,20 @@ let exponent mask arity lower upper exact logarithm file =
   let theorem =
     read file 1 (fun r ->
         let number = read_head ~exponent:true r head exact in
-        if at r "reduced" then raise (Sections.Undecided "reduced masks are not decided here, but by subcert-check");
-        let order, full = match take r "sum-rules" 1 2 with [ m ] -> (m, "") | m :: f -> (m, List.hd f) | [] -> assert false in
-        let order = size order 1 500 in
-        require (full = "" || full = "full") "expected 'sum-rules M' or 'sum-rules M full'";
-        (match upper with
-        | Some u when full <> "" && Q.geq u (Q.of_int order) ->
-            raise (Sections.Undecided "upper ends by the number of sum rules are not decided here, but by subcert-check")
-        | _ -> ());
-        require
-          (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul (Z.of_int scheme.arity) scheme.common))
-          "the coefficients of the mask do not sum to the arity";
-        (match lower with
-        | Some l ->
-            require (Q.sign l > 0) "the lower end of an exponent must be positive";
-            require (Q.leq l (Q.of_int order)) "the order of the sum rules does not prove the claim"
-        | None -> ());
-        if upper <> None || number <> None || at r "stability" then line r "stability";
-        require (divides scheme order) "the mask has no sum rules of this order";
-        let degree = List.length scheme.coefficients - 1 - (order * (scheme.arity - 1)) in
-        require (degree <= 256 * (scheme.arity - 1)) "transition matrices larger than 256";
-        let family = difference_family scheme order in
-        match (number, lower) with
-        | Some number, _ -> prove_number scheme order family lower upper logarithm number r
-        | None, Some lower -> prove_bounds scheme order family lower upper r
-        | None, None -> assert false)
+        let reduced = if at r "reduced" then Some (read_factor scheme r) else None in
+        let subject = Option.fold ~none:scheme ~some:snd reduced in
+        let proof = read_mask_proof subject lower upper number logarithm r in
+        let reduction =
+          Option.map
+            (fun (shift_factor, other_scheme) ->
+              let own_order, own_bound, own_radius = read_convergence scheme r in
+              { shift_factor; other_scheme; own_order; own_bound; own_radius })
+            reduced
+        in
+        read_end r;
+        let accepted = match reduction with None -> proof.holds scheme | Some c -> check_reduced scheme c proof.holds in
+        require accepted proof.otherwise;
+        fun name -> proof.print name reduction scheme)
   in
   ( Printf.sprintf "%sHoelder exponent%s%s%s of %s with arity %s"
       (side lower (fun l -> l ^ " <= "))

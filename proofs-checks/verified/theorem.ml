@@ -104,31 +104,9 @@ let print_subradius name claim c =
        "subradius_claim_holds : subradius_claim_holds %s_claim.\nProof. apply (check_subradius_sound _ %s_certificate). %s"
        name name by_computation)
 
-let scheme_of s =
-  Printf.sprintf "scheme : scheme := Scheme %s %s %s %s" (natural s.arity) (integer s.first) (vector s.coefficients)
-    (integer s.common)
-
-let print_exponent name s l c =
-  print name " Subdivision Exponent" (scheme_of s)
-    (Printf.sprintf "Exponent %s %s %s" (natural c.order) (fraction c.bound) (certificate c.of_radius))
-    (Printf.sprintf
-       "exponent_holds : exponent_holds %s_scheme %s.\n\
-        Proof. apply (check_exponent_lower_sound _ _ %s_certificate). %s"
-       name (fraction l) name by_computation)
-
 let stability c =
   Printf.sprintf "(Stability %s %s %s %s %s\n%s %s %s %s)" (integer c.start) (vector c.values) (integer c.scale)
     (matrix c.inverse_matrix) (integer c.inverse_over) (natural c.level) (vector c.weights) (integer c.row) (natural c.center)
-
-let print_enclosure name s l u c =
-  let low = c.lower_end in
-  print name " Subdivision Stability Exponent Enclosure" (scheme_of s)
-    (Printf.sprintf "Enclosure (Exponent %s %s %s) %s\n%s" (natural low.order) (fraction low.bound)
-       (certificate low.of_radius) (fraction c.radius_least) (stability c.shifts))
-    (Printf.sprintf
-       "enclosure_holds : enclosure_holds %s_scheme %s %s.\n\
-        Proof. apply (check_exponent_sound _ _ _ %s_certificate). %s"
-       name (fraction l) (fraction u) name by_computation)
 
 (* Exact numbers *)
 let point = pair vector vector
@@ -215,21 +193,59 @@ let modulus_proof = function
   | Whole (below, level) -> Printf.sprintf "(Whole %s %s)" (natural below) (natural level)
   | Double (below, scale, c) -> Printf.sprintf "(Double %s %s %s)" (natural below) (integer scale) (pole c)
 
-let print_logarithm name s order e lower upper c shifts p power =
-  print name (exact_modules ^ " Modulus Logarithm")
-    (Printf.sprintf "%s.\n\nDefinition %s_shifts := %s" (scheme_of s) name (stability shifts))
-    (exact_certificate c)
-    (Printf.sprintf
-       "logarithm_holds : logarithm_holds %s_scheme %s\n%s %s %s %s.\n\
-        Proof. apply (check_logarithm_sound _ _ _ _ _ %s_certificate %s_shifts %s). %s"
-       name (natural order) (number e) (option fraction lower) (option fraction upper) (natural power) name name (modulus_proof p)
-       by_computation)
+(* ---- masks ---- *)
 
-let print_exact_exponent name s order e lower upper c shifts =
-  print name exact_modules
-    (Printf.sprintf "%s.\n\nDefinition %s_shifts := %s" (scheme_of s) name (stability shifts))
-    (exact_certificate c)
-    (Printf.sprintf
-       "exact_exponent_holds : exact_exponent_holds %s_scheme %s\n%s %s %s.\n\
-        Proof. apply (check_exact_exponent_sound _ _ _ _ _ %s_certificate %s_shifts). %s"
-       name (natural order) (number e) (option fraction lower) (option fraction upper) name name by_computation)
+let scheme s =
+  Printf.sprintf "Scheme %s %s %s %s" (natural s.arity) (integer s.first) (vector s.coefficients) (integer s.common)
+
+let reduction c =
+  Printf.sprintf "Reduction %s (%s)\n%s %s %s" (vector c.shift_factor) (scheme c.other_scheme) (natural c.own_order)
+    (fraction c.own_bound) (certificate c.own_radius)
+
+(* What is `said` of a mask, by the theorem of a checker with the arguments `rest`; with a reduction by that of Reduced.v. *)
+let print_mask name reduced s modules shifts certificate said checker rest =
+  let definition part value = Printf.sprintf ".\n\nDefinition %s_%s := %s" name part value in
+  let shifts = Option.fold ~none:"" ~some:(fun c -> definition "shifts" (stability c)) shifts in
+  let modules, reducing, sound =
+    match reduced with
+    | None -> (modules, "", "check_" ^ checker ^ "_sound _")
+    | Some c ->
+        ( exact_modules ^ " Modulus Logarithm Reduced",
+          definition "reduction" (reduction c),
+          Printf.sprintf "check_reduced_%s_sound _ %s_reduction" checker name )
+  in
+  print name modules
+    ("scheme : scheme := " ^ scheme s ^ reducing ^ shifts)
+    certificate
+    (Printf.sprintf "%s.\nProof. apply (%s %s). %s" said sound rest by_computation)
+
+let lower_end c = Printf.sprintf "Exponent %s %s %s" (natural c.order) (fraction c.bound) (certificate c.of_radius)
+
+let print_exponent l c name reduced s =
+  print_mask name reduced s " Subdivision Exponent" None (lower_end c)
+    (Printf.sprintf "exponent_holds : exponent_holds %s_scheme %s" name (fraction l))
+    "exponent_lower"
+    (Printf.sprintf "_ %s_certificate" name)
+
+let print_enclosure l u c name reduced s =
+  print_mask name reduced s " Subdivision Stability Exponent Enclosure" None
+    (Printf.sprintf "Enclosure (%s) %s\n%s" (lower_end c.lower_end) (fraction c.radius_least) (stability c.shifts))
+    (Printf.sprintf "enclosure_holds : enclosure_holds %s_scheme %s %s" name (fraction l) (fraction u))
+    "exponent"
+    (Printf.sprintf "_ _ %s_certificate" name)
+
+let exactly kind order e lower upper name =
+  Printf.sprintf "%s_holds : %s_holds %s_scheme %s\n%s %s %s" kind kind name (natural order) (number e) (option fraction lower)
+    (option fraction upper)
+
+let print_exact_exponent order e lower upper c shifts name reduced s =
+  print_mask name reduced s exact_modules (Some shifts) (exact_certificate c)
+    (exactly "exact_exponent" order e lower upper name)
+    "exact_exponent"
+    (Printf.sprintf "_ _ _ _ %s_certificate %s_shifts" name name)
+
+let print_logarithm order e lower upper c shifts p power name reduced s =
+  print_mask name reduced s (exact_modules ^ " Modulus Logarithm") (Some shifts) (exact_certificate c)
+    (exactly "logarithm" order e lower upper name ^ " " ^ natural power)
+    "logarithm"
+    (Printf.sprintf "_ _ _ _ %s_certificate %s_shifts %s" name name (modulus_proof p))

@@ -3845,3 +3845,40 @@ let check_exact_subradius f e lower0 upper0 h a bounds =
       (check_ascent (if a.ascent_transposed then transpose f else f) e h a))
     (check_subradius { matrices_of = f; lower = lower0; upper = upper0 }
       bounds)
+
+type reduction = { shift_factor : Number.t list; other_scheme : scheme;
+                   own_order : int; own_bound : q; own_radius : certificate }
+
+(** val converges : scheme -> reduction -> bool **)
+
+let converges a c =
+  let m = c.own_order in
+  let u = c.own_bound in
+  (&&)
+    ((&&) ((&&) (Nat.leb (Stdlib.succ 0) m) (reducible a m))
+      (Number.less u.qnum
+        (Number.mul
+          (Number.power (Number.of_natural a.arity) (Number.of_natural m))
+          u.qden)))
+    (check_radius { matrices_of = (difference_family a m); lower = None;
+      upper = (Some u) } c.own_radius)
+
+(** val check_factor : scheme -> scheme -> Number.t list -> bool **)
+
+let check_factor a b p =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) ((&&) (Nat.eqb b.arity a.arity) (Number.equal b.first a.first))
+          (Number.less Number.zero b.common))
+        (negb (Number.equal (nth 0 p Number.zero) Number.zero)))
+      (negb (Number.equal (fold_right Number.add Number.zero p) Number.zero)))
+    (same
+      (map (Number.mul b.common) (times_up (Stdlib.succ 0) p a.coefficients))
+      (map (Number.mul a.common) (times_up a.arity p b.coefficients)))
+
+(** val check_reduced : scheme -> reduction -> (scheme -> bool) -> bool **)
+
+let check_reduced a c check =
+  (&&) ((&&) (check_factor a c.other_scheme c.shift_factor) (converges a c))
+    (check c.other_scheme)

@@ -860,3 +860,12 @@ val check_ascent : family -> exact_number -> place -> ascent -> bool
 val check_exact_subradius :
   family -> exact_number -> q option -> q option -> place -> ascent ->
   subradius_certificate -> bool
+
+type reduction = { shift_factor : Number.t list; other_scheme : scheme;
+                   own_order : int; own_bound : q; own_radius : certificate }
+
+val converges : scheme -> reduction -> bool
+
+val check_factor : scheme -> scheme -> Number.t list -> bool
+
+val check_reduced : scheme -> reduction -> (scheme -> bool) -> bool

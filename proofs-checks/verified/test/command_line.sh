@@ -45,7 +45,12 @@ expect 1 --mask "$hat" --arity 2 --lower 1/2 --upper 999/1000 bspline-1.cert
 expect 1 --mask "$hat" --arity 2 --lower 1 --upper -1 bspline-1.cert
 expect 2 --mask "$hat" --arity 2 --lower 1 --upper C2 bspline-1.cert
 expect 2 --mask "$hat" --arity 2 bspline-1.cert --within 1/100,1 --lower 9/10
-expect 2 --mask '[1,1,1,1]/2' --arity 2 --lower 1 trapezoid-reduced.cert
+expect 0 --mask '[1,1,1,1]/2' --arity 2 --lower 1 trapezoid-reduced.cert
+expect 0 --mask '[1,1,1,1]/2' --arity 2 --lower 1 --upper 1 --show trapezoid-reduced.cert
+echo "$output" | grep -qx 'coefficient 3 is 1/2'
+expect 1 --mask '[1,1,1,1]/2' --arity 2 --lower 1001/1000 trapezoid-reduced.cert
+expect 1 --mask '[1,1,1,1]/2' --arity 2 --lower 1 --upper 999/1000 trapezoid-reduced.cert
+expect 1 --mask '[1,1,1,1]/2@1' --arity 2 --lower 1 trapezoid-reduced.cert
 expect 64 --mask "$hat" --lower 1 bspline-1.cert
 four='[-1,0,9,16,9,0,-1]/16@-3'
 exactly() {

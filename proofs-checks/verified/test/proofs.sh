@@ -50,6 +50,11 @@ theorem Logarithm3 --mask '[1,4,10,16,19,16,10,4,1]/27' --arity 3 --exact '4-log
   single-spline-3-3.cert
 theorem FourLogarithm --mask '[-1,0,9,16,9,0,-1]/16' --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --logarithm 1 \
   single-four-point.cert
+theorem ReducedLower --mask '[1,2,3,4,3,2,1]/8' --arity 2 --lower 3 single-reduced-second.cert
+theorem ReducedBoth --mask '[1,1,1,1]/2' --arity 2 --lower 1 --upper 1 trapezoid-reduced.cert
+reduced='[-1,1,7,9,9,7,1,-1]/16@-3'
+theorem ReducedExact --mask "$reduced" --arity 2 --lower 2 --upper 2 --exact '4-log|[-4,1]@4,0,1|^1/1' reduced-exact.cert
+theorem ReducedLogarithm --mask "$reduced" --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --logarithm 1 single-reduced.cert
 theorem Columns --matrices columns.mat --lower 1 --upper 11/10 columns-graph-word.cert
 theorem Shears --matrices shears.mat --lower 1618/1000 --upper 17/10 shears-graph.cert
 theorem ConeExact --matrices golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' golden-cone-exact.cert

@@ -36,13 +36,17 @@ RegularityPage compute(Scheme scheme, const RegularityOptions& options, const Wa
           complete,          watch.seconds(),       wanted.digits};
 }
 
+void require_claim(bool is_positive, const std::string& specification) {
+  if (!is_positive) fail(ErrorKind::usage, "--certificate: nothing positive is proved about {}", specification);
+}
+
 ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budget) {
   const RegularityPage page = compute(std::move(scheme), options, wanted_width(options), budget);
   std::optional<CertificateClaim> claim;
   if (!options.certificate.empty()) {
     const int rules = page.regularity.bounds.sum_rules;
-    if (!(page.regularity.radius.proved_upper() < power(Rational(page.scheme.mask.arity()), rules)))
-      fail(ErrorKind::usage, "--certificate: nothing positive is proved about {}", page.scheme.specification);
+    require_claim(page.regularity.radius.proved_upper() < power(Rational(page.scheme.mask.arity()), rules),
+                  page.scheme.specification);
     claim = write_verified(options.certificate,
                            exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding));
   }
@@ -60,8 +64,10 @@ ExitCode run(MultivariateScheme scheme, const RegularityOptions& options, const 
                                                                        !options.certificate.empty());
   options.end_progress();
   std::optional<CertificateClaim> claim;
-  if (!options.certificate.empty())
+  if (!options.certificate.empty()) {
+    require_claim(page.regularity.exponent.lower.value_or(0) > 0, page.scheme.specification);
     claim = write_verified(options.certificate, surface_certificate(page.scheme.mask, page.regularity));
+  }
   Json json = page.json();
   if (claim) json["certificate"] = claim_json(*claim);
   options.answer(json, page.text() + (claim ? verified_text(options.certificate, *claim) : ""));

@@ -189,6 +189,14 @@ TEST_CASE("flat orbits are made round by exact coordinates, and the search close
   CHECK_FALSE(radius::round_family({RationalMatrix::identity(3)}, Deadline::in(60)).coordinates.differ());
 }
 
+TEST_CASE("orbits that are flatter than doubles resolve keep finite coordinates") {
+  for (const std::size_t size : {14, 20, 30}) {
+    CAPTURE(size);
+    for (const polytope::Matrix& a : radius::round_family(flat_family(size, 7), Deadline::in(5)).family.matrices)
+      CHECK(std::isfinite(a.largest_modulus()));
+  }
+}
+
 TEST_CASE("long vertices leave small differences between short ones to the linear program") {
   // Points (1 - s, z), z small beside their distance to (0, +-10^6), which cost 10^-6 for a way of 1.
   IncrementalSimplex simplex(PolytopeKind::real, GroupAction(2), {Deadline::in(60)});

@@ -3,12 +3,14 @@
 #include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
 #include <subcert/analysis/symbol/ball_matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace subcert::radius {
 namespace {
 
 constexpr double round_enough = 1e-7;  // ratio of the eigenvalues of the shape, of which doubles resolve 1e-9
+constexpr double flattest = 1e-14;      // of that ratio: what is below, or negative, is rounding
 constexpr int most_steps = 8;
 constexpr slong bits = 512;  // of `from`
 
@@ -25,9 +27,11 @@ RationalMatrix commuting_with_flip(const RationalMatrix& matrix) {
 std::optional<RationalMatrix> rounding_step(const std::vector<polytope::Matrix>& matrices, const Deadline& deadline) {
   const polytope::OrbitShape orbit = polytope::orbit_shape(matrices, deadline);
   const polytope::SymmetricDecomposition shape = polytope::symmetric_decomposition(orbit.shape);
-  if (orbit.radius_bound == 0 || shape.values.front() > round_enough * shape.values.back()) return std::nullopt;
+  const double largest = shape.values.back();
+  const bool is_usable = orbit.radius_bound > 0 && largest > 0 && std::isfinite(largest);
+  if (!is_usable || shape.values.front() > round_enough * largest) return std::nullopt;
   polytope::Vector factors;
-  for (const double value : shape.values) factors.push_back(std::sqrt(shape.values.back() / value));
+  for (const double value : shape.values) factors.push_back(std::sqrt(largest / std::max(value, flattest * largest)));
   return to_rational(polytope::composed(shape.vectors, factors));
 }
 

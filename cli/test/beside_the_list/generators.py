@@ -1,0 +1,337 @@
+"""Random questions to the program, over the whole range of what it documents. A generator draws from the `random.Random`
+that it is given and from nothing else; what it makes is well formed."""
+import json
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+
+@dataclass
+class Case:
+    """One run. `kind` names the judge. `files` are written beside it: name and text."""
+
+    kind: str
+    arguments: list
+    budget: float
+    files: dict = field(default_factory=dict)
+    memory: int = 1024  # MiB that the search may hold
+    facts: dict = field(default_factory=dict)  # what the oracles need
+
+    @property
+    def limits(self):
+        return ["--json", "--quiet"] + ([] if self.kind == "mask" else ["--budget", f"{self.budget:g}"])
+
+
+# ---- schemes of one variable
+
+LETTERS = {  # families with a letter, and where it is of interest
+    "four-point": (Fraction(-1), Fraction(1)),
+    "six-point": (Fraction(-1, 8), Fraction(1, 8)),
+    "dual-four-point": (Fraction(-1, 8), Fraction(1, 8)),
+    "corner-cutting": (Fraction(-1), Fraction(2)),
+    "ternary-three-point": (Fraction(-1), Fraction(1)),
+    "ternary-four-point": (Fraction(-1), Fraction(1)),
+}
+
+
+def rational(rng, low, high):
+    q = rng.choice((1, 2, 8, 64, 100, 333, 10**6, 2**40))
+    return low + (high - low) * Fraction(rng.randint(0, 2 * q), 2 * q)
+
+
+def degree(rng, points):
+    return min(rng.choice((0, 1, 1, 1, 2, 3, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12)), points - 1)
+
+
+def small_or_large(rng, largest):
+    """Small as often as large."""
+    return rng.randint(1, rng.choice((3, 8, 20, largest)))
+
+
+def least_squares(rng):
+    name, n = rng.choice(("primal", "dual", "primal-odd", "dual-odd")), small_or_large(rng, 60)
+    points = {"primal": 2 * n - 1, "dual": 2 * n, "primal-odd": 2 * n, "dual-odd": 2 * n + 1}[name]
+    return f"{name}:n={n},d={degree(rng, points)}"
+
+
+def ary(rng):
+    points = rng.randint(2, rng.choice((6, 12, 30)))
+    return f"ary:a={rng.randint(2, 7)},points={points},d={degree(rng, points)}"
+
+
+def with_letter(rng):
+    name = rng.choice(sorted(LETTERS))
+    return f"{name}:w={rational(rng, *LETTERS[name])}"
+
+
+def named(rng):
+    m = small_or_large(rng, 12)
+    n = small_or_large(rng, 20)
+    return rng.choice((
+        f"dd:n={small_or_large(rng, 20)},a={rng.randint(2, 5)}",
+        f"bspline:degree={small_or_large(rng, 60) - 1},a={rng.randint(2, 7)}",
+        f"pseudo-spline:m={m},l={rng.randint(0, m - 1)}",
+        f"daubechies:n={small_or_large(rng, 30)}",
+        f"cdf:n={n},m={n + 2 * rng.randint(-((n - 1) // 2), 4)}",
+    ))
+
+
+def convolution(a, b):
+    result = [0] * (len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            result[i + j] += x * y
+    return result
+
+
+def entry(rng, size):
+    """A number of a size that a family of numbers has in common."""
+    if size == "tiny":
+        return Fraction(rng.randint(-9, 9), 10 ** rng.choice((0, 12, 40)))
+    if size == "huge":
+        return Fraction(rng.randint(-9, 9) * 10 ** rng.choice((0, 6, 40)))
+    if size == "sparse" and rng.random() < 0.6:
+        return Fraction(0)
+    return Fraction(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 7)) if size == "fractions" else 1)
+
+
+SIZES = ("plain", "plain", "plain", "fractions", "sparse", "huge", "tiny")
+
+
+def mask_coefficients(rng):
+    """Coefficients with at least one sum rule, and their arity: often divergent, sometimes with unstable shifts."""
+    arity, size = rng.choice((2, 2, 2, 2, 3, 3, 4, 5, 7)), rng.choice(SIZES)
+    length = rng.randint(1, rng.choice((3, 6, 12, 25)))
+    ones = [Fraction(1)] * arity
+    if rng.random() < 0.3:  # one sum rule and nothing else
+        c = [entry(rng, size) for _ in range(arity * length)]
+        for k in range(arity):
+            c[k] += 1 - sum(c[k::arity])
+        return c, arity
+    while True:
+        c = [entry(rng, size) for _ in range(length)]
+        if rng.random() < 0.3:  # 1 + z^k takes the stability
+            c = convolution(c, [Fraction(1)] + [Fraction(0)] * rng.randint(0, 3) + [Fraction(1)])
+        if sum(c) != 0:
+            break
+    for _ in range(rng.randint(1, rng.choice((2, 4, 9)))):
+        c = convolution(c, ones)
+    total = sum(c)
+    return [arity * v / total for v in c], arity
+
+
+def mask_text(coefficients, arity):
+    return f"mask:[{','.join(map(str, coefficients))}],arity={arity}"
+
+
+def mask(rng):
+    return mask_text(*mask_coefficients(rng))
+
+
+def rounded(rng):
+    """A mask with a number that is no fraction."""
+    return f"mask:[-t,0,1/2+t,1,1/2+t,0,-t],where=t^2-{rng.choice((2, 3, 5))}/{rng.choice((64, 256))}:0..1"
+
+
+def regression(rng):
+    rules, d = rng.randint(2, 4), rng.randint(0, 3)
+    starts = [-rng.randint(0, 4) for _ in range(rules)]
+    stencils = ";".join(f"{s}..{s + d + rng.randint(0, 4)}" for s in starts)
+    return f"regression:stencils=[{stencils}],at=[{';'.join(str(Fraction(q, rules)) for q in range(rules))}],d={d}"
+
+
+def curve_scheme(rng):
+    return rng.choice((least_squares, least_squares, ary, with_letter, named, mask, mask, mask, rounded, regression))(rng)
+
+
+# ---- schemes of two and three variables
+
+DILATIONS = ("", "", ",dilation=[1,2;-2,-1]", ",dilation=[1,-1;1,1]", ",arity=3")
+
+
+def small_curve_scheme(rng):
+    return rng.choice((f"primal:n={rng.randint(1, 6)}", f"dual:n={rng.randint(1, 5)}",
+                       f"bspline:degree={rng.randint(0, 5)}", f"dd:n={rng.randint(1, 4)}"))
+
+
+def mask2(rng):
+    """Directions of a box spline times something: sum rules hold as for the box spline."""
+    a = {(0, 0): Fraction(1)}
+    steps = [(1, 0), (0, 1)] + rng.choices(((1, 0), (0, 1), (1, 1), (1, -1)), k=rng.randint(0, 3))
+    for x, y in steps:
+        for (i, j), v in list(a.items()):
+            a[i + x, j + y] = a.get((i + x, j + y), 0) + v
+    extra = {(rng.randint(0, 2), rng.randint(0, 2)): entry(rng, "plain") for _ in range(rng.randint(1, 4))}
+    if sum(extra.values()) == 0:
+        extra = {(0, 0): Fraction(1)}
+    product = {}
+    for (i, j), v in a.items():
+        for (k, l), w in extra.items():
+            product[i + k, j + l] = product.get((i + k, j + l), 0) + v * w
+    total = sum(product.values())
+    rows = range(min(i for i, _ in product), max(i for i, _ in product) + 1)
+    columns = range(min(j for _, j in product), max(j for _, j in product) + 1)
+    text = ",".join(f"[{','.join(str(4 * product.get((i, j), 0) / total) for j in columns)}]" for i in rows)
+    return f"mask2:[{text}]"
+
+
+def box(rng):
+    directions = ["1,0", "0,1"] + rng.choices(("1,0", "0,1", "1,1", "1,-1", "1,2"), k=rng.randint(0, 4))
+    return f"box:[{';'.join(directions)}]{rng.choice(DILATIONS)}"
+
+
+def surface_scheme(rng):
+    side = lambda: rng.randint(2, 7)
+    return rng.choice((
+        lambda: f"grid:points={side()}x{side()},d={rng.choice((0, 1, 1, 2, 3))}",
+        lambda: f"grid:points={rng.randint(2, 3)}x{rng.randint(2, 3)}x{rng.randint(2, 3)},d={rng.randint(0, 1)}",
+        lambda: f"triangular:L={rng.choice(('4/5', '1', '8/5', '2'))},d={rng.choice((0, 1))}",
+        lambda: f"butterfly:w={rational(rng, Fraction(-1, 8), Fraction(1, 4))}",
+        lambda: f"kobbelt:w={rational(rng, Fraction(-1, 8), Fraction(1, 4))}",
+        lambda: f"tensor:({small_curve_scheme(rng)})x({small_curve_scheme(rng)})",
+        lambda: box(rng), lambda: mask2(rng),
+        lambda: rng.choice(("loop", "catmull-clark", "doo-sabin", "sqrt3", "quincunx", "four-eight", "zwart-powell",
+                            "midedge")),
+    ))()
+
+
+# ---- matrices
+
+def product(a, b):
+    columns = list(zip(*b))
+    return [[sum(x * y for x, y in zip(row, column) if x and y) for column in columns] for row in a]
+
+
+def identity(n):
+    return [[int(i == j) for j in range(n)] for i in range(n)]
+
+
+def elementary(n, i, j, k):
+    """The matrix that adds k times row j to row i, and its inverse."""
+    there, back = identity(n), identity(n)
+    there[i][j], back[i][j] = k, -k
+    return there, back
+
+
+def in_a_bad_basis(rng, family):
+    n = len(family[0])
+    for _ in range(rng.randint(1, 2 * n) if n > 1 else 0):
+        i, j = rng.sample(range(n), 2)
+        there, back = elementary(n, i, j, rng.choice((-3, -1, 1, 1, 2)))
+        family = [product(product(there, m), back) for m in family]
+    return family
+
+
+def companion(coefficients):
+    n = len(coefficients)
+    return [[coefficients[j] if i == 0 else int(i == j + 1) for j in range(n)] for i in range(n)]
+
+
+def with_equal_moduli(rng, n):
+    """Permutations with signs, and companions of z^n = +-1 and of cyclotomic polynomials."""
+    if rng.random() < 0.5:
+        order = rng.sample(range(n), n)
+        return [[rng.choice((-1, 1)) if order[i] == j else 0 for j in range(n)] for i in range(n)]
+    return companion(rng.choice(([0] * (n - 1) + [1], [0] * (n - 1) + [-1], [-1] * n)))
+
+
+def triangular_by_blocks(rng, matrices):
+    """Zero below a diagonal block that is the same for all."""
+    n = len(matrices[0])
+    k = rng.randint(1, max(1, n - 1))
+    return [[[0 if i >= k > j else m[i][j] for j in range(n)] for i in range(n)] for m in matrices]
+
+
+def matrix_family(rng):
+    n = rng.randint(1, rng.choice((2, 3, 4, 6, 10, 30)))
+    count, size = rng.choice((1, 1, 2, 2, 2, 3, 4)), rng.choice(SIZES)
+    plain = lambda: [[entry(rng, size) for _ in range(n)] for _ in range(n)]
+    nonnegative = rng.random() < 0.25
+    family = [with_equal_moduli(rng, n) if rng.random() < 0.2 else plain() for _ in range(count)]
+    if nonnegative:
+        family = [[[abs(v) for v in row] for row in m] for m in family]
+    if rng.random() < 0.2:
+        family = triangular_by_blocks(rng, family)
+    if rng.random() < 0.3:
+        family = in_a_bad_basis(rng, family)
+    for chance, more in ((0.1, lambda: [[-v for v in row] for row in family[0]]), (0.1, lambda: family[0]),
+                         (0.1, lambda: [[0] * n for _ in range(n)]), (0.05, lambda: identity(n))):
+        if rng.random() < chance:
+            family.append(more())
+    return family
+
+
+def edges(rng, letters):
+    """A graph with at least one edge, which need not have a cycle."""
+    nodes = rng.randint(1, 4)
+    return [[rng.randrange(nodes), rng.randrange(nodes), rng.randrange(letters)]
+            for _ in range(rng.randint(1, 2 * nodes + 1))]
+
+
+# ---- cases
+
+def budget(rng, low, high):
+    return round(rng.uniform(low, high), 2)
+
+
+def regularity_case(rng, low, high):
+    surface = rng.random() < 0.3
+    scheme = (surface_scheme if surface else curve_scheme)(rng)
+    case = Case("regularity", ["regularity", scheme], budget(rng, low, high), memory=rng.choice((64, 256, 1024)))
+    case.facts = {"scheme": scheme, "surface": surface}
+    case.arguments += ["--memory", str(case.memory)]
+    if rng.random() < 0.3:
+        case.arguments += ["--certificate", "proof.cert"]
+    return case
+
+
+def jsr_case(rng, low, high):
+    family = matrix_family(rng)
+    graph = edges(rng, len(family)) if rng.random() < 0.2 else None
+    content = {"matrices": [[[str(v) for v in row] for row in m] for m in family]}
+    if graph:
+        content["edges"] = graph
+    case = Case("jsr", ["jsr", "family.json"], budget(rng, low, high), {"family.json": json.dumps(content)},
+                rng.choice((64, 256, 1024)), {"family": family, "edges": graph})
+    case.arguments += ["--memory", str(case.memory)]
+    if rng.random() < 0.3:
+        case.arguments += ["--certificate", "proof.cert"]
+    return case
+
+
+def mask_with_letter(rng):
+    """A symmetric or any mask with a letter whose coset sums are 1 for all its values; value by value the same mask."""
+    half = [(Fraction(rng.randint(-4, 4), 8), rng.choice((-1, 0, 0, 1))) for _ in range(rng.randint(2, 5))]
+    c = half + half[::-1] if rng.random() < 0.6 else half + half
+    for k in range(2):  # the first coefficient of a class makes its sum 1
+        rest = c[k::2]
+        c[k] = (c[k][0] + 1 - sum(v for v, _ in rest), c[k][1] - sum(w for _, w in rest))
+    text = ",".join(f"{v}{'+' if w >= 0 else '-'}{abs(w)}*w" for v, w in c)
+    return f"mask:[{text}]", lambda at: mask_text([v + w * at for v, w in c], 2)
+
+
+def range_case(rng, low, high):
+    if rng.random() < 0.4:
+        name = rng.choice(sorted(LETTERS))
+        scheme, at = f"{name}:w", lambda w: f"{name}:w={w}"
+    else:
+        scheme, at = mask_with_letter(rng)
+    start, end = rational(rng, Fraction(-1), Fraction(0)), rational(rng, Fraction(1, 100), Fraction(1))
+    asked = rng.choice(("convergent", "convergent", "C1", "C2", "stable", "holder>=1/2", "holder>=3/2"))
+    case = Case("range", ["range", scheme, "--over", f"w={start}..{end}", "--property", asked,
+                          "--width", rng.choice(("1e-3", "1e-9"))], budget(rng, low, high))
+    case.facts = {"at": at, "property": asked, "low": start, "high": end}
+    return case
+
+
+def page_case(rng, low, high):
+    command = rng.choice(("analyze", "variance", "limit", "limit --range", "mask"))
+    surface = command in ("analyze", "limit", "mask") and rng.random() < 0.3
+    scheme = (surface_scheme if surface else curve_scheme)(rng)
+    case = Case(command, [*command.split(), scheme], budget(rng, low, high), facts={"scheme": scheme})
+    if command == "limit" and not surface:
+        case.arguments += ["--level", str(rng.randint(0, 5))]
+    return case
+
+
+def any_case(rng, low, high):
+    return rng.choices((regularity_case, jsr_case, range_case, page_case), (45, 30, 10, 15))[0](rng, low, high)

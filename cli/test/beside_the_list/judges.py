@@ -1,0 +1,224 @@
+"""What a run may not do. A judge gets the case and its run and yields findings: the kind and what is wrong."""
+import json
+import os
+from decimal import Decimal
+from fractions import Fraction
+
+from oracles import DifferenceScheme, Words
+
+ENDINGS = {0, 1, 2}  # of what is well formed
+NO_CLAIM = "--certificate: nothing positive is proved"  # the one usage error that depends on the answer
+MEMORY_BESIDE = 160  # MiB beside those of --memory: the program and what it has read
+MOST_SAMPLES = 7  # of a range
+GUARD = 1e-9  # of logarithms in double precision, relative to 1
+
+
+def budget_seconds(case):
+    """Processor time that a run may take."""
+    return 1.2 * case.budget + 1
+
+
+def end(enclosure, side):
+    """'lower' or 'upper' as a fraction; None where there is no such end."""
+    text = enclosure and enclosure[side]
+    return None if text in (None, "-inf", "inf") else Fraction(text)
+
+
+def enclosures(value, path=""):
+    """All {"lower", "upper"} of an answer."""
+    if isinstance(value, dict):
+        if {"lower", "upper"} <= value.keys():
+            yield path, end(value, "lower"), end(value, "upper")
+        for key, inner in value.items():
+            yield from enclosures(inner, f"{path}.{key}" if path else key)
+    elif isinstance(value, list):
+        for inner in value:
+            yield from enclosures(inner, path + "[]")
+
+
+def last_digit(number):
+    """One unit of the last printed digit."""
+    return Fraction(10) ** Decimal(number).as_tuple().exponent
+
+
+# ---- of every run
+
+def ending(case, run):
+    if run.code < 0:
+        yield "signal", f"ended by signal {-run.code}"
+    elif run.code == 70:
+        yield "internal error", run.errors[:300]
+    elif run.code not in ENDINGS and NO_CLAIM not in run.errors:
+        yield f"exit {run.code}", run.errors[:300]
+    if run.code in (0, 2) and run.answer is None:
+        yield "JSON", f"no JSON object on standard output, exit {run.code}: {run.output[:80]!r} {run.errors[:200]}"
+    if run.code != 0 and run.answer is None and len(run.errors.strip().splitlines()) != 1:
+        yield "message", f"not one line: {run.errors[:300]!r}"
+
+
+def resources(case, run):
+    if run.seconds > budget_seconds(case):
+        yield "time", f"{run.seconds:.2f} s of processor time with a budget of {case.budget:g} s"
+    if run.mebibytes > case.memory + MEMORY_BESIDE:
+        yield "memory", f"{run.mebibytes:.0f} MiB with --memory {case.memory}"
+
+
+def not_empty(case, run):
+    for path, lower, upper in enclosures(run.answer):
+        if lower is not None and upper is not None and lower > upper:
+            yield "empty enclosure", f"{path}: {float(lower)} ... {float(upper)}"
+
+
+# ---- of one command
+
+def radius(case, run):
+    words = Words(case.facts["family"], case.facts["edges"])
+    lower, upper = words.bounds()
+    found = (run.answer or {}).get("radius")
+    if not found:
+        return
+    if end(found, "upper") is not None and not words.is_at_least(end(found, "upper"), lower):
+        yield "wrong", f"upper end {found['upper']} below |trace| / {words.size} of a product of length {lower[1]}"
+    if end(found, "lower") is not None and not words.is_at_most(end(found, "lower"), upper):
+        yield "wrong", f"lower end {found['lower']} above the norm of products of length {upper[1]}"
+    if len(case.facts["family"]) == 1 and not case.facts["edges"] and not run.answer.get("exact"):
+        yield "open", "the radius of one matrix"
+
+
+def exponent(case, run):
+    answer = run.answer or {}
+    found = answer.get("holder")
+    if case.facts["surface"] or not found or answer.get("rounded"):
+        return
+    scheme = mask_of(run, case.facts["scheme"])
+    if scheme is None:
+        return
+    at_least = scheme.exponent_at_least()
+    if answer["sum_rules"] != scheme.rules:
+        yield "wrong", f"{answer['sum_rules']} sum rules, here {scheme.rules}"
+    if end(found, "upper") is not None and end(found, "upper") < at_least - GUARD:
+        yield "wrong", f"upper end {found['upper']} below {at_least}, by norms"
+    if answer["converges"] == "no" and at_least > GUARD:
+        yield "wrong", f"convergence refuted, but the exponent is at least {at_least}"
+    if not answer["stable"] or end(found, "lower") is None:
+        return
+    at_most = scheme.exponent_at_most()
+    if end(found, "lower") > max(at_most, 0) + GUARD:
+        yield "wrong", f"lower end {found['lower']} above {at_most}, by a product"
+    if answer["converges"] == "yes" and at_most < -GUARD:
+        yield "wrong", f"convergence proved, but a product grows like {-at_most}"
+
+
+def mask_of(run, scheme):
+    mask = run.ask("mask", scheme, "--json")
+    return mask and DifferenceScheme([Fraction(c) for c in mask["coefficients"]], mask["arity"])
+
+
+def pieces(case, run):
+    """Samples of decided pieces."""
+    answer = run.answer or {}
+    at = case.facts["low"]
+    for piece in answer.get("pieces", []):
+        low, high = Fraction(piece["from"]), Fraction(piece["to"])
+        if low != at or high < low:
+            yield "wrong", f"the piece {low} ... {high} does not begin at {at}"
+        at = high
+    if answer and at != case.facts["high"]:
+        yield "wrong", f"the pieces end at {at}"
+    special = [(Fraction(one["value"]["lower"]), Fraction(one["value"]["upper"])) for one in answer.get("special", [])]
+    for piece in [p for p in answer.get("pieces", []) if p["verdict"] != "undecided"][:MOST_SAMPLES]:
+        w = (Fraction(piece["from"]) * 2 + Fraction(piece["to"])) / 3
+        if any(low <= w <= high for low, high in special):
+            continue
+        scheme = mask_of(run, case.facts["at"](w))
+        if scheme:
+            yield from sample(case.facts["property"], piece["verdict"], w, scheme)
+
+
+def sample(asked, verdict, w, scheme):
+    needed = {"convergent": 0, "C1": 1, "C2": 2, "holder>=1/2": 0.5, "holder>=3/2": 1.5}.get(asked)
+    if needed is None:
+        return
+    at_least = scheme.exponent_at_least()
+    if verdict == "refuted" and at_least > needed + GUARD:
+        yield "wrong", f"{asked} refuted at w = {w}, where the exponent is at least {at_least}"
+    if verdict == "proved" and scheme.rules == 1 and scheme.growth_at_least() > GUARD and asked == "convergent":
+        yield "wrong", f"convergence proved at w = {w}, where a product of differences grows"
+
+
+def values(case, run):
+    """The shifts of the basic limit function sum to 1."""
+    answer = run.answer or {}
+    if "values" not in answer or not isinstance(answer.get("first_index"), int):
+        return
+    step = answer["arity"] ** answer["level"]
+    numbers = [Fraction(v) for v in answer["values"]]
+    for k in range(min(step, len(numbers))):
+        if sum(numbers[k::step]) != 1:
+            yield "wrong", f"values at {k} + {step} i sum to {sum(numbers[k::step])}"
+            return
+
+
+def curve(case, run):
+    answer = run.answer or {}
+    for name, side, sign in (("sup", "upper", 1), ("inf", "lower", -1)):
+        bound = end(answer.get(name), side)
+        if bound is not None and answer.get("mean") and sign * (Fraction(answer["mean"]) - bound) > 0:
+            yield "wrong", f"mean {answer['mean']} beyond {name} {float(bound)}"
+
+
+def coefficients(case, run):
+    answer = run.answer or {}
+    if not answer or not isinstance(answer["first_index"], int) or answer.get("rounded"):
+        return
+    numbers = [Fraction(c) for c in answer["coefficients"]]
+    for k in range(answer["arity"]):
+        if sum(numbers[k::answer["arity"]]) != 1:
+            yield "wrong", f"coefficients of class {k} sum to {sum(numbers[k::answer['arity']])}"
+
+
+# ---- of several runs
+
+def certificate(case, run):
+    if not os.path.exists(os.path.join(run.folder, "proof.cert")):
+        if "--certificate" in case.arguments and run.code == 0:
+            yield "certificate", "none was written"
+        return
+    verified = run.again(["verify", "proof.cert"])
+    if verified.code != 0:
+        yield "certificate", f"refused: {(verified.output + verified.errors)[-200:]}"
+    os.remove(os.path.join(run.folder, "proof.cert"))
+
+
+def longer(case, run, factor=3):
+    """More time does not widen the enclosure, or contradict it."""
+    key = {"regularity": "holder", "jsr": "radius"}.get(case.kind)
+    before = (run.answer or {}).get(key)
+    if not before or case.budget * factor > 4:
+        return
+    later = run.again([*case.arguments, "--budget", f"{factor * case.budget:g}", "--json", "--quiet"])
+    after = (later.answer or {}).get(key)
+    if not after:
+        yield "longer budget", f"no answer with {factor} times the budget: {later.errors[:200]}"
+        return
+    for side, other, sign in (("lower", "upper", 1), ("upper", "lower", -1)):
+        first, second, opposite = end(before, side), end(after, side), end(after, other)
+        if first is None:
+            continue
+        if opposite is not None and sign * (first - opposite) > 0:
+            yield "wrong", f"{side} end {before[side]}, and with more time {other} end {after[other]}"
+        if second is None or sign * (first - second) > max(last_digit(before[side]), last_digit(after[side])):
+            yield "longer budget", f"{side} end {before[side]}, and {after[side]} with {factor} times the budget"
+
+
+OF_ALL = (ending, resources, not_empty)
+OF_COMMAND = {"regularity": (exponent, certificate), "jsr": (radius, certificate), "range": (pieces,),
+              "limit": (values,), "variance": (curve,), "mask": (coefficients,)}
+
+
+def findings(case, run, with_longer):
+    for judge in (*OF_ALL, *OF_COMMAND.get(case.kind, ()), *((longer,) if with_longer else ())):
+        try:
+            yield from judge(case, run)
+        except (KeyError, TypeError, ValueError, ZeroDivisionError) as error:
+            yield "form", f"{judge.__name__} cannot read the answer: {error!r}"

@@ -32,7 +32,15 @@ const Number& divisor(const Number& value) {
   return value;
 }
 
+/// GMP ends the program where a number is not finite. Whoever computes such a one has lost what it was about.
+double finite(double value) {
+  if (!std::isfinite(value)) fail(ErrorKind::undecided, "exact number: need a finite double, got {}", value);
+  return value;
+}
+
 }  // namespace
+
+Integer::Integer(double value) { mpz_init_set_d(value_, finite(value)); }
 
 Integer::Integer(const std::string& digits) {
   if (mpz_init_set_str(value_, digits.c_str(), 10) != 0) {
@@ -129,6 +137,12 @@ Rational::Rational(const Integer& numerator, const Integer& denominator) {
   mpz_init_set(mpq_numref(value_), numerator.get());
   mpz_init_set(mpq_denref(value_), denominator.get());
   mpq_canonicalize(value_);
+}
+
+Rational::Rational(double value) {
+  finite(value);
+  mpq_init(value_);
+  mpq_set_d(value_, value);
 }
 
 std::string Rational::str() const { return owned(mpq_get_str(nullptr, 10, value_)); }

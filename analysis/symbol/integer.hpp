@@ -25,8 +25,8 @@ class Integer {
     else
       mpz_init_set_ui(value_, value);
   }
-  /// The integer part. Domain: a finite value.
-  explicit Integer(double value) { mpz_init_set_d(value_, value); }
+  /// The integer part. Domain: a finite value. Errors: throws Error.
+  explicit Integer(double value);
   explicit Integer(mpz_srcptr value) { mpz_init_set(value_, value); }
   /// Decimal digits with an optional sign. Errors: throws Error for any other text.
   explicit Integer(const std::string& digits);

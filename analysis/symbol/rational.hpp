@@ -14,11 +14,8 @@ class Rational {
   Rational(const Integer& value);                  // NOLINT(google-explicit-constructor): an Integer is a Rational
   /// Domain: denominator != 0. Errors: throws Error.
   Rational(const Integer& numerator, const Integer& denominator);
-  /// Exact. Domain: a finite value.
-  explicit Rational(double value) {
-    mpq_init(value_);
-    mpq_set_d(value_, value);
-  }
+  /// Exact. Domain: a finite value. Errors: throws Error.
+  explicit Rational(double value);
   explicit Rational(mpq_srcptr value) : Rational() { mpq_set(value_, value); }
   Rational(const Rational& other) : Rational() { mpq_set(value_, other.value_); }
   /// What was moved from may only be assigned to or destroyed.

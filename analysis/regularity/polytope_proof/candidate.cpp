@@ -5,6 +5,7 @@
 #include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace subcert::radius {
 namespace {
@@ -16,6 +17,19 @@ constexpr double quick_nearness = 5e-3;
 std::vector<int> from_left_to_right(std::vector<int> cycle, bool transposed) {
   if (!transposed) std::reverse(cycle.begin(), cycle.end());
   return cycle;
+}
+
+bool is_finite(std::complex<double> z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
+
+/// Whether the search kept its footing: what it proposes consists of numbers.
+bool is_finite(const polytope::SearchResult& found) {
+  return std::isfinite(found.scale) &&
+         std::ranges::all_of(
+             found.vertices,
+             [](const auto& v) { return std::ranges::all_of(v.value, [](auto z) { return is_finite(z); }); }) &&
+         std::ranges::all_of(found.images, [](const auto& image) {
+           return std::ranges::all_of(image.terms, [](const auto& term) { return is_finite(term.coefficient); });
+         });
 }
 
 }  // namespace
@@ -44,6 +58,10 @@ PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget
   result.maximizing = found.maximizing;
   for (const polytope::Candidate& product : found.products)
     result.products.push_back({from_left_to_right(product.word, found.transposed), product.word});
+  if (!is_finite(found)) {
+    result.closed = false;
+    return result;
+  }
   for (const polytope::Vertex& v : found.vertices)
     result.vertices.push_back({v.value, v.parent, v.letter, v.cycle, v.place});
   for (const polytope::ImageProof& image : found.images) {

@@ -48,6 +48,8 @@ Real dot(const RealVector& x, const RealVector& y) {
 
 Real squared_norm(const OrbitPoint& v) { return dot(v.x, v.x) + dot(v.y, v.y); }
 
+bool is_finite(const OrbitPoint& v) { return isfinite(squared_norm(v)); }
+
 /// The real and imaginary parts of conj(a) . b.
 std::pair<Real, Real> inner(const OrbitPoint& a, const OrbitPoint& b) {
   return {dot(a.x, b.x) + dot(a.y, b.y), dot(a.x, b.y) - dot(a.y, b.x)};
@@ -149,6 +151,7 @@ class OrbitWalk {
         values.push_back(root(vertex));
       else
         values.push_back(from_search(from_double(vertex.value, is_complex())));
+      if (!is_finite(values.back()) || !isfinite(scale())) return std::nullopt;
     }
     return Orbit{std::move(values), scale()};
   }

@@ -22,8 +22,8 @@ struct Orbit {
   Real scale;  ///< what images are divided by: the radius of the first product where the search used it
 };
 
-/// Roots are refined by inverse iteration, the others follow them. Nothing is proved. Nothing once the deadline passes.
-/// Domain: `candidate` belongs to this family.
+/// Roots are refined by inverse iteration, the others follow them. Nothing is proved. Nothing once the deadline passes,
+/// or where a number is not finite. Domain: `candidate` belongs to this family.
 std::optional<Orbit> recomputed_orbit(const MatrixFamily& family, const PolytopeCandidate& candidate,
                                       const Deadline& deadline);
 

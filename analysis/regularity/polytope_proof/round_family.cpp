@@ -3,14 +3,12 @@
 #include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
 #include <subcert/analysis/symbol/ball_matrix.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace subcert::radius {
 namespace {
 
-constexpr double round_enough = 1e-7;  // ratio of the eigenvalues of the shape, of which doubles resolve 1e-9
-constexpr double flattest = 1e-14;      // of that ratio: what is below, or negative, is rounding
+constexpr double round_enough = 1e-7;  // ratio of the eigenvalues of the shape
 constexpr int most_steps = 8;
 constexpr slong bits = 512;  // of `from`
 
@@ -24,15 +22,16 @@ RationalMatrix commuting_with_flip(const RationalMatrix& matrix) {
 }
 
 /// A matrix that makes orbits rounder, symmetric up to rounding; nothing where they are round.
-std::optional<RationalMatrix> rounding_step(const std::vector<polytope::Matrix>& matrices, const Deadline& deadline) {
+std::optional<polytope::Matrix> rounding_step(const std::vector<polytope::Matrix>& matrices, const Deadline& deadline) {
   const polytope::OrbitShape orbit = polytope::orbit_shape(matrices, deadline);
   const polytope::SymmetricDecomposition shape = polytope::symmetric_decomposition(orbit.shape);
-  const double largest = shape.values.back();
-  const bool is_usable = orbit.radius_bound > 0 && largest > 0 && std::isfinite(largest);
-  if (!is_usable || shape.values.front() > round_enough * largest) return std::nullopt;
+  if (!(orbit.radius_bound > 0) || !(shape.values.back() > 0) ||
+      shape.values.front() > round_enough * shape.values.back())
+    return std::nullopt;
   polytope::Vector factors;
-  for (const double value : shape.values) factors.push_back(std::sqrt(largest / std::max(value, flattest * largest)));
-  return to_rational(polytope::composed(shape.vectors, factors));
+  const double largest = shape.values.back(), least = polytope::resolved_share * largest;
+  for (const double value : shape.values) factors.push_back(std::sqrt(largest / std::max(value, least)));
+  return polytope::composed(shape.vectors, factors);
 }
 
 /// Nearly; nothing where balls do not resolve it.
@@ -54,7 +53,8 @@ polytope::Matrix to_double(const RationalMatrix& m) {
   return result;
 }
 
-RationalMatrix to_rational(const polytope::Matrix& m) {
+std::optional<RationalMatrix> to_rational(const polytope::Matrix& m) {
+  if (!polytope::is_finite(m)) return std::nullopt;
   RationalMatrix result(m.rows(), m.columns());
   for (std::size_t i = 0; i < m.rows(); ++i)
     for (std::size_t j = 0; j < m.columns(); ++j) result(i, j) = Rational(m(i, j));
@@ -65,7 +65,8 @@ polytope::SearchFamily to_search_family(const MatrixFamily& family) {
   polytope::SearchFamily result;
   for (const RationalMatrix& m : family) result.matrices.push_back(to_double(m));
   if (family.is_flip_symmetric()) {
-    result.symmetry = polytope::SymmetryGroup::flip();
+    result.symmetry = polytope::SymmetryGroup::flip(
+        {family.group()[1].letters.begin(), family.group()[1].letters.end()});
   } else if (family.group().size() > 1) {
     std::vector<polytope::SymmetryGroup::Element> elements;
     for (const FamilySymmetry& element : family.group())
@@ -76,24 +77,31 @@ polytope::SearchFamily to_search_family(const MatrixFamily& family) {
   return result;
 }
 
-bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const RationalMatrix& step) {
-  const RationalMatrix kept = family.is_flip_symmetric() ? commuting_with_flip(step) : step;
+bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const polytope::Matrix& step) {
+  const auto exact = to_rational(step);
+  if (!exact) return false;
+  const RationalMatrix kept = family.is_flip_symmetric() ? commuting_with_flip(*exact) : *exact;
   const RationalMatrix to = round.coordinates.differ() ? kept * round.coordinates.to : kept;
   const auto from = inverse(to);
   if (!from) return false;
-  for (std::size_t t = 0; t < family.count(); ++t) round.family.matrices[t] = to_double(to * family[t] * *from);
-  round.coordinates = {to, *from};
+  polytope::SearchFamily moved{{}, round.family.symmetry};
+  for (const RationalMatrix& m : family) moved.matrices.push_back(to_double(to * m * *from));
+  if (!polytope::is_finite(moved) || !polytope::has_symmetry(moved)) return false;
+  round = {std::move(moved), {to, *from}};
   return true;
 }
 
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
-  RoundFamily result{to_search_family(family)};
-  if (family.group().size() > 1 && !family.is_flip_symmetric()) return result;
-  for (int k = 0; k < most_steps && !deadline.expired(); ++k) {
+  const RoundFamily given{to_search_family(family)};
+  if (family.group().size() > 1 && !family.is_flip_symmetric()) return given;
+  RoundFamily result = given;
+  for (int k = 0; k < most_steps; ++k) {
     const auto step = rounding_step(result.family.matrices, deadline);
-    if (!step || !change_coordinates(result, family, *step)) break;
+    if (!step || deadline.expired()) return result;
+    if (!change_coordinates(result, family, *step)) break;
   }
-  return result;
+  // What stays flat lies in a subspace in the end, as the powers of one matrix do.
+  return given;
 }
 
 }  // namespace subcert::radius

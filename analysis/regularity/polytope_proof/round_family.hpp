@@ -22,20 +22,22 @@ struct RoundFamily {
 /// Domain: entries whose doubles are finite.
 polytope::Matrix to_double(const RationalMatrix& matrix);
 
-/// Domain: finite entries.
-RationalMatrix to_rational(const polytope::Matrix& matrix);
+/// Nothing where an entry is not finite.
+std::optional<RationalMatrix> to_rational(const polytope::Matrix& matrix);
 
 /// The family in doubles, with its group. Domain: entries whose doubles are finite.
 polytope::SearchFamily to_search_family(const MatrixFamily& family);
 
 /// The same, but where orbits are so flat that doubles would lose what distinguishes their points, as for families that
 /// nearly have an invariant subspace, in other coordinates, which are found step by step and applied to the exact
-/// matrices. They commute with the flip; a family with another group keeps its coordinates. Cost: for each step, which
-/// makes orbits rounder by a factor of 10^4, an inverse in balls and three exact products for each matrix.
+/// matrices. Where they stay flat, coordinates stay what they are. They commute with the flip; a family with another
+/// group keeps its coordinates. Cost: for each step, which makes orbits rounder by a factor of 10^4, an inverse in
+/// balls and three exact products for each matrix.
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline);
 
-/// Goes on to the coordinates step y, exactly; false where balls do not resolve the way back. Domain: no symmetry but
-/// the flip, with which the step commutes up to rounding.
-bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const RationalMatrix& step);
+/// Goes on to the coordinates step y, exactly; false, with nothing changed, where the step is not finite, where balls
+/// do not resolve the way back or doubles do not hold the family there. Domain: no symmetry but the flip, with which
+/// the step commutes up to rounding.
+bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const polytope::Matrix& step);
 
 }  // namespace subcert::radius

@@ -60,6 +60,10 @@ Matrix Matrix::diagonal_block(std::size_t begin, std::size_t size) const {
   return result;
 }
 
+bool is_finite(const Matrix& a) {
+  return std::ranges::all_of(a.entries(), [](double entry) { return std::isfinite(entry); });
+}
+
 // New vectors and matrices are zero: what Eigen would set to zero once more, it adds to.
 Matrix operator*(const Matrix& a, const Matrix& b) {
   Matrix result(a.rows(), b.columns());

@@ -46,6 +46,8 @@ class Matrix {
 
 /// Domain of what follows: sizes that fit. Error: rounding of double precision.
 Matrix operator*(const Matrix& a, const Matrix& b);
+/// Whether no entry is infinite or no number.
+bool is_finite(const Matrix& a);
 /// The same with the widest instructions of the processor: the last bits depend on it.
 Matrix fast_product(const Matrix& a, const Matrix& b);
 Vector operator*(const Matrix& a, const Vector& x);

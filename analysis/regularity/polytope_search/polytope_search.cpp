@@ -13,7 +13,6 @@ namespace subcert::polytope {
 namespace {
 
 constexpr std::size_t max_maximizing = 12;  // products that roots are made of; more are shifts of a continuum of them
-constexpr double symmetric_tolerance = 1e-12;  // a symmetry may be off by that, relatively
 
 // Shares of the whole time. A polytope that closes exactly is worth most of it; enclosing gets the rest.
 constexpr double first_products = 0.35, later_products = 0.175;
@@ -44,27 +43,11 @@ constexpr double inner_share = 0.1;    // of the excess, by which images are to 
 
 void check(const SearchFamily& family, const SearchOptions& options) {
   require(!family.matrices.empty(), "search_polytope: need at least one matrix, got {}", family.matrices.size());
-  const std::size_t d = family.matrices.front().rows(), m = family.matrices.size();
+  const std::size_t d = family.matrices.front().rows();
   require(d >= 1, "search_polytope: need dimension >= 1, got {}", d);
   for (const Matrix& a : family.matrices) {
     require(a.rows() == d && a.columns() == d, "search_polytope: need square matrices of one size {}, got {} x {}", d,
             a.rows(), a.columns());
-    for (const double entry : a.entries())
-      require(std::isfinite(entry), "search_polytope: need finite entries, got {}", entry);
-  }
-  for (int g = 1; g < family.symmetry.order(); ++g) {
-    for (std::size_t i = 0; i < m; ++i) {
-      const Matrix& a = family.matrices[i];
-      const int image = family.symmetry.letter(g, static_cast<int>(i), m);
-      Matrix difference = family.symmetry.conjugated(g, a);
-      difference /= -1;
-      difference += family.matrices[static_cast<std::size_t>(image)];
-      const double off = difference.largest_modulus();
-      require(
-          off <= symmetric_tolerance * std::max(1.0, a.largest_modulus()) * family.symmetry.condition(g),
-          "search_polytope: need g A_i g^-1 = A_g(i) for a symmetric family, got matrices {} and {} that differ by {}",
-          i, image, off);
-    }
   }
   require(options.tolerance > 0 && options.tolerance < 1e-2, "search_polytope: need 0 < tolerance < 1e-2, got {}",
           options.tolerance);
@@ -335,6 +318,13 @@ class Search {
 
 SearchResult search_polytope(const SearchFamily& family, const SearchOptions& options) {
   check(family, options);
+  if (!is_finite(family)) {
+    SearchResult nothing;
+    nothing.products = {Candidate{{0}, 0.0}};
+    nothing.maximizing = 1;
+    return nothing;
+  }
+  if (!has_symmetry(family)) return Search({family.matrices, {}}, options).run();
   return Search(family, options).run();
 }
 

@@ -78,11 +78,11 @@ struct SearchResult {
 /// Meaning: with status closed, the hull P of the vertices (with their images under the symmetry, negatives, phases as
 /// `kind` tells) satisfies A_i P within radius * P, so that the joint spectral radius is `radius`. A family all
 /// whose long products vanish is closed with radius 0 and no vertices. Domain: at least one matrix, all square of one
-/// size >= 1, finite entries; a symmetry only if it holds to 1e-12; max_product_length >= 1, 0 < tolerance < 1e-2;
-/// throws Error otherwise. Where the budget is spent before anything closed, what was found so far is returned: one
-/// product at least. Error: floating point throughout, nothing is proved; radius good to about 1e-13 times
-/// the condition of its eigenvalue. Cost: one small linear program per vertex and matrix, mostly. Ref: [GP13, Alg. 1],
-/// [GP16] (balancing), [Mej20].
+/// size >= 1; max_product_length >= 1, 0 < tolerance < 1e-2; throws Error otherwise. A symmetry that does not hold to
+/// 1e-12 is made no use of. Where the budget is spent before anything closed, or an entry is not finite, what was found
+/// so far is returned: one product at least. Error: floating point throughout, nothing is proved; radius good to about
+/// 1e-13 times the condition of its eigenvalue. Cost: one small linear program per vertex and matrix, mostly. Ref:
+/// [GP13, Alg. 1], [GP16] (balancing), [Mej20].
 SearchResult search_polytope(const SearchFamily& family, const SearchOptions& options = {});
 
 }  // namespace subcert::polytope

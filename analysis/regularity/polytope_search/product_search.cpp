@@ -17,7 +17,8 @@ namespace {
 
 constexpr double equal_radii = 1e-11;  // radii this close are equal: eigenvalues carry some 1e-13
 constexpr std::size_t max_candidates = 64;
-constexpr int short_word = 8;  // words up to this length are few: more of them are solved exactly
+constexpr double symmetric_tolerance = 1e-12;  // a symmetry may be off by that, relatively
+constexpr int short_word = 8;                  // words up to this length are few: more of them are solved exactly
 constexpr int solved_short = 32, solved_long = 8;
 
 std::size_t at(int letter) { return static_cast<std::size_t>(letter); }
@@ -53,7 +54,7 @@ class ProductSearch {
       : family_(family), options_(options), orbit_(orbit_shape(family.matrices, options.budget.deadline)) {}
 
   std::vector<Candidate> run() {
-    if (orbit_.radius_bound == 0) return {Candidate{{0}, 0.0}};
+    if (!(orbit_.radius_bound > 0) || !std::isfinite(orbit_.radius_bound)) return {Candidate{{0}, 0.0}};
     begin();
     for (int length = 2; length <= options_.max_length && !level_.empty() && !late(); ++length) {
       std::vector<Partial> next = extensions(length);
@@ -68,6 +69,7 @@ class ProductSearch {
       if (is_near(radius)) result.push_back({word, radius * orbit_.radius_bound});
     sort_candidates(result, options_.least);
     if (result.size() > max_candidates) result.resize(max_candidates);
+    if (result.empty()) result.push_back({{0}, 0.0});
     return result;
   }
 
@@ -86,6 +88,7 @@ class ProductSearch {
     std::vector<int> word = canonical_word(p.word, family_.matrices.size(), family_.symmetry);
     if (known_.contains(word)) return false;
     const double radius = std::pow(spectral_radius(p.product), 1.0 / static_cast<double>(p.word.size()));
+    if (!std::isfinite(radius)) return false;
     if (known_.empty() || leads(radius, best_)) best_ = radius;
     return known_.emplace(std::move(word), radius).second;
   }
@@ -190,6 +193,24 @@ class ProductSearch {
 
 }  // namespace
 
+bool is_finite(const SearchFamily& family) {
+  return std::ranges::all_of(family.matrices, [](const Matrix& a) { return is_finite(a); });
+}
+
+bool has_symmetry(const SearchFamily& family) {
+  const std::size_t m = family.matrices.size();
+  for (int g = 1; g < family.symmetry.order(); ++g)
+    for (std::size_t i = 0; i < m; ++i) {
+      const Matrix& a = family.matrices[i];
+      Matrix difference = family.symmetry.conjugated(g, a);
+      difference /= -1;
+      difference += family.matrices[at(family.symmetry.letter(g, static_cast<int>(i), m))];
+      const double most = symmetric_tolerance * std::max(1.0, a.largest_modulus()) * family.symmetry.condition(g);
+      if (!(difference.largest_modulus() <= most)) return false;
+    }
+  return true;
+}
+
 std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count, const SymmetryGroup& symmetry) {
   const std::size_t n = word.size();
   for (std::size_t period = 1; period < n; ++period) {
@@ -257,7 +278,9 @@ OrbitShape orbit_shape(const std::vector<Matrix>& matrices, const Deadline& dead
     if (!complete) break;
     double trace = 0;
     for (std::size_t i = 0; i < d; ++i) trace += next(i, i);
-    if (trace == 0) return {Matrix::identity(d), 0};
+    if (trace == 0 && next.is_zero()) return {Matrix::identity(d), 0};
+    complete = trace > 0 && std::isfinite(trace);
+    if (!complete) break;
     const bool settled = std::abs(trace - growth) < 1e-6 * trace;
     growth = trace;
     g = std::move(next);
@@ -267,7 +290,7 @@ OrbitShape orbit_shape(const std::vector<Matrix>& matrices, const Deadline& dead
   result.shape = g;
   result.shape += g.transposed();
   result.shape /= 2;
-  for (std::size_t i = 0; i < d; ++i) result.shape(i, i) += 1e-9 / static_cast<double>(d);
+  for (std::size_t i = 0; i < d; ++i) result.shape(i, i) += resolved_share / static_cast<double>(d);
   if (!complete) {  // rho <= max |A_i|
     growth = 0;
     for (const Matrix& a : matrices) growth = std::max(growth, std::pow(norm(a.entries()), 2));

@@ -17,6 +17,10 @@ struct SearchFamily {
   SymmetryGroup symmetry;
 };
 
+bool is_finite(const SearchFamily& family);
+/// Whether g A_i g^-1 = A_g(i) for all elements g of its group, up to rounding. Domain: finite entries.
+bool has_symmetry(const SearchFamily& family);
+
 /// A product A_{w_k} ... A_{w_1}, written as the word w_1 ... w_k (the letter applied first comes first). Canonical:
 /// the word is primitive and the least of its cyclic shifts and of those of its images under the symmetry.
 struct Candidate {
@@ -56,13 +60,15 @@ double product_radius(const std::vector<Matrix>& matrices, const std::vector<int
 
 /// A symmetric positive definite G with G = sum_i A_i G A_i^T / s + a little of the identity: the averaged shape of all
 /// orbits, and the square root of s, which is an upper bound of the joint spectral radius (s / count bounds it below).
-/// s = 0 exactly when all long products vanish. Commutes with the symmetry of the family. Past the deadline G is what
-/// it is by then, and the bound a cruder one. Cost: up to 60 sums of 2 count cubic products. Ref: [BN05], the
-/// ellipsoidal norm of the lifted sum.
+/// s = 0 exactly when all long products vanish. Commutes with the symmetry of the family. Past the deadline, or where
+/// rounding has made G indefinite, G is what it was last, and the bound a cruder one. Cost: up to 60 sums of 2 count
+/// cubic products. Ref: [BN05], the ellipsoidal norm of the lifted sum.
 struct OrbitShape {
   Matrix shape;
   double radius_bound = 0;
 };
+/// Of the largest eigenvalue of such a shape: below it they are rounding, of either sign.
+inline constexpr double resolved_share = 1e-9;
 OrbitShape orbit_shape(const std::vector<Matrix>& matrices, const Deadline& deadline = {});
 
 /// Coordinates x' = to x in which a symmetric positive definite shape becomes the identity; eigenvalues below
@@ -77,7 +83,8 @@ Whitening whitening(const Matrix& shape, double least);
 /// largest estimated radius, and drops those whose norm shows that no power of them can beat the best.
 /// Within the budget it never misses a product of length k with count^k <= width. The result is a lower bound of the
 /// joint spectral radius, not more. With `least` it keeps products of small norm and radius, and drops none for its
-/// norm. Domain: at least one matrix. Error: radii as exact as double precision eigenvalues.
+/// norm. Domain: at least one matrix; of numbers that are not finite it says that the first matrix has the radius 0.
+/// Error: radii as exact as double precision eigenvalues.
 /// Cost: 2 width * max_length matrix products and a few hundred eigenvalue problems. Ref: [Gri96], [Mej20, sec. 3].
 std::vector<Candidate> search_products(const SearchFamily& family, const ProductSearchOptions& options);
 

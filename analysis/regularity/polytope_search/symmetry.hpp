@@ -81,10 +81,12 @@ class SymmetryGroup {
 
   /// The trivial group.
   SymmetryGroup() = default;
-  /// The identity and the flip J, the reversal of the coordinates: J A_i J = A_{m-1-i} for m matrices.
-  static SymmetryGroup flip() {
+  /// The identity and the flip J, the reversal of the coordinates: J A_i J = A_letters[i]; without letters A_{m-1-i}
+  /// for m matrices.
+  static SymmetryGroup flip(std::vector<int> letters = {}) {
     SymmetryGroup result;
     result.order_ = 2;
+    result.flipped_ = std::move(letters);
     return result;
   }
   /// Domain: the identity first; a finite group up to signs.
@@ -100,7 +102,8 @@ class SymmetryGroup {
   /// g(letter).
   int letter(int element, int letter, std::size_t letter_count) const {
     if (is_dense()) return at(element).letters[static_cast<std::size_t>(letter)];
-    return element == 0 ? letter : static_cast<int>(letter_count) - 1 - letter;
+    if (element == 0) return letter;
+    return flipped_.empty() ? static_cast<int>(letter_count) - 1 - letter : flipped_[static_cast<std::size_t>(letter)];
   }
   /// g(w_1) ... g(w_k).
   std::vector<int> word(int element, std::vector<int> word, std::size_t letter_count) const {
@@ -128,6 +131,7 @@ class SymmetryGroup {
 
   int order_ = 1;
   std::vector<Element> elements_;  // none for the trivial group and the flip
+  std::vector<int> flipped_;       // the letters of the flip
 };
 
 }  // namespace subcert::polytope

@@ -107,3 +107,12 @@ TEST_CASE("the double of a rational is the nearest one") {
   CHECK(std::isinf(power(Rational(10), 400).convert_to<double>()));
   CHECK(Rational(-power(Rational(10), -400)).convert_to<double>() == 0);
 }
+
+TEST_CASE("a double that is not finite is refused, before GMP would end the program") {
+  for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    CHECK_THROWS_AS(Rational(value), Error);
+    CHECK_THROWS_AS(Integer(value), Error);
+  }
+  CHECK(Rational(-0.75) == Rational(-3, 4));
+  CHECK(Integer(-1e30) == Integer("-1000000000000000019884624838656"));
+}

@@ -71,8 +71,9 @@ struct PolytopeProof {
   bool is_flip_symmetric() const;
 };
 
-/// The proof for 2^exponent times the matrices.
-PolytopeProof scaled(PolytopeProof proof, long exponent);
+/// The proof for factor times the matrices: exact for powers of two, otherwise with weights of 64 more bits. Domain:
+/// factor > 0.
+PolytopeProof scaled(PolytopeProof proof, const Rational& factor);
 
 /// Recomputes the orbit that the search found in high precision, rounds it, refines every combination against exact
 /// residuals, and bounds the radius with them; nothing of the search is trusted. Nothing is returned where the vertices

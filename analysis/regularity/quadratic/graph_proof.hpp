@@ -51,7 +51,7 @@ struct AttainedGraph {
   Enclosure radius;            ///< the joint spectral radius
 };
 
-/// The proof for 2^exponent times the matrices.
-GraphProof scaled(GraphProof proof, long exponent);
+/// The proof for factor times the matrices. Domain: factor > 0.
+GraphProof scaled(GraphProof proof, const Rational& factor);
 
 }  // namespace subcert

@@ -248,8 +248,9 @@ struct Graph {
     }
   }
 
-  /// False where a step cannot be rounded.
+  /// False where the bound is not finite or a step cannot be rounded.
   bool set_bound(double bound, const Deadline& deadline) {
+    if (!std::isfinite(std::ldexp(bound, bound_bits))) return false;
     proof.bound = Rational(Integer(std::ceil(std::ldexp(bound, bound_bits)))) * power(Rational(2), -bound_bits);
     return set_steps(proof, StepRounder(family, coordinates, proof.bits, proof.bound), forms, deadline);
   }
@@ -309,14 +310,13 @@ std::size_t GraphProof::words() const {
   return count;
 }
 
-GraphProof scaled(GraphProof proof, long exponent) {
-  const Rational unit = power(Rational(2), exponent);
-  proof.bound *= unit;
+GraphProof scaled(GraphProof proof, const Rational& factor) {
+  proof.bound *= factor;
   if (proof.attained) {
     AttainedGraph attained = *proof.attained;
-    attained.graph.bound *= unit;
-    attained.eigenvalue = power(unit, static_cast<long>(attained.product.size())) * attained.eigenvalue;
-    attained.radius = {*attained.radius.lower * unit, *attained.radius.upper * unit};
+    attained.graph.bound *= factor;
+    attained.eigenvalue = power(factor, static_cast<long>(attained.product.size())) * attained.eigenvalue;
+    attained.radius = {*attained.radius.lower * factor, *attained.radius.upper * factor};
     proof.attained = std::make_shared<AttainedGraph>(std::move(attained));
   }
   return proof;

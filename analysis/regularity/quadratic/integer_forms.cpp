@@ -72,7 +72,11 @@ std::optional<std::vector<Integers>> triangular_coordinates(const std::vector<po
                                                             const radius::RoundFamily& round) {
   const std::size_t n = to.front().rows();
   std::vector<RationalMatrix> maps;
-  for (const polytope::Matrix& map : to) maps.push_back(radius::to_rational(map));
+  for (const polytope::Matrix& map : to) {
+    auto exact = radius::to_rational(map);
+    if (!exact) return std::nullopt;
+    maps.push_back(std::move(*exact));
+  }
   long bits = coordinate_bits;
   if (const auto& [before, back] = round.coordinates; round.coordinates.differ()) {
     for (RationalMatrix& map : maps) map = map * before;

@@ -130,8 +130,9 @@ std::optional<KeptCycle> prove_kept_cycle(const MatrixFamily& family, const std:
   for (std::size_t i = 0; i < length; ++i)
     largest = std::max(largest,
                        largest_square(rows[i].entries, coordinates[i], least * power(low, 2 * static_cast<long>(i))));
-  if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;
-  result.scale = Rational((1 + ratio) / 2 / std::sqrt(largest));
+  const double scale = (1 + ratio) / 2 / std::sqrt(largest);
+  if (!(scale > 0) || !std::isfinite(scale)) return std::nullopt;
+  result.scale = Rational(scale);
   const auto error_of = [](const Row& row) { return Rational(2 * one_norm(row.entries) * row.error); };
   // The two matrices of SPEC.md, 4.14, for the letter i.
   const auto is_small = [&](std::size_t i) {

@@ -51,8 +51,7 @@ Shape shape_of(const MatrixFamily& family, double target, const Deadline& deadli
   const bool movable = family.group().size() <= 1 || family.is_flip_symmetric();
   for (int k = 0; k < most_moves && movable && shape.coordinates.ended_flat && shape.coordinates.bound > target; ++k) {
     radius::RoundFamily moved = shape.round;
-    if (deadline.expired() || !radius::change_coordinates(moved, family, radius::to_rational(shape.coordinates.to)))
-      break;
+    if (deadline.expired() || !radius::change_coordinates(moved, family, shape.coordinates.to)) break;
     Shape next{std::move(moved), {}};
     next.coordinates = quadratic::ellipsoidal_coordinates(next.round.family, target, deadline);
     if (!(next.coordinates.bound < shape.coordinates.bound) ||
@@ -268,8 +267,8 @@ class Search {
 
 }  // namespace
 
-QuadraticProof scaled(QuadraticProof proof, long exponent) {
-  proof.bound *= power(Rational(2), exponent);
+QuadraticProof scaled(QuadraticProof proof, const Rational& factor) {
+  proof.bound *= factor;
   return proof;
 }
 
@@ -297,14 +296,15 @@ std::optional<QuadraticProof> prove_isometries(const MatrixFamily& family, const
   const std::vector<std::size_t> free = free_columns(forms);
   const auto guess = quadratic::ellipsoidal_coordinates(radius::to_search_family(family), 0,
                                                         deadline.at_most(isometry_seconds));
-  const polytope::Matrix near = guess.to.transposed() * guess.to;
+  const auto near = radius::to_rational(guess.to.transposed() * guess.to);
+  if (!near) return std::nullopt;
   RationalMatrix form(n, n);
   for (std::size_t k = 0, column = 0; k < n; ++k)
     for (std::size_t l = k; l < n; ++l, ++column)
       for (std::size_t v = 0; v < forms.size(); ++v)
         if (free[v] == column)
           for (std::size_t i = 0, at = 0; i < n; ++i)
-            for (std::size_t j = i; j < n; ++j, ++at) form(i, j) += Rational(near(k, l)) * forms[v][at];
+            for (std::size_t j = i; j < n; ++j, ++at) form(i, j) += (*near)(k, l) * forms[v][at];
   const quadratic::Integers integral = integer_multiple(form, common_denominator(form));
   if (!quadratic::is_positive(integral, n)) return std::nullopt;
   QuadraticProof result{lower_rows(integral, n), {}, *ratio};

@@ -12,8 +12,8 @@ struct QuadraticProof {
   Rational bound;  ///< proved: joint spectral radius <= bound
 };
 
-/// The proof for 2^exponent times the matrices.
-QuadraticProof scaled(QuadraticProof proof, long exponent);
+/// The proof for factor times the matrices. Domain: factor > 0.
+QuadraticProof scaled(QuadraticProof proof, const Rational& factor);
 
 /// A product that may attain the joint spectral radius, from left to right.
 struct LeadingProduct {

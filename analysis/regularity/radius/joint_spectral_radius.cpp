@@ -119,7 +119,7 @@ void settle_exactness(JointSpectralRadius& result, const MatrixFamily& family,
   bool growth_known = leader.growth.at_most == 0;
   for (std::size_t k = 0; k < families.size(); ++k) {
     const JointSpectralRadius& other = proof.blocks[k];
-    if (k == proof.leading || other.proved_upper() < *leader.radius.lower) continue;
+    if (k == proof.leading || *other.radius.upper < *leader.radius.lower) continue;
     const bool both_exact = leader.radius.is_exact() && *other.radius.upper <= *leader.radius.lower;
     const bool similar = !both_exact && radius::are_similar(families[proof.leading], families[k], deadline);
     if (!both_exact && !similar &&
@@ -146,10 +146,12 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   result.proof = BlockProof{std::move(triangular), std::move(search.radii()), leading};
   const JointSpectralRadius& leader = result.by_blocks()->blocks[leading];
   result.product = leader.product;
-  result.radius = {*leader.radius.lower, result.proved_upper()};
+  result.radius = {*leader.radius.lower, Rational(0)};
+  for (const JointSpectralRadius& block : result.by_blocks()->blocks)
+    result.radius.upper = std::max(*result.radius.upper, *block.radius.upper);
   const Deadline proving = Deadline::in(budget.deadline.remaining() + 0.5);
   settle_exactness(result, family, search.families(), proving);
-  if (result.is_closed() || (target && result.proved_upper() <= *target)) return result;
+  if (result.is_closed() || result.exact.is_yes() || (target && result.proved_upper() <= *target)) return result;
   const NormProof norms = known ? *known : norm_of_products(family, {proving, budget.memory});
   if (norms.bound() >= result.proved_upper()) return result;
   JointSpectralRadius whole;
@@ -158,6 +160,22 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   whole.exact = {Truth::unknown, "no polytope closed"};
   whole.proof = norms;
   return whole;
+}
+
+/// That of factor times the matrices.
+JointSpectralRadius scaled(JointSpectralRadius radius, const Rational& factor) {
+  const auto scaled_proof = [&](auto& proof) { proof = scaled(std::move(proof), factor); };
+  radius.radius = scaled(radius.radius, factor);
+  radius.product = radius::scaled(std::move(radius.product), factor);
+  if (auto* norms = std::get_if<NormProof>(&radius.proof)) norms->norm *= power(factor, norms->level);
+  if (auto* polytope = std::get_if<PolytopeProof>(&radius.proof)) scaled_proof(*polytope);
+  if (auto* form = std::get_if<QuadraticProof>(&radius.proof)) scaled_proof(*form);
+  if (auto* graph = std::get_if<GraphProof>(&radius.proof)) scaled_proof(*graph);
+  if (auto* blocks = std::get_if<BlockProof>(&radius.proof)) {
+    for (RationalMatrix& matrix : blocks->triangular.triangular) matrix = factor * matrix;
+    for (JointSpectralRadius& block : blocks->blocks) block = scaled(std::move(block), factor);
+  }
+  return radius;
 }
 
 /// The sum over its proofs of this kind.
@@ -236,8 +254,8 @@ void sharpen(JointSpectralRadius& radius, const MatrixFamily& family, int bits, 
 
 ProductEvidence find_product_above(const MatrixFamily& family, const Rational& least, const Budget& budget) {
   require_small(family);
-  const long exponent = radius::scaling_exponent(family);
-  const MatrixFamily scaled_family = exponent == 0 ? family : power(Rational(2), -exponent) * family;
+  const Rational unit = radius::unit_of(family);
+  const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   const polytope::SearchFamily search = radius::to_search_family(scaled_family);
   ProductEvidence best;
   double largest = 0;
@@ -246,7 +264,7 @@ ProductEvidence find_product_above(const MatrixFamily& family, const Rational& l
     for (std::size_t k = 0; k < std::min(found.size(), proved_products); ++k) {
       largest = std::max(largest, found[k].radius);
       const std::vector<int> word(found[k].word.rbegin(), found[k].word.rend());
-      ProductEvidence evidence = radius::scaled(prove_product(scaled_family, word, budget.deadline), exponent);
+      ProductEvidence evidence = radius::scaled(prove_product(scaled_family, word, budget.deadline), unit);
       const Rational& lower = evidence.exact ? *evidence.exact : *evidence.radius.lower;
       if (best.word.empty() || lower > *best.radius.lower) best = std::move(evidence);
       if (*best.radius.lower >= least || (best.exact && *best.exact >= least)) return true;
@@ -266,6 +284,16 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
                                           const std::optional<Rational>& target) {
   require_small(family);
   if (family.size() == 1) return radius::radius_of_numbers(family);
+  if (const Rational unit = radius::unit_of(family); unit != 1) {
+    const auto in_units = [&](NormProof norms) {
+      norms.norm /= power(unit, norms.level);
+      return norms;
+    };
+    return scaled(
+        joint_spectral_radius(1 / unit * family, budget, known ? std::optional(in_units(*known)) : std::nullopt,
+                              target ? std::optional(*target / unit) : std::nullopt),
+        unit);
+  }
   BlockTriangular triangular = radius::with_symmetries(
       radius::balanced(block_triangularise(family, budget.deadline.after(triangularising_share))),
       budget.deadline.after(symmetries_share));

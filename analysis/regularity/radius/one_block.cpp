@@ -3,8 +3,10 @@
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include <subcert/analysis/regularity/quadratic/long_products.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/real_roots.hpp>
 
 #include "attains.hpp"
+#include "cost.hpp"
 #include "scaling.hpp"
 
 #include <algorithm>
@@ -26,6 +28,8 @@ constexpr double alone_share = 0.05;    // of the time that polytopes have befor
 constexpr double most_alone = 10;       // in seconds
 constexpr auto look = std::chrono::milliseconds(2);  // between looks at the time that they have had
 constexpr double same_radius = 1e-9;                 // of products, relatively
+constexpr std::size_t most_commuting = 64;
+constexpr double commuting_share = 0.2, commuting_seconds = 2;  // for a polytope where the radius is known without
 
 /// Whether all maximizing products have the radius of the first, exactly.
 bool have_equal_radii(const MatrixFamily& family, const PolytopeCandidate& candidate, const ProductEvidence& first,
@@ -235,27 +239,55 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
   return result;
 }
 
-/// Of 2^exponent times matrices that are a number times isometries: no polytope has finitely many vertices there.
-JointSpectralRadius radius_of_isometries(const MatrixFamily& family, QuadraticProof proof, long exponent,
+/// Of unit times matrices that are a number times isometries: no polytope has finitely many vertices there.
+JointSpectralRadius radius_of_isometries(const MatrixFamily& family, QuadraticProof proof, const Rational& unit,
                                          const Deadline& deadline) {
   JointSpectralRadius result;
   result.product = prove_product(family, {0}, deadline);
   result.product.exact = proof.bound;
-  result.product = scaled(std::move(result.product), exponent);
+  result.product = scaled(std::move(result.product), unit);
   result.radius = Enclosure::exactly(*result.product.exact);
   result.exact = {Truth::yes, "the matrices are isometries of a quadratic form, times the radius"};
   result.growth.at_most = 0;
-  result.proof = scaled(std::move(proof), exponent);
+  result.proof = scaled(std::move(proof), unit);
   return result;
+}
+
+bool commute(const MatrixFamily& family) {
+  for (std::size_t s = 0; s < family.count(); ++s)
+    for (std::size_t t = 0; t < s; ++t)
+      if (family[s] * family[t] != family[t] * family[s]) return false;
+  return true;
+}
+
+/// Matrices that commute are triangular in one basis over the complex numbers, so that the radius is the largest
+/// spectral radius of one of them. Nothing where they do not commute, or where these are not compared in time.
+std::optional<ProductEvidence> largest_of_commuting(const MatrixFamily& family, const Deadline& deadline) {
+  if (family.count() > most_commuting || !commute(family)) return std::nullopt;
+  std::vector<ProductEvidence> letters;
+  std::size_t best = 0;
+  for (std::size_t t = 0; t < family.count(); ++t) {
+    letters.push_back(prove_product(family, {static_cast<int>(t)}, deadline));
+    const auto p = characteristic_polynomial(family[t], deadline);
+    if (!p || !has_time_for_roots(*p, deadline)) return std::nullopt;
+    ProductEvidence& own = letters.back();
+    own.radius = own.exact ? Enclosure::exactly(*own.exact) : largest_root_modulus(*p, default_bits).largest;
+    if (*own.radius.lower > *letters[best].radius.lower) best = t;
+  }
+  for (const ProductEvidence& other : letters)
+    if (*other.radius.upper >= *letters[best].radius.lower && other.word != letters[best].word &&
+        !(letters[best].radius.is_exact() && *other.radius.upper <= *letters[best].radius.lower) &&
+        !is_dominated(family, letters[best], family, other, deadline))
+      return std::nullopt;
+  return letters[best];
 }
 
 JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget& budget,
                                         const std::optional<NormProof>& known, const std::optional<Rational>& target) {
-  const long exponent = scaling_exponent(family);
-  const Rational unit = power(Rational(2), exponent);
-  const MatrixFamily scaled_family = exponent == 0 ? family : 1 / unit * family;
+  const Rational unit = power(Rational(2), scaling_exponent(family));
+  const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   if (auto isometries = prove_isometries(scaled_family, budget.deadline))
-    return radius_of_isometries(scaled_family, std::move(*isometries), exponent, budget.deadline);
+    return radius_of_isometries(scaled_family, std::move(*isometries), unit, budget.deadline);
   const NormProof norms = known ? *known : norm_of_products(family, {budget.deadline.after(norm_share), budget.memory});
   auto [found, forms] = attempt_both(scaled_family, budget, target ? std::optional(*target / unit) : std::nullopt,
                                      norms.bound() / unit);
@@ -301,12 +333,12 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   else
     result.exact = found.exact;
   if (by_form)
-    result.proof = scaled(std::move(*form), exponent);
+    result.proof = scaled(std::move(*form), unit);
   else if (by_polytope)
-    result.proof = scaled(std::move(*polytope), exponent);
+    result.proof = scaled(std::move(*polytope), unit);
   else
     result.proof = norms;
-  result.product = scaled(std::move(product), exponent);
+  result.product = scaled(std::move(product), unit);
   if (result.exact.is_yes()) {
     if (result.product.exact) result.radius = Enclosure::exactly(*result.product.exact);
     // A norm that no matrix expands by more than the radius.
@@ -320,20 +352,26 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
 JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget& budget,
                                         const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   const DifferentMatrices different = different_matrices(family);
-  JointSpectralRadius result = radius_of_different(different.family, budget, known, target);
+  const auto largest = largest_of_commuting(different.family, budget.deadline.after(commuting_share));
+  const Deadline end = largest ? budget.deadline.after(commuting_share).at_most(commuting_seconds) : budget.deadline;
+  JointSpectralRadius result = radius_of_different(different.family, {end, budget.memory}, known, target);
+  if (largest && !result.exact.is_yes()) {
+    result.product = *largest;
+    result.radius = largest->radius;
+    result.exact = {Truth::yes, "the matrices commute, and this one has the largest spectral radius"};
+  }
   if (different.originals.size() < family.count()) expand(result, different);
   return result;
 }
 
 std::optional<GraphProof> quadratic_bound(const MatrixFamily& family, const Rational& target, const Budget& budget) {
   const DifferentMatrices different = different_matrices(family);
-  const long exponent = scaling_exponent(different.family);
-  const Rational unit = power(Rational(2), exponent);
-  auto proof = prove_by_quadratic_forms(exponent == 0 ? different.family : 1 / unit * different.family, target / unit,
+  const Rational unit = power(Rational(2), scaling_exponent(different.family));
+  auto proof = prove_by_quadratic_forms(unit == 1 ? different.family : 1 / unit * different.family, target / unit,
                                         budget);
   if (!proof) return std::nullopt;
   expand(*proof, different);
-  return scaled(std::move(*proof), exponent);
+  return scaled(std::move(*proof), unit);
 }
 
 JointSpectralRadius radius_of_numbers(const MatrixFamily& family) {
@@ -351,13 +389,13 @@ JointSpectralRadius radius_of_numbers(const MatrixFamily& family) {
 }
 
 JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget) {
-  const long exponent = scaling_exponent(family);
-  const MatrixFamily scaled_family = exponent == 0 ? family : power(Rational(2), -exponent) * family;
+  const Rational unit = power(Rational(2), scaling_exponent(family));
+  const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   const NormProof norms = norm_of_products(family, budget);
   JointSpectralRadius result;
   result.product = scaled(prove_product(scaled_family, find_product(scaled_family, budget.deadline),
                                         Deadline::in(budget.deadline.remaining() + grace)),
-                          exponent);
+                          unit);
   result.radius = {*result.product.radius.lower, norms.bound()};
   result.exact = {Truth::unknown, "only norms were computed"};
   result.proof = norms;

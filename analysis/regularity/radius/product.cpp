@@ -19,7 +19,7 @@ constexpr slong precision = 320;
 constexpr int newton_steps = 16;
 constexpr int dyadic_bits = 200;
 constexpr int smallest_exponent = 40;  // smaller eigenvalues than 2^-40 get as many bits more
-constexpr std::size_t longest_common_power = 64;
+constexpr std::size_t longest_common_power = 64, most_paired = 12;  // letters, and the size of matrices
 // Of approximate inverses, in bits.
 constexpr long inverse_distance = 72, inverse_accuracy = 60, longest_entry = 4000;
 
@@ -90,6 +90,26 @@ std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPoly
   const Rational unit = power(Rational(2), -bits);
   const auto rounded = [&](const Rational& x) { return unit * Rational(to_integer(x / unit, Rounding::nearest)); };
   return Centre{{rounded(z.re), rounded(z.im)}, std::nullopt, bits};
+}
+
+/// Whether all zeros of q that are not zeros of p are at most so large.
+bool has_zeros_of(const LaurentPolynomial& p, const LaurentPolynomial& q, const Rational& largest,
+                  const Deadline& deadline) {
+  LaurentPolynomial rest = q.shifted(-q.lowest());
+  for (;;) {
+    const LaurentPolynomial shared = gcd(rest, p);
+    if (shared.length() == 1) break;
+    rest = *rest.exact_quotient(shared);
+  }
+  return radius::has_time_for_roots(rest, deadline) && *largest_root_modulus(rest).largest.upper <= largest;
+}
+
+/// Its zeros are the products of any two eigenvalues, also of one with itself. Nothing once the deadline passes.
+std::optional<LaurentPolynomial> polynomial_of_pairs(const RationalMatrix& matrix, const Deadline& deadline) {
+  auto squares = characteristic_polynomial(matrix * matrix, deadline);
+  if (!squares || matrix.rows() == 1) return squares;
+  const auto others = characteristic_polynomial(second_compound(matrix), deadline);
+  return others ? std::optional(*squares * *others) : std::nullopt;
 }
 
 }  // namespace
@@ -169,33 +189,30 @@ std::optional<ApproximateInverse> approximate_inverse(const MatrixFamily& family
 
 namespace radius {
 
-ProductEvidence scaled(ProductEvidence evidence, long exponent) {
-  const Rational unit = power(Rational(2), exponent);
-  evidence.eigenvalue = power(unit, static_cast<long>(evidence.word.size())) * evidence.eigenvalue;
-  evidence.radius.lower = *evidence.radius.lower * unit;
-  if (evidence.radius.upper) evidence.radius.upper = *evidence.radius.upper * unit;
-  if (evidence.exact) evidence.exact = *evidence.exact * unit;
+ProductEvidence scaled(ProductEvidence evidence, const Rational& factor) {
+  evidence.eigenvalue = power(factor, static_cast<long>(evidence.word.size())) * evidence.eigenvalue;
+  evidence.radius.lower = *evidence.radius.lower * factor;
+  if (evidence.radius.upper) evidence.radius.upper = *evidence.radius.upper * factor;
+  if (evidence.exact) evidence.exact = *evidence.exact * factor;
   return evidence;
 }
 
 bool is_dominated(const MatrixFamily& first, const ProductEvidence& above, const MatrixFamily& second,
                   const ProductEvidence& below, const Deadline& deadline) {
-  const std::size_t common = 2 * std::lcm(above.word.size(), below.word.size());
-  if (common > longest_common_power) return false;
-  const auto characteristic_of_power = [&](const MatrixFamily& family, const std::vector<int>& word) {
-    const RationalMatrix repeated = power(family.product(word), static_cast<long>(common / word.size()));
-    return characteristic_polynomial(repeated, deadline);
+  const std::size_t common = std::lcm(above.word.size(), below.word.size());
+  if (2 * common > longest_common_power) return false;
+  const Rational largest = power(*above.radius.lower, static_cast<long>(2 * common));
+  const auto repeated = [&](const MatrixFamily& family, const std::vector<int>& word) {
+    return power(family.product(word), static_cast<long>(common / word.size()));
   };
-  const auto p = characteristic_of_power(first, above.word), q = characteristic_of_power(second, below.word);
-  if (!p || !q) return false;
-  LaurentPolynomial rest = q->shifted(-q->lowest());
-  for (;;) {
-    const LaurentPolynomial shared = gcd(rest, *p);
-    if (shared.length() == 1) break;
-    rest = *rest.exact_quotient(shared);
-  }
-  if (!has_time_for_roots(rest, deadline)) return false;
-  return *largest_root_modulus(rest).largest.upper <= power(*above.radius.lower, static_cast<long>(common));
+  const RationalMatrix a = repeated(first, above.word), b = repeated(second, below.word);
+  const auto covered = [&](const auto& polynomial_of) {
+    const auto p = polynomial_of(a, deadline), q = polynomial_of(b, deadline);
+    return p && q && has_zeros_of(*p, *q, largest, deadline);
+  };
+  // Of powers, which make signs equal; or of pairs, among which are the squared moduli.
+  return covered([](const RationalMatrix& m, const Deadline& end) { return characteristic_polynomial(m * m, end); }) ||
+         (std::max(a.rows(), b.rows()) <= most_paired && covered(polynomial_of_pairs));
 }
 
 int jordan_power(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline) {

@@ -38,8 +38,8 @@ std::optional<ApproximateInverse> approximate_inverse(const MatrixFamily& family
 
 namespace radius {
 
-/// The evidence for 2^exponent times the matrices.
-ProductEvidence scaled(ProductEvidence evidence, long exponent);
+/// The evidence for factor times the matrices. Domain: factor > 0.
+ProductEvidence scaled(ProductEvidence evidence, const Rational& factor);
 
 /// Whether rho(below)^(1/length) <= rho(above)^(1/length'), exactly, for products over two families: all leading
 /// eigenvalues of the one are eigenvalues of the other, or smaller. False where that takes too long. Cost:

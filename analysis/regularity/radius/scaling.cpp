@@ -6,8 +6,9 @@
 namespace subcert::radius {
 namespace {
 
-constexpr long near_enough = 16;      // bits: families of ordinary numbers are left alone
-constexpr double ordinary_span = 60;  // bits between the largest and the smallest entry that doubles stand
+constexpr long near_enough = 16;        // bits: families of ordinary numbers are left alone
+constexpr long short_denominator = 64;  // bits: those of ordinary decimals and masks
+constexpr double ordinary_span = 60;    // bits between the largest and the smallest entry that doubles stand
 constexpr int sweeps = 200;
 
 constexpr double none = -std::numeric_limits<double>::infinity();
@@ -72,6 +73,27 @@ long scaling_exponent(const MatrixFamily& family) {
   for (const RationalMatrix& m : family)
     if (const auto e = binary_exponent(m)) largest = std::max(largest.value_or(*e), *e);
   return largest && std::abs(*largest) > near_enough ? *largest : 0;
+}
+
+Rational unit_of(const MatrixFamily& family) {
+  Integer numerators = 0, denominators = 1;
+  for (const RationalMatrix& m : family)
+    for (std::size_t i = 0; i < m.rows(); ++i)
+      for (std::size_t j = 0; j < m.columns(); ++j) {
+        numerators = gcd(numerators, numerator(m(i, j)));
+        denominators = lcm(denominators, denominator(m(i, j)));
+      }
+  if (numerators == 0) return 1;
+  const Rational content(numerators, denominators);
+  const auto bits = [](const Integer& x) { return static_cast<long>(msb(x)); };
+  const bool is_short = bits(numerators) <= near_enough && bits(denominators) <= short_denominator;
+  const long exponent = scaling_exponent(family);
+  if (is_short && exponent == 0) return 1;
+  if (is_short) return power(Rational(2), exponent);
+  long largest = 0;  // of the integers that are left
+  for (const RationalMatrix& m : family)
+    if (const auto e = binary_exponent(m)) largest = std::max(largest, *e - binary_exponent(content));
+  return content * power(Rational(2), largest);
 }
 
 BlockTriangular balanced(BlockTriangular triangular) {

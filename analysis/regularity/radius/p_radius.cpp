@@ -1,5 +1,6 @@
 #include "p_radius.hpp"
 
+#include "block_triangular.hpp"
 #include "cost.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::size_t most_forms = 256;
 constexpr int largest_power = 64;
+constexpr double splitting_share = 0.2;  // of the time
 
 using Exponents = std::vector<int>;
 using Form = std::map<Exponents, Rational>;
@@ -64,13 +66,13 @@ std::optional<RationalMatrix> operator_on_forms(const MatrixFamily& family, int 
   return result;
 }
 
-}  // namespace
-
-bool has_p_radius(const MatrixFamily& family, int p) { return p % 2 == 0 || is_nonnegative(family); }
-
-std::optional<PRadius> p_radius(const MatrixFamily& family, int p, int bits, const Deadline& deadline) {
-  require(p >= 1 && p <= largest_power, "p_radius: need 1 <= p <= {}, got {}", largest_power, p);
-  require(has_p_radius(family, p), "p_radius: need an even p, or matrices without negative entries, got p = {}", p);
+/// The p-th power of the p-radius, times the number of matrices, of a family that is not split.
+std::optional<Enclosure> sum_of_powers(const MatrixFamily& family, int p, int bits, const Deadline& deadline) {
+  if (family.size() == 1) {
+    Rational sum = 0;
+    for (const RationalMatrix& number : family) sum += power(abs(number(0, 0)), p);
+    return Enclosure::exactly(sum);
+  }
   if (count_of_forms(family.size(), p) > most_forms)
     fail(ErrorKind::size, "p_radius: need at most {} forms of degree p, got matrices of size {} and p = {}", most_forms,
          family.size(), p);
@@ -78,10 +80,48 @@ std::optional<PRadius> p_radius(const MatrixFamily& family, int p, int bits, con
   if (!forms) return std::nullopt;
   const auto characteristic = characteristic_polynomial(*forms, deadline);
   if (!characteristic || !radius::has_time_for_roots(*characteristic, deadline)) return std::nullopt;
-  const Enclosure sum = largest_root_modulus(*characteristic, bits).largest;
+  return largest_root_modulus(*characteristic, bits).largest;
+}
+
+bool is_triangular(const MatrixFamily& family) {
+  for (const RationalMatrix& matrix : family)
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (matrix(i, j) != 0) return false;
+  return true;
+}
+
+/// Diagonal blocks, each of which has a formula; otherwise the family itself.
+std::vector<MatrixFamily> parts_of(const MatrixFamily& family, int p, const Deadline& deadline) {
+  BlockTriangular triangular{std::vector<std::size_t>(family.size(), 1), RationalMatrix(0, 0), family.matrices(), {}};
+  if (!is_triangular(family)) triangular = block_triangularise(family, deadline);
+  std::vector<MatrixFamily> parts;
+  for (std::size_t k = 0; k < triangular.sizes.size(); ++k) parts.push_back(triangular.block(k));
+  const bool known = std::ranges::all_of(
+      parts, [=](const MatrixFamily& part) { return part.size() == 1 || p % 2 == 0 || is_nonnegative(part); });
+  return known ? parts : std::vector{family};
+}
+
+}  // namespace
+
+bool has_p_radius(const MatrixFamily& family, int p) {
+  return p % 2 == 0 || is_nonnegative(family) || is_triangular(family);
+}
+
+std::optional<PRadius> p_radius(const MatrixFamily& family, int p, int bits, const Deadline& deadline) {
+  require(p >= 1 && p <= largest_power, "p_radius: need 1 <= p <= {}, got {}", largest_power, p);
+  require(has_p_radius(family, p), "p_radius: need an even p, or matrices without negative entries, got p = {}", p);
+  Enclosure most = Enclosure::exactly(0);
+  std::size_t size = 1;
+  for (const MatrixFamily& part : parts_of(family, p, deadline.after(splitting_share))) {
+    const auto sum = sum_of_powers(part, p, bits, deadline);
+    if (!sum) return std::nullopt;
+    most = {std::max(*most.lower, *sum->lower), std::max(*most.upper, *sum->upper)};
+    size = std::max(size, part.size() == 1 ? 1 : count_of_forms(part.size(), p));
+  }
   const Rational count(static_cast<long>(family.count()));
-  return PRadius{{root_enclosure(*sum.lower / count, p, bits).lower, root_enclosure(*sum.upper / count, p, bits).upper},
-                 forms->rows()};
+  return PRadius{
+      {root_enclosure(*most.lower / count, p, bits).lower, root_enclosure(*most.upper / count, p, bits).upper}, size};
 }
 
 }  // namespace subcert

@@ -83,15 +83,38 @@ DifferenceSpace space_of_differences(const MultivariateMask& mask, const Multiva
   return difference_space(mask, result.sum_rules);
 }
 
-/// Whether the differences of the scheme shrink.
-Decision prove_convergence(const MultivariateMask& mask, const Budget& budget) {
+/// Differences of the first order, or of that of the sum rules.
+std::optional<ShrinkingDifferences> shrinking_differences(const MultivariateMask& mask, int sum_rules,
+                                                          const Budget& budget) {
+  const Rational target = 1 - power(Rational(2), -20);
+  for (const int order : sum_rules > 1 ? std::vector{1, sum_rules} : std::vector{1}) {
+    DifferenceSpace space = difference_space(mask, order);
+    if (space.family.size() > largest_space) break;
+    const Budget share{budget.deadline.after(0.5), budget.memory};
+    const NormProof norms = norm_of_products(space.family, {share.deadline.after(norm_share), share.memory});
+    JointSpectralRadius radius;
+    if (norms.norm < 1) {
+      radius.radius = Enclosure{std::nullopt, norms.bound()};
+      radius.proof = norms;
+    } else {
+      radius = joint_spectral_radius(space.family, share, norms, target);
+    }
+    if (radius.proved_upper() < 1) return ShrinkingDifferences{std::move(space), std::move(radius)};
+  }
+  return std::nullopt;
+}
+
+/// Whether the differences of the scheme shrink. With `shrinking` that is looked for in any case, for a certificate.
+Decision prove_convergence(const MultivariateMask& mask, const Budget& budget, int sum_rules,
+                           std::optional<ShrinkingDifferences>* shrinking = nullptr) {
   Decision decision = converges(mask, {levels, Deadline::in(std::max(budget.deadline.remaining(), least_seconds))});
-  if (decision.is_yes() || decision.is_no()) return decision;
+  if (decision.is_no() || (decision.is_yes() && !shrinking)) return decision;
   try {
-    const DifferenceSpace space = difference_space(mask, 1);
-    if (space.family.size() > largest_space) return decision;
-    const auto radius = joint_spectral_radius(space.family, {Deadline::in(least_seconds), budget.memory});
-    if (radius.proved_upper() < 1) return {Truth::yes, "the first differences of the scheme shrink"};
+    auto found = shrinking_differences(mask, sum_rules, {Deadline::in(least_seconds), budget.memory});
+    if (found && !decision.is_yes())
+      decision = {Truth::yes, found->space.order == 1 ? "the first differences of the scheme shrink"
+                                                      : "the differences of the scheme shrink"};
+    if (shrinking) *shrinking = std::move(found);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::size) throw;
   }
@@ -171,7 +194,7 @@ void search_along_subspaces(const MultivariateMask& mask, const Budget& budget, 
       exponent.upper = along->exponent.upper;
     if (!roughest || *along->exponent.lower < *roughest->exponent.lower) roughest = std::move(along);
   }
-  result.converges = prove_convergence(mask, budget);
+  result.converges = prove_convergence(mask, budget, result.sum_rules);
   if (roughest) exponent.lower = roughest->exponent.lower;
   if (!all || !(*exponent.lower > 0)) {
     if (!result.converges.is_yes()) result.stable = {Truth::unknown, "the scheme is not proved to converge"};
@@ -231,8 +254,11 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
              of_values = result.space && result.space->is_of_values();
   if (continuous && !of_values)
     result.converges = {Truth::yes, "the exponent is positive"};
+  else if (of_values)  // the same limits, with the digits of the space
+    result.converges = prove_convergence(MultivariateMask(mask.symbol(), result.space->dilation), budget,
+                                         result.sum_rules, &result.shrinking);
   else
-    result.converges = prove_convergence(mask, budget);
+    result.converges = prove_convergence(mask, budget, result.sum_rules);
   if (!continuous && !result.converges.is_yes()) {
     // What comes from the inner products supposes a continuous limit.
     const bool by_sum_rules = sobolev && (result.stable.is_yes() || !sobolev->exponent.upper);

@@ -13,6 +13,12 @@ namespace subcert {
 /// give no end. Error: none where the power `dimension` of the radius is one of the classes, otherwise as log_ratio.
 Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t dimension, int bits = default_bits);
 
+/// Differences of a scheme that shrink, as the radius is below 1: with an isotropic dilation the scheme converges.
+struct ShrinkingDifferences {
+  DifferenceSpace space;
+  JointSpectralRadius radius;  ///< perhaps without a product
+};
+
 struct MultivariateRegularity {
   int sum_rules = 0;
   /// Nothing without sum rules, or where it grows past its limit. Its dilation may be g M with a symmetry g of the
@@ -20,7 +26,9 @@ struct MultivariateRegularity {
   std::optional<DifferenceSpace> space;
   std::optional<HolderBound> bound;           ///< by norms of products of the transition operators on the space
   std::optional<JointSpectralRadius> radius;  ///< of the transition operators on the space
-  Decision exact;                             ///< whether a product attains the radius
+  /// Where the space is one of differences of phi, of which convergence does not follow: with its digits, if found.
+  std::optional<ShrinkingDifferences> shrinking;
+  Decision exact;  ///< whether a product attains the radius
   Decision converges;
   Decision stable;  ///< of the integer shifts
   /// Contains the Hoelder exponent of the limit phi; absent where no positive lower end is proved. Where the shifts are

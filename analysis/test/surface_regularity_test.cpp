@@ -82,6 +82,11 @@ TEST_CASE("where shifts are unstable the differences of the limit tell the expon
     CHECK(result.space->is_of_values());
     CHECK((result.exact.is_yes() || !known.exact));
     CHECK(result.converges.is_yes());
+    REQUIRE(result.shrinking);
+    CHECK(result.shrinking->radius.proved_upper() < 1);
+    CHECK(result.shrinking->space.dilation == result.space->dilation);
+    CHECK(result.shrinking->space.dilation.digits() == result.space->dilation.digits());
+    CHECK_FALSE(result.shrinking->space.is_of_values());
     CHECK(encloses(result.exponent, known.holder, 1e-10));
     REQUIRE(result.sobolev);
     CHECK(encloses(*result.sobolev, known.sobolev, 1e-10));

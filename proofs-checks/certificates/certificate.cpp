@@ -277,7 +277,16 @@ std::string terms_text(const LatticeSequence& sequence, const Rational& factor, 
   return text + "\n";
 }
 
-/// The lines from the order of the differences to the vectors of the space, times their common denominator.
+/// The vectors of the space, times their common denominator.
+std::string vectors_text(const DifferenceSpace& space) {
+  std::string text = fmt::format("space {}\n", space.basis.size());
+  const Rational factor = common_denominator(space.basis);
+  for (std::size_t c = 0; c < space.basis.size(); ++c)
+    text += "vector" + terms_text(space.basis[c], factor, space.pivots[c]);
+  return text;
+}
+
+/// The lines from the order of the differences to the vectors of the space.
 std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
   std::string text = fmt::format("{} {}\n", space.is_of_values() ? "differences" : "sum-rules", space.order);
   if (space.dilation.rows() != dilation.rows()) text += fmt::format("turned {}\n", space.dilation.to_text());
@@ -285,11 +294,14 @@ std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
   for (const LatticePoint& digit : space.dilation.digits()) text += " " + point_text(digit);
   text += "\n";
   if (space.is_of_values()) text += "values" + terms_text(space.values, common_denominator({space.values}));
-  text += fmt::format("space {}\n", space.basis.size());
-  const Rational factor = common_denominator(space.basis);
-  for (std::size_t c = 0; c < space.basis.size(); ++c)
-    text += "vector" + terms_text(space.basis[c], factor, space.pivots[c]);
-  return text;
+  return text + vectors_text(space);
+}
+
+/// That the scheme converges, after a proof by differences of phi.
+std::string shrinking_text(const ShrinkingDifferences& differences) {
+  const DifferenceSpace& space = differences.space;
+  return fmt::format("sum-rules {}\n", space.order) + vectors_text(space) + blocks_text(differences.radius) +
+         SectionWriter(space.family.count()).text(differences.radius.proof);
 }
 
 MatrixFamily family_of(const Mask& mask, const HolderRegularity& regularity) {
@@ -435,7 +447,7 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
   if (other && !(lower_end(other->mask.mask, other->regularity) > 0)) other = nullptr;
   const int rules = regularity.bounds.sum_rules;
   const Rational lower = lower_end(mask, regularity);
-  require(lower > 0, "exponent_certificate: need a positive lower bound of the exponent, got {}",
+  require(lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(lower, 6, Rounding::nearest));
   return with_bounds([&](bool tell_exact) {
     const ExponentLines lines = other ? exponent_lines(other->mask.mask, other->regularity, std::nullopt, tell_exact)
@@ -455,11 +467,13 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
 }
 
 Certificate surface_certificate(const MultivariateMask& mask, const MultivariateRegularity& regularity) {
-  require(regularity.radius && regularity.space, "surface_certificate: need a joint spectral radius, got none");
+  require(regularity.radius && regularity.space, "certificate: need a joint spectral radius, got none");
   const JointSpectralRadius& radius = *regularity.radius;
   const Dilation& dilation = mask.dilation();
-  require(dilation.is_isotropic(), "surface_certificate: need an isotropic dilation, got {}", dilation.to_text());
+  require(dilation.is_isotropic(), "certificate: need an isotropic dilation, got {}", dilation.to_text());
   const DifferenceSpace& space = *regularity.space;
+  require(!space.is_of_values() || regularity.shrinking,
+          "certificate: need differences of the scheme that are proved to shrink, got those of the limit alone");
   const auto exponent = [&](const ExactRadius& exact) {
     Enclosure ends = exponent_of_radius({radius.product.radius.lower, upper_end(radius, exact)}, dilation.classes(),
                                         dilation.variables());
@@ -468,7 +482,7 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   };
   const Enclosure ends = exponent({});
   const std::optional<Rational>&lower = ends.lower, &upper = ends.upper;
-  require(*lower > 0, "surface_certificate: need a positive lower bound of the exponent, got {}",
+  require(*lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(*lower, 6, Rounding::nearest));
   const bool tells_upper_end = (space.is_of_values() || regularity.stable.is_yes()) && upper && *upper < space.order;
   return with_bounds([&](bool tell_exact) {
@@ -483,22 +497,22 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
     if (certificate.claim.upper && !space.is_of_values()) certificate.text += gram_text(*regularity.gram);
     certificate.text += blocks_text(radius);
     if (certificate.claim.upper) certificate.text += product_text(space.family, radius);
-    certificate.text += SectionWriter(space.family.count(), exact.cycles).text(radius.proof) + "end\n";
+    certificate.text += SectionWriter(space.family.count(), exact.cycles).text(radius.proof);
+    if (space.is_of_values()) certificate.text += shrinking_text(*regularity.shrinking);
+    certificate.text += "end\n";
     return certificate;
   });
 }
 
 namespace {
 
-/// The limits are not C^order for all values from `low` to `high` but those within `margin` of `away`, in order.
-void add_rough(std::vector<RangeCertificate>& certificates, const ParametricMask& mask, char letter,
-               const Rational& order, Rational low, const Rational& high, const std::vector<Enclosure>& away,
-               const Rational& margin) {
-  CertificateClaim claim;
-  claim.upper = "C" + to_text(order);
+/// What needs no proofs of intervals, for all values from `low` to `high` but those within `margin` of `away`, in
+/// order.
+void add_away(std::vector<RangeCertificate>& certificates, const ParametricMask& mask, char letter,
+              const CertificateClaim& claim, Truth holds, Rational low, const Rational& high,
+              const std::vector<Enclosure>& away, const Rational& margin) {
   const auto add = [&](const Rational& end) {
-    if (low < end)
-      certificates.push_back({low, end, Truth::no, interval_certificate(mask, letter, low, end, claim, {})});
+    if (low < end) certificates.push_back({low, end, holds, interval_certificate(mask, letter, low, end, claim, {})});
   };
   for (const Enclosure& value : away) {
     if (*value.upper < low || *value.lower > high) continue;
@@ -506,6 +520,37 @@ void add_rough(std::vector<RangeCertificate>& certificates, const ParametricMask
     low = *value.upper + margin;
   }
   add(high);
+}
+
+/// The limits are not C^order.
+void add_rough(std::vector<RangeCertificate>& certificates, const ParametricMask& mask, char letter,
+               const Rational& order, const Rational& low, const Rational& high, const std::vector<Enclosure>& away,
+               const Rational& margin) {
+  CertificateClaim claim;
+  claim.upper = "C" + to_text(order);
+  add_away(certificates, mask, letter, claim, Truth::no, low, high, away, margin);
+}
+
+/// The shifts are stable; where the polynomial vanishes by which a range is proved, value by value.
+void add_stable(std::vector<RangeCertificate>& certificates, const ParametricMask& mask, char letter,
+                const Rational& low, const Rational& high, const std::vector<SpecialValue>& special,
+                const Rational& margin) {
+  std::vector<Enclosure> away;
+  for (const SpecialValue& one : special) {
+    if (one.why != SpecialValue::Why::unstable) continue;
+    away.push_back(one.value);
+    if (one.holds != Truth::yes || !one.value.is_exact() || *one.value.lower < low || *one.value.lower > high) continue;
+    const Rational& value = *one.value.lower;
+    const Mask there = mask.at(value);
+    certificates.push_back(
+        {value,
+         value,
+         Truth::yes,
+         {{},
+          fmt::format("subcert-certificate 3\nexponent {} {}\n{}sum-rules {}\nstability\nend\n",
+                      there.symbol().to_mask_text(), there.arity(), bounds_text({}), sum_rules(there))}});
+  }
+  add_away(certificates, mask, letter, {}, Truth::yes, low, high, away, margin);
 }
 
 }  // namespace
@@ -534,7 +579,11 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
       if (piece.holds == Truth::no) add_rough(certificates, mask, letter, property.order, low, high, special, margin);
       continue;
     }
-    if (!stable) (piece.holds == Truth::yes ? claim.lower : claim.upper) = to_text(property.order);
+    if (stable) {
+      add_stable(certificates, mask, letter, low, high, range.special, margin);
+      continue;
+    }
+    (piece.holds == Truth::yes ? claim.lower : claim.upper) = to_text(property.order);
     std::vector<IntervalProof> proofs;
     for (; proof != range.proofs.end() && proof->low < piece.high; ++proof) proofs.push_back(*proof);
     add(low, high, piece.holds, claim, proofs);

@@ -55,7 +55,8 @@ struct RangeCertificate {
 
 /// Proves each decided piece of a range. The claim of a proved one is exponent > order, of a refuted one exponent <
 /// order, with order 0 for convergence; stability has no bounds, and smoothness of an order from the number of sum
-/// rules on is refuted between the values that have more of them. Where the ends of a piece are not included, the
+/// rules on is refuted between the values that have more of them. Where the polynomial vanishes that proves stability
+/// of a range, single values have certificates of their own. Where the ends of a piece are not included, the
 /// certificate stays away from them by `margin`. None for properties that are decided by signs or a spectral radius.
 /// Domain: `range` is that of the mask and the property; margin > 0.
 std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, char letter, const RangeProperty& property,

@@ -248,16 +248,18 @@ var check_certificate = (() => {
   // ---- Section 1: masks ---------------------------------------------------------------------------------------------
   const mask_form = 'a mask is [c0,c1,...]/D@first, of two variables [[c00,c10,...],...]/D@first,first';
   function mask_parts(text) {  // the coefficients of nested lists, the first variable innermost
-    const [, lists, den, first] = /^(\[.*\])(?:\/([^@]*))?(?:@([^@]*))?$/.exec(text) || [];
-    demand(lists, mask_form);
-    const depth = /^\[*/.exec(lists)[0].length, sizes = [];
-    demand(depth <= 3 && lists.endsWith(']'.repeat(depth)), mask_form);
+    const end = text.lastIndexOf(']') + 1, lists = text.slice(0, end), at = (text + '@').indexOf('@', end);
+    const by = text.slice(end, at), sizes = [], first = at < text.length ? text.slice(at + 1) : undefined;
+    let depth = 0;
+    while (text[depth] === '[') ++depth;
+    demand(end && (!by || by[0] === '/'), mask_form);
+    demand(depth && depth <= 3 && lists.endsWith(']'.repeat(depth)), mask_form);
     const split = (body, d) => {
       const pieces = body.split(']'.repeat(d - 1) + ',' + '['.repeat(d - 1));
       demand((sizes[d - 1] = sizes[d - 1] || pieces.length) === pieces.length, 'lists of different lengths in a mask');
       return d === 1 ? pieces : pieces.flatMap(piece => split(piece, d - 1));
     };
-    return {depth, sizes, coefficients: split(lists.slice(depth, -depth), depth), den,
+    return {depth, sizes, coefficients: split(lists.slice(depth, -depth), depth), den: by ? by.slice(1) : undefined,
             first: first === undefined ? null : first.split(',').map(integer)};
   }
   function polynomial(text, letter) {  // a sum of terms c*w^k, by powers of w
@@ -1976,38 +1978,59 @@ var check_certificate = (() => {
       show_positive(form, 'stability: the sum over the gram line', degrees);
     }
   }
-  function check_surface(reader, {lower, upper, surface, dilation, exact}) {
-    const dimension = surface.depth, by_values = reader.peek() === 'differences';
-    const order = small(reader.read(by_values ? 'differences' : 'sum-rules', 1)[0], 1, 500);
+  const order_in_space = token => {
+    const order = small(token, 1, 500);
     demand(order <= 64, 'a higher order than the checker allows in several variables');
+    return order;
+  };
+  // 5.2, 5.3: the space of the differences of the scheme; its vectors annihilate polynomials of degree < order
+  function read_differences(reader, transition, order, den) {
+    const dimension = transition.M.length, delta = new Map();
+    check_sum_rules(transition, order, den);
+    add(delta, Array(dimension).fill(0), 1n);
+    const vectors = read_space(reader, dimension);
+    for (const nu of exponents(dimension, order, false))
+      demand(vectors.every(v => !moment([...v.values()], nu)),
+             'a vector does not annihilate the polynomials of degree below the order of the sum rules');
+    const family = space_family(vectors, transition, den);
+    lead_into(vectors, differences(delta, order, dimension), transition);
+    return family;
+  }
+  const lead_into = (vectors, start, transition) =>  // (iii): the number of letters that words need
+    long_words(start, vectors.map(row => ({key: first_key(row), row})), transition).steps;
+  function read_values(reader, transition, order, den, spanned) {  // 5.6: the space of the differences of phi
+    const dimension = transition.M.length;
+    check_sum_rules(transition, 1, den);
+    const values = read_sequence(reader.read('values', 1, 2 ** 24), dimension);
+    demand(sum(values_of(values)), 'the numbers of the values line have the sum 0');
+    demand(is_multiple(transition.apply(transition.digits[0], values), values, den),
+           'the values line is not fixed by the operator of the first digit');
+    const vectors = read_space(reader, dimension), family = space_family(vectors, transition, den);
+    const start = differences(values, order, dimension), steps = lead_into(vectors, start, transition);
+    const rank = () => long_words(start, [], transition, steps, 2n ** 32n - 5n).basis.length;
+    demand(!spanned || rank() === vectors.length, 'the differences do not span the space');
+    return family;
+  }
+  function check_surface(reader, {lower, upper, surface, dilation, exact}) {
+    const dimension = surface.depth, by_values = reader.peek() === 'differences', {den} = surface;
+    const order = order_in_space(reader.read(by_values ? 'differences' : 'sum-rules', 1)[0]);
     check_ends(lower, upper, 1);
     demand(!by_values || !lower || !less(order, lower), 'the lower end is above the order of the differences');
     check_isotropic(dilation);
     const least = fraction(1n, BigInt(Math.abs(small_determinant(dilation))) ** BigInt(order));
     check_exponent(exact, 0, 1n, dimension, least);
-    const turned = reader.peek() === 'turned', mask = mask_sequence(surface);
-    const M = turned ? read_dilation(reader.read('turned', 1)[0]) : dilation;
+    const mask = mask_sequence(surface);
+    demand(mask.size, 'all coefficients of the mask are 0');
+    const turned = reader.peek() === 'turned', M = turned ? read_dilation(reader.read('turned', 1)[0]) : dilation;
     if (turned) check_turned(M, dilation, mask);
     const D = Math.abs(small_determinant(M)), base = BigInt(D);
     demand(D <= 64, 'a dilation with too large a determinant');
     const digits = reader.read('digits', D).map(token => read_point(token, dimension));
-    const transition = new Transition(mask, M, digits), {den} = surface;
+    const transition = new Transition(mask, M, digits), both = upper || exact;
     demand(new Set(digits.map(t => transition.class_of(t))).size === D, 'two digits of one class');
-    check_sum_rules(transition, by_values ? 1 : order, den);
-    const start = by_values ? read_sequence(reader.read('values', 1, 2 ** 24), dimension) : new Map();
-    if (!by_values) add(start, Array(dimension).fill(0), 1n);
-    demand(sum(values_of(start)), 'the numbers of the values line have the sum 0');
-    demand(!by_values || is_multiple(transition.apply(digits[0], start), start, den),
-           'the values line is not fixed by the operator of the first digit');
-    const vectors = read_space(reader, dimension), rows = vectors.map(row => ({key: first_key(row), row}));
-    for (const nu of by_values ? [] : exponents(dimension, order, false))
-      demand(vectors.every(v => !moment([...v.values()], nu)),
-             'a vector does not annihilate the polynomials of degree below the order of the sum rules');
-    const family = space_family(vectors, transition, den), from = differences(start, order, dimension);
-    const {steps} = long_words(from, rows, transition);
-    const spanned = () => long_words(from, [], transition, steps, 2n ** 32n - 5n).basis.length;
-    demand(!by_values || !(upper || exact) || spanned() === vectors.length, 'the differences do not span the space');
-    if (!by_values && (upper || exact || reader.peek() === 'gram')) check_gram(reader, transition, den);
+    const family = by_values ? read_values(reader, transition, order, den, both)
+      : read_differences(reader, transition, order, den);
+    if (!by_values && (both || reader.peek() === 'gram')) check_gram(reader, transition, den);
     const within = lower && at_most(power_below(base, minus(0n, lower)), false);
     const reached = upper && at_least(over(1n, power_below(base, upper)));
     prove(reader, family, {  // about the power JSR^s
@@ -2017,6 +2040,9 @@ var check_certificate = (() => {
         reached(power(radius, dimension), length);
       }),
     }, {exact});
+    if (!by_values) return;
+    const rules = order_in_space(reader.read('sum-rules', 1)[0]);  // 5.6: the scheme converges
+    prove(reader, read_differences(reader, transition, rules, den), {below: at_most(fraction(1n), true)});
   }
 
   // ---- The claim and the command line -------------------------------------------------------------------------------

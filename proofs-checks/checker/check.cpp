@@ -88,6 +88,7 @@ class Checker {
     else {
       read_bounds(family, claim_.arity != 0);
       show_attained(claim_.mask);
+      if (of_scheme_) show_convergence(of_scheme_(), 1, false);
     }
   }
 
@@ -129,12 +130,18 @@ class Checker {
             "the reduced mask is not that of the mask and the factor");
     read_bounds(read_scheme(other), true);
     show_attained(other);
-    exact_.reset();
     const std::size_t sum_rules = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 500);
+    show_convergence(transition_family(mask, claim_.arity, sum_rules), power(claim_.arity, sum_rules), true);
+  }
+
+  /// Sections 4.9 and 5.6, after all that was to be shown of something else: the radius is below the limit.
+  void show_convergence(const Family& family, const mpq_class& limit, bool first_columns) {
+    exact_.reset();
     lower_.reset();
-    upper_ = power(claim_.arity, sum_rules);
+    upper_ = limit;
+    root_ = 1;
     strict_ = true;
-    read_bounds(transition_family(mask, claim_.arity, sum_rules), true);
+    read_bounds(family, first_columns);
   }
 
   /// Section 6.1: intervals that cover the range, one after another.
@@ -185,7 +192,10 @@ class Checker {
               "the lower end is above the order of the differences");
       root_ = claim_.dilation->variables;
       show_exact_exponent(1, 0);
-      return read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper || exact_, reader_, arithmetic_);
+      SurfaceFamily surface = read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper || exact_,
+                                           reader_, arithmetic_);
+      of_scheme_ = std::move(surface.of_scheme);
+      return std::move(surface.family);
     }
     for (std::size_t k = 0; k < mask.powers; ++k) {
       const auto begin = mask.coefficients.begin() + static_cast<std::ptrdiff_t>(k * mask.points()),
@@ -507,6 +517,7 @@ class Checker {
   bool strict_;
   mpq_class above_ = 0;
   std::size_t root_ = 1;
+  std::function<Family()> of_scheme_;  // with `values`: what tells whether the scheme converges
   std::optional<ExactRadius> exact_;
   std::size_t exact_order_ = 0;
   std::size_t sum_rules_ = 0;

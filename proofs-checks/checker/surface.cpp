@@ -1,6 +1,7 @@
 #include "surface.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <set>
 
 namespace subcert_check {
@@ -18,9 +19,8 @@ struct Row {
 /// A mask and a dilation with what the certificate says of them. Coordinates on the space are read off at the pivots.
 class Surface {
  public:
-  Surface(const Mask& mask, const Dilation& dilation, std::size_t order, Reader& reader, Arithmetic& arithmetic)
+  Surface(const Mask& mask, const Dilation& dilation, Reader& reader, Arithmetic& arithmetic)
       : dilation_(dilation),
-        order_(order),
         denominator_(mask.denominator),
         reader_(reader),
         arithmetic_(arithmetic),
@@ -36,24 +36,32 @@ class Surface {
     }
   }
 
-  /// Sections 5.2 and 5.3: the space of the differences of the scheme.
-  Family of_scheme() {
-    read_digits();
-    check_sum_rules(order_);
+  void read_digits() {
+    const std::size_t classes = static_cast<std::size_t>(std::abs(determinant_));
+    require(classes <= max_classes, "a dilation with too large a determinant");
+    for (const std::string_view field : reader_.take("digits", classes, classes)) {
+      digits_.push_back(parse_point(field, dilation_.variables));
+      require(digit_of_class_.try_emplace(class_of(digits_.back()), digits_.size() - 1).second,
+              "two digits of one class");
+    }
+  }
+
+  /// Sections 5.2 and 5.3: the space of the differences of the scheme, of this order.
+  Family of_scheme(std::size_t order) {
+    check_sum_rules(order);
     read_space();
     for (const Row& row : space_)
-      for (const mpz_class& moment : moments(row.values, order_))
+      for (const mpz_class& moment : moments(row.values, order))
         require(moment == 0, "a vector does not annihilate the polynomials of degree below the order of the sum rules");
     Family result = restricted();
-    rounds_into_space(differences({{Point{}, 1}}));
+    rounds_into_space(differences({{Point{}, 1}}, order));
     return result;
   }
 
   /// Section 5.6: the space of the differences of phi. With `spanned` they are shown to span it.
-  Family of_values(bool spanned) {
-    read_digits();
+  Family of_values(std::size_t order, bool spanned) {
     check_sum_rules(1);
-    const std::set<Sequence> starts = differences(read_values());
+    const std::set<Sequence> starts = differences(read_values(), order);
     read_space();
     Family result = restricted();
     const std::size_t rounds = rounds_into_space(starts);
@@ -156,16 +164,6 @@ class Surface {
     return result;
   }
 
-  void read_digits() {
-    const std::size_t classes = static_cast<std::size_t>(std::abs(determinant_));
-    require(classes <= max_classes, "a dilation with too large a determinant");
-    for (const std::string_view field : reader_.take("digits", classes, classes)) {
-      digits_.push_back(parse_point(field, dilation_.variables));
-      require(digit_of_class_.try_emplace(class_of(digits_.back()), digits_.size() - 1).second,
-              "two digits of one class");
-    }
-  }
-
   // ---- polynomials and differences
 
   /// The sums of x_k k^nu for all |nu| < m, one after another, beginning with nu = 0.
@@ -196,9 +194,9 @@ class Surface {
   }
 
   /// All nabla^mu start, |mu| = the order.
-  std::set<Sequence> differences(const Sequence& start) {
+  std::set<Sequence> differences(const Sequence& start, std::size_t order) {
     std::set<Sequence> result{start};
-    for (std::size_t round = 0; round < order_; ++round) {
+    for (std::size_t round = 0; round < order; ++round) {
       std::set<Sequence> next;
       for (const Sequence& x : result)
         for (std::size_t v = 0; v < dilation_.variables; ++v) {
@@ -281,6 +279,7 @@ class Surface {
   }
 
   void read_space() {
+    space_.clear();
     const std::size_t size = parse_size(reader_.take("space", 1, 1)[0], 1, max_space);
     for (std::size_t i = 0; i < size; ++i) {
       Row& row = space_.emplace_back();
@@ -360,6 +359,7 @@ class Surface {
     for (std::size_t k = 0; k < rows.size() && rows.size() < space_.size(); ++k)
       for (const Sequence& image : transitions(Sequence(rows[k].values))) add_independent(rows, image);
     require(rows.size() == space_.size(), "the differences do not span the space");
+    modular_ = false;
   }
   void add_independent(std::vector<Row>& rows, Sequence x) {
     if (modular_) reduce_modulo_prime(x);
@@ -367,8 +367,7 @@ class Surface {
     if (!x.empty()) rows.push_back({x.begin()->first, std::move(x)});
   }
 
-  const Dilation& dilation_;
-  std::size_t order_;
+  Dilation dilation_;
   mpz_class denominator_;
   Reader& reader_;
   Arithmetic& arithmetic_;
@@ -379,7 +378,7 @@ class Surface {
   std::map<Point, std::size_t> digit_of_class_;
   std::vector<Row> space_;
   mpz_class factor_;      // the first coefficient of all vectors
-  bool modular_ = false;  // from then on sequences are known modulo the prime only
+  bool modular_ = false;  // sequences are known modulo the prime only
 };
 
 }  // namespace
@@ -389,7 +388,7 @@ Dilation read_turned(const Mask& mask, const Dilation& dilation, Reader& reader,
   Dilation turned = parse_dilation(reader.take("turned", 1, 1)[0]);
   require(turned.variables == dilation.variables, "the turned dilation has another number of variables");
   classes(turned);
-  Surface surface(mask, dilation, 1, reader, arithmetic);
+  Surface surface(mask, dilation, reader, arithmetic);
   const Matrix first = quotient(turned.rows, dilation.rows);
   Matrix g = first;
   for (std::size_t round = 0; round < max_rounds; ++round) {
@@ -400,15 +399,21 @@ Dilation read_turned(const Mask& mask, const Dilation& dilation, Reader& reader,
   throw Rejected{"the dilation is not turned by symmetries"};
 }
 
-Family read_surface(const Mask& mask, const Dilation& dilation, std::size_t order, bool of_values, bool upper,
-                    Reader& reader, Arithmetic& arithmetic) {
+SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size_t order, bool of_values, bool upper,
+                           Reader& reader, Arithmetic& arithmetic) {
   require(order <= max_order, "a higher order than the checker allows in several variables");
+  const auto is_zero = [](const mpz_class& coefficient) { return coefficient == 0; };
+  require(!std::ranges::all_of(mask.coefficients, is_zero), "all coefficients of the mask are 0");
   const Dilation used = reader.at("turned") ? read_turned(mask, dilation, reader, arithmetic) : dilation;
-  Surface surface(mask, used, order, reader, arithmetic);
-  if (of_values) return surface.of_values(upper);
-  Family family = surface.of_scheme();
-  if (upper || reader.at("gram")) surface.check_stability();
-  return family;
+  const auto surface = std::make_shared<Surface>(mask, used, reader, arithmetic);
+  surface->read_digits();
+  if (of_values)
+    return {surface->of_values(order, upper), [surface, &reader] {
+              return surface->of_scheme(parse_size(reader.take("sum-rules", 1, 1)[0], 1, max_order));
+            }};
+  SurfaceFamily result{surface->of_scheme(order), {}};
+  if (upper || reader.at("gram")) surface->check_stability();
+  return result;
 }
 
 }  // namespace subcert_check

@@ -4,13 +4,22 @@
 #include "dilation.hpp"
 #include "scheme.hpp"
 
+#include <functional>
+
 namespace subcert_check {
+
+struct SurfaceFamily {
+  Family family;
+  /// Where the differences are those of phi: reads the lines of a space of differences of the scheme, section 5.6, and
+  /// returns the matrices there. The scheme converges if their radius is below 1.
+  std::function<Family()> of_scheme;
+};
 
 /// The transition matrices on the space of the certificate; reads its lines from `digits` on. The differences have this
 /// order; they are those of the scheme, or with `of_values` those of phi. With `upper` the radius is shown to tell the
 /// exponent from above as well, provided that it tells it from below: the shifts are stable, or the differences of phi
-/// span the space.
-Family read_surface(const Mask& mask, const Dilation& dilation, std::size_t order, bool of_values, bool upper,
-                    Reader& reader, Arithmetic& arithmetic);
+/// span the space. The result uses the reader and the arithmetic.
+SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size_t order, bool of_values, bool upper,
+                           Reader& reader, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

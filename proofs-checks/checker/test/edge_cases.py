@@ -8,6 +8,27 @@ LONG = f"[{10**110 + ROOT},{3 * 10**110 + ROOT},{3 * 10**110 - ROOT},{10**110 - 
 HUGE = f"{10**95 + 1}/{10**95}"
 SMOOTHED = "[-1,1,7,9,9,7,1,-1]/16@-3"
 TRAPEZOID = "--surface [1,1,0,1,1]/2@0 --dilation [2]"
+FORM = "block 0 quadratic 2 {}; form 3; form 2 2; form 1 1 1; word 0; word 1"
+# that the scheme of the trapezoid converges, but for a section
+CONVERGES = "sum-rules 1; space 3; vector 0:1 3:-1; vector 1:1 3:-1; vector 2:1 3:-1"
+# (1 + z^3)^2/2, and that times (1 + y)^2/2: the refinement equation has a continuous solution, the scheme diverges
+HAT_3 = "--surface [1,0,0,2,0,0,1]/2@0 --dilation [2]"
+HAT_3_2D = "--surface [[1,0,0,2,0,0,1],[2,0,0,4,0,0,2],[1,0,0,2,0,0,1]]/4@0,0 --dilation [2,0;0,2]"
+DIVERGENT = ("surface [1,0,0,2,0,0,1]/2@0 [2]; bounds 1 1; differences 2; digits 0 1; values 1:1 2:2 3:3 4:2 5:1; space 1; "
+    "vector 0:1 3:-2 6:1; product 0 1/2 0 0; block 0 norm 1")
+DIVERGENT_EXACT = ("surface [1,0,0,2,0,0,1]/2@0 [2]; bounds - -; exact 0-log|[-1,2]@1/2,0,1/10|^1/1; root 1/2 0 0 1/2 1/2; "
+    "differences 2; digits 0 1; values 1:1 2:2 3:3 4:2 5:1; space 1; vector 0:1 3:-2 6:1; block 0 polytope 1 0 1; "
+    "vertex 1; unit 0 0:2; image 0 0 0:1; image 0 1; cycle 0 - 0; seed 1")
+DIVERGENT_2D = ("surface [[1,0,0,2,0,0,1],[2,0,0,4,0,0,2],[1,0,0,2,0,0,1]]/4@0,0 [2,0;0,2]; bounds 7/50 -; differences 1; "
+    "digits 0,0 1,0 0,1 1,1; values 1,1:1 2,1:2 3,1:3 4,1:2 5,1:1; space 7; vector 1,1:1 4,1:-1 2,1:1 5,1:-1 3,1:1 "
+    "6,1:-1; vector 0,1:1 3,1:-2 6,1:1; vector 1,0:1 4,0:-4 5,0:-3 3,0:-1 2,1:1 5,1:2 3,1:2 4,1:3 6,0:-2 6,1:1; "
+    "vector 0,0:1 3,0:-2 6,0:1; vector 1,2:1 2,1:-1 5,1:-2 3,1:-2 4,1:-3 6,1:-1 4,2:2 2,2:2 5,2:1 3,2:3; vector "
+    "0,2:1 2,2:-1 3,2:-4 4,2:-3 5,2:-2 2,1:1 5,1:2 3,1:2 4,1:3 6,1:1; vector 2,0:1 5,0:2 2,1:-1 5,1:-2 3,0:2 3,1:-2"
+    " 4,0:3 4,1:-3 6,0:1 6,1:-1; block 0 norm 4")
+# all first differences on the points to which words lead
+ON_6 = "sum-rules 1; space 6; " + "; ".join(f"vector {k}:1 6:-1" for k in range(6))
+ON_6_2 = "sum-rules 1; space 20; " + "; ".join(f"vector {k % 7},{k // 7}:1 6,2:-1" for k in range(20))
+NOT_PROVED = {"hat": f"{ON_6}; block 0 norm 3; end", "exact": f"{ON_6}; block 0 norm 8; end", "2d": f"{ON_6_2}; block 0 norm 2; end"}
 HAT = "--surface [1,2,1]/2@-1 --dilation [2]"
 BOUNDS = "bounds 323606797749959/200000000000000 323606797749999/200000000000000\n"  # of golden.cert
 DEGREE_256 = f"|[-1,{255 * '0,'}1]@1,0,1/1000000|^1/1"
@@ -52,10 +73,24 @@ ACCEPTED = [
     ("trapezoid-exact", f"{TRAPEZOID} --exact 0-log|[-1,2]@1/2,0,1/10|^1/1",
      "surface [1,1,0,1,1]/2@0 [2]; bounds - -; exact 0-log|[-1,2]@1/2,0,1/10|^1/1; root 1/2 0 0 1/2 1/2; differences 2; "
      "digits 0 1; values 1:1 2:1 3:1; space 1; vector 0:1 1:-1 3:-1 4:1; block 0 polytope 1 0 1; vertex 1; unit 0 0:2; "
-     "image 0 0 0:1; image 0 1; cycle 0 - 0; seed 1; end"),
+     f"image 0 0 0:1; image 0 1; cycle 0 - 0; seed 1; {CONVERGES}; block 0 norm 2; end"),
     ("trapezoid-lower", f"{TRAPEZOID} --lower 1",
      "surface [1,1,0,1,1]/2@0 [2]; bounds 1 -; differences 2; digits 0 1; values 1:1 2:1 3:1; space 1; "
-     "vector 0:1 1:-1 3:-1 4:1; block 0 norm 1; end"),
+     f"vector 0:1 1:-1 3:-1 4:1; block 0 norm 1; {CONVERGES}; block 0 norm 2; end"),
+    # convergence by a form, and with a bound just below 1; by two blocks; with a product; by differences of another order
+    ("trapezoid-scheme-form", f"{TRAPEZOID} --lower 1",
+     "surface [1,1,0,1,1]/2@0 [2]; bounds 1 -; differences 2; digits 0 1; values 1:1 2:1 3:1; space 1; "
+     f"vector 0:1 1:-1 3:-1 4:1; block 0 norm 1; {CONVERGES}; {FORM.format('999999/1000000')}; end"),
+    ("trapezoid-scheme-blocks", f"{TRAPEZOID} --lower 1 --upper 1",
+     "surface [1,1,0,1,1]/2@0 [2]; bounds 1 1; differences 2; digits 0 1; values 1:1 2:1 3:1; space 1; "
+     f"vector 0:1 1:-1 3:-1 4:1; product 0 1/2 0 0; block 0 norm 1; {CONVERGES}; blocks 2 1; "
+     "basis 1 0 1; basis -1 1 0; basis -1 -2 0; inverse 0 -2/3 -1/3; inverse 0 1/3 -1/3; inverse 1 2/3 1/3; "
+     "product 1 1/2 0 0; block 0 norm 2; "
+     "block 1 norm 1; end"),
+    ("trapezoid-scheme-second", f"{TRAPEZOID} --lower 1",
+     "surface [1,1,0,1,1]/2@0 [2]; bounds 1 -; differences 2; digits 0 1; values 1:1 2:1 3:1; space 1; "
+     "vector 0:1 1:-1 3:-1 4:1; block 0 norm 1; sum-rules 2; space 2; vector 0:1 2:-3 3:2; vector 1:1 2:-2 3:1; "
+     "block 0 norm 3; end"),
     ("hat-lower", f"{HAT} --lower 1", "surface [1,2,1]/2@-1 [2]; bounds 1 -; sum-rules 2; digits 0 1; space 1; "
      "vector -1:1 0:-2 1:1; block 0 norm 1; end"),
     # what a certificate has is checked, with numbers of more bits than are looked at

@@ -630,7 +630,8 @@ def main(out):
     write("hat-turned", (["--surface", "[1,2,1]/2@-1", "--dilation", "[2]", "--lower", "1", "--upper", "1"],
                          [*hat[:4], "turned [-2]", *hat[4:]]))
     trapezoid = ["subcert-certificate 3", "surface [1,1,0,1,1]/2@0 [2]", "bounds 1 1", "differences 2", "digits 0 1",
-                 "values 1:1 2:1 3:1", "space 1", "vector 0:1 1:-1 3:-1 4:1", "product 0 1/2 0 0", "block 0 norm 1", "end"]
+                 "values 1:1 2:1 3:1", "space 1", "vector 0:1 1:-1 3:-1 4:1", "product 0 1/2 0 0", "block 0 norm 1",
+                 *edge_cases.CONVERGES.split("; "), "block 0 norm 2", "end"]
     write("trapezoid-by-hand", (["--surface", "[1,1,0,1,1]/2@0", "--dilation", "[2]", "--lower", "1", "--upper", "1"], trapezoid))
     triangle = [(1, 0), (0, 1), (1, 1)]
     write("three-direction", make_surfaces.box_spline(triangle, 2))  # exponent 1

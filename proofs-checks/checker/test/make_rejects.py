@@ -302,6 +302,36 @@ surface("values-larger-space", "trapezoid-by-hand", "do not span the space", rep
     "^space 1\nvector .*", "space 5\nvector 0:1\nvector 1:1\nvector 2:1\nvector 3:1\nvector 4:1"))
 surface("values-smaller-space", "trapezoid-by-hand", "out of the space", replace("^vector .*", "vector 0:1 1:-1"))
 surface("values-class-sums", "trapezoid-by-hand", "does not sum to 1", replace("/2@0", "/3@0"), surface="[1,1,0,1,1]/3@0")
+# whether the scheme converges: first without a word about it, then with a part that is not one of that scheme, or proves less
+HAT_3 = edge_cases.HAT_3
+for name, options, lines in (("hat", f"{HAT_3} --lower 1 --upper 1", edge_cases.DIVERGENT),
+                             ("exact", f"{HAT_3} --exact 0-log|[-1,2]@1/2,0,1/10|^1/1", edge_cases.DIVERGENT_EXACT),
+                             ("2d", f"{edge_cases.HAT_3_2D} --lower 7/50", edge_cases.DIVERGENT_2D)):
+    head = ["subcert-certificate 3", *lines.split("; ")]
+    for part, more, reason in (("", "end", "expected 'sum-rules'"), ("-converges", edge_cases.NOT_PROVED[name], "the bound does not prove the claim")):
+        (out / f"values-divergent-{name}{part}.cert").write_text("\n".join([*head, *more.split("; ")]) + "\n")
+        index.append(f"values-divergent-{name}{part} {options} | {reason}")
+scheme_line = "^sum-rules 1\n"
+surface("values-scheme-none", "trapezoid-by-hand", "expected 'sum-rules'", replace(f"{scheme_line}(.*\n)*", "end"))
+surface("values-scheme-no-section", "trapezoid-by-hand", "expected 'block 0'", replace("^block 0 norm 2\n", ""))
+surface("values-scheme-norm", "trapezoid-by-hand", "does not prove the claim", replace("norm 2", "norm 1"))
+surface("values-scheme-order-0", "trapezoid-by-hand", "number outside 1..", replace(scheme_line, "sum-rules 0\n"))
+surface("values-scheme-order-65", "trapezoid-by-hand", ", line 11", replace(scheme_line, "sum-rules 65\n"))
+surface("values-scheme-rules", "trapezoid-by-hand", "no sum rules of this order", replace(scheme_line, "sum-rules 3\n"))
+surface("values-scheme-order", "trapezoid-by-hand", "does not annihilate", replace(scheme_line, "sum-rules 2\n"))
+surface("values-scheme-fields", "trapezoid-by-hand", "wrong number of fields", replace(scheme_line, "sum-rules 1 full\n"))
+surface("values-scheme-small", "trapezoid-scheme-second", "not led into the space", replace("^sum-rules 2", "sum-rules 1"))
+surface("values-scheme-not-invariant", "trapezoid-by-hand", "out of the space", replace("^space 3\n(.*)\n.*", "space 2\n\\1"))
+surface("values-scheme-phi", "trapezoid-by-hand", "not led into the space",  # the space of the differences of phi
+        replace("^space 3(\nvector .*){3}\n.*", "space 1\nvector 0:1 1:-1 3:-1 4:1\nblock 0 norm 1"))
+surface("values-scheme-one", "trapezoid-scheme-form", "does not prove the claim", replace("999999/1000000", "1"))
+surface("values-scheme-exact", "trapezoid-exact", "expected 'end'", replace("^block 0 norm 2", "block 0 norm 2\ncycle 0 - 0"))
+surface("values-scheme-digits", "trapezoid-by-hand", "expected 'space'", replace(scheme_line, "sum-rules 1\ndigits 0 1\n"))
+surface("values-scheme-gram", "trapezoid-by-hand", "expected 'block 0'", replace("^(vector 2:1 .*)", r"\1\ngram 0:1"))
+surface("surface-scheme", "hat-by-hand", "expected 'end'", replace("^end", "sum-rules 2\nspace 1\nvector -1:1 0:-2 1:1\nblock 0 norm 1\nend"))
+surface("surface-zero", "hat-by-hand", "all coefficients of the mask are 0", replace("\\[1,2,1\\]/2@-1", "[0]"), surface="[0]", upper=None)
+surface("turned-zero", "hat-turned", "all coefficients of the mask are 0", replace("\\[1,2,1\\]/2@-1", "[0,0]"), surface="[0,0]", upper=None)
+
 # turned dilations
 def turned(text):
     return lambda lines: [*lines[:4], f"turned {text}", *lines[4:]]

@@ -2,9 +2,12 @@
 import math
 from fractions import Fraction
 
+import edge_cases
+
 FOUR_POINT = "[-1,0,9,16,9,0,-1]/16@-3"
 RANGE_FOUR_POINT = "[-w,0,1/2+w,1,1/2+w,0,-w]@-3"
 TRAPEZOID = "[1,1,0,1,1]/2@0"
+CONVERGES = f"{edge_cases.CONVERGES}; block 0 norm 2"
 ROOT_1 = "exact |[-1,1]@1,0,1/10|^1/1; root 1 0 0 1 1"
 EXACT_1 = "--exact |[-1,1]@1,0,1/10|^1/1"
 MORE, TINY, LESS = 2**129, 2**340, 2**700
@@ -102,10 +105,10 @@ ACCEPTED = [
     # a space that begins with the differences, and one that is larger
     ("trapezoid-space", f"--surface {TRAPEZOID} --dilation [2] --lower 1 --upper 1",
      f"surface {TRAPEZOID} [2]; bounds 1 1; differences 2; digits 0 1; values 1:1 2:1 3:1; space 2; vector 0:1 1:-1 3:-1 4:1; "
-     "vector 5:1 1:1 2:-1 4:-1; product 0 1/2 0 0; block 0 norm 1; end"),
+     f"vector 5:1 1:1 2:-1 4:-1; product 0 1/2 0 0; block 0 norm 1; {CONVERGES}; end"),
     ("trapezoid-larger-space", f"--surface {TRAPEZOID} --dilation [2] --lower 1",
      f"surface {TRAPEZOID} [2]; bounds 1 -; differences 2; digits 0 1; values 1:1 2:1 3:1; space 3; vector 0:1 1:-1 3:-1 4:1; "
-     "vector 5:1 1:1 2:-1 4:-1; vector 6:1 1:1 3:-1 4:-1; block 0 norm 1; end"),
+     f"vector 5:1 1:1 2:-1 4:-1; vector 6:1 1:1 3:-1 4:-1; block 0 norm 1; {CONVERGES}; end"),
     # a line `stability` that the claim does not need
     ("hat-lower-stable", "--mask [1,2,1]/2@-1 --arity 2 --lower 1",
      "exponent [1,2,1]/2@-1 2; bounds 1 -; sum-rules 2; stability; block 0 norm 1; end"),

@@ -97,9 +97,10 @@ void require_output_written(int reason) {
   errno = reason;
   const bool written = std::fflush(stdout) == 0;
   reason = errno;
-  if (!written || !std::cout.flush())
-    fail(ErrorKind::missing_file, "cannot write to standard output{}",
-         reason == 0 ? "" : ": " + std::generic_category().message(reason));
+  if (written && std::cout.flush()) return;
+  if (reason == EPIPE) throw ReaderLeft();
+  fail(ErrorKind::missing_file, "cannot write to standard output{}",
+       reason == 0 ? "" : ": " + std::generic_category().message(reason));
 }
 
 Command add_command(Command& app, const std::string& name, const std::string& description, const std::string& example,
@@ -147,6 +148,12 @@ std::string sizes_text(const std::vector<std::size_t>& sizes) {
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size(), width), ' ');
   return text;
+}
+
+ProofLimits convergence_limits(double budget) {
+  ProofLimits limits;
+  limits.deadline = Deadline::in(std::max(1.0, budget));
+  return limits;
 }
 
 ExitCode refuse_unproved(const std::string& scheme, const std::string& lack, const Decision& convergence) {

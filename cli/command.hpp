@@ -4,6 +4,7 @@
 #include "json.hpp"
 #include "options.hpp"
 
+#include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
@@ -46,8 +47,11 @@ std::string read_file(const std::string& path);
 std::string read_input(const std::string& path);
 
 /// Errors: throws missing_file where standard output did not take all that was printed, with the reason; `reason`, as
-/// errno has it, is that of an earlier failure if it is known.
+/// errno has it, is that of an earlier failure if it is known. Throws ReaderLeft where the pipe is closed.
 void require_output_written(int reason = 0);
+
+/// Whoever reads the answer has left: nothing is said about it.
+struct ReaderLeft {};
 
 /// What errors call an input: the path, or `standard input`.
 std::string input_name(const std::string& path);
@@ -100,6 +104,9 @@ std::string sizes_text(const std::vector<std::size_t>& sizes);
 
 /// The text with blanks up to this width.
 std::string padded(std::string text, std::size_t width);
+
+/// Of the proof of convergence that another answer needs first: this many seconds, or one where they are fewer.
+ProofLimits convergence_limits(double budget);
 
 /// Says on standard error, as errors do, that the scheme lacks what limits are needed for; the code to leave with.
 ExitCode refuse_unproved(const std::string& scheme, const std::string& lack, const Decision& convergence);

@@ -2,11 +2,15 @@
 
 #include "command.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/parse_error.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
 
 #include <algorithm>
+#include <exception>
+#include <iostream>
+#include <mutex>
+#include <new>
 
 namespace subcert::cli {
 namespace {
@@ -31,23 +35,78 @@ std::vector<properties::ExpectedScheme> read_expected(const std::string& file) {
   }
 }
 
-Json answer_json(const Question& question, const Decision& answer) {
+/// The verdict on one question: `error` where it could not be computed, with the message as its reason.
+struct Answer {
+  Decision decision;
+  bool error = false;
+
+  bool is(Truth truth) const { return !error && decision.truth == truth; }
+};
+
+/// An error in one question is the answer to that question alone.
+Answer answer_to(const Question& question, double seconds) {
+  try {
+    return {has_property(*question.scheme, *question.expectation, seconds)};
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return {{Truth::unknown, error.what()}, true};
+  }
+}
+
+Json answer_json(const Question& question, const Answer& answer) {
   return {{"file", question.file},
           {"line", question.expectation->place.line},
           {"scheme", question.scheme->specification},
           {"name", question.scheme->name},
           {"property", question.expectation->property},
           {"expected", question.expectation->expected},
-          {"holds", to_text(answer.truth)},
-          {"found", answer.reason}};
+          {"holds", answer.error ? "error" : to_text(answer.decision.truth)},
+          {"found", answer.decision.reason}};
 }
 
-std::string answer_line(const Question& question, const Decision& answer) {
+std::string answer_line(const Question& question, const Answer& answer) {
   const std::string claim = question.scheme->name + ": " + question.expectation->property + " " +
                             question.expectation->expected;
   const std::string place = question.file + ":" + std::to_string(question.expectation->place.line) + ": ";
-  if (answer.is_yes()) return "holds      " + place + claim + "\n";
-  return (answer.is_no() ? "FAILS      " : "undecided  ") + place + claim + " (" + answer.reason + ")\n";
+  if (answer.is(Truth::yes)) return "holds      " + place + claim + "\n";
+  const std::string verdict = answer.error ? "error      " : answer.is(Truth::no) ? "FAILS      " : "undecided  ";
+  return verdict + place + claim + " (" + visible(answer.decision.reason) + ")\n";
+}
+
+/// Prints the lines of answers in the order of the questions, each as soon as those before it are there. Safe to use
+/// from several threads.
+class Lines {
+ public:
+  Lines(const std::vector<Question>& questions, const std::vector<Answer>& answers)
+      : questions_(questions), answers_(answers), known_(questions.size(), false) {}
+
+  void finish(std::size_t i) {
+    const std::scoped_lock lock(mutex_);
+    known_[i] = true;
+    const std::size_t before = printed_;
+    for (; printed_ < known_.size() && known_[printed_]; ++printed_)
+      std::cout << answer_line(questions_[printed_], answers_[printed_]);
+    if (printed_ > before) require_output_written();
+  }
+
+ private:
+  const std::vector<Question>& questions_;
+  const std::vector<Answer>& answers_;
+  std::mutex mutex_;
+  std::vector<bool> known_;
+  std::size_t printed_ = 0;
+};
+
+/// `\n3 properties: 2 hold, 0 fail, 1 undecided.`
+std::string counts_text(const std::vector<Answer>& answers) {
+  const auto count = [&](Truth truth) {
+    return std::to_string(std::ranges::count_if(answers, [=](const Answer& answer) { return answer.is(truth); }));
+  };
+  const auto errors = std::ranges::count_if(answers, &Answer::error);
+  return "\n" + std::to_string(answers.size()) + (answers.size() == 1 ? " property: " : " properties: ") +
+         count(Truth::yes) + " hold, " + count(Truth::no) + " fail, " + count(Truth::unknown) + " undecided" +
+         (errors == 0 ? "" : ", " + std::to_string(errors) + (errors == 1 ? " error" : " errors")) + ".\n";
 }
 
 ExitCode run(const CheckOptions& options) {
@@ -58,24 +117,22 @@ ExitCode run(const CheckOptions& options) {
     for (const auto& scheme : files[i])
       for (const auto& expectation : scheme.expectations)
         questions.push_back({options.files[i], &scheme, &expectation});
-  std::vector<Decision> answers(questions.size());
+  std::vector<Answer> answers(questions.size());
+  const bool at_once = !options.json && (options.out.empty() || options.out == standard_stream);
+  Lines lines(questions, answers);
   parallel_tasks(questions.size(), options.threads(), [&](std::size_t i) {
-    answers[i] = has_property(*questions[i].scheme, *questions[i].expectation, options.budget);
+    answers[i] = answer_to(questions[i], options.budget);
+    if (at_once) lines.finish(i);
   });
   Json json{{"properties", Json::array()}};
   std::string text;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     json["properties"].push_back(answer_json(questions[i], answers[i]));
-    text += answer_line(questions[i], answers[i]);
+    if (!at_once) text += answer_line(questions[i], answers[i]);
   }
-  const auto count = [&](Truth truth) {
-    return std::count_if(answers.begin(), answers.end(), [&](const Decision& answer) { return answer.truth == truth; });
-  };
-  text += "\n" + std::to_string(answers.size()) + (answers.size() == 1 ? " property: " : " properties: ") +
-          std::to_string(count(Truth::yes)) + " hold, " + std::to_string(count(Truth::no)) + " fail, " +
-          std::to_string(count(Truth::unknown)) + " undecided.\n";
-  options.answer(json, text);
-  return count(Truth::no) > 0 ? failed : count(Truth::unknown) > 0 ? undecided : done;
+  options.answer(json, text + counts_text(answers));
+  if (std::ranges::any_of(answers, [](const Answer& answer) { return answer.is(Truth::no); })) return failed;
+  return std::ranges::all_of(answers, [](const Answer& answer) { return answer.is(Truth::yes); }) ? done : undecided;
 }
 
 }  // namespace

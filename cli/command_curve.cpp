@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -50,7 +51,8 @@ Json json_of(const ExponentCurve& curve, const ParametricScheme& scheme) {
                       {"to", to_text(piece.proof.high)},
                       {"holder", enclosure_json(positive_part(piece.exponent))},
                       {"product", product_text(piece)},
-                      {"convergence", convergence_text(piece.exponent)}});
+                      {"convergence", convergence_text(piece.exponent)},
+                      {"reason", piece.proof.reason}});
   for (const CurvePoint& point : curve.special)
     special.push_back({{"value", enclosure_json(point.at.value)},
                        {"polynomial", to_text(point.at.polynomial, scheme.parameter)},
@@ -87,15 +89,21 @@ std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) 
   for (const CurvePiece& piece : curve.pieces)
     if (const Enclosure holder = positive_part(piece.exponent); holder.is_bounded())
       widest = std::max(widest, Rational(*holder.upper - *holder.lower).convert_to<double>());
-  page << "envelopes    " << fmt::format("{:.2g}", widest) << " apart, or less\n";
+  const bool bounded = std::any_of(curve.pieces.begin(), curve.pieces.end(),
+                                   [](const CurvePiece& piece) { return positive_part(piece.exponent).is_bounded(); });
+  page << "envelopes    "
+       << (bounded ? fmt::format("{:.2g} apart, or less", widest) : "none, as no piece has both ends") << "\n";
   for (std::size_t first = 0, next = 0; first < curve.pieces.size(); first = next) {
     const CurvePiece& begin = curve.pieces[first];
+    std::string reasons;
     Enclosure hull = positive_part(begin.exponent);
-    for (next = first + 1; next < curve.pieces.size(); ++next) {
+    for (next = first; next < curve.pieces.size(); ++next) {
       const CurvePiece& piece = curve.pieces[next];
       if (product_text(piece) != product_text(begin) ||
           std::string_view(convergence_text(piece.exponent)) != convergence_text(begin.exponent))
         break;
+      if (reasons.find(piece.proof.reason) == std::string::npos)
+        reasons += (reasons.empty() ? "" : "; ") + piece.proof.reason;
       const Enclosure holder = positive_part(piece.exponent);
       hull.lower = hull.lower && holder.lower ? std::optional(std::min(*hull.lower, *holder.lower)) : std::nullopt;
       hull.upper = hull.upper && holder.upper ? std::optional(std::max(*hull.upper, *holder.upper)) : std::nullopt;
@@ -108,7 +116,7 @@ std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) 
     page << (!product.empty() ? ", product " + product
              : hull.upper     ? ", the upper end from the sum rules"
                               : ", no upper end is proved")
-         << "\n";
+         << (reasons.empty() ? "" : " (" + reasons + ")") << "\n";
   }
   for (const CurvePoint& point : curve.special)
     page << "special      " << w << " = " << number_text(point.at.value) << ": " << why_text(point.at.why)

@@ -232,8 +232,9 @@ void add_jsr(Command& app) {
           "JSON, {\"matrices\": [...]}, where numbers are integers, decimals or \"p/q\", with \"edges\": [[from, to, "
           "matrix], ...] if a graph says what may follow what; or lines 'matrices COUNT SIZE' and 'row ...'")
       .required();
-  command.option("--lower", options->lower, "Ends as soon as the radius is proved to be at least that, or not to be");
-  command.option("--upper", options->upper, "The same for at most");
+  command.option("--lower", options->lower, "Ends as soon as the radius is proved to be at least that, or not to be")
+      .exact_number();
+  command.option("--upper", options->upper, "The same for at most").exact_number();
   command
       .option("--p", options->power,
               "The p-radius instead: how averages of p-th powers of norms grow; p even, or no entry negative")

@@ -53,13 +53,13 @@ ExitCode refuse_derivative(const std::string& scheme, const LatticePoint& orders
 }
 
 /// Prints why values are not to be had; nothing where they are.
-std::optional<ExitCode> refused(const Scheme& scheme, const LatticePoint& orders, const LimitCommandOptions&) {
+std::optional<ExitCode> refused(const Scheme& scheme, const LatticePoint& orders, const LimitCommandOptions& options) {
   if (orders.front() > 0) {
-    const SmoothnessProof smoothness = proved_smoothness(scheme.mask);
+    const SmoothnessProof smoothness = proved_smoothness(scheme.mask, convergence_limits(options.budget));
     if (smoothness.order >= orders.front()) return std::nullopt;
     return refuse_derivative(scheme.specification, orders, smoothness.obstacle);
   }
-  const Decision convergence = converges(scheme.mask);
+  const Decision convergence = converges(scheme.mask, convergence_limits(options.budget));
   if (convergence.is_yes()) return std::nullopt;
   return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
 }
@@ -69,7 +69,7 @@ std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticeP
   const long total = std::accumulate(orders.begin(), orders.end(), 0L);
   if (total > 0 && !scheme.factors.empty()) {
     for (std::size_t v = 0; v < scheme.factors.size(); ++v) {
-      const SmoothnessProof smoothness = proved_smoothness(scheme.factors[v]);
+      const SmoothnessProof smoothness = proved_smoothness(scheme.factors[v], convergence_limits(options.budget));
       if (smoothness.order < orders[v])
         return refuse_derivative(scheme.specification, orders,
                                  "factor " + std::to_string(v + 1) + ": " + smoothness.obstacle);
@@ -119,7 +119,9 @@ void add_limit(Command& app) {
       .within(0, 60);
   command.option("--derivative", options->derivative, "Order of the derivative; of surfaces in each variable, as 1,0");
   command.flag("--range", options->range, "Maximum, minimum and sign of the function instead, with proof");
-  command.option("--width", options->width, "Relative width of the enclosures of --range, p or p/q").with_default();
+  command.option("--width", options->width, "Relative width of the enclosures of --range, p or p/q")
+      .exact_number()
+      .with_default();
   command
       .option("--budget", options->budget,
               "Seconds of processor time for --range, and for the proof of convergence of surfaces")

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include <algorithm>
 #include <cctype>
 
@@ -36,7 +38,8 @@ Json json_of(const PropertyMap& map, const MapCommandOptions& options) {
   for (const MapCell& cell : map.cells)
     cells.push_back({{"from", {to_text(cell.rectangle.low[0]), to_text(cell.rectangle.low[1])}},
                      {"to", {to_text(cell.rectangle.high[0]), to_text(cell.rectangle.high[1])}},
-                     {"verdict", verdict_text(cell.holds)}});
+                     {"verdict", verdict_text(cell.holds)},
+                     {"reason", cell.reason}});
   for (const Truth holds : verdicts) shares[verdict_text(holds)] = to_text(map.share(holds));
   return {{"family", options.scheme}, {"property", options.property},
           {"over", options.over},     {"sum_rules", map.sum_rules},
@@ -102,6 +105,10 @@ ExitCode run(const MapCommandOptions& options) {
     text += fmt::format("{}{} % of the area, {} cells\n", padded(verdict_text(holds), 13),
                         to_decimal(map.share(holds) * 100, 4, holds == Truth::unknown ? Rounding::up : Rounding::down),
                         std::ranges::count(map.cells, holds, &MapCell::holds));
+  std::map<std::string, int> reasons;
+  for (const MapCell& cell : map.cells)
+    if (cell.holds == Truth::unknown) ++reasons[cell.reason];
+  for (const auto& [reason, cells] : reasons) text += fmt::format("             {} of them: {}\n", cells, reason);
   options.answer(json_of(map, options), text);
   return map.complete ? done : undecided;
 }

@@ -116,12 +116,14 @@ void add_smooth(Command& app) {
   command.option("--irregular", options->samples.irregular, "Positions that are not uniform")
       .one_of({"raise", "fit"})
       .with_default();
-  command.option("--spacing", options->samples.spacing,
-                 "Of the output grid where positions are irregular (default: the mean), or of the data of a stream");
+  command
+      .option("--spacing", options->samples.spacing,
+              "Of the output grid where positions are irregular (default: the mean), or of the data of a stream")
+      .exact_number();
   command.option("--at", options->at, "Where values stand: on the grid of --level, or at the data")
       .one_of({"grid", "data"})
       .with_default();
-  command.option("--noise", options->noise, "Its standard deviation for weight 1, where it is known");
+  command.option("--noise", options->noise, "Its standard deviation for weight 1, where it is known").exact_number();
   command.option("--boundary", options->boundary, "How data go on past the ends")
       .one_of(data::smoothing_boundary_names())
       .with_default();

@@ -44,11 +44,11 @@ ExitCode run(const TheoremOptions& options) {
     options.json ? options.answer(list_json()) : options.answer(list_text());
     return done;
   }
+  const int degree = options.degree.value_or(least_degree(options.id));
+  if (options.family.starts_with("primal") && degree % 2 == 0)
+    fail(ErrorKind::usage, "--d {}: expected an odd degree; {} schemes of degree {} are those of degree {}", degree,
+         options.family, degree, degree + 1);
   options.progress("theorem " + options.id);
-  // Primal schemes of even degree are those of the next odd one.
-  const bool primal = options.family.starts_with("primal");
-  const int asked = options.degree.value_or(least_degree(options.id));
-  const int degree = primal && asked % 2 == 0 ? asked + 1 : std::max(asked, 1);
   const Theorem theorem = theorems::prove(options.id, degree,
                                           theorems::stated_constants(options.id, degree, options.family),
                                           options.threads(), options.family);
@@ -71,7 +71,7 @@ void add_theorem(Command& app) {
       .option("--d", options->degree,
               "Degree, by default the least of the list; for conjecture-8-d the smaller one of two neighbouring odd "
               "degrees")
-      .within(0, 98);
+      .within(1, 99);
   command.option("--family", options->family, "Family of the schemes, for the conjectures")
       .one_of({"primal", "primal-odd", "dual", "dual-odd"})
       .with_default();

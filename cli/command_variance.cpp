@@ -3,6 +3,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 
@@ -19,10 +20,10 @@ struct Options : CommonOptions {
 
 ExitCode run(const Options& options) {
   const Scheme scheme = make_scheme(options.scheme);
-  const auto width = parse_rational(options.width);
+  const auto width = parse_number(options.width);
   if (!width || *width <= 0)
-    fail(ErrorKind::usage, "--width: expected a positive number p or p/q, got '{}'", options.width);
-  const Decision convergence = converges(scheme.mask);
+    fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
+  const Decision convergence = converges(scheme.mask, convergence_limits(options.budget));
   if (!convergence.is_yes()) return refuse_unproved(scheme.specification, "no variance curve", convergence);
   VarianceRange range;
   try {
@@ -66,7 +67,7 @@ void add_variance(Command& app) {
   Command command = add_command(app, "variance",
                                 "The variance curve psi: maximum, minimum and largest slope, enclosed with proof",
                                 "subcert variance primal:n=5", options, [=] { return run(*options); });
-  command.option("--width", options->width, "Relative width of the enclosures, p or p/q").with_default();
+  command.option("--width", options->width, "Relative width of the enclosures, p or p/q").exact_number().with_default();
   command.option("--budget", options->budget, "Seconds of processor time").within(1e-9, 1e6).with_default();
   add_scheme(command, options->scheme);
 }

@@ -13,8 +13,10 @@ constexpr long most_places = 1000;
 }  // namespace
 
 void add_width(Command& command, SearchOptions& options) {
-  command.option("--width", options.width,
-                 "At most so wide, 1e-1000 to 1, where a product is proved to attain the radius; wider is undecided");
+  command
+      .option("--width", options.width,
+              "At most so wide, 1e-1000 to 1, where a product is proved to attain the radius; wider is undecided")
+      .exact_number();
 }
 
 WantedWidth wanted_width(const SearchOptions& options) {

@@ -3,6 +3,7 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/limit/multivariate_limit_range.hpp>
 #include <subcert/analysis/limit/multivariate_limit_values.hpp>
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <iomanip>
@@ -14,9 +15,9 @@ namespace {
 constexpr const char* too_wide = "The enclosures are wider than asked for: the budget ran out.\n";
 
 LimitOptions limit_options(const LimitPageOptions& options) {
-  const auto width = parse_rational(options.width);
+  const auto width = parse_number(options.width);
   if (!width || *width <= 0)
-    fail(ErrorKind::usage, "--width: expected a positive number p or p/q, got '{}'", options.width);
+    fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
   return {*width, {Deadline::in(options.budget)}};
 }
 

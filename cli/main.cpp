@@ -3,11 +3,13 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/flint.hpp>
+#include <subcert/analysis/symbol/parse_error.hpp>
 
 #include <fcntl.h>
 #include <gmp.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -21,9 +23,10 @@ using namespace subcert;
 
 /// One line, whatever the message holds.
 int complain(const std::string& message, cli::ExitCode code) {
-  std::string line;
-  for (char c : message) line += (c == '\n' || c == '\r') ? ' ' : c;
-  std::cerr << "subcert: " << line << "\n";
+  std::string line = message;
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::cerr << "subcert: " << visible(line) << "\n";
   return static_cast<int>(code);
 }
 
@@ -83,6 +86,8 @@ int main(int argc, char** argv) {
         argc, argv);
     cli::require_output_written();
     return code;
+  } catch (const cli::ReaderLeft&) {
+    return static_cast<int>(cli::missing_file);
   } catch (const Error& error) {
     return complain(error.what(), cli::exit_code(error.kind()));
   } catch (const std::bad_alloc&) {

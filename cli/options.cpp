@@ -1,9 +1,14 @@
 #include "options.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/parse_error.hpp>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
 #include <map>
 
 namespace subcert::cli {
@@ -13,6 +18,33 @@ namespace {
 std::map<const CLI::Option*, Suggestions>& suggestions_of_options() {
   static std::map<const CLI::Option*, Suggestions> suggestions;
   return suggestions;
+}
+
+/// Of all options that take a number in floating point: nothing but finite decimal numbers.
+CLI::Validator finite() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        double value = 0;
+        const char *begin = text.data() + (text.starts_with('+') ? 1 : 0), *end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(begin, end, value);
+        const bool number = error == std::errc() && stop == end && std::isfinite(value);
+        return number ? "" : "expected a finite number, got " + in_quotes(text);
+      },
+      "");
+}
+
+/// Refuses one file for two answers.
+void require_different_files(const CLI::App& app) {
+  std::map<std::filesystem::path, std::string> taken;
+  for (const std::string name : {"--out", "--plot", "--csv", "--html", "--page", "--certificate", "--journal"}) {
+    const CLI::Option* option = app.get_option_no_throw(name);
+    if (!option || option->count() == 0 || option->results().front() == "-") continue;
+    const std::string& file = option->results().front();
+    std::error_code error;
+    const auto [other, is_new] = taken.emplace(std::filesystem::weakly_canonical(file, error), name);
+    if (!is_new)
+      fail(ErrorKind::usage, "{} {}: {} is to write there, too; expected another file", name, file, other->second);
+  }
 }
 
 OptionHelp help_of(const CLI::Option& option) {
@@ -55,6 +87,16 @@ Option& Option::within(int low, int high) {
 
 Option& Option::within(double low, double high) {
   option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+Option& Option::exact_number() {
+  option_->type_name("NUMBER");
+  option_->check(CLI::Validator(
+      [](const std::string& text) -> std::string {
+        return parse_number(text) ? "" : "expected an exact number, as 1/16, 0.5 or 1e-9, got " + in_quotes(text);
+      },
+      ""));
   return *this;
 }
 
@@ -101,12 +143,13 @@ Option Command::option(const std::string& name, unsigned long& target, const std
 }
 
 Option Command::option(const std::string& name, double& target, const std::string& text) {
-  return Option(app_->add_option(name, target, text));
+  return Option(app_->add_option(name, target, text)->check(finite()));
 }
 
 Option Command::option(const std::string& name, std::optional<double>& target, const std::string& text) {
   return Option(app_->add_option_function<double>(
-      name, [&target](const double& value) { target = value; }, text));
+                        name, [&target](const double& value) { target = value; }, text)
+                    ->check(finite()));
 }
 
 Option Command::option(const std::string& name, std::optional<int>& target, const std::string& text) {
@@ -135,7 +178,8 @@ Command Command::subcommand(const std::string& name, const std::string& text) {
 void Command::add_to_footer(const std::string& text) { app_->footer(app_->get_footer() + text); }
 
 void Command::run(const std::function<int()>& action) {
-  app_->callback([action] {
+  app_->callback([action, app = app_] {
+    require_different_files(*app);
     if (const int code = action(); code != 0) throw CLI::RuntimeError(code);
   });
 }
@@ -152,6 +196,38 @@ void Command::hide() { app_->group(""); }
 
 CommandHelp Command::help() const { return help_of(*app_, ""); }
 
+namespace {
+
+/// `help` and `help range` as `--help` and `range --help`.
+std::vector<std::string> arguments_of(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (arguments.empty() || arguments.front() != "help") return arguments;
+  arguments.erase(arguments.begin());
+  arguments.emplace_back("--help");
+  return arguments;
+}
+
+/// Refuses a first argument that is neither a command nor an option.
+void require_command(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().starts_with('-')) return;
+  std::vector<std::string> names{"help"};
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == arguments.front()) return;
+    if (!command->get_group().empty()) names.push_back(command->get_name());
+  }
+  fail(ErrorKind::usage, "there is no command {}{}; see 'subcert --help'", in_quotes(arguments.front()),
+       did_you_mean(arguments.front(), names));
+}
+
+/// Whose help says more: of the command that is named first, or of the program.
+std::string helped(const CLI::App& app, const std::vector<std::string>& arguments) {
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (!arguments.empty() && command->get_name() == arguments.front()) return command->get_name() + " ";
+  return "";
+}
+
+}  // namespace
+
 int run_program(const std::string& description, const std::string& footer,
                 const std::vector<void (*)(Command&)>& add_commands, int argc, char** argv) {
   CLI::App app{description, "subcert"};
@@ -160,15 +236,17 @@ int run_program(const std::string& description, const std::string& footer,
   Command program(&app);
   for (const auto add : add_commands) add(program);
   app.footer(footer);  // last, as commands inherit it
+  std::vector<std::string> arguments = arguments_of(argc, argv);
+  require_command(app, arguments);
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes the last one first
     return 0;
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::RuntimeError& left) {
     return left.get_exit_code();
   } catch (const CLI::ParseError& error) {
-    fail(ErrorKind::usage, "{}; see 'subcert --help'", error.what());
+    fail(ErrorKind::usage, "{}; see 'subcert {}--help'", error.what(), helped(app, arguments));
   }
 }
 

@@ -47,6 +47,8 @@ class Option {
   Option& required();
   Option& within(int low, int high);
   Option& within(double low, double high);
+  /// Of a text: parse_number can read it. Help calls the value NUMBER.
+  Option& exact_number();
   Option& one_of(const std::vector<std::string>& words);
   /// Help shows the value that the target has now.
   Option& with_default();
@@ -70,6 +72,7 @@ class Command {
 
   Option option(const std::string& name, int& target, const std::string& text);
   Option option(const std::string& name, unsigned long& target, const std::string& text);
+  /// Numbers in floating point are finite.
   Option option(const std::string& name, double& target, const std::string& text);
   Option option(const std::string& name, std::optional<double>& target, const std::string& text);
   Option option(const std::string& name, std::optional<int>& target, const std::string& text);

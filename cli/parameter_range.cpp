@@ -1,6 +1,6 @@
 #include "parameter_range.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/parse_error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
@@ -13,16 +13,21 @@ namespace subcert::cli {
 
 std::pair<Rational, Rational> read_over(const std::string& text, char parameter) {
   const std::string head = std::string(1, parameter) + "=";
-  const std::size_t dots = text.find("..");
+  const std::size_t equals = text.find('='), dots = text.find("..");
+  const std::string letter = text.substr(0, std::min(equals, text.size()));
+  if (equals != std::string::npos && letter != std::string_view(head).substr(0, 1))
+    fail(ErrorKind::usage, "--over {}: the letter of the family is {}, not {}", in_quotes(text), parameter,
+         in_quotes(letter));
   const auto number = [&](std::size_t begin, std::size_t end) {
     return begin > end || end - begin > 200 ? std::nullopt
                                             : parse_number(std::string_view(text).substr(begin, end - begin));
   };
   const auto low = text.starts_with(head) && dots != std::string::npos ? number(2, dots) : std::nullopt,
-             high = low ? number(dots + 2, text.size()) : std::nullopt;
+             // 0...1 is neither 0..0.1 nor 0..1.
+      high = low && text.substr(dots + 2, 1) != "." ? number(dots + 2, text.size()) : std::nullopt;
   if (!high || !(*low < *high))
-    fail(ErrorKind::usage, "--over: expected {}LOW..HIGH with exact numbers LOW < HIGH, as {}-1..1, got '{}'", head,
-         head, text);
+    fail(ErrorKind::usage, "--over: expected {}LOW..HIGH with exact numbers LOW < HIGH, as {}-1..1, got {}", head, head,
+         in_quotes(text));
   return {*low, *high};
 }
 

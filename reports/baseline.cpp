@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/proofs-checks/json_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -55,6 +56,11 @@ std::optional<Change> change(const EarlierResult& before, const Result& now) {
 }  // namespace
 
 std::vector<EarlierResult> read_results(const std::string& text, const std::string& file) {
+  try {
+    static_cast<void>(parse_json(text));  // names the place of what is no JSON, and keys that are there twice
+  } catch (const FileError& error) {
+    fail(ErrorKind::data, "{}, {}", file, error.what());
+  }
   const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("results") || !json["results"].is_array())
     fail(ErrorKind::data, "{}: expected {{\"results\": [...]}} as 'subcert reproduce --out' writes it", file);

@@ -159,9 +159,10 @@ void require_affine(const Piece& body, const MultivariateMask& mask) {
   for (std::size_t d = 0; d < sums.size() && bad == sums.size(); ++d)
     if (sums[d] != 1) bad = d;
   if (bad == sums.size()) return;
-  fail(body, fmt::format("coefficients that sum to 1 over each class of indices modulo {}; the class of ({}) {}",
-                         mask.dilation().to_text(), fmt::join(mask.dilation().digits()[bad], ","),
-                         empty[bad] ? "has none" : "sums to " + to_decimal(sums[bad], 6, Rounding::nearest)));
+  const std::string name = fmt::format("the class of ({})", fmt::join(mask.dilation().digits()[bad], ","));
+  fail(body,
+       fmt::format("coefficients that sum to 1 over each class of indices modulo {}; {}", mask.dilation().to_text(),
+                   empty[bad] ? name + " has none" : sum_text(name, sums[bad], common_sum(sums))));
 }
 
 MultivariatePolynomial symbol_of(const text::MaskText& mask) {
@@ -201,7 +202,7 @@ MultivariateScheme make_box(const Piece& family, const Piece& body, const std::s
   const std::size_t variables = split(read_list(list, ';').front(), ',').size();
   if (variables < 2 || variables > 3) fail(list, "directions of two or three variables, as [1,0;0,1;1,1]");
   const std::vector<LatticePoint> directions = read_lattice_points(list, "a coordinate", variables, max_entry);
-  Fields fields(family, rest, body.at + body.text.size(), usage);
+  Fields fields(family, rest, usage);
   const Dilation dilation = read_dilation(fields, variables);
   fields.finish();
   const MultivariateMask mask = checked(list, [&] { return box_spline_mask(directions, dilation); });
@@ -341,7 +342,7 @@ LinearScheme make_linear_scheme(std::string_view specification) {
   const std::string known = names_of(families()) + ", " + names_of(multivariate_families());
   if (is_l1_specification(specification))
     fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
-  fail(family, "one of " + known + "; for data also l1");
+  fail(family, "one of " + known + "; for data also l1" + meant_family(family.text));
 }
 
 AnyScheme make_any_scheme(std::string_view specification) {

@@ -113,7 +113,7 @@ MaskTail read_tail(const Piece& family, const Piece& rest, std::size_t coefficie
     throw SpecificationError(error.token(), scale.at + std::max(error.position(), one.size() + 1) - one.size(),
                              error.expected());
   }
-  Fields fields(family, {pieces.begin() + 1, pieces.end()}, rest.at + rest.text.size(), usage);
+  Fields fields(family, {pieces.begin() + 1, pieces.end()}, usage);
   const auto arity_piece = fields.optional("arity");
   const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
   return {parts.coefficients.front(), parts.first ? parts.first->front() : -static_cast<long>(coefficients / 2),

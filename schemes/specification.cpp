@@ -150,8 +150,9 @@ Scheme make_mask(const Piece& family, const Piece& body, const std::string& usag
   const auto sums = coset_sums(mask);
   for (std::size_t residue = 0; residue < sums.size(); ++residue)
     if (sums[residue] != 1)
-      fail(body, "coefficients that sum to 1 over each residue class; the class " + std::to_string(residue) + " mod " +
-                     number(arity) + " sums to " + to_decimal(sums[residue], 6, Rounding::nearest));
+      fail(body, "coefficients that sum to 1 over each residue class; " +
+                     sum_text("the class " + std::to_string(residue) + " mod " + number(arity), sums[residue],
+                              common_sum(sums)));
   return {"mask:" + symbol.to_mask_text() + (arity == 2 ? "" : ",arity=" + number(arity)),
           "mask given by its coefficients", mask};
 }
@@ -205,7 +206,7 @@ MaskAndFields read_mask(const Piece& family, const Piece& body, const std::strin
   } catch (const ParseError& error) {
     throw SpecificationError(error.token(), mask.at + error.position(), error.expected());
   }
-  return {std::move(parts), Fields(family, {fields, rest.end()}, body.at + body.text.size(), usage)};
+  return {std::move(parts), Fields(family, {fields, rest.end()}, usage)};
 }
 
 }  // namespace specification_text
@@ -218,7 +219,7 @@ Scheme make_scheme(std::string_view specification) {
     fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
   for (const FamilyHelp& other : multivariate_families())
     if (other.family == family.text) fail(family, "a linear scheme of one variable (" + known + ")");
-  fail(family, "one of " + known);
+  fail(family, "one of " + known + meant_family(family.text));
 }
 
 const std::vector<FamilyHelp>& families() {

@@ -71,13 +71,12 @@ inline long read_integer(const Piece& piece, const std::string& name, long low, 
 /// The `key=value` fields of a specification; each is to be taken once, and finish() refuses what is left.
 class Fields {
  public:
-  Fields(const Piece& family, const Piece& body, std::string usage)
-      : family_(family), end_(body.at + body.text.size()), usage_(std::move(usage)) {
+  Fields(const Piece& family, const Piece& body, std::string usage) : family_(family), usage_(std::move(usage)) {
     if (body.text.empty()) return;
     for (const Piece& piece : split(body, ',')) add(piece);
   }
-  Fields(const Piece& family, const std::vector<Piece>& pieces, std::size_t end, std::string usage)
-      : family_(family), end_(end), usage_(std::move(usage)) {
+  Fields(const Piece& family, const std::vector<Piece>& pieces, std::string usage)
+      : family_(family), usage_(std::move(usage)) {
     for (const Piece& piece : pieces) add(piece);
   }
 
@@ -90,9 +89,13 @@ class Fields {
     return std::nullopt;
   }
 
+  /// Where the key is absent a key that `usage` does not have is taken for it.
   Piece required(std::string_view key) {
     if (const auto value = optional(key)) return *value;
-    throw SpecificationError(family_.text, end_ + 1, "the key '" + std::string(key) + "', as in " + usage_);
+    const std::string expected = "the key '" + std::string(key) + "', as in " + usage_;
+    for (const Field& field : fields_)
+      if (!field.used && !has_key(usage_, field.key.text)) fail(field.key, expected);
+    fail(family_, expected);
   }
 
   void finish() const {
@@ -107,6 +110,14 @@ class Fields {
     bool used = false;
   };
 
+  /// Whether `key=` stands in the usage behind a colon or a comma.
+  static bool has_key(const std::string& usage, std::string_view key) {
+    for (std::size_t at = usage.find(key); at != std::string::npos; at = usage.find(key, at + 1))
+      if (at > 0 && (usage[at - 1] == ':' || usage[at - 1] == ',') && usage.substr(at + key.size(), 1) == "=")
+        return true;
+    return false;
+  }
+
   void add(const Piece& piece) {
     const std::size_t equals = piece.text.find('=');
     if (equals == std::string_view::npos) fail(piece, "key=value, as in " + usage_);
@@ -117,10 +128,35 @@ class Fields {
   }
 
   Piece family_;
-  std::size_t end_;
   std::string usage_;
   std::vector<Field> fields_;
 };
+
+/// Of coefficients whose sum over `where` is to be 1: what their sum is, exactly, and how to go on. `common`: the sum
+/// that all classes have.
+inline std::string sum_text(const std::string& where, const Rational& sum, const std::optional<Rational>& common) {
+  constexpr long rounding = 1000;  // sums nearer to 1 than its reciprocal are taken for rounded ones
+  const auto exact = [](const Rational& value) {
+    constexpr std::size_t longest = 60;
+    if (const std::string decimal = to_decimal(value, 40, Rounding::nearest); parse_number(decimal) == value)
+      return decimal;
+    const std::string text = to_text(value);
+    return text.size() <= longest ? text : short_text(value);
+  };
+  std::string text = where + " sums to ";
+  const Rational rest = sum - 1;
+  if (rest * rounding <= 1 && rest * rounding >= -1)
+    return text + "1 " + (rest < 0 ? "- " : "+ ") + exact(abs(rest)) + "; where coefficients are rounded " +
+           (rest < 0 ? "add that to" : "take that from") + " one of the class";
+  text += exact(sum);
+  return common && *common != 0 ? text + ", as all do: divide by that" : text;
+}
+
+/// The sum that all classes have, if it is one.
+inline std::optional<Rational> common_sum(const std::vector<Rational>& sums) {
+  const bool same = std::all_of(sums.begin(), sums.end(), [&](const Rational& sum) { return sum == sums.front(); });
+  return same ? std::optional<Rational>(sums.front()) : std::nullopt;
+}
 
 /// Degree of a fit on `points` data, bounded so that the mask is made in seconds.
 inline long read_degree(Fields& fields, long points) {
@@ -172,6 +208,14 @@ inline std::string names_of(const std::vector<FamilyHelp>& families) {
   std::string names;
   for (const FamilyHelp& help : families) names += (names.empty() ? "" : ", ") + help.family;
   return names;
+}
+
+/// `; did you mean 'primal'?` for a word that is no family, or nothing.
+inline std::string meant_family(std::string_view word) {
+  std::vector<std::string> names{"l1"};
+  for (const auto* helps : {&families(), &multivariate_families()})
+    for (const FamilyHelp& help : *helps) names.push_back(help.family);
+  return did_you_mean(word, names);
 }
 
 inline Piece family_of(std::string_view specification) { return {specification.substr(0, specification.find(':')), 0}; }

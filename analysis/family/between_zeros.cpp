@@ -62,6 +62,11 @@ PropertyRange by_verdicts(const Question& question, std::vector<SpecialValue> ze
     reached = pieces.back().high;
   }
   add_up_to(question.range.high, true);
+  for (RangePiece& piece : pieces)
+    if (piece.holds == Truth::unknown)
+      piece.reason = question.options.budget.deadline.expired() ? spent
+                     : piece.low == piece.high                  ? "a single value, at which no proof was found"
+                                                                : "values at which the answer may change lie there";
   PropertyRange result;
   result.pieces = merged(pieces);
   result.special = std::move(zeros);
@@ -76,16 +81,16 @@ std::optional<std::vector<SpecialValue>> values_of_stability(const Question& que
   return single_values(question.mask, unstable, question.range.low, question.range.high, question.options.width);
 }
 
-PropertyRange all_undecided(const Question& question) {
+PropertyRange all_undecided(const Question& question, const std::string& reason) {
   PropertyRange result;
-  result.pieces = {{question.range.low, question.range.high}};
+  result.pieces = {{question.range.low, question.range.high, Truth::unknown, true, true, reason}};
   return result;
 }
 
 /// Stability, or smoothness that stable shifts have with more sum rules only.
 PropertyRange by_stability(const Question& question) {
   auto values = values_of_stability(question);
-  if (!values) return all_undecided(question);
+  if (!values) return all_undecided(question, why_stability_is_open(question.options.budget.deadline));
   const Truth verdict = question.property.kind == Kind::stable ? Truth::yes : Truth::no;
   return by_verdicts(question, std::move(*values), [=](const Rational&) { return verdict; });
 }
@@ -174,7 +179,11 @@ void decide_by_neighbours(PropertyRange& range) {
 PropertyRange by_sobolev_exponents(const Question& question, int rules) {
   auto crossings = SobolevCrossing(question, rules).values();
   auto values = values_of_stability(question);
-  if (!crossings || !values) return all_undecided(question);
+  const Deadline& deadline = question.options.budget.deadline;
+  if (!values) return all_undecided(question, why_stability_is_open(deadline));
+  if (!crossings)
+    return all_undecided(question,
+                         deadline.expired() ? spent : "the values where the exponent meets the order are not known");
   for (SpecialValue& value : *crossings) {
     if (std::ranges::none_of(*values, [&](const SpecialValue& other) { return is_same(value, other); }))
       values->push_back(std::move(value));
@@ -229,13 +238,27 @@ Truth holds_at(const Mask& mask, const RangeProperty& property, const Deadline& 
                                                                                                           : Truth::yes;
   }
   if (property.kind == Kind::sobolev) return is_in_sobolev_space(mask, property.order, deadline);
-  const HolderRegularity regularity = holder_regularity(mask, levels, {deadline.at_most(special_seconds)});
+  HolderRegularity regularity;
+  try {
+    regularity = holder_regularity(mask, levels, {deadline.at_most(special_seconds)});
+  } catch (const Error&) {
+    return Truth::unknown;
+  }
   const Enclosure& exponent = regularity.exponent;
   if (property.kind == Kind::smooth) return has_derivatives(regularity, property.order);
   if (property.kind == Kind::convergent) return regularity.converges.truth;
   if (*exponent.lower >= property.order && regularity.converges.is_yes()) return Truth::yes;
   const bool less = exponent.upper && *exponent.upper < property.order;
   return less || regularity.converges.is_no() ? Truth::no : Truth::unknown;
+}
+
+void add_reason(std::string& reasons, const std::string& reason) {
+  if (reasons.find(reason) == std::string::npos) reasons += (reasons.empty() ? "" : "; ") + reason;
+}
+
+std::string why_stability_is_open(const Deadline& deadline) {
+  if (deadline.expired()) return spent;
+  return "the parts of the mask have a common zero for all values of the parameter, so that stability is not decided";
 }
 
 std::vector<RangePiece> merged(const std::vector<RangePiece>& pieces) {
@@ -245,6 +268,7 @@ std::vector<RangePiece> merged(const std::vector<RangePiece>& pieces) {
     if (!result.empty() && result.back().holds == piece.holds) {
       result.back().high = piece.high;
       result.back().high_included = piece.high_included;
+      add_reason(result.back().reason, piece.reason);
     } else {
       result.push_back(piece);
     }

@@ -15,10 +15,17 @@ void replace_equal(std::vector<SpecialValue>& values, SpecialValue value);
 /// In increasing order.
 void sort_values(std::vector<SpecialValue>& values);
 
-/// Whether the scheme has the property at one value.
+/// Whether the scheme has the property at one value; unknown where a search fails.
 Truth holds_at(const Mask& mask, const RangeProperty& property, const Deadline& deadline);
 
-/// Neighbours with one verdict as one piece.
+/// A reason for what is not decided.
+inline const std::string spent = "the budget ran out";
+/// Adds one that is not there yet.
+void add_reason(std::string& reasons, const std::string& reason);
+/// The one where unstable_values is 0.
+std::string why_stability_is_open(const Deadline& deadline);
+
+/// Neighbours with one verdict as one piece, with all their reasons.
 std::vector<RangePiece> merged(const std::vector<RangePiece>& pieces);
 
 /// No undecided piece is longer.

@@ -1,5 +1,6 @@
 #include "exponent_curve.hpp"
 
+#include "between_zeros.hpp"
 #include "family_radius.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
@@ -78,28 +79,47 @@ class CurveSearch {
     return Rational(*piece.exponent.upper - std::max(Rational(0), *piece.exponent.lower)).convert_to<double>();
   }
 
+  /// A piece on which a search fails has no ends, and says so.
   CurvePiece piece(const Segment& segment) {
     CurvePiece result{{}, {segment.low, segment.high, std::nullopt, std::nullopt}};
+    try {
+      enclose(segment, result);
+    } catch (const Error& error) {
+      result.proof.reason = std::string("a search failed (") + error.what() + ")";
+    }
+    if (!result.exponent.is_bounded() && options_.budget.deadline.expired()) result.proof.reason = spent;
+    if (result.exponent.is_bounded() || (result.exponent.upper && *result.exponent.upper <= 0))
+      result.proof.reason.clear();
+    return result;
+  }
+
+  void enclose(const Segment& segment, CurvePiece& result) {
     const Budget& budget = options_.budget;
     // Most pieces need less than their share; those that are harder may have more.
     const double share = budget.deadline.remaining() / options_.pieces;
     const double seconds = std::min(most_seconds, generous * share);
-    if (budget.deadline.expired()) return result;
+    if (budget.deadline.expired()) return;
     result.proof.above = radius_.from_above(segment, excess_share / options_.pieces,
                                             {budget.deadline.at_most(seconds), budget.memory});
     if (result.proof.above)
       result.exponent.lower = rules_ - *log_ratio(result.proof.above->proved_upper(), arity_).upper;
-    if (!has_no_real_root(unstable_, segment.low, segment.high)) return result;
+    else
+      result.proof.reason = "no upper bound of the radius was found in the time for one interval";
+    if (!has_no_real_root(unstable_, segment.low, segment.high, budget.deadline)) {
+      add_reason(result.proof.reason, unstable_.is_zero() ? why_stability_is_open(budget.deadline)
+                                                          : "the shifts may be unstable at a value there");
+      return;
+    }
     for (const Rational& w : {segment.middle(), segment.low, segment.high}) {
       const std::vector<int> word = radius_.look(w, budget.deadline).word;
       result.proof.below = radius_.from_below(segment, word, 1, true, budget.deadline);
       if (!result.proof.below) continue;
       result.exponent.upper = rules_ - *log_ratio(result.proof.below->modulus(), arity_).lower /
                                            Rational(static_cast<long>(word.size()));
-      return result;
+      return;
     }
     result.exponent.upper = end_by_sum_rules(segment);
-    return result;
+    if (!result.exponent.upper) add_reason(result.proof.reason, "no product was proved to lead for all values there");
   }
 
   /// An exponent above m is C^m, which takes m + 1 sum rules where the shifts are stable; so only single values go

@@ -11,7 +11,8 @@ namespace subcert {
 /// product that leads it is the number of sum rules, or the exponent at a single value that has more of them.
 struct CurvePiece {
   Enclosure exponent;
-  IntervalProof proof;  ///< proof.below names the product that leads, if one does
+  /// proof.below names the product that leads, if one does; proof.reason says why an end is absent.
+  IntervalProof proof;
 };
 
 /// A single value, with the exponent that the scheme has there.

@@ -103,7 +103,7 @@ std::optional<EigenvalueBound> FamilyRadius::from_below(const Segment& segment, 
   for (EigenvalueBound& bound : guesses(segment, word, least.convert_to<double>(), sharp)) {
     if (bound.modulus() < least) (bound.re == 0 ? bound.im : bound.re) = bound.re < 0 ? Rational(-least) : least;
     const LaurentPolynomial value = characteristic(bound, deadline);
-    if (has_no_real_root(value, segment.low, segment.high) && value(segment.low) < 0) return std::move(bound);
+    if (has_no_real_root(value, segment.low, segment.high, deadline) && value(segment.low) < 0) return std::move(bound);
   }
   return std::nullopt;
 }

@@ -4,6 +4,8 @@
 
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 
+#include <string>
+
 namespace subcert {
 
 /// For all values of an interval the product of the word, over the transition matrices from left to right, has a real
@@ -22,6 +24,7 @@ struct IntervalProof {
   /// An upper bound of the joint spectral radius of the control matrices of the interval.
   std::optional<JointSpectralRadius> above;
   std::optional<EigenvalueBound> below;
+  std::string reason = {};  ///< where there is neither
 };
 
 }  // namespace subcert

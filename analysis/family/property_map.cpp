@@ -1,5 +1,6 @@
 #include "property_map.hpp"
 
+#include "between_zeros.hpp"
 #include "family_radius.hpp"
 #include "threshold.hpp"
 
@@ -73,13 +74,34 @@ class MapSearch {
     for (long k = mask.flat.support().first; k <= mask.flat.support().last; ++k) coefficients_.push_back(bivariate(k));
   }
 
-  Truth decide(const Rectangle& cell) {
-    if (options_.budget.deadline.expired()) return Truth::unknown;
+  /// A cell on which a search fails is not decided, and says so.
+  MapCell decide(const Rectangle& rectangle) {
+    MapCell cell{rectangle, Truth::unknown, spent};
+    if (options_.budget.deadline.expired()) return cell;
+    try {
+      cell.holds = search(rectangle, cell.reason);
+    } catch (const Error& error) {
+      cell.reason = std::string("a search failed (") + error.what() + ")";
+    }
+    if (cell.holds != Truth::unknown)
+      cell.reason.clear();
+    else if (options_.budget.deadline.expired())
+      cell.reason = spent;
+    return cell;
+  }
+
+ private:
+  Truth search(const Rectangle& cell, std::string& reason) {
     const std::array<Rational, 2> v_w = middle(cell);
     const Look look = look_at(family_.slice(v_w[1]).at(v_w[0]), options_.budget.deadline);
     const double limit = threshold_.value();
-    if (look.radius > std::max(limit, 1.0)) return is_refuted(cell, look.word) ? Truth::no : Truth::unknown;
+    if (look.radius > std::max(limit, 1.0)) {
+      reason = "no product was proved to be too large for all values there, or the shifts may be unstable";
+      return is_refuted(cell, look.word) ? Truth::no : Truth::unknown;
+    }
+    reason = "the radius comes near to the threshold";
     if (!threshold_.is_reachable() || look.radius >= limit) return Truth::unknown;
+    reason = "the radius was not proved to be below the threshold for all values there";
     const Budget budget{options_.budget.deadline.at_most(cell_seconds), options_.budget.memory};
     return radius_below(family_.controls(cell.low, cell.high), threshold_.below(), look.radius < far_below * limit,
                         budget)
@@ -87,7 +109,6 @@ class MapSearch {
                : Truth::unknown;
   }
 
- private:
   bool is_refuted(const Rectangle& cell, const std::vector<int>& word) {
     if (property_.kind != RangeProperty::Kind::convergent && !is_stable_on(cell)) return false;
     const Rational least = std::max(Rational(1), threshold_.power_above(static_cast<long>(word.size())));
@@ -205,14 +226,15 @@ PropertyMap property_map(const BiparametricMask& mask, const RangeProperty& prop
   MapSearch search(mask, result.sum_rules, property, options);
   std::vector<Rectangle> open{rectangle};
   for (int cells = 1; !open.empty(); cells *= 2) {
-    std::vector<Truth> decided(open.size());
+    std::vector<MapCell> decided(open.size());
     parallel_tasks(open.size(), options.jobs, [&](std::size_t k) { decided[k] = search.decide(open[k]); });
     std::vector<Rectangle> next;
     const bool last = cells >= options.resolution, late = options.budget.deadline.expired();
     for (std::size_t k = 0; k < open.size(); ++k) {
-      if (decided[k] != Truth::unknown || last || late) {
-        result.cells.push_back({open[k], decided[k]});
-        result.complete = result.complete && (decided[k] != Truth::unknown || last);
+      const Truth holds = decided[k].holds;
+      if (holds != Truth::unknown || last || late) {
+        result.cells.push_back(std::move(decided[k]));
+        result.complete = result.complete && (holds != Truth::unknown || last);
         continue;
       }
       for (Rectangle& quarter : quarters(open[k])) next.push_back(std::move(quarter));

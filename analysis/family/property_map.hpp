@@ -16,6 +16,7 @@ struct Rectangle {
 struct MapCell {
   Rectangle rectangle;
   Truth holds = Truth::unknown;
+  std::string reason = {};  ///< why it is not decided
 };
 
 struct PropertyMap {

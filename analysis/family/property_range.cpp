@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
+#include <set>
 
 namespace subcert {
 namespace {
@@ -50,13 +52,12 @@ class RangeSearch {
   /// Decided or too short to be halved; an interval with neither proof is not decided.
   std::vector<IntervalProof> intervals() {
     std::vector<IntervalProof> done;
-    std::vector<Node> open{{range_, look(range_.low), look(range_.high)}};
+    std::vector<Node> open{{range_, look_if_possible(range_.low), look_if_possible(range_.high)}};
     while (!open.empty()) {
       std::vector<IntervalProof> decided(open.size());
       std::vector<Look> middles(open.size());
       std::vector<double> seconds(open.size());
       parallel_tasks(open.size(), options_.jobs, [&](std::size_t k) {
-        middles[k] = look(open[k].segment.middle());
         const Stopwatch watch;
         decided[k] = decide(open[k], middles[k]);
         seconds[k] = watch.seconds();
@@ -100,10 +101,10 @@ class RangeSearch {
   std::optional<RangeEnd> end_between(const RangePiece& gap, const EigenvalueBound& beside) {
     const LaurentPolynomial polynomial = crossing(beside);
     if (polynomial.is_zero() || polynomial(gap.low) == 0 || polynomial(gap.high) == 0 ||
-        count_real_roots(polynomial, gap.low, gap.high) != 1)
+        count_real_roots(polynomial, gap.low, gap.high, options_.budget.deadline) != 1)
       return std::nullopt;
     for (const PolynomialFactor& factor : irreducible_factors(polynomial))
-      if (count_real_roots(factor.polynomial, gap.low, gap.high) == 1)
+      if (count_real_roots(factor.polynomial, gap.low, gap.high, options_.budget.deadline) == 1)
         // At the end itself the radius is at least the threshold.
         return RangeEnd{gap.low, gap.high, factor.polynomial, beside.word,
                         property_.kind != RangeProperty::Kind::holder && is_stable_on({gap.low, gap.high})
@@ -118,7 +119,8 @@ class RangeSearch {
     if (auto values = zeros_of(unstable_, gap.low, gap.high, options_.width, SpecialValue::Why::unstable);
         !values.empty())
       return values;
-    const std::vector<int> word = look((gap.low + gap.high) / 2).word;
+    const std::vector<int> word = look_if_possible((gap.low + gap.high) / 2).word;
+    if (word.empty() || options_.budget.deadline.expired()) return {};
     for (const EigenvalueBound& kind : {EigenvalueBound{word, 1, 0}, {word, -1, 0}, {word, 0, 1}})
       if (auto values = zeros_of(crossing(kind), gap.low, gap.high, options_.width, SpecialValue::Why::threshold);
           !values.empty())
@@ -128,6 +130,14 @@ class RangeSearch {
 
  private:
   Look look(const Rational& w) const { return radius_.look(w, options_.budget.deadline); }
+  /// Where a search fails nothing is known of the value.
+  Look look_if_possible(const Rational& w) const {
+    try {
+      return look(w);
+    } catch (const Error&) {
+      return {};
+    }
+  }
 
   /// What took too long beside a proved interval gets more time, as long as that helps: a busy machine leaves no
   /// slivers.
@@ -135,35 +145,60 @@ class RangeSearch {
     const Deadline end = options_.budget.deadline.at_most(extending_seconds);
     const auto extend = [&](const IntervalProof& beside, IntervalProof& next) {
       if (!beside.above || next.above || next.below || !threshold_.is_reachable() || end.expired()) return;
-      next.above = radius_.from_above({next.low, next.high}, threshold_.below(), false,
-                                      {end.at_most(radius_seconds), options_.budget.memory});
+      try {
+        next.above = radius_.from_above({next.low, next.high}, threshold_.below(), false,
+                                        {end.at_most(radius_seconds), options_.budget.memory});
+      } catch (const Error&) {  // the reason is there already
+      }
+      if (next.above) next.reason.clear();
     };
     for (std::size_t k = 1; k < intervals.size(); ++k) extend(intervals[k - 1], intervals[k]);
     for (std::size_t k = intervals.size(); k-- > 1;) extend(intervals[k], intervals[k - 1]);
   }
 
-  IntervalProof decide(const Node& node, const Look& middle) {
+  /// An interval that a search cannot treat is not decided: the others are.
+  IntervalProof decide(const Node& node, Look& middle) {
+    IntervalProof proof{node.segment.low, node.segment.high, std::nullopt, std::nullopt};
+    try {
+      if (!options_.budget.deadline.expired()) {
+        middle = look(node.segment.middle());
+        proof.reason = search(node, middle, proof);
+      }
+    } catch (const Error& error) {
+      proof.reason = std::string("a search failed (") + error.what() + ")";
+    }
+    if (proof.above || proof.below)
+      proof.reason.clear();
+    else if (options_.budget.deadline.expired())
+      proof.reason = spent;
+    return proof;
+  }
+
+  /// Why no proof was found, where none was.
+  std::string search(const Node& node, const Look& middle, IntervalProof& proof) {
     const Segment& interval = node.segment;
-    IntervalProof proof{interval.low, interval.high, std::nullopt, std::nullopt};
-    if (options_.budget.deadline.expired()) return proof;
     const double limit = threshold_.value();
     if (middle.radius > std::max(limit, 1.0)) {
-      if (!is_stable_on(interval)) return proof;
+      if (!is_stable_on(interval))
+        return unstable_.is_zero() ? why_stability_is_open(options_.budget.deadline)
+                                   : "the shifts may be unstable at a value there";
       for (const std::vector<int>& word : {middle.word, node.at_low.word, node.at_high.word})
-        if (!proof.below)
+        if (!proof.below && !word.empty())
           proof.below = radius_.from_below(interval, word, power_of_threshold(word), false, options_.budget.deadline);
-    } else if (const double largest = std::max(node.at_low.radius, node.at_high.radius);
-               threshold_.is_reachable() && largest < limit) {
-      const double seconds = interval.width() * short_share < range_.width() ? short_seconds : radius_seconds;
-      proof.above = radius_.from_above(interval, threshold_.below(), largest < far_below * limit,
-                                       {options_.budget.deadline.at_most(seconds), options_.budget.memory});
+      return "no product was proved to be too large for all values there";
     }
-    return proof;
+    if (!threshold_.is_reachable()) return "only orders below the number of sum rules are proved";
+    const double largest = std::max(node.at_low.radius, node.at_high.radius);
+    if (largest >= limit) return "the radius comes near to the threshold";
+    const double seconds = interval.width() * short_share < range_.width() ? short_seconds : radius_seconds;
+    proof.above = radius_.from_above(interval, threshold_.below(), largest < far_below * limit,
+                                     {options_.budget.deadline.at_most(seconds), options_.budget.memory});
+    return "the radius was not proved to be below the threshold in the time for one interval";
   }
 
   bool is_stable_on(const Segment& interval) const {
     if (property_.kind == RangeProperty::Kind::convergent) return true;
-    return has_no_real_root(unstable_, interval.low, interval.high);
+    return has_no_real_root(unstable_, interval.low, interval.high, options_.budget.deadline);
   }
 
   Rational power_of_threshold(const std::vector<int>& word) const {
@@ -181,7 +216,65 @@ class RangeSearch {
 std::vector<RangePiece> pieces_of(const std::vector<IntervalProof>& intervals) {
   std::vector<RangePiece> result;
   for (const IntervalProof& proof : intervals)
-    result.push_back({proof.low, proof.high, proof.above ? Truth::yes : proof.below ? Truth::no : Truth::unknown});
+    result.push_back({proof.low, proof.high,
+                      proof.above   ? Truth::yes
+                      : proof.below ? Truth::no
+                                    : Truth::unknown,
+                      true, true, proof.reason});
+  return merged(result);
+}
+
+/// Open intervals on which all coefficients of the scheme for divided differences are positive, so that it converges
+/// [CDM91, thm 3.3].
+std::vector<Segment> positive_intervals(const ParametricMask& mask, const Rational& low, const Rational& high) {
+  const IndexRange all = mask.support();
+  std::set<Rational> ends{low, high};
+  std::vector<LaurentPolynomial> coefficients;
+  for (long i = all.first; i <= all.last; ++i) {
+    coefficients.push_back(mask.coefficient(i));
+    if (coefficients.back().is_zero()) return {};
+    for (const SpecialValue& zero : zeros_of(coefficients.back(), low, high, high - low, SpecialValue::Why::sign))
+      ends.insert({*zero.value.lower, *zero.value.upper});
+  }
+  std::vector<Segment> result;
+  for (auto end = std::next(ends.begin()); end != ends.end(); ++end) {
+    const Segment segment{*std::prev(end), *end};
+    const bool free = std::ranges::none_of(
+        coefficients, [&](const LaurentPolynomial& c) { return count_real_roots(c, segment.low, segment.high) > 0; });
+    const Mask inside = mask.at(segment.middle());
+    if (free && inside.symbol().length() == all.last - all.first + 1 && has_positive_mask(inside))
+      result.push_back(segment);
+  }
+  return result;
+}
+
+/// What a search leaves open is decided where coefficients are positive; `at` decides single values beside that.
+std::vector<RangePiece> decided_by_positivity(const std::vector<RangePiece>& pieces,
+                                              const std::vector<Segment>& positive,
+                                              const std::function<Truth(const Rational&)>& at) {
+  std::vector<RangePiece> result;
+  for (const RangePiece& piece : pieces) {
+    const auto inside = std::ranges::find_if(positive, [&](const Segment& segment) {
+      return std::max(segment.low, piece.low) < std::min(segment.high, piece.high);
+    });
+    if (piece.holds != Truth::unknown || inside == positive.end()) {
+      result.push_back(piece);
+      continue;
+    }
+    const Rational low = std::max(inside->low, piece.low), high = std::min(inside->high, piece.high);
+    const bool from = piece.low <= inside->low, to = inside->high <= piece.high;  // without an end of the positive ones
+    const auto rest = [&](const Rational& begin, const Rational& end) {
+      RangePiece left = piece;
+      left.low = begin;
+      left.high = end;
+      if (begin == end) left.holds = at(begin);
+      if (left.holds != Truth::unknown) left.reason.clear();
+      result.push_back(std::move(left));
+    };
+    if (from) rest(piece.low, low);
+    result.push_back({low, high, Truth::yes, !from, !to});
+    if (to) rest(high, piece.high);
+  }
   return merged(result);
 }
 
@@ -230,10 +323,15 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
   result.sum_rules = rules;
   std::vector<IntervalProof> intervals = search.intervals();
   result.pieces = pieces_of(intervals);
+  if (property.kind != RangeProperty::Kind::holder && !is_complete(result.pieces, 0))
+    result.pieces = decided_by_positivity(
+        result.pieces,
+        positive_intervals(divided_difference_scheme(mask, numerator(property.order).convert_to<int>()), low, high),
+        [&](const Rational& w) { return holds_at(mask.at(w), property, options.budget.deadline); });
   result.complete = is_complete(result.pieces, options.width);
   for (std::size_t k = 0; k < result.pieces.size(); ++k) {
     const RangePiece& gap = result.pieces[k];
-    if (gap.holds != Truth::unknown) continue;
+    if (gap.holds != Truth::unknown || gap.low == gap.high) continue;
     const Truth before = k > 0 ? result.pieces[k - 1].holds : Truth::unknown,
                 after = k + 1 < result.pieces.size() ? result.pieces[k + 1].holds : Truth::unknown;
     if (before == after || before == Truth::unknown || after == Truth::unknown) {
@@ -244,6 +342,7 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
     const auto beside = std::find_if(intervals.begin(), intervals.end(), [&](const IntervalProof& proof) {
       return proof.below && (before == Truth::no ? proof.high == gap.low : proof.low == gap.high);
     });
+    if (beside == intervals.end()) continue;
     if (auto end = search.end_between(gap, *beside->below)) result.ends.push_back(std::move(*end));
   }
   std::erase_if(intervals, [](const IntervalProof& proof) { return !proof.above && !proof.below; });

@@ -32,6 +32,7 @@ struct RangePiece {
   Rational low, high;
   Truth holds = Truth::unknown;
   bool low_included = true, high_included = true;
+  std::string reason = {};  ///< why it is not decided
 };
 
 /// An end of a piece: between a proved and a refuted one the radius of the product of `word` crosses the threshold
@@ -89,6 +90,8 @@ struct RangeOptions {
 /// matrices T_t(w) of the scheme for divided differences of order m: the property is proved on an interval by an upper
 /// bound of the joint spectral radius of the control matrices of the T_t, and refuted by a real eigenvalue of one
 /// product that is too large all over the interval, which Sturm's theorem decides, and by the stability of the shifts.
+/// An interval on which a search fails is not decided, and says why. Where all coefficients between the first and the
+/// last one are positive, up to zeros of theirs, the scheme converges; that decides what a search leaves open.
 /// `sobolev` is decided between the zeros of one polynomial, at which the spectral radius may meet the threshold.
 /// `preserving` is decided by the signs of the coefficients of the divided difference scheme of that order, between
 /// their zeros. Domain: as require_family; `preserving` with an order up to the number of sum rules. Errors: throws

@@ -85,7 +85,11 @@ MatrixFamily::MatrixFamily(std::vector<RationalMatrix> matrices, std::vector<Fam
     : matrices_(std::move(matrices)), group_(std::move(group)) {}
 
 bool MatrixFamily::is_flip_symmetric() const {
-  return group_.size() == 2 && group_[1].map == SparseMap::reversal(size());
+  if (group_.size() != 2 || !(group_[1].map == SparseMap::reversal(size()))) return false;
+  // Where equal matrices were merged the reversal of the coordinates may permute them in another order.
+  std::vector<std::size_t> letters = group_[1].letters;
+  std::reverse(letters.begin(), letters.end());
+  return letters == in_order(count());
 }
 
 RationalMatrix MatrixFamily::product(const std::vector<int>& word) const {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -133,6 +134,86 @@ std::optional<Enclosure> largest_simple_root(const LaurentPolynomial& factor, in
   return ball.enclosure(256);
 }
 
+/// Takes the zeros 0 out; whether there were any.
+bool take_zero(IntegerPolynomial& q) {
+  slong zeros = 0;
+  while (zeros < fmpz_poly_length(q.get()) && fmpz_is_zero(q.get()->coeffs + zeros)) ++zeros;
+  fmpz_poly_shift_right(q.get(), q.get(), zeros);
+  return zeros > 0;
+}
+
+/// Sign variations of the Bernstein coefficients on (0, 1): as many as zeros there, or more by an even number
+/// (Descartes).
+int variations(const IntegerPolynomial& q) {
+  IntegerPolynomial moved;  // with x = 1/(1 + s), s > 0
+  fmpz_poly_reverse(moved.get(), q.get(), fmpz_poly_length(q.get()));
+  fmpz_poly_taylor_shift(moved.get(), moved.get(), Whole(1).get());
+  int count = 0, last = 0;
+  for (slong i = 0; i < fmpz_poly_length(moved.get()); ++i)
+    if (const int sign = fmpz_sgn(moved.get()->coeffs + i); sign != 0) {
+      count += sign * last < 0 ? 1 : 0;
+      last = sign;
+    }
+  return count;
+}
+
+/// 2^n q(x/2)
+void halve(IntegerPolynomial& q) {
+  const slong length = fmpz_poly_length(q.get());
+  for (slong i = 0; i < length; ++i)
+    fmpz_mul_2exp(q.get()->coeffs + i, q.get()->coeffs + i, static_cast<ulong>(length - 1 - i));
+}
+
+/// The distinct zeros in (0, 1); nothing past the deadline, if there is one.
+std::optional<int> count_in_unit_interval(IntegerPolynomial& whole, const Deadline* deadline) {
+  take_zero(whole);
+  if (const int count = variations(whole); count <= 1) return count;
+  // Of simple zeros alone the halving comes to an end.
+  IntegerPolynomial common;
+  fmpz_poly_derivative(common.get(), whole.get());
+  fmpz_poly_gcd(common.get(), common.get(), whole.get());
+  fmpz_poly_div(whole.get(), whole.get(), common.get());
+  std::vector<std::unique_ptr<IntegerPolynomial>> open;
+  const auto add = [&](const IntegerPolynomial& q) {
+    open.push_back(std::make_unique<IntegerPolynomial>());
+    fmpz_poly_set(open.back()->get(), q.get());
+  };
+  int count = 0;
+  for (add(whole); !open.empty();) {
+    if (deadline && deadline->expired()) return std::nullopt;
+    IntegerPolynomial q;
+    fmpz_poly_swap(q.get(), open.back()->get());
+    open.pop_back();
+    const int signs = variations(q);
+    if (signs <= 1) {
+      count += signs;
+      continue;
+    }
+    halve(q);
+    add(q);
+    fmpz_poly_taylor_shift(q.get(), q.get(), Whole(1).get());
+    if (take_zero(q)) ++count;  // in the middle
+    add(q);
+  }
+  return count;
+}
+
+std::optional<int> count_between(const LaurentPolynomial& p, const Rational& low, const Rational& high,
+                                 const Deadline* deadline) {
+  // x = low + (high - low) v. With x = y/d all is integral.
+  const Integer d = lcm(denominator(low), denominator(high));
+  std::vector<Rational> coefficients;
+  for (long k = 0; k <= p.highest() - p.lowest(); ++k)
+    coefficients.push_back(p.coefficient(p.lowest() + k) / Rational(pow(d, static_cast<unsigned long>(k))));
+  IntegerPolynomial q(LaurentPolynomial(coefficients, 0)), line;
+  fmpz_poly_set_coeff_fmpz(line.get(), 0, Whole(numerator(low * d)).get());
+  fmpz_poly_set_coeff_fmpz(line.get(), 1, Whole(numerator((high - low) * d)).get());
+  fmpz_poly_compose(q.get(), q.get(), line.get());
+  const auto count = count_in_unit_interval(q, deadline);
+  if (!count) return std::nullopt;
+  return *count + (p.lowest() > 0 && low < 0 && high > 0 ? 1 : 0);
+}
+
 }  // namespace
 
 int count_real_roots(const LaurentPolynomial& p) {
@@ -147,30 +228,20 @@ int count_real_roots(const LaurentPolynomial& p) {
 }
 
 int count_real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high) {
-  // x = high - (high - low) v, v = 1/u, u = 1 + s: then low < x < high where s > 0. With x = y/d all is integral.
-  const Integer d = lcm(denominator(low), denominator(high));
-  std::vector<Rational> coefficients;
-  for (long k = 0; k <= p.highest() - p.lowest(); ++k)
-    coefficients.push_back(p.coefficient(p.lowest() + k) / Rational(pow(d, static_cast<unsigned long>(k))));
-  IntegerPolynomial q(LaurentPolynomial(coefficients, 0)), line;
-  fmpz_poly_set_coeff_fmpz(line.get(), 0, Whole(numerator(high * d)).get());
-  fmpz_poly_set_coeff_fmpz(line.get(), 1, Whole(numerator((low - high) * d)).get());
-  fmpz_poly_compose(q.get(), q.get(), line.get());
-  fmpz_poly_reverse(q.get(), q.get(), fmpz_poly_length(q.get()));
-  fmpz_poly_taylor_shift(q.get(), q.get(), Whole(1).get());
-  const LaurentPolynomial in_s = from_flint(q.get());
-  const int zero = p.lowest() > 0 && low < 0 && high > 0 ? 1 : 0;
-  const std::vector<Integer> signs = in_s.numerators();
-  const auto is_of_sign = [&](int sign) {
-    return std::all_of(signs.begin(), signs.end(), [&](const Integer& c) { return sign * c.sign() >= 0; });
-  };
-  if (is_of_sign(1) || is_of_sign(-1)) return zero;
-  // s = t^2 has two solutions t for each s > 0; s = 0 is no solution of the rest.
-  return zero + count_real_roots(in_s.shifted(-in_s.lowest()).dilated(2)) / 2;
+  return *count_between(p, low, high, nullptr);
+}
+
+std::optional<int> count_real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,
+                                    const Deadline& deadline) {
+  return count_between(p, low, high, &deadline);
 }
 
 bool has_no_real_root(const LaurentPolynomial& p, const Rational& low, const Rational& high) {
   return !p.is_zero() && p(low) != 0 && p(high) != 0 && count_real_roots(p, low, high) == 0;
+}
+
+bool has_no_real_root(const LaurentPolynomial& p, const Rational& low, const Rational& high, const Deadline& deadline) {
+  return !p.is_zero() && p(low) != 0 && p(high) != 0 && count_real_roots(p, low, high, deadline) == 0;
 }
 
 std::optional<Rational> zero_of_linear(const LaurentPolynomial& p) {

@@ -1,6 +1,7 @@
 #pragma once
 /// Exact questions about the zeros of a Laurent polynomial on the real line and on the unit circle.
 
+#include "budget.hpp"
 #include "laurent_polynomial.hpp"
 
 namespace subcert {
@@ -8,13 +9,19 @@ namespace subcert {
 /// The number of distinct real zeros. Domain: p not zero. Cost: one Sturm sequence. Ref: [BPR06].
 int count_real_roots(const LaurentPolynomial& p);
 
-/// The number of distinct zeros x with low < x < high. Domain: p not zero, no negative exponents, low < high. Cost: a
-/// Sturm sequence; none where Bernstein coefficients tell that there is no zero.
+/// The number of distinct zeros x with low < x < high. Domain: p not zero, no negative exponents, low < high. Decided
+/// by the sign variations of Bernstein coefficients, on halves of the interval where they leave it open. Cost: a few
+/// Taylor shifts for each half that is looked at, and a gcd where the first look leaves it open. Ref: [BPR06, ch. 10].
 int count_real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high);
+/// The same, or nothing past the deadline.
+std::optional<int> count_real_roots(const LaurentPolynomial& p, const Rational& low, const Rational& high,
+                                    const Deadline& deadline);
 
 /// Whether p is not zero and has no zero x with low <= x <= high. Domain: no negative exponents, low < high. Cost: as
 /// count_real_roots.
 bool has_no_real_root(const LaurentPolynomial& p, const Rational& low, const Rational& high);
+/// Whether that is proved before the deadline.
+bool has_no_real_root(const LaurentPolynomial& p, const Rational& low, const Rational& high, const Deadline& deadline);
 
 /// The zero of a polynomial of degree 1; nothing for another degree. Domain: lowest exponent 0 or more.
 std::optional<Rational> zero_of_linear(const LaurentPolynomial& p);

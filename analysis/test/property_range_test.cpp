@@ -13,6 +13,8 @@
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
+#include <ctime>
+
 using namespace subcert;
 using subcert::testing::Random;
 
@@ -314,4 +316,46 @@ TEST_CASE("zeros in intervals") {
   RationalMatrix m(2, 2);
   m(0, 0) = 2, m(0, 1) = 1, m(1, 0) = 1, m(1, 1) = 1;
   CHECK(determinant(m) == 1);
+}
+
+TEST_CASE("equal matrices of a family with a symmetry leave no symmetry that is none") {
+  // At some values two of the four control matrices are equal, and the flip exchanges others than the outer ones.
+  for (const auto& [low, high] : {std::pair{"1/5", "3/4"}, {"-1", "1"}, {"1/5", "1"}}) {
+    const PropertyRange range = range_of("mask:[w,1/2-w,1/2,1/2,1/2-w,w]", "convergent", low, high, q("1/100"));
+    check_cover(range, q(low), q(high));
+    for (const RangePiece& piece : range.pieces) {
+      CAPTURE(piece.low, piece.high, piece.reason);
+      CHECK(piece.reason.find("failed") == std::string::npos);
+      CHECK(piece.reason.empty() == (piece.holds != Truth::unknown));
+    }
+  }
+}
+
+TEST_CASE("a range ends with its budget, with reasons") {
+  for (const char* scheme : {"mask:[w,-1/8,-w,9/8,9/8,-w,-1/8,w]", "mask:[5/4+w,-w,-1/8,-1/8,-1/8,-1/8,-w,5/4+w]"}) {
+    const ParametricScheme family = make_parametric_scheme(scheme);
+    constexpr double seconds = 2;
+    const std::clock_t start = std::clock();
+    const PropertyRange range = property_range(family.mask, *parse_range_property("convergent"), q("1/5"), q("3/4"),
+                                               {power(Rational(10), -9), 1, {Deadline::in(seconds)}});
+    CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 1.2 * seconds + 1);
+    check_cover(range, q("1/5"), q("3/4"));
+    for (const RangePiece& piece : range.pieces) CHECK(piece.reason.empty() == (piece.holds != Truth::unknown));
+  }
+  const PropertyRange none = property_range(make_parametric_scheme("four-point:w").mask, *parse_range_property("C1"), 0,
+                                            1, {power(Rational(10), -9), 1, {Deadline::in(0)}});
+  REQUIRE(none.pieces.size() == 1);
+  CHECK(none.pieces.front().reason == "the budget ran out");
+}
+
+TEST_CASE("positive coefficients decide what a search leaves open beside an end") {
+  const PropertyRange range = range_of("corner-cutting:w", "convergent", "0", "1");
+  CHECK(verdicts(range) == "nyn");
+  CHECK(range.complete);
+  CHECK(range.pieces[1].low == 0);
+  CHECK(range.pieces[1].high == 1);
+  CHECK_FALSE((range.pieces[1].low_included || range.pieces[1].high_included));
+  CHECK(range.pieces[0].low == range.pieces[0].high);
+  // The values beside the range that is positive are not touched: [w,1-w,1-w,w] with w < 0.
+  CHECK(verdicts(range_of("corner-cutting:w", "convergent", "-1/10", "1/2")).back() == 'y');
 }

@@ -29,3 +29,40 @@ TEST_CASE("expected properties as a gate") {
   CHECK(run("check " + file).code == 66);
   CHECK(run("check").code == 64);
 }
+
+TEST_CASE("one question that cannot be answered leaves the others alone") {
+  const Folder folder;
+  const std::string file = folder.write(
+      "file.toml",
+      "[[scheme]]\nmask = 'dd:n=2'\nreproduces = 3\n"
+      "[[scheme]]\nmask = 'mask:[1/2,w,1/2,1-w]'\nfor = '0 < w < 1'\nholder = '>= 1'\n"
+      "[[scheme]]\nmask = 'dd:n=3'\nreproduces = 5\n");
+  // No sum rule holds for all values: an error of the one question.
+  const Run result = run("check " + file);
+  CHECK(result.code == 2);
+  CHECK(result.err.empty());
+  CHECK(contains(result.out, "holds      " + file + ":3: dd:n=2: reproduces 3\nerror      " + file + ":7: "));
+  CHECK(contains(result.out, "holds      " + file +
+                                 ":10: dd:n=3: reproduces 5\n\n3 properties: 2 hold, 0 fail, 0 undecided, 1 error.\n"));
+  const auto json = run_json("check " + file, 2).at("properties");
+  CHECK(json.at(1).at("holds") == "error");
+  CHECK(json.at(2).at("holds") == "yes");
+  folder.write("file.toml",
+               "[[scheme]]\nmask = 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]'\nfor = '0.2 <= w <= 0.75'\nconvergent = true\n"
+               "[[scheme]]\nmask = 'dd:n=2'\nreproduces = 4\n");
+  const Run fails = run("check " + file);
+  CHECK(fails.code == 1);
+  CHECK(contains(fails.out, "FAILS      " + file + ":7: dd:n=2: reproduces 4 (it is 3)"));
+  CHECK(run("check " + file + " --out " + (folder / "answer")).out.empty());
+  CHECK(content(folder / "answer") == fails.out);
+}
+
+TEST_CASE("lines are there before the last question is answered") {
+  const Folder folder;
+  const std::string file = folder.write("file.toml",
+                                        "[[scheme]]\nmask = 'dd:n=2'\nreproduces = 3\n"
+                                        "[[scheme]]\nmask = 'primal:n=30,d=5'\nholder = '>= 7'\n");
+  // As someone who interrupts it.
+  const Run first = run("check " + file + " --budget 1000 --jobs 1 & sleep 3; kill -INT $!");
+  CHECK(first.out == "holds      " + file + ":3: dd:n=2: reproduces 3\n");
+}

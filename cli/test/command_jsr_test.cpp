@@ -43,6 +43,33 @@ TEST_CASE("matrices from a file") {
     CAPTURE(text);
     CHECK(with(text).code == 65);
   }
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"matrices": [[[1]]], "edge": [[0,0,0]]})",
+            "line 1, column 24: unknown key 'edge'; the keys of a file of matrices are matrices, edges"},
+           {"{\"matrices\": [[[1]]],\n \"Edges\": [[0,0,0]]}", "line 2, column 2: unknown key 'Edges'"},
+           {R"({"matrices": [[[1]]], "matrices": [[[2]]]})", "line 1, column 24: the key 'matrices' is there twice"},
+           {"{\"matrices\": [[[1],\n]]}", "line 2, column 1: not JSON: expected a value, got ']'"},
+           {R"({"matrices": [[[NaN]]]})", "line 1, column 17: not JSON: expected a value, got 'NaN'"},
+           {"{\"matrices\": // two\n[[[1]]]}", "line 1, column 14: not JSON: expected a value, got '/'"},
+           {R"({"matrices": [[[1/2]]]})", "column 18: not JSON: expected the end of a number, got '/'"},
+           {R"({"matrices": [[[01]]]})", "not JSON: expected a number without leading zeros, got '01'"},
+           {R"({"matrices": [[[1]]]} 2)", "not JSON: expected nothing after the value, got '2'"},
+           {"{\"matrices\": [[[\xe2\x88\x92"
+            "1]]]}",
+            "got '\xe2\x88\x92' (with U+2212)"},
+           {R"({"matrices": [[["1e-401"]]]})",
+            "line 1, column 17: expected an exact number, as 1, 1/2 or 0.5, of at most"},
+           {"matrices 1 1\n\n# two\nrow 1\n", "line 3: expected 'row' and 1 numbers, row 0 of matrix 0, got '#'"},
+           {"matrices 1 2\nrow 1 2\nrow 3\n", "line 3: expected 2 numbers in row 1 of matrix 0, got the end"},
+           {"# a note\nmatrices 1 1\nrow 1\n", "line 1: expected JSON"}}) {
+    CAPTURE(text);
+    const Run refused = with(text);
+    CHECK(refused.code == 65);
+    CHECK(contains(refused.err, message));
+  }
+  // As MATLAB writes matrices of one entry.
+  CHECK(nlohmann::json::parse(with(R"({"matrices": [2, -2.5]})", " --json").out).at("radius").at("lower") == "2.5");
+  CHECK(with("\xef\xbb\xbf{\"matrices\": [[[2]]]}").code == 0);
   std::filesystem::remove(file);
   CHECK(run("jsr " + file).code == 66);
 }
@@ -101,9 +128,6 @@ TEST_CASE("jsr --subradius") {
     CAPTURE(text, done.out, done.err);
     CHECK(done.code == code);
     return done;
-  };
-  const auto contains = [](const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
   };
   const std::string slow = R"({"matrices": [[[7,2],[0,3]], [[2,0],[4,8]]]})";
   const auto json = nlohmann::json::parse(with(slow, " --json --certificate " + certificate).out);

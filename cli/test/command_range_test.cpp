@@ -66,3 +66,33 @@ TEST_CASE("ranges that make no sense are refused in one line") {
     CHECK(run(std::string("range ") + arguments).code == 64);
   }
 }
+
+TEST_CASE("range: one sentence that says what is known, and reasons for what is not") {
+  CHECK(contains(run("range corner-cutting:w --over w=0..1 --property convergent").out,
+                 "in short     convergent for 0 < w < 1, and for no other w from 0 to 1\n"));
+  CHECK(contains(run("range four-point:w --over w=-1..1 --property stable").out,
+                 "in short     stable for -1 <= w < -1/2 and -1/2 < w <= 1, and for no other w from -1 to 1\n"));
+  const Run smooth = run("range four-point:w --over w=-1..1 --property C1");
+  CHECK(contains(smooth.out, "in short     C1 for 0 < w < the zero of -1 + 4*w + 32*w^3 near 0.1927"));
+  CHECK(contains(smooth.out, " of -1/2, 0, the zero of -1 + 4*w + 32*w^3 near 0.1927"));
+  const Run open = run("range 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]' --over w=-1..1 --property C1");
+  CHECK(open.code == 2);
+  CHECK_FALSE(contains(open.out, "in short"));
+  CHECK(contains(open.out, "common zero for all values of the parameter"));
+  const auto json = nlohmann::json::parse(
+      run("range 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]' --over w=-1..1 --property C1 --json").out);
+  CHECK(json.at("summary") == "");
+  CHECK(contains(json.at("pieces").at(0).at("reason"), "common zero"));
+}
+
+TEST_CASE("range: --over names the letter of the family, and one range") {
+  check_fails(run("range four-point:w --over v=0..1 --property C1"), 64,
+              "--over 'v=0..1': the letter of the family is w, not 'v'");
+  for (const char* wrong : {"w=0...1", "w=0....1", "w=1..0", "w=0..", "w=..1", "0..1", "w=0..1..2", "w=nan..1"}) {
+    const Run result = run(std::string("range four-point:w --property C1 --over ") + wrong);
+    CAPTURE(wrong, result.err);
+    CHECK(result.code == 64);
+    CHECK(contains(result.err, "--over"));
+  }
+  CHECK(run("range four-point:w --property stable --over w=.5..1").code == 0);
+}

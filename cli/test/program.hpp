@@ -23,6 +23,8 @@ struct Run {
 /// Runs the program with these arguments, given as a shell would read them.
 Run run(const std::string& arguments);
 
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 /// The object on standard output. code -1: done or undecided, as the machine's speed has it.
 nlohmann::json run_json(const std::string& arguments, int code = 0);
 

@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <regex>
+
 using namespace subcert::testing;
 
 namespace {
@@ -82,7 +84,11 @@ TEST_CASE("wrong usage is one line and exit code 64") {
     CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
   }
   CHECK(run("mask primal:m=3").err ==
-        "subcert: scheme specification, position 11: 'primal'; expected the key 'n', as in primal:n=3,d=1\n");
+        "subcert: scheme specification, position 8: 'm'; expected the key 'n', as in primal:n=3,d=1\n");
+  CHECK(contains(run("mask primal:N=3").err, "position 8: 'N'; expected the key 'n'"));
+  CHECK(contains(run("mask 'primal:n = 3'").err, "position 8: 'n '; expected the key 'n'"));
+  CHECK(contains(run("mask primal:d=3").err, "position 1: 'primal'; expected the key 'n'"));
+  CHECK(contains(run("mask primal:n=3,D=1").err, "position 12: 'D'; expected a key of primal:n=3,d=1"));
 }
 
 TEST_CASE("verdicts have exit codes of their own") {
@@ -109,7 +115,7 @@ TEST_CASE("help of the program has the exit codes, and hides what only the build
   CHECK(help.find("\nExit status:\n  0   done") != std::string::npos);
   CHECK(help.find("manual") == std::string::npos);
   CHECK(run("mask --help").out.find("Exit status") == std::string::npos);
-  check_fails(run("completion csh"), 64, "SHELL: csh not in {bash,zsh,fish}; see 'subcert --help'");
+  check_fails(run("completion csh"), 64, "SHELL: csh not in {bash,zsh,fish}; see 'subcert completion --help'");
 }
 
 TEST_CASE("answers go to a file when asked") {
@@ -120,4 +126,53 @@ TEST_CASE("answers go to a file when asked") {
   CHECK(result.out.empty());
   CHECK(content(file) == "[1,3,3,1]/4@-2\n");
   CHECK(run("mask dual:n=1 --out /proc/nowhere/file").code == 66);
+}
+
+TEST_CASE("every option that takes a number refuses what is not one, or not finite") {
+  const auto words = [](const std::string& text, const std::string& pattern) {
+    std::vector<std::string> found;
+    const std::regex regex(pattern);
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), regex); at != std::sregex_iterator(); ++at)
+      found.push_back((*at)[1]);
+    return found;
+  };
+  const std::string help = run("--help").out;
+  std::size_t tried = 0;
+  for (const std::string& command : words(help.substr(help.find("Subcommands:")), "\n  ([a-z]+) "))
+    for (const std::string& option : words(run(command + " --help").out, "\n  (--[a-z-]+) (?:INT|UINT|FLOAT|NUMBER)"))
+      for (const char* value : {"nan", "inf", "-inf", "1e999", "''", "-nan", "0x1p3", "1,5"}) {
+        const Run result = run(command + " " + option + " " + value);
+        CAPTURE(command, option, value, result.err);
+        CHECK(result.code == 64);
+        CHECK(result.out.empty());
+        CHECK(result.err.starts_with("subcert: " + option));
+        ++tried;
+      }
+  CHECK(tried > 8 * 60);
+}
+
+TEST_CASE("commands and families that are meant") {
+  CHECK(contains(run("analyse dd:n=2").err, "there is no command 'analyse'; did you mean 'analyze'?"));
+  CHECK(run("analyse dd:n=2").code == 64);
+  CHECK(contains(run("mask DD:n=2").err, "did you mean 'dd'?"));
+  CHECK(contains(run("mask four_point:w=1/16").err, "did you mean 'four-point'?"));
+  CHECK(contains(run("mask Primal:n=2").err, "did you mean 'primal'?"));
+  CHECK(run("help").out == run("--help").out);
+  CHECK(run("help mask").out == run("mask --help").out);
+  CHECK(contains(run("smooth").err, "see 'subcert smooth --help'"));
+}
+
+TEST_CASE("what a reader that leaves early is told: nothing") {
+  const Run result = run("limit primal:n=8 --level 14 | head -c 10");
+  CHECK(result.err.empty());
+  CHECK(result.out.size() == 10);
+}
+
+TEST_CASE("two answers do not go to one file") {
+  const Folder folder;
+  const std::string file = folder / "x.html";
+  const Run result = run("analyze dd:n=2 --plot " + file + " --out " + (folder / ".") + "/x.html");
+  CHECK(result.code == 64);
+  CHECK(contains(result.err, "--plot " + file + ": --out is to write there, too; expected another file"));
+  CHECK_FALSE(std::filesystem::exists(file));
 }

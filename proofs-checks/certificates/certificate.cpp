@@ -584,9 +584,17 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
       continue;
     }
     (piece.holds == Truth::yes ? claim.lower : claim.upper) = to_text(property.order);
+    // What is known by positive coefficients has no proof of its own.
     std::vector<IntervalProof> proofs;
-    for (; proof != range.proofs.end() && proof->low < piece.high; ++proof) proofs.push_back(*proof);
-    add(low, high, piece.holds, claim, proofs);
+    const auto add_run = [&] {
+      if (!proofs.empty()) add(proofs.front().low, proofs.back().high, piece.holds, claim, proofs);
+      proofs.clear();
+    };
+    for (; proof != range.proofs.end() && proof->low < piece.high; ++proof) {
+      if (!proofs.empty() && proofs.back().high < proof->low) add_run();
+      proofs.push_back(*proof);
+    }
+    add_run();
   }
   return certificates;
 }

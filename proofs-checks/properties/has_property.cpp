@@ -1,4 +1,4 @@
-#include "properties.hpp"
+#include "deciding.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
@@ -18,33 +18,11 @@ namespace {
 
 constexpr int levels = 16;
 
-Decision decided(bool yes, const std::string& found) { return {yes ? Truth::yes : Truth::no, found}; }
-
 /// The answer to a question that has a yes or no of its own.
 Decision matches(const Decision& found, bool expected) {
   if (found.truth == Truth::unknown) return found;
   return decided(found.is_yes() == expected,
                  std::string(found.is_yes() ? "yes" : "no") + (found.reason.empty() ? "" : ": " + found.reason));
-}
-
-bool compare(const Rational& value, const std::string& relation, const Rational& number) {
-  if (relation == "=") return value == number;
-  if (relation == ">=") return value >= number;
-  if (relation == "<=") return value <= number;
-  return relation == ">" ? value > number : value < number;
-}
-
-/// A comparison that holds for all numbers of the enclosure, or for none.
-Decision compare(const Enclosure& value, const Expectation& expectation, const std::string& what) {
-  const std::string& relation = expectation.relation;
-  const Rational& number = expectation.number;
-  const bool from_below = relation == ">=" || relation == ">";
-  const std::string found = what + " lies in [" + value.lower_text(8) + ", " + value.upper_text(8) + "]";
-  const auto& worst = from_below ? value.lower : value.upper;
-  const auto& best = from_below ? value.upper : value.lower;
-  if (worst && compare(*worst, relation, number)) return decided(true, found);
-  if (best && !compare(*best, relation, number)) return decided(false, found);
-  return {Truth::unknown, found};
 }
 
 /// By contraction, or by the exponent.
@@ -72,7 +50,11 @@ Decision smoothness(const Mask& mask, const Expectation& expectation, double sec
 
 Decision holder(const Mask& mask, const Expectation& expectation, double seconds) {
   if (!is_affine(mask)) return decided(false, "a coset sum is not 1, so the scheme does not converge");
-  return compare(holder_regularity(mask, levels, {Deadline::in(seconds)}).exponent, expectation, "the exponent");
+  const HolderRegularity regularity = holder_regularity(mask, levels, {Deadline::in(seconds)});
+  Enclosure exponent = regularity.exponent;
+  // Otherwise the lower end proves nothing.
+  if (exponent.lower && *exponent.lower <= 0) exponent.lower = regularity.proved_exponent().lower;
+  return compare(exponent, expectation, "the exponent");
 }
 
 Decision sobolev(const Mask& mask, const Expectation& expectation, double seconds) {
@@ -110,17 +92,6 @@ bool is_interpolatory(const MultivariateMask& mask) {
   for (const auto& term : mask.symbol().terms())
     if (mask.dilation().divide(term.exponents).digit == digit && term.exponents != zero) return false;
   return mask.symbol().coefficient(zero) == 1;
-}
-
-Decision smoothness(const MultivariateRegularity& regularity, const Expectation& expectation) {
-  const Enclosure& exponent = regularity.exponent;
-  const std::string found = "the Hoelder exponent lies in [" + exponent.lower_text(8) + ", " + exponent.upper_text(8) +
-                            "]";
-  if (regularity.converges.is_no()) return decided(false, "not convergent: " + regularity.converges.reason);
-  if (regularity.converges.is_yes() && expectation.number == 0) return decided(true, "the scheme converges");
-  if (exponent.lower && *exponent.lower > expectation.number) return decided(true, found);
-  if (exponent.upper && *exponent.upper < expectation.number) return decided(false, found);
-  return {Truth::unknown, found};
 }
 
 Decision property_of(const MultivariateScheme& scheme, const Expectation& expectation, double seconds) {
@@ -227,7 +198,7 @@ Decision property_of(const SchemeRange& range, const Expectation& expectation, d
                                                      (piece.high == range.values.high && !range.values.high_included));
     if (piece.holds == Truth::no && !outside) return decided(false, describe(piece, "refuted"));
     if (piece.holds == Truth::unknown && !outside && answer.is_yes())
-      answer = {Truth::unknown, describe(piece, "open")};
+      answer = {Truth::unknown, describe(piece, "open") + ": " + piece.reason};
   }
   for (const SpecialValue& value : found.special)
     if (value.holds == Truth::no && value.value.is_exact()) {

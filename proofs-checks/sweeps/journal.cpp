@@ -1,6 +1,7 @@
 #include "journal.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/proofs-checks/json_file.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <boost/crc.hpp>
@@ -43,11 +44,17 @@ std::string line_of(const JournalEntry& entry) {
   return checksum(body) + " " + body + "\n";
 }
 
-/// The case on a line without its line feed; nothing where the line is damaged.
-std::optional<JournalEntry> read_line(std::string_view line) {
+/// The case on a line without its line feed; nothing where the line is damaged. Errors: throws a data error where a
+/// whole line has keys that no journal has, or one of them twice. `where` is what errors call the line.
+std::optional<JournalEntry> read_line(std::string_view line, const std::string& where) {
   if (line.size() < checksum_digits + id_length + 2 || line[checksum_digits] != ' ') return std::nullopt;
   const std::string_view body = line.substr(checksum_digits + 1);
   if (line.substr(0, checksum_digits) != checksum(body) || body[id_length] != ' ') return std::nullopt;
+  try {
+    only_keys(parse_json(body.substr(id_length + 1)), {"version", "case", "result"}, "a line of a journal");
+  } catch (const FileError& error) {
+    fail(ErrorKind::data, "{}: {}", where, error.message);
+  }
   const Json json = Json::parse(body.substr(id_length + 1), nullptr, false);
   if (!json.is_object() || !json.contains("version") || !json["version"].is_string() || !json.contains("case") ||
       !json["case"].is_string() || !json.contains("result"))
@@ -77,7 +84,7 @@ JournalContent parse_journal(const std::filesystem::path& path, std::string_view
     ++number;
     end = text.find('\n', begin);
     if (end == std::string_view::npos) return content;
-    std::optional<JournalEntry> entry = read_line(text.substr(begin, end - begin));
+    std::optional<JournalEntry> entry = read_line(text.substr(begin, end - begin), place(path, number));
     if (!entry) {
       if (end + 1 == text.size()) return content;
       content.damaged.push_back(number);

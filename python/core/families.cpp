@@ -42,7 +42,8 @@ struct RangeEvidence {
 py::dict range_dict(const RangeEvidence& evidence) {
   py::list pieces, ends, special;
   for (const RangePiece& piece : evidence.range.pieces)
-    pieces.append(py::make_tuple(piece.low, piece.high, piece.low_included, piece.high_included, piece.holds));
+    pieces.append(
+        py::make_tuple(piece.low, piece.high, piece.low_included, piece.high_included, piece.holds, piece.reason));
   for (const RangeEnd& end : evidence.range.ends)
     ends.append(py::make_tuple(Enclosure{end.low, end.high}, end.polynomial, end.word, end.holds));
   for (const SpecialValue& value : evidence.range.special) special.append(special_dict(value));

@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any, Optional, Union
 
 from . import _core
-from ._errors import DomainError, UsageError
+from ._errors import DomainError, UndecidedError, UsageError
 
 Exact = Union[int, Fraction, str, decimal.Decimal, numbers.Rational]
 """What is read as an exact number: int, Fraction, Decimal, the integers of numpy and rationals of sympy, and texts as
@@ -106,11 +106,13 @@ class Decision:
 Ends = tuple[Optional[Fraction], Optional[Fraction]]
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Enclosure:
     """A set lower <= x <= upper that contains the true value. None: no end is proved.
 
-    Comparisons with numbers are three-valued, and proved where they say yes or no.
+    Comparisons of size with numbers are three-valued, and proved where they say yes or no. ``==`` and ``!=`` are bools:
+    with a number they say whether the true value is that number, and raise UndecidedError where the enclosure leaves it
+    open; with an enclosure they say whether both have the same ends.
 
     >>> from fractions import Fraction
     >>> e = Enclosure(Fraction(3, 2), Fraction(8, 5))
@@ -118,6 +120,12 @@ class Enclosure:
     (<Truth.yes: 'yes'>, <Truth.no: 'no'>, <Truth.unknown: 'unknown'>)
     >>> print(e)
     1.5 ... 1.6
+    >>> e == 2, e != 1, Enclosure(Fraction(2), Fraction(2)) == 2
+    (False, True, True)
+    >>> e == Fraction(31, 20)
+    Traceback (most recent call last):
+    ...
+    subcert.UndecidedError: 1.5 ... 1.6 == 31/20 is not decided
     """
 
     lower: Optional[Fraction]
@@ -153,6 +161,21 @@ class Enclosure:
         if self.lower is None or self.upper is None:
             raise DomainError("float: need both ends of the enclosure")
         return float((self.lower + self.upper) / 2)
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Enclosure):
+            return (self.lower, self.upper) == (other.lower, other.upper)
+        if other is None:
+            return False
+        x = fraction(other)  # type: ignore[arg-type]
+        if x not in self:
+            return False
+        if self.is_point:
+            return True
+        raise UndecidedError(f"{self} == {x} is not decided")
+
+    def __hash__(self) -> int:
+        return hash(self.lower) if self.is_point else hash((self.lower, self.upper))
 
     def __gt__(self, other: Exact) -> Truth:  # type: ignore[misc]
         x = fraction(other)

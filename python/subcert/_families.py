@@ -23,6 +23,8 @@ class Piece:
     low_included: bool
     high_included: bool
     holds: Truth
+    reason: str = ""
+    """Why it is not decided."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -159,7 +161,7 @@ class Family(Named):
         )
         facts = evidence.facts
         return PropertyRange(
-            pieces=tuple(Piece(p[0], p[1], p[2], p[3], Truth(p[4])) for p in facts["pieces"]),
+            pieces=tuple(Piece(p[0], p[1], p[2], p[3], Truth(p[4]), p[5]) for p in facts["pieces"]),
             ends=tuple(RangeEnd(Enclosure._of(e[0]), _symbol(e[1]), tuple(e[2]), Truth(e[3])) for e in facts["ends"]),
             special=_special(facts["special"]),
             sum_rules=facts["sum_rules"],

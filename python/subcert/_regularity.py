@@ -37,7 +37,8 @@ class Computation:
 
 class _Certified:
     """An enclosure with what is known of it. It remembers its evidence until it is pickled or copied; after that a
-    certificate is computed anew."""
+    certificate is computed anew. Compared with numbers it is its enclosure; two of one kind are equal where all that is
+    known of them is."""
 
     enclosure: Enclosure
     exact: bool
@@ -54,6 +55,15 @@ class _Certified:
 
     def __float__(self) -> float:
         return float(self.enclosure)
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return self.enclosure == other
+        compared = [field.name for field in dataclasses.fields(self) if field.compare]  # type: ignore[arg-type]
+        return all(getattr(self, name) == getattr(other, name) for name in compared)
+
+    def __hash__(self) -> int:
+        return hash(self.enclosure)
 
     def __gt__(self, other: Exact) -> Truth:  # type: ignore[misc]
         return self.enclosure > other
@@ -104,7 +114,7 @@ def _hidden() -> Any:
     return dataclasses.field(default=None, repr=False, compare=False)
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class JointSpectralRadius(_Certified):
     """A joint spectral radius between two rational numbers.
 
@@ -131,7 +141,7 @@ class JointSpectralRadius(_Certified):
     _again: Any = _hidden()
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class JointSpectralSubradius(_Certified):
     """A joint spectral subradius between two rational numbers.
 
@@ -157,7 +167,7 @@ class JointSpectralSubradius(_Certified):
     _again: Any = _hidden()
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class HolderExponent(_Certified):
     """The Hoelder exponent of the limits between two rational numbers. No ends where convergence is not proved.
 

@@ -376,10 +376,12 @@ def scheme(specification: Union[str, Named]) -> Any:
     >>> subcert.scheme("primal:k=5")
     Traceback (most recent call last):
     ...
-    subcert.UsageError: scheme specification, position 11: 'primal'; expected the key 'n', as in primal:n=3,d=1
+    subcert.UsageError: scheme specification, position 8: 'k'; expected the key 'n', as in primal:n=3,d=1
     """
     if isinstance(specification, Named):
         return specification
+    if not isinstance(specification, str):
+        raise TypeError(f"scheme: expected a text, as 'primal:n=3', or a scheme, got {type(specification).__name__}")
     core = _core.make_any_scheme(specification)
     kinds = {_core.Scheme: Scheme, _core.MultivariateScheme: MultivariateScheme}
     return kinds.get(type(core), DataDependentScheme)(core)

@@ -135,3 +135,37 @@ def test_closed_refinement_is_the_convolution(coefficients, data):
             expected[(2 * j + k - 3) % (2 * n)] += a * f
     # Where the cycle begins is a matter of the parametrization.
     assert any(numpy.allclose(refined, numpy.roll(numpy.array(expected, float), k), atol=1e-9) for k in range(2 * n))
+
+
+def test_equality_with_numbers_is_decided_or_raises():
+    two = subcert.scheme("four-point:w=1/16").holder()
+    for value in (two, two.enclosure):
+        assert (value == 2) is True and (value != 2) is False and (2 == value) is True
+        assert (value == "2") is True and (value == Fraction(5, 2)) is False and (value != Fraction(5, 2)) is True
+        assert hash(value) == hash(2) and value in {2, 3} and 2 in {value}
+        assert (value == None) is False  # noqa: E711
+        for other in (2.0, [2], object()):
+            with pytest.raises(TypeError):
+                value == other
+            with pytest.raises(TypeError):
+                value != other
+        with pytest.raises(ValueError):
+            value == "two"
+    golden = subcert.jsr([[[1, 1], [0, 1]], [[1, 0], [1, 1]]])
+    middle = (golden.lower + golden.upper) / 2
+    for value in (golden, golden.enclosure):
+        assert (value == 2) is False and (value != 1) is True
+        for question in (lambda: value == middle, lambda: value != middle, lambda: middle == value):
+            with pytest.raises(subcert.UndecidedError):
+                question()
+    assert two == subcert.scheme("four-point:w=1/16").holder() and two != subcert.scheme("dd:n=3").holder()
+    open_end = subcert.Enclosure(Fraction(1), None)
+    assert open_end == subcert.Enclosure(Fraction(1), None) and open_end != 0
+    with pytest.raises(subcert.UndecidedError):
+        open_end == 1
+
+
+def test_a_scheme_is_a_text():
+    for wrong in (["x"], 3, None, b"dd:n=2"):
+        with pytest.raises(TypeError, match="expected a text"):
+            subcert.scheme(wrong)

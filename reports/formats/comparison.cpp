@@ -35,8 +35,7 @@ Verdict compare_exponent(const std::string& printed, const Enclosure& computed) 
   const auto after = [&](std::string_view head) { return read_decimal(std::string_view(printed).substr(head.size())); };
   if (printed.starts_with("C^")) return comparison_verdict(lies_in_class(after("C^").value, computed));
   if (printed.starts_with("<= ")) {
-    const Decimal bound = after("<= ");
-    return comparison_verdict(bounded_by(bound.value + bound.unit, computed));
+    return comparison_verdict(bounded_by(after("<= ").value, computed));
   }
   const Decimal number = read_decimal(printed);
   return comparison_verdict(number.places() == 0 ? is_number(number.value, computed) : agrees(number, computed));

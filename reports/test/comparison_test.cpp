@@ -45,7 +45,8 @@ TEST_CASE("an exponent fits a decimal, a whole number, a bound or a class") {
   CHECK(compare_exponent("C^2", two) == Verdict::open);
   CHECK(compare_exponent("C^2", Enclosure{std::nullopt, q("19/10")}) == Verdict::mismatch);
   CHECK(compare_exponent("<= 2.1", two) == Verdict::match);
-  CHECK(compare_exponent("<= 1.9", two) == Verdict::match);  // one unit of the last printed place
+  CHECK(compare_exponent("<= 2.0", two) == Verdict::match);
+  CHECK(compare_exponent("<= 1.9", two) == Verdict::mismatch);  // a bound has no unit
   CHECK(compare_exponent("<= 1.8", two) == Verdict::mismatch);
   CHECK(compare_exponent("<= 1.9", Enclosure::at_least(q("3/2"))) == Verdict::open);
   for (const char* text : {"", "C^", "C2", "<=2", "smooth"})

@@ -491,7 +491,11 @@ ComplexVector PolytopeProof::vertex(std::size_t index) const {
 }
 
 bool PolytopeProof::is_flip_symmetric() const {
-  return group.size() == 2 && group[1].map == SparseMap::reversal(group[1].map.size());
+  if (group.size() != 2 || !(group[1].map == SparseMap::reversal(group[1].map.size()))) return false;
+  const std::vector<std::size_t>& letters = group[1].letters;
+  for (std::size_t t = 0; t < letters.size(); ++t)
+    if (letters[t] != letters.size() - 1 - t) return false;
+  return true;
 }
 
 PolytopeProof scaled(PolytopeProof proof, const Rational& factor) {

@@ -68,6 +68,8 @@ DifferentMatrices different_matrices(const MatrixFamily& family) {
     originals.push_back(t);
   }
   if (originals.size() == family.count()) return {family, std::move(originals), std::move(places)};
+  // The flip is kept where it still reverses the order.
+  if (family.is_flip_symmetric()) return {MatrixFamily(std::move(matrices)), std::move(originals), std::move(places)};
   std::vector<FamilySymmetry> group;
   for (const FamilySymmetry& element : family.group()) {
     FamilySymmetry one{element.map, {}};
@@ -87,7 +89,12 @@ void rename(std::vector<int>& word, const DifferentMatrices& different) {
 void expand(std::vector<FamilySymmetry>& group, const DifferentMatrices& different) {
   for (FamilySymmetry& element : group) {
     std::vector<std::size_t> letters;
-    for (const std::size_t place : different.places) letters.push_back(different.originals[element.letters[place]]);
+    const std::size_t last = different.places.size() - 1;
+    for (std::size_t t = 0; t <= last; ++t) {
+      const std::size_t image = element.letters[different.places[t]];
+      // Of equal matrices the one that the flip names, so that it reverses the order of all.
+      letters.push_back(different.places[last - t] == image ? last - t : different.originals[image]);
+    }
     element.letters = std::move(letters);
   }
 }

@@ -3,6 +3,9 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 
+#include <algorithm>
+#include <set>
+
 using namespace subcert;
 using subcert::testing::Random;
 using subcert::testing::rounds;
@@ -19,6 +22,37 @@ TEST_CASE("real zeros are counted once each") {
   CHECK(count_real_roots(LaurentPolynomial({1, 0, 1}, 0)) == 0);
   CHECK(count_real_roots(LaurentPolynomial({1, -2, 1}, 1)) == 2);  // a double 1, and 0
   CHECK(count_real_roots(LaurentPolynomial(7)) == 0);
+}
+
+TEST_CASE("zeros between two numbers are those that were put there") {
+  Random random;
+  for (const auto i : rounds(200)) {
+    const Rational low(random.integer(-20, 0), random.integer(1, 4)),
+        high = low + Rational(random.integer(1, 40), random.integer(1, 4));
+    LaurentPolynomial p(Rational(2 * random.integer(-3, 3) + 1));
+    std::set<Rational> zeros;
+    for (long k = random.integer(0, 5); k > 0; --k) {
+      // At the ends, several times, and side by side too.
+      const Rational zero = random.chance(10)                     ? low
+                            : random.chance(10)                   ? high
+                            : random.chance(30) && !zeros.empty() ? Rational(*zeros.begin() + Rational(1, 1000000))
+                                                                  : Rational(random.integer(-30, 30), 8);
+      zeros.insert(zero);
+      p = p * LaurentPolynomial({-zero, 1}, 0).pow(static_cast<int>(random.integer(1, 3)));
+    }
+    // Two that are not real, near to the line.
+    const Rational near(random.integer(-30, 30), 8);
+    if (random.chance(50)) p = p * LaurentPolynomial({near * near + Rational(1, 1000000000), -2 * near, 1}, 0);
+    const auto inside = std::ranges::count_if(zeros, [&](const Rational& z) { return low < z && z < high; });
+    CAPTURE(i, low, high);
+    CHECK(count_real_roots(p, low, high) == inside);
+    CHECK(count_real_roots(p, low, high, Deadline()) == static_cast<int>(inside));
+    CHECK(has_no_real_root(p, low, high) == (inside == 0 && !zeros.contains(low) && !zeros.contains(high)));
+  }
+  const LaurentPolynomial twice = LaurentPolynomial({-1, 3}, 0).pow(2);
+  CHECK_FALSE(count_real_roots(twice, 0, 1, Deadline::in(0)));
+  CHECK_FALSE(has_no_real_root(twice + LaurentPolynomial(Rational(1, 1000)), 0, 1, Deadline::in(0)));
+  CHECK(has_no_real_root(twice + LaurentPolynomial(Rational(1, 1000)), 0, 1));
 }
 
 TEST_CASE("the largest real zero and its multiplicity") {

@@ -101,6 +101,25 @@ TEST_CASE("findings tell bounds from rates") {
   CHECK(*wide.largest.lower == 1);
   CHECK(*wide.smallest.lower == Rational(2, 3));
   CHECK(*wide.smallest.upper == 2);
+  // From n = 5 to n = 10 the exponent is log2 of the quotient. Half a power away from the claim is the border, and what
+  // straddles it decides nothing.
+  const auto between = [](const Rational& low, const Rational& high) {
+    return decay_finding(1, {{5, {low, high}}, {10, Enclosure::exactly(1)}});
+  };
+  for (const auto& [low, high, bound, rate] : std::vector<std::tuple<Rational, Rational, Truth, Truth>>{
+           {Rational(7, 5), Rational(7, 5), Truth::no, Truth::no},      // 0.485
+           {Rational(5, 4), Rational(5, 4), Truth::no, Truth::no},      // 0.32
+           {Rational(3, 2), Rational(3, 2), Truth::yes, Truth::yes},    // 0.585
+           {Rational(14, 5), Rational(14, 5), Truth::yes, Truth::yes},  // 1.485
+           {Rational(3), Rational(3), Truth::yes, Truth::no},           // 1.585
+           {Rational(4), Rational(4), Truth::yes, Truth::no},           // 2
+           {Rational(6, 5), Rational(8, 5), Truth::unknown, Truth::unknown},
+           {Rational(2), Rational(4), Truth::yes, Truth::unknown},
+           {Rational(6, 5), Rational(4), Truth::unknown, Truth::unknown}}) {
+    CAPTURE(low, high);
+    CHECK(between(low, high).upper_bound.truth == bound);
+    CHECK(between(low, high).rate.truth == rate);
+  }
   CHECK(decay_finding(1, {{4, Enclosure::exactly(1)}}).sentence("max psi") ==
         "n max psi is 4 for n = 4; a single n has no rate.");
   CHECK_FAILS(decay_finding(1, {}), domain);

@@ -92,8 +92,26 @@ TEST_CASE("properties of surfaces") {
   CHECK(first_answer("mask = 'zwart-powell:'\nstable = true").is_no());
   CHECK(first_answer("mask = 'zwart-powell:'\nholder = '<= 2'").is_yes());
   CHECK(first_answer("mask = 'zwart-powell:'\nholder = '> 2'").is_no());
+  // C^1 with the exponent 2: never said to be C^2.
+  CHECK_FALSE(first_answer("mask = 'zwart-powell:'\nsmoothness = '>= 2'").is_yes());
   CHECK(first_answer("mask = 'kobbelt:w=1/16'\nsmoothness = '>= 1'").is_yes());
   CHECK_THAT(error_of(quincunx + "variance = '<= 1'"), Catch::Contains("a property of schemes of one variable"));
+}
+
+TEST_CASE("of rounded coefficients nothing is said that depends on the rounding") {
+  for (const char* text : {"sobolev = '>= 0'", "sobolev = '<= 9'", "variance = '<= 9'", "reproduces = 0"}) {
+    CAPTURE(text);
+    const Decision answer = first_answer(std::string("mask = 'daubechies:n=3'\n") + text);
+    CHECK(answer.truth == Truth::unknown);
+    CHECK(answer.reason == "the coefficients are rounded");
+  }
+  CHECK(first_answer("mask = 'daubechies:n=3'\nholder = '>= 1.08'").is_yes());
+  CHECK(first_answer("mask = 'daubechies:n=3'\nholder = '<= 1.09'").is_yes());
+}
+
+TEST_CASE("a lower end that is not positive proves nothing") {
+  for (const char* text : {"holder = '>= 0'", "holder = '> -1'"})
+    CHECK_FALSE(first_answer(std::string("mask = 'mask:[1,0,0,1]'\n") + text).is_yes());
 }
 
 TEST_CASE("several schemes, with names, in the order of the file") {
@@ -145,7 +163,7 @@ TEST_CASE("bad files are refused with line and column") {
   // Characters beyond ASCII belong into strings and comments.
   const auto named = properties::read_expectations(
       "name = 'H\xC3\xB6lder \"\\'  # \xC3\xA9 '\nmask = \"dd:n=2\"  # \"\nstable = true");
-  CHECK(named.front().name == "H??lder \"\\");  // as it can be printed
+  CHECK(named.front().name == "H\xC3\xB6lder \"\\");  // as it was written
   CHECK(error_of("name = \"\xC3\xB6 \\\"\" # \xC3\xB6\nm\xC3\xA4sk = 'dd:n=2'") ==
         "line 2, column 2: not TOML: a character beyond ASCII outside of strings and comments");
   CHECK(error_of("name = '\xC3'\nmask = 'dd:n=2'") == "line 1, column 9: not TOML: not UTF-8");

@@ -6,6 +6,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <boost/crc.hpp>
+
 #include <algorithm>
 #include <csignal>
 #include <fstream>
@@ -234,4 +236,23 @@ TEST_CASE("journals are joined") {
           std::vector<std::string>{a.string() + " line 3 is damaged; its case is left out"});
     CHECK(read_journal(folder.path / "d").entries.size() == 2);
   }
+}
+
+TEST_CASE("keys that no journal has, or that are there twice, are refused with their place") {
+  const Folder folder;
+  const fs::path path = folder.path / "journal";
+  const auto refused = [&](const std::string& json) {
+    const std::string body = case_id("1.0", "case 1") + " " + json;
+    boost::crc_32_type crc;
+    crc.process_bytes(body.data(), body.size());
+    overwrite(path, fmt::format("subcert journal 1\n{:08x} {}\n{}", crc.checksum(), body, "rest"));
+    return message_of([&] { read_journal(path); });
+  };
+  const std::string good = R"("version":"1.0","case":"case 1","result":)";
+  CHECK(refused("{" + good + "1}") == "no error");
+  CHECK(refused("{" + good + R"(1,"seed":2})") ==
+        path.string() + " line 2: unknown key 'seed'; the keys of a line of a journal are version, case, result");
+  CHECK(refused("{" + good + R"(1,"case":"case 1"})") == path.string() + " line 2: the key 'case' is there twice");
+  CHECK(refused("{" + good + R"({"n":1,"n":2}})") == path.string() + " line 2: the key 'n' is there twice");
+  CHECK(refused("{" + good) == path.string() + " line 2: not JSON: expected a value, got the end");
 }

@@ -25,8 +25,6 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::string quoted(std::string_view field) { return "'" + printable(field) + "'"; }
-
 enum class Kind { number, missing, infinite, text };
 
 struct Field {
@@ -59,6 +57,20 @@ Field read_field(std::string_view text) {
   }
   if (text.empty() || is_word(text, "na") || is_word(text, "null")) return {Kind::missing, nan};
   return {Kind::text, nan};
+}
+
+/// A number, finite or not, or what was to be one, as `1.2.3` and `1e`.
+bool is_like_number(std::string_view field) {
+  const Kind kind = read_field(field).kind;
+  if (kind == Kind::number || kind == Kind::infinite) return true;
+  const std::size_t first = field.find_first_not_of("+-.,");
+  return first != std::string_view::npos && field[first] >= '0' && field[first] <= '9' &&
+         field.find_first_not_of("0123456789+-.,eE") == std::string_view::npos;
+}
+
+/// Of names: letters of any language.
+bool is_letter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
 }  // namespace
@@ -137,6 +149,7 @@ class TableReader::Lines {
   /// The fields of the line, without quotes and without blanks around them.
   void split() {
     fields_.clear();
+    in_quotes_.clear();
     unquoted_.clear();
     if (unquoted_.capacity() < line_.size()) unquoted_.reserve(line_.size());  // views into it stay valid
     const bool blanks = table_.separator == ' ';
@@ -144,7 +157,8 @@ class TableReader::Lines {
     for (bool more = true; more;) {
       while (!rest.empty() && rest.front() != table_.separator && is_blank(rest.front())) rest.remove_prefix(1);
       std::size_t end = 0;
-      if (!rest.empty() && rest.front() == '"') {
+      in_quotes_.push_back(!rest.empty() && rest.front() == '"');
+      if (in_quotes_.back()) {
         const std::size_t begin = unquoted_.size();
         for (end = 1; end < rest.size(); ++end) {
           if (rest[end] == '"' && (end + 1 == rest.size() || rest[end + 1] != '"')) break;
@@ -170,15 +184,30 @@ class TableReader::Lines {
     }
   }
 
+  /// Whether the first row is a header: docs/data.md. Refuses what may be one as well as a row of missing values.
   bool is_header() const {
-    bool text = false;
-    for (const std::string_view field : fields_) {
-      const Kind kind = read_field(field).kind;
-      const bool digits_only = !field.empty() && field.find_first_not_of("0123456789+-.,eE") == std::string_view::npos;
-      if (kind == Kind::number || kind == Kind::infinite || digits_only) return false;
-      text = text || kind == Kind::text;
+    bool name = false, missing = true;
+    for (std::size_t c = 0; c < fields_.size(); ++c) {
+      if (is_like_number(fields_[c])) return false;
+      const bool text = in_quotes_[c] ? !fields_[c].empty() : read_field(fields_[c]).kind == Kind::text;
+      name = name || (text && std::any_of(fields_[c].begin(), fields_[c].end(), is_letter));
+      missing = missing && !text;
     }
-    return text;
+    const auto word = std::find_if(fields_.begin(), fields_.end(),
+                                   [](std::string_view field) { return !field.empty(); });
+    if (missing && word != fields_.end())
+      fail(static_cast<std::size_t>(word - fields_.begin()) + 1,
+           "a header or numbers; found " + in_quotes(*word) +
+               ", a name or a missing value: a name stands in quotes, and missing values below a header");
+    return name;
+  }
+
+  /// Where this field of the first row is text: what keeps the row from being a header.
+  std::string why_no_header(std::string_view field) const {
+    const auto number = std::find_if(fields_.begin(), fields_.end(), is_like_number);
+    if (rows_ > 0 || !table_.header.empty() || number == fields_.end() || is_like_number(field)) return "";
+    return "; a header has no number, as column " + std::to_string(number - fields_.begin() + 1) + " has with " +
+           in_quotes(*number);
   }
 
   void add_row() {
@@ -190,10 +219,10 @@ class TableReader::Lines {
                " as in the first row; found " + std::to_string(fields_.size()));
     for (std::size_t c = 0; c < fields_.size(); ++c) {
       const Field field = read_field(fields_[c]);
-      if (field.kind == Kind::text) fail(c + 1, "a number; found " + quoted(fields_[c]));
-      if (field.kind == Kind::infinite) fail(c + 1, "a finite number; found " + quoted(fields_[c]));
+      if (field.kind == Kind::text) fail(c + 1, "a number; found " + in_quotes(fields_[c]) + why_no_header(fields_[c]));
+      if (field.kind == Kind::infinite) fail(c + 1, "a finite number; found " + in_quotes(fields_[c]));
       if (field.kind == Kind::missing && missing_ == Missing::refuse)
-        fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : quoted(fields_[c])));
+        fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : in_quotes(fields_[c])));
       table_.values.push_back(field.value);
     }
     table_.lines.push_back(number_);
@@ -211,6 +240,7 @@ class TableReader::Lines {
   std::size_t empty_line_ = 0;
   bool started_ = false;
   std::vector<std::string_view> fields_;
+  std::vector<bool> in_quotes_;  // for each field
   std::string unquoted_;
 };
 

@@ -46,12 +46,12 @@ TEST_CASE("errors name file, line and column") {
   CHECK(error_of("x,y\n") == "f: expected rows of numbers; found a header alone");
   CHECK(error_of("1,2\n3,x4\n") == "f, line 2, column 2: expected a number; found 'x4'");
   CHECK(error_of("a\n1\nb\n") == "f, line 3, column 1: expected a number; found 'b'");
-  CHECK(error_of("1,a\n") == "f, line 1, column 2: expected a number; found 'a'");
+  CHECK(error_of("1,a\n") ==
+        "f, line 1, column 2: expected a number; found 'a'; a header has no number, as column 1 has with '1'");
   CHECK(error_of("1,2\n3\n") == "f, line 2, column 2: expected 2 columns as in the first row; found 1");
   CHECK(error_of("1,2\n3,4,5\n") == "f, line 2, column 3: expected 2 columns as in the first row; found 3");
   CHECK(error_of("x,y\n1,2,3\n") == "f, line 2, column 3: expected 2 columns as in the first row; found 3");
   CHECK(error_of("1\nnan\n") == "f, line 2, column 1: expected a finite number; found 'nan'");
-  CHECK(error_of("nan\n1\n") == "f, line 1, column 1: expected a finite number; found 'nan'");
   CHECK(error_of("1\n-inf\n") == "f, line 2, column 1: expected a finite number; found '-inf'");
   CHECK(error_of("1\n1e999\n") == "f, line 2, column 1: expected a finite number; found '1e999'");
   CHECK(error_of("1,2\n,4\n") == "f, line 2, column 1: expected a finite number; found nothing");
@@ -59,7 +59,43 @@ TEST_CASE("errors name file, line and column") {
   CHECK(error_of("1,5;2,5\n") == "f, line 1, column 1: expected a number; found '1,5'");
   CHECK(error_of("1,\"2\n") == "f, line 1, column 2: expected a closing quote on the same line");
   CHECK(error_of(std::string_view("1\0 2\n", 5)).find("zero byte") != std::string::npos);
-  CHECK(error_of("1\n\x1b[31m\n") == "f, line 2, column 1: expected a number; found '?[31m'");
+  CHECK(error_of("1\n\x1b[31m\n") == "f, line 2, column 1: expected a number; found '\\u001b[31m'");
+}
+
+TEST_CASE("a header has a name and no number") {
+  for (const char* header : {"x,E", "t,e", "E,nu", "E1", "e1,e2", "x,-", "E+,E-", "x,Na", "2theta,-", "\"Na\"", "x,",
+                             "T (\xc2\xb0"
+                             "C)"}) {
+    CAPTURE(header);
+    const std::string row = std::string(header).find(',') == std::string::npos ? "1\n" : "1,2\n";
+    for (const Missing missing : {Missing::keep, Missing::refuse}) {
+      const Table table = parse_table(header + ("\n" + row), "f", missing);
+      CHECK(table.header.size() == table.columns);
+      CHECK(table.rows() == 1);
+    }
+  }
+  for (const char* row : {"1,2", "1e3,.5", "-1,+2", "1,NA", ",2"}) {
+    CAPTURE(row);
+    CHECK(parse_table(std::string(row) + "\n3,4\n", "f", Missing::keep).rows() == 2);
+  }
+  for (const char* refused : {"x,2020", "x,inf", "x,1.", "x,1.2.3", "x,1e", "-,-", "-", "?,."})
+    CHECK(error_of(std::string(refused) + "\n1,2\n", Missing::keep).starts_with("f, line 1, column 1: expected a "));
+  CHECK(error_of("x,2020\n") ==
+        "f, line 1, column 1: expected a number; found 'x'; a header has no number, as column 2 has with '2020'");
+  for (const char* word : {"Na", "NA", "nan", "null"})
+    for (const Missing missing : {Missing::keep, Missing::refuse})
+      CHECK(error_of(std::string(word) + "\n1\n2\n", missing) ==
+            "f, line 1, column 1: expected a header or numbers; found '" + std::string(word) +
+                "', a name or a missing value: a name stands in quotes, and missing values below a header");
+}
+
+TEST_CASE("what cannot be seen in a field is named") {
+  CHECK(error_of("1\n\xe2\x88\x92"
+                 "3.5\n") ==
+        "f, line 2, column 1: expected a number; found '\xe2\x88\x92"
+        "3.5' (with U+2212)");
+  CHECK(error_of("1\n2.5\xc2\xa0\n") == "f, line 2, column 1: expected a number; found '2.5\\u00a0' (with U+00A0)");
+  CHECK(error_of("1\n\xff\n") == "f, line 2, column 1: expected a number; found '\\xff'");
 }
 
 TEST_CASE("missing values are kept where asked for") {

@@ -1,0 +1,37 @@
+#include "deciding.hpp"
+
+namespace subcert::properties {
+
+Decision decided(bool yes, const std::string& found) { return {yes ? Truth::yes : Truth::no, found}; }
+
+bool compare(const Rational& value, const std::string& relation, const Rational& number) {
+  if (relation == "=") return value == number;
+  if (relation == ">=") return value >= number;
+  if (relation == "<=") return value <= number;
+  return relation == ">" ? value > number : value < number;
+}
+
+Decision compare(const Enclosure& value, const Expectation& expectation, const std::string& what) {
+  const std::string& relation = expectation.relation;
+  const Rational& number = expectation.number;
+  const bool from_below = relation == ">=" || relation == ">";
+  const std::string found = what + " lies in [" + value.lower_text(8) + ", " + value.upper_text(8) + "]";
+  const auto& worst = from_below ? value.lower : value.upper;
+  const auto& best = from_below ? value.upper : value.lower;
+  if (worst && compare(*worst, relation, number)) return decided(true, found);
+  if (best && !compare(*best, relation, number)) return decided(false, found);
+  return {Truth::unknown, found};
+}
+
+Decision smoothness(const MultivariateRegularity& regularity, const Expectation& expectation) {
+  const Enclosure& exponent = regularity.exponent;
+  const std::string found = "the Hoelder exponent lies in [" + exponent.lower_text(8) + ", " + exponent.upper_text(8) +
+                            "]";
+  if (regularity.converges.is_no()) return decided(false, "not convergent: " + regularity.converges.reason);
+  if (regularity.converges.is_yes() && expectation.number == 0) return decided(true, "the scheme converges");
+  if (exponent.lower && *exponent.lower > expectation.number) return decided(true, found);
+  if (exponent.upper && *exponent.upper < expectation.number) return decided(false, found);
+  return {Truth::unknown, found};
+}
+
+}  // namespace subcert::properties

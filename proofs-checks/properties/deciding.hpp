@@ -1,0 +1,23 @@
+#pragma once
+/// What decides whether a value that was found is one that is expected. Inner header.
+
+#include "properties.hpp"
+
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+
+namespace subcert::properties {
+
+/// `value RELATION number`.
+bool compare(const Rational& value, const std::string& relation, const Rational& number);
+
+/// yes where the comparison holds for all numbers of the enclosure, no where it holds for none, else unknown; an absent
+/// end is beyond all numbers. `what` names the value in the reason.
+Decision compare(const Enclosure& value, const Expectation& expectation, const std::string& what);
+
+/// The answer of two.
+Decision decided(bool yes, const std::string& found);
+
+/// Whether limits of surfaces are C^k. An exponent above k says yes and one below it no; one that is k says neither.
+Decision smoothness(const MultivariateRegularity& regularity, const Expectation& expectation);
+
+}  // namespace subcert::properties

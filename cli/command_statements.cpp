@@ -93,7 +93,7 @@ std::string outcome_text(const Statement& statement, const Outcome& outcome) {
   };
   line("range: ", outcome.range);
   line("witness: ", outcome.witness);
-  if (outcome.verdict == Verdict::misprint || outcome.verdict == Verdict::false_claim)
+  if (outcome.verdict == StatementVerdict::misprint || outcome.verdict == StatementVerdict::false_claim)
     line("corrected: ", corrected_latex(statement));
   line("", outcome.argument);
   if (outcome.verdict != statement.recorded)
@@ -110,10 +110,10 @@ ExitCode run_checks(const StatementsOptions& options) {
   ExitCode code = done;
   Json json{{"statements", Json::array()}};
   std::string text;
-  std::map<Verdict, int> counts;
+  std::map<StatementVerdict, int> counts;
   for (const reports::CheckedStatement& checked : results) {
     ++counts[checked.outcome.verdict];
-    if (checked.outcome.verdict == Verdict::undecided)
+    if (checked.outcome.verdict == StatementVerdict::undecided)
       code = code == done ? undecided : code;
     else if (!checked.as_recorded())
       code = failed;

@@ -70,12 +70,4 @@ std::string filled(std::string text, const std::map<std::string, std::string>& v
   return text;
 }
 
-Verdict verdict_of(const toml::node& node, const std::string& word) {
-  const auto found = std::find(verdict_words.begin(), verdict_words.end(), word);
-  if (found == verdict_words.end())
-    throw FileError(place_of(node), fmt::format("'{}' is no verdict; expected one of {}", printable(word),
-                                                fmt::join(verdict_words, ", ")));
-  return static_cast<Verdict>(found - verdict_words.begin());
-}
-
 }  // namespace subcert

@@ -5,7 +5,7 @@
 #include <subcert/proofs-checks/toml_file.hpp>
 #include <subcert/proofs-checks/verdict.hpp>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
 #include <set>
@@ -27,9 +27,21 @@ std::string needed_text(const toml::table& table, const std::string& key);
 std::map<std::string, std::string> texts_in(const toml::table& table, const std::string& key);
 /// The tables of an array; none where there is no such key.
 std::vector<const toml::table*> tables_of(const toml::table& table, const std::string& key);
-/// The verdict of this word. Errors: for no word of verdict.hpp, at the node where it stands.
-Verdict verdict_of(const toml::node& node, const std::string& word);
-inline Verdict verdict_of(const toml::node& node) { return verdict_of(node, text_of(node)); }
+/// The verdict, or the grade, of this word. Errors: for no word of its kind in verdict.hpp, at the node where it
+/// stands.
+template <HasVerdictWords V>
+V verdict_of(const toml::node& node, const std::string& word) {
+  constexpr auto& words = VerdictWords<V>::list;
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end())
+    throw FileError(place_of(node),
+                    fmt::format("'{}' is no verdict; expected one of {}", printable(word), fmt::join(words, ", ")));
+  return static_cast<V>(found - words.begin());
+}
+template <HasVerdictWords V>
+V verdict_of(const toml::node& node) {
+  return verdict_of<V>(node, text_of(node));
+}
 
 /// The text with {name} replaced by the value of this name; other braces stay.
 std::string filled(std::string text, const std::map<std::string, std::string>& values);

@@ -1,5 +1,6 @@
 #pragma once
-/// The words for what was found: of a printed value, of a statement, of a claim about random data.
+/// The words for what was found: of a printed value, of a statement, of a claim about an experiment. Each kind has its
+/// own, so that none is asked for more than it knows.
 
 #include <subcert/analysis/symbol/numbers.hpp>
 
@@ -11,55 +12,83 @@
 
 namespace subcert {
 
-/// Printed values. match: the computed enclosure is narrower than one unit of the last printed place and lies within
-/// one such unit of the printed value. mismatch: the two cannot be that near. open: the enclosure does not decide.
-/// Statements. holds: on the range tried. holds_for_all: proved for every admissible parameter. misprint: the printed
-/// form fails at the witness, and a corrected form, tried in the same way, does not. false_claim: fails, and no
-/// correction of the formula saves it. not_checkable: the reason is in the outcome. undecided: the check ran out of its
-/// budget.
-/// Claims about random data. confirmed: by a statistic. not_confirmed: the statistic does not show the claim; its
-/// numbers say whether it shows the contrary.
-/// not_reproducible: rests on data that were not published.
-enum class Verdict {
-  match,
-  mismatch,
-  open,
-  holds,
-  holds_for_all,
-  misprint,
-  false_claim,
-  not_checkable,
-  undecided,
-  confirmed,
-  not_confirmed,
-  not_reproducible,
+/// match: the computed enclosure is narrower than one unit of the last printed place and lies within one such unit of
+/// the printed value. mismatch: the two cannot be that near. open: the enclosure does not decide. not_reproducible: the
+/// value rests on data that were not published.
+enum class ValueVerdict { match, mismatch, open, not_reproducible };
+
+/// holds: on the range tried. holds_for_all: proved for every admissible parameter. misprint: the printed form fails at
+/// the witness, and a corrected form, tried in the same way, does not. false_claim: fails, and no correction of the
+/// formula saves it. not_checkable: the reason is in the outcome. undecided: the check ran out of its budget.
+enum class StatementVerdict { holds, holds_for_all, misprint, false_claim, not_checkable, undecided };
+
+/// holds: as printed, in its best fair reading, under every fair choice that was tried. contrary: its contrary was
+/// shown under every fair choice. depends: it holds under one fair choice of what the paper leaves open and not under
+/// another. own_data: the paper's data were not published, so that only ours speak. undecided: more samples are needed.
+enum class ClaimVerdict { holds, contrary, depends, own_data, undecided };
+
+/// How much is wrong. slip: an index, a sign, a letter or a word. edge: all holds but for a case at the edge of the
+/// range. number: a printed number is off. claim: what is said is not so.
+enum class Grade { slip, edge, number, claim };
+
+/// What a result adds to a count. open: not decided, or by nobody but the reader; aside: there is nothing to decide by.
+enum class Standing { right, wrong, open, aside };
+
+/// The words of each kind, in the order of its verdicts; those of statements and values are words of the contract.
+template <class V>
+struct VerdictWords;
+template <>
+struct VerdictWords<ValueVerdict> {
+  static constexpr std::array<const char*, 4> list{"match", "mismatch", "open", "not-reproducible"};
+};
+template <>
+struct VerdictWords<StatementVerdict> {
+  static constexpr std::array<const char*, 6> list{"holds", "holds-for-all-n", "misprint",
+                                                   "false", "not-checkable",   "undecided"};
+};
+template <>
+struct VerdictWords<ClaimVerdict> {
+  static constexpr std::array<const char*, 5> list{"holds as printed", "contrary shown", "depends on a choice",
+                                                   "on our data only", "undecided"};
+};
+template <>
+struct VerdictWords<Grade> {
+  static constexpr std::array<const char*, 4> list{"slip", "edge", "number", "claim"};
+};
+template <>
+struct VerdictWords<Standing> {
+  static constexpr std::array<const char*, 4> list{"right", "wrong", "open", "aside"};
 };
 
-/// The words of the contract, in the order of Verdict.
-inline constexpr std::array<const char*, 12> verdict_words{
-    "match", "mismatch",      "open",      "holds",     "holds-for-all-n", "misprint",
-    "false", "not-checkable", "undecided", "confirmed", "not confirmed",   "not-reproducible"};
+template <class V>
+concept HasVerdictWords = requires {
+  VerdictWords<V>::list.size();
+};
 
-inline std::string to_text(Verdict verdict) { return verdict_words[static_cast<std::size_t>(verdict)]; }
+template <HasVerdictWords V>
+std::string to_text(V verdict) {
+  return VerdictWords<V>::list[static_cast<std::size_t>(verdict)];
+}
 
-/// yes: what the paper says is right; no: it is wrong, or not shown; unknown: neither was found.
-inline Truth truth_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::match:
-    case Verdict::holds:
-    case Verdict::holds_for_all:
-    case Verdict::confirmed: return Truth::yes;
-    case Verdict::mismatch:
-    case Verdict::misprint:
-    case Verdict::false_claim:
-    case Verdict::not_confirmed: return Truth::no;
-    default: return Truth::unknown;
-  }
+inline Standing standing(ValueVerdict verdict) {
+  constexpr std::array all{Standing::right, Standing::wrong, Standing::open, Standing::aside};
+  return all[static_cast<std::size_t>(verdict)];
+}
+
+inline Standing standing(StatementVerdict verdict) {
+  constexpr std::array all{Standing::right, Standing::right, Standing::wrong,
+                           Standing::wrong, Standing::aside, Standing::open};
+  return all[static_cast<std::size_t>(verdict)];
+}
+
+inline Standing standing(ClaimVerdict verdict) {
+  constexpr std::array all{Standing::right, Standing::wrong, Standing::open, Standing::aside, Standing::open};
+  return all[static_cast<std::size_t>(verdict)];
 }
 
 /// Of a comparison with a printed value: match, mismatch or open.
-inline Verdict comparison_verdict(Truth equal) {
-  return equal == Truth::yes ? Verdict::match : equal == Truth::no ? Verdict::mismatch : Verdict::open;
+inline ValueVerdict comparison_verdict(Truth equal) {
+  return equal == Truth::yes ? ValueVerdict::match : equal == Truth::no ? ValueVerdict::mismatch : ValueVerdict::open;
 }
 
 /// What several questions give together: no before unknown before yes.

@@ -33,13 +33,13 @@ formats::Comparison compare_published(const statements::PublishedCell& cell, con
   const MultivariateRegularity& regularity = facts.regularity;
   const Enclosure exponent = cell.quantity.starts_with("Sobolev") ? regularity.sobolev.value_or(Enclosure{})
                                                                   : regularity.exponent;
-  const Verdict verdict = formats::compare_exponent(cell.printed, exponent);
+  const ValueVerdict verdict = formats::compare_exponent(cell.printed, exponent);
   std::string note;
-  if (verdict == Verdict::open)
+  if (verdict == ValueVerdict::open)
     note = exponent.is_bounded() ? fmt::format("enclosed with a width of {}, which does not decide",
                                                to_decimal(*exponent.upper - *exponent.lower, 2, Rounding::up))
                                  : "not enclosed from both sides; stable shifts: " + regularity.stable.reason;
-  else if (verdict == Verdict::mismatch && regularity.radius)
+  else if (verdict == ValueVerdict::mismatch && regularity.radius)
     note = fmt::format("the product {} of the transition operators has the radius {}",
                        fmt::join(regularity.radius->product.word, ""),
                        formats::fixed_text(regularity.radius->product.radius, 12));

@@ -90,8 +90,8 @@ std::string source_text(const statements::PublishedCell& cell) {
   return cell.source.empty() ? "" : fmt::format("[{}] {}", cell.source, statements::reference(cell.source));
 }
 
-Verdict recorded_verdict(const statements::PublishedCell& cell, Verdict found) {
-  const bool decided = !cell.source.empty() && cell.recorded == Verdict::open && found == Verdict::match;
+ValueVerdict recorded_verdict(const statements::PublishedCell& cell, ValueVerdict found) {
+  const bool decided = !cell.source.empty() && cell.recorded == ValueVerdict::open && found == ValueVerdict::match;
   return decided ? found : cell.recorded;
 }
 
@@ -102,12 +102,12 @@ std::string command_of(const statements::PublishedCell& cell) {
                               : about("psi")                                                          ? "variance"
                               : about("exponent") || about("bound after") || cell.quantity == "class" ? "regularity"
                                                                                                       : "";
-  return command.empty() || !cell.over.empty() ? "" : fmt::format("subcert {} '{}'", command, cell.scheme);
+  return command.empty() ? "" : fmt::format("subcert {} '{}'", command, cell.scheme);
 }
 
 formats::Comparison compare_number(const statements::PublishedCell& cell, const Enclosure& computed,
                                    const std::string& note) {
-  const Verdict verdict = formats::compare(cell.printed, computed);
+  const ValueVerdict verdict = formats::compare(cell.printed, computed);
   return {cell.row, cell.column,       cell.scheme, cell.printed,    computed, verdict, recorded_verdict(cell, verdict),
           note,     source_text(cell), "",          command_of(cell)};
 }
@@ -124,9 +124,9 @@ std::vector<std::string> schemes_of(const statements::PublishedTable& table) {
 }
 
 std::string verdict_sentence(const formats::ComparisonTable& table) {
-  return std::to_string(table.count(Verdict::match)) + " of " + std::to_string(table.comparisons.size()) +
-         " printed values match, " + std::to_string(table.count(Verdict::mismatch)) + " do not, " +
-         std::to_string(table.count(Verdict::open)) + " are open.";
+  return std::to_string(table.count(ValueVerdict::match)) + " of " + std::to_string(table.comparisons.size()) +
+         " printed values match, " + std::to_string(table.count(ValueVerdict::mismatch)) + " do not, " +
+         std::to_string(table.count(ValueVerdict::open)) + " are open.";
 }
 
 }  // namespace subcert::reports

@@ -90,7 +90,7 @@ std::string source_text(const statements::PublishedCell& cell);
 
 /// What is on record, given what was found: in a collection an open value may be decided by more time or a faster
 /// machine (docs/comparison.md).
-Verdict recorded_verdict(const statements::PublishedCell& cell, Verdict found);
+ValueVerdict recorded_verdict(const statements::PublishedCell& cell, ValueVerdict found);
 
 /// What a reader types to see this value again; empty where only the table as a whole can be computed.
 std::string command_of(const statements::PublishedCell& cell);

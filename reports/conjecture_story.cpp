@@ -5,7 +5,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/proofs-checks/conjectures/conjecture_limit.hpp>
-#include <subcert/proofs-checks/papers/dyn-2015/figure_sentences.hpp>
+#include <subcert/proofs-checks/papers/dyn-2015/figures.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <stdexcept>

@@ -24,7 +24,7 @@ formats::ComparisonTable compare_masks(const statements::PublishedTable& table) 
     const LaurentPolynomial printed = LaurentPolynomial::parse_mask(cell.printed).shifted(computed.symbol().lowest());
     formats::Comparison comparison = compare_text(cell, computed.symbol().to_mask_text(),
                                                   printed == computed.symbol() ? Truth::yes : Truth::no);
-    if (comparison.verdict == Verdict::mismatch)
+    if (comparison.verdict == ValueVerdict::mismatch)
       comparison.note = "the printed coefficients sum to " + to_text(coset_sums({printed, 2})[0]) + " and " +
                         to_text(coset_sums({printed, 2})[1]) + " over the even and odd indices; a mask needs 1 and 1";
     result.comparisons.push_back(comparison);
@@ -164,7 +164,7 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
       const HolderRegularity& regularity = quantities.exponent(statements::specification(family, n));
       const Rational low = *regularity.exponent.lower, high = *regularity.exponent.upper;
       const std::string bound = printed.cells[static_cast<std::size_t>(n) - 2].printed;
-      if (formats::compare(largest, Enclosure::at_least(low)) == Verdict::mismatch) above.push_back(n);
+      if (formats::compare(largest, Enclosure::at_least(low)) == ValueVerdict::mismatch) above.push_back(n);
       widest = std::max(widest, Rational(high - low));
       closed = closed && regularity.radius.is_closed();
       exact += regularity.radius.exact.is_yes() ? 1 : 0;

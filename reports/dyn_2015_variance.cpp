@@ -5,7 +5,7 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/analysis/variance/variance.hpp>
-#include <subcert/proofs-checks/papers/dyn-2015/figure_sentences.hpp>
+#include <subcert/proofs-checks/papers/dyn-2015/figures.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
@@ -42,9 +42,9 @@ formats::ComparisonTable compare_table_3(const statements::PublishedTable& table
     const auto what = scaled_maximum(cell);
     formats::Comparison comparison = compare_number(cell,
                                                     scaled(what.slope ? facts.slope : facts.maximum, what.factor));
-    if (comparison.verdict == Verdict::mismatch) {
+    if (comparison.verdict == ValueVerdict::mismatch) {
       const Rational witnessed = what.factor * (what.slope ? facts.steepest : facts.largest);
-      comparison.note = formats::compare(cell.printed, Enclosure::at_least(witnessed)) != Verdict::mismatch
+      comparison.note = formats::compare(cell.printed, Enclosure::at_least(witnessed)) != ValueVerdict::mismatch
                             ? "not reached anywhere on [0, 1]"
                         : what.slope ? "exceeded " + facts.steepest_at
                                      : "exceeded at x = " + to_text(facts.largest_at);
@@ -179,7 +179,7 @@ formats::Section variance_section(const ReportOptions& options, ComputedQuantiti
     quantities.say(item);
     section.comparisons.push_back(compare_sentences(quantities.published(item), schemes, quantities));
     section.paragraphs.push_back("Statements about Figure " + item.substr(3) + ": " +
-                                 std::to_string(section.comparisons.back().count(Verdict::match)) + " of " +
+                                 std::to_string(section.comparisons.back().count(ValueVerdict::match)) + " of " +
                                  std::to_string(section.comparisons.back().comparisons.size()) + " hold.");
   }
   if (options.wants("fig2")) {

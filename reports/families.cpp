@@ -82,7 +82,7 @@ std::string polynomials_text(const ProvedRange& range, char letter) {
 void refute(formats::Comparison& comparison, const PropertyRange& range, const ParameterRange& printed) {
   for (const RangePiece& piece : range.pieces)
     if (piece.holds == Truth::no && std::max(piece.low, printed.low) < std::min(piece.high, printed.high)) {
-      comparison.verdict = Verdict::mismatch;
+      comparison.verdict = ValueVerdict::mismatch;
       comparison.note = fmt::format("refuted from {} to {}",
                                     to_decimal(std::max(piece.low, printed.low), 7, Rounding::up),
                                     to_decimal(std::min(piece.high, printed.high), 7, Rounding::down));
@@ -102,9 +102,15 @@ formats::Comparison compare_range(const statements::PublishedCell& cell, int job
   const Rational length = printed->high - printed->low, width = length * share_left_open;
   const PropertyRange found = property_range(family.mask, *property, printed->low - 2 * length,
                                              printed->high + 2 * length, {width, jobs, {Deadline::in(range_seconds)}});
-  formats::Comparison comparison{
-      cell.row, cell.column, family.specification, cell.printed, std::string("nothing"), Verdict::open, cell.recorded,
-      "",       ""};
+  formats::Comparison comparison{cell.row,
+                                 cell.column,
+                                 family.specification,
+                                 cell.printed,
+                                 std::string("nothing"),
+                                 ValueVerdict::open,
+                                 cell.recorded,
+                                 "",
+                                 ""};
   comparison.source = source_text(cell);
   comparison.command = fmt::format("subcert range '{}' --over {}={}..{} --property {}", family.specification, letter,
                                    to_text(printed->low - 2 * length), to_text(printed->high + 2 * length),
@@ -119,7 +125,7 @@ formats::Comparison compare_range(const statements::PublishedCell& cell, int job
   const bool low_agrees = proved && agrees(digits(cell.printed.substr(0, at)), printed->low, proved->low),
              high_agrees = proved && agrees(digits(cell.printed.substr(at + 1)), printed->high, proved->high);
   if (!(is_exact && low_agrees && high_agrees)) refute(comparison, found, *printed);
-  if (!proved || comparison.verdict == Verdict::mismatch) return comparison;
+  if (!proved || comparison.verdict == ValueVerdict::mismatch) return comparison;
   // An open end that agrees is an end of the proved range; all else has to lie inside.
   const bool low_inside = (low_agrees && !printed->low_included) || proved->low.proved <= printed->low,
              high_inside = (high_agrees && !printed->high_included) || printed->high <= proved->high.proved,
@@ -129,10 +135,10 @@ formats::Comparison compare_range(const statements::PublishedCell& cell, int job
   if (proved->has_gaps) {
     comparison.note = "gaps inside are open" + polynomials;
   } else if (is_exact && beyond) {
-    comparison.verdict = Verdict::mismatch;
+    comparison.verdict = ValueVerdict::mismatch;
     comparison.note = "the proved range is larger" + polynomials;
   } else if (low_inside && high_inside && (!is_exact || (low_agrees && high_agrees))) {
-    comparison.verdict = Verdict::match;
+    comparison.verdict = ValueVerdict::match;
     comparison.note = (low_agrees && high_agrees
                            ? std::string("exactly the proved range")
                            : fmt::format("true, but a part of the proved range: {} of it",

@@ -56,8 +56,9 @@ std::size_t rate_start(const std::vector<CertifiedMaximum>& values) {
   require(values.size() >= 2, "rate_start: need at least two values");
   const int last = values.back().n;
   const auto distance = [&](const CertifiedMaximum& value) { return std::abs(2 * value.n - last); };
-  const auto half = std::min_element(values.begin(), values.end() - 1,
-                                     [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  const auto half = std::min_element(values.begin(), values.end() - 1, [&](const auto& a, const auto& b) {
+    return std::pair(a.interpolates, distance(a)) < std::pair(b.interpolates, distance(b));
+  });
   return static_cast<std::size_t>(half - values.begin());
 }
 

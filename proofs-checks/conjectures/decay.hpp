@@ -17,10 +17,11 @@ Enclosure decay_exponent(int first_n, const Enclosure& first, int second_n, cons
 struct CertifiedMaximum {
   int n;
   Enclosure value;
+  bool interpolates = false;  ///< the scheme keeps the data, so that max psi = 1; no sign of a rate
 };
 
-/// The index of the n nearest to half the last one, from which rates are observed. Domain: at least two values, n
-/// increasing.
+/// The index of the n nearest to half the last one, from which rates are observed; of a scheme that does not
+/// interpolate, where there is one before the last. Domain: at least two values, n increasing.
 std::size_t rate_start(const std::vector<CertifiedMaximum>& values);
 
 /// What the values for one degree say about the claim "the maximum behaves like n^-power". A finite range proves

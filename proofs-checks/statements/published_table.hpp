@@ -9,19 +9,19 @@
 
 namespace subcert::statements {
 
-/// One printed value, or one sentence about a figure.
+/// One printed value.
 struct PublishedCell {
   std::string row;
   std::string column;
   std::string scheme;    ///< of which scheme
   std::string quantity;  ///< what it is: `mask`, `support`, `max psi`, ...
-  std::string over;      ///< what a sentence about many schemes is about; empty for the others
   std::optional<int> n;  ///< size and degree of the scheme, where the table has them
   std::optional<int> d;
   std::string printed;
   std::string words;  ///< the transcription that this value is a word of; may be empty
-  Verdict recorded;
-  std::string source = {};  ///< its key in docs/references.md, where a table is gathered from many
+  ValueVerdict recorded;
+  std::string source = {};   ///< its key in docs/references.md, where a table is gathered from many
+  std::string derived = {};  ///< from what it follows, where it is no printed value of its own
 };
 
 struct PublishedTable {

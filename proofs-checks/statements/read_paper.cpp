@@ -11,32 +11,56 @@
 namespace subcert::statements {
 namespace {
 
+/// What is wrong has a grade and the words of the paper; what has a grade is wrong, or fails at an edge.
+void require_fair_record(const toml::table& table, const Statement& statement) {
+  const bool wrong = standing(statement.recorded) == Standing::wrong, edge = statement.grade == Grade::edge;
+  if (statement.grade ? wrong == edge : wrong)
+    throw FileError(place_of(table), wrong ? "expected a grade: slip, number or claim" : "expected no grade but edge");
+  if (statement.grade && statement.sentence.empty()) throw FileError(place_of(table), "expected the key 'sentence'");
+  if (wrong && statement.readings.empty()) throw FileError(place_of(table), "expected the key 'readings'");
+}
+
 /// The statement without its check, but for one that cannot be checked.
 Statement read_statement(const toml::table& table, const std::string& paper) {
-  only_keys(table, {"id", "place", "claim", "checked", "latex", "corrected", "recorded", "not-checkable"});
-  Statement result{paper + "/" + needed_text(table, "id"),
-                   needed_text(table, "place"),
-                   needed_text(table, "claim"),
-                   optional_text(table, "checked"),
-                   needed_text(table, "latex"),
-                   optional_text(table, "corrected"),
-                   Verdict::not_checkable,
-                   {}};
+  only_keys(table, {"id", "place", "claim", "checked", "latex", "corrected", "recorded", "not-checkable", "grade",
+                    "sentence", "readings", "follows", "scan"});
+  Statement result{.id = paper + "/" + needed_text(table, "id"),
+                   .place = needed_text(table, "place"),
+                   .paraphrase = needed_text(table, "claim"),
+                   .checked = optional_text(table, "checked"),
+                   .printed = needed_text(table, "latex"),
+                   .corrected = optional_text(table, "corrected"),
+                   .recorded = StatementVerdict::not_checkable,
+                   .check = {},
+                   .sentence = optional_text(table, "sentence"),
+                   .readings = optional_text(table, "readings"),
+                   .scan = optional_text(table, "scan")};
   if (!table.contains("not-checkable") != table.contains("recorded"))
     throw FileError(place_of(table), "expected either 'recorded' or 'not-checkable'");
+  if (table.contains("grade")) result.grade = verdict_of<Grade>(*table.get("grade"));
+  if (table.contains("follows")) result.follows = paper + "/" + needed_text(table, "follows");
   if (table.contains("recorded")) {
-    result.recorded = verdict_of(*table.get("recorded"));
-    const bool wrong = result.recorded == Verdict::misprint || result.recorded == Verdict::false_claim;
-    if (wrong && result.corrected.empty()) result.corrected = result.printed;
+    result.recorded = verdict_of<StatementVerdict>(*table.get("recorded"));
+    if (standing(result.recorded) == Standing::wrong && result.corrected.empty()) result.corrected = result.printed;
   } else {
     result.check = [reason = needed_text(table, "not-checkable")](const Context&) {
-      return Outcome{Verdict::not_checkable, "", "", reason};
+      return Outcome{StatementVerdict::not_checkable, "", "", reason};
     };
   }
+  require_fair_record(table, result);
   return result;
 }
 
-const Keys cell_keys{"row", "column", "scheme", "quantity", "over", "words", "n", "d", "source"};
+/// A fault is followed in one step, from what shows it in its first place.
+void require_first_faults(const std::vector<Statement>& statements) {
+  for (const Statement& one : statements)
+    if (!one.follows.empty() && std::ranges::none_of(statements, [&](const Statement& first) {
+          return first.id == one.follows && first.follows.empty() && first.grade;
+        }))
+      throw FileError({1, 1}, fmt::format("'{}' follows '{}', which is no first fault", one.id, one.follows));
+}
+
+const Keys cell_keys{"row", "column", "scheme", "quantity", "words", "n", "d", "source", "derived"};
 
 Keys with(const Keys& keys, const Keys& more) {
   Keys result = keys;
@@ -102,11 +126,11 @@ PublishedTable read_table(const toml::table& table) {
       if (!recorded) recorded = table.get("recorded");
       const std::string text = text_of(*printed);
       result.cells.push_back({cell.filled("row"), cell.filled("column"), cell.filled("scheme"), cell.plain("quantity"),
-                              cell.plain("over"), cell.number("n"), cell.number("d"), text, cell.plain("words"),
-                              recorded                              ? verdict_of(*recorded)
-                              : text.find('{') == std::string::npos ? Verdict::match
-                                                                    : Verdict::mismatch,
-                              cell.plain("source")});
+                              cell.number("n"), cell.number("d"), text, cell.plain("words"),
+                              recorded                              ? verdict_of<ValueVerdict>(*recorded)
+                              : text.find('{') == std::string::npos ? ValueVerdict::match
+                                                                    : ValueVerdict::mismatch,
+                              cell.plain("source"), cell.plain("derived")});
     }
   return result;
 }
@@ -121,7 +145,8 @@ void print(PublishedCell& cell, const Transcriptions& transcriptions) {
     const std::size_t close = text.find(">>", open);
     const std::string id = text.substr(open + 2, close - open - 2);
     const std::string& typed = transcriptions.text(id);
-    if (cell.recorded == Verdict::match && typed.find('{') != std::string::npos) cell.recorded = Verdict::mismatch;
+    if (cell.recorded == ValueVerdict::match && typed.find('{') != std::string::npos)
+      cell.recorded = ValueVerdict::mismatch;
     std::string content = form_text(typed, Form::printed);
     if (content.starts_with('['))
       content.erase(std::remove(content.begin(), content.end(), ' '), content.end());
@@ -163,6 +188,7 @@ Paper read_paper(const std::string& key, std::string_view text, const Checks& ch
     paper.statements.push_back(std::move(statement));
   }
   open.require_all_taken();
+  require_first_faults(paper.statements);
   return paper;
 }
 

@@ -17,6 +17,8 @@ std::vector<PublishedCell> Context::cells(const std::string& id) const {
   return result;
 }
 
+const PublishedTable& Context::table(const std::string& id) const { return paper_->table(id); }
+
 const PublishedTable& Paper::table(const std::string& id) const {
   for (const PublishedTable& candidate : tables)
     if (candidate.id == id) return candidate;
@@ -29,11 +31,33 @@ Checks joined(const std::vector<Checks>& parts) {
   return result;
 }
 
+std::optional<Grade> grade_of(const Statement& statement, const Outcome& outcome) {
+  if (!outcome.edge.empty()) return Grade::edge;
+  return standing(outcome.verdict) == Standing::wrong ? statement.grade : std::nullopt;
+}
+
+bool is_as_recorded(const Statement& statement, const Outcome& outcome) {
+  return outcome.verdict == statement.recorded && grade_of(statement, outcome) == statement.grade;
+}
+
+std::string verdict_in_words(const Statement& statement, const Outcome& outcome) {
+  if (!outcome.edge.empty()) return "holds, but not at " + outcome.edge;
+  switch (outcome.verdict) {
+    case StatementVerdict::holds_for_all: return "proved for all n";
+    case StatementVerdict::holds: return "holds on the range tried";
+    case StatementVerdict::not_checkable: return "cannot be checked";
+    case StatementVerdict::undecided: return "undecided";
+    default: break;
+  }
+  const std::optional<Grade> grade = grade_of(statement, outcome);
+  return grade == Grade::slip ? "slip of the pen" : grade == Grade::number ? "number is off" : "does not hold";
+}
+
 Outcome check(const Statement& statement, const Context& context) {
   try {
     return statement.check(context);
   } catch (const Undefined& error) {
-    return {Verdict::false_claim, "", error.what(), ""};
+    return {StatementVerdict::false_claim, "", error.what(), ""};
   }
 }
 

@@ -5,6 +5,7 @@
 #include "transcription.hpp"
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,12 +14,14 @@ namespace subcert::statements {
 
 /// What a check found. `range` says for which parameters; `witness` is the smallest exact counterexample, empty where
 /// there is none; `argument` says why the verdict holds where that is not a finite comparison, or what else is to be
-/// said.
+/// said. `edge` names the cases at the edge of the printed range that fail where all others hold; the witness is one of
+/// them.
 struct Outcome {
-  Verdict verdict;
+  StatementVerdict verdict;
   std::string range;
   std::string witness;
   std::string argument;
+  std::string edge = {};
 };
 
 /// quick: all statements in a minute; wide: larger ranges.
@@ -43,6 +46,8 @@ class Context {
   }
   /// The cells of the tables whose printed values are the words of a transcription.
   std::vector<PublishedCell> cells(const std::string& id) const;
+  /// Errors: throws a domain error for a table that is not there.
+  const PublishedTable& table(const std::string& id) const;
   const std::set<std::string>& read() const { return read_; }
 
  private:
@@ -67,12 +72,25 @@ struct Statement {
   std::string paraphrase;  ///< the claim in one line
   std::string checked;     ///< what exactly is checked
   std::string printed;
-  std::string corrected;  ///< empty where nothing is to be corrected
-  Verdict recorded;       ///< the verdict that this version is known to reach
+  std::string corrected;      ///< empty where nothing is to be corrected
+  StatementVerdict recorded;  ///< the verdict that this version is known to reach
   Check check;
+  std::optional<Grade> grade = {};  ///< how much is wrong; nothing where nothing is
+  std::string sentence = {};        ///< the words of the paper, of what is wrong or fails at an edge
+  std::string readings = {};        ///< how they were read before they were called wrong
+  std::string follows = {};         ///< the id of the statement whose fault this one repeats
+  std::string scan = {};  ///< what a slip of the text recognition would explain, where one scan is all there is
 
   std::string paper() const { return id.substr(0, id.find('/')); }
 };
+
+/// The grade of what was found: that of the record, `edge` where the outcome has one, else nothing.
+std::optional<Grade> grade_of(const Statement& statement, const Outcome& outcome);
+/// Whether verdict and grade are those on record.
+bool is_as_recorded(const Statement& statement, const Outcome& outcome);
+
+/// For people: `proved for all n`, `holds, but not at n = 1`, `slip of the pen`, `wrong number`, `does not hold`, ...
+std::string verdict_in_words(const Statement& statement, const Outcome& outcome);
 
 /// Runs the check. A formula that is undefined somewhere in its range is a counterexample. Errors: what the check
 /// throws, but for Undefined.

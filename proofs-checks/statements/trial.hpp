@@ -19,6 +19,8 @@ class Trial {
   Trial& over(const std::string& range);
   /// No case failed, and this argument proves all others.
   Trial& for_all(const std::string& range, const std::string& argument);
+  /// The cases at the edge of the printed range, which have to fail: where they hold the trial fails.
+  Trial& but_not(const std::string& edge, const Trial& there);
 
   bool failed() const { return failure_.has_value(); }
   const std::string& failure() const { return *failure_; }
@@ -32,11 +34,15 @@ class Trial {
   std::optional<std::string> failure_;
   std::string range_;
   std::string argument_;
+  std::string edge_, edge_witness_;
   bool all_ = false;
 };
 
 /// The verdict about a form that is tried as printed and as corrected.
 Outcome in_both_forms(const std::function<Trial(Form)>& trial);
+
+/// The same where what fails is the claim or a number, not a letter of it: a misprint becomes false.
+Outcome not_a_slip(Outcome outcome);
 
 /// `n = 2`, as in witnesses.
 std::string at(const std::string& name, const Rational& value);

@@ -17,14 +17,14 @@ namespace subcert::experiments {
 
 bool ExperimentResult::all_confirmed() const {
   return std::none_of(claims.begin(), claims.end(),
-                      [](const DecidedClaim& c) { return c.finding == Verdict::not_confirmed; });
+                      [](const DecidedClaim& c) { return c.finding == ClaimVerdict::contrary; });
 }
 
 bool ExperimentResult::as_recorded() const {
   return std::all_of(claims.begin(), claims.end(), [](const DecidedClaim& c) { return c.finding == c.recorded; });
 }
 
-std::size_t ExperimentResult::count(Verdict finding) const {
+std::size_t ExperimentResult::count(ClaimVerdict finding) const {
   return static_cast<std::size_t>(
       std::count_if(claims.begin(), claims.end(), [&](const DecidedClaim& c) { return c.finding == finding; }));
 }
@@ -66,10 +66,10 @@ void add_printed_errors(ExperimentResult& result, const Experiment& experiment, 
   const statements::PublishedTable printed = statements::paper(experiment.paper).table(experiment.printed);
   DecidedClaim claim{"The errors of " + printed.title + ".",
                      printed.place,
-                     Verdict::not_reproducible,
+                     ClaimVerdict::own_data,
                      "the data were not published; the printed values beside the range over our samples",
                      "",
-                     Verdict::not_reproducible};
+                     ClaimVerdict::own_data};
   formats::ComparisonTable table{experiment.paper, printed.id, printed.title, printed.place, printed.grid, {}};
   for (const statements::PublishedCell& cell : printed.cells) {
     const auto& errors = measured.at({"error", cell.column});
@@ -77,7 +77,7 @@ void add_printed_errors(ExperimentResult& result, const Experiment& experiment, 
     claim.numbers += (claim.numbers.empty() ? "" : "; ") + cell.column + ": printed " + cell.printed + ", ours " +
                      range;
     table.comparisons.push_back(
-        {cell.row, cell.column, cell.scheme, cell.printed, mean_interval(errors).text(), Verdict::not_reproducible,
+        {cell.row, cell.column, cell.scheme, cell.printed, mean_interval(errors).text(), ValueVerdict::not_reproducible,
          cell.recorded,
          "The printed value rests on one unpublished sample; over our samples the error runs from " + range + "."});
   }
@@ -92,8 +92,8 @@ formats::PlainTable claims_table(const RanExperiment& ran) {
                             {}};
   for (const DecidedClaim& c : ran.result.claims) {
     table.rows.push_back({c.sentence, c.place, c.statistic, to_text(c.finding), c.numbers});
-    table.row_classes.push_back(c.finding == Verdict::confirmed       ? "match"
-                                : c.finding == Verdict::not_confirmed ? "mismatch"
+    table.row_classes.push_back(c.finding == ClaimVerdict::holds      ? "match"
+                                : c.finding == ClaimVerdict::contrary ? "mismatch"
                                                                       : "open");
     table.row_ids.push_back(claim_key(*ran.experiment, table.row_ids.size()));
   }

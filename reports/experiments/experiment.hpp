@@ -14,17 +14,17 @@ struct Claim {
   std::string place;
   Relation relation;
   /// What this version of the toolkit is known to find with the default seed.
-  Verdict recorded = Verdict::confirmed;
+  ClaimVerdict recorded = ClaimVerdict::holds;
 };
 
 /// A claim with what was found.
 struct DecidedClaim {
   std::string sentence;
   std::string place;
-  Verdict finding;
+  ClaimVerdict finding;
   std::string statistic;
   std::string numbers;
-  Verdict recorded = Verdict::confirmed;
+  ClaimVerdict recorded = ClaimVerdict::holds;
 };
 
 struct ExperimentOptions {
@@ -65,7 +65,7 @@ struct ExperimentResult {
 
   bool all_confirmed() const;
   bool as_recorded() const;
-  std::size_t count(Verdict finding) const;
+  std::size_t count(ClaimVerdict finding) const;
 };
 
 /// Reads an experiments.toml as docs/experiments.md describes it. Errors: throws FileError for what is no TOML, an

@@ -50,7 +50,7 @@ MeanInterval Mean::in(const Measured& measured) const {
 }
 
 Finding finding(bool holds, const std::string& statistic, const std::string& numbers) {
-  return {holds ? Verdict::confirmed : Verdict::not_confirmed, statistic, numbers};
+  return {holds ? ClaimVerdict::holds : ClaimVerdict::contrary, statistic, numbers};
 }
 
 Relation whole_intervals(const std::string& statistic, const std::vector<Mean>& means) {

@@ -65,12 +65,12 @@ struct Mean {
 };
 
 struct Finding {
-  Verdict verdict;
+  ClaimVerdict verdict;
   std::string statistic;  ///< what decides, in words
   std::string numbers;
 };
 
-/// confirmed where `holds`, else not_confirmed.
+/// holds or contrary.
 Finding finding(bool holds, const std::string& statistic, const std::string& numbers);
 
 /// What a claim says about measured quantities. Errors: throws a domain error that names what was not measured.

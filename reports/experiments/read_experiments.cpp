@@ -118,13 +118,9 @@ Relation relation_of_equal_error(const Fields& claim) {
   return nearly_equal_error(first, second, claim.number("within", 0));
 }
 
-/// confirmed or not_confirmed.
-Verdict recorded_of(const Fields& claim) {
+ClaimVerdict recorded_of(const Fields& claim) {
   const toml::node* node = claim.table.get("recorded");
-  const Verdict verdict = node ? verdict_of(*node, claim.plain(*node)) : Verdict::confirmed;
-  if (verdict != Verdict::confirmed && verdict != Verdict::not_confirmed)
-    throw FileError(place_of(*node), "expected 'confirmed' or 'not confirmed'");
-  return verdict;
+  return node ? verdict_of<ClaimVerdict>(*node, claim.plain(*node)) : ClaimVerdict::holds;
 }
 
 /// What decides a claim: the key that says so, the keys that go with it.

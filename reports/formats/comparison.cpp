@@ -27,11 +27,11 @@ Truth is_number(const Rational& value, const Enclosure& exponent) {
 
 }  // namespace
 
-Verdict compare(const std::string& printed, const Enclosure& computed) {
+ValueVerdict compare(const std::string& printed, const Enclosure& computed) {
   return comparison_verdict(agrees(read_decimal(printed), computed));
 }
 
-Verdict compare_exponent(const std::string& printed, const Enclosure& computed) {
+ValueVerdict compare_exponent(const std::string& printed, const Enclosure& computed) {
   const auto after = [&](std::string_view head) { return read_decimal(std::string_view(printed).substr(head.size())); };
   if (printed.starts_with("C^")) return comparison_verdict(lies_in_class(after("C^").value, computed));
   if (printed.starts_with("<= ")) {
@@ -69,7 +69,7 @@ bool ComparisonTable::is_gathered() const {
   return std::ranges::any_of(comparisons, [](const Comparison& c) { return !c.source.empty(); });
 }
 
-int ComparisonTable::count(Verdict verdict) const {
+int ComparisonTable::count(ValueVerdict verdict) const {
   return static_cast<int>(
       std::count_if(comparisons.begin(), comparisons.end(), [&](const Comparison& c) { return c.verdict == verdict; }));
 }

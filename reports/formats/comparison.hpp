@@ -11,12 +11,12 @@ namespace subcert::formats {
 
 /// Domain: `printed` is a decimal number as printed; the count of its decimals sets the unit. Errors: throws
 /// a domain error where it is not.
-Verdict compare(const std::string& printed, const Enclosure& computed);
+ValueVerdict compare(const std::string& printed, const Enclosure& computed);
 
 /// The same for a published statement about an exponent of smoothness: a decimal number; a whole number, which is meant
 /// exactly; `<= 2.5`, a bound; `C^2`, for the class of the limits, which an exponent equal to 2 leaves open.
 /// Errors: throws a domain error for any other text.
-Verdict compare_exponent(const std::string& printed, const Enclosure& computed);
+ValueVerdict compare_exponent(const std::string& printed, const Enclosure& computed);
 
 /// The number to the nearest with so many places where they decide it, or both ends, or '>= bound', rounded outward.
 std::string fixed_text(const Enclosure& enclosure, int places);
@@ -30,8 +30,8 @@ struct Comparison {
   std::string scheme;  ///< specification
   std::string printed;
   Computed computed;
-  Verdict verdict;
-  Verdict recorded;  ///< the verdict that this version of the toolkit is known to reach
+  ValueVerdict verdict;
+  ValueVerdict recorded;  ///< the verdict that this version of the toolkit is known to reach
   std::string note;
   std::string source = {};   ///< `[KEY] reference`, where a table is gathered from many
   std::string stable = {};   ///< whether the shifts are stable, where exponents depend on it
@@ -54,7 +54,7 @@ struct ComparisonTable {
   std::vector<Comparison> comparisons;
 
   bool as_recorded() const;
-  int count(Verdict verdict) const;
+  int count(ValueVerdict verdict) const;
   /// Whether the cells have sources of their own.
   bool is_gathered() const;
 };

@@ -12,7 +12,7 @@ TEST_CASE("published exponents of Daubechies' scaling functions") {
   CHECK(report.as_recorded());
   const auto tables = report.comparison_tables();
   REQUIRE(tables.size() == 1);
-  CHECK(tables.front()->count(Verdict::match) == static_cast<int>(tables.front()->comparisons.size()));
+  CHECK(tables.front()->count(ValueVerdict::match) == static_cast<int>(tables.front()->comparisons.size()));
   const formats::PlainTable& exponents = report.sections.front().tables.front();
   REQUIRE(exponents.rows.size() == 20);
   CHECK(exponents.rows.back().front() == "D42");

@@ -14,7 +14,7 @@ TEST_CASE("published ranges of a parameter") {
   REQUIRE(tables.size() == 1);
   const formats::ComparisonTable& table = *tables.front();
   CHECK(table.comparisons.size() >= 10);
-  CHECK(table.count(Verdict::match) == static_cast<int>(table.comparisons.size()));
+  CHECK(table.count(ValueVerdict::match) == static_cast<int>(table.comparisons.size()));
   for (const formats::Comparison& comparison : table.comparisons) {
     if (comparison.source_key() == "[HMR09]") {
       CHECK(comparison.computed_text() == "0 < w < 0.1927292");

@@ -16,9 +16,9 @@ TEST_CASE("published joint spectral radii") {
   REQUIRE(tables.size() == 1);
   CHECK(tables.front()->comparisons.size() >= 18);
   // One last digit is wrong in print.
-  CHECK(tables.front()->count(Verdict::mismatch) == 1);
+  CHECK(tables.front()->count(ValueVerdict::mismatch) == 1);
   // The pair at the end of its plateau, on a slow machine.
-  CHECK(tables.front()->count(Verdict::open) <= 1);
+  CHECK(tables.front()->count(ValueVerdict::open) <= 1);
   const formats::PlainTable& families = report.sections.front().tables.front();
   const auto& rows = families.rows;
   const auto& proofs = families.proofs;

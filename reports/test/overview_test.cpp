@@ -11,7 +11,7 @@ using namespace subcert::reports;
 
 namespace {
 
-formats::Comparison comparison(Verdict verdict, Verdict recorded) {
+formats::Comparison comparison(ValueVerdict verdict, ValueVerdict recorded) {
   return {"max psi", "n=2", "primal:n=2", "0.5", Enclosure::exactly(Rational(1, 3)), verdict, recorded, ""};
 }
 
@@ -24,9 +24,9 @@ Findings findings_with(std::size_t mismatches, std::size_t surprises) {
     section.finding = "A sentence of " + std::string(120, '-') + " and then more than fits into a line of a terminal.";
     section.comparisons.push_back({key, "table1", "A table", "Table 1", true, {}});
     auto& cells = section.comparisons.back().comparisons;
-    cells.push_back(comparison(Verdict::match, Verdict::match));
-    cells.insert(cells.end(), mismatches, comparison(Verdict::mismatch, Verdict::mismatch));
-    cells.insert(cells.end(), paper == 0 ? surprises : 0, comparison(Verdict::mismatch, Verdict::match));
+    cells.push_back(comparison(ValueVerdict::match, ValueVerdict::match));
+    cells.insert(cells.end(), mismatches, comparison(ValueVerdict::mismatch, ValueVerdict::mismatch));
+    cells.insert(cells.end(), paper == 0 ? surprises : 0, comparison(ValueVerdict::mismatch, ValueVerdict::match));
     report.sections.push_back(section);
     findings.reports.push_back(report);
   }
@@ -66,9 +66,9 @@ TEST_CASE("the first screen is short and in plain text") {
 TEST_CASE("the first screen shows what is open and what cannot be checked") {
   Findings findings = findings_with(2, 0);
   auto& cells = findings.reports.front().sections.front().comparisons.front().comparisons;
-  cells.push_back(comparison(Verdict::open, Verdict::open));
+  cells.push_back(comparison(ValueVerdict::open, ValueVerdict::open));
   CHECK(mentions(first_screen(findings, {}), "1 of 4 printed values match (1 open)"));
-  cells.insert(cells.end(), 2, comparison(Verdict::not_reproducible, Verdict::not_reproducible));
+  cells.insert(cells.end(), 2, comparison(ValueVerdict::not_reproducible, ValueVerdict::not_reproducible));
   CHECK(mentions(first_screen(findings, {}), "1 of 4 printed values match (1 open, 2 cannot be checked)"));
   cells.erase(cells.begin(), cells.end() - 2);
   CHECK(mentions(first_screen(findings, {}), "2 printed values cannot be checked"));

@@ -46,7 +46,7 @@ TEST_CASE("the story of Conjecture 7 comes with its numbers", "[long]") {
 TEST_CASE("a changed verdict is noticed") {
   Report report = make_report("dyn-2015", {{"supports"}, 1, {}});
   REQUIRE(report.as_recorded());
-  report.sections.front().comparisons.front().comparisons.front().verdict = Verdict::open;
+  report.sections.front().comparisons.front().comparisons.front().verdict = ValueVerdict::open;
   CHECK_FALSE(report.as_recorded());
 }
 

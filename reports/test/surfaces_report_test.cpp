@@ -29,15 +29,15 @@ TEST_CASE("every published value of a surface is about a scheme that can be read
   for (const statements::PublishedCell& cell : statements::paper("bivariate").table("published").cells) {
     CAPTURE(cell.row, cell.scheme, cell.printed);
     CHECK(std::holds_alternative<MultivariateScheme>(make_linear_scheme(cell.scheme)));
-    CHECK(formats::compare_exponent(cell.printed, Enclosure{}) == Verdict::open);
-    CHECK(cell.recorded != Verdict::mismatch);
+    CHECK(formats::compare_exponent(cell.printed, Enclosure{}) == ValueVerdict::open);
+    CHECK(cell.recorded != ValueVerdict::mismatch);
   }
 }
 
 TEST_CASE("a gathered table names its sources, on the page, in the data and in a terminal") {
   formats::ComparisonTable table{"bivariate", "published", "Published smoothness", "each with its source", false, {}};
-  table.comparisons.push_back({"Loop", "class", "loop", "C^2", Enclosure::exactly(3), Verdict::match, Verdict::match,
-                               "", "[Loo87] C. Loop: A thesis", "yes"});
+  table.comparisons.push_back({"Loop", "class", "loop", "C^2", Enclosure::exactly(3), ValueVerdict::match,
+                               ValueVerdict::match, "", "[Loo87] C. Loop: A thesis", "yes"});
   Report report{"bivariate", "Bivariate schemes: a collection", {{"published", "Published smoothness", {}, {table}}}};
   report.listed = true;
   const Folder folder;

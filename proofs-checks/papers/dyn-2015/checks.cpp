@@ -7,6 +7,10 @@
 #include <subcert/schemes/local_regression.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace subcert::statements::dyn_2015 {
 
 Checks checks() {
@@ -37,6 +41,31 @@ Trial proved_for_degree_one(const std::string& theorem) {
   return trial;
 }
 
+namespace {
+
+/// `1.3 %`, or `a factor of 29.6` beyond a tenth.
+std::string distance_text(const Rational& ratio) {
+  return ratio < Rational(11, 10) ? to_decimal(100 * (ratio - 1), 2, Rounding::up) + " %"
+                                  : "a factor of " + to_decimal(ratio, 3, Rounding::down);
+}
+
+/// How far the numbers that do not agree are from the certified ones; empty where all agree.
+std::string distances(const std::vector<std::string>& printed, const std::function<Enclosure(std::size_t)>& certified) {
+  std::vector<Rational> ratios;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    const Rational value = read_decimal(printed[i]).value;
+    const Enclosure truth = certified(i);
+    if (value > 0 && truth.lower && *truth.lower > 0 && agrees(read_decimal(printed[i]), truth) == Truth::no)
+      ratios.push_back(std::max(value / *truth.lower, *truth.upper / value));
+  }
+  if (ratios.empty()) return "";
+  const auto [least, most] = std::ranges::minmax_element(ratios);
+  return fmt::format("{} of {} numbers are off by more than a unit of the last place, by {}{}", ratios.size(),
+                     printed.size(), distance_text(*least), ratios.size() == 1 ? "" : " to " + distance_text(*most));
+}
+
+}  // namespace
+
 Outcome table_words(const Context& context, const std::string& id) {
   const std::vector<PublishedCell> cells = context.cells(id);
   std::vector<std::string> labels;
@@ -49,7 +78,10 @@ Outcome table_words(const Context& context, const std::string& id) {
     const VarianceRange& range = variance_of(scheme);
     return scaled(what.slope ? *range.slope : range.maximum, what.factor);
   };
-  return in_both_forms([&](Form form) { return table_row(context.words(id, form), labels, certified); });
+  Outcome outcome = not_a_slip(
+      in_both_forms([&](Form form) { return table_row(context.words(id, form), labels, certified); }));
+  outcome.argument = distances(context.words(id), certified);
+  return outcome;
 }
 
 }  // namespace subcert::statements::dyn_2015

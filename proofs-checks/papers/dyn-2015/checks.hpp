@@ -25,10 +25,11 @@ struct ScaledMaximum {
 /// Domain: a cell of Table 3. Errors: throws a domain error for another quantity.
 ScaledMaximum scaled_maximum(const PublishedCell& cell);
 
-/// The words of a transcription in a table, in both forms, against certified enclosures. Domain: Tables 1, 2 and 3.
 /// Whether every inequality of the theorem for degree 1 is certified.
 Trial proved_for_degree_one(const std::string& theorem);
 
+/// The words of a transcription in a table, in both forms, against certified enclosures, and how far off they are.
+/// Domain: Tables 1, 2 and 3.
 Outcome table_words(const Context& context, const std::string& id);
 
 /// Of one part of the paper each.

@@ -162,6 +162,22 @@ Outcome norm_of_q(const Context& context) {
       "all coefficients are positive and both sums are 1/2 for every n; norms computed for " + up_to(most));
 }
 
+/// The sums over the even and over the odd indices of q_n add to q_n(1) = a_n(1)/2 = 1 for every convergent scheme, so
+/// that one of them is 1/2 at least; the printed q_n attain it.
+Outcome least_norm(const Context& context) {
+  const Rational least = context.formula("norm-of-q")({});
+  const int most = context.reach(10, 60);
+  Trial trial;
+  for (int n = 1; n <= most; ++n) {
+    const LaurentPolynomial symbol = assembled(symbol_4(context), n);
+    trial.equal(2 * least, symbol(1), at("n", n) + ", q_n(1)");
+    trial.equal(least, operator_norm({symbol, 2}), at("n", n) + ", norm");
+  }
+  return trial.for_all("all n >= 1, and every convergent binary scheme",
+                       "the two sums of |coefficients| of q = a/(1+z) add to |q(1)| = a(1)/2 = 1 at least, so the "
+                       "larger one is 1/2 at least; S_n attains it (norm-of-q)");
+}
+
 Outcome theorem_2(const Context& context) {
   const Formula odd = f("2") * context.formula("eq-4-odd"), even = f("2") * context.formula("eq-4-even");
   const int most = context.reach(10, 40);
@@ -219,6 +235,7 @@ Checks section_2() {
           {"theorem-1", theorem_1},
           {"eq-4", equation_4},
           {"norm-of-q", norm_of_q},
+          {"least-norm", least_norm},
           {"theorem-2", theorem_2},
           {"table-1", [](const Context& c) { return table_words(c, "table-1"); }},
           {"q-derivative", derivative_of_q},

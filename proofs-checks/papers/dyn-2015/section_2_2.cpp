@@ -225,46 +225,90 @@ Outcome equation_9(const Context& context) {
       "all n >= 1", "phi decreases away from 0, and phi(n)/phi(0) = 1/2 - 1/(4n-2); so 1/2 is also the best constant");
 }
 
+/// Strict inequalities between the two bounds and phi_n(0).
+Trial bounds_of_phi(const Context& context, int first, int last) {
+  const Formula lower = context.formula("eq-10-lower"), upper = context.formula("eq-10-upper");
+  Trial trial;
+  for (int n = first; n <= last; ++n) {
+    const Rational value = limit_values(s_n(n), 0).at(0);
+    const std::string where = at("n", n) + ", " + at("phi(0)", value) + ", lower bound ";
+    if (!trial.require(lower({{"n", n}}) < value, where + subcert::to_text(lower({{"n", n}})))) break;
+    trial.require(value < upper({{"n", n}}), at("n", n) + ", " + at("phi(0)", value) + ": the upper bound");
+  }
+  return trial;
+}
+
 Outcome corollary_4(const Context& context) {
   const Formula lower = context.formula("eq-10-lower"), upper = context.formula("eq-10-upper");
   const Formula chain = context.formula("cor-4-chain");
   const int most = context.reach(30, 100);
-  Trial trial;
-  for (int n = 2; n <= most; ++n) {
-    const Rational value = limit_values(s_n(n), 0).at(0);
-    trial.require(lower({{"n", n}}) < value && value < upper({{"n", n}}), at("n", n) + ", " + at("phi(0)", value));
-  }
+  Trial trial = bounds_of_phi(context, 2, most);
   // The two counts of the proof: 2n-2 values below half of phi(0) and 2n-1 values up to phi(0); 2n+1 values from phi(n)
   // up.
   trial.follow(identity(f("1") / lower, f("(2*n - 2)/2 + (2*n - 1)"), {{"n", 2}}));
   trial.follow(identity(chain, f("2*n + 1") * context.formula("prop-3-ratio"), {{"n", 2}}));
   trial.follow(positive(upper - f("1") / chain, {{"n", "2 + x"}}));
   trial.follow(identity(f("1") / chain * f("(2*n + 1)/(2*n - 1)"), upper, {{"n", 2}}));
-  return trial.for_all(
-      "all n >= 2", "the counts of the printed proof, as identities in n; exact values compared for " + range(2, most) +
-                        ". For n = 1 both sides fail: phi(0) = 1 = 1/(3n-2), and 1/(n-1) is undefined");
+  trial.for_all("all n >= 2",
+                "the counts of the printed proof, as identities in n; exact values compared for " + range(2, most));
+  return trial.but_not("n = 1", bounds_of_phi(context, 1, 1));
+}
+
+/// The sums of phi_n over |j| <= inner and over |j| <= outer.
+struct TwoSums {
+  Rational inner = 0, outer = 0;
+  TwoSums(const LimitValues& phi, long inner_last, long outer_last) {
+    for (long j = -outer_last; j <= outer_last; ++j) outer += phi.at(j);
+    for (long j = -inner_last; j <= inner_last; ++j) inner += phi.at(j);
+  }
+};
+
+/// The first inequality of the proof of the upper bound.
+Trial longer_sum(int first, int last) {
+  Trial trial;
+  for (int n = first; n <= last; ++n) {
+    const TwoSums sums(limit_values(s_n(n), 0), n, 2 * n - 2);
+    trial.require(sums.outer > sums.inner, at("n", n) + ": the sums over |j| <= 2n-2 and |j| <= n are " +
+                                               subcert::to_text(sums.outer) + " and " + subcert::to_text(sums.inner));
+  }
+  return trial;
 }
 
 Outcome corollary_4_proof(const Context& context) {
   const Formula chain = context.formula("cor-4-chain");
   const int most = context.reach(20, 60);
-  Trial printed, corrected;
+  Trial trial = longer_sum(3, most);
   for (int n = 2; n <= most; ++n) {
     const LimitValues phi = limit_values(s_n(n), 0);
-    Rational inner = 0, all = 0;
-    for (long j = -2 * n + 2; j <= 2 * n - 2; ++j) all += phi.at(j);
-    for (long j = -n; j <= n; ++j) inner += phi.at(j);
-    const std::string where = at("n", n) + ": the sums over |j| <= 2n-2 and |j| <= n are " + subcert::to_text(all) +
-                              " and " + subcert::to_text(inner);
-    printed.require(all > inner, where);
-    corrected.require(all >= inner, where);
-    for (Trial* trial : {&printed, &corrected}) {
-      trial->require(inner > (2 * n + 1) * phi.at(-n), at("n", n) + ": the second inequality");
-      trial->equal(Rational(chain({{"n", n}}) * phi.at(0)), Rational((2 * n + 1) * phi.at(-n)),
-                   at("n", n) + ", the last equality");
-    }
+    trial.require(TwoSums(phi, n, n).inner > (2 * n + 1) * phi.at(-n), at("n", n) + ": the second inequality");
+    trial.equal(Rational(chain({{"n", n}}) * phi.at(0)), Rational((2 * n + 1) * phi.at(-n)),
+                at("n", n) + ", the last equality");
   }
-  return printed.outcome(corrected.over(range(2, most)));
+  trial.for_all("all n >= 3", "2n-2 > n, and phi_n is positive inside of its support; compared for " + range(3, most));
+  return trial.but_not("n = 2, where >= holds", longer_sum(2, 2));
+}
+
+/// 1 = (the sum over n <= |j| <= 2n-2) + (the sum over |j| < n) < (2n-2) phi(0)/2 + (2n-1) phi(0).
+Trial two_counts(int first, int last) {
+  Trial trial;
+  for (int n = first; n <= last; ++n) {
+    const LimitValues phi = limit_values(s_n(n), 0);
+    const TwoSums sums(phi, n - 1, 2 * n - 2);
+    trial.equal(1, std::max(sums.inner, sums.outer), at("n", n) + ", the sum");
+    trial.require(1 < ((2 * n - 2) * Rational(1, 2) + 2 * n - 1) * phi.at(0),
+                  at("n", n) + ": " + subcert::to_text(((n - 1) + 2 * n - 1) * phi.at(0)) + " is not above 1");
+  }
+  return trial;
+}
+
+Outcome corollary_4_lower(const Context& context) {
+  const int most = context.reach(20, 60);
+  Trial trial = two_counts(2, most);
+  trial.for_all("all n >= 2",
+                "2n-2 values below phi_n(0)/2 by (9) and 2n-1 values up to phi_n(0) by Proposition 3; "
+                "compared for " +
+                    range(2, most));
+  return trial.but_not("n = 1", two_counts(1, 1));
 }
 
 Outcome theorem_5(const Context& context) {
@@ -437,6 +481,7 @@ Checks section_2_2() {
           {"eq-9", equation_9},
           {"corollary-4", corollary_4},
           {"corollary-4-proof", corollary_4_proof},
+          {"corollary-4-lower", corollary_4_lower},
           {"theorem-5", theorem_5},
           {"theorem-5-slope", theorem_5_slope},
           {"eq-11", equation_11},

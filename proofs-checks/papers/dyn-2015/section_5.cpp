@@ -19,10 +19,11 @@ Outcome alpha_samples(const Context& context) {
 /// Samples of a closed curve of period 2 pi: as many steps as samples make one period. pi is a name, and 3 < pi < 22/7.
 Trial one_period(const Formula& step, const Rational& count) {
   Trial trial;
-  const Rational low = count * step({{"pi", 3}}), high = count * step({{"pi", Rational(22, 7)}});
-  const std::string where = subcert::to_text(count) + " samples cover " +
-                            to_decimal(std::min(low, high), 3, Rounding::down) + " ... " +
-                            to_decimal(std::max(low, high), 3, Rounding::up) + " of the period 6.28...";
+  const auto percent = [&](const Rational& pi) { return Rational(100 * count * step({{"pi", pi}}) / (2 * pi)); };
+  const Rational one = percent(3), other = percent(Rational(22, 7));
+  const std::string where = subcert::to_text(count) + " steps make " +
+                            to_decimal(std::min(one, other), 2, Rounding::down) + " ... " +
+                            to_decimal(std::max(one, other), 2, Rounding::up) + " % of the period 2 pi";
   for (const Rational& pi : {Rational(3), Rational(22, 7), Rational(311, 100)})
     trial.require(count * step({{"pi", pi}}) == 2 * pi,
                   where + "; the step times " + subcert::to_text(count) + " is not 2 pi");

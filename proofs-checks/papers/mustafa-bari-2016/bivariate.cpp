@@ -119,7 +119,7 @@ Outcome equation_3_8(const Context& context) {
   const BivariateForm printed = form_of(context, "eq-3.8", Form::printed, {-1, 1});
   const BivariateForm corrected = form_of(context, "eq-3.8", Form::corrected, {-1, 1});
   const Trial at_two = compared(printed, 2);
-  if (at_two.failed()) return {Verdict::false_claim, "", at_two.failure(), "not even for n = 2"};
+  if (at_two.failed()) return {StatementVerdict::false_claim, "", at_two.failure(), "not even for n = 2"};
   Trial of_corrected = compared(corrected, 2);
   for (long n = 3; n <= context.reach(3, 4); ++n) of_corrected.follow(compared(corrected, n));
   of_corrected.follow(proved(corrected, 2));

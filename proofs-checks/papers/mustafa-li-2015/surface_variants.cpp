@@ -95,19 +95,25 @@ bool determines(long n, long degree) {
   return kernel(normal_matrix(nodes, basis)).empty();
 }
 
+/// For which n of a form the observations determine the 6 coefficients of a quadratic.
+Trial determined_quadratics(const Context& context, Form form) {
+  Trial trial;
+  const long smallest = static_cast<long>(numerator(context.formula("higher-degree-n", form)({})));
+  for (long n = smallest; n <= 4; ++n)
+    trial.require(determines(n, 2), at("n", n) + ": the " + std::to_string(4 * n * n) +
+                                        " observations do not determine the 6 coefficients of a quadratic");
+  return trial;
+}
+
 Outcome higher_degree(const Context& context) {
-  return in_both_forms([&](Form form) {
-    Trial trial;
-    const long smallest = static_cast<long>(numerator(context.formula("higher-degree-n", form)({})));
-    for (long n = 1; n <= 4; ++n)
-      trial.require(determines(n, 2) == (n >= smallest),
-                    at("n", n) + ": the " + std::to_string(4 * n * n) + " observations " +
-                        (n >= smallest ? "do not determine" : "determine") + " the 6 coefficients of a quadratic");
-    trial.equal(context.formula("higher-degree-count")({{"n", 3}}), Rational(window(-2, 3, 2).nodes.size()),
-                "n = 3, number of observations");
-    return trial.for_all(
-        "degree 2", "2n values of each variable determine polynomials of degree up to 2n - 1; degree d needs 2n > d");
-  });
+  Trial trial = determined_quadratics(context, Form::corrected);
+  trial.require(!determines(1, 2), "n = 1 determines a quadratic");
+  trial.equal(context.formula("higher-degree-count")({{"n", 3}}), Rational(window(-2, 3, 2).nodes.size()),
+              "n = 3, number of observations");
+  return trial
+      .for_all("degree 2, all n >= 2",
+               "2n values of each variable determine polynomials of degree up to 2n - 1; degree d needs 2n > d")
+      .but_not("n = 1", determined_quadratics(context, Form::printed));
 }
 
 Outcome hyperplanes(const Context&) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-using subcert::Verdict;
+using subcert::StatementVerdict;
 using namespace subcert::statements;
 
 namespace {
@@ -52,7 +52,8 @@ TEST_CASE("a wrong number in any transcription changes a verdict") {
         const std::string changed = with_changed_number(text, i);
         const Transcriptions mutated = paper.transcriptions.with(id, changed);
         const bool caught = std::any_of(readers[id].begin(), readers[id].end(), [&](const Reader& reader) {
-          const bool with_witness = is_in_misprint(text, i) || reader.statement->recorded == Verdict::false_claim;
+          const bool with_witness = is_in_misprint(text, i) ||
+                                    reader.statement->recorded == StatementVerdict::false_claim;
           return result(*reader.statement, Context(paper, mutated, Tier::quick))
               .differs(reader.unchanged, with_witness);
         });

@@ -8,7 +8,7 @@ using namespace subcert::statements;
 
 namespace {
 
-const Check passes = [](const Context&) { return Outcome{Verdict::holds, "", "", ""}; };
+const Check passes = [](const Context&) { return Outcome{StatementVerdict::holds, "", "", ""}; };
 
 const std::string head = "citation = 'A paper.'\n[transcription]\nwidth = '{4 => 2}*n'\nlist = '[1, 2]/3'\n";
 
@@ -72,9 +72,9 @@ TEST_CASE("a paper is read: statements, transcriptions, tables") {
   CHECK(cells[1].printed == "8");
   CHECK(cells[3].printed == "[[1,2]/3, 16]");
   // A marked place is on record as a mismatch.
-  CHECK(cells[0].recorded == Verdict::mismatch);
-  CHECK(cells[1].recorded == Verdict::mismatch);
-  CHECK(cells[2].recorded == Verdict::open);
+  CHECK(cells[0].recorded == ValueVerdict::mismatch);
+  CHECK(cells[1].recorded == ValueVerdict::mismatch);
+  CHECK(cells[2].recorded == ValueVerdict::open);
   CHECK(Context(paper, Tier::quick).cells("maxima").size() == 2);
 }
 

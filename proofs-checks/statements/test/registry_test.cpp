@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-using subcert::Verdict;
+using subcert::StatementVerdict;
 using namespace subcert::statements;
 
 TEST_CASE("the registry is complete and well formed") {
@@ -19,7 +19,7 @@ TEST_CASE("the registry is complete and well formed") {
       CHECK_FALSE(statement.paraphrase.empty());
       CHECK_FALSE(statement.printed.empty());
       CHECK(statement.corrected.empty() ==
-            (statement.recorded != Verdict::misprint && statement.recorded != Verdict::false_claim));
+            (statement.recorded != StatementVerdict::misprint && statement.recorded != StatementVerdict::false_claim));
       CHECK_NOTHROW(printed_latex(statement));
       CHECK_NOTHROW(corrected_latex(statement));
     }

@@ -138,7 +138,7 @@ TEST_CASE("every paper has a report of its experiments, and its claims are told 
 TEST_CASE("a finding that changes is noticed") {
   reports::Report report = reports::make_report("dyn-2015", {{"fig19"}, 1, {}, 1, 20});
   REQUIRE(report.as_recorded());
-  report.experiments.front().result.claims.front().recorded = Verdict::not_reproducible;
+  report.experiments.front().result.claims.front().recorded = ClaimVerdict::own_data;
   CHECK(!report.as_recorded());
 }
 

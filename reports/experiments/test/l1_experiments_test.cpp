@@ -106,7 +106,7 @@ TEST_CASE("the printed tables of errors name each scheme once") {
     for (std::size_t i = 0; i < methods.size(); ++i) {
       CHECK(table.cells[i].column == methods[i].name);
       CHECK(table.cells[i].scheme == methods[i].specification);
-      CHECK(table.cells[i].recorded == Verdict::not_reproducible);
+      CHECK(table.cells[i].recorded == ValueVerdict::not_reproducible);
     }
   }
 }

@@ -38,7 +38,7 @@ std::vector<Experiment> read(const std::string& claim, const std::string& before
 DecidedClaim decided(const std::string& claim) { return run_experiment(read(claim).front(), {}).result.claims.front(); }
 
 bool holds(const std::string& claim) {
-  return decided(claim + "\nstatistic = '{bound}'").finding == Verdict::confirmed;
+  return decided(claim + "\nstatistic = '{bound}'").finding == ClaimVerdict::holds;
 }
 
 /// What the reader says.
@@ -64,17 +64,17 @@ TEST_CASE("claims need whole intervals on the right side of the bound") {
   const DecidedClaim claim = decided(height +
                                      "of = [{ of = 'clear', name = '', below = 0 }, { of = 'open' }]\n"
                                      "statistic = 'the middle, {half}'");
-  CHECK(claim.finding == Verdict::confirmed);
+  CHECK(claim.finding == ClaimVerdict::holds);
   CHECK(claim.statistic == "the middle, 0.5");
   CHECK(claim.numbers == "-2 ± 1, open: -0.5 ± 1");
-  CHECK(claim.recorded == Verdict::confirmed);
+  CHECK(claim.recorded == ClaimVerdict::holds);
   CHECK_FAILS(holds(height + "of = ['unknown']\nbelow = 0"), domain);
   CHECK_FAILS(holds(height + "of = ['open']\nbelow = 'unknown'"), domain);
 }
 
 TEST_CASE("differences are paired, and facts are wanted all") {
   const DecidedClaim less = decided("measure = 'error'\nof = ['a - b']\nbelow = 0\nstatistic = 'errors: {bound}'");
-  CHECK(less.finding == Verdict::confirmed);
+  CHECK(less.finding == ClaimVerdict::holds);
   CHECK(less.numbers == "a - b: -1 ± 0");
   CHECK(less.statistic == "errors: below 0 with the whole interval, each");
   const std::string above = "above = 'half'\nstatistic = '{bound}'";
@@ -83,8 +83,8 @@ TEST_CASE("differences are paired, and facts are wanted all") {
   CHECK(excess.numbers == "a: 1 ± 0");
   CHECK(excess.statistic == "above 0.5 with the whole interval, each");
   CHECK(decided("measure = 'error'\nof = ['a']\nat = '3 dB'\n" + above).numbers == "a: 7 ± 0");
-  CHECK(decided("facts = 'kept'\nstatistic = 's'").finding == Verdict::confirmed);
-  const DecidedClaim lost = decided("facts = 'lost'\nstatistic = 's'\nrecorded = 'not confirmed'");
+  CHECK(decided("facts = 'kept'\nstatistic = 's'").finding == ClaimVerdict::holds);
+  const DecidedClaim lost = decided("facts = 'lost'\nstatistic = 's'\nrecorded = 'contrary shown'");
   CHECK(lost.finding == lost.recorded);
   CHECK(lost.numbers == "one: 1; 2");
   CHECK_FAILS(decided("facts = 'nothing'\nstatistic = 's'"), domain);
@@ -96,13 +96,13 @@ TEST_CASE("errors over levels of noise: each, some, nearly equal") {
     errors.samples[error_at("near", decibel)] = {1, 1.01};
     errors.samples[error_at("far", decibel)] = {1.05, decibel < 5 ? 1.06 : 1.5};
   }
-  CHECK(smaller_error("near", "far", 1, 4, At::each_level)(errors).verdict == Verdict::confirmed);
+  CHECK(smaller_error("near", "far", 1, 4, At::each_level)(errors).verdict == ClaimVerdict::holds);
   const Finding each = smaller_error("near", "far", 1, 6, At::each_level)(errors);
-  CHECK(each.verdict == Verdict::not_confirmed);
+  CHECK(each.verdict == ClaimVerdict::contrary);
   CHECK(each.numbers.starts_with("negative at 1 to 4 dB; positive at none; undecided at 5 to 6; ratio"));
-  CHECK(smaller_error("near", "far", 1, 6, At::some_level)(errors).verdict == Verdict::confirmed);
-  CHECK(nearly_equal_error("near", "far", 0.3)(errors).verdict == Verdict::confirmed);
-  CHECK(nearly_equal_error("near", "far", 0.1)(errors).verdict == Verdict::not_confirmed);
+  CHECK(smaller_error("near", "far", 1, 6, At::some_level)(errors).verdict == ClaimVerdict::holds);
+  CHECK(nearly_equal_error("near", "far", 0.3)(errors).verdict == ClaimVerdict::holds);
+  CHECK(nearly_equal_error("near", "far", 0.1)(errors).verdict == ClaimVerdict::contrary);
 }
 
 TEST_CASE("shared claims take values; setups take texts and numbers") {
@@ -112,16 +112,16 @@ TEST_CASE("shared claims take values; setups take texts and numbers") {
   const auto use = [&](const std::string& values) {
     return text + shared + head + "[[experiment.claim]]\nuse = 'both'\nwith = { " + values + " }\n";
   };
-  const auto read = read_experiments("paper", use("what = 'It', topic = 'lost', found = 'not confirmed'"),
+  const auto read = read_experiments("paper", use("what = 'It', topic = 'lost', found = 'contrary shown'"),
                                      {{"toy", toy}});
   const ExperimentResult result = run_experiment(read.front(), {}).result;
   CHECK(result.setup == std::vector<std::string>{"Half is 0.5."});
   CHECK(result.claims.front().sentence == "It is kept.");
   CHECK(result.as_recorded());
   CHECK(refusal(use("what = 'It', topic = 'lost', found = 'true'")).find("'true' is no verdict") != std::string::npos);
-  CHECK(refusal(use("what = 'It', topic = 'lost', found = 'confirmed', more = ''")) ==
+  CHECK(refusal(use("what = 'It', topic = 'lost', found = 'holds as printed', more = ''")) ==
         "line 15, column 1: the shared claims have no {more}");
-  CHECK(refusal(use("topic = 'lost', found = 'confirmed'")).find("without a value") != std::string::npos);
+  CHECK(refusal(use("topic = 'lost', found = 'holds as printed'")).find("without a value") != std::string::npos);
 }
 
 TEST_CASE("what is wrong in a file of experiments is named with its place") {
@@ -139,7 +139,7 @@ TEST_CASE("what is wrong in a file of experiments is named with its place") {
             .find("either a difference") != std::string::npos);
   CHECK(refusal(file + "smaller-error = ['a', 'b']\nfrom = 9\nto = 5\n").find("from <= to") != std::string::npos);
   CHECK(refusal(file + "equal-error = ['a', 'b']\n").find("'within'") != std::string::npos);
-  CHECK(refusal(means + "below = 0\nrecorded = 'holds'\n").find("'not confirmed'") != std::string::npos);
+  CHECK(refusal(means + "below = 0\nrecorded = 'holds'\n").find("'contrary shown'") != std::string::npos);
   CHECK(refusal(file + "smaller-error = ['a']\n") == "line 10, column 17: expected two texts");
   CHECK(refusal("[text]\n" + head).find("names no text of [text]") != std::string::npos);
   CHECK(refusal("title = 'A toy'\n").starts_with("line 1, column 1: unknown key 'title'"));

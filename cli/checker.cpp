@@ -81,21 +81,11 @@ Certificate verified(const Certificate& certificate, const std::string& matrices
   if (certificate.claim.exact && answer_to(certificate).code == 0) return certificate;
   Certificate bounds = certificate.of_bounds();
   const CheckerAnswer answer = answer_to(bounds);
-  if (answer.code != 0) fail(ErrorKind::undecided, "no certificate is written, as subcert-check says {}", answer.text);
+  if (answer.code != 0) fail(ErrorKind::undecided, "subcert-check says {}", answer.text);
   return bounds;
 }
 
-CertificateClaim write_verified(const std::string& file, const Certificate& certificate, const std::string& matrices) {
-  const Certificate accepted = verified(certificate, matrices);
-  if (matrices.empty()) {
-    runtime::write_file(file, accepted.text);
-  } else {  // both or neither
-    runtime::write_stream(file + ".matrices", [&](std::ostream& stream) {
-      if (stream << matrices << std::flush) runtime::write_file(file, accepted.text);
-    });
-  }
-  return accepted.claim;
-}
+namespace {
 
 Json claim_json(const CertificateClaim& claim) {
   return {{"lower", optional_json(claim.lower)},
@@ -104,11 +94,52 @@ Json claim_json(const CertificateClaim& claim) {
           {"logarithm", optional_json(claim.logarithm)}};
 }
 
-std::string verified_text(const std::string& file, const CertificateClaim& claim) {
+}  // namespace
+
+std::string WrittenCertificate::text() const {
+  if (file.empty()) return "";
+  if (!claim) return "certificate  not written: " + reason + "\n";
   return fmt::format("certificate  {}, verified: {}\n", file,
-                     claim.logarithm ? "the bounds, that the product attains the radius, and the modulus of continuity"
-                     : claim.exact   ? "the bounds, and that the product attains the radius"
-                                     : "the bounds");
+                     claim->logarithm ? "the bounds, that the product attains the radius, and the modulus of continuity"
+                     : claim->exact   ? "the bounds, and that the product attains the radius"
+                                      : "the bounds");
+}
+
+void WrittenCertificate::add_to(Json& json) const {
+  if (file.empty()) return;
+  json["certificate"] = claim ? claim_json(*claim) : Json();
+  if (!claim) json["certificate_reason"] = reason;
+}
+
+WrittenCertificate write_certificate(const std::string& file, const std::function<Certificate()>& make,
+                                     const std::string& matrices) {
+  if (file.empty()) return {};
+  try {
+    const Certificate accepted = verified(make(), matrices);
+    if (matrices.empty()) {
+      runtime::write_file(file, accepted.text);
+    } else {  // both or neither
+      runtime::write_stream(file + ".matrices", [&](std::ostream& stream) {
+        if (stream << matrices << std::flush) runtime::write_file(file, accepted.text);
+      });
+    }
+    return {file, accepted.claim, {}};
+  } catch (const Error& error) {
+    return {file, std::nullopt, reason_text(error)};
+  }
+}
+
+void require_place(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder = fs::path(file).parent_path();
+  if (!file.empty() && (fs::is_directory(file, error) || !(folder.empty() || fs::is_directory(folder, error))))
+    fail(ErrorKind::missing_file, "--certificate {}: expected a file in a folder that exists", file);
+}
+
+std::string reason_text(const Error& error) {
+  const std::string what = error.what(), prefix = "certificate: ";
+  return what.starts_with(prefix) ? what.substr(prefix.size()) : what;
 }
 
 }  // namespace subcert::cli

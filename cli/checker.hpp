@@ -3,8 +3,11 @@
 
 #include "json.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,13 +29,27 @@ CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::
 /// neither, and missing_file where there is no checker. Cost: at most two runs of the checker.
 Certificate verified(const Certificate& certificate, const std::string& matrices = {});
 
-/// Writes that, and the matrices as FILE.matrices; returns what it claims. Errors: as verified(), and nothing is
-/// written then; missing_file.
-CertificateClaim write_verified(const std::string& file, const Certificate& certificate,
-                                const std::string& matrices = {});
+/// What became of a certificate that was asked for.
+struct WrittenCertificate {
+  std::string file;                       ///< empty where none was asked for
+  std::optional<CertificateClaim> claim;  ///< what it proves; nothing where none was written,
+  std::string reason;                     ///< and why
 
-/// What was written.
-Json claim_json(const CertificateClaim& claim);
-std::string verified_text(const std::string& file, const CertificateClaim& claim);
+  /// The line of a page; empty where none was asked for.
+  std::string text() const;
+  /// Adds `certificate`, null where none was written, and then `certificate_reason`.
+  void add_to(Json& json) const;
+};
+
+/// Makes a certificate and writes what verified() accepts of it, and the matrices as FILE.matrices. Whatever stands in
+/// the way, the answer that is to be certified remains: it becomes the reason. Nothing is made where `file` is empty.
+WrittenCertificate write_certificate(const std::string& file, const std::function<Certificate()>& make,
+                                     const std::string& matrices = {});
+
+/// Before the work: whether a certificate can be written there. Errors: throws missing_file where the folder is none.
+void require_place(const std::string& file);
+
+/// The reason in few words: those of the error, without the name of what threw it.
+std::string reason_text(const Error& error);
 
 }  // namespace subcert::cli

@@ -171,20 +171,22 @@ ExitCode run(const CurveCommandOptions& options) {
   require_picture_name(options.plot);
   const ParametricScheme scheme = make_parametric_scheme(options.scheme);
   const auto [low, high] = read_over(options.over, scheme.parameter);
+  if (!options.certificate.empty()) require_folder(options.certificate);
   options.progress("pieces");
   const ExponentCurve curve = exponent_curve(scheme.mask, low, high,
                                              {options.pieces, options.threads(), options.limits()});
   options.end_progress();
+  Json json = json_of(curve, scheme);
   std::string note;
   if (!options.csv.empty()) runtime::write_file(options.csv, csv_of(curve));
   if (!options.certificate.empty()) {
     std::vector<NamedCertificate> certificates;
     for (const RangeCertificate& one : curve_certificates(scheme.mask, scheme.parameter, curve))
       certificates.push_back({fmt::format("{:05}-piece", certificates.size() + 1), one.certificate.text});
-    note = write_certificates(options.certificate, certificates, {"-piece"});
+    note = write_certificates(options.certificate, certificates, {"-piece"}, json);
   }
   if (!options.plot.empty()) draw(curve, scheme, options.plot);
-  options.answer(json_of(curve, scheme), text_of(curve, scheme) + note);
+  options.answer(json, text_of(curve, scheme) + note);
   return static_cast<int>(curve.pieces.size()) == options.pieces ? done : undecided;
 }
 

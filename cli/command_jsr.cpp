@@ -165,9 +165,8 @@ ExitCode run_least(const JsrOptions& options, const MatricesFile& file, const Wa
   options.progress("products and polytopes");
   const JointSpectralSubradius found = joint_spectral_subradius(family, options.limits(), {lower, upper, wanted.bits});
   options.end_progress();
-  std::optional<CertificateClaim> claim;
-  if (!options.certificate.empty())
-    claim = write_verified(options.certificate, subradius_certificate(family, found), matrices_text(family));
+  const WrittenCertificate certificate = write_certificate(
+      options.certificate, [&] { return subradius_certificate(family, found); }, matrices_text(family));
   const std::vector<Bound> bounds = decided(found.radius, lower, upper);
   Json json{{"subradius", enclosure_json(found.radius, std::max(wanted.digits, 20))},
             {"exact", found.exact.is_yes()},
@@ -176,17 +175,18 @@ ExitCode run_least(const JsrOptions& options, const MatricesFile& file, const Wa
             {"product", found.product.word},
             {"vertices", found.antinorm ? found.antinorm->vertices.size() : 0}};
   add_verdicts(json, bounds);
-  if (claim) json["certificate"] = claim_json(*claim);
+  certificate.add_to(json);
   options.answer(
       json, fmt::format("matrices     {} of size {}\nsubradius    {}  ({})\nproduct      {}{}\n{}{}", family.count(),
                         family.size(), enclosure_text(found.radius, std::max(wanted.digits, 14)), method_text(found),
                         fmt::join(found.product.word, " "),
                         found.exact.is_yes() ? "  (proved to attain the joint spectral subradius)" : "",
-                        verdicts_text(bounds), claim ? verified_text(options.certificate, *claim) : ""));
+                        verdicts_text(bounds), certificate.text()));
   return code_of(bounds, found.is_closed() && wanted.holds(found.radius));
 }
 
 ExitCode run(const JsrOptions& options) {
+  require_place(options.certificate);
   const MatricesFile file = parse_matrices(read_file(options.file), options.file);
   const WantedWidth wanted = wanted_width(options);
   if (options.least) return run_least(options, file, wanted);
@@ -200,9 +200,8 @@ ExitCode run(const JsrOptions& options) {
   JointSpectralRadius radius = radius_of(family, lower, upper, budget);
   sharpen(radius, family, wanted.bits, budget.deadline);
   options.end_progress();
-  std::optional<CertificateClaim> claim;
-  if (!options.certificate.empty())
-    claim = write_verified(options.certificate, radius_certificate(family, radius), matrices_text(family));
+  const WrittenCertificate certificate = write_certificate(
+      options.certificate, [&] { return radius_certificate(family, radius); }, matrices_text(family));
   std::vector<int> word = radius.product.word;
   if (lift)
     for (int& letter : word) letter = lift->letters[static_cast<std::size_t>(letter)];
@@ -212,9 +211,8 @@ ExitCode run(const JsrOptions& options) {
     head += fmt::format("graph        {} successions, {} matrices of size {}\n", file.graph.size(), family.count(),
                         family.size());
   Json json = json_of(radius, word, bounds, family.size(), wanted.digits);
-  if (claim) json["certificate"] = claim_json(*claim);
-  options.answer(json, head + text_of(radius, word, bounds, wanted.digits) +
-                           (claim ? verified_text(options.certificate, *claim) : ""));
+  certificate.add_to(json);
+  options.answer(json, head + text_of(radius, word, bounds, wanted.digits) + certificate.text());
   return code_of(bounds, radius.is_closed() && wanted.holds(radius.radius));
 }
 

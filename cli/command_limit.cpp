@@ -78,7 +78,7 @@ std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticeP
   }
   MultivariateRegularity regularity;
   for (const double share : {0.2, 0.8}) {  // most need little of the time
-    regularity = multivariate_regularity_page(scheme, {Deadline::in(share * options.budget)}, {}, false).regularity;
+    regularity = multivariate_regularity_page(scheme, {Deadline::in(share * options.budget)}, {}).regularity;
     const Decision& convergence = regularity.converges;
     const auto& exponent = regularity.exponent.lower;
     if (total == 0 ? convergence.is_yes() : exponent && *exponent > total) return std::nullopt;

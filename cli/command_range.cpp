@@ -212,16 +212,18 @@ ExitCode run(const ParameterRangeOptions& options) {
   const auto width = parse_number(options.width);
   if (!width || !(*width > 0))
     fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
+  if (!options.certificate.empty()) require_folder(options.certificate);
   options.progress("intervals");
   const PropertyRange range = property_range(scheme.mask, *property, low, high,
                                              {*width, options.threads(), options.limits()});
   options.end_progress();
+  Json json = json_of(range, options, scheme);
   std::string note;
   if (!options.certificate.empty()) {
     const auto certificates = range_certificates(scheme.mask, scheme.parameter, *property, range, *width);
-    note = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"});
+    note = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"}, json);
   }
-  options.answer(json_of(range, options, scheme), text_of(range, options, scheme) + note);
+  options.answer(json, text_of(range, options, scheme) + note);
   return range.complete ? done : undecided;
 }
 

@@ -36,23 +36,14 @@ RegularityPage compute(Scheme scheme, const RegularityOptions& options, const Wa
           complete,          watch.seconds(),       wanted.digits};
 }
 
-void require_claim(bool is_positive, const std::string& specification) {
-  if (!is_positive) fail(ErrorKind::usage, "--certificate: nothing positive is proved about {}", specification);
-}
-
 ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budget) {
   const RegularityPage page = compute(std::move(scheme), options, wanted_width(options), budget);
-  std::optional<CertificateClaim> claim;
-  if (!options.certificate.empty()) {
-    const int rules = page.regularity.bounds.sum_rules;
-    require_claim(page.regularity.radius.proved_upper() < power(Rational(page.scheme.mask.arity()), rules),
-                  page.scheme.specification);
-    claim = write_verified(options.certificate,
-                           exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding));
-  }
+  const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
+    return exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding);
+  });
   Json json = page.json();
-  if (claim) json["certificate"] = claim_json(*claim);
-  options.answer(json, page.text() + (claim ? verified_text(options.certificate, *claim) : ""));
+  certificate.add_to(json);
+  options.answer(json, page.text() + certificate.text());
   if (page.regularity.converges.is_no()) return failed;
   return page.regularity.converges.is_yes() && page.complete ? done : undecided;
 }
@@ -60,17 +51,17 @@ ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budg
 ExitCode run(MultivariateScheme scheme, const RegularityOptions& options, const Budget& budget) {
   options.progress("products and polytopes");
   const WantedWidth wanted = wanted_width(options);
-  const MultivariateRegularityPage page = multivariate_regularity_page(std::move(scheme), budget, wanted,
-                                                                       !options.certificate.empty());
+  const MultivariateRegularityPage page = multivariate_regularity_page(std::move(scheme), budget, wanted);
+  const MultivariateMask& mask = page.scheme.mask;
+  // A certificate is about the mask, also of a tensor product.
+  const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
+    return surface_certificate(
+        mask, page.scheme.factors.empty() ? page.regularity : multivariate_regularity(mask, budget, wanted.bits));
+  });
   options.end_progress();
-  std::optional<CertificateClaim> claim;
-  if (!options.certificate.empty()) {
-    require_claim(page.regularity.exponent.lower.value_or(0) > 0, page.scheme.specification);
-    claim = write_verified(options.certificate, surface_certificate(page.scheme.mask, page.regularity));
-  }
   Json json = page.json();
-  if (claim) json["certificate"] = claim_json(*claim);
-  options.answer(json, page.text() + (claim ? verified_text(options.certificate, *claim) : ""));
+  certificate.add_to(json);
+  options.answer(json, page.text() + certificate.text());
   if (page.regularity.converges.is_no()) return failed;
   const bool complete = page.regularity.is_closed() && wanted.holds(page.regularity.exponent);
   return page.regularity.converges.is_yes() && complete ? done : undecided;
@@ -82,6 +73,7 @@ void add_regularity(Command& app) {
   auto options = std::make_shared<RegularityOptions>();
   Command command = add_command(app, "regularity", "The Hoelder exponent, enclosed with proof",
                                 "subcert regularity primal:n=5 --certificate s5.cert", options, [=] {
+                                  require_place(options->certificate);
                                   const Budget budget = options->limits();
                                   return std::visit(
                                       [&](auto scheme) { return run(std::move(scheme), *options, budget); },

@@ -6,9 +6,9 @@
 
 namespace subcert::cli {
 MultivariateRegularityPage multivariate_regularity_page(MultivariateScheme scheme, const Budget& budget,
-                                                        const WantedWidth& wanted, bool by_mask) {
+                                                        const WantedWidth& wanted) {
   const Stopwatch watch;
-  MultivariateRegularity regularity = scheme.factors.empty() || by_mask
+  MultivariateRegularity regularity = scheme.factors.empty()
                                           ? multivariate_regularity(scheme.mask, budget, wanted.bits)
                                           : tensor_product_regularity(scheme.factors, budget, wanted.bits);
   return {std::move(scheme), std::move(regularity), watch.seconds(), wanted.digits};

@@ -18,8 +18,8 @@ struct MultivariateRegularityPage {
   std::string text() const;
 };
 
-/// By the factors of a tensor product, otherwise, or where `by_mask` asks for it, by the mask.
+/// By the factors of a tensor product, otherwise by the mask.
 MultivariateRegularityPage multivariate_regularity_page(MultivariateScheme scheme, const Budget& budget,
-                                                        const WantedWidth& wanted, bool by_mask);
+                                                        const WantedWidth& wanted);
 
 }  // namespace subcert::cli

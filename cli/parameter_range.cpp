@@ -1,6 +1,10 @@
 #include "parameter_range.hpp"
 
+#include "checker.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
@@ -53,17 +57,46 @@ const char* why_text(SpecialValue::Why why) {
   }
 }
 
-std::string write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
-                               const std::vector<std::string>& ends) {
-  namespace fs = std::filesystem;
+void require_folder(const std::string& directory) {
   std::error_code error;
-  fs::create_directories(directory, error);
-  if (!fs::is_directory(directory, error))
+  std::filesystem::create_directories(directory, error);
+  if (!std::filesystem::is_directory(directory, error))
     fail(ErrorKind::missing_file, "--certificate {}: expected a folder, or a place where one can be made", directory);
+}
+
+namespace {
+
+/// Why the file, which is removed then, does not stand; nothing where it does.
+std::optional<std::string> refusal(const std::string& file, const std::string& text) {
+  try {
+    runtime::write_file(file, text);
+    const CheckerAnswer answer = run_checker(checker_arguments(text, file));
+    if (answer.code == 0) return std::nullopt;
+    std::filesystem::remove(file);
+    return "subcert-check says " + answer.text;
+  } catch (const Error& error) {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    return reason_text(error);
+  }
+}
+
+}  // namespace
+
+std::string write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
+                               const std::vector<std::string>& ends, Json& json) {
+  namespace fs = std::filesystem;
   std::set<std::string> written;
+  std::string refused;
+  Json reasons = Json::object();
   for (const NamedCertificate& certificate : certificates) {
-    runtime::write_file(fs::path(directory) / (certificate.name + ".cert"), certificate.text);
-    written.insert(certificate.name);
+    const std::string file = fs::path(directory) / (certificate.name + ".cert");
+    if (const auto reason = refusal(file, certificate.text)) {
+      refused += fmt::format("certificate  {} not written: {}\n", certificate.name, *reason);
+      reasons[certificate.name] = *reason;
+    } else {
+      written.insert(certificate.name);
+    }
   }
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
     const std::string name = entry.path().stem().string();
@@ -71,8 +104,11 @@ std::string write_certificates(const std::string& directory, const std::vector<N
                                   [&](const std::string& end) { return name.ends_with(end); });
     if (entry.path().extension() == ".cert" && ours && !written.contains(name)) fs::remove(entry.path());
   }
+  json["certificates"] = written.size();
+  if (!refused.empty()) json["certificate_reason"] = reasons;
   if (certificates.empty()) return "certificates none: there are none for this property\n";
-  return fmt::format("certificates {} in {}: subcert verify {}\n", certificates.size(), directory, directory);
+  return fmt::format("certificates {} in {}, verified: subcert verify {}\n", written.size(), directory, directory) +
+         refused;
 }
 
 }  // namespace subcert::cli

@@ -28,9 +28,12 @@ struct NamedCertificate {
   std::string text;
 };
 
-/// Writes them into a folder, which is made if it is missing; others whose names end like that, of a run before, are
-/// removed. Returns the line that tells how to verify them.
+/// The folder, made if it is missing. Errors: throws missing_file where it cannot be made.
+void require_folder(const std::string& directory);
+
+/// Writes those that the checker accepts into this folder; others whose names end like that, of a run before, are
+/// removed. Returns the lines that tell how to verify them, and why some are not there; adds the same to the object.
 std::string write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
-                               const std::vector<std::string>& ends);
+                               const std::vector<std::string>& ends, Json& json);
 
 }  // namespace subcert::cli

@@ -25,7 +25,7 @@ TEST_CASE("a range comes with certificates that one command verifies") {
   const Run verified = run("verify " + bundle);
   CHECK(verified.code == 0);
   CHECK(verified.out.find("01-proved.cert: VERIFIED 1 < Hoelder exponent of ") != std::string::npos);
-  CHECK(verified.out.find("02-refuted.cert: VERIFIED Hoelder exponent < 1 of ") != std::string::npos);
+  CHECK(verified.out.find("02-refuted.cert: VERIFIED no convergence, or Hoelder exponent < 1 of ") != std::string::npos);
   // Another range leaves no certificate of this one behind.
   CHECK(run("range four-point:w --over w=1/20..1/10 --property C1 --certificate " + bundle).code == 0);
   CHECK(std::distance(std::filesystem::directory_iterator(bundle), {}) == 1);
@@ -37,6 +37,27 @@ TEST_CASE("a range comes with certificates that one command verifies") {
   std::ofstream(file) << "text";
   CHECK(run("range four-point:w --over w=1/20..1/10 --property C1 --certificate " + file).code == 66);
   CHECK(content(file) == "text");
+}
+
+TEST_CASE("what is written of a range is verified, and what the checker refuses is not left") {
+  const Folder folder;
+  const std::string bundle = folder / "bundle";
+  // The last coefficients of both sub-symbols vanish at w = 0, in the range or at its end.
+  for (const char* over : {"0..1/100", "-1/100..1/100"}) {
+    CAPTURE(over);
+    const Run page = run(std::string("range dual-four-point:w --over w=") + over + " --property stable --certificate " +
+                         bundle);
+    CHECK(page.code == 0);
+    CHECK(page.out.find(" in " + bundle + ", verified: subcert verify ") != std::string::npos);
+    CHECK(page.out.find("not written") == std::string::npos);
+    const Run verified = run("verify " + bundle);
+    CHECK(verified.code == 0);
+    CHECK(verified.out.find(" of [1,3,3,1]/4") != std::string::npos);
+  }
+  const auto json = nlohmann::json::parse(
+      run("range dual-four-point:w --over w=0..1/100 --property stable --json --certificate " + bundle).out);
+  CHECK(json.at("certificates") == 2);
+  CHECK_FALSE(json.contains("certificate_reason"));
 }
 
 TEST_CASE("a window that moves from a peak to a box") {

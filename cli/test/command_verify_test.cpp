@@ -25,8 +25,55 @@ TEST_CASE("certificates are written and verified") {
   CHECK(run("verify " + file).code == 65);
   std::filesystem::remove(file);
   CHECK(run("verify " + file).code == 66);
-  CHECK(run("regularity 'mask:[1,1]' --certificate " + file).code == 64);
-  CHECK_FALSE(std::filesystem::exists(file));
+}
+
+TEST_CASE("an answer is not lost where no certificate can be written") {
+  const Folder folder;
+  const std::string file = folder / "file.cert", matrices = folder / "pair.json";
+  std::ofstream(matrices) << R"({"matrices": [[["0","1"],["0","0"]], [["1","1"],["1","1"]]]})";
+  // Nothing positive is proved, by curves, surfaces and tensor products; a dilation without certificates.
+  for (const char* scheme : {"'mask:[1,1]'", "'mask:[1,2]'", "'mask2:[[1,1],[1,1]]'", "'mask2:[[1,0],[0,0]]'",
+                             "'tensor:(mask:[1,0,0,2,0,0,1]/2)x(mask:[1,0,0,2,0,0,1]/2)'",
+                             "'tensor:(bspline:degree=2)x(bspline:degree=2,a=3)'"}) {
+    CAPTURE(scheme);
+    const std::string command = std::string("regularity ") + scheme;
+    const Run without = run(command), with = run(command + " --certificate " + file);
+    CHECK(with.code == without.code);
+    CHECK(with.out.find("certificate  not written: ") != std::string::npos);
+    CHECK(with.out.substr(0, with.out.find('\n')) == without.out.substr(0, without.out.find('\n')));
+    CHECK_FALSE(std::filesystem::exists(file));
+    const auto json = nlohmann::json::parse(run(command + " --json --certificate " + file).out);
+    CHECK(json.at("certificate").is_null());
+    CHECK(json.at("certificate_reason").is_string());
+    CHECK(json.contains("sum_rules"));
+  }
+  // No place for it is said before the work.
+  for (const char* command : {"regularity dd:n=2", "jsr"}) {
+    const std::string start = std::string(command) + (command[0] == 'j' ? " " + matrices : "") + " --certificate ";
+    CHECK(run(start + (folder / "none/file.cert")).code == 66);
+    CHECK(run(start + (folder / "")).code == 66);
+  }
+  // The name of a folder where the matrices should go.
+  std::filesystem::create_directory(file + ".matrices");
+  const Run blocked = run("jsr " + matrices + " --certificate " + file);
+  CHECK(blocked.code == 0);
+  CHECK(blocked.out.find("certificate  not written: ") != std::string::npos);
+}
+
+TEST_CASE("a surface with unstable shifts has a certificate that proves convergence, too") {
+  const Folder folder;
+  const std::string file = folder / "file.cert";
+  for (const char* scheme : {"zwart-powell:", "'mask2:[[1,3,3,1],[1,3,3,1],[0,0,0,0],[1,3,3,1],[1,3,3,1]]/8'"}) {
+    CAPTURE(scheme);
+    CHECK(run(std::string("regularity ") + scheme + " --certificate " + file).code == 0);
+    const std::string text = content(file);
+    const std::size_t second = text.find("\nsum-rules ");
+    REQUIRE(text.find("\nvalues ") < second);
+    REQUIRE(second != std::string::npos);
+    CHECK(run("verify " + file).code == 0);
+    std::ofstream(file, std::ios::binary) << text.substr(0, second) + "\nend\n";
+    CHECK(run("verify " + file).code == 1);
+  }
 }
 
 TEST_CASE("the certificate of a surface is verified by its claim line") {
@@ -42,6 +89,15 @@ TEST_CASE("the certificate of a surface is verified by its claim line") {
         std::string::npos);
   std::ofstream(file, std::ios::binary) << text.substr(0, text.find("gram")) + text.substr(text.find("product"));
   CHECK(run("verify " + file).code == 1);
+  // Bounds that no claim about a surface has.
+  for (const char* bounds : {"bounds - -", "bounds - 1"}) {
+    std::ofstream(file, std::ios::binary) << std::string(text).replace(text.find("bounds 1 1"), 10, bounds);
+    const Run none = run("verify " + file);
+    CHECK(none.code == 65);
+    CHECK(none.err.find(std::string("line 3: expected a bound, as no claim of this kind has '") + bounds) !=
+          std::string::npos);
+    CHECK(run("verify " + file + " --claim '1 <= mask2:[[1,2,1]]'").code != 0);
+  }
 }
 
 TEST_CASE("a certificate is asked for the claim that is stated") {

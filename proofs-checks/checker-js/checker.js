@@ -158,6 +158,7 @@ var check_certificate = (() => {
     if (left > right) return transpose(multiply(transpose(y), transpose(x)));
     const width = left + right + bits(BigInt(y.length)) + 2;
     spend(x.length * y.length, left, width * columns);
+    spend(x.length * y.length, 64, width * columns);  // for sums
     spend(4 * (x.length + y.length) * columns, width);
     allow_bits((x.length + y.length) * columns * width);
     const packed = y.map(row => pack(row, width));
@@ -1708,6 +1709,7 @@ var check_certificate = (() => {
   const add_points = (p, q, by = 1) => p.map((x, v) => x + by * q[v]);
   const sum_of = numbers => numbers.reduce((x, y) => x + y, 0);
   function add(sequence, point, value) {
+    spend(16);
     const key = String(point), entry = sequence.get(key), total = entry ? entry[1] + value : value;
     if (total) sequence.set(key, [point, total]);
     else sequence.delete(key);
@@ -1932,7 +1934,7 @@ var check_certificate = (() => {
     for (const [p, value] of half_g.values()) {
       const mirror = p.map(x => -x || 0);
       demand(p.every(x => !x) || !half_g.has(String(mirror)), 'a point occurs twice');
-      g.set(String(mirror), [mirror, value]);
+      if (p.some(x => x)) add(g, mirror, value);
     }
     demand(sum(values_of(g)) > 0n, 'the numbers of the gram line have no positive sum');
     const correlation = new Map(), image = new Map(), entries = [...mask.values()];
@@ -2068,9 +2070,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
                    'upper', 'exact', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
-      const option = words[i].startsWith('--') ? words[i].slice(2) : 'FILE';
-      demand(option === 'FILE' || names.includes(option), `unknown option ${words[i]}`);
-      if (option !== 'FILE') ++i;
+      const named = words[i].startsWith('--'), option = named ? words[i].slice(2) : 'FILE';
+      demand(!named || names.includes(option), `unknown option ${words[i]}`);
+      if (named) ++i;
       demand(i < words.length && !(option in options), `${words[i - 1]} needs a value, and only one`);
       options[option] = words[i];
     }
@@ -2114,7 +2116,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     return claim;
   }
   function read_range(text, claim) {
-    const [, letter, low, high] = /^([a-zA-Z])=(.*?)\.\.(.*)$/.exec(text) || [];
+    const [, letter, low, high] = /^([a-zA-Z])=(.*?)\.\.(.*)$/s.exec(text) || [];
     const form = 'a range is w=LOW..HIGH with rationals LOW < HIGH';
     demand(letter, form);
     claim.interval = {low: rational(low), high: rational(high)};
@@ -2136,7 +2138,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       options.logarithm === undefined ? '' : ` with |log h|^${options.logarithm}`;
     const number_itself = exact ? `${what} = ${options.exact}` : what;
     if (rough) what = `${lower || exact ? `${number_itself} and ` : ''}no C^${rough} limits`;
-    else what = lower || upper || exact ? number_itself : 'stable integer shifts';
+    else what = lower || upper || exact ? number_itself : 'stable integer shifts of the refinable distribution';
+    if (!lower && interval && upper) what = `no convergence, or ${what}`;
     const ends = !lower && interval && upper && !sign(upper) ? 'no convergence'
       : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}${power}`;
     const subject = of_family ? of_family.file : options.surface !== undefined

@@ -8,7 +8,8 @@ const {check_certificate} = require('./checker.js');
 const max_size = 2 ** 28;  // of a file: longer ones are refused unread
 function read_text(path) {
   try {
-    const size = fs.statSync(path).size;
+    const stat = fs.statSync(path), {size} = stat;
+    if (!stat.isFile()) return null;
     return size > max_size ? ' '.repeat(max_size + 1) : fs.readFileSync(path, 'latin1');
   } catch (error) {
     return null;

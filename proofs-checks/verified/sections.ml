@@ -6,22 +6,8 @@ open Text
 
 exception Undecided of string
 
-let max_work = 1_000_000_000 (* multiplications: about a minute *)
-let spent = ref 0
-
-let spend work =
-  spent := !spent + work;
-  require (work >= 0 && !spent <= max_work) "more work than this checker allows"
-
 let bound_of q = { qnum = Q.num q; qden = Q.den q }
 
-(* So many times *)
-let spend_times copies work =
-  require (work >= 0 && work <= max_work / copies) "more work than this checker allows";
-  spend (copies * work)
-
-(* How much longer it takes to multiply by one of these numbers than by a short one *)
-let width bits = 1 + (bits / 640)
 let widest = Array.fold_left (fun most x -> max most (Z.numbits x)) 0
 let bits_of = Array.fold_left (fun most row -> max most (widest row)) 0
 
@@ -178,6 +164,7 @@ let read_polytope r family fields =
   let base =
     Array.of_list
       (List.init vertices (fun _ ->
+           spend (100 + (parts * n));
            let vertex = Array.of_list (List.map integer (take r "vertex" (parts * n) (parts * n))) in
            require ((not nonnegative) || Array.for_all (fun x -> Z.sign x >= 0) vertex) "negative coordinate";
            vertex))

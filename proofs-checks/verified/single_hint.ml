@@ -51,6 +51,8 @@ let read r family fields =
     | None -> reject "the square does not divide the mask"
   in
   let squares = { symbol; content; divisor; cosine; factor = polynomial r "factor" 1; bits } in
+  let long p = List.length p * List.fold_left (fun most x -> max most (width (Z.numbits x))) 1 p in
+  spend (3 * ((long squares.factor * long squares.factor) + (long divisor * (long divisor + long cosine))));
   require (sum_of_squares family squares) "the cosine polynomial is not shown to be a sum of squares";
   let recurrence = polynomial r "recurrence" 2 in
   require (Z.sign (last recurrence) <> 0) "the last coefficient of a recurrence is 0";

@@ -67,7 +67,7 @@ let find_weights scheme precision values scale start level extra =
       Array.iteri (fun k a -> sum := Z.add !sum (Z.mul a y.(k))) x;
       Z.shift_right !sum precision
     in
-    Sections.spend (equations * equations * (count + equations));
+    Text.spend (equations * equations * (count + equations));
     (* the smallest weights for which the equations hold *)
     match Eigenvalue_hint.solve precision (Array.map (fun x -> Array.map (product x) matrix) matrix) right with
     | None -> None
@@ -86,7 +86,7 @@ let search scheme =
   let start = Z.fdiv scheme.first less in
   let size = Z.to_int (Z.sub (Z.cdiv last less) start) + 1 in
   let bits = List.fold_left (fun m x -> max m (Z.numbits x)) (Z.numbits scheme.common) scheme.coefficients in
-  Sections.spend (size * size * size * (2 + (size * bits / 640)));
+  Text.spend (size * size * size * (2 + (size * bits / 640)));
   let system = arrays (value_matrix scheme start size) and precision = 512 + (8 * bits) in
   match
     ( solve_exactly (Array.map Array.copy system) (Array.make size scheme.common),

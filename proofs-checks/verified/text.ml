@@ -1,4 +1,4 @@
-(* Text: numbers, and files line by line. Nothing here is proved. *)
+(* Text: numbers, and files line by line; and how much work they make. Nothing here is proved. *)
 
 (* The reason, and the exit code: 1 the certificate does not prove the claim, 64 wrong arguments,
    65 malformed matrices, 66 a missing file. *)
@@ -6,6 +6,21 @@ exception Rejected of string * int
 
 let reject why = raise (Rejected (why, 64))
 let require condition why = if not condition then reject why
+let max_work = 1_000_000_000 (* multiplications: about a minute *)
+let spent = ref 0
+
+let spend work =
+  spent := !spent + work;
+  require (work >= 0 && !spent <= max_work) "more work than this checker allows"
+
+(* So many times *)
+let spend_times copies work =
+  require (work >= 0 && work <= max_work / copies) "more work than this checker allows";
+  spend (copies * work)
+
+(* How much longer it takes to multiply by one of these numbers than by a short one *)
+let width bits = 1 + (bits / 640)
+
 let max_bytes = 1 lsl 28
 let max_line = 1 lsl 24
 

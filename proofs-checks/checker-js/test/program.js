@@ -50,4 +50,11 @@ for (const text of ['', '\n', '\0', start, `${start}block 0 polytope 268435456 4
 // differences of points that are far apart
 is_rejected('subcert-certificate 3\nsurface [1,2,1]/2@-1000000000 [2]\nbounds 1 -\nsum-rules 1\ndigits -1000000000 999999999\n' +
             'space 1\nvector 0:1 1:-2 2:1\nblock 0 norm 1\nend\n', '--surface', '[1,2,1]/2@-1000000000', '--dilation', '[2]');
+// what a search with going back over the text would take days for; points that are too many with their mirror images
+const curve = ['--mask', '[1,2,1]/2', '--arity', '2'];
+is_rejected(start.replace('sum-rules 1', `reduced ${'[]/'.padEnd(2 ** 21, ']/')}@@ [1]`), ...curve);
+is_rejected(start.replace('sum-rules 1', `reduced ${'['.repeat(2 ** 22)} [1]`), ...curve);
+const points = Array.from({length: 600000}, (_, i) => `${i}:1`).join(' ');
+is_rejected('subcert-certificate 3\nsurface [1,2,1]/2@-1 [2]\nbounds 1 1\nsum-rules 2\ndigits 0 1\nspace 1\nvector -1:1 0:-2 1:1\n' +
+            `gram ${points}\nproduct 0 1/2 0 0\nblock 0 norm 1\nend\n`, '--surface', '[1,2,1]/2@-1', '--dilation', '[2]');
 console.log('passed');

@@ -139,7 +139,8 @@ if mode == "usage":
             (65, "--subradius golden.cert --upper 2 golden.cert"), (66, "--subradius none.mat --upper 2 golden.cert"),
             (66, "--subradius golden.mat --upper 2 none.cert"),
             (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
-            (66, f"{golden} none.cert"), (66, f"{golden} ."), (0, "--help"), (0, f"{golden} golden.cert")]:
+            (66, f"{golden} none.cert"), (66, f"{golden} ."), (66, f"{golden} /dev/null"), (64, f"{golden} --FILE golden.cert"),
+            (64, "--surface [1,2,1]/2 --dilation [2] --lower 1 --FILE golden.cert"), (0, "--help"), (0, f"{golden} golden.cert")]:
         result = run(arguments.split())
         expect(arguments, result[0] == code and bool(result[2] if code else result[1]), result)
         expect(arguments, code == 0 or "VERIFIED" not in result[1], result)
@@ -157,17 +158,19 @@ else:
             exact, logarithm = values.pop("--exact", None), values.pop("--logarithm", None)
             what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
             what = "joint spectral subradius" if "--subradius" in values else what
-            what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts"
+            what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts of the refinable distribution"
             subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
                                     for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
             relation = "<" if range_ else "<="
             rough = upper and upper.startswith("C")
             if rough:
                 what = (f"{what} and no C^" if lower or exact else "no C^") + upper[1:] + " limits"
+            elif range_ and upper and not lower:
+                what = "no convergence, or " + what
             text = "VERIFIED " + (f"{Fraction(lower)} {relation} " if lower else "") + what
             text += f" {relation} {Fraction(upper)}" if upper and not rough else ""
             text += (f" with |log h|^{logarithm}" if logarithm else "") + f" of {subject}"
-            text = text.replace("Hoelder exponent < 0", "no convergence") + (f" for all {range_}" if range_ else "")
+            text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + (f" for all {range_}" if range_ else "")
             text += f" for all masks within={within}" if within else ""
             expect(name, result == (0, text, ""), result)
         else:

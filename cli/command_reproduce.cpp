@@ -8,13 +8,14 @@
 #include <subcert/reports/report_files.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <mutex>
@@ -53,6 +54,18 @@ std::vector<reports::CheckedStatement> check_all_statements(const ReproduceOptio
                                    [&](const std::string& id) { options.progress(id); });
 }
 
+/// Which program ran, what was asked for, and today's date.
+reports::Origin origin(const ReproduceOptions& options) {
+  std::string input = "subcert reproduce";
+  for (const std::string& paper : options.papers) input += " " + paper;
+  if (!options.only.empty()) input += fmt::format(" --only {}", fmt::join(options.only, ","));
+  if (options.seed != ReproduceOptions().seed) input += fmt::format(" --seed {}", options.seed);
+  const std::time_t now = std::time(nullptr);
+  char when[16] = "";
+  if (const std::tm* day = std::gmtime(&now)) std::strftime(when, sizeof when, "%Y-%m-%d", day);
+  return {SUBCERT_VERSION, SUBCERT_COMMIT, input, when};
+}
+
 bool wants_colours() {
   const char* terminal = std::getenv("TERM");
   return isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR") && terminal && std::string(terminal) != "dumb";
@@ -68,6 +81,7 @@ ExitCode run(ReproduceOptions& options) {
     earlier = reports::read_results(read_file(file), file);
   }
   reports::Findings findings;
+  findings.origin = origin(options);
   std::mutex terminal;
   reports::ReportOptions report_options{options.only, options.threads(),
                                         [&](const std::string& line) {

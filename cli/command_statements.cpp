@@ -3,11 +3,12 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/reports/errata.hpp>
+#include <subcert/reports/results.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <map>
 
 namespace subcert::cli {
 namespace {
@@ -37,13 +38,25 @@ std::vector<const Statement*> selected(const std::vector<std::string>& wanted) {
   return result;
 }
 
+Json grade_json(const std::optional<Grade>& grade) { return grade ? Json(to_text(*grade)) : Json(); }
+
+/// `misprint, slip`, to a width.
+std::string verdict_column(StatementVerdict verdict, const std::optional<Grade>& grade) {
+  return fmt::format("{:<23}", to_text(verdict) + (grade ? ", " + to_text(*grade) : ""));
+}
+
 Json statement_json(const Statement& statement) {
   return {{"id", statement.id},
           {"place", statement.place},
           {"paraphrase", statement.paraphrase},
           {"checked", statement.checked},
           {"printed", printed_latex(statement)},
-          {"recorded", to_text(statement.recorded)}};
+          {"sentence", statement.sentence},
+          {"readings", statement.readings},
+          {"follows", statement.follows},
+          {"scan", statement.scan},
+          {"recorded", to_text(statement.recorded)},
+          {"recorded_grade", grade_json(statement.grade)}};
 }
 
 ExitCode list(const StatementsOptions& options) {
@@ -64,9 +77,8 @@ ExitCode list(const StatementsOptions& options) {
       paper = statement->paper();
       text += (text.empty() ? "" : "\n") + paper + "\n";
     }
-    const std::string verdict = to_text(statement->recorded);
-    text += "  " + verdict + std::string(17 - verdict.size(), ' ') + statement->id + "  " + statement->paraphrase +
-            "\n";
+    text += "  " + verdict_column(statement->recorded, statement->grade) + statement->id + "  " +
+            statement->paraphrase + "\n";
   }
   options.answer(text);
   return done;
@@ -76,6 +88,8 @@ Json outcome_json(const reports::CheckedStatement& checked) {
   const Statement& statement = *checked.statement;
   Json json = statement_json(statement);
   json["verdict"] = to_text(checked.outcome.verdict);
+  json["grade"] = grade_json(grade_of(statement, checked.outcome));
+  json["edge"] = checked.outcome.edge;
   json["range"] = checked.outcome.range;
   json["witness"] = checked.outcome.witness;
   json["corrected"] = corrected_latex(statement);
@@ -85,19 +99,23 @@ Json outcome_json(const reports::CheckedStatement& checked) {
 }
 
 std::string outcome_text(const Statement& statement, const Outcome& outcome) {
-  const std::string verdict = to_text(outcome.verdict);
-  std::string text = verdict + std::string(17 - verdict.size(), ' ') + statement.id + "  " + statement.paraphrase +
-                     "\n";
+  const std::optional<Grade> grade = grade_of(statement, outcome);
+  std::string text = verdict_column(outcome.verdict, grade) + statement.id + "  " + statement.paraphrase + "\n";
   const auto line = [&](const char* name, const std::string& content) {
-    if (!content.empty()) text += std::string(19, ' ') + name + content + "\n";
+    if (!content.empty()) text += std::string(25, ' ') + name + content + "\n";
   };
+  if (grade) line("", verdict_in_words(statement, outcome));
   line("range: ", outcome.range);
+  if (grade) line("the paper says: ", statement.sentence);
+  if (grade) line("read as: ", statement.readings);
+  line("as the scan has it: ", statement.scan);
   line("witness: ", outcome.witness);
-  if (outcome.verdict == StatementVerdict::misprint || outcome.verdict == StatementVerdict::false_claim)
-    line("corrected: ", corrected_latex(statement));
+  if (grade) line("corrected: ", corrected_latex(statement));
   line("", outcome.argument);
-  if (outcome.verdict != statement.recorded)
-    line("NOT AS RECORDED: the verdict on record is ", to_text(statement.recorded));
+  line("follows from: ", statement.follows);
+  if (!is_as_recorded(statement, outcome))
+    line("NOT AS RECORDED: the verdict on record is ",
+         to_text(statement.recorded) + (statement.grade ? ", " + to_text(*statement.grade) : ""));
   return text;
 }
 
@@ -110,9 +128,7 @@ ExitCode run_checks(const StatementsOptions& options) {
   ExitCode code = done;
   Json json{{"statements", Json::array()}};
   std::string text;
-  std::map<StatementVerdict, int> counts;
   for (const reports::CheckedStatement& checked : results) {
-    ++counts[checked.outcome.verdict];
     if (checked.outcome.verdict == StatementVerdict::undecided)
       code = code == done ? undecided : code;
     else if (!checked.as_recorded())
@@ -120,9 +136,8 @@ ExitCode run_checks(const StatementsOptions& options) {
     json["statements"].push_back(outcome_json(checked));
     text += outcome_text(*checked.statement, checked.outcome);
   }
-  text += "\n" + std::to_string(results.size()) + (results.size() == 1 ? " statement:" : " statements:");
-  for (const auto& [verdict, count] : counts) text += " " + std::to_string(count) + " " + to_text(verdict) + ",";
-  text.back() = '.';
+  const reports::Counts found = reports::counts(reports::results(results), reports::ResultKind::statement);
+  text += "\n" + found.text() + ".";
   text += std::string(code == done ? " All verdicts are the ones on record." : "") + "\n";
   options.answer(json, text);
   return code;

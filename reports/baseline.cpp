@@ -37,19 +37,18 @@ bool are_disjoint(const Enclosure& a, const Enclosure& b) {
 
 /// Nothing where both are the same.
 std::optional<Change> change(const EarlierResult& before, const Result& now) {
-  if (before.verdict != to_text(now.verdict))
-    return Change{now.key,
-                  fmt::format("{}, was {} (computed {}, was {})", to_text(now.verdict), before.verdict, now.computed,
-                              before.computed),
-                  true};
+  if (before.verdict != now.verdict)
+    return Change{
+        now.key,
+        fmt::format("{}, was {} (computed {}, was {})", now.verdict, before.verdict, now.computed, before.computed),
+        true};
   if (before.printed != now.printed)
     return Change{now.key, fmt::format("printed {}, was {}", now.printed, before.printed), true};
   if (before.enclosure && now.enclosure && are_disjoint(*before.enclosure, *now.enclosure))
     return Change{now.key, fmt::format("computed {}, which excludes what it was, {}", now.computed, before.computed),
                   true};
   if (before.computed == now.computed) return std::nullopt;
-  const bool is_exact_object = now.kind == ResultKind::value && !now.enclosure &&
-                               now.verdict != Verdict::not_reproducible;
+  const bool is_exact_object = now.kind == ResultKind::value && !now.enclosure && now.standing != Standing::aside;
   return Change{now.key, fmt::format("computed {}, was {}", now.computed, before.computed), is_exact_object};
 }
 
@@ -91,7 +90,7 @@ std::vector<Change> changes(const std::vector<EarlierResult>& earlier, const std
       if (auto what = change(*found->second, one)) list.push_back(std::move(*what));
       before.erase(found);
     } else if (items_before.contains({one.paper, one.item})) {
-      list.push_back({one.key, fmt::format("new: {}, computed {}", to_text(one.verdict), one.computed)});
+      list.push_back({one.key, fmt::format("new: {}, computed {}", one.verdict, one.computed)});
     }
   }
   for (const EarlierResult& one : earlier)

@@ -108,13 +108,14 @@ std::string command_of(const statements::PublishedCell& cell) {
 formats::Comparison compare_number(const statements::PublishedCell& cell, const Enclosure& computed,
                                    const std::string& note) {
   const ValueVerdict verdict = formats::compare(cell.printed, computed);
-  return {cell.row, cell.column,       cell.scheme, cell.printed,    computed, verdict, recorded_verdict(cell, verdict),
-          note,     source_text(cell), "",          command_of(cell)};
+  return {
+      cell.row, cell.column,       cell.scheme, cell.printed,     computed,    verdict, recorded_verdict(cell, verdict),
+      note,     source_text(cell), "",          command_of(cell), cell.derived};
 }
 
 formats::Comparison compare_text(const statements::PublishedCell& cell, const std::string& computed, Truth equal) {
-  return {cell.row,      cell.column, cell.scheme, cell.printed, computed,        comparison_verdict(equal),
-          cell.recorded, "",          "",          "",           command_of(cell)};
+  return {cell.row,      cell.column, cell.scheme, cell.printed, computed,         comparison_verdict(equal),
+          cell.recorded, "",          "",          "",           command_of(cell), cell.derived};
 }
 
 std::vector<std::string> schemes_of(const statements::PublishedTable& table) {
@@ -124,9 +125,8 @@ std::vector<std::string> schemes_of(const statements::PublishedTable& table) {
 }
 
 std::string verdict_sentence(const formats::ComparisonTable& table) {
-  return std::to_string(table.count(ValueVerdict::match)) + " of " + std::to_string(table.comparisons.size()) +
-         " printed values match, " + std::to_string(table.count(ValueVerdict::mismatch)) + " do not, " +
-         std::to_string(table.count(ValueVerdict::open)) + " are open.";
+  return fmt::format("{} of {} printed values match, {} do not, {} are open.", table.count(ValueVerdict::match),
+                     table.values(), table.count(ValueVerdict::mismatch), table.count(ValueVerdict::open));
 }
 
 }  // namespace subcert::reports

@@ -1,6 +1,7 @@
 #include "conjecture_story.hpp"
 
 #include "computed_quantities.hpp"
+#include "story_sentences.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/interval.hpp>
@@ -30,8 +31,9 @@ struct Course {
   Course(int of_degree, const ComputedQuantities& quantities) : degree(of_degree) {
     for (int n = (degree + 1) / 2; n <= last_n_of_figure_8; ++n) {
       const VarianceFacts& facts = quantities.variance(statements::specification("primal", n, degree));
-      maxima.push_back({n, facts.maximum});
-      slopes.push_back({n, facts.slope});
+      const bool interpolates = 2 * n == degree + 1;
+      maxima.push_back({n, facts.maximum, interpolates});
+      slopes.push_back({n, facts.slope, interpolates});
     }
     limit = *limit_comparison(degree, maxima);
   }
@@ -126,9 +128,19 @@ std::string in_words(const std::vector<std::string>& words) {
   return text;
 }
 
+ConjectureDecay decay_of(const std::vector<Course>& courses) {
+  ConjectureDecay decay;
+  for (const Course& course : courses) {
+    decay.maxima.push_back(decay_finding(1, course.maxima));
+    decay.slopes.push_back(decay_finding(2, course.slopes));
+  }
+  return decay;
+}
+
 std::vector<std::string> story(const std::vector<Course>& courses, const Suggested& suggested,
                                const NumericalRecipeSearch& search) {
   const Course& first = courses.front();
+  const ConjectureDecay decay = decay_of(courses);
   std::vector<std::string> sizes, printed, certified, by_recipe, constants, falls;
   for (const auto& [n, text] : suggested.printed) {
     if (n == 1) continue;  // the kink of the hat function, not of the rate
@@ -154,18 +166,17 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
           ". Over all x, n^2 max |psi'| is proved to be at most " + in_words(certified) + " there.",
       "Where the printed values may come from. Of the " + std::to_string(search.cells()) + " printed values, " +
           std::to_string(search.cells_given()) +
-          " have the digits of one numerical recipe: " + numerical_recipes()[search.best()].text() +
+          " agree with one numerical recipe: " + numerical_recipes()[search.best()].text() +
           ". For d = 1 and n = " + in_words(sizes) + " it gives n^2 max |psi'| = " + in_words(by_recipe) +
           " and at n = " + last + " still " + to_fixed(suggested.recipe_at(last_n_of_figure_8), 4, Rounding::nearest) +
           ". The terms that such a sum leaves out have slopes of their own, far larger than those of psi, and these "
           "are what it measures. What was really computed for the paper we cannot know.",
-      "What is true of the first half. It holds, as a rate and for every degree: n max psi tends to a constant, " +
-          in_words(constants) + " (docs/limit-constants.md, with proof and any number of digits).",
-      "What is true of the second half. As an upper bound it holds, as a rate it does not: for every degree max |psi'| "
-      "falls faster than every power of n. Between n = " +
-          std::to_string(decay_finding(2, first.slopes).rate_from) + " and n = " + last + " it falls " +
-          in_words(falls) +
-          ". For the degrees up to 13 there are explicit bounds for every n (docs/theorems/README.md)."};
+      "What is certified. " + conjecture_7_finding(decay) + " The limits of n max psi are " + in_words(constants) +
+          "; between n = " + std::to_string(decay.slopes.front().rate_from) + " and n = " + last +
+          " max |psi'| falls " + in_words(falls) + ".",
+      "What is proved for every n. The limits C_d and that max |psi'| falls faster than every power of n: "
+      "docs/limit-constants.md. Explicit bounds for the degrees up to 13: docs/theorems/README.md; their inequalities "
+      "are run below."};
 }
 
 }  // namespace
@@ -178,9 +189,7 @@ formats::Section conjecture_7_section(ComputedQuantities& quantities) {
   const Suggested suggested(quantities);
   formats::Section section{"conjecture-7", "Conjecture 7: what is true",
                            story(courses, suggested, quantities.recipes())};
-  section.finding =
-      "Conjecture 7 and Theorem 6, second half: true as an upper bound, false as a rate. max |psi'| falls faster than "
-      "every power of n.";
+  section.finding = conjecture_7_finding(decay_of(courses));
   section.tables.push_back(limits(courses));
   section.figures.push_back(plot(courses, suggested));
   section.evidence = section.figures.back().panels.back();

@@ -4,11 +4,11 @@
 #include "conjecture_story.hpp"
 #include "dyn_2015_variance.hpp"
 #include "paper_experiments.hpp"
+#include "story_sentences.hpp"
 #include "theorem_section.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
-#include <subcert/proofs-checks/sweeps/number_list.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
@@ -137,7 +137,7 @@ void explain_levels(formats::Section& section, ComputedQuantities& quantities) {
 /// The exponents themselves beside what sixteen levels show.
 formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& options) {
   quantities.need_exponents(bound_schemes());
-  formats::Section section{"exponents", "What the paper could not see", {}};
+  formats::Section section{"exponents", "The exponents themselves", {}};
   formats::PlainTable table{
       "exponents",
       "Printed bounds and exponents",
@@ -150,21 +150,20 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
                          {}};
   int exact = 0, total = 0;
   Rational widest = 0;
-  std::string trend;
+  std::vector<BoundsAndExponents> families;
   for (const char* family : {"primal", "dual"}) {
     const statements::PublishedTable& printed = quantities.published(family == std::string("primal") ? "table1"
                                                                                                      : "table2");
     formats::Curve bound_curve{"printed bound", {}, true}, upper_curve{"exponent, proved upper end", {}, true},
         lower_curve{"exponent, proved lower end", {}, true};
     bool closed = true;
-    std::string largest;     // printed bound
-    std::vector<int> above;  // the n whose exponents are proved to exceed it
-    for (const statements::PublishedCell& cell : printed.cells) largest = std::max(largest, cell.printed);
+    families.push_back({family, 2, {}, {}});
     for (int n = 2; n <= 10; ++n) {
       const HolderRegularity& regularity = quantities.exponent(statements::specification(family, n));
       const Rational low = *regularity.exponent.lower, high = *regularity.exponent.upper;
       const std::string bound = printed.cells[static_cast<std::size_t>(n) - 2].printed;
-      if (formats::compare(largest, Enclosure::at_least(low)) == ValueVerdict::mismatch) above.push_back(n);
+      families.back().bounds.push_back(bound);
+      families.back().exponents.push_back(regularity.exponent);
       widest = std::max(widest, Rational(high - low));
       closed = closed && regularity.radius.is_closed();
       exact += regularity.radius.exact.is_yes() ? 1 : 0;
@@ -192,15 +191,12 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
     std::vector<formats::Curve> curves{bound_curve, lower_curve};
     if (!closed) curves.push_back(upper_curve);
     figure.panels.push_back({std::string(family) + " schemes", "n", "", curves, false, "bottom right"});
-    trend += std::string(trend.empty() ? "" : " ") + "For the " + family +
-             " schemes the exponent is proved to exceed " + largest +
-             ", the largest printed bound, for n = " + sweeps::number_list_text(above) + ".";
   }
-  section.finding = "Tables 1 and 2 rise to n = 4 and then fall; the exponents do not. " + trend;
+  section.finding = exponents_finding(families);
   section.paragraphs.push_back(
-      "Tables 1 and 2 print bounds after sixteen levels. They rise to a maximum at n = 4 and then fall, which suggests "
-      "that larger supports make the limits less smooth. The exponents themselves do not follow that trend. " +
-      trend + " The fall in the tables is an effect of stopping at sixteen levels: larger schemes need more of them.");
+      "Tables 1 and 2 print bounds after sixteen levels; a larger scheme needs more levels for "
+      "as sharp a bound. " +
+      section.finding);
   section.paragraphs.push_back(
       "The exponents come from the joint spectral radius of the transition matrices: a product of them proves the "
       "upper end (the integer shifts are stable, which is decided exactly), an invariant polytope the lower end, both "

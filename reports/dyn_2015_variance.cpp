@@ -8,6 +8,8 @@
 #include <subcert/proofs-checks/papers/dyn-2015/figures.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace subcert::reports {
@@ -15,23 +17,6 @@ namespace subcert::reports {
 using namespace statements::dyn_2015;
 
 namespace {
-
-/// The schemes are those of the sentences, so that they are computed in parallel.
-formats::ComparisonTable compare_sentences(const statements::PublishedTable& table,
-                                           const std::vector<std::string>& schemes, ComputedQuantities& quantities) {
-  quantities.need_variance(schemes);
-  formats::ComparisonTable result = empty_table(table);
-  for (const statements::PublishedCell& cell : table.cells) {
-    const DecidedSentence found = decide_sentence(cell, quantities.paper(),
-                                                  [&](const std::string& scheme) -> VarianceExtremes {
-                                                    quantities.need_variance({scheme});
-                                                    const VarianceFacts& facts = quantities.variance(scheme);
-                                                    return {facts.maximum, facts.minimum, facts.slope};
-                                                  });
-    result.comparisons.push_back(compare_text(cell, found.text, found.truth));
-  }
-  return result;
-}
 
 formats::ComparisonTable compare_table_3(const statements::PublishedTable& table, ComputedQuantities& quantities) {
   quantities.need_variance(schemes_of(table));
@@ -138,17 +123,16 @@ formats::PlainTable extremes_table(const std::string& id, const std::string& tit
   return table;
 }
 
+/// n^2 times the largest slope for degree 1, at some n.
 std::string slope_sentence(ComputedQuantities& quantities) {
   const auto scaled_slope = [&](int n) {
     return to_decimal(n * n * *quantities.variance(statements::specification("primal", n)).slope.upper, 3,
                       Rounding::up);
   };
-  return "Figure 8. The paper reads its right panel as nearly constant. Certified, n^2 times the largest slope for "
-         "degree 1 falls from " +
-         scaled_slope(1) + " at n = 1 through " + scaled_slope(3) + " at n = 3 and " + scaled_slope(7) +
-         " at n = 7 to " + scaled_slope(last_n_of_figure_8) + " at n = " + std::to_string(last_n_of_figure_8) +
-         ": on this range 1/n^2 is true as an upper bound and not the rate. For every n this is a theorem, see "
-         "docs/theorems/README.md.";
+  std::vector<std::string> parts;
+  for (const int n : {1, 3, 7, last_n_of_figure_8}) parts.push_back(fmt::format("{} at n = {}", scaled_slope(n), n));
+  return fmt::format("Figure 8, right: for degree 1 n^2 times the largest slope is at most {}.",
+                     fmt::join(parts, ", "));
 }
 
 }  // namespace
@@ -160,38 +144,34 @@ formats::Section variance_section(const ReportOptions& options, ComputedQuantiti
     section.comparisons.push_back(compare_table_3(quantities.published("table3"), quantities));
     section.paragraphs.push_back("Table 3: " + verdict_sentence(section.comparisons.back()));
     section.evidence = printed_over_certified(quantities.published("table3"), section.comparisons.back());
-    section.finding = section.paragraphs.back() + " One truncated sum has the digits of " +
-                      std::to_string(quantities.recipes().cells_given()) + " of them.";
+    section.finding = fmt::format(
+        "{} (Their multiples by n and n^2 aside.) One truncated sum agrees with {} of the {} "
+        "numbers of the table.",
+        section.paragraphs.back(), quantities.recipes().cells_given(), quantities.recipes().cells());
     section.paragraphs.push_back(
         "What the verdicts mean. Maxima of psi and of |psi'| are enclosed over all of [0, 1], to a relative width of "
         "1e-6, and a printed value that the enclosure excludes is a mismatch. Where the printed value is too small "
         "there is also a witness that anyone can evaluate: an exact value of psi at a dyadic point, or a divided "
         "difference of two such values, which bounds the largest slope from below.");
-    section.paragraphs.push_back("Where the digits may come from. " + quantities.recipes().summary() +
-                                 " That it gives the digits does not prove that it is what was computed. It leaves out "
-                                 "the ends of the support, which lowers the maxima of psi a little and adds a slope "
-                                 "that psi does not have. docs/table-3.md lists what was tried.");
-  }
-  const std::map<std::string, std::vector<std::string>> figures{
-      {"fig2", schemes_of_figure_2()}, {"fig8", schemes_of_figure_8()}, {"fig9", schemes_of_figure_9()}};
-  for (const auto& [item, schemes] : figures) {
-    if (!options.wants(item)) continue;
-    quantities.say(item);
-    section.comparisons.push_back(compare_sentences(quantities.published(item), schemes, quantities));
-    section.paragraphs.push_back("Statements about Figure " + item.substr(3) + ": " +
-                                 std::to_string(section.comparisons.back().count(ValueVerdict::match)) + " of " +
-                                 std::to_string(section.comparisons.back().comparisons.size()) + " hold.");
+    section.paragraphs.push_back(
+        "Where the digits may come from. " + quantities.recipes().summary() +
+        " That it agrees with the digits does not prove that it is what was computed. It leaves out "
+        "the ends of the support, which lowers the maxima of psi a little and adds a slope "
+        "that psi does not have. docs/table-3.md lists what was tried.");
   }
   if (options.wants("fig2")) {
+    quantities.say("fig2");
     section.tables.push_back(
         extremes_table("fig2-values", "Figure 2, enclosed over all x", schemes_of_figure_2(), quantities));
     section.figures.push_back(figure_2());
   }
   if (options.wants("fig8")) {
+    quantities.say("fig8");
     section.figures.push_back(figure_8(quantities));
     section.paragraphs.push_back(slope_sentence(quantities));
   }
   if (options.wants("fig9")) {
+    quantities.say("fig9");
     section.tables.push_back(
         extremes_table("fig9-values", "Figure 9, enclosed over all x", schemes_of_figure_9(), quantities));
     section.figures.push_back(figure_9());

@@ -4,6 +4,9 @@
 #include <subcert/analysis/symbol/parallel.hpp>
 #include "formats/html.hpp"
 #include "formats/mathml.hpp"
+#include "results.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <mutex>
@@ -13,16 +16,15 @@ namespace {
 
 using statements::Outcome;
 using statements::Statement;
+using Chosen = std::vector<const CheckedStatement*>;
 
-const std::vector<Verdict> verdicts{Verdict::holds_for_all, Verdict::holds,         Verdict::misprint,
-                                    Verdict::false_claim,   Verdict::not_checkable, Verdict::undecided};
+bool is_wrong(const CheckedStatement& one) { return standing(one.outcome.verdict) == Standing::wrong; }
+bool is_edge(const CheckedStatement& one) { return !one.outcome.edge.empty(); }
+bool is_right(const CheckedStatement& one) { return standing(one.outcome.verdict) == Standing::right && !is_edge(one); }
+bool is_undecided(const CheckedStatement& one) { return !is_wrong(one) && !is_edge(one) && !is_right(one); }
 
-bool is_wrong(const Outcome& outcome) {
-  return outcome.verdict == Verdict::misprint || outcome.verdict == Verdict::false_claim;
-}
-
-std::string verdict_html(const Outcome& outcome) {
-  return "<span class=verdict>" + to_text(outcome.verdict) + "</span>";
+std::string verdict_html(const CheckedStatement& one) {
+  return "<span class=verdict>" + formats::html(verdict_in_words(*one.statement, one.outcome)) + "</span>";
 }
 
 /// A row of a statement: a label and HTML.
@@ -48,53 +50,74 @@ std::string forms(const std::string& printed, const std::string& corrected) {
          "</div></div>\n" + source({printed, corrected});
 }
 
+std::string quoted(const std::string& sentence) {
+  return sentence.empty() ? "" : "<q>" + formats::html(sentence) + "</q>";
+}
+
 std::string statement_html(const CheckedStatement& checked) {
   const Statement& statement = *checked.statement;
   const Outcome& outcome = checked.outcome;
-  return "<section class=\"statement " + to_text(outcome.verdict) + "\" id=\"" + statement.id + "\">\n<p class=head>" +
-         formats::html(statement.place) + " " + verdict_html(outcome) + "</p>\n<p>" +
-         formats::html(statement.paraphrase) + "</p>\n" +
-         forms(printed_latex(statement), is_wrong(outcome) ? corrected_latex(statement) : "") + "<dl>\n" +
-         line("witness", formats::html(outcome.witness)) + line("tried on", formats::html(outcome.range)) +
-         line(is_wrong(outcome) ? "remark" : "why", formats::html(outcome.argument)) +
-         line("id", "<code>" + statement.id + "</code>") + "</dl></section>\n";
+  const bool faulty = is_wrong(checked) || is_edge(checked);
+  return fmt::format(
+      "<section class=\"statement {}\" id=\"{}\">\n<p class=head>{} {}</p>\n<p>{}</p>\n{}<dl>\n{}{}{}{}{}{}{}{}{}"
+      "</dl></section>\n",
+      to_text(standing(outcome.verdict)), statement.id, formats::html(statement.place), verdict_html(checked),
+      formats::html(statement.paraphrase), forms(printed_latex(statement), faulty ? corrected_latex(statement) : ""),
+      line("the paper says", faulty ? quoted(statement.sentence) : ""),
+      line("read as", faulty ? formats::html(statement.readings) : ""),
+      line("as the scan has it", formats::html(statement.scan)), line("witness", formats::html(outcome.witness)),
+      line("tried on", formats::html(outcome.range)), line(faulty ? "remark" : "why", formats::html(outcome.argument)),
+      line("checked", formats::html(statement.checked)),
+      line("follows from",
+           statement.follows.empty() ? "" : fmt::format("<a href=\"#{0}\">{0}</a>", formats::html(statement.follows))),
+      line("id", "<code>" + statement.id + "</code>"));
 }
 
-std::string list_of(const std::string& heading, const std::vector<const CheckedStatement*>& checked) {
+std::string list_of(const std::string& id, const std::string& heading, const Chosen& checked) {
   if (checked.empty()) return "";
-  std::string text = "<h3>" + heading + "</h3>\n";
+  std::string text = fmt::format("<h3 id=\"{}\">{} ({})</h3>\n", id, heading, checked.size());
   for (const CheckedStatement* one : checked) text += statement_html(*one);
   return text;
 }
 
-std::string summary(const std::vector<CheckedStatement>& checked) {
-  std::vector<std::string> head{"paper"};
-  for (const Verdict verdict : verdicts) head.push_back(to_text(verdict));
-  std::vector<formats::SummaryRow> rows;
-  for (const std::string& paper : statements::paper_keys()) {
-    formats::SummaryRow row{paper, paper, {}};
-    for (const Verdict verdict : verdicts)
-      row.counts.push_back(static_cast<std::size_t>(std::ranges::count_if(checked, [&](const CheckedStatement& one) {
-        return one.statement->paper() == paper && one.outcome.verdict == verdict;
-      })));
-    if (std::ranges::any_of(row.counts, [](std::size_t count) { return count > 0; })) rows.push_back(row);
+/// Each fault, and under it those that repeat it.
+Chosen by_cause(const Chosen& checked) {
+  Chosen result;
+  for (const CheckedStatement* first : checked) {
+    const auto in_list = [&](const std::string& id) {
+      return std::ranges::any_of(checked, [&](const CheckedStatement* one) { return one->statement->id == id; });
+    };
+    if (!first->statement->follows.empty() && in_list(first->statement->follows)) continue;
+    result.push_back(first);
+    for (const CheckedStatement* other : checked)
+      if (other->statement->follows == first->statement->id) result.push_back(other);
   }
-  return formats::summary_html(head, rows);
+  return result;
 }
 
 std::string paper_section(const statements::Paper& paper, const std::vector<CheckedStatement>& checked) {
-  std::vector<const CheckedStatement*> wrong, right, open;
-  for (const CheckedStatement& one : checked) {
-    if (one.statement->paper() != paper.key) continue;
-    const Verdict verdict = one.outcome.verdict;
-    (is_wrong(one.outcome)                                            ? wrong
-     : verdict == Verdict::holds || verdict == Verdict::holds_for_all ? right
-                                                                      : open)
-        .push_back(&one);
+  struct Part {
+    const char* id;
+    const char* heading;
+    bool (*belongs)(const CheckedStatement&);
+  };
+  constexpr Part parts[]{{"holds", "What holds", is_right},
+                         {"edges", "What holds but for an edge", is_edge},
+                         {"errata", "What to correct", is_wrong},
+                         {"open", "What was not decided", is_undecided}};
+  std::string lists, links;
+  for (const auto& [id, heading, belongs] : parts) {
+    Chosen chosen;
+    for (const CheckedStatement& one : checked)
+      if (one.statement->paper() == paper.key && belongs(one)) chosen.push_back(&one);
+    const std::string anchor = paper.key + "-" + id;
+    lists += list_of(anchor, heading, by_cause(chosen));
+    if (!chosen.empty()) links += fmt::format("<a href=\"#{}\">{} ({})</a> ", anchor, heading, chosen.size());
   }
-  if (wrong.empty() && right.empty() && open.empty()) return "";
-  return "<h2 id=\"" + paper.key + "\">" + paper.key + "</h2>\n<p class=citation>" + formats::html(paper.citation) +
-         "</p>\n" + list_of("Errata", wrong) + list_of("Confirmations", right) + list_of("Not checked", open);
+  if (lists.empty()) return "";
+  const Counts found = counts(results(checked), ResultKind::statement, paper.key);
+  return fmt::format("<h2 id=\"{0}\">{0}</h2>\n<p class=citation>{1}</p>\n<p>{2}.</p>\n<nav>{3}</nav>\n{4}", paper.key,
+                     formats::html(paper.citation), found.text(), links, lists);
 }
 
 }  // namespace
@@ -119,14 +142,18 @@ std::string errata_page(const std::vector<CheckedStatement>& checked) {
   std::string body =
       "<h1>Errata and confirmations</h1>\n<p>The statements of the papers as executable checks. The printed forms are "
       "typed in as they stand and compared with what follows from the definitions, in exact arithmetic or with outward "
-      "rounding. <b>holds-for-all-n</b>: proved for all admissible parameters; <b>holds</b>: on the range named; "
-      "<b>misprint</b>: the printed form fails at the witness and the corrected form passes the same check; "
-      "<b>false</b>: it fails, and no change of a symbol saves it. The closed forms among the formulas are printed "
-      "from "
-      "what was checked; beside an erratum, <span class=\"printed\"><span class=changed>what the printed form has "
-      "alone</span></span> and <span class=\"corrected\"><span class=changed>what the corrected one has "
-      "alone</span></span> are marked. Formulas are MathML with their LaTeX text.</p>\n" +
-      summary(checked);
+      "rounding. <b>Proved for all n</b>: for all admissible parameters. <b>Holds on the range tried</b>: no "
+      "counterexample on the range named. <b>Holds, but not at ...</b>: all but a case at the edge of the printed "
+      "range "
+      "holds. <b>Slip of the pen</b>: an index, a sign, a letter or a word; the printed form fails at the witness and "
+      "the corrected form passes the same check. <b>Number is off</b>: the remark says how far. <b>Does not hold</b>: "
+      "it fails at the witness in every reading that is named, and no change of a symbol saves it. What repeats a "
+      "fault "
+      "stands under it. The closed forms among the formulas are printed from what was checked; beside an erratum, "
+      "<span class=\"printed\"><span class=changed>what the printed form has alone</span></span> and <span "
+      "class=\"corrected\"><span class=changed>what the corrected one has alone</span></span> are marked. Formulas are "
+      "MathML with their LaTeX text. Where one scan was all there is, and a slip of the text recognition would explain "
+      "what is found, the entry says so.</p>\n";
   for (const auto& paper : statements::papers()) body += paper_section(paper, checked);
   return formats::html_page("subcert: errata and confirmations", body);
 }

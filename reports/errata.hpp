@@ -14,7 +14,7 @@ struct CheckedStatement {
   statements::Outcome outcome;
   double seconds;
 
-  bool as_recorded() const { return outcome.verdict == statement->recorded; }
+  bool as_recorded() const { return is_as_recorded(*statement, outcome); }
 };
 
 /// Runs the checks on at most `jobs` threads; `progress` is called with an id before each, one call at a time. Errors:
@@ -23,7 +23,8 @@ std::vector<CheckedStatement> check_statements(const std::vector<const statement
                                                statements::Tier tier, int jobs,
                                                const std::function<void(const std::string&)>& progress);
 
-/// Errata and confirmations by paper: first what is wrong, with witness and correction, then what holds.
+/// By paper: first what holds, then what to correct, each fault with what follows from it, then what fails at an edge
+/// only and what cannot be checked.
 std::string errata_page(const std::vector<CheckedStatement>& checked);
 
 }  // namespace subcert::reports

@@ -5,39 +5,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 
 namespace subcert::reports {
 namespace {
 
 using formats::html;
 
-/// A kind of results, and what is said of those that are right and of those that are wrong.
-struct Kind {
-  ResultKind kind;
-  const char* name;
-  const char* right;
-  const char* wrong;
-};
-
-constexpr Kind kinds[] = {{ResultKind::value, "printed values", "match", "excluded"},
-                          {ResultKind::statement, "statements", "hold", "misprinted or false"},
-                          {ResultKind::claim, "claims about experiments", "are confirmed", "not confirmed"}};
-
-/// One group of a score: its class and its size.
-struct Group {
-  const char* name;
-  int count;
-};
-
-std::vector<Group> groups(const Score& score) {
-  return {{"right", score.right}, {"wrong", score.wrong}, {"open", score.open}, {"uncheckable", score.uncheckable}};
-}
-
-std::string bar(const Score& score) {
+std::string bar(const Counts& counts) {
   std::string parts;
-  for (const auto& [name, count] : groups(score))
-    if (count > 0) parts += fmt::format("<span class=\"{}\" style=\"flex-grow:{}\"></span>", name, count);
+  for (const Standing standing : {Standing::right, Standing::wrong, Standing::open, Standing::aside})
+    if (const int count = counts.of(standing); count > 0)
+      parts += fmt::format("<span class=\"{}\" style=\"flex-grow:{}\"></span>", to_text(standing), count);
   return "<span class=bar aria-hidden=true>" + parts + "</span>";
 }
 
@@ -66,16 +44,12 @@ std::string findings_html(const Findings& findings, const std::vector<Result>& a
       cards += card(fmt::format("{0}.html#{0}-{1}", report.paper, section.id), panel ? formats::preview(*panel) : "",
                     section.finding);
     }
-  if (const Score statements = score(all, ResultKind::statement); statements.wrong > 0) {
+  if (const std::string errata = errata_sentence(counts(all, ResultKind::statement)); !errata.empty()) {
     std::string bars;
     for (const Report& report : findings.reports)
-      if (const Score of_paper = score(all, ResultKind::statement, report.paper); of_paper.all() > 0)
+      if (const Counts of_paper = counts(all, ResultKind::statement, report.paper); of_paper.all() > 0)
         bars += fmt::format("<span class=name>{}</span>{}", html(report.paper), bar(of_paper));
-    cards += card(
-        "errata.html", "<span class=\"preview bars\">" + bars + "</span>",
-        fmt::format("{} of {} statements of the papers are misprinted or false, each with a witness and, where "
-                    "there is one, its correction.",
-                    statements.wrong, statements.all()));
+    cards += card("errata.html", "<span class=\"preview bars\">" + bars + "</span>", errata);
   }
   return cards.empty() ? "" : "<h2>What matters</h2>\n<ul class=findings>\n" + cards + "</ul>\n";
 }
@@ -99,43 +73,65 @@ constexpr const char* how_to_read =
     "arithmetic, or enclosed with outward rounding. In each cell the printed value stands first, ours below it, then "
     "the verdict: <b>match</b> where our enclosure is narrower than one unit of the last printed place and within "
     "one such unit of the printed value, <b>mismatch</b> where our result excludes that, <b>open</b> where it does "
-    "not decide yet. A cell tells more when it is chosen: the enclosure, the reason, the command that computes it "
+    "not decide yet. Values that only follow from other printed ones, as products or as formulas evaluated, are "
+    "compared and not counted. A cell tells more when it is chosen: the enclosure, the reason, the command that "
+    "computes it "
     "again, and a link to keep.</p>\n";
 
 constexpr const char* about_experiments =
     "<p>Experiments are another matter: they repeat what a paper shows once, over many samples of random noise, in "
-    "double precision. Each sentence of the text has a statistic that decides it: <b>confirmed</b> or <b>not "
-    "confirmed</b>, with numbers; <b>not-reproducible</b> where it rests on data that were not published.</p>\n";
+    "double precision. Each sentence of the text has a statistic that decides it. It <b>holds as printed</b>; or its "
+    "<b>contrary is shown</b>, under every fair choice that was tried; or it <b>depends on a choice the paper leaves "
+    "open</b>; it stands <b>on our data only</b> where the paper's data were not published, which is a remark and no "
+    "minus; it is <b>undecided</b> where more samples would be needed.</p>\n";
+
+constexpr const char* how_to_object =
+    "<h2 id=object>How to object</h2>\n<p>The texts of the papers were typed in from what was at hand, and each "
+    "verdict "
+    "rests on a reading; the authors were not asked. Whatever is misread is ours to correct. Every result has a link "
+    "and "
+    "the command that computes it again; what was typed in stands in "
+    "<code>proofs-checks/papers/PAPER/paper.toml</code> "
+    "of the sources, to be corrected without any C++. An issue with the link and the right reading is enough "
+    "(<code>CONTRIBUTING.md</code>).</p>\n";
+
+/// What subcert is, and which version made this page from what and when.
+std::string origin_html(const Origin& origin) {
+  std::string made;
+  if (!origin.version.empty()) made += "subcert " + html(origin.version);
+  if (!origin.commit.empty()) made += " (" + html(origin.commit) + ")";
+  if (!origin.input.empty()) made += ", from <code>" + html(origin.input) + "</code>";
+  if (!origin.when.empty()) made += ", on " + html(origin.when);
+  return "<p class=lead>subcert recomputes what papers on least squares subdivision print: numbers as exact fractions "
+         "or "
+         "enclosures rounded outward, formulas and theorems as executable checks, experiments over many samples. Most "
+         "of "
+         "it holds, much of it now with proofs for all parameters; what does not is named with its reason.</p>\n" +
+         (made.empty() ? "" : "<p class=place>Made by " + made + ". <a href=\"#object\">How to object</a></p>\n");
+}
 
 }  // namespace
 
 std::string score_bars(const std::vector<Result>& results, const std::string& paper) {
   std::string lines;
-  for (const auto& [kind, name, right, wrong] : kinds) {
-    const Score total = score(results, kind, paper);
+  for (const ResultKind kind : {ResultKind::statement, ResultKind::value, ResultKind::claim}) {
+    const Counts total = counts(results, kind, paper);
     if (total.all() == 0) continue;
     const std::string link = fmt::format("results.html?kind={}{}", to_text(kind),
                                          paper.empty() ? "" : "&amp;paper=" + html(paper));
-    const std::map<std::string, std::string> words{
-        {"wrong", wrong}, {"open", "open"}, {"uncheckable", "cannot be checked"}};
-    std::vector<std::string> others;
-    for (const auto& [group, count] : groups(total))
-      if (const auto word = words.find(group); count > 0 && word != words.end())
-        others.push_back(fmt::format("<a href=\"{}&amp;verdict={}\">{} {}</a>", link, group, count, word->second));
-    const std::string head = total.checked() == 0
-                                 ? std::string(name)
-                                 : fmt::format("<b>{}</b> of {} {} {}", total.right, total.checked(), name, right);
-    lines += fmt::format("<li><a href=\"{}\">{}</a><small>{}</small>{}</li>\n", link, head, fmt::join(others, ", "),
-                         bar(total));
+    std::vector<std::string> parts;
+    for (const auto& [name, standing, count] : total.groups)
+      parts.push_back(fmt::format("<a href=\"{}&amp;verdict={}\">{} {}</a>", link, to_text(standing), count, name));
+    lines += fmt::format("<li><a href=\"{}\">{}</a><small>{}</small>{}</li>\n", link,
+                         total.head().empty() ? to_text(kind) + "s" : "<b>" + total.head() + "</b>",
+                         fmt::join(parts, ", "), bar(total));
   }
   return lines.empty() ? "" : "<ul class=scores>\n" + lines + "</ul>\n";
 }
 
 std::string front_page(const Findings& findings) {
   const std::vector<Result> all = results(findings);
-  std::string body =
-      "<h1>Printed values, recomputed</h1>\n<p class=lead>What papers on least squares subdivision print, "
-      "computed again with proof, and what is wrong in them.</p>\n";
+  std::string body = "<h1>What papers print, computed again</h1>\n" + origin_html(findings.origin);
   body += score_bars(all);
   body += "<nav aria-label=\"Everything\"><a href=\"results.html\">Every result</a> ";
   if (!findings.statements.empty()) body += "<a href=\"errata.html\">Errata and confirmations</a> ";
@@ -145,7 +141,8 @@ std::string front_page(const Findings& findings) {
   body += how_to_read;
   if (std::ranges::any_of(findings.reports, [](const Report& r) { return !r.experiments.empty(); }))
     body += about_experiments;
-  return formats::html_page("subcert: printed values, recomputed", body);
+  body += how_to_object;
+  return formats::html_page("subcert: what papers print, computed again", body);
 }
 
 }  // namespace subcert::reports

@@ -43,12 +43,13 @@ std::string short_citation(const std::string& citation) {
 }
 
 /// Two verdicts where they differ, for instance `mismatch [recorded: match]`.
-std::string verdict_text(Verdict found, Verdict recorded) {
-  return to_text(found) + (found == recorded ? "" : " [recorded: " + to_text(recorded) + "]");
+std::string verdict_text(const std::string& found, const std::string& recorded, bool as_recorded) {
+  return found + (as_recorded ? "" : " [recorded: " + recorded + "]");
 }
 
 std::string line_of(const Result& result) {
-  std::string text = verdict_text(result.verdict, result.recorded) + "  ";
+  const std::string verdict = result.verdict + (result.grade.empty() ? "" : ", " + result.grade);
+  std::string text = verdict_text(verdict, result.recorded, result.as_recorded) + "  ";
   switch (result.kind) {
     case ResultKind::value:
       text += fmt::format("{} {}: {}: printed {}, computed {}", result.paper, result.item, result.subject,
@@ -64,25 +65,20 @@ std::string line_of(const Result& result) {
 std::vector<std::string> deviations(const std::vector<Result>& all, bool only_alarms) {
   std::vector<std::string> lines;
   for (const Result& result : all)
-    if (result.verdict != result.recorded || (!only_alarms && truth_of(result.verdict) == Truth::no))
-      lines.push_back(line_of(result));
+    if (!result.as_recorded || (!only_alarms && result.standing == Standing::wrong)) lines.push_back(line_of(result));
   return lines;
 }
 
 std::string paper_lines(const std::vector<Result>& all, const Report& report, bool colours) {
-  std::vector<std::string> counts{score(all, ResultKind::value, report.paper).text("printed values", "match"),
-                                  score(all, ResultKind::statement, report.paper).text("statements", "hold"),
-                                  score(all, ResultKind::claim, report.paper).text("claims", "confirmed")};
-  std::erase(counts, "");
-  return coloured(wrapped(short_citation(report.citation), "  "), "1", colours) +
-         (counts.empty() ? "" : wrapped(fmt::format("{}", fmt::join(counts, ", ")), "    "));
+  std::string lines = coloured(wrapped(short_citation(report.citation), "  "), "1", colours);
+  for (const ResultKind kind : {ResultKind::statement, ResultKind::value, ResultKind::claim})
+    if (const std::string text = counts(all, kind, report.paper).text(); !text.empty()) lines += wrapped(text, "    ");
+  return lines;
 }
 
 std::string table_line(const formats::ComparisonTable& table) {
-  const int not_reproducible = table.count(Verdict::not_reproducible);
-  return fmt::format("  {:<9} {} values: {} match, {} mismatch, {} open{}{}\n", table.id, table.comparisons.size(),
-                     table.count(Verdict::match), table.count(Verdict::mismatch), table.count(Verdict::open),
-                     not_reproducible ? fmt::format(", {} not reproducible", not_reproducible) : "",
+  const std::string text = counts(results(table), ResultKind::value).text();
+  return fmt::format("  {:<9} {}{}\n", table.id, text.empty() ? "no printed values of its own" : text,
                      table.as_recorded() ? "" : "   NOT AS RECORDED");
 }
 
@@ -109,7 +105,8 @@ std::string tables_text(const Report& report) {
     for (const formats::ComparisonTable& table : section.comparisons) {
       std::vector<std::vector<std::string>> rows{{"scheme", "", "published", "proved", "stable", "verdict", "source"}};
       for (const formats::Comparison& c : table.comparisons)
-        rows.push_back({c.row, c.column, c.printed, c.computed_text(), c.stable, verdict_text(c.verdict, c.recorded),
+        rows.push_back({c.row, c.column, c.printed, c.computed_text(), c.stable,
+                        verdict_text(to_text(c.verdict), to_text(c.recorded), c.verdict == c.recorded),
                         c.source_key()});
       text += columns_text(rows);
     }
@@ -123,13 +120,8 @@ std::string tables_text(const Report& report) {
 }
 
 std::string experiment_line(const experiments::RanExperiment& ran) {
-  std::vector<std::string> counts;
-  for (const auto& [verdict, word] : {std::pair{Verdict::confirmed, "confirmed"},
-                                      {Verdict::not_confirmed, "not confirmed"},
-                                      {Verdict::not_reproducible, "not reproducible"}})
-    if (const auto count = ran.result.count(verdict)) counts.push_back(fmt::format("{} {}", count, word));
-  return fmt::format("  {:<9} {}{}\n", ran.experiment->id,
-                     counts.empty() ? "pictures" : fmt::format("claims: {}", fmt::join(counts, ", ")),
+  const std::string text = counts(results(ran), ResultKind::claim).text();
+  return fmt::format("  {:<9} {}{}\n", ran.experiment->id, text.empty() ? "pictures" : text,
                      ran.result.as_recorded() ? "" : "   NOT AS RECORDED");
 }
 
@@ -143,12 +135,8 @@ std::string first_screen(const Findings& findings, const ScreenOptions& options)
   for (const Report& report : findings.reports)
     for (const formats::Section& section : report.sections)
       if (!section.finding.empty()) points += wrapped(section.finding, "  - ");
-  if (const Score statements = score(all, ResultKind::statement); statements.wrong > 0)
-    points += wrapped(
-        fmt::format(
-            "{} of {} statements are misprinted or false, each with a witness and, where there is one, its correction.",
-            statements.wrong, statements.all()),
-        "  - ");
+  if (const std::string errata = errata_sentence(counts(all, ResultKind::statement)); !errata.empty())
+    points += wrapped(errata, "  - ");
   if (!points.empty()) text += "\n" + coloured("What matters", "1", options.colours) + "\n" + points;
   const auto alarms = deviations(all, true);
   text += "\n";
@@ -177,8 +165,8 @@ std::string full_list(const Findings& findings) {
     if (report.listed) text += tables_text(report);
     for (const formats::ComparisonTable* table : report.comparison_tables()) text += table_line(*table);
     for (const experiments::RanExperiment& ran : report.experiments) text += experiment_line(ran);
-    if (const Score statements = score(all, ResultKind::statement, report.paper); statements.all() > 0)
-      text += "  " + statements.text("statements", "hold") + "\n";
+    if (const std::string held = counts(all, ResultKind::statement, report.paper).text(); !held.empty())
+      text += "  " + held + "\n";
     text += "\n";
   }
   for (const std::string& line : deviations(all, false)) text += line + "\n";

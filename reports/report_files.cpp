@@ -32,6 +32,7 @@ Json comparison_json(const formats::ComparisonTable& table, const formats::Compa
             {"verdict", to_text(comparison.verdict)},
             {"recorded", to_text(comparison.recorded)},
             {"note", comparison.note}};
+  if (!comparison.derived.empty()) json["derived"] = comparison.derived;
   if (!comparison.source.empty()) json.update({{"stable", comparison.stable}, {"source", comparison.source}});
   return json;
 }
@@ -95,17 +96,32 @@ Json table_json(const Report& report, const formats::PlainTable& table) {
   return {{"paper", report.paper}, {"table", table.id}, {"rows", rows_of(table)}};
 }
 
+/// Of each kind all groups of counts(), and the causes of what is wrong.
+Json counts_json(const std::vector<Result>& results) {
+  Json json;
+  for (const ResultKind kind : {ResultKind::value, ResultKind::statement, ResultKind::claim}) {
+    const Counts found = counts(results, kind);
+    Json& one = json[to_text(kind)] = Json::object();
+    for (const auto& [name, standing, count] : found.groups) one[name] = count;
+    if (found.causes > 0) one["causes"] = found.causes;
+  }
+  return json;
+}
+
 std::string results_json(const std::vector<Result>& results) {
   Json list = Json::array();
   for (const Result& result : results) {
-    Json json{{"key", result.key},           {"kind", to_text(result.kind)},       {"paper", result.paper},
-              {"item", result.item},         {"subject", result.subject},          {"printed", result.printed},
-              {"computed", result.computed}, {"verdict", to_text(result.verdict)}, {"note", result.note},
+    Json json{{"key", result.key},           {"kind", to_text(result.kind)}, {"paper", result.paper},
+              {"item", result.item},         {"subject", result.subject},    {"printed", result.printed},
+              {"computed", result.computed}, {"verdict", result.verdict},    {"note", result.note},
               {"command", result.command}};
+    if (!result.grade.empty()) json["grade"] = result.grade;
+    if (!result.derived.empty()) json["derived"] = result.derived;
+    if (!result.follows.empty()) json["follows"] = result.follows;
     if (result.enclosure) json["enclosure"] = computed_json(*result.enclosure);
     list.push_back(std::move(json));
   }
-  return Json{{"results", std::move(list)}}.dump(1) + "\n";
+  return Json{{"counts", counts_json(results)}, {"results", std::move(list)}}.dump(1) + "\n";
 }
 
 }  // namespace
@@ -161,7 +177,10 @@ void write_reports(const Findings& findings, const std::filesystem::path& folder
 }
 
 std::string reports_json(const std::vector<Report>& reports, const std::optional<std::vector<Change>>& changed) {
-  Json json{{"comparisons", Json::array()}, {"experiments", Json::array()}, {"tables", Json::array()}};
+  Json json{{"counts", counts_json(results(Findings{reports}))},
+            {"comparisons", Json::array()},
+            {"experiments", Json::array()},
+            {"tables", Json::array()}};
   for (const Report& report : reports) {
     for (const formats::ComparisonTable* table : report.comparison_tables())
       for (const formats::Comparison& comparison : table->comparisons)

@@ -14,8 +14,8 @@ namespace subcert::reports {
 /// 1, the pictures drawn at a time. Errors: throws missing_file that names the file.
 void write_reports(const Findings& findings, const std::filesystem::path& folder, int jobs);
 
-/// {"comparisons": [...], "experiments": [...], "tables": [...]} as in the contract; the experiments are those of
-/// experiment_json(), the tables those without printed counterpart. With an earlier run beside it also
+/// {"counts": ..., "comparisons": [...], "experiments": [...], "tables": [...]} as in the contract; the experiments are
+/// those of experiment_json(), the tables those without printed counterpart. With an earlier run beside it also
 /// "changes": [{"key", "change", "matters"}].
 std::string reports_json(const std::vector<Report>& reports, const std::optional<std::vector<Change>>& changed = {});
 

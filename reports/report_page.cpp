@@ -152,19 +152,56 @@ std::string figure_html(const std::string& paper, const formats::SurfaceFigure& 
 std::string summaries_html(const Report& report) {
   std::vector<formats::SummaryRow> tables, experiments;
   for (const formats::ComparisonTable* table : report.comparison_tables()) {
-    const auto count = [&](Verdict verdict) { return static_cast<std::size_t>(table->count(verdict)); };
-    tables.push_back(
-        {report.paper + "-table-" + table->id,
-         table->title,
-         {table->comparisons.size(), count(Verdict::match), count(Verdict::mismatch), count(Verdict::open)}});
+    const auto count = [&](ValueVerdict verdict) { return static_cast<std::size_t>(table->count(verdict)); };
+    tables.push_back({report.paper + "-table-" + table->id,
+                      table->title,
+                      {static_cast<std::size_t>(table->values()), count(ValueVerdict::match),
+                       count(ValueVerdict::mismatch), count(ValueVerdict::open)}});
   }
   for (const auto& [experiment, options, result] : report.experiments)
     experiments.push_back({report.paper + "-" + experiment->id,
                            experiment->title,
-                           {result.claims.size(), result.count(Verdict::confirmed),
-                            result.count(Verdict::not_confirmed), result.count(Verdict::not_reproducible)}});
+                           {result.claims.size(), result.count(ClaimVerdict::holds),
+                            result.count(ClaimVerdict::contrary), result.count(ClaimVerdict::depends),
+                            result.count(ClaimVerdict::own_data), result.count(ClaimVerdict::undecided)}});
   return formats::summary_html({"table", "values", "match", "mismatch", "open"}, tables) +
-         formats::summary_html({"experiment", "claims", "confirmed", "not confirmed", "not reproducible"}, experiments);
+         formats::summary_html({"experiment", "claims", "hold as printed", "contrary shown", "depend on a choice",
+                                "on our data only", "undecided"},
+                               experiments);
+}
+
+/// Whether the paper calls it a theorem or the like.
+bool is_theorem(const Result& result) {
+  return std::ranges::any_of(std::vector<std::string>{"Theorem", "Proposition", "Corollary", "Lemma", "Conjecture"},
+                             [&](const std::string& word) { return result.item.starts_with(word); });
+}
+
+std::string statement_item(const Result& result) {
+  return fmt::format("<li><a href=\"{}\">{}</a>: {} <b>{}</b></li>\n", html(result.link()), html(result.item),
+                     html(result.subject), html(result.words));
+}
+
+/// First what holds, its theorems by name; then what to correct, each fault once, with how many others repeat it.
+std::string statements_html(const std::vector<Result>& own) {
+  std::string theorems, errata;
+  int others = 0;
+  for (const Result& one : own) {
+    if (one.kind != ResultKind::statement) continue;
+    if (one.standing == Standing::right && is_theorem(one)) theorems += statement_item(one);
+    if (one.standing == Standing::right && !is_theorem(one)) ++others;
+    if (one.standing == Standing::wrong && one.follows.empty()) errata += statement_item(one);
+  }
+  if (const auto more = std::ranges::count_if(
+          own, [](const Result& one) { return one.standing == Standing::wrong && !one.follows.empty(); });
+      more > 0)
+    errata += fmt::format("<li>and {} that {} one of these</li>\n", more, more == 1 ? "repeats" : "repeat");
+  std::string text;
+  if (!theorems.empty() || others > 0)
+    text += "<h2 id=holds>What holds</h2>\n" + (theorems.empty() ? "" : "<ul>\n" + theorems + "</ul>\n") +
+            (others > 0 ? fmt::format("<p>{}{} formulas, masks and sentences hold, too.</p>\n",
+                                      theorems.empty() ? "" : "And ", others)
+                        : "");
+  return text + (errata.empty() ? "" : "<h2 id=errata>What to correct</h2>\n<ul>\n" + errata + "</ul>\n");
 }
 
 bool is_experiment(const Report& report, const formats::Section& section) {
@@ -174,7 +211,7 @@ bool is_experiment(const Report& report, const formats::Section& section) {
 
 /// What the page tells of a result when a reader asks.
 Json details(const Result& result) {
-  Json json{{"verdict", to_text(result.verdict)}, {"subject", result.subject}, {"command", result.command}};
+  Json json{{"verdict", result.verdict}, {"subject", result.subject}, {"command", result.command}};
   const auto add = [&](const char* name, const std::string& text) {
     if (!text.empty()) json[name] = text;
   };
@@ -189,7 +226,8 @@ Json details(const Result& result) {
     json["exact"] = to_text(*result.enclosure->lower);
   }
   add("note", result.note);
-  if (result.verdict != result.recorded) json["recorded"] = to_text(result.recorded);
+  add("derived", result.derived);
+  if (!result.as_recorded) json["recorded"] = result.recorded;
   return json;
 }
 
@@ -203,9 +241,9 @@ std::string report_page(const Report& report, const std::vector<Result>& own) {
   for (const formats::Section& section : report.sections)
     if (!is_experiment(report, section))
       body += fmt::format("<a href=\"#{}-{}\">{}</a> ", report.paper, section.id, html(section.heading));
-  if (score(own, ResultKind::statement).all() > 0)
+  if (counts(own, ResultKind::statement).all() > 0)
     body += fmt::format("<a href=\"errata.html#{}\">Statements and errata</a>", report.paper);
-  body += "</nav>\n" + summaries_html(report);
+  body += "</nav>\n" + statements_html(own) + summaries_html(report);
   for (const formats::Section& section : report.sections) {
     body += fmt::format("<h2 id=\"{}-{}\">{}</h2>\n", report.paper, section.id, html(section.heading));
     for (const std::string& paragraph : section.paragraphs) body += "<p>" + html(paragraph) + "</p>\n";

@@ -1,5 +1,5 @@
 #pragma once
-/// Everything a run has found, result by result.
+/// Everything a run has found, result by result, and the one count of it.
 
 #include "errata.hpp"
 #include "report.hpp"
@@ -10,18 +10,27 @@
 
 namespace subcert::reports {
 
+/// Which program made a page, from what and when.
+struct Origin {
+  std::string version;  ///< empty where it is not known
+  std::string commit;   ///< of the sources; empty where it is not known
+  std::string input;    ///< what was asked for
+  std::string when;     ///< a date
+};
+
 /// `statements` is empty where they were not checked.
 struct Findings {
   std::vector<Report> reports;
   std::vector<CheckedStatement> statements = {};
+  Origin origin = {};
 
   /// Whether all verdicts are the recorded ones.
   bool as_recorded() const;
 };
 
-enum class ResultKind { value, claim, statement };
+enum class ResultKind { value, statement, claim };
 
-/// `value`, `claim`, `statement`.
+/// `value`, `statement`, `claim`.
 std::string to_text(ResultKind kind);
 
 /// One printed value, one claim about an experiment or one statement, and what became of it.
@@ -32,12 +41,19 @@ struct Result {
   std::string key;   ///< unique in a run, and the same in every run: the end of its link
   std::string page;  ///< the file of that link
   std::string subject;
-  std::string scheme;                  ///< of a value
-  std::string printed;                 ///< empty for claims
-  std::string computed;                ///< for people
-  std::optional<Enclosure> enclosure;  ///< of a number
-  Verdict verdict;
-  Verdict recorded;
+  std::string scheme = {};                  ///< of a value
+  std::string printed = {};                 ///< empty for claims
+  std::string computed;                     ///< for people
+  std::optional<Enclosure> enclosure = {};  ///< of a number
+  std::string verdict;                      ///< a word of verdict.hpp
+  std::string recorded;
+  std::string grade = {};  ///< of a statement, a word of verdict.hpp; empty where nothing is wrong
+  Standing standing;
+  std::string words;         ///< the verdict for people
+  std::string group;         ///< what counts() calls all that are like it
+  std::string derived = {};  ///< from what a value follows that is none of its own; it is not counted
+  std::string follows = {};  ///< the key of the statement whose fault it repeats
+  bool as_recorded = true;
   std::string note;     ///< witness, reason or remark
   std::string command;  ///< that computes it again
 
@@ -48,24 +64,43 @@ struct Result {
 std::vector<Result> results(const Findings& findings);
 std::vector<Result> results(const Report& report, const std::vector<CheckedStatement>& statements);
 
+std::vector<Result> results(const std::vector<CheckedStatement>& statements);
+
 /// The results of one table, in the order of its cells.
 std::vector<Result> results(const formats::ComparisonTable& table);
 
 /// The results of one experiment, in the order of its claims.
 std::vector<Result> results(const experiments::RanExperiment& ran);
 
-/// How many of some kind there are, and how many the papers have right.
-struct Score {
-  int right = 0, wrong = 0, open = 0, uncheckable = 0;
+/// How many results of a kind there are, and what became of them: what page, terminal and JSON all say. Values that
+/// only follow from other printed ones are left out.
+struct Counts {
+  /// Results that count alike.
+  struct Group {
+    std::string name;
+    Standing standing;
+    int count;
+  };
+  ResultKind kind;
+  std::vector<Group> groups;  ///< those that are not empty, from the best to the worst
+  int causes = 0;             ///< of the wrong statements: faults that repeat another one are not counted
 
-  void add(Verdict verdict);
-  int checked() const { return right + wrong + open; }
-  int all() const { return checked() + uncheckable; }
-  /// `81 of 114 values match (1 open, 18 cannot be checked)`: of those that can be checked, and what is left.
-  std::string text(const std::string& what, const std::string& hold) const;
+  int of(Standing standing) const;
+  int all() const;
+  /// Without those that nothing decides.
+  int checked() const { return all() - of(Standing::aside); }
+  /// `81 of 114 printed values match`; empty where there are none to be checked.
+  std::string head() const;
+  /// `97 of 109 statements hold (60 proved for all n, 37 on the range tried); 8 slips of the pen, 6 cannot be checked`.
+  std::string text() const;
+  /// What is wrong: `8 slips of the pen, 4 numbers off`; empty where nothing is.
+  std::string wrong_text() const;
 };
 
-/// The score of the results of a kind, of one paper or of all.
-Score score(const std::vector<Result>& results, ResultKind kind, const std::string& paper = "");
+/// The counts of a kind, of one paper or of all.
+Counts counts(const std::vector<Result>& results, ResultKind kind, const std::string& paper = "");
+
+/// `12 of 109 statements do not hold, from 9 causes: ...`; empty where all hold.
+std::string errata_sentence(const Counts& statements);
 
 }  // namespace subcert::reports

@@ -26,13 +26,6 @@ std::string object_html(const Result& result, const std::string& text) {
   return "<div class=formula>" + formats::formula_html(text) + "</div>";
 }
 
-/// The groups of verdicts that the bars of the other pages show.
-std::string group(Verdict verdict) {
-  Score one;
-  one.add(verdict);
-  return one.right ? "right" : one.wrong ? "wrong" : one.open ? "open" : "uncheckable";
-}
-
 std::string choice(const std::string& name, const std::string& all,
                    const std::vector<std::pair<std::string, std::string>>& values) {
   std::string options = fmt::format("<option value=\"\">{}</option>", all);
@@ -42,22 +35,22 @@ std::string choice(const std::string& name, const std::string& all,
 }
 
 std::string row(const Result& result) {
-  const std::string verdict = to_text(result.verdict);
+  const std::string standing = to_text(result.standing);
   return fmt::format(
       "<tr class=\"{}\" data-verdict=\"{}\" data-truth=\"{}\" data-paper=\"{}\" data-kind=\"{}\"><td>{}<br>{}</td><td "
       "class=text><a href=\"{}\">{}</a></td><td class=text>{}</td><td class=text>{}</td><td><span "
       "class=verdict>{}</span>"
       "</td><td class=text>{}<code class=again>{}</code></td></tr>\n",
-      verdict, verdict, group(result.verdict), html(result.paper), to_text(result.kind), html(result.paper),
+      standing, result.verdict, standing, html(result.paper), to_text(result.kind), html(result.paper),
       html(result.item), html(result.link()), shortened(result.subject), object_html(result, result.printed),
-      object_html(result, result.computed), verdict, result.note.empty() ? "" : shortened(result.note) + "<br>",
-      html(result.command));
+      object_html(result, result.computed), html(result.words),
+      result.note.empty() ? "" : shortened(result.note) + "<br>", html(result.command));
 }
 
 }  // namespace
 
 std::string results_page(const std::vector<Result>& results) {
-  std::set<Verdict> verdicts;
+  std::set<std::string> verdicts;
   std::set<std::string> papers;
   std::string rows;
   for (const Result& result : results) {
@@ -66,11 +59,11 @@ std::string results_page(const std::vector<Result>& results) {
     rows += row(result);
   }
   std::vector<std::pair<std::string, std::string>> verdict_choices{{"right", "all that are right"},
-                                                                   {"wrong", "all that are wrong, or not shown"},
+                                                                   {"wrong", "all that are wrong"},
                                                                    {"open", "all that are open"},
-                                                                   {"uncheckable", "all that cannot be checked"}},
+                                                                   {"aside", "all that cannot be checked"}},
       paper_choices;
-  for (const Verdict verdict : verdicts) verdict_choices.emplace_back(to_text(verdict), to_text(verdict));
+  for (const std::string& verdict : verdicts) verdict_choices.emplace_back(verdict, verdict);
   for (const std::string& paper : papers) paper_choices.emplace_back(paper, paper);
   const std::string form = choice("verdict", "any", verdict_choices) + choice("paper", "any", paper_choices) +
                            choice("kind", "any",

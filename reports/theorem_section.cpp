@@ -1,5 +1,7 @@
 #include "theorem_section.hpp"
 
+#include "story_sentences.hpp"
+
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/proofs-checks/theorems/degree_one.hpp>
@@ -77,19 +79,12 @@ formats::Figure mean_and_ripple() {
 
 formats::Section theorem_section(const ReportOptions& options) {
   formats::Section section{"theorems", "Conjectures 7 and 8 for every n", {}};
-  section.paragraphs.push_back(
-      "Conjecture 7: for each degree, max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2. Conjecture 8: psi_n decreases "
-      "pointwise in n and increases pointwise in the degree d. A table supports them up to some n; the theorems below "
-      "settle them for every n, here for the degrees from 1 to 9; for every degree, the order in d for large n, and "
-      "that "
-      "the schemes converge. Their proofs are a paper, docs/theorems/variance-curves.tex. It tells what was "
-      "conjectured "
-      "and what the paper's Theorem 6 claims, and rests on numbered inequalities; each was run for this page ('subcert "
-      "theorem ID --d D' prints them with their margins).");
   formats::PlainTable table{"theorems",
                             "Theorems, and the inequalities behind them",
                             {"theorem", "degrees", "range", "inequalities", "verdict"},
                             {}};
+  std::vector<std::pair<std::string, Truth>> decided;
+  std::vector<std::string> statements;
   for (const TheoremCase& one : theorem_cases())
     for (int degree : one.degrees) {
       if (options.progress) options.progress(std::string("theorem ") + one.id + ", d = " + std::to_string(degree));
@@ -97,11 +92,20 @@ formats::Section theorem_section(const ReportOptions& options) {
                                                         options.jobs);
       table.rows.push_back({one.id, fmt::format("{}", fmt::join(theorem.degrees, ", ")), range(one.id),
                             std::to_string(theorem.checks.size()), verdict_word(theorem.decision.truth)});
+      decided.emplace_back(fmt::format("{}, d = {}", one.id, degree), theorem.decision.truth);
       if (!theorem.decision.is_yes()) continue;
       std::string statement = theorem.title + ".";
       for (const std::string& sentence : theorem.statement) statement += " " + sentence;
-      section.paragraphs.push_back(statement);
+      statements.push_back(statement);
     }
+  section.paragraphs.push_back(
+      "Conjecture 7: for each degree, max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2. Conjecture 8: psi_n decreases "
+      "pointwise in n and increases pointwise in the degree d. A table supports such sentences up to some n, a theorem "
+      "for every n. " +
+      theorems_sentence(decided) +
+      " Their proofs are a paper, docs/theorems/variance-curves.tex, and rest on numbered inequalities ('subcert "
+      "theorem ID --d D' prints them with their margins).");
+  section.paragraphs.insert(section.paragraphs.end(), statements.begin(), statements.end());
   section.tables.push_back(table);
   section.figures.push_back(mean_and_ripple());
   return section;

@@ -252,7 +252,10 @@ const std::vector<Entry>& entries() {
     const auto primal = [](const SchemeFamily& family) { return family.id == "primal"; };
     const std::vector<int> degrees{1, 3, 5, 7, 9, 11, 13}, pairs{1, 3, 5, 7, 9, 11};
     all.push_back(
-        {{"conjecture-7", "max psi_n ~ 1/n and max |psi_n'| ~ 1/n^2", every, degrees},
+        {{"conjecture-7",
+          "max psi_n ~ 1/n; of max |psi_n'| ~ 1/n^2 the upper bound, while the rate is false: n^2 max |psi_n'| tends "
+          "to 0",
+          every, degrees},
          {{1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one}},
          higher,
          false,

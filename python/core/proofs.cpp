@@ -41,6 +41,13 @@ py::list check_statements(const std::vector<std::string>& wanted, bool wide, int
   for (const reports::CheckedStatement& one : checked) {
     py::dict answer = statement_dict(*one.statement);
     answer["verdict"] = to_text(one.outcome.verdict);
+    const auto grade = statements::grade_of(*one.statement, one.outcome);
+    answer["grade"] = grade ? to_text(*grade) : "";
+    answer["edge"] = one.outcome.edge;
+    answer["sentence"] = one.statement->sentence;
+    answer["readings"] = one.statement->readings;
+    answer["follows"] = one.statement->follows;
+    answer["scan"] = one.statement->scan;
     answer["range"] = one.outcome.range;
     answer["witness"] = one.outcome.witness;
     answer["argument"] = one.outcome.argument;

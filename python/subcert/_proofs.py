@@ -39,6 +39,16 @@ class CheckedStatement(Statement):
     witness: str
     argument: str
     corrected: str
+    #: slip, edge, number or claim, of what is wrong or fails at an edge; empty otherwise.
+    grade: str = dataclasses.field(default="", repr=False)
+    #: Where at the edge of the printed range it fails; empty otherwise.
+    edge: str = dataclasses.field(default="", repr=False)
+    #: Of what has a grade: the words of the paper, and how they were read.
+    sentence: str = dataclasses.field(default="", repr=False)
+    readings: str = dataclasses.field(default="", repr=False)
+    #: The statement whose fault it repeats; what a slip of the text recognition would explain. Empty otherwise.
+    follows: str = dataclasses.field(default="", repr=False)
+    scan: str = dataclasses.field(default="", repr=False)
 
     @property
     def as_recorded(self) -> bool:

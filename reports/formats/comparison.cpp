@@ -69,9 +69,13 @@ bool ComparisonTable::is_gathered() const {
   return std::ranges::any_of(comparisons, [](const Comparison& c) { return !c.source.empty(); });
 }
 
+int ComparisonTable::values() const {
+  return static_cast<int>(std::ranges::count_if(comparisons, [](const Comparison& c) { return c.derived.empty(); }));
+}
+
 int ComparisonTable::count(ValueVerdict verdict) const {
-  return static_cast<int>(
-      std::count_if(comparisons.begin(), comparisons.end(), [&](const Comparison& c) { return c.verdict == verdict; }));
+  return static_cast<int>(std::ranges::count_if(
+      comparisons, [&](const Comparison& c) { return c.verdict == verdict && c.derived.empty(); }));
 }
 
 }  // namespace subcert::formats

@@ -36,6 +36,7 @@ struct Comparison {
   std::string source = {};   ///< `[KEY] reference`, where a table is gathered from many
   std::string stable = {};   ///< whether the shifts are stable, where exponents depend on it
   std::string command = {};  ///< that computes this value again; empty where only the whole table is
+  std::string derived = {};  ///< from what it follows, where it is no printed value of its own
 
   /// `[KEY]`.
   std::string source_key() const { return source.substr(0, source.find(']') + 1); }
@@ -54,7 +55,9 @@ struct ComparisonTable {
   std::vector<Comparison> comparisons;
 
   bool as_recorded() const;
-  int count(ValueVerdict verdict) const;
+  /// How many printed values there are of their own.
+  int values() const;
+  int count(ValueVerdict verdict) const;  ///< without derived ones
   /// Whether the cells have sources of their own.
   bool is_gathered() const;
 };

@@ -51,6 +51,7 @@
     add('enclosed', rest.lower && rest.upper ? `${rest.lower} … ${rest.upper}`
       : rest.lower ? '≥ ' + rest.lower : rest.upper && '≤ ' + rest.upper);
     add('exactly', rest.exact);
+    add('not counted', rest.derived);
     add('why', rest.note);
     const proof = document.querySelector(`button.check[data-scheme="${CSS.escape(rest.scheme || '')}"]`);
     if (proof && rest.scheme) {

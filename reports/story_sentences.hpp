@@ -1,0 +1,45 @@
+#pragma once
+/// Sentences of pages that state results, each made of the decisions that it states: where one fails, it says another
+/// thing.
+
+#include <subcert/proofs-checks/conjectures/decay.hpp>
+
+#include <string>
+#include <vector>
+
+namespace subcert::reports {
+
+/// The exponents of a family beside the bounds that a table prints, n by n. Domain: as many bounds as exponents.
+struct BoundsAndExponents {
+  std::string family;               ///< `primal`
+  int first_n;                      ///< of the table
+  std::vector<std::string> bounds;  ///< as printed
+  std::vector<Enclosure> exponents;
+
+  /// The largest printed bound, and its n.
+  std::pair<std::string, int> largest_bound() const;
+  /// The n whose exponents are proved to be above it.
+  std::vector<int> above() const;
+  /// How far the exponent falls at most, beyond this n, from one n to a larger one. Domain: both ends are enclosed.
+  Rational dip_from(int n) const;
+};
+
+/// Whether the exponents follow the fall of the printed bounds.
+std::string exponents_finding(const std::vector<BoundsAndExponents>& families);
+
+/// The two halves of Conjecture 7 by the decay of max psi and of max |psi'|, a finding for each degree.
+struct ConjectureDecay {
+  std::vector<conjectures::DecayFinding> maxima, slopes;
+
+  Truth first_half() const;   ///< the rate 1/n is observed for all degrees
+  Truth upper_bound() const;  ///< 1/n^2 bounds the slopes of all degrees
+  Truth second_half() const;  ///< the rate 1/n^2 is observed for all degrees
+};
+
+/// One sentence about each half.
+std::string conjecture_7_finding(const ConjectureDecay& decay);
+
+/// What the theorems on the page settle: how many of them are proved, and which are not.
+std::string theorems_sentence(const std::vector<std::pair<std::string, Truth>>& theorems);
+
+}  // namespace subcert::reports

@@ -168,7 +168,8 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
   std::ostringstream page;
   const char w = scheme.parameter;
   page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
-       << "property     " << options.property << "\n"
+       << "property     " << options.property
+       << (options.property == "stable" ? ": the integer shifts of the refinable distribution\n" : "\n")
        << "sum rules    " << range.sum_rules << " for all " << w << "\n";
   for (const RangePiece& piece : range.pieces) {
     page << padded(verdict_text(piece.holds), 13);

@@ -131,7 +131,9 @@ std::string RegularityPage::text() const {
     page << "product      " << word_text(radius.product.word) << "  (radius "
          << enclosure_text(radius.product.radius, 15)
          << (radius.exact.is_yes() ? ", proved to attain the joint spectral radius)\n" : ")\n");
-  page << "stable       " << subcert::to_text(regularity.stable.truth) << ": " << regularity.stable.reason << "\n"
+  page << "stable       " << subcert::to_text(regularity.stable.truth)
+       << (regularity.converges.is_yes() ? ": " : ", the shifts of the refinable distribution: ")
+       << regularity.stable.reason << "\n"
        << reduced_text() << "exponent     " << exponent_text() << "\n";
   if (holder.lower && *regularity.exponent.lower > 0) page << "attained     " << attained_text(regularity) << "\n";
   if (sobolev) page << "Sobolev      " << sobolev_text(*sobolev, regularity.stable) << "\n";

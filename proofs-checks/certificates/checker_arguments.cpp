@@ -120,6 +120,11 @@ std::vector<std::string> checker_arguments(const std::string& text, const std::s
   if (upper != "-") arguments.insert(arguments.end(), {"--upper", upper});
   constexpr std::string_view is = "exact ";  // the line after the bounds
   if (exact.starts_with(is)) arguments.insert(arguments.end(), {"--exact", exact.substr(is.size())});
+  const bool curve = kind == "exponent", ranged = curve && !range.empty() && !range.starts_with(within),
+             family = kind == "radius" || kind == "subradius", upper_alone = upper.starts_with('C') || ranged || family;
+  if (lower == "-" && !exact.starts_with(is) && !(upper == "-" ? curve : upper_alone))
+    fail(ErrorKind::data, "{}, line 3: expected a bound, as no claim of this kind has 'bounds {} {}'", file, lower,
+         upper);
   constexpr std::string_view power = "\nlogarithm ";
   if (const std::size_t at = text.find(power); at != std::string::npos && !exact.empty()) {
     const std::size_t begin = at + power.size();

@@ -630,10 +630,13 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   }
   if (exact) claim.text += " = " + *exact;
   const std::string number = lower || exact ? claim.text + " and " : "";
-  if (!lower && !upper && !exact) claim.text = "stable integer shifts";
+  if (!lower && !upper && !exact) claim.text = "stable integer shifts of the refinable distribution";
   const std::string relation = range ? " < " : " <= ";
   const bool diverges = range && !lower && claim.upper && *claim.upper == 0;
-  if (diverges) claim.text = "no convergence";
+  if (diverges)
+    claim.text = "no convergence";
+  else if (range && upper && !lower && !rough)
+    claim.text = "no convergence, or " + claim.text;
   if (rough) claim.text = number + "no C^" + upper->substr(1) + " limits";
   claim.text = (lower ? claim.lower->get_str() + relation : "") + claim.text +
                (upper && !diverges && !rough ? relation + claim.upper->get_str() : "") +

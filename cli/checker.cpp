@@ -96,13 +96,15 @@ Json claim_json(const CertificateClaim& claim) {
 
 }  // namespace
 
-std::string WrittenCertificate::text() const {
+std::string WrittenCertificate::text(bool attained) const {
   if (file.empty()) return "";
   if (!claim) return "certificate  not written: " + reason + "\n";
   return fmt::format("certificate  {}, verified: {}\n", file,
                      claim->logarithm ? "the bounds, that the product attains the radius, and the modulus of continuity"
                      : claim->exact   ? "the bounds, and that the product attains the radius"
-                                      : "the bounds");
+                     : attained && claim->lower != claim->upper
+                         ? "the bounds, but not that the product attains the radius"
+                         : "the bounds");
 }
 
 void WrittenCertificate::add_to(Json& json) const {

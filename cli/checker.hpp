@@ -35,8 +35,8 @@ struct WrittenCertificate {
   std::optional<CertificateClaim> claim;  ///< what it proves; nothing where none was written,
   std::string reason;                     ///< and why
 
-  /// The line of a page; empty where none was asked for.
-  std::string text() const;
+  /// The line of a page; empty where none was asked for. `attained`: the page says that a product attains the radius.
+  std::string text(bool attained) const;
   /// Adds `certificate`, null where none was written, and then `certificate_reason`.
   void add_to(Json& json) const;
 };

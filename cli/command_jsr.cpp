@@ -181,7 +181,7 @@ ExitCode run_least(const JsrOptions& options, const MatricesFile& file, const Wa
                         family.size(), enclosure_text(found.radius, std::max(wanted.digits, 14)), method_text(found),
                         fmt::join(found.product.word, " "),
                         found.exact.is_yes() ? "  (proved to attain the joint spectral subradius)" : "",
-                        verdicts_text(bounds), certificate.text()));
+                        verdicts_text(bounds), certificate.text(found.exact.is_yes())));
   return code_of(bounds, found.is_closed() && wanted.holds(found.radius));
 }
 
@@ -212,7 +212,7 @@ ExitCode run(const JsrOptions& options) {
                         family.size());
   Json json = json_of(radius, word, bounds, family.size(), wanted.digits);
   certificate.add_to(json);
-  options.answer(json, head + text_of(radius, word, bounds, wanted.digits) + certificate.text());
+  options.answer(json, head + text_of(radius, word, bounds, wanted.digits) + certificate.text(radius.exact.is_yes()));
   return code_of(bounds, radius.is_closed() && wanted.holds(radius.radius));
 }
 

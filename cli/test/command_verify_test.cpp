@@ -32,7 +32,7 @@ TEST_CASE("an answer is not lost where no certificate can be written") {
   const std::string file = folder / "file.cert", matrices = folder / "pair.json";
   std::ofstream(matrices) << R"({"matrices": [[["0","1"],["0","0"]], [["1","1"],["1","1"]]]})";
   // Nothing positive is proved, by curves, surfaces and tensor products; a dilation without certificates.
-  for (const char* scheme : {"'mask:[1,1]'", "'mask:[1,2]'", "'mask2:[[1,1],[1,1]]'", "'mask2:[[1,0],[0,0]]'",
+  for (const char* scheme : {"'mask:[1,1]'", "'mask:[1,0,0,1]'", "'mask2:[[1,1],[1,1]]'",
                              "'tensor:(mask:[1,0,0,2,0,0,1]/2)x(mask:[1,0,0,2,0,0,1]/2)'",
                              "'tensor:(bspline:degree=2)x(bspline:degree=2,a=3)'"}) {
     CAPTURE(scheme);

@@ -151,30 +151,46 @@ ExactRadiusLines lines_of(const Zero& z, std::size_t length_of_cycles, const std
 /// The zero that cycles have in common, and their seeds.
 class CommonZero {
  public:
-  /// A vector on which the polynomial of the zero near an eigenvalue vanishes. The zero has to be that of the other
-  /// cycles, and simple.
+  /// A vector on which the polynomial p of the zero near an eigenvalue vanishes, so that an eigenvector of the zero is
+  /// a sum of its images. The zero has to be that of the other cycles. Of several eigenvectors the one near `start` is
+  /// meant; where p divides the minimal polynomial more than once it does not vanish.
   std::optional<std::vector<Integer>> seed_of(const RationalMatrix& product, const RationalComplex& eigenvalue,
-                                              std::size_t length) {
+                                              std::size_t length, const ComplexVector& start) {
     const LaurentPolynomial characteristic = characteristic_polynomial(product);
     const auto nearest = nearest_zero(characteristic, eigenvalue);
-    if (!nearest || nearest->factor.multiplicity != 1) return std::nullopt;
+    if (!nearest || (nearest->factor.multiplicity != 1 && start.empty())) return std::nullopt;
     const LaurentPolynomial& p = nearest->factor.polynomial;
     if (!zero_) {
       zero_ = zero_in(nearest->ball, p);
       length_ = length;
     }
     if (!zero_ || length_ != length || zero_->polynomial != p) return std::nullopt;
-    const LaurentPolynomial others = *characteristic.exact_quotient(p);
-    for (std::size_t i = 0; i < product.rows(); ++i) {
+    const LaurentPolynomial others = *characteristic.exact_quotient(p.pow(nearest->factor.multiplicity));
+    // The value of this polynomial at the product, times a vector.
+    const auto image_of = [&](const std::vector<Rational>& vector) {
       std::vector<Rational> seed(product.rows());
       for (long k = others.highest(); k >= 0; --k) {
         seed = product * seed;
-        seed[i] += others.coefficient(k);
+        for (std::size_t i = 0; i < seed.size(); ++i) seed[i] += others.coefficient(k) * vector[i];
       }
-      if (std::any_of(seed.begin(), seed.end(), [](const Rational& x) { return x != 0; }))
-        return radius::primitive(seed);
+      return seed;
+    };
+    const auto is_zero = [](const std::vector<Rational>& v) {
+      return std::all_of(v.begin(), v.end(), [](const Rational& x) { return x == 0; });
+    };
+    std::vector<Rational> vector(product.rows()), seed;
+    if (nearest->factor.multiplicity > 1) {
+      // Its imaginary part is one of conjugate eigenvectors, to which the sum of images gives no weight.
+      std::transform(start.begin(), start.end(), vector.begin(), [](const RationalComplex& x) { return x.re; });
+      seed = image_of(vector);
+    } else {
+      for (std::size_t i = 0; i < vector.size() && (seed.empty() || is_zero(seed)); ++i) {
+        vector.assign(vector.size(), 0);
+        vector[i] = 1;
+        seed = image_of(vector);
+      }
     }
-    return std::nullopt;
+    return is_zero(seed) ? std::nullopt : std::optional(radius::primitive(seed));
   }
 
   bool is_known() const { return zero_.has_value(); }
@@ -257,7 +273,7 @@ class Writer {
         const ComplexVector image = map * moved;
         const RationalComplex eigenvalue = rayleigh_quotient(start, image);
         if (!is_near(start, eigenvalue, image)) continue;
-        const auto seed = zero_.seed_of(map * product, eigenvalue, length);
+        const auto seed = zero_.seed_of(map * product, eigenvalue, length, start);
         if (!seed) return std::nullopt;
         letters.resize(length);
         cycles_.emplace_back(v, letters);
@@ -299,7 +315,7 @@ std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, c
 
 std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const AttainedGraph& graph) {
   CommonZero zero;
-  const auto seed = zero.seed_of(transposed(family.product(graph.product)), graph.eigenvalue, graph.product.size());
+  const auto seed = zero.seed_of(transposed(family.product(graph.product)), graph.eigenvalue, graph.product.size(), {});
   if (!seed) return std::nullopt;
   return zero.lines(fmt::format("cycle {} {} {} {}\nseed {}\n", graph.first, graph.coordinate, to_text(graph.kept),
                                 to_text(graph.scale), fmt::join(*seed, " ")));
@@ -315,7 +331,7 @@ std::optional<ExactRadiusLines> exact_subradius_lines(const MatrixFamily& family
   for (const Integer& c : first)
     if (c > 0) start.push_back({Rational(c), 0});
   CommonZero zero;
-  const auto seed = zero.seed_of(inner, rayleigh_quotient(start, inner * start), proof.cycle.size());
+  const auto seed = zero.seed_of(inner, rayleigh_quotient(start, inner * start), proof.cycle.size(), start);
   if (!seed || proof.cycle.size() > longest_cycle) return std::nullopt;
   ExactRadiusLines lines = zero.lines(fmt::format("cycle 0 - {}\nseed", fmt::join(proof.cycle, " ")));
   const std::vector<Integer> weights = rest.rows() == 0

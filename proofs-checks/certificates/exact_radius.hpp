@@ -19,10 +19,10 @@ struct ExactRadiusLines {
   Rational low;        ///< a lower bound
 };
 
-/// Nothing where no cycle of the polytope has a simple leading eigenvalue, or where cycles have different ones. What it
-/// writes is for the checker to accept or not: the images that have to lie inside are not looked at. Domain: `polytope`
-/// belongs to this family. Cost: a characteristic polynomial and its factorisation for each cycle. Source: SPEC.md
-/// beside this, section 4.10.
+/// Nothing where the polytope has no cycle, or where cycles have different leading eigenvalues. What it writes is for
+/// the checker to accept or not: the images that have to lie inside are not looked at. Domain: `polytope` belongs to
+/// this family. Cost: a characteristic polynomial and its factorisation for each cycle. Source: SPEC.md beside this,
+/// section 4.10.
 std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const PolytopeProof& polytope);
 
 /// The same for the product of a graph. Source: SPEC.md, section 4.14.

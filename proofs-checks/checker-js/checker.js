@@ -253,7 +253,7 @@ var check_certificate = (() => {
     const by = text.slice(end, at), sizes = [], first = at < text.length ? text.slice(at + 1) : undefined;
     let depth = 0;
     while (text[depth] === '[') ++depth;
-    demand(end && (!by || by[0] === '/'), mask_form);
+    demand(!by || by[0] === '/', mask_form);
     demand(depth && depth <= 3 && lists.endsWith(']'.repeat(depth)), mask_form);
     const split = (body, d) => {
       const pieces = body.split(']'.repeat(d - 1) + ',' + '['.repeat(d - 1));
@@ -1689,9 +1689,8 @@ var check_certificate = (() => {
            'the reduced mask is not that of the mask and the factor');
     return b;
   }
-  function check_convergence(reader, curve) {  // 4.9: JSR < A^M for the mask of the claim
+  function check_convergence(reader, curve) {  // 4.9: JSR < A^M for the mask of the claim; a(1) = b(1) = A
     const order = small(reader.read('sum-rules', 1)[0], 1, 500), limit = fraction(BigInt(curve.arity) ** BigInt(order));
-    check_sum(curve);
     const family = control_family(divided_symbol(curve, order), null);
     prove(reader, family, {below: at_most(limit, true)}, {first_column: true});
   }

@@ -24,6 +24,7 @@ import variants  # noqa: E402
 # What is looked for, what stands in its place, and what the variant does. Nothing is NaN: `a && b` becomes `a === NaN || b`.
 CHANGES = [
     (r"\bdemand\(", "(() => {})(", "no check"),
+    (r"(?:(?<=\n) +|(?<=\)) )(?=check_\w+\()", " 0 && ", "a hypothesis of the claim is not checked"),
     (r" <= ", " < ", "<= -> <"),
     (r" >= ", " > ", ">= -> >"),
     (r" < ", " <= ", "< -> <="),

@@ -107,6 +107,7 @@ if mode == "usage":
             (64, "--surface 1,2,1 --dilation [2] --lower 1 golden.cert"),
             (64, "--surface [1,2,1]]/2 --dilation [2] --lower 1 golden.cert"),
             (64, "--mask [1 --arity 2 --lower 1 golden.cert"), (64, "--mask [1,1]x --arity 2 --lower 1 golden.cert"),
+            (64, "--mask [1,1]x2 --arity 2 --lower 1 golden.cert"), (64, "--mask 1,1] --arity 2 --lower 1 golden.cert"),
             (64, "--mask [1,0] --arity 2 --lower 1 golden.cert"), (64, "--mask [[1,1],[1,1]] --arity 2 --lower 1 golden.cert"),
             (64, f"--mask [{'1,' * 1000}1] --arity 2 --lower 1 golden.cert"),
             (64, "--mask [1,1] --arity 2 --for {=0..1 golden.cert"), (64, "--mask [1,1] --arity 2 --for _=0..1 golden.cert"),

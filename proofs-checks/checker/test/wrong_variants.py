@@ -42,7 +42,10 @@ CHANGES = [
     (r"(?<![:\w])abs\(", "wrong::Abs{%d}(", "abs -> nothing"),
     (r" \+= (?!\")", " += wrong::Sum{%d} += ", "+= -> -="),
 ]
-CHECKS = [(r"(?<!void )\brequire\(", "(wrong::on(%d) ? wrong::ignore : require)(", "no check")]
+CHECKS = [
+    (r"(?<!void )\brequire\(", "(wrong::on(%d) ? wrong::ignore : require)(", "no check"),
+    (r"(?:(?<=\n) +|(?<=\)) )(?=(?:surface->)?(?:check|show)_\w+\()", " wrong::on(%d) ? void() : ", "a hypothesis of the claim is not checked"),
+]
 
 HEADER = """
 #pragma once

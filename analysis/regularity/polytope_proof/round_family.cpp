@@ -10,7 +10,10 @@ namespace {
 
 constexpr double round_enough = 1e-7;  // ratio of the eigenvalues of the shape
 constexpr int most_steps = 8;
-constexpr slong bits = 512;  // of `from`
+constexpr std::size_t largest_long = 24;              // the size of matrices for which shapes of many bits are computed
+constexpr int long_sums = 60, long_floor_bits = 400;  // of such a shape
+constexpr double well_conditioned = 1e-3;             // the radius over the largest entry
+constexpr slong bits = 512;                           // of `from`
 
 /// The mean of the matrix and its image under the flip.
 RationalMatrix commuting_with_flip(const RationalMatrix& matrix) {
@@ -34,6 +37,62 @@ std::optional<polytope::Matrix> rounding_step(const std::vector<polytope::Matrix
   return polytope::composed(shape.vectors, factors);
 }
 
+Rational rounded(const Rational& value) {
+  if (value == 0) return value;
+  const Rational unit = power(Rational(2), binary_exponent(value) - bits);
+  return unit * Rational(to_integer(value / unit, Rounding::nearest));
+}
+
+/// The fixed point of G = sum of A G A^T up to its size, with many bits; nothing where all long products vanish.
+std::optional<RationalMatrix> long_shape(const MatrixFamily& family, const Deadline& deadline) {
+  const std::size_t n = family.size();
+  const Rational least = power(Rational(2), -long_floor_bits);
+  RationalMatrix shape = RationalMatrix::identity(n);
+  for (int k = 0; k < long_sums; ++k) {
+    RationalMatrix sum(n, n);
+    for (const RationalMatrix& a : family) {
+      if (deadline.expired()) return std::nullopt;
+      const RationalMatrix image = a * shape * transposed(a);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) sum(i, j) += image(i, j);
+    }
+    const auto exponent = binary_exponent(sum);
+    if (!exponent) return std::nullopt;
+    const Rational unit = power(Rational(2), -*exponent);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) shape(i, j) = rounded(unit * sum(i, j));
+    for (std::size_t i = 0; i < n; ++i) shape(i, i) += least;
+  }
+  return shape;
+}
+
+/// Coordinates in which orbits are round up to small factors, triangular: for matrices so badly conditioned that
+/// doubles do not see their products. Nothing where the shape is not positive up to rounding.
+std::optional<RationalMatrix> long_rounding(const MatrixFamily& family, const Deadline& deadline) {
+  const std::size_t n = family.size();
+  const auto shape = long_shape(family, deadline);
+  if (!shape) return std::nullopt;
+  RationalMatrix root = RationalMatrix::identity(n);  // shape = root diagonal root^T
+  std::vector<Rational> diagonal;
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = k; i < n; ++i) {
+      Rational rest = (*shape)(i, k);
+      for (std::size_t j = 0; j < k; ++j) rest -= root(i, j) * root(k, j) * diagonal[j];
+      if (i == k) {
+        if (rest <= 0) return std::nullopt;
+        diagonal.push_back(rounded(rest));
+      } else {
+        root(i, k) = rounded(rest / diagonal[k]);
+      }
+    }
+  }
+  RationalMatrix to = solve(root, RationalMatrix::identity(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      to(i, j) = rounded(to(i, j) * power(Rational(2), -binary_exponent(diagonal[i]) / 2));
+  return to;
+}
+
 /// Nearly; nothing where balls do not resolve it.
 std::optional<RationalMatrix> inverse(const RationalMatrix& matrix) {
   const auto columns = inverse_columns(matrix, {0, 0}, bits);
@@ -42,6 +101,25 @@ std::optional<RationalMatrix> inverse(const RationalMatrix& matrix) {
   for (std::size_t j = 0; j < columns->size(); ++j)
     for (std::size_t i = 0; i < columns->size(); ++i) result(i, j) = -(*columns)[j][i].re;
   return result;
+}
+
+/// False, with nothing changed, where balls do not resolve the way back or doubles do not hold the family there.
+bool set_coordinates(RoundFamily& round, const MatrixFamily& family, const RationalMatrix& to) {
+  const auto from = inverse(to);
+  if (!from) return false;
+  polytope::SearchFamily moved{{}, round.family.symmetry};
+  for (const RationalMatrix& m : family) moved.matrices.push_back(to_double(to * m * *from));
+  if (!polytope::is_finite(moved) || !polytope::has_symmetry(moved)) return false;
+  round = {std::move(moved), {to, *from}};
+  return true;
+}
+
+/// Whether products are so much smaller than their factors that doubles may not see them.
+bool is_hidden(const polytope::SearchFamily& family, const Deadline& deadline) {
+  const polytope::OrbitShape orbit = polytope::orbit_shape(family.matrices, deadline);
+  double largest = 0;
+  for (const polytope::Matrix& m : family.matrices) largest = std::max(largest, m.largest_modulus());
+  return orbit.lost || !(orbit.radius_bound >= well_conditioned * largest);
 }
 
 }  // namespace
@@ -81,19 +159,17 @@ bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const po
   const auto exact = to_rational(step);
   if (!exact) return false;
   const RationalMatrix kept = family.is_flip_symmetric() ? commuting_with_flip(*exact) : *exact;
-  const RationalMatrix to = round.coordinates.differ() ? kept * round.coordinates.to : kept;
-  const auto from = inverse(to);
-  if (!from) return false;
-  polytope::SearchFamily moved{{}, round.family.symmetry};
-  for (const RationalMatrix& m : family) moved.matrices.push_back(to_double(to * m * *from));
-  if (!polytope::is_finite(moved) || !polytope::has_symmetry(moved)) return false;
-  round = {std::move(moved), {to, *from}};
-  return true;
+  return set_coordinates(round, family, round.coordinates.differ() ? kept * round.coordinates.to : kept);
 }
 
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
-  const RoundFamily given{to_search_family(family)};
+  RoundFamily given{to_search_family(family)};
   if (family.group().size() > 1 && !family.is_flip_symmetric()) return given;
+  if (family.group().size() <= 1 && family.size() <= largest_long && is_hidden(given.family, deadline)) {
+    RoundFamily seen = given;
+    const auto to = long_rounding(family, deadline);
+    if (to && set_coordinates(seen, family, *to) && !is_hidden(seen.family, deadline)) given = std::move(seen);
+  }
   RoundFamily result = given;
   for (int k = 0; k < most_steps; ++k) {
     const auto step = rounding_step(result.family.matrices, deadline);

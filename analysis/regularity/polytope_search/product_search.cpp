@@ -280,6 +280,7 @@ OrbitShape orbit_shape(const std::vector<Matrix>& matrices, const Deadline& dead
     for (std::size_t i = 0; i < d; ++i) trace += next(i, i);
     if (trace == 0 && next.is_zero()) return {Matrix::identity(d), 0};
     complete = trace > 0 && std::isfinite(trace);
+    result.lost = !complete;
     if (!complete) break;
     const bool settled = std::abs(trace - growth) < 1e-6 * trace;
     growth = trace;

@@ -66,6 +66,7 @@ double product_radius(const std::vector<Matrix>& matrices, const std::vector<int
 struct OrbitShape {
   Matrix shape;
   double radius_bound = 0;
+  bool lost = false;  ///< to rounding
 };
 /// Of the largest eigenvalue of such a shape: below it they are rounding, of either sign.
 inline constexpr double resolved_share = 1e-9;

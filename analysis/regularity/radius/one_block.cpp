@@ -6,6 +6,7 @@
 #include <subcert/analysis/symbol/real_roots.hpp>
 
 #include "attains.hpp"
+#include "closed_orbit.hpp"
 #include "cost.hpp"
 #include "scaling.hpp"
 
@@ -110,6 +111,25 @@ void expand(GraphProof& proof, const DifferentMatrices& different) {
   proof.attained = std::make_shared<AttainedGraph>(std::move(attained));
 }
 
+/// Images under matrices that occur once more are the same vertices.
+void expand(PolytopeOrigins& origins, const DifferentMatrices& different) {
+  std::vector<PolytopeOrigins::Coincidence> all;
+  const auto add = [&](const PolytopeOrigins::Coincidence& image, bool first) {
+    for (std::size_t t = 0; t < different.places.size(); ++t)
+      if (different.places[t] == image.letter && (first || t != different.originals[image.letter]))
+        all.push_back({image.vertex, t, image.target, image.element});
+  };
+  for (const PolytopeOrigins::Coincidence& image : origins.coincidences) add(image, true);
+  for (std::size_t v = 0; v < origins.vertices.size(); ++v) {
+    PolytopeOrigins::Vertex& vertex = origins.vertices[v];
+    if (vertex.letter < 0) continue;
+    const auto letter = static_cast<std::size_t>(vertex.letter);
+    if (vertex.parent >= 0) add({static_cast<std::size_t>(vertex.parent), letter, v, 0}, false);
+    vertex.letter = static_cast<int>(different.originals[letter]);
+  }
+  origins.coincidences = std::move(all);
+}
+
 /// The proof for the family from that for its different matrices.
 void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
   rename(radius.product.word, different);
@@ -127,12 +147,7 @@ void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
   repeated(polytope->images);
   repeated(polytope->moduli);
   repeated(polytope->residuals);
-  const auto original = [&](int letter) {
-    return letter < 0 ? letter : static_cast<int>(different.originals[static_cast<std::size_t>(letter)]);
-  };
-  for (PolytopeOrigins::Vertex& vertex : polytope->origins.vertices) vertex.letter = original(vertex.letter);
-  for (PolytopeOrigins::Coincidence& image : polytope->origins.coincidences)
-    image.letter = different.originals[image.letter];
+  expand(polytope->origins, different);
   for (std::vector<int>& cycle : polytope->origins.cycles) rename(cycle, different);
   expand(polytope->group, different);
 }
@@ -289,6 +304,14 @@ std::optional<ProductEvidence> largest_of_commuting(const MatrixFamily& family, 
   return letters[best];
 }
 
+/// From the products that the search for a polytope took for maximizing.
+std::optional<ClosedOrbit> closed_orbit_of(const MatrixFamily& family, const PolytopeCandidate& candidate,
+                                           const Budget& budget) {
+  std::vector<std::vector<int>> words;
+  for (std::size_t k = 0; k < candidate.maximizing; ++k) words.push_back(candidate.products[k].word);
+  return closed_orbit(family, words, {Deadline::in(budget.deadline.remaining() + grace), budget.memory});
+}
+
 JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget& budget,
                                         const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   const Rational unit = power(Rational(2), scaling_exponent(family));
@@ -339,7 +362,18 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
     result.exact = {Truth::unknown, "no polytope closed"};
   else
     result.exact = found.exact;
-  if (by_form)
+  const auto orbit = result.exact.is_yes() || enough || lower <= 0 ? std::nullopt
+                                                                   : closed_orbit_of(scaled_family, candidate, budget);
+  if (orbit) {
+    const Rational power_of_unit = power(unit, orbit->length) * orbit->power;
+    result.radius = root_enclosure(power_of_unit, orbit->length, default_bits);
+    product = prove_product(scaled_family, candidate.products.front().word, budget.deadline);
+    result.exact = {Truth::yes,
+                    "finitely many rational vectors stay in their hull, and the product attains the radius"};
+  }
+  if (orbit && orbit->proof && orbit->proof->bound * unit <= upper)
+    result.proof = scaled(std::move(*orbit->proof), unit);
+  else if (by_form)
     result.proof = scaled(std::move(*form), unit);
   else if (by_polytope)
     result.proof = scaled(std::move(*polytope), unit);

@@ -18,6 +18,7 @@ namespace {
 constexpr slong precision = 320;
 constexpr int newton_steps = 16;
 constexpr int dyadic_bits = 200;
+constexpr long resolved_bits = 20;     // that an eigenvalue may be smaller than the entries
 constexpr int smallest_exponent = 40;  // smaller eigenvalues than 2^-40 get as many bits more
 constexpr std::size_t longest_common_power = 64, most_paired = 12;  // letters, and the size of matrices
 // Of approximate inverses, in bits.
@@ -64,6 +65,25 @@ bool is_largest_root(const LaurentPolynomial& p, const Rational& root, const Dea
   return radius::has_time_for_roots(rest, deadline) && *largest_root_modulus(rest).largest.upper < abs(root);
 }
 
+/// From doubles; where it is so much smaller than the entries that these may not tell it, from the polynomial.
+radius::FloatingEigenvalue leading_eigenvalue(const RationalMatrix& product, const LaurentPolynomial& simple,
+                                              const Deadline& deadline) {
+  const radius::FloatingEigenvalue found = radius::leading_eigenvalue(product);
+  const auto size = binary_exponent(product);
+  const LaurentPolynomial p = simple.shifted(-simple.lowest());
+  const double modulus = std::abs(found.value);
+  if (!size || p.length() == 1 || (modulus > 0 && std::ilogb(modulus) + found.exponent > *size - resolved_bits) ||
+      !radius::has_time_for_roots(p, deadline))
+    return found;
+  const std::vector<ComplexBall> zeros = complex_roots(p, precision);
+  const auto largest = std::ranges::max_element(
+      zeros, [](const ComplexBall& a, const ComplexBall& b) { return abs(a).is_less(abs(b)); });
+  const RationalComplex z = exact_middle(*largest);
+  const long exponent = binary_exponent(one_norm({z}));
+  const RationalComplex near = power(Rational(2), -exponent) * z;
+  return {{near.re.convert_to<double>(), near.im.convert_to<double>()}, exponent};
+}
+
 /// The centre c of the evidence: rational, near the leading eigenvalue.
 struct Centre {
   RationalComplex point;
@@ -73,8 +93,8 @@ struct Centre {
 
 /// Nothing where there is no eigenvalue but 0. `simple`: the squarefree part of p.
 std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPolynomial& p,
-                                const LaurentPolynomial& simple) {
-  const radius::FloatingEigenvalue start = radius::leading_eigenvalue(product);
+                                const LaurentPolynomial& simple, const Deadline& deadline) {
+  const radius::FloatingEigenvalue start = leading_eigenvalue(product, simple, deadline);
   const double modulus = std::abs(start.value);
   if (modulus == 0 || simple.length() == 1) return std::nullopt;
   // A multiple real eigenvalue may come out as a pair that is off by the root of the rounding.
@@ -128,7 +148,7 @@ ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>
   if (!characteristic) return evidence;
   const LaurentPolynomial &p = *characteristic, simple = squarefree_part(p), derivative = p.derivative();
   // Multiple eigenvalues are found as simple zeros of the squarefree part.
-  auto centre = centre_of(product, p, simple);
+  auto centre = centre_of(product, p, simple, deadline);
   if (!centre) return evidence;
   RationalComplex& c = centre->point;
   Rational slope = value_at(derivative, c).squared_modulus();

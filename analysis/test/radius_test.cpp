@@ -1,0 +1,234 @@
+// Joint spectral radii whose answer is known without a search, and families on which searches once lost their footing.
+#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
+#include <subcert/analysis/regularity/radius/p_radius.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/random.hpp>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+using namespace subcert;
+using subcert::testing::Random;
+using subcert::testing::rounds;
+
+namespace {
+
+RationalMatrix matrix(const std::vector<std::vector<Rational>>& rows) {
+  RationalMatrix result(rows.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < rows.size(); ++j) result(i, j) = rows[i][j];
+  return result;
+}
+
+RationalMatrix random_matrix(Random& random, std::size_t n, long most, long denominator = 1) {
+  RationalMatrix result(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) result(i, j) = Rational(random.integer(-most, most), denominator);
+  return result;
+}
+
+JointSpectralRadius radius_of(const MatrixFamily& family, double seconds = 10) {
+  JointSpectralRadius result = joint_spectral_radius(family, {Deadline::in(seconds)});
+  sharpen(result, family, default_bits, Deadline::in(seconds));
+  return result;
+}
+
+bool contains(const Enclosure& radius, const Rational& value) {
+  return *radius.lower <= value && value <= *radius.upper;
+}
+
+void check_exact(const MatrixFamily& family, const Enclosure& expected) {
+  const JointSpectralRadius found = radius_of(family);
+  CAPTURE(found.exact.reason, found.radius.lower->convert_to<double>(), found.radius.upper->convert_to<double>());
+  CHECK(found.exact.is_yes());
+  CHECK(found.is_closed());
+  CHECK(*found.radius.lower <= *expected.upper);
+  CHECK(*found.radius.upper >= *expected.lower);
+  CHECK(found.proved_upper() >= *expected.lower);
+}
+
+/// The largest modulus of an eigenvalue.
+Enclosure spectral_radius(const RationalMatrix& m) {
+  return largest_root_modulus(characteristic_polynomial(m)).largest;
+}
+
+using Four = std::array<int, 4>;
+
+Four product(const Four& a, const Four& b) {
+  return {a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3], a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3]};
+}
+Four negative(Four a) {
+  for (int& x : a) x = -x;
+  return a;
+}
+
+/// One of each class of pairs of matrices of size 2 with entries -1, 0, 1, up to order, signs, transposition and
+/// similarity by signed permutations.
+std::vector<std::pair<Four, Four>> classes_of_pairs() {
+  std::vector<Four> all;
+  for (int k = 0; k < 81; ++k) all.push_back({k % 3 - 1, k / 3 % 3 - 1, k / 9 % 3 - 1, k / 27 - 1});
+  std::vector<std::pair<Four, Four>> similarities;
+  for (const int s : {1, -1})
+    for (const int t : {1, -1}) {
+      similarities.push_back({{s, 0, 0, t}, {s, 0, 0, t}});
+      similarities.push_back({{0, s, t, 0}, {0, t, s, 0}});
+    }
+  std::set<std::pair<Four, Four>> seen;
+  std::vector<std::pair<Four, Four>> classes;
+  for (const Four& a : all)
+    for (const Four& b : all) {
+      if (seen.contains({a, b})) continue;
+      classes.emplace_back(a, b);
+      for (const auto& [map, inverse] : similarities) {
+        Four x = product(product(map, a), inverse), y = product(product(map, b), inverse);
+        for (int k = 0; k < 2; ++k) {
+          for (const Four& u : {x, negative(x)})
+            for (const Four& v : {y, negative(y)}) {
+              seen.insert({u, v});
+              seen.insert({v, u});
+            }
+          std::swap(x[1], x[2]);
+          std::swap(y[1], y[2]);
+        }
+      }
+    }
+  return classes;
+}
+
+RationalMatrix to_matrix(const Four& a) { return matrix({{a[0], a[1]}, {a[2], a[3]}}); }
+
+}  // namespace
+
+TEST_CASE("the radius of one matrix is that of its characteristic polynomial") {
+  Random random;
+  for (const auto round : rounds(24)) {
+    const auto n = static_cast<std::size_t>(round % 12 + 1);
+    RationalMatrix m = random.chance(50) ? random_matrix(random, n, 5) : random_matrix(random, n, 1000000, 1000000);
+    if (random.chance(30)) m = m * transposed(m);
+    check_exact({m}, spectral_radius(m));
+  }
+}
+
+TEST_CASE("the radius of one matrix, of special kinds") {
+  const std::vector<RationalMatrix> matrices{
+      matrix({{0, 0}, {0, 0}}),
+      matrix({{0, 1, 2}, {0, 0, 3}, {0, 0, 0}}),
+      matrix({{2, 1, 0}, {0, 2, 1}, {0, 0, 2}}),
+      matrix({{0, -1, 1, 0}, {1, 0, 0, 1}, {0, 0, 0, -1}, {0, 0, 1, 0}}),
+      matrix({{0, -1}, {1, 1}}),
+      matrix({{Rational(3, 5), Rational(-4, 5)}, {Rational(4, 5), Rational(3, 5)}}),
+      matrix({{0, 0, 0, -1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}}),
+      matrix({{0, 0, 2}, {1, 0, 0}, {0, 1, 0}}),
+      matrix({{1, 1}, {1, -1}}),
+      matrix({{2, 0, 0}, {0, 0, -2}, {0, 2, 0}}),
+      matrix({{0, 0, 0, -9}, {1, 0, 0, 1}, {0, 1, 0, -1}, {0, 0, 1, Rational(1, 3)}}),
+      matrix({{1000, 1}, {1, 1000}}),
+      matrix({{Rational(288526, 1000000), Rational(-144024, 1000000)},
+              {Rational(21767, 1000000), Rational(897103, 1000000)}}),
+  };
+  for (const RationalMatrix& m : matrices) check_exact({m}, spectral_radius(m));
+}
+
+TEST_CASE("families that commute have the largest of their spectral radii") {
+  const RationalMatrix a = matrix({{1, -1}, {1, 4}}), zero(2, 2);
+  const Enclosure radius = spectral_radius(a);
+  check_exact({a, zero}, radius);
+  check_exact({a, a}, radius);
+  check_exact({a, Rational(-1) * a}, radius);
+  check_exact({a, Rational(1, 10) * (a * a), zero, power(a, 3)}, spectral_radius(power(a, 3)));
+  check_exact({matrix({{1, 1}, {1, 0}}), matrix({{-1, -1}, {-1, 0}})}, spectral_radius(matrix({{1, 1}, {1, 0}})));
+  check_exact({matrix({{0, -2}, {-1, 0}}), matrix({{-2, 0}, {0, -2}})}, Enclosure::exactly(2));
+  Random random;
+  for ([[maybe_unused]] const auto round : rounds(6)) {
+    const RationalMatrix m = random_matrix(random, static_cast<std::size_t>(random.integer(2, 5)), 4);
+    RationalMatrix shifted = m;
+    for (std::size_t i = 0; i < m.rows(); ++i) shifted(i, i) += 1;
+    const Enclosure first = spectral_radius(m), second = spectral_radius(shifted);
+    check_exact({m, shifted}, {std::max(*first.lower, *second.lower), std::max(*first.upper, *second.upper)});
+  }
+}
+
+TEST_CASE("all classes of pairs of matrices of size 2 with entries -1, 0, 1 are exact") {
+  const auto classes = classes_of_pairs();
+  REQUIRE(classes.size() == 197);  // with that of two zeros
+  int ones = 0;
+  for (const auto& [a, b] : classes) {
+    const MatrixFamily family{to_matrix(a), to_matrix(b)};
+    const JointSpectralRadius found = radius_of(family, 2);
+    CAPTURE(a, b, found.exact.reason);
+    CHECK(found.exact.is_yes());
+    CHECK(found.is_closed());
+    CHECK(*found.radius.lower >= std::max(*spectral_radius(family[0]).lower, *spectral_radius(family[1]).lower));
+    ones += found.radius.is_exact() && *found.radius.lower == 1 ? 1 : 0;
+  }
+  CHECK(ones > 50);
+}
+
+TEST_CASE("no product of random integer families has a larger radius than the family") {
+  Random random;
+  for ([[maybe_unused]] const auto round : rounds(12)) {
+    const auto n = static_cast<std::size_t>(random.integer(2, 4));
+    std::vector<RationalMatrix> matrices;
+    for (long k = random.integer(1, 3); k >= 0; --k)
+      matrices.push_back(random_matrix(random, n, random.chance(50) ? 1 : 3));
+    const MatrixFamily family(matrices);
+    const JointSpectralRadius found = radius_of(family, 0.5);
+    for (int k = 0; k < 8; ++k) {
+      std::vector<int> word;
+      for (long letters = random.integer(1, 6); letters > 0; --letters)
+        word.push_back(static_cast<int>(random.integer(0, static_cast<long>(family.count()) - 1)));
+      const Rational power_of_radius = *spectral_radius(family.product(word)).lower;
+      CHECK(power_of_radius <= power(*found.radius.upper, static_cast<long>(word.size())));
+    }
+  }
+}
+
+TEST_CASE("the radius of a multiple is the multiple of the radius, whatever its size") {
+  const MatrixFamily family{matrix({{1, 1, 0}, {-1, 0, -1}, {1, 0, 0}}), matrix({{1, 0, -1}, {1, -1, 0}, {0, 1, 0}})};
+  const JointSpectralRadius found = radius_of(family, 5);
+  REQUIRE(found.exact.is_yes());
+  for (const Rational& factor : {power(Rational(10), -100), power(Rational(10), 160),
+                                 Rational(1, 3) * power(Rational(2), 70), power(Rational(7), -120)}) {
+    const JointSpectralRadius other = radius_of(factor * family, 5);
+    CHECK(other.exact.is_yes());
+    CHECK(*other.radius.lower <= factor * *found.radius.upper);
+    CHECK(*other.radius.upper >= factor * *found.radius.lower);
+    CHECK(other.proved_upper() >= factor * *found.radius.lower);
+    CHECK(other.proved_upper() <= factor * *found.radius.upper * (1 + power(Rational(10), -12)));
+  }
+}
+
+TEST_CASE("the golden ratio is found through badly conditioned coordinates") {
+  // Similar to [1,1;0,1] and [1,0;1,1] by [1,1;1,1+e] for small e, nearly.
+  const Enclosure golden = spectral_radius(matrix({{1, 1}, {1, 0}}));
+  for (const long digits : {6, 12}) {
+    const Rational t = power(Rational(10), digits);
+    const MatrixFamily family{matrix({{1 - t, t}, {-t, 1 + t}}), matrix({{2 + t, -t}, {t + 2 + 1 / t, -t}})};
+    const JointSpectralRadius found = radius_of(family, 5);
+    CAPTURE(digits, found.exact.reason);
+    CHECK(contains(found.radius, *golden.lower));
+    CHECK(found.exact.is_yes());
+  }
+}
+
+TEST_CASE("the p-radius of triangular families is the largest of their diagonals") {
+  const MatrixFamily family{matrix({{1, 5, 7}, {0, -2, 1}, {0, 0, Rational(1, 2)}}),
+                            matrix({{-3, 1, 0}, {0, 1, 4}, {0, 0, 2}})};
+  for (const int p : {1, 2, 3, 64}) {
+    REQUIRE(has_p_radius(family, p));
+    const auto found = p_radius(family, p, default_bits, Deadline::in(5));
+    REQUIRE(found);
+    const Rational mean = (1 + power(Rational(3), p)) / 2;
+    CHECK(power(*found->radius.lower, p) <= mean);
+    CHECK(power(*found->radius.upper, p) >= mean);
+  }
+  // Whatever the basis: the same family in another one, for an even power.
+  const RationalMatrix basis = matrix({{1, 2, 0}, {1, 3, 1}, {0, 1, 2}});
+  std::vector<RationalMatrix> moved;
+  for (const RationalMatrix& m : family) moved.push_back(solve(basis, m * basis));
+  const auto found = p_radius(MatrixFamily(moved), 40, default_bits, Deadline::in(5));
+  REQUIRE(found);
+  CHECK(found->size == 1);
+  CHECK(contains({power(*found->radius.lower, 40), power(*found->radius.upper, 40)}, (1 + power(Rational(3), 40)) / 2));
+}

@@ -1,5 +1,9 @@
 #include "balls.hpp"
 
+#include "rational_matrix.hpp"
+
+#include <cstdlib>
+
 namespace subcert {
 
 Enclosure Ball::enclosure(slong bits) const {
@@ -32,10 +36,30 @@ ComplexBall value_at(const LaurentPolynomial& p, const ComplexBall& z) {
   return result;
 }
 
+namespace {
+
+/// p(2^exponent z) up to a power of z and a factor.
+LaurentPolynomial stretched(const LaurentPolynomial& p, long exponent) {
+  std::vector<Rational> coefficients;
+  for (long k = p.lowest(); k <= p.highest(); ++k)
+    coefficients.push_back(p.coefficient(k) * power(Rational(2), exponent * (k - p.lowest())));
+  return {coefficients, 0};
+}
+
+}  // namespace
+
 std::vector<ComplexBall> complex_roots(const LaurentPolynomial& p, slong bits) {
   const slong count = p.length() - 1;
-  const flint::IntegerPolynomial polynomial(p);
+  if (count == 0) return {};
+  // Zeros that are about as large as 1 are found fast.
+  constexpr long near_enough = 32;
+  const long size = (binary_exponent(p.coefficient(p.lowest())) - binary_exponent(p.coefficient(p.highest()))) / count;
   std::vector<ComplexBall> result;
+  if (std::abs(size) > near_enough) {
+    for (const ComplexBall& zero : complex_roots(stretched(p, size), bits)) result.push_back(zero.scaled(size));
+    return result;
+  }
+  const flint::IntegerPolynomial polynomial(p);
   acb_ptr roots = _acb_vec_init(count);
   arb_fmpz_poly_complex_roots(roots, polynomial.get(), 0, bits);
   for (slong i = 0; i < count; ++i) result.emplace_back(roots + i, bits);

@@ -12,7 +12,7 @@
 namespace subcert::radius {
 namespace {
 
-constexpr std::size_t largest_size = 12, most_products = 64, most_words = 8, most_vertices = 300;
+constexpr std::size_t largest_size = 12, most_products = 64, most_words = 8, longest_word = 12, most_vertices = 300;
 constexpr int longest = 4;            // products of the family
 constexpr long turns = 24;            // roots of unity of such orders are made 1
 constexpr double seconds = 1;         // for all
@@ -37,7 +37,9 @@ MatrixFamily products_of(const MatrixFamily& family, int length) {
       for (const RationalMatrix& m : family) longer.push_back(product * m);
     products = std::move(longer);
   }
-  return {std::move(products), {{SparseMap::identity(family.size()), {}}}};
+  std::vector<std::size_t> letters(products.size());
+  std::iota(letters.begin(), letters.end(), std::size_t{0});
+  return {std::move(products), {{SparseMap::identity(family.size()), std::move(letters)}}};
 }
 
 /// Vertices, and where their images are.
@@ -179,7 +181,7 @@ std::optional<Rational> rational_power(const MatrixFamily& products, std::size_t
 
 std::optional<ClosedOrbit> closed_orbit(const MatrixFamily& family, const std::vector<std::vector<int>>& words,
                                         const Budget& budget) {
-  if (family.size() > largest_size || words.empty()) return std::nullopt;
+  if (family.size() > largest_size || words.empty() || words.front().size() > longest_word) return std::nullopt;
   const Budget its{budget.deadline.after(share).at_most(seconds), budget.memory};
   std::size_t count = family.count();
   for (int length = 1; length <= longest && count <= most_products; ++length, count *= family.count()) {
@@ -188,6 +190,7 @@ std::optional<ClosedOrbit> closed_orbit(const MatrixFamily& family, const std::v
     if (!radius || *radius <= 0) continue;
     Subspace all;
     for (std::size_t k = 0; k < std::min(words.size(), most_words) && !its.deadline.expired(); ++k) {
+      if (words[k].size() > longest_word) continue;
       const Subspace own = leading_vectors(family, words[k], length, *radius);
       all.insert(all.end(), own.begin(), own.end());
       for (const bool alone : {true, false}) {

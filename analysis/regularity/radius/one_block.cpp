@@ -276,10 +276,16 @@ JointSpectralRadius radius_of_isometries(const MatrixFamily& family, QuadraticPr
 }
 
 bool commute(const MatrixFamily& family) {
-  for (std::size_t s = 0; s < family.count(); ++s)
-    for (std::size_t t = 0; t < s; ++t)
-      if (family[s] * family[t] != family[t] * family[s]) return false;
-  return true;
+  std::vector<Rational> x;  // most do not, which one vector shows
+  for (std::size_t i = 0; i < family.size(); ++i) x.emplace_back(static_cast<long>(i * i + 1));
+  const auto all_pairs = [&](const auto& holds) {
+    for (std::size_t s = 0; s < family.count(); ++s)
+      for (std::size_t t = 0; t < s; ++t)
+        if (!holds(family[s], family[t])) return false;
+    return true;
+  };
+  return all_pairs([&](const auto& a, const auto& b) { return a * (b * x) == b * (a * x); }) &&
+         all_pairs([](const auto& a, const auto& b) { return a * b == b * a; });
 }
 
 /// Matrices that commute are triangular in one basis over the complex numbers, so that the radius is the largest

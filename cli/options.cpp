@@ -209,7 +209,13 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
 
 /// Refuses a first argument that is neither a command nor an option.
 void require_command(const CLI::App& app, const std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments.front().starts_with('-')) return;
+  if (arguments.empty()) return;
+  if (arguments.front().starts_with('-')) {
+    if (!app.get_option_no_throw(arguments.front()))
+      fail(ErrorKind::usage, "there is no option {} before a command; see 'subcert --help'",
+           in_quotes(arguments.front()));
+    return;
+  }
   std::vector<std::string> names{"help"};
   for (const CLI::App* command : app.get_subcommands({})) {
     if (command->get_name() == arguments.front()) return;

@@ -23,7 +23,7 @@ inline toml::table parse_toml(std::string_view text) {
   try {
     return toml::parse(ascii);
   } catch (const toml::parse_error& error) {
-    throw FileError(place_of(error.source()), "not TOML: " + printable(error.description()));
+    throw FileError(place_of(error.source()), "not TOML: " + visible(error.description()));
   }
 }
 

@@ -32,6 +32,30 @@ constexpr int shortest_share = 16;       // of the width that may stay open: sev
 constexpr std::size_t longest_end = 24;  // letters of a product that names an end
 constexpr int most_matrices = 64;
 
+/// Open intervals on which all coefficients of the scheme for divided differences are positive, so that it converges
+/// [CDM91, thm 3.3].
+std::vector<Segment> positive_intervals(const ParametricMask& mask, const Rational& low, const Rational& high) {
+  const IndexRange all = mask.support();
+  std::set<Rational> ends{low, high};
+  std::vector<LaurentPolynomial> coefficients;
+  for (long i = all.first; i <= all.last; ++i) {
+    coefficients.push_back(mask.coefficient(i));
+    if (coefficients.back().is_zero()) return {};
+    for (const SpecialValue& zero : zeros_of(coefficients.back(), low, high, high - low, SpecialValue::Why::sign))
+      ends.insert({*zero.value.lower, *zero.value.upper});
+  }
+  std::vector<Segment> result;
+  for (auto end = std::next(ends.begin()); end != ends.end(); ++end) {
+    const Segment segment{*std::prev(end), *end};
+    const bool free = std::ranges::none_of(
+        coefficients, [&](const LaurentPolynomial& c) { return count_real_roots(c, segment.low, segment.high) > 0; });
+    const Mask inside = mask.at(segment.middle());
+    if (free && inside.symbol().length() == all.last - all.first + 1 && has_positive_mask(inside))
+      result.push_back(segment);
+  }
+  return result;
+}
+
 struct Node {
   Segment segment;
   Look at_low, at_high;
@@ -40,8 +64,9 @@ struct Node {
 class RangeSearch {
  public:
   RangeSearch(const ParametricMask& mask, int rules, const RangeProperty& property, const Segment& range,
-              const RangeOptions& options)
+              const std::vector<Segment>& positive, const RangeOptions& options)
       : property_(property),
+        positive_(positive),
         options_(options),
         threshold_(property, mask.arity(), rules),
         radius_(transition_matrices(divided_difference_scheme(mask, rules), range.low)),
@@ -69,7 +94,7 @@ class RangeSearch {
         // Where a proof takes long that for the halves does as well.
         const bool hard = seconds[k] > 0.75 * short_seconds && width <= options_.width;
         if (decided[k].above || decided[k].below || hard || width * shortest_share <= options_.width ||
-            options_.budget.deadline.expired()) {
+            is_known(node.segment) || options_.budget.deadline.expired()) {
           done.push_back(std::move(decided[k]));
           continue;
         }
@@ -129,6 +154,13 @@ class RangeSearch {
   }
 
  private:
+  /// Short, and inside of what is decided without a search.
+  bool is_known(const Segment& segment) const {
+    return segment.width() * short_share < range_.width() && std::ranges::any_of(positive_, [&](const Segment& one) {
+             return one.low <= segment.low && segment.high <= one.high;
+           });
+  }
+
   Look look(const Rational& w) const { return radius_.look(w, options_.budget.deadline); }
   /// Where a search fails nothing is known of the value.
   Look look_if_possible(const Rational& w) const {
@@ -206,6 +238,7 @@ class RangeSearch {
   }
 
   RangeProperty property_;
+  const std::vector<Segment>& positive_;
   const RangeOptions& options_;
   Threshold threshold_;
   FamilyRadius radius_;
@@ -222,30 +255,6 @@ std::vector<RangePiece> pieces_of(const std::vector<IntervalProof>& intervals) {
                                     : Truth::unknown,
                       true, true, proof.reason});
   return merged(result);
-}
-
-/// Open intervals on which all coefficients of the scheme for divided differences are positive, so that it converges
-/// [CDM91, thm 3.3].
-std::vector<Segment> positive_intervals(const ParametricMask& mask, const Rational& low, const Rational& high) {
-  const IndexRange all = mask.support();
-  std::set<Rational> ends{low, high};
-  std::vector<LaurentPolynomial> coefficients;
-  for (long i = all.first; i <= all.last; ++i) {
-    coefficients.push_back(mask.coefficient(i));
-    if (coefficients.back().is_zero()) return {};
-    for (const SpecialValue& zero : zeros_of(coefficients.back(), low, high, high - low, SpecialValue::Why::sign))
-      ends.insert({*zero.value.lower, *zero.value.upper});
-  }
-  std::vector<Segment> result;
-  for (auto end = std::next(ends.begin()); end != ends.end(); ++end) {
-    const Segment segment{*std::prev(end), *end};
-    const bool free = std::ranges::none_of(
-        coefficients, [&](const LaurentPolynomial& c) { return count_real_roots(c, segment.low, segment.high) > 0; });
-    const Mask inside = mask.at(segment.middle());
-    if (free && inside.symbol().length() == all.last - all.first + 1 && has_positive_mask(inside))
-      result.push_back(segment);
-  }
-  return result;
 }
 
 /// What a search leaves open is decided where coefficients are positive; `at` decides single values beside that.
@@ -318,16 +327,20 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
   require_family(mask, low, high);
   const int rules = sum_rules(mask);
   if (changes_at_zeros(property, rules)) return property_between_zeros(mask, rules, property, low, high, options);
-  RangeSearch search(mask, rules, property, {low, high}, options);
+  const std::vector<Segment> positive = property.kind == RangeProperty::Kind::holder
+                                            ? std::vector<Segment>()
+                                            : positive_intervals(divided_difference_scheme(
+                                                                     mask, numerator(property.order).convert_to<int>()),
+                                                                 low, high);
+  RangeSearch search(mask, rules, property, {low, high}, positive, options);
   PropertyRange result;
   result.sum_rules = rules;
   std::vector<IntervalProof> intervals = search.intervals();
   result.pieces = pieces_of(intervals);
-  if (property.kind != RangeProperty::Kind::holder && !is_complete(result.pieces, 0))
-    result.pieces = decided_by_positivity(
-        result.pieces,
-        positive_intervals(divided_difference_scheme(mask, numerator(property.order).convert_to<int>()), low, high),
-        [&](const Rational& w) { return holds_at(mask.at(w), property, options.budget.deadline); });
+  if (!positive.empty() && !is_complete(result.pieces, 0))
+    result.pieces = decided_by_positivity(result.pieces, positive, [&](const Rational& w) {
+      return holds_at(mask.at(w), property, options.budget.deadline);
+    });
   result.complete = is_complete(result.pieces, options.width);
   for (std::size_t k = 0; k < result.pieces.size(); ++k) {
     const RangePiece& gap = result.pieces[k];

@@ -18,15 +18,16 @@ namespace {
 using namespace outward;
 
 constexpr double contraction_seconds = 10;  // for the norms of one divided difference scheme
+constexpr double convergence_seconds = 20;  // for the proof that limits are C^1
 
 /// Norms of the powers of S_[order], far enough that one of them contracts; order 0 where none was found to.
-Contraction contraction_of_order(const Mask& mask, int order) {
+Contraction contraction_of_order(const Mask& mask, int order, const Deadline& deadline) {
   const Mask derived = divided_difference_scheme(mask, order);
   Contraction result;
   int levels = 2;
   while (real_power(mask.arity(), levels + 1) <= 256) ++levels;
   for (; result.order == 0; levels *= 2) {
-    const LevelNorms found = level_norms(derived, levels, Deadline::in(contraction_seconds));
+    const LevelNorms found = level_norms(derived, levels, deadline.at_most(contraction_seconds));
     result.norms.assign(1, 1.0);
     for (const Rational& norm : found.norms) {
       if (norm < power(Rational(mask.arity()), static_cast<long>(result.norms.size()))) result.order = order;
@@ -37,20 +38,23 @@ Contraction contraction_of_order(const Mask& mask, int order) {
   return result;
 }
 
-Contraction prove_contraction(const Mask& mask) {
+Contraction prove_contraction(const Mask& mask, const Deadline& deadline) {
   if (!is_affine(mask)) fail(ErrorKind::domain, "limit cells: {}", converges(mask).reason);
   const int rules = sum_rules(mask);
   Contraction result;
   std::string reason = rules < 2 ? "the mask has only one sum rule" : "";
   for (int order = std::min(2, rules); order >= 1 && result.order == 0; --order) {
     if (order == 2) {
-      const Decision smooth = converges(divided_difference_scheme(mask, 1));
+      ProofLimits limits;
+      limits.deadline = deadline.at_most(convergence_seconds);
+      const Decision smooth = converges(divided_difference_scheme(mask, 1), limits);
       reason = "C^1 is not proved: " + smooth.reason;
       if (smooth.is_no()) continue;
     }
-    result = contraction_of_order(mask, order);
+    result = contraction_of_order(mask, order, deadline);
   }
-  require(result.order > 0, "limit cells: no contractive power of the difference scheme was found");
+  require(result.order > 0, "limit cells: no contractive power of the difference scheme was found{}",
+          deadline.expired() ? " before the budget ran out" : "");
   if (result.order == 1) result.reason = reason;
   return result;
 }
@@ -90,11 +94,11 @@ std::vector<BallVector> Interpolation::polynomial(const std::vector<BallVector>&
   return result;
 }
 
-CellSetup::CellSetup(const Mask& given)
+CellSetup::CellSetup(const Mask& given, const Deadline& deadline)
     : mask(given),
       arity(given.arity()),
       mirrored(has_mirrored_variance(given)),
-      contraction(prove_contraction(given)),
+      contraction(prove_contraction(given, deadline)),
       node_level(level_of_nodes(arity)),
       window(given),
       width(static_cast<std::size_t>(TransitionWindow(static_cast<long>(window.coefficients.size()) - 1, arity).width)),

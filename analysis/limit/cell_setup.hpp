@@ -41,7 +41,7 @@ struct Interpolation {
 
 /// v(x) = (phi(first + x), ..., phi(first + width - 1 + x)), 0 <= x <= 1.
 struct CellSetup {
-  explicit CellSetup(const Mask& given);
+  CellSetup(const Mask& given, const Deadline& deadline);
 
   Mask mask;
   int arity;

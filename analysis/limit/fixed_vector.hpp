@@ -9,7 +9,7 @@
 namespace subcert {
 
 /// The vector x = matrix x with x_0 weights_0 + x_1 weights_1 + ... = 1; nothing where it does not exist or is not the
-/// only one. Domain: square, a weight for each row. Cost: one elimination.
+/// only one. Domain: square, a weight for each row. Cost: p-adic lifting, or one elimination.
 std::optional<std::vector<Rational>> fixed_vector(RationalMatrix matrix, const std::vector<Rational>& weights);
 /// With the weights 1, weight, weight, ....
 std::optional<std::vector<Rational>> fixed_vector(RationalMatrix matrix, const Rational& weight = 1);

@@ -21,6 +21,7 @@ namespace {
 using namespace outward;
 using namespace cells;
 
+constexpr double least_seconds = 1;      // for the proof that a power of the difference scheme contracts
 constexpr std::size_t rough_degree = 3;  // tried, too, where phi may be rough at the scale of the integers
 constexpr std::size_t rough_width = 64;  // widest vectors for which it is
 
@@ -49,8 +50,8 @@ struct LimitCells::Impl {
   bool slopes;
   std::string reason;  // why not C^1
 
-  explicit Impl(const Mask& mask)
-      : setup(mask),
+  Impl(const Mask& mask, const Deadline& deadline)
+      : setup(mask, deadline),
         approximation{setup.interpolation(most_nodes - 1), {}},
         exact(setup.order() == 1 && setup.is_piecewise_polynomial(approximation.in)),
         bounds(setup, exact),
@@ -109,7 +110,8 @@ struct LimitCells::Impl {
   CellParts parts(const CellForm& form) const;
 };
 
-LimitCells::LimitCells(const Mask& mask) : impl_(std::make_unique<Impl>(mask)) {}
+LimitCells::LimitCells(const Mask& mask, const Deadline& deadline)
+    : impl_(std::make_unique<Impl>(mask, Deadline::in(std::max(least_seconds, deadline.remaining())))) {}
 LimitCells::LimitCells(LimitCells&&) noexcept = default;
 LimitCells& LimitCells::operator=(LimitCells&&) noexcept = default;
 LimitCells::~LimitCells() = default;

@@ -33,7 +33,7 @@ void tighten(const Mask& mask, bool narrow, VarianceRange& range) {
 VarianceRange variance_range(const Mask& mask, const VarianceOptions& options) {
   require(options.relative_width > 0, "variance_range: need relative_width > 0, got {}",
           to_text(options.relative_width));
-  const LimitCells cells(mask);
+  const LimitCells cells(mask, options.budget.deadline);
   const double tolerance = options.relative_width.convert_to<double>() * 0.9;
   CellExtremes extremes{Extreme(0), Extreme(-std::numeric_limits<double>::infinity()), cells.has_slopes(), tolerance};
   VarianceRange result;

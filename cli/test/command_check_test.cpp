@@ -35,9 +35,9 @@ TEST_CASE("one question that cannot be answered leaves the others alone") {
   const std::string file = folder.write(
       "file.toml",
       "[[scheme]]\nmask = 'dd:n=2'\nreproduces = 3\n"
-      "[[scheme]]\nmask = 'mask:[1/2,w,1/2,1-w]'\nfor = '0 < w < 1'\nholder = '>= 1'\n"
+      "[[scheme]]\nmask = 'mask:[1+w^12,1,1,1,1,-w^12],arity=5'\nfor = '0 < w < 1'\nconvergent = true\n"
       "[[scheme]]\nmask = 'dd:n=3'\nreproduces = 5\n");
-  // No sum rule holds for all values: an error of the one question.
+  // Too many matrices: an error of the one question.
   const Run result = run("check " + file);
   CHECK(result.code == 2);
   CHECK(result.err.empty());

@@ -157,6 +157,7 @@ TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("mask DD:n=2").err, "did you mean 'dd'?"));
   CHECK(contains(run("mask four_point:w=1/16").err, "did you mean 'four-point'?"));
   CHECK(contains(run("mask Primal:n=2").err, "did you mean 'primal'?"));
+  CHECK(contains(run("--nosuch").err, "there is no option '--nosuch' before a command"));
   CHECK(run("help").out == run("--help").out);
   CHECK(run("help mask").out == run("mask --help").out);
   CHECK(contains(run("smooth").err, "see 'subcert smooth --help'"));

@@ -94,10 +94,22 @@ Expectation read_expectation(const PropertyHelp& property, const toml::node& nod
   return result;
 }
 
+std::vector<std::string> known_keys() {
+  std::vector<std::string> keys{"mask", "name"};
+  for (const PropertyHelp& property : known_properties()) keys.push_back(property.name);
+  keys.emplace_back("for");
+  return keys;
+}
+
+bool is_known(std::string_view key) {
+  const std::vector<std::string> keys = known_keys();
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
 std::string joined_names() {
-  std::string names = "mask, name";
-  for (const PropertyHelp& property : known_properties()) names += ", " + property.name;
-  return names + ", for";
+  std::string names;
+  for (const std::string& key : known_keys()) names += (names.empty() ? "" : ", ") + key;
+  return names;
 }
 
 SchemeRange read_range(const toml::node& node, ParametricScheme family) {
@@ -125,6 +137,10 @@ struct SpecificationOf {
 };
 
 ExpectedScheme read_scheme(const toml::table& table) {
+  for (const auto& [key, node] : table)
+    if (!is_known(key.str()))
+      throw FileError(place_of(key.source()), "unknown property " + in_quotes(key.str()) + "; expected one of " +
+                                                  joined_names() + did_you_mean(key.str(), known_keys()));
   const toml::node* mask = table.get("mask");
   if (!mask) throw FileError(place_of(table), "a scheme needs 'mask', a scheme specification");
   if (!mask->is_string()) throw FileError(place_of(*mask), "'mask' takes a scheme specification in quotes");
@@ -147,8 +163,6 @@ ExpectedScheme read_scheme(const toml::table& table) {
       continue;
     }
     const PropertyHelp* property = find_property(key.str());
-    if (!property)
-      throw FileError(place, "unknown property '" + printable(key.str()) + "'; expected one of " + joined_names());
     if (surface && !property->of_surfaces)
       throw FileError(
           place, "'" + property->name + "' is a property of schemes of one variable, got " + printable(specification));

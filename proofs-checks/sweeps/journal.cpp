@@ -53,6 +53,7 @@ std::optional<JournalEntry> read_line(std::string_view line, const std::string& 
   try {
     only_keys(parse_json(body.substr(id_length + 1)), {"version", "case", "result"}, "a line of a journal");
   } catch (const FileError& error) {
+    if (error.message.starts_with("not JSON")) return std::nullopt;
     fail(ErrorKind::data, "{}: {}", where, error.message);
   }
   const Json json = Json::parse(body.substr(id_length + 1), nullptr, false);

@@ -132,6 +132,10 @@ TEST_CASE("bad files are refused with line and column") {
         "line 2, column 10: 'holder' takes \">= X\", \"<= X\", \"> X\" or \"< X\"");
   CHECK(error_of("mask = 'bspline:degree=1'\n smothness = '>= 1'")
             .rfind("line 2, column 2: unknown property 'smothness'; expected one of mask, name, convergent", 0) == 0);
+  CHECK(error_of("msk = 'dd:n=2'\nstable = true")
+            .ends_with("symmetry, stable, interpolatory, variance, for; did you mean 'mask'?"));
+  CHECK(error_of("mask = 'dd:n=2'\nstable = true\nstable = false") ==
+        "line 3, column 10: not TOML: Error while parsing key-value pair: cannot redefine existing boolean 'stable'");
   CHECK(error_of("mask = 'nothing:n=1'\nstable = true")
             .rfind("line 1, column 8: scheme specification, position 1: 'nothing'", 0) == 0);
   CHECK(error_of("mask = 'dd:n=2'\nstable = true\nstable = true").rfind("line 3", 0) == 0);

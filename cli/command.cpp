@@ -150,12 +150,6 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-ProofLimits convergence_limits(double budget) {
-  ProofLimits limits;
-  limits.deadline = Deadline::in(std::max(1.0, budget));
-  return limits;
-}
-
 ExitCode refuse_unproved(const std::string& scheme, const std::string& lack, const Decision& convergence) {
   std::cerr << "subcert: " << scheme << ": " << lack << "; convergence: " << to_text(convergence.truth) << " ("
             << convergence.reason << ")\n";

@@ -105,9 +105,6 @@ std::string sizes_text(const std::vector<std::size_t>& sizes);
 /// The text with blanks up to this width.
 std::string padded(std::string text, std::size_t width);
 
-/// Of the proof of convergence that another answer needs first: this many seconds, or one where they are fewer.
-ProofLimits convergence_limits(double budget);
-
 /// Says on standard error, as errors do, that the scheme lacks what limits are needed for; the code to leave with.
 ExitCode refuse_unproved(const std::string& scheme, const std::string& lack, const Decision& convergence);
 

@@ -14,6 +14,9 @@
 namespace subcert::cli {
 namespace {
 
+constexpr double norm_share = 0.5;  // of the time that is left, at most
+constexpr double grace = 0.5;       // seconds more for exact values
+
 struct AnalyzeOptions : CommonOptions {
   std::string scheme;
   int levels = 16;
@@ -42,7 +45,8 @@ SchemePage make_page(Scheme scheme, const AnalyzeOptions& options) {
                   {},
                   {}};
   options.progress("convergence");
-  const ProofLimits limits{options.levels, Deadline::in(options.budget)};
+  const Deadline deadline = Deadline::in(options.budget);
+  const ProofLimits limits{options.levels, deadline};
   page.convergence = converges(mask, limits);
   if (!page.convergence.is_yes()) {
     options.end_progress();
@@ -50,16 +54,17 @@ SchemePage make_page(Scheme scheme, const AnalyzeOptions& options) {
   }
   page.smoothness = proved_smoothness(mask, limits);
   options.progress("norms of the difference scheme");
-  page.bounds = holder_bounds(mask, options.levels, Deadline::in(options.budget));
+  page.bounds = holder_bounds(mask, options.levels, deadline.after(norm_share));
   page.stable = has_stable_shifts(mask);
-  page.sobolev = sobolev_if_small(mask);
+  page.sobolev = sobolev_if_small(mask, deadline);
   options.progress("limit values");
   try {
-    page.integers = limit_values(mask, 0);
-    page.grid = variance_grid(mask, options.grid_level, page.smoothness.order >= 1);
-    page.mean = squared_l2_norm(mask);
+    const Deadline exact = Deadline::in(deadline.remaining() + grace);
+    page.integers = limit_values(mask, 0, 0, exact);
+    page.grid = variance_grid(mask, options.grid_level, page.smoothness.order >= 1, exact);
+    page.mean = squared_l2_norm(mask, exact);
   } catch (const Error& error) {
-    if (error.kind() != ErrorKind::size) throw;
+    if (error.kind() != ErrorKind::size && error.kind() != ErrorKind::undecided) throw;
     page.skipped = error.what();
   }
   options.end_progress();
@@ -107,9 +112,7 @@ void add_analyze(Command& app) {
   Command command = add_command(app, "analyze", "One page about one scheme", "subcert analyze 'mask:[1,3,3,1]/4'",
                                 options, [=] { return run(*options); });
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
-  command.option("--budget", options->budget, "Seconds of processor time for each proof")
-      .within(0.001, 1e6)
-      .with_default();
+  command.option("--budget", options->budget, "Seconds of processor time").within(0.001, 1e6).with_default();
   command.option("--plot", options->plot,
                  "Draw the basic limit function of one or two variables, as .svg, .png or .html");
   command.option("--html", options->html, "A page with pictures and the certificate, all in one file");

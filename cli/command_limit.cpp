@@ -18,6 +18,7 @@ namespace {
 
 constexpr int usual_level = 8, usual_level_of_surfaces = 2;
 constexpr long most_derivatives = 1000;
+constexpr int levels = 16;  // of norms that prove convergence
 
 struct LimitCommandOptions : LimitPageOptions {
   std::string scheme;
@@ -53,23 +54,23 @@ ExitCode refuse_derivative(const std::string& scheme, const LatticePoint& orders
 }
 
 /// Prints why values are not to be had; nothing where they are.
-std::optional<ExitCode> refused(const Scheme& scheme, const LatticePoint& orders, const LimitCommandOptions& options) {
+std::optional<ExitCode> refused(const Scheme& scheme, const LatticePoint& orders, const Deadline& deadline) {
   if (orders.front() > 0) {
-    const SmoothnessProof smoothness = proved_smoothness(scheme.mask, convergence_limits(options.budget));
+    const SmoothnessProof smoothness = proved_smoothness(scheme.mask, {levels, deadline});
     if (smoothness.order >= orders.front()) return std::nullopt;
     return refuse_derivative(scheme.specification, orders, smoothness.obstacle);
   }
-  const Decision convergence = converges(scheme.mask, convergence_limits(options.budget));
+  const Decision convergence = converges(scheme.mask, {levels, deadline});
   if (convergence.is_yes()) return std::nullopt;
   return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
 }
 
 std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticePoint& orders,
-                                const LimitCommandOptions& options) {
+                                const Deadline& deadline) {
   const long total = std::accumulate(orders.begin(), orders.end(), 0L);
   if (total > 0 && !scheme.factors.empty()) {
     for (std::size_t v = 0; v < scheme.factors.size(); ++v) {
-      const SmoothnessProof smoothness = proved_smoothness(scheme.factors[v], convergence_limits(options.budget));
+      const SmoothnessProof smoothness = proved_smoothness(scheme.factors[v], {levels, deadline});
       if (smoothness.order < orders[v])
         return refuse_derivative(scheme.specification, orders,
                                  "factor " + std::to_string(v + 1) + ": " + smoothness.obstacle);
@@ -77,8 +78,8 @@ std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticeP
     return std::nullopt;
   }
   MultivariateRegularity regularity;
-  for (const double share : {0.2, 0.8}) {  // most need little of the time
-    regularity = multivariate_regularity_page(scheme, {Deadline::in(share * options.budget)}, {}).regularity;
+  for (const double share : {0.2, 1.0}) {  // most need little of the time
+    regularity = multivariate_regularity_page(scheme, {deadline.after(share)}, {}).regularity;
     const Decision& convergence = regularity.converges;
     const auto& exponent = regularity.exponent.lower;
     if (total == 0 ? convergence.is_yes() : exponent && *exponent > total) return std::nullopt;
@@ -99,10 +100,12 @@ ExitCode run(LimitCommandOptions options) {
   if (options.range && (!options.derivative.empty() || options.level >= 0))
     fail(ErrorKind::usage, "--range: takes neither --level nor --derivative");
   if (options.level < 0) options.level = multivariate ? usual_level_of_surfaces : usual_level;
+  const Deadline deadline = Deadline::in(options.budget);
   return std::visit(
       [&](const auto& one) {
-        if (const auto code = refused(one, orders, options)) return *code;
-        return options.range ? print_limit_range(one, options) : print_limit_values(one, orders, options);
+        if (const auto code = refused(one, orders, deadline)) return *code;
+        return options.range ? print_limit_range(one, options, deadline)
+                             : print_limit_values(one, orders, options, deadline);
       },
       scheme);
 }
@@ -123,8 +126,7 @@ void add_limit(Command& app) {
       .exact_number()
       .with_default();
   command
-      .option("--budget", options->budget,
-              "Seconds of processor time for --range, and for the proof of convergence of surfaces")
+      .option("--budget", options->budget, "Seconds of processor time, for the proof of convergence and what follows")
       .within(0.001, 1e6)
       .with_default();
   add_scheme(command, options->scheme, true);

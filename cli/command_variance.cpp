@@ -12,6 +12,8 @@
 namespace subcert::cli {
 namespace {
 
+constexpr double convergence_share = 0.5;  // of the time, at most
+
 struct Options : CommonOptions {
   std::string scheme;
   std::string width = "1/1000000";
@@ -23,11 +25,12 @@ ExitCode run(const Options& options) {
   const auto width = parse_number(options.width);
   if (!width || *width <= 0)
     fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
-  const Decision convergence = converges(scheme.mask, convergence_limits(options.budget));
+  const Deadline deadline = Deadline::in(options.budget);
+  const Decision convergence = converges(scheme.mask, {16, deadline.after(convergence_share)});
   if (!convergence.is_yes()) return refuse_unproved(scheme.specification, "no variance curve", convergence);
   VarianceRange range;
   try {
-    range = variance_range(scheme.mask, {*width, {Deadline::in(options.budget)}});
+    range = variance_range(scheme.mask, {*width, {deadline}});
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::domain) throw;
     return refuse_unproved(scheme.specification, "no variance curve", {convergence.truth, error.what()});

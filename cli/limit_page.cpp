@@ -14,11 +14,11 @@ namespace {
 
 constexpr const char* too_wide = "The enclosures are wider than asked for: the budget ran out.\n";
 
-LimitOptions limit_options(const LimitPageOptions& options) {
+LimitOptions limit_options(const LimitPageOptions& options, const Deadline& deadline) {
   const auto width = parse_number(options.width);
   if (!width || *width <= 0)
     fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
-  return {*width, {Deadline::in(options.budget)}};
+  return {*width, {deadline}};
 }
 
 /// `1/2, -1`.
@@ -50,7 +50,7 @@ Decision is_nonnegative(const Enclosure& minimum) {
 }  // namespace
 
 ExitCode print_limit_values(const MultivariateScheme& scheme, const LatticePoint& orders,
-                            const LimitPageOptions& options) {
+                            const LimitPageOptions& options, const Deadline&) {
   const LatticeSequence values = scheme.factors.empty()
                                      ? limit_values(scheme.mask, options.level, orders)
                                      : tensor_product_limit_values(scheme.factors, options.level, orders);
@@ -79,8 +79,9 @@ ExitCode print_limit_values(const MultivariateScheme& scheme, const LatticePoint
   return done;
 }
 
-ExitCode print_limit_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options) {
-  const LimitValues values = limit_values(scheme.mask, options.level, static_cast<int>(orders.front()));
+ExitCode print_limit_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options,
+                            const Deadline& deadline) {
+  const LimitValues values = limit_values(scheme.mask, options.level, static_cast<int>(orders.front()), deadline);
   if (options.json) {
     options.answer(Json{{"scheme", scheme.specification},
                         {"arity", values.arity},
@@ -98,8 +99,9 @@ ExitCode print_limit_values(const Scheme& scheme, const LatticePoint& orders, co
   return done;
 }
 
-ExitCode print_limit_range(const MultivariateScheme& scheme, const LimitPageOptions& options) {
-  const MultivariateLimitRange range = limit_range(scheme.mask, limit_options(options));
+ExitCode print_limit_range(const MultivariateScheme& scheme, const LimitPageOptions& options,
+                           const Deadline& deadline) {
+  const MultivariateLimitRange range = limit_range(scheme.mask, limit_options(options, deadline));
   std::ostringstream text;
   text << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
        << "maximum      " << attained_text(range.maximum, range.maximum.value.lower) << "\n"
@@ -116,10 +118,10 @@ ExitCode print_limit_range(const MultivariateScheme& scheme, const LimitPageOpti
   return range.complete ? done : undecided;
 }
 
-ExitCode print_limit_range(const Scheme& scheme, const LimitPageOptions& options) {
+ExitCode print_limit_range(const Scheme& scheme, const LimitPageOptions& options, const Deadline& deadline) {
   LimitRange range;
   try {
-    range = limit_range(scheme.mask, limit_options(options));
+    range = limit_range(scheme.mask, limit_options(options, deadline));
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::domain) throw;
     return refuse_unproved(scheme.specification, "no bounds of the limit function", {Truth::unknown, error.what()});

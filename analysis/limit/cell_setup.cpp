@@ -18,7 +18,6 @@ namespace {
 using namespace outward;
 
 constexpr double contraction_seconds = 10;  // for the norms of one divided difference scheme
-constexpr double convergence_seconds = 20;  // for the proof that limits are C^1
 
 /// Norms of the powers of S_[order], far enough that one of them contracts; order 0 where none was found to.
 Contraction contraction_of_order(const Mask& mask, int order, const Deadline& deadline) {
@@ -45,16 +44,14 @@ Contraction prove_contraction(const Mask& mask, const Deadline& deadline) {
   std::string reason = rules < 2 ? "the mask has only one sum rule" : "";
   for (int order = std::min(2, rules); order >= 1 && result.order == 0; --order) {
     if (order == 2) {
-      ProofLimits limits;
-      limits.deadline = deadline.at_most(convergence_seconds);
-      const Decision smooth = converges(divided_difference_scheme(mask, 1), limits);
+      const Decision smooth = converges(divided_difference_scheme(mask, 1),
+                                        {16, deadline.at_most(2 * contraction_seconds)});
       reason = "C^1 is not proved: " + smooth.reason;
       if (smooth.is_no()) continue;
     }
     result = contraction_of_order(mask, order, deadline);
   }
-  require(result.order > 0, "limit cells: no contractive power of the difference scheme was found{}",
-          deadline.expired() ? " before the budget ran out" : "");
+  require(result.order > 0, "limit cells: no contractive power of the difference scheme was found");
   if (result.order == 1) result.reason = reason;
   return result;
 }
@@ -105,7 +102,7 @@ CellSetup::CellSetup(const Mask& given, const Deadline& deadline)
       bits(static_cast<slong>(192 + width / 2)),
       refine(window.coefficients, arity, bits),
       at_zero(width) {
-  const LimitValues integers = limit_values(mask, 0);
+  const LimitValues integers = limit_values(mask, 0, 0, deadline);
   for (std::size_t k = 0; k < width; ++k) at_zero.set(k, Ball(integers.at(window.first + static_cast<long>(k)), bits));
 }
 
@@ -149,9 +146,9 @@ Interpolation CellSetup::interpolation(std::size_t degree) const {
   return in;
 }
 
-bool CellSetup::is_piecewise_polynomial(const Interpolation& in) const {
+bool CellSetup::is_piecewise_polynomial(const Interpolation& in, const Deadline& deadline) const {
   if (width > 64) return false;
-  const LimitValues exact = limit_values(mask, node_level + 1);
+  const LimitValues exact = limit_values(mask, node_level + 1, 0, deadline);
   const long last = static_cast<long>(int_power(arity, node_level)), unit = last * arity;
   for (int t = 0; t < arity; ++t)
     for (std::size_t s = 0; s < in.nodes(); ++s) {

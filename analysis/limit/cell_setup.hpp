@@ -65,7 +65,7 @@ struct CellSetup {
   /// interpolating polynomial.
   std::vector<outward::VectorPolynomial> sources(const Interpolation& in) const;
   /// Whether v agrees with its interpolating polynomial at all nodes of all children, exactly.
-  bool is_piecewise_polynomial(const Interpolation& in) const;
+  bool is_piecewise_polynomial(const Interpolation& in, const Deadline& deadline) const;
 
  private:
   Rational node_point(const Interpolation& in, std::size_t s) const;

@@ -1,40 +1,36 @@
 #include "fixed_vector.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/lifted_solution.hpp>
 
 namespace subcert {
 namespace {
 
-constexpr std::size_t small_size = 30;  // up to which an elimination is as fast
-
-/// The solution with the weights in place of the last row, which is mostly a combination of the others; nothing where
-/// it is not, or where that matrix is singular. Where there is one there is no other: the other rows have one solution
-/// up to a factor.
-std::optional<std::vector<Rational>> solution(const RationalMatrix& matrix, const std::vector<Rational>& weights) {
-  const std::size_t n = matrix.rows(), last = n - 1;
-  RationalMatrix left = matrix, right(n, 1);
-  for (std::size_t j = 0; j < n; ++j) left(last, j) = weights[j];
-  right(last, 0) = 1;
-  try {
-    right = solve(left, right);
-  } catch (const Error&) {  // singular
-    return std::nullopt;
-  }
+/// The solution with the sum of weights in place of the last equation, where that follows from the others.
+std::optional<std::vector<Rational>> regular_solution(const RationalMatrix& matrix,
+                                                      const std::vector<Rational>& weights, const Deadline& deadline) {
+  const std::size_t last = matrix.rows() - 1;
+  RationalMatrix regular = matrix;
+  std::vector<Rational> right(matrix.rows(), 0);
+  right[last] = 1;
+  for (std::size_t j = 0; j <= last; ++j) regular(last, j) = weights[j];
+  auto solution = lifted_solution(regular, right, deadline);
+  if (!solution) return std::nullopt;
   Rational rest = 0;
-  std::vector<Rational> result;
-  for (std::size_t j = 0; j < n; ++j) {
-    rest += matrix(last, j) * right(j, 0);
-    result.push_back(right(j, 0));
-  }
-  return rest == 0 ? std::optional(std::move(result)) : std::nullopt;
+  for (std::size_t j = 0; j <= last; ++j) rest += matrix(last, j) * (*solution)[j];
+  return rest == 0 ? std::move(solution) : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<std::vector<Rational>> fixed_vector(RationalMatrix matrix, const std::vector<Rational>& weights) {
+std::optional<std::vector<Rational>> fixed_vector(RationalMatrix matrix, const std::vector<Rational>& weights,
+                                                  const Deadline& deadline) {
   for (std::size_t i = 0; i < matrix.rows(); ++i) matrix(i, i) -= 1;
-  if (matrix.rows() > small_size)
-    if (auto found = solution(matrix, weights)) return found;
+  if (matrix.rows() > 0)
+    if (auto solution = regular_solution(matrix, weights, deadline)) return solution;
+  if (deadline.expired())
+    fail(ErrorKind::undecided, "the exact solution of {} refinement equations takes more than the budget",
+         matrix.rows());
   auto basis = kernel(matrix);
   if (basis.size() != 1) return std::nullopt;
   std::vector<Rational> result = std::move(basis.front());
@@ -45,10 +41,11 @@ std::optional<std::vector<Rational>> fixed_vector(RationalMatrix matrix, const s
   return result;
 }
 
-std::optional<std::vector<Rational>> fixed_vector(RationalMatrix matrix, const Rational& weight) {
+std::optional<std::vector<Rational>> fixed_vector(RationalMatrix matrix, const Rational& weight,
+                                                  const Deadline& deadline) {
   std::vector<Rational> weights(matrix.rows(), weight);
   if (!weights.empty()) weights.front() = 1;
-  return fixed_vector(std::move(matrix), weights);
+  return fixed_vector(std::move(matrix), weights, deadline);
 }
 
 }  // namespace subcert

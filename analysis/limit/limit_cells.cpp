@@ -21,7 +21,6 @@ namespace {
 using namespace outward;
 using namespace cells;
 
-constexpr double least_seconds = 1;      // for the proof that a power of the difference scheme contracts
 constexpr std::size_t rough_degree = 3;  // tried, too, where phi may be rough at the scale of the integers
 constexpr std::size_t rough_width = 64;  // widest vectors for which it is
 
@@ -53,7 +52,7 @@ struct LimitCells::Impl {
   Impl(const Mask& mask, const Deadline& deadline)
       : setup(mask, deadline),
         approximation{setup.interpolation(most_nodes - 1), {}},
-        exact(setup.order() == 1 && setup.is_piecewise_polynomial(approximation.in)),
+        exact(setup.order() == 1 && setup.is_piecewise_polynomial(approximation.in, deadline)),
         bounds(setup, exact),
         slopes(setup.order() == 2 || exact),
         reason(setup.contraction.reason) {
@@ -110,8 +109,7 @@ struct LimitCells::Impl {
   CellParts parts(const CellForm& form) const;
 };
 
-LimitCells::LimitCells(const Mask& mask, const Deadline& deadline)
-    : impl_(std::make_unique<Impl>(mask, Deadline::in(std::max(least_seconds, deadline.remaining())))) {}
+LimitCells::LimitCells(const Mask& mask, const Deadline& deadline) : impl_(std::make_unique<Impl>(mask, deadline)) {}
 LimitCells::LimitCells(LimitCells&&) noexcept = default;
 LimitCells& LimitCells::operator=(LimitCells&&) noexcept = default;
 LimitCells::~LimitCells() = default;

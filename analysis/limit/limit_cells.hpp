@@ -57,10 +57,10 @@ struct CellRange {
 
 /// Refines forms of one mask. Domain: convergence proved by a contractive power of the difference scheme; at most 1,500
 /// integers in the support. Errors: the constructor throws Error where contraction is not found, with the reason, and
-/// as limit_values(). Until the deadline, or for a second at least, contraction is looked for. Bounds hold after all
-/// rounding (docs/limit-enclosures.md, section 6). Cost: the norms of at most two divided difference schemes, 10 s each
-/// at most, one exact elimination and about 30 products with the mask in ball arithmetic, then for each cell one
-/// product of transition matrix and rows in double precision.
+/// as limit_values(), past the deadline too. Bounds hold after all rounding (docs/limit-enclosures.md, section 6).
+/// Cost: the norms of at most two divided difference schemes, 10 s each at most, one exact elimination and about 30
+/// products with the mask in ball arithmetic, then for each cell one product of transition matrix and rows in double
+/// precision.
 class LimitCells {
  public:
   explicit LimitCells(const Mask& mask, const Deadline& deadline = {});

@@ -108,7 +108,7 @@ LimitCell limit_cell(const Mask& mask, std::int64_t index, int level) {
 
 LimitRange limit_range(const Mask& mask, const LimitOptions& options) {
   require(options.relative_width > 0, "limit_range: need relative_width > 0, got {}", to_text(options.relative_width));
-  const LimitCells cells(mask, options.budget.deadline);
+  const LimitCells cells(mask, exact_deadline(options.budget));
   const bool signs = has_negative(mask);
   const auto support = static_cast<double>(cells.last_integer() - cells.first_integer());
   const double tolerance = options.relative_width.convert_to<double>() * 0.9;

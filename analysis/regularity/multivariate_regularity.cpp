@@ -19,7 +19,8 @@ constexpr int bits_of_powers = 4;  // lost by a power and a logarithm
 
 constexpr double norm_share = 0.05, sobolev_share = 0.3, stability_share = 0.5;  // of the time that is left
 constexpr int levels = 16;                           // of norms, where they decide convergence
-constexpr double least_seconds = 5;                  // for convergence
+constexpr double most_seconds = 5, grace = 0.5;      // for convergence, once the rest of the time is gone
+constexpr double search_share = 0.9;                 // of the time, so that some is left for that
 constexpr double first_slice = 2, slice_factor = 5;  // seconds for each of several dilations
 constexpr std::size_t largest_space = 256;
 
@@ -107,10 +108,11 @@ std::optional<ShrinkingDifferences> shrinking_differences(const MultivariateMask
 /// Whether the differences of the scheme shrink. With `shrinking` that is looked for in any case, for a certificate.
 Decision prove_convergence(const MultivariateMask& mask, const Budget& budget, int sum_rules,
                            std::optional<ShrinkingDifferences>* shrinking = nullptr) {
-  Decision decision = converges(mask, {levels, Deadline::in(std::max(budget.deadline.remaining(), least_seconds))});
+  const Deadline end = Deadline::in(budget.deadline.remaining() + grace);
+  Decision decision = converges(mask, {levels, end.after(0.5)});
   if (decision.is_no() || (decision.is_yes() && !shrinking)) return decision;
   try {
-    auto found = shrinking_differences(mask, sum_rules, {Deadline::in(least_seconds), budget.memory});
+    auto found = shrinking_differences(mask, sum_rules, {end.at_most(most_seconds), budget.memory});
     if (found && !decision.is_yes())
       decision = {Truth::yes, found->space.order == 1 ? "the first differences of the scheme shrink"
                                                       : "the differences of the scheme shrink"};
@@ -231,14 +233,15 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
     return result;
   }
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
-  decide_stability(mask, Deadline::in(std::max(stability_share * budget.deadline.remaining(), 5.0)), result);
+  decide_stability(mask, budget.deadline.after(stability_share), result);
+  const Budget searching{budget.deadline.after(search_share), budget.memory};
   std::optional<MultivariateSobolev> sobolev;
   try {
     if (dilation.is_isotropic()) {
       sobolev = decide_sobolev(mask, budget.deadline.after(sobolev_share), result);
-      search_radius(mask, sobolev, budget, result);
+      search_radius(mask, sobolev, searching, result);
     } else {
-      search_along_subspaces(mask, budget, bits, result);
+      search_along_subspaces(mask, searching, bits, result);
     }
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::size) throw;

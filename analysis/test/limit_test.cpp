@@ -1,6 +1,7 @@
 #include "specimens.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/limit/fixed_vector.hpp>
 #include <subcert/analysis/limit/limit_at_point.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>
@@ -167,4 +168,22 @@ TEST_CASE("values at rational points: on the grid as before, elsewhere as the re
     }
   }
   CHECK_THROWS_AS(limit_values_at(mask_of("primal:n=2"), Rational(1, 1000003)), Error);
+}
+
+TEST_CASE("exact values end with their deadline, and say so") {
+  const Mask mask = mask_of("primal:n=5,d=3");
+  for (const int level : {0, 5})
+    CHECK_THROWS_WITH(limit_values(mask, level, 0, Deadline::in(0)), Catch::Contains("budget"));
+  CHECK_THROWS_WITH(variance_grid(mask, 3, false, Deadline::in(0)), Catch::Contains("budget"));
+  CHECK_THROWS_WITH(squared_l2_norm(mask, Deadline::in(0)), Catch::Contains("budget"));
+  CHECK(limit_values(mask, 3, 0, Deadline::in(1000)).values == limit_values(mask, 3).values);
+}
+
+TEST_CASE("fixed vectors where the last equation does not follow from the others") {
+  RationalMatrix first(2, 2);  // the first coordinate is kept, the last one vanishes
+  first(0, 0) = 1;
+  CHECK(fixed_vector(first) == std::vector<Rational>{1, 0});
+  CHECK_FALSE(fixed_vector(RationalMatrix(2, 2)));
+  CHECK_FALSE(fixed_vector(RationalMatrix::identity(2)));
+  CHECK(fixed_vector(RationalMatrix::identity(1), 7) == std::vector<Rational>{1});
 }

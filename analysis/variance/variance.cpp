@@ -33,12 +33,12 @@ Rational VarianceGrid::steepest() const {
   return result;
 }
 
-VarianceGrid variance_grid(const Mask& mask, int level, bool differentiable) {
-  const LimitValues phi = limit_values(mask, level);
+VarianceGrid variance_grid(const Mask& mask, int level, bool differentiable, const Deadline& deadline) {
+  const LimitValues phi = limit_values(mask, level, 0, deadline);
   const long scale = numerator(power(Rational(mask.arity()), level)).convert_to<long>();
   VarianceGrid grid{mask.arity(), level, periodised_product(phi, phi, scale), {}};
   if (differentiable) {
-    grid.slopes = periodised_product(phi, limit_values(mask, level, 1), scale);
+    grid.slopes = periodised_product(phi, limit_values(mask, level, 1, deadline), scale);
     for (Rational& slope : grid.slopes) slope *= 2;
   }
   return grid;

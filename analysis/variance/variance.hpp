@@ -2,6 +2,7 @@
 /// The variance curve psi(x) = sum over j of phi(x - j)^2: the variance of the limit at x for data with independent
 /// noise of variance 1.
 
+#include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/mask.hpp>
 
 namespace subcert {
@@ -26,7 +27,7 @@ struct VarianceGrid {
 
 /// Domain: the scheme converges; differentiable only where its limits are C^1. Errors and cost: as limit_values.
 /// Ref: [DHHS15, eq. (17)].
-VarianceGrid variance_grid(const Mask& mask, int level, bool differentiable);
+VarianceGrid variance_grid(const Mask& mask, int level, bool differentiable, const Deadline& deadline = {});
 
 /// 1 / K <= psi, where K integer shifts of the closed support can meet in one point: the shifts of phi sum to 1.
 Rational variance_floor(const Mask& mask);

@@ -17,15 +17,15 @@ namespace {
 constexpr long exact_width = 64;  // integers in the support up to which psi is evaluated exactly on level 1
 
 /// What is known exactly.
-void tighten(const Mask& mask, bool narrow, VarianceRange& range) {
+void tighten(const Mask& mask, bool narrow, const Deadline& deadline, VarianceRange& range) {
   if (narrow) {
-    const VarianceGrid grid = variance_grid(mask, 1, false);
+    const VarianceGrid grid = variance_grid(mask, 1, false, deadline);
     range.maximum.lower = std::max(*range.maximum.lower, grid.largest());
     range.minimum.upper = std::min(*range.minimum.upper, grid.smallest());
   }
   if (const auto ceiling = variance_ceiling(mask)) range.maximum.upper = std::min(*range.maximum.upper, *ceiling);
   range.minimum.lower = std::max(*range.minimum.lower, variance_floor(mask));
-  range.mean = squared_l2_norm(mask);
+  range.mean = squared_l2_norm(mask, deadline);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ void tighten(const Mask& mask, bool narrow, VarianceRange& range) {
 VarianceRange variance_range(const Mask& mask, const VarianceOptions& options) {
   require(options.relative_width > 0, "variance_range: need relative_width > 0, got {}",
           to_text(options.relative_width));
-  const LimitCells cells(mask, options.budget.deadline);
+  const LimitCells cells(mask, exact_deadline(options.budget));
   const double tolerance = options.relative_width.convert_to<double>() * 0.9;
   CellExtremes extremes{Extreme(0), Extreme(-std::numeric_limits<double>::infinity()), cells.has_slopes(), tolerance};
   VarianceRange result;
@@ -65,7 +65,7 @@ VarianceRange variance_range(const Mask& mask, const VarianceOptions& options) {
   result.maximum = extremes.highest.enclosure();
   result.minimum = extremes.lowest.negated();
   if (extremes.slopes) result.slope = extremes.steepest.enclosure();
-  tighten(mask, cells.last_integer() - cells.first_integer() <= exact_width, result);
+  tighten(mask, cells.last_integer() - cells.first_integer() <= exact_width, exact_deadline(options.budget), result);
   return result;
 }
 

@@ -13,6 +13,7 @@ constexpr int most_steps = 8;
 constexpr std::size_t largest_long = 24;              // the size of matrices for which shapes of many bits are computed
 constexpr int long_sums = 60, long_floor_bits = 400;  // of such a shape
 constexpr double well_conditioned = 1e-3;             // the radius over the largest entry
+constexpr double seconds_per_product = 1e-7;          // of numbers of that size
 constexpr slong bits = 512;                           // of `from`
 
 /// The mean of the matrix and its image under the flip.
@@ -171,9 +172,11 @@ RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
     if (to && set_coordinates(seen, family, *to) && !is_hidden(seen.family, deadline)) given = std::move(seen);
   }
   RoundFamily result = given;
+  const auto d = static_cast<double>(family.size()), products = 2.0 * static_cast<double>(family.count() + 1);
+  const double seconds = seconds_per_product * products * d * d * d;
   for (int k = 0; k < most_steps; ++k) {
     const auto step = rounding_step(result.family.matrices, deadline);
-    if (!step || deadline.expired()) return result;
+    if (!step || seconds >= deadline.remaining()) return result;
     if (!change_coordinates(result, family, *step)) break;
   }
   // What stays flat lies in a subspace in the end, as the powers of one matrix do.

@@ -68,7 +68,7 @@ def named(rng):
     n = small_or_large(rng, 20)
     return rng.choice((
         f"dd:n={small_or_large(rng, 20)},a={rng.randint(2, 5)}",
-        f"bspline:degree={small_or_large(rng, 60) - 1},a={rng.randint(2, 7)}",
+        f"bspline:degree={small_or_large(rng, 60)},a={rng.randint(2, 7)}",
         f"pseudo-spline:m={m},l={rng.randint(0, m - 1)}",
         f"daubechies:n={small_or_large(rng, 30)}",
         f"cdf:n={n},m={n + 2 * rng.randint(-((n - 1) // 2), 4)}",
@@ -145,12 +145,9 @@ def curve_scheme(rng):
 
 # ---- schemes of two and three variables
 
-DILATIONS = ("", "", ",dilation=[1,2;-2,-1]", ",dilation=[1,-1;1,1]", ",arity=3")
-
-
 def small_curve_scheme(rng):
     return rng.choice((f"primal:n={rng.randint(1, 6)}", f"dual:n={rng.randint(1, 5)}",
-                       f"bspline:degree={rng.randint(0, 5)}", f"dd:n={rng.randint(1, 4)}"))
+                       f"bspline:degree={rng.randint(1, 5)}", f"dd:n={rng.randint(1, 4)}"))
 
 
 def mask2(rng):
@@ -176,7 +173,7 @@ def mask2(rng):
 
 def box(rng):
     directions = ["1,0", "0,1"] + rng.choices(("1,0", "0,1", "1,1", "1,-1", "1,2"), k=rng.randint(0, 4))
-    return f"box:[{';'.join(directions)}]{rng.choice(DILATIONS)}"
+    return f"box:[{';'.join(directions)}]{rng.choice(('', '', ',arity=3'))}"
 
 
 def surface_scheme(rng):
@@ -184,7 +181,8 @@ def surface_scheme(rng):
     return rng.choice((
         lambda: f"grid:points={side()}x{side()},d={rng.choice((0, 1, 1, 2, 3))}",
         lambda: f"grid:points={rng.randint(2, 3)}x{rng.randint(2, 3)}x{rng.randint(2, 3)},d={rng.randint(0, 1)}",
-        lambda: f"triangular:L={rng.choice(('4/5', '1', '8/5', '2'))},d={rng.choice((0, 1))}",
+        lambda: f"triangular:L={rng.choice(('4/5', '1', '8/5', '2'))},d=0",
+        lambda: f"triangular:L={rng.choice(('8/5', '2', '5/2'))},d=1",
         lambda: f"butterfly:w={rational(rng, Fraction(-1, 8), Fraction(1, 4))}",
         lambda: f"kobbelt:w={rational(rng, Fraction(-1, 8), Fraction(1, 4))}",
         lambda: f"tensor:({small_curve_scheme(rng)})x({small_curve_scheme(rng)})",

@@ -8,7 +8,7 @@
 
 namespace subcert {
 
-/// The budget ends, by default, 60 seconds after the options were made.
+/// The budget ends, by default, 60 seconds after the options were made; exact values as in variance_range.hpp.
 struct LimitOptions {
   Rational relative_width = Rational(1, 1'000'000);
   Budget budget{Deadline::in(60)};

@@ -21,6 +21,8 @@ struct VarianceRange {
 };
 
 /// The budget ends, by default, 60 seconds after the options were made; it is that of the search over cells.
+/// What is solved exactly, without which there is no answer, has half a second more, and throws Error of kind undecided
+/// past that.
 struct VarianceOptions {
   Rational relative_width = Rational(1, 1'000'000);
   Budget budget{Deadline::in(60)};

@@ -120,8 +120,8 @@ std::string score_bars(const std::vector<Result>& results, const std::string& pa
     const std::string link = fmt::format("results.html?kind={}{}", to_text(kind),
                                          paper.empty() ? "" : "&amp;paper=" + html(paper));
     std::vector<std::string> parts;
-    for (const auto& [name, standing, count] : total.groups)
-      parts.push_back(fmt::format("<a href=\"{}&amp;verdict={}\">{} {}</a>", link, to_text(standing), count, name));
+    for (const Counts::Group& group : total.groups)
+      parts.push_back(fmt::format("<a href=\"{}&amp;verdict={}\">{}</a>", link, to_text(group.standing), group.text()));
     lines += fmt::format("<li><a href=\"{}\">{}</a><small>{}</small>{}</li>\n", link,
                          total.head().empty() ? to_text(kind) + "s" : "<b>" + total.head() + "</b>",
                          fmt::join(parts, ", "), bar(total));

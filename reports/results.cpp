@@ -101,8 +101,8 @@ KindWords words_of(ResultKind kind) {
 /// `8 slips of the pen, 4 numbers off`.
 std::string listed(const std::vector<Counts::Group>& groups, const std::vector<Standing>& chosen) {
   std::vector<std::string> parts;
-  for (const auto& [name, standing, count] : groups)
-    if (std::ranges::find(chosen, standing) != chosen.end()) parts.push_back(fmt::format("{} {}", count, name));
+  for (const Counts::Group& group : groups)
+    if (std::ranges::find(chosen, group.standing) != chosen.end()) parts.push_back(group.text());
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -193,6 +193,17 @@ std::vector<Result> results(const Findings& findings) {
   for (const Report& report : findings.reports)
     std::ranges::move(results(report, findings.statements), std::back_inserter(list));
   return list;
+}
+
+std::string Counts::Group::text() const {
+  static const std::map<std::string, std::string> singular{
+      {"slips of the pen", "slip of the pen"},
+      {"numbers off", "number off"},
+      {"wrong claims", "wrong claim"},
+      {"rest on data that were not published", "rests on data that were not published"},
+      {"depend on a choice the paper leaves open", "depends on a choice the paper leaves open"}};
+  const auto one = singular.find(name);
+  return fmt::format("{} {}", count, count == 1 && one != singular.end() ? one->second : name);
 }
 
 int Counts::of(Standing standing) const {

@@ -36,26 +36,26 @@ std::string to_text(ResultKind kind);
 /// One printed value, one claim about an experiment or one statement, and what became of it.
 struct Result {
   ResultKind kind;
-  std::string paper;
-  std::string item;  ///< the table, the experiment or the statement
-  std::string key;   ///< unique in a run, and the same in every run: the end of its link
-  std::string page;  ///< the file of that link
-  std::string subject;
+  std::string paper = {};
+  std::string item = {};  ///< the table, the experiment or the statement
+  std::string key = {};   ///< unique in a run, and the same in every run: the end of its link
+  std::string page = {};  ///< the file of that link
+  std::string subject = {};
   std::string scheme = {};                  ///< of a value
   std::string printed = {};                 ///< empty for claims
-  std::string computed;                     ///< for people
+  std::string computed = {};                ///< for people
   std::optional<Enclosure> enclosure = {};  ///< of a number
-  std::string verdict;                      ///< a word of verdict.hpp
-  std::string recorded;
+  std::string verdict = {};                 ///< a word of verdict.hpp
+  std::string recorded = {};
   std::string grade = {};  ///< of a statement, a word of verdict.hpp; empty where nothing is wrong
-  Standing standing;
-  std::string words;         ///< the verdict for people
-  std::string group;         ///< what counts() calls all that are like it
+  Standing standing = Standing::aside;
+  std::string words = {};    ///< the verdict for people
+  std::string group = {};    ///< what counts() calls all that are like it
   std::string derived = {};  ///< from what a value follows that is none of its own; it is not counted
   std::string follows = {};  ///< the key of the statement whose fault it repeats
   bool as_recorded = true;
-  std::string note;     ///< witness, reason or remark
-  std::string command;  ///< that computes it again
+  std::string note = {};     ///< witness, reason or remark
+  std::string command = {};  ///< that computes it again
 
   std::string link() const { return page + "#" + key; }
 };
@@ -80,6 +80,8 @@ struct Counts {
     std::string name;
     Standing standing;
     int count;
+    /// `8 slips of the pen`, `1 slip of the pen`.
+    std::string text() const;
   };
   ResultKind kind;
   std::vector<Group> groups;  ///< those that are not empty, from the best to the worst

@@ -4,18 +4,46 @@
 using namespace subcert;
 using namespace subcert::reports;
 
-TEST_CASE("the page shows what is wrong before what holds") {
+namespace {
+
+std::vector<CheckedStatement> checked_now(const std::vector<const char*>& ids) {
   std::vector<const statements::Statement*> chosen;
-  for (const char* id : {"dyn-2015/remark-9", "dyn-2015/eq-2", "dyn-2015/figs-3-7"})
-    chosen.push_back(statements::find_statements(id).front());
-  const auto checked = check_statements(chosen, statements::Tier::quick, 2, {});
-  REQUIRE(checked.size() == 3);
+  for (const char* id : ids) chosen.push_back(statements::find_statements(id).front());
+  return check_statements(chosen, statements::Tier::quick, 2, {});
+}
+
+}  // namespace
+
+TEST_CASE("the page shows what holds before what is to be corrected") {
+  const auto checked = checked_now({"dyn-2015/remark-9", "dyn-2015/eq-2", "dyn-2015/figs-3-7", "dyn-2015/corollary-4"});
+  REQUIRE(checked.size() == 4);
   for (const CheckedStatement& one : checked) CHECK(one.as_recorded());
   const std::string page = errata_page(checked);
   const auto wrong = page.find("id=\"dyn-2015/remark-9\""), right = page.find("id=\"dyn-2015/eq-2\"");
   const auto open = page.find("id=\"dyn-2015/figs-3-7\"");
-  CHECK(wrong < right);
-  CHECK(right < open);
+  const auto edge = page.find("id=\"dyn-2015/corollary-4\"");
+  CHECK(right < edge);
+  CHECK(edge < wrong);
+  CHECK(wrong < open);
+  CHECK(page.find("holds, but not at n = 1") != std::string::npos);
+  CHECK(page.find("slip of the pen") != std::string::npos);
   CHECK(open != std::string::npos);
   CHECK(page.find("mustafa-bari-2016") == std::string::npos);
+}
+
+TEST_CASE("what repeats a fault stands under it, with the words of the paper and of the reader") {
+  const auto checked = checked_now({"mustafa-bari-2016/eq-2.5", "mustafa-bari-2016/eq-2.5-positions",
+                                    "mustafa-bari-2016/eq-2.6", "mustafa-bari-2016/eq-2.6-positions",
+                                    "mustafa-bari-2016/sums-odd"});
+  for (const CheckedStatement& one : checked) {
+    CAPTURE(one.statement->id);
+    CHECK(one.as_recorded());
+  }
+  const std::string page = errata_page(checked);
+  const auto place = [&](const std::string& id) { return page.find("id=\"mustafa-bari-2016/" + id + "\""); };
+  CHECK(place("eq-2.5") < place("eq-2.6"));
+  CHECK(place("eq-2.6") < place("sums-odd"));
+  CHECK(place("sums-odd") < place("eq-2.6-positions"));
+  for (const char* label : {"the paper says", "read as", "as the scan has it", "witness", "follows from"})
+    CHECK(page.find(std::string("<dt>") + label + "</dt>") != std::string::npos);
 }

@@ -78,6 +78,29 @@ TEST_CASE("a report is written whole, in every format") {
     CHECK(entry.path().string().find(".part") == std::string::npos);
 }
 
+TEST_CASE("the first page says what it is, who made it and how to object; a paper's page begins with what holds") {
+  const Folder folder;
+  Findings findings{{make_report("dyn-2015", {{"table3", "supports"}, 2, {}})}};
+  for (const char* id : {"dyn-2015/theorem-1", "dyn-2015/remark-9"})
+    findings.statements.push_back(
+        check_statements({statements::find_statements(id).front()}, statements::Tier::quick, 1, {}).front());
+  findings.origin = {"1.2.3", "abc123", "subcert reproduce dyn-2015", "2026-01-02"};
+  write_reports(findings, folder.path, 2);
+  const std::string first = content(folder.path / "index.html"), paper = content(folder.path / "dyn-2015.html");
+  for (const char* text :
+       {"1.2.3", "abc123", "subcert reproduce dyn-2015", "2026-01-02", "How to object", "1 of 2 statements hold"}) {
+    CAPTURE(text);
+    CHECK(first.find(text) != std::string::npos);
+  }
+  CHECK(paper.find("What holds") < paper.find("What to correct"));
+  CHECK(paper.find("What to correct") < paper.find("The variance curves"));
+  // Products and evaluated formulas are compared and not counted.
+  const auto json = nlohmann::json::parse(content(folder.path / "results.json"));
+  CHECK(json.at("counts").at("value") == nlohmann::json{{"match", 13}, {"wrong", 9}});
+  CHECK(json.at("counts").at("statement").at("causes") == 1);
+  CHECK(json.at("results").size() == 44 + 20 + 2);
+}
+
 TEST_CASE("a failed write leaves the old file and nothing else") {
   const Folder folder;
   runtime::write_file(folder.path / "a.txt", "old");

@@ -27,7 +27,7 @@ TEST_CASE("values that follow from others are compared and not counted") {
   const Counts found = counts(all, ResultKind::value);
   CHECK(found.all() == 3);
   CHECK(found.checked() == 2);
-  CHECK(found.text() == "1 of 2 printed values match; 1 wrong, 1 rest on data that were not published");
+  CHECK(found.text() == "1 of 2 printed values match; 1 wrong, 1 rests on data that were not published");
   CHECK(counts(all, ResultKind::value, "b").text().empty());
   CHECK(counts({all.back()}, ResultKind::value).head().empty());
 }

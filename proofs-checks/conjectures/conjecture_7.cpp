@@ -44,7 +44,7 @@ std::map<int, DegreeValues> values_by_degree(const std::vector<VarianceRow>& row
   std::map<int, DegreeValues> values;
   for (const VarianceRow& row : rows) {
     DegreeValues& degree = values[row.scheme.d];
-    const bool interpolates = 2 * row.scheme.n <= row.scheme.d + 1;
+    const bool interpolates = row.scheme.d >= 2 * row.scheme.n - 2;
     degree.sups.push_back({row.scheme.n, row.sup, interpolates});
     if (row.slope) degree.slopes.push_back({row.scheme.n, *row.slope, interpolates});
   }

@@ -53,6 +53,21 @@ TEST_CASE("schemes that coincide are left out, with the reason") {
   CHECK(distinct_primal_schemes({3}, {2}).schemes.size() == 1);
 }
 
+TEST_CASE("rates are not observed from a scheme that interpolates") {
+  // n max psi of Table 3 for d = 5: 3, 1.8968 and 1.8020.
+  std::vector<CertifiedMaximum> values{{3, Enclosure::exactly(1), true},
+                                       {5, Enclosure::exactly(Rational(3793, 10000))},
+                                       {7, Enclosure::exactly(Rational(2574, 10000))}};
+  CHECK(rate_start(values) == 1);
+  CHECK(decay_finding(1, values).rate.is_yes());
+  values.front().interpolates = false;
+  CHECK(rate_start(values) == 0);
+  CHECK(decay_finding(1, values).rate.is_no());
+  values.erase(values.begin() + 1);  // nothing else is there
+  values.front().interpolates = true;
+  CHECK(rate_start(values) == 0);
+}
+
 TEST_CASE("the decay exponent is enclosed") {
   const auto exponent = [](Enclosure first, Enclosure second) { return decay_exponent(10, first, 40, second); };
   CHECK(exponent(Enclosure::exactly(16), Enclosure::exactly(1)).contains(2));

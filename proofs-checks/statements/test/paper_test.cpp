@@ -21,6 +21,9 @@ latex = '''
   w =
   <<width>>'''
 recorded = 'misprint'
+grade = 'number'
+sentence = 'The width is 4n.'
+readings = 'of both sides'
 )";
 
 const std::string one_table = R"(
@@ -90,6 +93,18 @@ TEST_CASE("statements and checks match one to one") {
   CHECK(check(paper.statements[0], Context(paper, Tier::quick)).argument == "lost");
 }
 
+TEST_CASE("a fault is followed in one step") {
+  const std::string second =
+      "[[statement]]\nid = 'eq-2'\nplace = 'b'\nclaim = 'c'\nlatex = 'd'\nrecorded = "
+      "'misprint'\ngrade = 'slip'\nsentence = 's'\nreadings = 'r'\n";
+  const Checks both{{"eq-1", passes}, {"eq-2", passes}};
+  CHECK(read_paper("paper", head + one_statement + second + "follows = 'eq-1'\n", both).statements[1].follows ==
+        "paper/eq-1");
+  for (const char* id : {"eq-2", "eq-3"})
+    CHECK(refusal(head + one_statement + second + "follows = '" + id + "'\n", both).find("which is no first fault") !=
+          std::string::npos);
+}
+
 TEST_CASE("what is no paper is refused with its place") {
   const auto says = [](const std::string& text, const std::string& expected) {
     CAPTURE(text, refusal(text));
@@ -104,6 +119,14 @@ TEST_CASE("what is no paper is refused with its place") {
   says(head + "[[statement]]\nid = 'x'", "line 5, column 1: expected the key 'place'");
   const std::string first = head + "[[statement]]\nid = 'a'\nplace = 'b'\nclaim = 'c'\nlatex = 'd'\n";
   says(first, "line 5, column 1: expected either 'recorded' or 'not-checkable'");
+  // What is wrong has a grade, the words of the paper and how they were read; what is right has none but an edge.
+  const std::string words = "sentence = 's'\nreadings = 'r'\n";
+  says(first + "recorded = 'misprint'", "line 5, column 1: expected a grade: slip, number or claim");
+  says(first + "recorded = 'misprint'\ngrade = 'edge'\n" + words, "expected a grade: slip, number or claim");
+  says(first + "recorded = 'holds'\ngrade = 'slip'\n" + words, "expected no grade but edge");
+  says(first + "recorded = 'holds'\ngrade = 'small'", "'small' is no verdict; expected one of slip, edge");
+  says(first + "recorded = 'false'\ngrade = 'claim'", "expected the key 'sentence'");
+  says(first + "recorded = 'false'\ngrade = 'claim'\nsentence = 's'", "expected the key 'readings'");
   says(first + "recorded = 'right'", "line 10, column 12: 'right' is no verdict; expected one of");
   const std::string grid = head +
                            "[[table]]\nid = 'a'\ntitle = 'b'\nplace = 'c'\nlayout = 'grid'\ncolumns = [{}, {}]\n";

@@ -81,6 +81,8 @@ Outcome table_words(const Context& context, const std::string& id) {
   };
   Outcome outcome = not_a_slip(
       in_both_forms([&](Form form) { return table_row(context.words(id, form), labels, certified); }));
+  const bool corrected = outcome.argument.empty();
+  if (!corrected) outcome.witness += "; " + outcome.argument;
   outcome.argument = distances(context.words(id), certified);
   return outcome;
 }

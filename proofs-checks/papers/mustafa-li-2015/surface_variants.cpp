@@ -107,7 +107,8 @@ Trial determined_quadratics(const Context& context, Form form) {
 
 Outcome higher_degree(const Context& context) {
   Trial trial = determined_quadratics(context, Form::corrected);
-  trial.require(!determines(1, 2), "n = 1 determines a quadratic");
+  const Rational smallest = context.formula("higher-degree-n", Form::corrected)({});
+  trial.require(!determines(static_cast<long>(numerator(smallest)) - 1, 2), "a smaller n determines quadratics, too");
   trial.equal(context.formula("higher-degree-count")({{"n", 3}}), Rational(window(-2, 3, 2).nodes.size()),
               "n = 3, number of observations");
   return trial

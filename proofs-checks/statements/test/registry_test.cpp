@@ -18,8 +18,8 @@ TEST_CASE("the registry is complete and well formed") {
       CHECK_FALSE(statement.place.empty());
       CHECK_FALSE(statement.paraphrase.empty());
       CHECK_FALSE(statement.printed.empty());
-      CHECK(statement.corrected.empty() ==
-            (statement.recorded != StatementVerdict::misprint && statement.recorded != StatementVerdict::false_claim));
+      CHECK((standing(statement.recorded) != Standing::wrong || !statement.corrected.empty()));
+      CHECK((statement.corrected.empty() || statement.grade));
       CHECK_NOTHROW(printed_latex(statement));
       CHECK_NOTHROW(corrected_latex(statement));
     }

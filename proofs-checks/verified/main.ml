@@ -527,7 +527,7 @@ let read_factor scheme r =
   | [ { coefficients = factor; _ }; other ] ->
       let longest = List.length scheme.coefficients + List.length other.coefficients in
       let widest = List.fold_left (fun m x -> max m (Z.numbits x)) 0 (scheme.common :: other.common :: (factor @ other.coefficients)) in
-      Sections.spend (List.length factor * longest * Sections.width widest);
+      spend (List.length factor * longest * width widest);
       let other = { other with first = scheme.first } in
       require (Z.sign (List.fold_left Z.add Z.zero factor) <> 0) "the factor of the reduced mask is 0 at 1";
       require (check_factor scheme other factor) "the reduced mask is not that of the mask and the factor";

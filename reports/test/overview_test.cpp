@@ -91,32 +91,19 @@ TEST_CASE("the full list names whatever does not match") {
                               [](const std::string& l) { return mentions(l, "printed 0.5, computed 0.3333"); }) == 12);
 }
 
-TEST_CASE("a statement that is not as recorded is one of what is not as recorded") {
-  const statements::Statement statement{"a-2010/eq-1", "(1)", "a claim", "", "x", "", Verdict::holds, {}};
-  Findings findings = findings_with(1, 0);
-  findings.reports.resize(1);
-  findings.statements.push_back({&statement, {Verdict::holds, "", "", ""}, 0});
-  CHECK(findings.as_recorded());
-  CHECK(results(findings).back().recorded == Verdict::holds);
-  findings.statements.front().outcome.verdict = Verdict::false_claim;
-  CHECK_FALSE(findings.as_recorded());
-  CHECK(results(findings).back().verdict == Verdict::false_claim);
-  CHECK(results(findings).back().recorded == Verdict::holds);
-  CHECK_FALSE(mentions(first_screen(findings, {}), "All verdicts are as recorded"));
-}
-
 TEST_CASE("only an open value of a collection may turn out to match") {
   statements::PublishedCell cell;
-  const auto recorded = [&](Verdict on_record, Verdict found) {
+  const auto recorded = [&](ValueVerdict on_record, ValueVerdict found) {
     cell.recorded = on_record;
     return recorded_verdict(cell, found);
   };
   for (const char* source : {"", "GP16"}) {
     cell.source = source;
-    for (const Verdict on_record : {Verdict::match, Verdict::mismatch, Verdict::open})
-      for (const Verdict found : {Verdict::match, Verdict::mismatch, Verdict::open, Verdict::not_reproducible}) {
-        const bool may_match = cell.source == "GP16" && on_record == Verdict::open && found == Verdict::match;
-        CHECK(recorded(on_record, found) == (may_match ? Verdict::match : on_record));
+    for (const ValueVerdict on_record : {ValueVerdict::match, ValueVerdict::mismatch, ValueVerdict::open})
+      for (const ValueVerdict found :
+           {ValueVerdict::match, ValueVerdict::mismatch, ValueVerdict::open, ValueVerdict::not_reproducible}) {
+        const bool may_match = cell.source == "GP16" && on_record == ValueVerdict::open && found == ValueVerdict::match;
+        CHECK(recorded(on_record, found) == (may_match ? ValueVerdict::match : on_record));
       }
   }
 }

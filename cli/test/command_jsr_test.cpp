@@ -153,3 +153,61 @@ TEST_CASE("jsr --subradius") {
   CHECK(contains(with(R"({"matrices": [[[1]]], "edges": [[0,0,0]]})", "", 64).err, "without a graph"));
   with(slow, " --p 2", 64);
 }
+
+TEST_CASE("jsr: families whose radius is plain are exact, with certificates") {
+  const Folder folder;
+  const std::string file = folder / "file.json", certificate = file + ".cert";
+  for (const char* text : {
+           R"([[[1,-1],[1,4]]])",
+           R"([[[-3,-1],[-1,-5]]])",
+           R"([[[0.288526,-0.144024],[0.021767,0.897103]]])",
+           R"([[[0,-1,-1,-1],[5,-1,1,5],[-2,-1,2,3],[5,1,-4,-3]]])",
+           R"([[[2,1,0],[0,2,1],[0,0,2]]])",
+           R"([[[0,1],[0,0]]])",
+           R"([[[0,-1],[1,1]]])",
+           R"([[["3/5","-4/5"],["4/5","3/5"]]])",
+           R"([[[1,-1],[1,4]],[[0,0],[0,0]]])",
+           R"([[[1,-1],[1,4]],[[1,-1],[1,4]]])",
+           R"([[[1,1],[1,0]],[[-1,-1],[-1,0]]])",
+           R"([[[0,-1],[1,0]],[[0,0],[0,0]]])",
+           R"([[[-1,0],[0,0]],[[0,-1],[1,0]]])",
+           R"([[[-1,-1],[0,0]],[[-1,-1],[1,0]]])",
+           R"([[[-1,-1],[-1,1]],[[-1,-1],[0,0]]])",
+           R"([[[0,-2],[-1,0]],[[-2,0],[0,-2]]])",
+           R"([[[1e-100,1e-100,0],[-1e-100,0,-1e-100],[1e-100,0,0]],)"
+           R"([[1e-100,0,-1e-100],[1e-100,-1e-100,0],[0,1e-100,0]]])",
+       }) {
+    std::ofstream(file, std::ios::binary) << R"({"matrices": )" << text << "}";
+    const Run done = run("jsr " + file + " --json --budget 10 --certificate " + certificate);
+    CAPTURE(text, done.out, done.err);
+    CHECK(done.code == 0);
+    CHECK(nlohmann::json::parse(done.out).at("exact") == true);
+    CHECK(run("verify " + certificate).code == 0);
+  }
+  // A graph whose only cycle is a loop.
+  std::ofstream(file, std::ios::binary)
+      << R"({"matrices": [[[3,1],[1,-2]],[[5,0],[1,1]]], "edges": [[0,1,1],[1,2,0],[2,2,0],[2,3,1]]})";
+  const Run loop = run("jsr " + file + " --json --budget 10 --certificate " + certificate);
+  CHECK(loop.code == 0);
+  CHECK(nlohmann::json::parse(loop.out).at("exact") == true);
+  CHECK(has_digits(nlohmann::json::parse(loop.out).at("radius"), "lower", "3.1925824035"));
+  CHECK(run("verify " + certificate).code == 0);
+}
+
+TEST_CASE("jsr: families on which doubles lose their footing end with an answer") {
+  const Folder folder;
+  const std::string file = folder / "file.json";
+  for (const char* text : {
+           R"([[["9000000000043/50","-9000000000033/50"],["9000000000063/50","-9000000000053/50"]],)"
+           R"([["999999999998999999999994/25000000000075","-2000000000013000000000023/50000000000150"],)"
+           R"(["1000000000009000000000054/25000000000075","-2000000000033000000000093/50000000000150"]]])",
+           R"([[["-999999","1000000"],["-1000000","1000001"]],)"
+           R"([["1000002","-1000000"],["1000002000001/1000000","-1000000"]]])",
+       }) {
+    std::ofstream(file, std::ios::binary) << R"({"matrices": )" << text << "}";
+    const Run done = run("jsr " + file + " --json --budget 5");
+    CAPTURE(text, done.err);
+    CHECK((done.code == 0 || done.code == 2));
+    CHECK(nlohmann::json::parse(done.out).contains("radius"));
+  }
+}

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-using subcert::StatementVerdict;
+using subcert::Standing;
 using namespace subcert::statements;
 
 TEST_CASE("the registry is complete and well formed") {

@@ -13,6 +13,7 @@ let usage =
   \       subcert-check-verified --subradius MATRICES --exact '|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE    (likewise)\n\
   \       subcert-check-verified --mask ... --arity A --exact 'M-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE\n\
   \       subcert-check-verified --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)\n\
+  \       subcert-check-verified --mask ... --upper CK [...] FILE    (no C^K limits)\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
    exponents, and about surfaces, for which subcert-check is there\n\
@@ -125,8 +126,9 @@ let check_inverse r family word re im lower =
 
 let bound_of = Sections.bound_of
 
-(* Whether a section proves a bound of its block. Graphs, which take long, are looked at once, by the check of the claim. *)
-let proves block u section = match section with Graph _ -> true | _ -> check_section block (bound_of u) section
+(* Whether a section proves a bound of its block. Graphs and norms, which take long, are looked at once, by the check of the
+   claim. *)
+let proves block u section = match section with Graph _ | Norm _ -> true | _ -> check_section block (bound_of u) section
 
 (* The bounds that the certificate says of itself, for people: what is proved is the claim. *)
 let read_bounds r =
@@ -412,11 +414,11 @@ let show_exponent scheme lower upper exact =
 let stable_shifts scheme =
   match Stability_hint.make scheme with Some shifts -> shifts | None -> reject "stability: not shown for the integer shifts"
 
-(* Whether the proved checker accepts what was read, what it says if not, and what --theorem prints of the mask of the claim *)
-type proof = { holds : scheme -> bool; otherwise : string; print : string -> reduction option -> scheme -> unit }
+(* Whether the proved checker accepts what was read, what it says if not, and what --theorem prints *)
+type proof = { holds : scheme -> bool; otherwise : string; statement : Theorem.statement }
 
-(* Of bounds of the exponent *)
-let read_bounds_proof scheme order family lower upper r =
+(* Of bounds of the exponent. `full`: the upper end follows from the number of the sum rules. *)
+let read_bounds_proof scheme order shifts full family lower upper r =
   let l = bound_of lower and base = Z.of_int scheme.arity and digits = 128 in
   (* arity^(order - lower), rounded down *)
   let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
@@ -430,13 +432,16 @@ let read_bounds_proof scheme order family lower upper r =
     (* above 1, where stability needs it *)
     Q.make (Z.max (Z.cdiv whole divisor) (Z.succ (Z.shift_left Z.one digits))) (Z.shift_left Z.one digits)
   in
-  let least = Option.map least upper in
+  let least = if full then None else Option.map least upper in
   let low = { order; bound = bound_of bound; of_radius = read_proof ~single:true family least (Some bound) r } in
   match (upper, least) with
   | Some u, Some g ->
-      let both = { lower_end = low; radius_least = bound_of g; shifts = stable_shifts scheme } and u = bound_of u in
-      { holds = (fun a -> check_exponent a l u both); otherwise = unproved; print = Theorem.print_enclosure l u both }
-  | _ -> { holds = (fun a -> check_exponent_lower a l low); otherwise = unproved; print = Theorem.print_exponent l low }
+      let both = { lower_end = low; radius_least = bound_of g; shifts = Lazy.force shifts } and u = bound_of u in
+      { holds = (fun a -> check_exponent a l u both); otherwise = unproved; statement = Theorem.enclosure l u both }
+  | Some u, None ->
+      let shifts = Lazy.force shifts and u = bound_of u in
+      { holds = (fun a -> check_full a l u low shifts); otherwise = unproved; statement = Theorem.full l u low shifts }
+  | _ -> { holds = (fun a -> check_exponent_lower a l low); otherwise = unproved; statement = Theorem.exponent l low }
 
 (* What the lines `logarithm` and `recurrence` are worth. *)
 let modulus_proof scheme order certificate power (fields, recurrence) =
@@ -474,21 +479,21 @@ let modulus_proof scheme order certificate power (fields, recurrence) =
           raise undecided
 
 (* Of what the exponent is, with bounds or without *)
-let read_number_proof scheme order family lower upper logarithm ({ number = e; _ } as exact, root) r =
+let read_number_proof scheme order shifts family lower upper logarithm ({ number = e; _ } as exact, root) r =
   require (exact.order = Some order) "the exact exponent has another number before its logarithm";
   let certificate = read_exact_proof ~single:true family (e, root) r in
   let modulus = read_logarithm r and lower = Option.map bound_of lower and upper = Option.map bound_of upper in
-  let shifts = stable_shifts scheme in
+  let shifts = Lazy.force shifts in
   match logarithm with
   | None ->
       { holds = (fun a -> check_exact_exponent a order e lower upper certificate shifts);
         otherwise = unproved;
-        print = Theorem.print_exact_exponent order e lower upper certificate shifts }
+        statement = Theorem.exact_exponent order e lower upper certificate shifts }
   | Some power ->
       let proof = modulus_proof scheme order certificate power modulus in
       { holds = (fun a -> check_logarithm a order e lower upper certificate shifts proof power);
         otherwise = "the modulus of continuity is not proved";
-        print = Theorem.print_logarithm order e lower upper certificate shifts proof power }
+        statement = Theorem.logarithm order e lower upper certificate shifts proof power }
 
 (* The difference matrices of a mask, and what is wrong if there are none *)
 let differences scheme order =
@@ -497,15 +502,21 @@ let differences scheme order =
   require (degree <= 256 * (scheme.arity - 1)) "transition matrices larger than 256";
   difference_family scheme order
 
+(* No limit in C^k, beside what is shown *)
+let with_rough order shifts rough proof =
+  match rough with
+  | None -> proof
+  | Some k ->
+      let shifts = Lazy.force shifts in
+      { proof with
+        holds = (fun a -> proof.holds a && check_rough a order k shifts);
+        statement = { proof.statement with rough = Some (order, k, shifts) } }
+
 (* What is shown of a mask, from its sum rules on *)
-let read_mask_proof scheme lower upper number logarithm r =
-  let order, full = match take r "sum-rules" 1 2 with [ m ] -> (m, "") | m :: f -> (m, List.hd f) | [] -> assert false in
-  let order = size order 1 500 in
-  require (full = "" || full = "full") "expected 'sum-rules M' or 'sum-rules M full'";
-  (match upper with
-  | Some u when full <> "" && Q.geq u (Q.of_int order) ->
-      raise (Sections.Undecided "upper ends by the number of sum rules are not decided here, but by subcert-check")
-  | _ -> ());
+let read_mask_proof scheme lower upper rough number logarithm r =
+  let fields = take r "sum-rules" 1 2 in
+  let order = size (List.hd fields) 1 500 and full = List.length fields = 2 in
+  require (not full || List.nth fields 1 = "full") "expected 'sum-rules M' or 'sum-rules M full'";
   require
     (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul (Z.of_int scheme.arity) scheme.common))
     "the coefficients of the mask do not sum to the arity";
@@ -514,28 +525,42 @@ let read_mask_proof scheme lower upper number logarithm r =
       require (Q.sign l > 0) "the lower end of an exponent must be positive";
       require (Q.leq l (Q.of_int order)) "the order of the sum rules does not prove the claim"
   | None -> ());
-  if upper <> None || number <> None || at r "stability" then line r "stability";
-  let family = differences scheme order in
-  match (number, lower) with
-  | Some number, _ -> read_number_proof scheme order family lower upper logarithm number r
-  | None, Some lower -> read_bounds_proof scheme order family lower upper r
-  | None, None -> assert false
+  if upper <> None || rough <> None || number <> None || at r "stability" then line r "stability";
+  let family = differences scheme order and shifts = lazy (stable_shifts scheme) in
+  let symbol = difference_symbol scheme order in
+  let one_more t = Z.equal (class_sum scheme.arity symbol t) scheme.common in
+  require (not (full && List.for_all one_more (List.init scheme.arity Fun.id))) "the mask has another sum rule";
+  let enough k = full && k >= order in
+  require
+    (Option.fold ~none:true ~some:enough rough)
+    "less smoothness than that needs the full number of sum rules, and no more of them";
+  match (number, lower, rough) with
+  | Some number, _, _ ->
+      with_rough order shifts rough (read_number_proof scheme order shifts family lower upper logarithm number r)
+  | None, Some lower, _ ->
+      let full = full && Option.fold ~none:false ~some:(fun u -> Q.geq u (Q.of_int order)) upper in
+      with_rough order shifts rough (read_bounds_proof scheme order shifts full family lower upper r)
+  | None, None, Some k ->
+      ignore (read_proof ~single:true family None None r);
+      let shifts = Lazy.force shifts in
+      { holds = (fun a -> check_rough a order k shifts); otherwise = unproved; statement = Theorem.rough order k shifts }
+  | None, None, None -> assert false
 
 (* The line `reduced`: the coefficients of the factor, and the other mask, to begin where that of the claim does *)
 let read_factor scheme r =
   match List.map (fun text -> read_mask text (string_of_int scheme.arity)) (take r "reduced" 2 2) with
   | [ { coefficients = factor; _ }; other ] ->
       let longest = List.length scheme.coefficients + List.length other.coefficients in
-      let widest = List.fold_left (fun m x -> max m (Z.numbits x)) 0 (scheme.common :: other.common :: (factor @ other.coefficients)) in
-      spend (List.length factor * longest * width widest);
+      let bits = Sections.widest (Array.of_list (scheme.common :: other.common :: (factor @ other.coefficients))) in
+      spend (List.length factor * longest * width bits);
       let other = { other with first = scheme.first } in
       require (Z.sign (List.fold_left Z.add Z.zero factor) <> 0) "the factor of the reduced mask is 0 at 1";
       require (check_factor scheme other factor) "the reduced mask is not that of the mask and the factor";
       (factor, other)
   | _ -> assert false
 
-(* The lines after the second `sum-rules`: why the scheme of the mask converges. What is to be shown is that the radius is
-   below the power of the arity; the bound is that, less a little. *)
+(* The lines from the second `sum-rules` on: why the scheme of the mask converges. What is to be shown is that the radius
+   is below the power of the arity; the bound is that, less a little. *)
 let read_convergence scheme r =
   let own_order = size (List.hd (take r "sum-rules" 1 1)) 1 500 and digits = 128 in
   let family = differences scheme own_order in
@@ -544,14 +569,17 @@ let read_convergence scheme r =
   (own_order, bound_of bound, read_proof ~single:true family None (Some bound) r)
 
 (* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
-let exponent mask arity lower upper exact logarithm file =
+let exponent mask arity lower upper rough exact logarithm file =
   let scheme = read_mask mask arity and head = "exponent " ^ mask ^ " " ^ arity in
   let theorem =
     read file 1 (fun r ->
         let number = read_head ~exponent:true r head exact in
         let reduced = if at r "reduced" then Some (read_factor scheme r) else None in
+        require
+          (reduced = None || lower <> None || number <> None)
+          "a reduced mask tells the exponent of one mask, with a lower end";
         let subject = Option.fold ~none:scheme ~some:snd reduced in
-        let proof = read_mask_proof subject lower upper number logarithm r in
+        let proof = read_mask_proof subject lower upper rough number logarithm r in
         let reduction =
           Option.map
             (fun (shift_factor, other_scheme) ->
@@ -562,17 +590,24 @@ let exponent mask arity lower upper exact logarithm file =
         read_end r;
         let accepted = match reduction with None -> proof.holds scheme | Some c -> check_reduced scheme c proof.holds in
         require accepted proof.otherwise;
-        fun name -> proof.print name reduction scheme)
+        fun name -> Theorem.print_mask name reduction scheme proof.statement)
   in
-  ( Printf.sprintf "%sHoelder exponent%s%s%s of %s with arity %s"
+  let subject = "Hoelder exponent" ^ number_text exact in
+  let subject =
+    match rough with
+    | Some k -> Printf.sprintf "%sno C^%d limits" (if lower <> None || exact <> None then subject ^ " and " else "") k
+    | None -> subject
+  in
+  ( Printf.sprintf "%s%s%s%s of %s with arity %s"
       (side lower (fun l -> l ^ " <= "))
-      (number_text exact)
+      subject
       (side upper (fun u -> " <= " ^ u))
       (match logarithm with Some p -> Printf.sprintf " with |log h|^%d" p | None -> "")
       mask arity,
     theorem,
     fun () ->
       show_exponent scheme lower upper exact;
+      Option.iter (Printf.printf "limits, if there are any, are not C^%d\n") rough;
       Option.iter (Printf.printf "the modulus of continuity of the last derivative has the power %d of the logarithm\n") logarithm )
 
 let check arguments =
@@ -586,7 +621,10 @@ let check arguments =
   let is_name name = name <> "" && letter name.[0] && String.for_all (fun c -> letter c || digit c) name in
   require (Option.fold ~none:true ~some:is_name (find "--theorem")) "--theorem needs a name of letters and digits";
   let bound name = Option.map rational (find name) in
-  let rough = String.starts_with ~prefix:"C" (Option.value (find "--upper") ~default:"") in
+  let after_c text =
+    if String.starts_with ~prefix:"C" text then Some (String.sub text 1 (String.length text - 1)) else None
+  in
+  let rough = Option.bind (find "--upper") after_c in
   let text, theorem, shown =
     if has "--matrices" || has "--subradius" then begin
       let option, prove = if has "--matrices" then ("--matrices", radius) else ("--subradius", subradius) in
@@ -596,20 +634,21 @@ let check arguments =
     end
     else if
       only [ "--mask"; "--arity"; "--upper"; "--exact"; "--logarithm" ]
-      && (has "--lower" || has "--exact" || not (has "--arity"))
-      && not rough
+      && (has "--lower" || has "--exact" || rough <> None || not (has "--arity"))
     then begin
-      require (has "--mask" && has "--arity" && (has "--lower" || has "--exact")) usage;
+      require (has "--mask" && has "--arity" && (has "--lower" || has "--exact" || rough <> None)) usage;
       require (has "--exact" || not (has "--logarithm")) usage;
       let logarithm = Option.map (fun p -> size p 0 256) (find "--logarithm") in
       let exact = Option.map (read_exact true) (find "--exact") in
-      exponent (get "--mask") (get "--arity") (bound "--lower") (bound "--upper") exact logarithm (get "FILE")
+      let upper = if rough = None then bound "--upper" else None in
+      let rough = Option.map (fun k -> size k 1 500) rough in
+      exponent (get "--mask") (get "--arity") (bound "--lower") upper rough exact logarithm (get "FILE")
     end
     else
       raise
         (Sections.Undecided
-           "of claims about exponents only those of one mask with a lower end or an exact number are decided here, the others \
-            by subcert-check")
+           "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided \
+            here, the others by subcert-check")
   in
   match find "--theorem" with
   | Some name -> theorem name

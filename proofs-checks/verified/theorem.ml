@@ -202,50 +202,93 @@ let reduction c =
   Printf.sprintf "Reduction %s (%s)\n%s %s %s" (vector c.shift_factor) (scheme c.other_scheme) (natural c.own_order)
     (fraction c.own_bound) (certificate c.own_radius)
 
-(* What is `said` of a mask, by the theorem of a checker with the arguments `rest`; with a reduction by that of Reduced.v. *)
-let print_mask name reduced s modules shifts certificate said checker rest =
+(* What is said of a mask by the theorem of a checker with the arguments `rest`, where all depends on the name: `shifts` and
+   the certificate are defined before. With a reduction it is said by the theorem of Reduced.v; that the limit is not C^k,
+   beside it, by one more theorem, for which `converges` shows that there is a limit. *)
+type statement = {
+  modules : string;
+  shifts : stability option;
+  certificate : string;
+  said : string -> string;
+  checker : string;
+  rest : string -> string;
+  converges : string -> string;
+  rough : (int * int * stability) option;
+}
+
+let rough_modules = exact_modules ^ " Smooth Modulus Logarithm Rough"
+let rough_said k name = Printf.sprintf "rough_holds : rough_holds %s_scheme %s" name (natural k)
+
+let print_mask name reduced s statement =
   let definition part value = Printf.sprintf ".\n\nDefinition %s_%s := %s" name part value in
-  let shifts = Option.fold ~none:"" ~some:(fun c -> definition "shifts" (stability c)) shifts in
-  let modules, reducing, sound =
+  let shifts = match statement.rough with Some (_, _, shifts) -> Some shifts | None -> statement.shifts in
+  let defined part render = Option.fold ~none:"" ~some:(fun c -> definition part (render c)) in
+  let sound kind =
     match reduced with
-    | None -> (modules, "", "check_" ^ checker ^ "_sound _")
-    | Some c ->
-        ( exact_modules ^ " Modulus Logarithm Reduced",
-          definition "reduction" (reduction c),
-          Printf.sprintf "check_reduced_%s_sound _ %s_reduction" checker name )
+    | None -> "check_" ^ kind ^ "_sound _"
+    | Some _ -> Printf.sprintf "check_reduced_%s_sound _ %s_reduction" kind name
+  in
+  let modules =
+    match (reduced, statement.rough) with
+    | None, None -> statement.modules
+    | None, Some _ -> rough_modules
+    | Some _, _ -> rough_modules ^ " Reduced"
   in
   print name modules
-    ("scheme : scheme := " ^ scheme s ^ reducing ^ shifts)
-    certificate
-    (Printf.sprintf "%s.\nProof. apply (%s %s). %s" said sound rest by_computation)
+    ("scheme : scheme := " ^ scheme s ^ defined "reduction" reduction reduced ^ defined "shifts" stability shifts)
+    statement.certificate
+    (Printf.sprintf "%s.\nProof. apply (%s %s). %s" (statement.said name) (sound statement.checker) (statement.rest name) by_computation);
+  let rough (order, k, _) =
+    let rest = Printf.sprintf "%s _ %s_shifts" (natural order) name in
+    let rest = if reduced = None then rest else Printf.sprintf "_ %s (%s)" rest (statement.converges name) in
+    Printf.printf "\nTheorem %s_%s.\nProof. apply (%s %s). %s.\n" name (rough_said k name) (sound "rough") rest by_computation
+  in
+  Option.iter rough statement.rough
 
 let lower_end c = Printf.sprintf "Exponent %s %s %s" (natural c.order) (fraction c.bound) (certificate c.of_radius)
 
-let print_exponent l c name reduced s =
-  print_mask name reduced s " Subdivision Exponent" None (lower_end c)
-    (Printf.sprintf "exponent_holds : exponent_holds %s_scheme %s" name (fraction l))
-    "exponent_lower"
-    (Printf.sprintf "_ %s_certificate" name)
+let exponent l c =
+  let said name = Printf.sprintf "exponent_holds : exponent_holds %s_scheme %s" name (fraction l) in
+  let rest name = Printf.sprintf "_ %s_certificate" name in
+  let converges name = Printf.sprintf "lower_converges %s %s_certificate" (fraction l) name in
+  { modules = " Subdivision Exponent"; shifts = None; certificate = lower_end c; said; checker = "exponent_lower"; rest; converges;
+    rough = None }
 
-let print_enclosure l u c name reduced s =
-  print_mask name reduced s " Subdivision Stability Exponent Enclosure" None
-    (Printf.sprintf "Enclosure (%s) %s\n%s" (lower_end c.lower_end) (fraction c.radius_least) (stability c.shifts))
-    (Printf.sprintf "enclosure_holds : enclosure_holds %s_scheme %s %s" name (fraction l) (fraction u))
-    "exponent"
-    (Printf.sprintf "_ _ %s_certificate" name)
+let enclosed l u name = Printf.sprintf "enclosure_holds : enclosure_holds %s_scheme %s %s" name (fraction l) (fraction u)
+
+let enclosure l u c =
+  let rest name = Printf.sprintf "_ _ %s_certificate" name in
+  let certificate = Printf.sprintf "Enclosure (%s) %s\n%s" (lower_end c.lower_end) (fraction c.radius_least) (stability c.shifts) in
+  let modules = " Subdivision Stability Exponent Enclosure" in
+  { (exponent l c.lower_end) with modules; certificate; said = enclosed l u; checker = "exponent"; rest }
+
+(* The upper end by the number of sum rules *)
+let full l u low shifts =
+  let rest name = Printf.sprintf "_ _ %s_certificate %s_shifts" name name in
+  { (exponent l low) with modules = rough_modules; shifts = Some shifts; said = enclosed l u; checker = "full"; rest }
+
+let rough order k shifts =
+  let rest name = Printf.sprintf "%s _ %s_certificate" (natural order) name in
+  { modules = rough_modules; shifts = None; certificate = stability shifts; said = rough_said k;
+    checker = "rough"; rest; converges = Fun.id; rough = None }
+
+let exact_claim order e lower upper =
+  Printf.sprintf "%s\n%s %s %s" (natural order) (number e) (option fraction lower) (option fraction upper)
 
 let exactly kind order e lower upper name =
-  Printf.sprintf "%s_holds : %s_holds %s_scheme %s\n%s %s %s" kind kind name (natural order) (number e) (option fraction lower)
-    (option fraction upper)
+  Printf.sprintf "%s_holds : %s_holds %s_scheme %s" kind kind name (exact_claim order e lower upper)
 
-let print_exact_exponent order e lower upper c shifts name reduced s =
-  print_mask name reduced s exact_modules (Some shifts) (exact_certificate c)
-    (exactly "exact_exponent" order e lower upper name)
-    "exact_exponent"
-    (Printf.sprintf "_ _ _ _ %s_certificate %s_shifts" name name)
+let exact_exponent order e lower upper c shifts =
+  let proof name = Printf.sprintf "%s_certificate %s_shifts" name name in
+  let rest name = "_ _ _ _ " ^ proof name in
+  let converges name = Printf.sprintf "exact_exponent_converges %s %s" (exact_claim order e lower upper) (proof name) in
+  { modules = exact_modules; shifts = Some shifts; certificate = exact_certificate c; said = exactly "exact_exponent" order e lower upper;
+    checker = "exact_exponent"; rest; converges; rough = None }
 
-let print_logarithm order e lower upper c shifts p power name reduced s =
-  print_mask name reduced s (exact_modules ^ " Modulus Logarithm") (Some shifts) (exact_certificate c)
-    (exactly "logarithm" order e lower upper name ^ " " ^ natural power)
-    "logarithm"
-    (Printf.sprintf "_ _ _ _ %s_certificate %s_shifts %s" name name (modulus_proof p))
+let logarithm order e lower upper c shifts p power =
+  let proof name = Printf.sprintf "%s_certificate %s_shifts %s" name name (modulus_proof p) in
+  let rest name = "_ _ _ _ " ^ proof name in
+  let said name = exactly "logarithm" order e lower upper name ^ " " ^ natural power in
+  let converges name = Printf.sprintf "logarithm_converges %s %s %s" (exact_claim order e lower upper) (proof name) (natural power) in
+  { modules = exact_modules ^ " Modulus Logarithm"; shifts = Some shifts; certificate = exact_certificate c; said;
+    checker = "logarithm"; rest; converges; rough = None }

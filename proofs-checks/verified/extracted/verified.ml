@@ -3846,6 +3846,38 @@ let check_exact_subradius f e lower0 upper0 h a bounds =
     (check_subradius { matrices_of = f; lower = lower0; upper = upper0 }
       bounds)
 
+(** val class_sum : int -> Number.t list -> int -> Number.t **)
+
+let class_sum a b r =
+  fold_right Number.add Number.zero
+    (map (fun k -> nth (add r (mul a k)) b Number.zero) (seq 0 (length b)))
+
+(** val no_more_factors : scheme -> int -> stability -> bool **)
+
+let no_more_factors a order0 c =
+  (&&)
+    ((&&)
+      ((&&) ((&&) (reducible a order0) (Nat.leb (Stdlib.succ 0) order0))
+        (Nat.leb (Stdlib.succ 0) (length a.coefficients))) (check_stable a c))
+    (existsb (fun r ->
+      negb
+        (Number.equal (class_sum a.arity (difference_symbol a order0) r)
+          a.common)) (seq 0 a.arity))
+
+(** val check_rough : scheme -> int -> int -> stability -> bool **)
+
+let check_rough a order0 k c =
+  (&&) (no_more_factors a order0 c) (Nat.leb order0 k)
+
+(** val check_full :
+    scheme -> q -> q -> exponent_certificate -> stability -> bool **)
+
+let check_full a l u low0 c =
+  (&&)
+    ((&&) (check_exponent_lower a l low0) (no_more_factors a low0.order c))
+    (Number.less_equal (Number.mul (Number.of_natural low0.order) u.qden)
+      u.qnum)
+
 type reduction = { shift_factor : Number.t list; other_scheme : scheme;
                    own_order : int; own_bound : q; own_radius : certificate }
 

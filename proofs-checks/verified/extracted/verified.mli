@@ -861,6 +861,14 @@ val check_exact_subradius :
   family -> exact_number -> q option -> q option -> place -> ascent ->
   subradius_certificate -> bool
 
+val class_sum : int -> Number.t list -> int -> Number.t
+
+val no_more_factors : scheme -> int -> stability -> bool
+
+val check_rough : scheme -> int -> int -> stability -> bool
+
+val check_full : scheme -> q -> q -> exponent_certificate -> stability -> bool
+
 type reduction = { shift_factor : Number.t list; other_scheme : scheme;
                    own_order : int; own_bound : q; own_radius : certificate }
 

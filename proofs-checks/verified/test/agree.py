@@ -44,7 +44,8 @@ def decided(name, arguments):
         return True
     ends = options - {"--mask", "--arity"}
     known = {"--lower", "--upper", "--exact", "--logarithm"}
-    if not {"--mask", "--arity"} <= options or not ends <= known or not ends & {"--lower", "--exact"}:
+    rough = "--upper" in options and arguments[arguments.index("--upper") + 1].startswith("C")
+    if not {"--mask", "--arity"} <= options or not ends <= known or not (ends & {"--lower", "--exact"} or rough):
         return False
     # Of moduli of continuity those without a logarithm, if they follow from a norm, or from the only block; and those with
     # its first power that follow from a recurrence.
@@ -54,10 +55,7 @@ def decided(name, arguments):
         double = "\nlogarithm 1\nrecurrence " in text and "\nblock 0 single " in text
         if not (by_norm or alone or double):
             return False
-    order = re.search(r"^sum-rules (\d{1,3}) full$", text, re.MULTILINE)
-    upper = arguments[arguments.index("--upper") + 1] if "--upper" in options else "0"
-    full = upper.startswith("C") or (order and Fraction(upper) >= int(order[1]))
-    return not full
+    return True
 
 
 def compare(name, arguments, accepted=None):
@@ -106,12 +104,17 @@ for line in (directory / "claims.txt").read_text().splitlines():
         arguments = without("--logarithm", without("--exact", arguments))
         if "--lower" in arguments or {"--subradius", "--upper"} <= set(arguments):
             compare(name, [*arguments, f"{name}.cert"])
-    if "--mask" in arguments and decided(name, without("--upper", arguments)) and directory.name == "accept":
-        for bounded in [without("--upper", arguments)] + [arguments] * decided(name, arguments):
+    if "--mask" in arguments and decided(name, arguments) and directory.name == "accept":
+        alone = without("--upper", arguments)
+        for bounded in [alone] * decided(name, alone) + [arguments]:
             compare(f"{name} as {bounded}", [*bounded, f"{name}.cert"], True)
             for key, sign in (("--lower", 1), ("--upper", -1)):
                 if key in bounded:
                     at = bounded.index(key) + 1
+                    if bounded[at].startswith("C"):
+                        for order, accepted in ((int(bounded[at][1:]) + 1, True), (int(bounded[at][1:]) - 1, False)):
+                            compare(f"{name} with C{order}", [*bounded[:at], f"C{order}", *bounded[at + 1:], f"{name}.cert"], accepted)
+                        continue
                     for step, accepted in ((Fraction(1, 1000), None), (Fraction(1, 10), False), (Fraction(-1, 7), True)):
                         end = Fraction(bounded[at]) + sign * step
                         changed = [*bounded[:at], str(end), *bounded[at + 1:]]

@@ -1,5 +1,5 @@
 (* The axioms that the theorems rest on. *)
-From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Reduced Scheme.
+From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Scheme.
 
 Print Assumptions radius_exists.
 Print Assumptions check_radius_sound.
@@ -14,7 +14,11 @@ Print Assumptions check_exact_subradius_sound.
 Print Assumptions check_exact_exponent_sound.
 Print Assumptions S5_exact.
 Print Assumptions check_logarithm_sound.
+Print Assumptions check_rough_sound.
+Print Assumptions check_full_sound.
 Print Assumptions check_reduced_exponent_lower_sound.
 Print Assumptions check_reduced_exponent_sound.
 Print Assumptions check_reduced_exact_exponent_sound.
 Print Assumptions check_reduced_logarithm_sound.
+Print Assumptions check_reduced_full_sound.
+Print Assumptions check_reduced_rough_sound.

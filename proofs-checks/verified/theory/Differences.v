@@ -7,23 +7,23 @@ Open Scope R_scope.
 (* ---- the mean value inequality, by bisection --------------------------------------------------------------------- *)
 
 Section MeanValue.
-Variables (f f' : R -> R) (B : R).
+Variables (f f' : R -> R) (B a b : R).
 Hypothesis Derivative : forall x, derivable_pt_lim f x (f' x).
-Hypothesis Bound : forall x, Rabs (f' x) <= B.
+Hypothesis Bound : forall x, a <= x <= b -> Rabs (f' x) <= B.
 
-Lemma near_derivative c eps : 0 < eps -> exists d, 0 < d /\ forall x, Rabs (x - c) < d -> Rabs (f x - f c) <= (B + eps) * Rabs (x - c).
+Lemma near_derivative c eps : a <= c <= b -> 0 < eps -> exists d, 0 < d /\ forall x, Rabs (x - c) < d -> Rabs (f x - f c) <= (B + eps) * Rabs (x - c).
 Proof.
-  intros He. destruct (Derivative c eps He) as [[d Hd] H]. exists d. split; auto. intros x Hx. simpl in H.
+  intros Hc He. destruct (Derivative c eps He) as [[d Hd] H]. exists d. split; auto. intros x Hx. simpl in H.
   destruct (Req_dec x c) as [->|N]. rewrite !Rminus_diag_eq, Rabs_R0 by auto. lra.
   specialize (H (x - c) ltac:(lra) Hx). replace (c + (x - c)) with x in H by lra.
   assert (P : 0 < Rabs (x - c)) by (apply Rabs_pos_lt; lra).
   replace (f x - f c) with (((f x - f c) / (x - c) - f' c) * (x - c) + f' c * (x - c)) by (field; lra).
-  eapply Rle_trans. apply Rabs_triang. rewrite !Rabs_mult. specialize (Bound c).
+  eapply Rle_trans. apply Rabs_triang. rewrite !Rabs_mult. specialize (Bound c Hc).
   assert (Rabs ((f x - f c) / (x - c) - f' c) * Rabs (x - c) <= eps * Rabs (x - c)) by (apply Rmult_le_compat_r; lra).
   assert (Rabs (f' c) * Rabs (x - c) <= B * Rabs (x - c)) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 
-Lemma mean_value a b : a <= b -> Rabs (f b - f a) <= B * (b - a).
+Lemma mean_value_within : a <= b -> Rabs (f b - f a) <= B * (b - a).
 Proof.
   intros Hab. apply Rnot_lt_le. intros N.
   assert (Lt : a < b). { destruct Hab as [|E]; auto. subst b. rewrite !Rminus_diag_eq, Rabs_R0 in N by auto. lra. }
@@ -56,7 +56,7 @@ Proof.
   { exists a. exists O. auto. }
   assert (X : forall n, fst (I n) <= c) by (intros n; apply C1; exists n; auto).
   assert (Y : forall n, c <= snd (I n)) by (intros n; apply C2; intros x [m ->]; apply Cross).
-  destruct (near_derivative c eps He) as [d [Hd Near]].
+  destruct (near_derivative c eps (conj (X O) (Y O)) He) as [d [Hd Near]].
   destruct (pow_lt_1_zero (/ 2) ltac:(rewrite Rabs_pos_eq; lra) (d / (b - a)) ltac:(apply Rdiv_lt_0_compat; lra)) as [n Hn].
   specialize (Hn n ltac:(lia)). rewrite Rabs_pos_eq in Hn by (apply pow_le; lra).
   destruct (Inv n) as [I1 [I2 I3]]. specialize (X n). specialize (Y n). set (x := fst (I n)) in *. set (y := snd (I n)) in *.
@@ -68,6 +68,10 @@ Proof.
   replace ((B + eps) * (y - x)) with ((B + eps) * (y - c) + (B + eps) * (c - x)) in I3 by ring. lra.
 Qed.
 End MeanValue.
+
+Lemma mean_value f f' B : (forall x, derivable_pt_lim f x (f' x)) -> (forall x, Rabs (f' x) <= B) ->
+  forall a b, a <= b -> Rabs (f b - f a) <= B * (b - a).
+Proof. intros D H a b. apply (mean_value_within f f'); auto. Qed.
 
 (* ---- differences ------------------------------------------------------------------------------------------------- *)
 

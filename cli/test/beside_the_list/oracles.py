@@ -3,8 +3,10 @@ import itertools
 import math
 from fractions import Fraction
 
-MOST_OPERATIONS = 200_000  # of numbers, for the products of one family
+MOST_OPERATIONS = 60_000  # of numbers, for the products of one family
 LONGEST_WORD = 8
+MOST_POWERS = 20  # words of one length whose powers are looked at
+MOST_COEFFICIENTS = 20_000  # products of them, for one power of a symbol
 
 
 def common(numbers):
@@ -54,14 +56,16 @@ class Words:
             norm = min(norm, max(max(sum(map(abs, column)) for column in zip(*m)) for _, _, m in words))
             if upper is None or norm**upper[1] < upper[0]**length:
                 upper = (norm, length)
-            for start, end, m in words:
-                if start == end:
-                    lower = self.better(lower, self.of_powers(m, length))
+            closed = [m for start, end, m in words if start == end]
+            for m in closed:
+                trace = abs(sum(m[i][i] for i in range(self.size)))
+                lower = self.better(lower, (trace, length) if len(closed) > MOST_POWERS else self.of_powers(m, length))
         return lower, (0, 1) if self.no_longer_words else upper
 
     def better(self, one, other):
-        """Of |trace|^(1/length)."""
-        return one if one[0] ** other[1] >= other[0] ** one[1] else other
+        """Of (|trace| / n)^(1/length)."""
+        left, right = one[0] ** other[1] * self.size ** one[1], other[0] ** one[1] * self.size ** other[1]
+        return one if left >= right else other
 
     def of_powers(self, m, length):
         best, power, times = (0, 1), m, 1
@@ -115,7 +119,7 @@ class DifferenceScheme:
     def growth_at_most(self):
         """log R, by norms of powers."""
         best, power, levels = math.inf, [1], 0
-        while levels < 12 and len(power) * len(self.q) < 60_000:
+        while levels < 12 and len(power) * len(self.q) < MOST_COEFFICIENTS:
             step = self.arity**levels
             longer = [0] * (len(power) + step * (len(self.q) - 1))
             for j, c in enumerate(self.q):

@@ -14,8 +14,8 @@
 namespace subcert::cli {
 namespace {
 
-constexpr double norm_share = 0.5;  // of the time that is left, at most
-constexpr double grace = 0.5;       // seconds more for exact values
+constexpr double norm_share = 0.5;   // of the time that is left, at most
+constexpr double exact_grace = 0.5;  // seconds more for exact values
 
 struct AnalyzeOptions : CommonOptions {
   std::string scheme;
@@ -59,7 +59,7 @@ SchemePage make_page(Scheme scheme, const AnalyzeOptions& options) {
   page.sobolev = sobolev_if_small(mask, deadline);
   options.progress("limit values");
   try {
-    const Deadline exact = Deadline::in(deadline.remaining() + grace);
+    const Deadline exact = Deadline::in(deadline.remaining() + exact_grace);
     page.integers = limit_values(mask, 0, 0, exact);
     page.grid = variance_grid(mask, options.grid_level, page.smoothness.order >= 1, exact);
     page.mean = squared_l2_norm(mask, exact);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int usual_level = 8, usual_level_of_surfaces = 2;
 constexpr long most_derivatives = 1000;
-constexpr int levels = 16;  // of norms that prove convergence
+constexpr int proof_levels = 16;  // of norms that prove convergence
 
 struct LimitCommandOptions : LimitPageOptions {
   std::string scheme;
@@ -56,11 +56,11 @@ ExitCode refuse_derivative(const std::string& scheme, const LatticePoint& orders
 /// Prints why values are not to be had; nothing where they are.
 std::optional<ExitCode> refused(const Scheme& scheme, const LatticePoint& orders, const Deadline& deadline) {
   if (orders.front() > 0) {
-    const SmoothnessProof smoothness = proved_smoothness(scheme.mask, {levels, deadline});
+    const SmoothnessProof smoothness = proved_smoothness(scheme.mask, {proof_levels, deadline});
     if (smoothness.order >= orders.front()) return std::nullopt;
     return refuse_derivative(scheme.specification, orders, smoothness.obstacle);
   }
-  const Decision convergence = converges(scheme.mask, {levels, deadline});
+  const Decision convergence = converges(scheme.mask, {proof_levels, deadline});
   if (convergence.is_yes()) return std::nullopt;
   return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
 }
@@ -70,7 +70,7 @@ std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticeP
   const long total = std::accumulate(orders.begin(), orders.end(), 0L);
   if (total > 0 && !scheme.factors.empty()) {
     for (std::size_t v = 0; v < scheme.factors.size(); ++v) {
-      const SmoothnessProof smoothness = proved_smoothness(scheme.factors[v], {levels, deadline});
+      const SmoothnessProof smoothness = proved_smoothness(scheme.factors[v], {proof_levels, deadline});
       if (smoothness.order < orders[v])
         return refuse_derivative(scheme.specification, orders,
                                  "factor " + std::to_string(v + 1) + ": " + smoothness.obstacle);

@@ -19,7 +19,7 @@ constexpr int bits_of_powers = 4;  // lost by a power and a logarithm
 
 constexpr double norm_share = 0.05, sobolev_share = 0.3, stability_share = 0.5;  // of the time that is left
 constexpr int levels = 16;                           // of norms, where they decide convergence
-constexpr double most_seconds = 5, grace = 0.5;      // for convergence, once the rest of the time is gone
+constexpr double convergence_seconds = 5, convergence_grace = 0.5;      // for convergence, once the rest of the time is gone
 constexpr double search_share = 0.9;                 // of the time, so that some is left for that
 constexpr double first_slice = 2, slice_factor = 5;  // seconds for each of several dilations
 constexpr std::size_t largest_space = 256;
@@ -108,11 +108,11 @@ std::optional<ShrinkingDifferences> shrinking_differences(const MultivariateMask
 /// Whether the differences of the scheme shrink. With `shrinking` that is looked for in any case, for a certificate.
 Decision prove_convergence(const MultivariateMask& mask, const Budget& budget, int sum_rules,
                            std::optional<ShrinkingDifferences>* shrinking = nullptr) {
-  const Deadline end = Deadline::in(budget.deadline.remaining() + grace);
+  const Deadline end = Deadline::in(budget.deadline.remaining() + convergence_grace);
   Decision decision = converges(mask, {levels, end.after(0.5)});
   if (decision.is_no() || (decision.is_yes() && !shrinking)) return decision;
   try {
-    auto found = shrinking_differences(mask, sum_rules, {end.at_most(most_seconds), budget.memory});
+    auto found = shrinking_differences(mask, sum_rules, {end.at_most(convergence_seconds), budget.memory});
     if (found && !decision.is_yes())
       decision = {Truth::yes, found->space.order == 1 ? "the first differences of the scheme shrink"
                                                       : "the differences of the scheme shrink"};

@@ -1,5 +1,5 @@
-"""Random questions to the program, over the whole range of what it documents. A generator draws from the `random.Random`
-that it is given and from nothing else; what it makes is well formed."""
+"""Random questions to the program, over the whole range of what it documents. A generator draws from the
+`random.Random` that it is given and from nothing else; what it makes is well formed."""
 import json
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -140,7 +140,8 @@ def regression(rng):
 
 
 def curve_scheme(rng):
-    return rng.choice((least_squares, least_squares, ary, with_letter, named, mask, mask, mask, rounded, regression))(rng)
+    kinds = (least_squares, least_squares, ary, with_letter, named, mask, mask, mask, rounded, regression)
+    return rng.choice(kinds)(rng)
 
 
 # ---- schemes of two and three variables

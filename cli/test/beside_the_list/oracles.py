@@ -88,8 +88,8 @@ class Words:
 
 
 class DifferenceScheme:
-    """The divided symbol q of a mask, a(z) = (1 + z + ... + z^(m-1))^r q(z) with r as large as possible. With R the growth
-    of the operator of q, the exponent is at least -log_m R, and no larger where the shifts are stable."""
+    """The divided symbol q of a mask, a(z) = (1 + z + ... + z^(m-1))^r q(z) with r as large as possible. With R the
+    growth of the operator of q, the exponent is at least -log_m R, and no larger where the shifts are stable."""
 
     def __init__(self, coefficients, arity):
         q, self.denominator = common(coefficients)

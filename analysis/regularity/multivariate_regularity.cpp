@@ -18,8 +18,9 @@ namespace {
 constexpr int bits_of_powers = 4;  // lost by a power and a logarithm
 
 constexpr double norm_share = 0.05, sobolev_share = 0.3, stability_share = 0.5;  // of the time that is left
-constexpr int levels = 16;                           // of norms, where they decide convergence
-constexpr double convergence_seconds = 5, convergence_grace = 0.5;      // for convergence, once the rest of the time is gone
+constexpr int levels = 16;  // of norms, where they decide convergence
+constexpr double convergence_seconds = 5,
+                 convergence_grace = 0.5;            // for convergence, once the rest of the time is gone
 constexpr double search_share = 0.9;                 // of the time, so that some is left for that
 constexpr double first_slice = 2, slice_factor = 5;  // seconds for each of several dilations
 constexpr std::size_t largest_space = 256;

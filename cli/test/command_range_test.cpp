@@ -25,7 +25,8 @@ TEST_CASE("a range comes with certificates that one command verifies") {
   const Run verified = run("verify " + bundle);
   CHECK(verified.code == 0);
   CHECK(verified.out.find("01-proved.cert: VERIFIED 1 < Hoelder exponent of ") != std::string::npos);
-  CHECK(verified.out.find("02-refuted.cert: VERIFIED no convergence, or Hoelder exponent < 1 of ") != std::string::npos);
+  CHECK(verified.out.find("02-refuted.cert: VERIFIED no convergence, or Hoelder exponent < 1 of ") !=
+        std::string::npos);
   // Another range leaves no certificate of this one behind.
   CHECK(run("range four-point:w --over w=1/20..1/10 --property C1 --certificate " + bundle).code == 0);
   CHECK(std::distance(std::filesystem::directory_iterator(bundle), {}) == 1);

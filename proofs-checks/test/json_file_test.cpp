@@ -80,6 +80,5 @@ TEST_CASE("what is no JSON is refused with line and column") {
   CHECK(error_of("[{\"\\u0061\": 1, \"a\": 2}]") == "line 1, column 16: the key 'a' is there twice");
   CHECK(error_of(std::string(101, '[')).find("at most 100 levels") != std::string::npos);
   CHECK(error_of(std::string(1000000, '[')).find("at most 100 levels") != std::string::npos);
-  CHECK(error_of("\"a\nb\"") ==
-        "line 1, column 3: not JSON: expected a closing quote on the same line, got '\\u000a'");
+  CHECK(error_of("\"a\nb\"") == "line 1, column 3: not JSON: expected a closing quote on the same line, got '\\u000a'");
 }

@@ -315,16 +315,17 @@ let write_out draft (e : exact_number) root place =
   let given x = add_base (fun _ -> { vectors = [ pair_of n x ]; conjugated = false; previous = None }) in
   let rec eigenvector c side element =
     let cycle = cycles.(c) in
-    let seed = turned element side cycle.seed_of in
-    match Hashtbl.find_opt base_numbers (c, side, seed) with
+    let seed = turned element side cycle.seed_of and vectors = Array.map (turned element side) cycle.coefficients_of in
+    (* by all vectors: another product may have the same seed *)
+    match Hashtbl.find_opt base_numbers (c, side, vectors) with
     | Some k -> k
     | None ->
         add_base (fun k ->
-            Hashtbl.add base_numbers (c, side, seed) k;
+            Hashtbl.add base_numbers (c, side, vectors) k;
             let around = compose element cycle.turn in
             let from = eigenvector c side around in
             let word = List.rev_map (before around) cycle.letters_of in
-            { vectors = Array.to_list (Array.map (fun y -> pair_of n (turned element side y)) cycle.coefficients_of);
+            { vectors = Array.to_list (Array.map (pair_of n) vectors);
               conjugated = side; previous = Some (from, (word, pair_of n seed)) })
   in
   let roots = Hashtbl.create 97 in
@@ -387,9 +388,10 @@ let write_out draft (e : exact_number) root place =
                     Hashtbl.replace children (from, letter) number;
                     point
                 | None, Some c ->
-                    let seed, negative = normal_vector (turned element side cycles.(c).seed_of) in
+                    let all = Array.map (turned element side) cycles.(c).coefficients_of in
+                    let coefficients, negative = normal_vector (Array.concat (Array.to_list all)) in
                     let base = lazy (eigenvector c side element) in
-                    enter (Eigenvector (c, side, seed)) origin negative negative
+                    enter (Eigenvector (c, side, coefficients)) origin negative negative
                       (fun () -> FromBase (Lazy.force base))
                       (fun () ->
                         let x, _ = evaluated n place side (Array.map (turned element side) cycles.(c).coefficients_of) in
@@ -457,7 +459,7 @@ let write_out draft (e : exact_number) root place =
             Inside (convert negative (polytope.line_of origin t)))
   in
   let given = List.map (fun ((number, _, source) as point) -> (source, (pair_of n (Hashtbl.find shown number), List.init count (image point)))) all in
-  let first_base = Hashtbl.find base_numbers (0, false, cycles.(0).seed_of) in
+  let first_base = Hashtbl.find base_numbers (0, false, cycles.(0).coefficients_of) in
   let rec around k steps =
     match (List.nth ordered k).previous with
     | Some (k', _) -> if k' = first_base then steps + 1 else around k' (steps + 1)

@@ -48,6 +48,9 @@ let product_of family word scale =
   let columns = Array.init n column in
   Array.init n (fun i -> Array.init n (fun j -> if i < Array.length columns.(j) then columns.(j).(i) else Z.zero))
 
+let rounds = 6 (* in which a rough eigenvalue is made a better one *)
+let rough = 20 (* binary digits that it has at least, not to be improved *)
+
 let make family word re im =
   let n = family.size in
   let size = (2 * n) + 2 in
@@ -60,12 +63,13 @@ let make family word re im =
   let multiplier = Z.shift_left (if exact then small else Z.one) shift in
   let scale = Q.of_bigint (Z.mul whole multiplier) in
   let rounded x = divide_floor (Q.num (Q.mul x scale)) (Q.den (Q.mul x scale)) in
-  let er = rounded re and ei = rounded im in
-  let level = max (bits er) (max (bits ei) (bits (Z.mul whole multiplier))) + 1 in
+  let re_given = rounded re and im_given = rounded im in
+  let level = max (bits re_given) (max (bits im_given) (bits (Z.mul whole multiplier))) + 1 in
   let matrix = product_of family word multiplier in
   let precision = 448 in
   let fixed x = if level <= precision then Z.shift_left x (precision - level) else Z.shift_right x (level - precision) in
   let one = Z.shift_left Z.one precision in
+  let rec near left er ei =
   (* the complex system with borders: columns -b and rows of a functional *)
   let bordered b_re b_im functional =
     let rows = Array.make_matrix size size Z.zero in
@@ -138,5 +142,11 @@ let make family word re im =
         let px = moved e.xr and py = moved e.xi in
         let value = List.init size (value_entry family e px py) in
         let step = List.fold_left (fun most x -> Z.max most (Z.abs x)) Z.zero (mv inverse value) in
-        Some (hint (Z.mul (Z.of_int 2) (Z.cdiv step over)))
+        let distance = Z.mul (Z.of_int 2) (Z.cdiv step over) in
+        let at_pivot x = Z.shift_right (Z.add (List.nth x pivot) (Z.shift_left Z.one (level - 1))) level in
+        if left > 0 && Z.gt (Z.shift_left distance rough) (Z.add (Z.abs er) (Z.abs ei)) then
+          near (left - 1) (at_pivot px) (at_pivot py)
+        else Some (hint distance)
       end
+  in
+  near rounds re_given im_given

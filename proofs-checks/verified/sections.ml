@@ -82,7 +82,11 @@ let elements n count generators =
     end
   in
   add () { map = identity; letters = Array.init count Fun.id };
-  Array.of_list (List.rev !all)
+  let all = Array.of_list (List.rev !all) in
+  let one = fst (normal identity) in
+  let has_inverse g = Array.exists (fun h -> fst (normal (multiply g.map h.map)) = one) all in
+  require (List.for_all has_inverse generators) "a generator is singular";
+  all
 
 (* The numbers of products, and of maps that are elements up to their signs *)
 let numbered group =

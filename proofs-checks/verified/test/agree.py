@@ -16,10 +16,10 @@ failures, counts, slowest = [], {}, 0.0
 # Wrong for subcert-check, which takes vertices and bounds of a root as they are given: vertices are not said to be the
 # images of others, or are those of others than true vertices; roots are given so roughly that a polynomial around the
 # lower bound changes its sign too often, or may be zero, or that the bound is below that of an image. Here they are known
-# so well that the claim, which is true, is proved. That a radius is not negative needs no product here, denominators
-# of blocks may be larger, and generators singular.
+# so well that the claim, which is true, is proved; likewise an eigenvalue. That a radius is not negative needs no product here, denominators
+# of blocks may be larger.
 proved_here = {"origin-end", "same-beside-cycle", "single-recurrence-complex-sign", "single-no-pole-signs",
-               "exact-image-above", "unit-norm-largest", "product-zero", "blocks-denominators", "group-projection",
+               "exact-image-above", "unit-norm-largest", "product-zero", "product-modulus", "blocks-denominators",
                "kept-thirds-small", "kept-thirds-large", "kept-turns-small", "kept-turns-large",
                "kept-tiny-error"}
 # With large residuals, too, this checker proves a little more: it does not round norms of units up to integers.

@@ -575,6 +575,7 @@ let exponent mask arity lower upper rough exact logarithm file =
     read file 1 (fun r ->
         let number = read_head ~exponent:true r head exact in
         let reduced = if at r "reduced" then Some (read_factor scheme r) else None in
+        (* it must be shown that the other scheme has a limit *)
         require
           (reduced = None || lower <> None || number <> None)
           "a reduced mask tells the exponent of one mask, with a lower end";

@@ -43,7 +43,18 @@ expect 1 --mask "$hat" --arity 2 --lower -1 bspline-1.cert
 expect 0 --mask "$hat" --arity 2 --lower 1 --upper 1 bspline-1.cert
 expect 1 --mask "$hat" --arity 2 --lower 1/2 --upper 999/1000 bspline-1.cert
 expect 1 --mask "$hat" --arity 2 --lower 1 --upper -1 bspline-1.cert
-expect 2 --mask "$hat" --arity 2 --lower 1 --upper C2 bspline-1.cert
+expect 1 --mask "$hat" --arity 2 --lower 1 --upper C2 bspline-1.cert
+linear='[1,2,1]/2@-1'
+expect 0 --mask "$linear" --arity 2 --lower 1 --upper C2 hat-full.cert
+expect 0 --mask "$linear" --arity 2 --upper C2 --show hat-rough.cert
+echo "$output" | grep -qx 'limits, if there are any, are not C^2'
+expect 0 --mask "$linear" --arity 2 --upper C3 hat-rough.cert
+expect 1 --mask "$linear" --arity 2 --upper C1 hat-rough.cert
+expect 64 --mask "$linear" --arity 2 --upper C0 hat-rough.cert
+expect 64 --mask "$linear" --arity 2 --upper C hat-rough.cert
+expect 64 --mask "$linear" --arity 2 --upper C2 --logarithm 0 hat-rough.cert
+expect 64 --matrices golden.mat --upper C2 golden.cert
+expect 1 --mask '[1,1,1,1]/2' --arity 2 --upper C2 trapezoid-rough.cert
 expect 2 --mask "$hat" --arity 2 bspline-1.cert --within 1/100,1 --lower 9/10
 expect 0 --mask '[1,1,1,1]/2' --arity 2 --lower 1 trapezoid-reduced.cert
 expect 0 --mask '[1,1,1,1]/2' --arity 2 --lower 1 --upper 1 --show trapezoid-reduced.cert
@@ -68,6 +79,7 @@ exactly 1 --exact '3-log|[-4,1]@4,0,1|^1/1'
 exactly 1 --exact '4-log|[-4,1]@4,0,1|^1/2'
 exactly 1 --exact '4-log|[-4,1]@4,0,1|^1/1' --logarithm 1
 exactly 64 --lower 2 --logarithm 0
+exactly 1 --exact '4-log|[-4,1]@4,0,1|^1/1' --upper C4
 expect 0 --mask '[1,2,1]/2' --arity 2 --exact '2-log|[-2,1]@2,0,1|^1/1' --logarithm 0 --show single-spline-2-1.cert
 echo "$output" | grep -q 'has the power 0 of the logarithm$'
 expect 1 --mask '[1,2,1]/2' --arity 2 --exact '2-log|[-2,1]@2,0,1|^1/1' --logarithm 1 single-spline-2-1.cert

@@ -2,8 +2,7 @@
    both schemes are equally smooth. So what is shown of b, whose shifts may be stable, is true of a, whose shifts are not. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Integers Sections Check Subdivision Differences Coefficients Stability Modulus Smooth
-  Exponent Enclosure
+From Subcert Require Import Radius Integers Sections Check Subdivision Differences Stability Modulus Smooth Exponent Enclosure
   Number Exact Logarithm Rough.
 Import ListNotations.
 Open Scope R_scope.
@@ -229,9 +228,6 @@ Definition check_reduced (a : scheme) (c : reduction) (check : scheme -> bool) :
   check_factor a (other_scheme c) (shift_factor c) && converges a c && check (other_scheme c).
 
 (* ---- what it says ------------------------------------------------------------------------------------------------ *)
-
-Lemma coefficient_supported l e F : supported F (length l - 1) (coefficient l e F).
-Proof. intros i Hi. rewrite coefficient_shift. apply coefficient_support. lia. Qed.
 
 Lemma converges_sound a c : converges a c = true -> exists phi, limit_of a phi.
 Proof.

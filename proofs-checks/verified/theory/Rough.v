@@ -2,9 +2,8 @@
    more, the limit is not C^M. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Integers Sections Check Subdivision Differences Coefficients Stability Modulus Values Smooth
-  Exponent
-  Enclosure Number Exact Logarithm.
+From Subcert Require Import Radius Integers Sections Subdivision Differences Stability Modulus Values Smooth Exponent
+  Enclosure Logarithm.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -351,6 +350,9 @@ Definition check_rough (a : scheme) (order k : nat) (c : stability) : bool := no
 Definition check_full (a : scheme) (l u : Q) (low : exponent_certificate) (c : stability) : bool :=
   check_exponent_lower a l low && no_more_factors a (order low) c && (Z.of_nat (order low) * Zpos (Qden u) <=? Qnum u).
 
+Lemma coefficient_supported l e F : supported F (length l - 1) (coefficient l e F).
+Proof. intros i Hi. rewrite coefficient_shift. apply coefficient_support. lia. Qed.
+
 Lemma class_sum_sound A F L b e r : (2 <= A)%nat -> 0 < e -> (length b - 1 <= L)%nat -> (r < A)%nat ->
   subdivide A F L (fun i => coefficient b e 0 (i - F)) (fun _ => 1%R) (F + Z.of_nat r) = (IZR (class_sum A b r) / IZR e)%R.
 Proof.
@@ -382,8 +384,7 @@ Proof.
   set (f := fun i => coefficient bl (common a) 0 (i - F)) in *.
   assert (Sf : supported F N f) by (intros i Hi; apply Sb; lia).
   assert (Dp : 0 < common a) by (apply lt_IZR; auto).
-  assert (SA : supported F L (coefficient (coefficients a) (common a) F)).
-  { intros i Hi. rewrite coefficient_shift. apply coefficient_support. unfold L in Hi. lia. }
+  assert (SA := coefficient_supported (coefficients a) (common a) F). fold L in SA.
   assert (Cl : forall i, subdivide A F L (coefficient (coefficients a) (common a) F) (fun _ => 1%R) i = 1%R).
   { intros i. rewrite EM. destruct order as [|k]; [lia|]. cbn [smoothed]. rewrite Nat.mul_succ_l in HL.
     apply (smooth_classes A F L HA (N + k * (A - 1))).

@@ -64,7 +64,7 @@ TEST_CASE("errors name file, line and column") {
 
 TEST_CASE("a header has a name and no number") {
   for (const char* header : {"x,E", "t,e", "E,nu", "E1", "e1,e2", "x,-", "E+,E-", "x,Na", "2theta,-", "\"Na\"", "x,",
-                             "T (\xc2\xb0"
+                             "T\xc2\xb0"
                              "C)"}) {
     CAPTURE(header);
     const std::string row = std::string(header).find(',') == std::string::npos ? "1\n" : "1,2\n";

@@ -32,7 +32,7 @@ std::string family_sentence(const BoundsAndExponents& family) {
                        family.family, largest);
   return fmt::format(
       "For the {} schemes the exponent is proved to exceed {}, the largest printed bound, for n = {}; from there on it "
-      "falls by less than {} from any n to a larger one, and at n = {} it is {}....",
+      "falls by less than {} from any n to a larger one, and at n = {} it is at least {}.",
       family.family, largest, sweeps::number_list_text(above),
       to_decimal(family.dip_from(above.front()), 2, Rounding::up), last,
       to_fixed(*family.exponents.back().lower, 4, Rounding::down));

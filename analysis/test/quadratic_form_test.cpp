@@ -84,7 +84,7 @@ TEST_CASE("a quadratic form bounds the radius of the golden pair") {
   CHECK(kept == 2);
   CHECK(attained.kept < 1);
   // Scaled exactly.
-  const GraphProof half = scaled(*near, -1);
+  const GraphProof half = scaled(*near, Rational(1, 2));
   CHECK(half.attained->graph.bound == attained.graph.bound / 2);
   CHECK(is_golden({2 * *half.attained->radius.lower, 2 * *half.attained->radius.upper}));
   CHECK(half.attained->eigenvalue.re == attained.eigenvalue.re / 4);

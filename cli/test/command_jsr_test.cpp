@@ -45,9 +45,9 @@ TEST_CASE("matrices from a file") {
   }
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {R"({"matrices": [[[1]]], "edge": [[0,0,0]]})",
-            "line 1, column 24: unknown key 'edge'; the keys of a file of matrices are matrices, edges"},
+            "line 1, column 23: unknown key 'edge'; the keys of a file of matrices are matrices, edges"},
            {"{\"matrices\": [[[1]]],\n \"Edges\": [[0,0,0]]}", "line 2, column 2: unknown key 'Edges'"},
-           {R"({"matrices": [[[1]]], "matrices": [[[2]]]})", "line 1, column 24: the key 'matrices' is there twice"},
+           {R"({"matrices": [[[1]]], "matrices": [[[2]]]})", "line 1, column 23: the key 'matrices' is there twice"},
            {"{\"matrices\": [[[1],\n]]}", "line 2, column 1: not JSON: expected a value, got ']'"},
            {R"({"matrices": [[[NaN]]]})", "line 1, column 17: not JSON: expected a value, got 'NaN'"},
            {"{\"matrices\": // two\n[[[1]]]}", "line 1, column 14: not JSON: expected a value, got '/'"},
@@ -60,7 +60,7 @@ TEST_CASE("matrices from a file") {
            {R"({"matrices": [[["1e-401"]]]})",
             "line 1, column 17: expected an exact number, as 1, 1/2 or 0.5, of at most"},
            {"matrices 1 1\n\n# two\nrow 1\n", "line 3: expected 'row' and 1 numbers, row 0 of matrix 0, got '#'"},
-           {"matrices 1 2\nrow 1 2\nrow 3\n", "line 3: expected 2 numbers in row 1 of matrix 0, got the end"},
+           {"matrices 1 2\nrow 1 2\nrow 3\n", "line 4: expected 2 numbers in row 1 of matrix 0, got the end"},
            {"# a note\nmatrices 1 1\nrow 1\n", "line 1: expected JSON"}}) {
     CAPTURE(text);
     const Run refused = with(text);

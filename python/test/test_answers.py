@@ -114,7 +114,7 @@ def test_radii():
     assert alone.verify().accepted
     assert subcert.p_radius(pair, 2).lower > Fraction(3, 2)
     with pytest.raises(subcert.DomainError, match="even"):
-        subcert.p_radius([[[1, -1], [0, 1]]], 3)
+        subcert.p_radius([[[1, -1], [1, 1]]], 3)
     slow = subcert.subradius([[[7, 2], [0, 3]], [[2, 0], [4, 8]]], width="1e-50")
     assert slow.exact and slow.closed and len(slow.product) == 8 and slow.upper - slow.lower < Fraction(1, 10**50)
     assert slow.verify().accepted and pickle.loads(pickle.dumps(slow)) == slow

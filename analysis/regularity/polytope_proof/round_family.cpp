@@ -165,12 +165,13 @@ bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const po
 
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
   RoundFamily given{to_search_family(family)};
-  if (family.group().size() > 1 && !family.is_flip_symmetric()) return given;
-  if (family.group().size() <= 1 && family.size() <= largest_long && is_hidden(given.family, deadline)) {
-    RoundFamily seen = given;
+  const bool has_other_group = family.group().size() > 1 && !family.is_flip_symmetric();
+  if (!family.is_flip_symmetric() && family.size() <= largest_long && is_hidden(given.family, deadline)) {
+    RoundFamily seen{{given.family.matrices, {}}};
     const auto to = long_rounding(family, deadline);
     if (to && set_coordinates(seen, family, *to) && !is_hidden(seen.family, deadline)) given = std::move(seen);
   }
+  if (has_other_group && !given.coordinates.differ()) return given;
   RoundFamily result = given;
   const auto d = static_cast<double>(family.size()), products = 2.0 * static_cast<double>(family.count() + 1);
   const double seconds = seconds_per_product * products * d * d * d;

@@ -31,8 +31,9 @@ polytope::SearchFamily to_search_family(const MatrixFamily& family);
 /// The same, but where orbits are so flat that doubles would lose what distinguishes their points, as for families that
 /// nearly have an invariant subspace, in other coordinates, which are found step by step and applied to the exact
 /// matrices. Where they stay flat, coordinates stay what they are. They commute with the flip; a family with another
-/// group keeps its coordinates. Cost: for each step, which makes orbits rounder by a factor of 10^4, an inverse in
-/// balls and three exact products for each matrix.
+/// group keeps its coordinates, unless doubles would not see its products: then no use is made of the group. Cost: for
+/// each step, which makes orbits rounder by a factor of 10^4, an inverse in balls and three exact products for each
+/// matrix.
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline);
 
 /// Goes on to the coordinates step y, exactly; false, with nothing changed, where the step is not finite, where balls

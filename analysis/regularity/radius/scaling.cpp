@@ -89,10 +89,14 @@ Rational unit_of(const MatrixFamily& family) {
   const bool is_short = bits(numerators) <= near_enough && bits(denominators) <= short_denominator;
   const long exponent = scaling_exponent(family);
   if (is_short && exponent == 0) return 1;
-  if (is_short) return power(Rational(2), exponent);
-  long largest = 0;  // of the integers that are left
-  for (const RationalMatrix& m : family)
+  long largest = 0, longest = 0;  // of the integers that are left; of the numbers as they are
+  for (const RationalMatrix& m : family) {
     if (const auto e = binary_exponent(m)) largest = std::max(largest, *e - binary_exponent(content));
+    for (std::size_t i = 0; i < m.rows(); ++i)
+      for (std::size_t j = 0; j < m.columns(); ++j)
+        if (m(i, j) != 0) longest = std::max(longest, bits(abs(numerator(m(i, j)))) + bits(denominator(m(i, j))));
+  }
+  if (is_short || 2 * largest > longest) return power(Rational(2), exponent);
   return content * power(Rational(2), largest);
 }
 

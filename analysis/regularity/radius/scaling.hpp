@@ -8,8 +8,8 @@ namespace subcert::radius {
 /// The e such that 2^-e times the family has its largest entry near 1; 0 where it is near enough already.
 long scaling_exponent(const MatrixFamily& family);
 
-/// What to divide by before all else: the largest number of which all entries are integer multiples, up to a power of
-/// two that brings the largest entry near 1; 1 where numbers are short and near enough already.
+/// What to divide by before all else: a power of two that brings the largest entry near 1, times the largest number of
+/// which all entries are integer multiples where that makes numbers shorter; 1 where they are short and near enough.
 Rational unit_of(const MatrixFamily& family);
 
 /// The basis and the triangular form after a change of the lengths of the basis vectors by powers of two, block by

@@ -33,6 +33,16 @@ CLI::Validator finite() {
       "");
 }
 
+/// Of all options that take an integer.
+CLI::Validator whole() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        const auto value = parse_rational(text);
+        return value && denominator(*value) == 1 ? "" : "expected an integer, got " + in_quotes(text);
+      },
+      "");
+}
+
 /// Refuses one file for two answers.
 void require_different_files(const CLI::App& app) {
   std::map<std::filesystem::path, std::string> taken;
@@ -135,11 +145,11 @@ Option& Option::suggest(const Suggestions& suggestions) {
 }
 
 Option Command::option(const std::string& name, int& target, const std::string& text) {
-  return Option(app_->add_option(name, target, text));
+  return Option(app_->add_option(name, target, text)->check(whole()));
 }
 
 Option Command::option(const std::string& name, unsigned long& target, const std::string& text) {
-  return Option(app_->add_option(name, target, text));
+  return Option(app_->add_option(name, target, text)->check(whole()));
 }
 
 Option Command::option(const std::string& name, double& target, const std::string& text) {
@@ -154,7 +164,8 @@ Option Command::option(const std::string& name, std::optional<double>& target, c
 
 Option Command::option(const std::string& name, std::optional<int>& target, const std::string& text) {
   return Option(app_->add_option_function<int>(
-      name, [&target](const int& value) { target = value; }, text));
+                        name, [&target](const int& value) { target = value; }, text)
+                    ->check(whole()));
 }
 
 Option Command::option(const std::string& name, std::string& target, const std::string& text) {

@@ -49,7 +49,7 @@ TEST_CASE("coefficients that were rounded: by how much their sum is off, and how
       contains(result.err,
                "the class 0 mod 2 sums to 1 - 2.458e-9; where coefficients are rounded add that to one of the class"));
   CHECK(contains(run("mask 'mask:[1,3,3,1]'").err, "the class 0 mod 2 sums to 4, as all do: divide by that"));
-  CHECK(contains(run("mask 'mask:[1/3,1,1/3]'").err, "the class 0 mod 2 sums to 2/3"));
+  CHECK(contains(run("mask 'mask:[1/3,1,1/3]'").err, "the class 1 mod 2 sums to 2/3"));
   CHECK(contains(run("mask 'mask2:[[1,1],[1,1.001]]'").err,
                  "sums to 1 + 0.001; where coefficients are rounded take that"));
   CHECK(contains(run("mask 'mask:[1,\xe2\x88\x92"

@@ -164,7 +164,7 @@ TEST_CASE("commands and families that are meant") {
 }
 
 TEST_CASE("what a reader that leaves early is told: nothing") {
-  const Run result = run("limit primal:n=8 --level 14 | head -c 10");
+  const Run result = run("limit dd:n=2 --level 13 | head -c 10");
   CHECK(result.err.empty());
   CHECK(result.out.size() == 10);
 }

@@ -243,7 +243,7 @@ Counts counts(const std::vector<Result>& results, ResultKind kind, const std::st
         continue;
       group.standing = one.standing;
       ++group.count;
-      total.causes += one.standing == Standing::wrong && one.follows.empty() ? 1 : 0;
+      total.causes += kind == ResultKind::statement && one.standing == Standing::wrong && one.follows.empty() ? 1 : 0;
     }
     if (group.count > 0) total.groups.push_back(group);
   }

@@ -144,6 +144,14 @@ Trial dual_cubic_c3(const std::vector<int>& sizes) {
 Outcome dual_cubic(const Context&) {
   Outcome outcome = not_a_slip(dual_cubic_c3({4, 5}).outcome(dual_cubic_c3({5})));
   outcome.argument = "for n = 5 the proved exponent exceeds 3";
+  // Whichever family the tilde may mean.
+  for (const char* family : {"dual-odd", "primal", "primal-odd"}) {
+    const Enclosure& other = holder_regularity_of(specification(family, 4, 3)).exponent;
+    if (other.upper && *other.upper < 3)
+      outcome.argument += std::string("; for n = 4 that of ") + family + " is " + other.upper_text(4);
+    else
+      outcome.verdict = StatementVerdict::undecided;
+  }
   return outcome;
 }
 

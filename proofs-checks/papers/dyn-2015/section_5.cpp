@@ -22,8 +22,8 @@ Trial one_period(const Formula& step, const Rational& count) {
   const auto percent = [&](const Rational& pi) { return Rational(100 * count * step({{"pi", pi}}) / (2 * pi)); };
   const Rational one = percent(3), other = percent(Rational(22, 7));
   const std::string where = subcert::to_text(count) + " steps make " +
-                            to_decimal(std::min(one, other), 2, Rounding::down) + " ... " +
-                            to_decimal(std::max(one, other), 2, Rounding::up) + " % of the period 2 pi";
+                            to_decimal(std::min(one, other), 4, Rounding::down) + " ... " +
+                            to_decimal(std::max(one, other), 4, Rounding::up) + " % of the period 2 pi";
   for (const Rational& pi : {Rational(3), Rational(22, 7), Rational(311, 100)})
     trial.require(count * step({{"pi", pi}}) == 2 * pi,
                   where + "; the step times " + subcert::to_text(count) + " is not 2 pi");

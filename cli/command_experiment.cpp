@@ -44,7 +44,8 @@ std::string page(const experiments::RanExperiment& ran, const formats::Section& 
   for (const experiments::DecidedClaim& claim : result.claims)
     text << to_text(claim.finding) << ": " << claim.sentence << " [" << claim.place
          << "]\n  decided by: " << claim.statistic << "\n  found: " << claim.numbers << "\n";
-  for (const formats::PlainTable& table : result.tables) {
+  for (std::size_t t = 1; t < section.tables.size(); ++t) {  // the first has the claims
+    const formats::PlainTable& table = section.tables[t];
     text << "\n" << table.title << "\n";
     for (std::size_t i = 0; i < table.head.size(); ++i) text << (i ? "; " : "  ") << table.head[i];
     text << "\n";
@@ -70,7 +71,9 @@ ExitCode run(const ExperimentCommand& options) {
     reports::write_reports({{{chosen.paper, chosen.title, {section}, {ran}}}}, options.out, options.threads());
   options.end_progress();
   std::cout << (options.json ? experiments::experiment_json(ran) + "\n" : page(ran, section));
-  return ran.result.all_confirmed() ? done : failed;
+  return ran.result.count(ClaimVerdict::contrary)    ? failed
+         : ran.result.count(ClaimVerdict::undecided) ? undecided
+                                                     : done;
 }
 
 }  // namespace

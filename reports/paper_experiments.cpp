@@ -9,17 +9,12 @@ std::vector<std::string> experiment_ids(const std::string& paper) {
   return result;
 }
 
-std::size_t report_runs(const experiments::Experiment& experiment, std::size_t runs) {
-  return !experiment.printed.empty() ? 4 * runs : runs;
-}
-
 void add_experiments(Report& report, const ReportOptions& options) {
   for (const std::string& id : experiment_ids(report.paper)) {
     if (!options.wants(id)) continue;
     if (options.progress) options.progress(id);
-    report.experiments.push_back(experiments::run_experiment(
-        experiments::experiment(id),
-        {options.seed, report_runs(experiments::experiment(id), options.runs), options.jobs}));
+    report.experiments.push_back(
+        experiments::run_experiment(experiments::experiment(id), {options.seed, options.runs, options.jobs}));
     report.sections.push_back(experiments::experiment_section(report.experiments.back()));
   }
 }

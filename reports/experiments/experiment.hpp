@@ -1,31 +1,12 @@
 #pragma once
 /// Experiments with random noise, and what they say about the claims that a paper makes.
 
-#include "measured.hpp"
+#include "claim.hpp"
 
 #include <cstdint>
 #include <string_view>
 
 namespace subcert::experiments {
-
-/// A sentence of a paper, and the relation between measured quantities that decides it.
-struct Claim {
-  std::string sentence;
-  std::string place;
-  Relation relation;
-  /// What this version of the toolkit is known to find with the default seed.
-  ClaimVerdict recorded = ClaimVerdict::holds;
-};
-
-/// A claim with what was found.
-struct DecidedClaim {
-  std::string sentence;
-  std::string place;
-  ClaimVerdict finding;
-  std::string statistic;
-  std::string numbers;
-  ClaimVerdict recorded = ClaimVerdict::holds;
-};
 
 struct ExperimentOptions {
   std::uint64_t seed = 1;
@@ -44,26 +25,38 @@ struct Experiment {
   std::string id;  ///< unique over all papers
   std::string paper;
   std::string title;
-  std::vector<std::string> setup;  ///< what the paper leaves open and how it was chosen; {name} is a measured number
+  std::vector<std::string> setup;  ///< how the data are made; {name} is a measured number
+  std::vector<Choice> choices;     ///< what the paper leaves open and verdicts may hang on
   std::vector<Claim> claims;
   std::string printed;  ///< the paper's table of errors that rest on its unpublished data
   bool random;          ///< whether seed and samples matter
   Measure measure;
 };
 
+/// One measurement: the choices as taken, or one of them with another value.
 struct Run : ExperimentOptions {
   const Experiment& experiment;
+  std::string choice = {};  ///< empty as taken
+  std::string value = {};
+
+  /// Whether a choice is not the one taken: then tables, figures and what no claim names are not wanted.
+  bool is_alternative() const { return !choice.empty(); }
+  /// The value of the choice of this name. Errors: throws a domain error where the experiment has none.
+  const std::string& chosen(const std::string& name) const;
+  /// The same as a number. Errors: throws a domain error where it is none, too.
+  double number(const std::string& name) const;
 };
 
 struct ExperimentResult {
   std::vector<std::string> setup = {};
-  std::vector<DecidedClaim> claims = {};
+  std::size_t runs = 0;                    ///< samples as taken, after an open question had more
+  std::vector<DecidedClaim> claims = {};   ///< those that count here
+  std::vector<DecidedClaim> remarks = {};  ///< on sentences that another experiment counts
   std::vector<formats::PlainTable> tables = {};
   std::vector<formats::Figure> figures = {};
   std::vector<formats::SurfaceFigure> surface_figures = {};
   std::vector<formats::ComparisonTable> comparisons = {};  ///< printed values beside ours, where the paper prints any
 
-  bool all_confirmed() const;
   bool as_recorded() const;
   std::size_t count(ClaimVerdict finding) const;
 };
@@ -85,8 +78,12 @@ struct RanExperiment {
   ExperimentResult result;
 };
 
-/// Measures and decides the claims. Domain: options.runs >= 2. Errors: throws a domain error that names the claim and
-/// what it names but was not measured.
+/// How many times the samples a question gets that the first ones leave open.
+inline constexpr std::size_t patience = 4;
+
+/// Measures with every choice as taken and with each other value of one of them, and decides the claims. What is open
+/// is measured once more with `patience` times the samples. Domain: options.runs >= 2. Errors: throws a domain error
+/// that names the claim and what it names but was not measured.
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options);
 
 /// The name of the link to the claim with this index, unique over all papers.

@@ -45,6 +45,20 @@ void fill_row(DenseMatrix& matrix, std::size_t row, int degree, double x, double
   }
 }
 
+/// The mean of the middle two for an even number of values. Domain: at least one.
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+/// The deviation of normal numbers with the same median distance from their median.
+double median_deviation(std::vector<double> values) {
+  const double middle = median(values);
+  for (double& value : values) value = std::abs(value - middle);
+  return median(std::move(values)) / 0.6745;
+}
+
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
@@ -108,6 +122,39 @@ std::vector<double> RegressionOfSum::operator()(double sigma) {
   }
   std::vector<double> result(fit->second.first);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] += sigma * fit->second.second[i];
+  return result;
+}
+
+double median_bandwidth(const std::vector<double>& data, double spacing) {
+  std::vector<double> positions;
+  for (std::size_t i = 0; i < data.size(); ++i) positions.push_back(spacing * static_cast<double>(i));
+  const double deviations = std::sqrt(median_deviation(std::move(positions)) * median_deviation(data));
+  return deviations * std::pow(4.0 / (3 * static_cast<double>(data.size())), 0.2) / spacing;
+}
+
+std::vector<double> local_linear(const std::vector<double>& data, double bandwidth, int level) {
+  require(data.size() >= 2 && bandwidth >= 0.1, "local_linear: need two data and a bandwidth >= 1/10, got {}",
+          bandwidth);
+  const long steps = 1L << level, last = (static_cast<long>(data.size()) - 1) * steps,
+             wide = std::lround(std::ceil(std::max(2.0, reach * bandwidth) * static_cast<double>(steps)));
+  std::vector<double> kernel;
+  for (long k = 0; k <= wide; ++k)
+    kernel.push_back(std::exp(-std::pow(static_cast<double>(k) / static_cast<double>(steps) / bandwidth, 2) / 2));
+  std::vector<double> result;
+  for (long at = 0; at <= last; ++at) {
+    double s0 = 0, s1 = 0, s2 = 0, t0 = 0, t1 = 0;
+    for (long i = (std::max(0L, at - wide) + steps - 1) / steps; i <= std::min(last, at + wide) / steps; ++i) {
+      const long away = i * steps - at;
+      const double weight = kernel[static_cast<std::size_t>(std::abs(away))], x = static_cast<double>(away),
+                   y = data[static_cast<std::size_t>(i)];
+      s0 += weight;
+      s1 += weight * x;
+      s2 += weight * x * x;
+      t0 += weight * y;
+      t1 += weight * x * y;
+    }
+    result.push_back((s2 * t0 - s1 * t1) / (s0 * s2 - s1 * s1));
+  }
   return result;
 }
 

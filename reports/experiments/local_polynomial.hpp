@@ -1,5 +1,5 @@
 #pragma once
-/// Local polynomial regression with automatic bandwidth.
+/// Local polynomial regression with automatic bandwidth, by two rules.
 
 #include "linear_method.hpp"
 
@@ -49,5 +49,15 @@ class RegressionOfSum {
   std::vector<Criterion> criteria_;
   std::map<std::size_t, std::pair<std::vector<double>, std::vector<double>>> fits_;
 };
+
+/// The bandwidth sqrt(h_x h_y) for data at the multiples of `spacing`, in spacings: h_v is the median of |v - median v|
+/// over 0.6745, times (4/(3N))^(1/5). Domain: spacing > 0, data that are not mostly the same number.
+/// Ref: Bowman, Azzalini, Applied Smoothing Techniques for Data Analysis, 1997; so the public MATLAB function ksrlin
+/// (File Exchange, Yi Cao, 2008).
+double median_bandwidth(const std::vector<double>& data, double spacing);
+
+/// Local linear regression with the normal kernel on data at 0, 1, 2, ..., at the multiples of 2^-level up to the last.
+/// Domain: at least two data, bandwidth >= 1/10. Cost: a window of 18 bandwidths for each value.
+std::vector<double> local_linear(const std::vector<double>& data, double bandwidth, int level);
 
 }  // namespace subcert::experiments

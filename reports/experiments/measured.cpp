@@ -1,6 +1,7 @@
 #include "measured.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/proofs-checks/verdict.hpp>
 
 #include <algorithm>
 
@@ -42,28 +43,27 @@ void Measured::add_fact(const std::string& topic, const std::string& name, bool 
   facts[topic].push_back({name, holds, shown});
 }
 
-MeanInterval Mean::in(const Measured& measured) const {
-  if (!minus) return mean_interval(measured.at(of));
+MeanInterval Mean::in(const Measured& measured, double confidence) const {
+  if (!minus) return mean_interval(measured.at(of), confidence);
   std::vector<double> subtracted = measured.at(*minus);
   for (double& value : subtracted) value *= factor;
-  return mean_difference(measured.at(of), subtracted);
-}
-
-Finding finding(bool holds, const std::string& statistic, const std::string& numbers) {
-  return {holds ? ClaimVerdict::holds : ClaimVerdict::contrary, statistic, numbers};
+  return mean_difference(measured.at(of), subtracted, confidence);
 }
 
 Relation whole_intervals(const std::string& statistic, const std::vector<Mean>& means) {
   return [=](const Measured& measured) {
-    bool holds = true;
+    const auto wanted = std::ranges::count_if(means, &Mean::is_bounded);
+    std::vector<Truth> truths;
     std::string numbers;
     for (const Mean& mean : means) {
-      const MeanInterval found = mean.in(measured);
-      holds = holds && found.mean - found.half_width > measured.number(mean.lower) &&
-              found.mean + found.half_width < measured.number(mean.upper);
+      const MeanInterval found = mean.in(measured, each_of(static_cast<std::size_t>(wanted)));
+      const double lower = measured.number(mean.lower), upper = measured.number(mean.upper);
+      truths.push_back(found.lower() > lower && found.upper() < upper     ? Truth::yes
+                       : found.upper() <= lower || found.lower() >= upper ? Truth::no
+                                                                          : Truth::unknown);
       numbers = appended(numbers, ", ", mean.name, found.text());
     }
-    return finding(holds, measured.filled(statistic), numbers);
+    return Finding{all_of(truths), measured.filled(statistic), numbers};
   };
 }
 
@@ -77,7 +77,7 @@ Relation all_facts(const std::string& statistic, const std::string& topic) {
       holds = holds && fact.holds;
       numbers = appended(numbers, "; ", fact.name, fact.numbers);
     }
-    return finding(holds, measured.filled(statistic), numbers);
+    return Finding{holds ? Truth::yes : Truth::no, measured.filled(statistic), numbers};
   };
 }
 
@@ -89,7 +89,7 @@ formats::PlainTable MeansTable::filled(const Measured& measured) const {
     for (const auto& [head, measure, minus] : columns) {
       Mean mean{"", {measure, row.subject}};
       if (!minus.empty()) mean.minus = {minus, row.subject};
-      table.rows.back().push_back(mean.in(measured).text());
+      table.rows.back().push_back(mean.in(measured, shown_confidence).text());
     }
   }
   return table;

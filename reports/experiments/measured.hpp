@@ -3,6 +3,7 @@
 
 #include "statistics.hpp"
 
+#include <subcert/analysis/symbol/numbers.hpp>
 #include <subcert/reports/formats/section.hpp>
 
 #include <cmath>
@@ -61,24 +62,24 @@ struct Mean {
   Bound lower = -INFINITY;  ///< the whole interval lies above this
   Bound upper = INFINITY;   ///< and below this
 
-  MeanInterval in(const Measured& measured) const;
+  MeanInterval in(const Measured& measured, double confidence) const;
+  bool is_bounded() const { return lower != Bound(-INFINITY) || upper != Bound(INFINITY); }
 };
 
+/// yes: the data show what a sentence says; no: they show its contrary; unknown: neither, more samples are needed.
 struct Finding {
-  ClaimVerdict verdict;
+  Truth truth;
   std::string statistic;  ///< what decides, in words
   std::string numbers;
 };
 
-/// holds or contrary.
-Finding finding(bool holds, const std::string& statistic, const std::string& numbers);
-
-/// What a claim says about measured quantities. Errors: throws a domain error that names what was not measured.
+/// What a sentence says about measured quantities. Its intervals cover all their means together with the confidence
+/// `together`. Errors: throws a domain error that names what was not measured.
 using Relation = std::function<Finding(const Measured&)>;
 
-/// Every mean lies with its whole interval where it is wanted.
+/// Every mean lies with its whole interval where it is wanted; the contrary is that one interval lies wholly elsewhere.
 Relation whole_intervals(const std::string& statistic, const std::vector<Mean>& means);
-/// All facts of this topic hold; no facts are an error.
+/// All facts of this topic hold, or one does not; no facts are an error.
 Relation all_facts(const std::string& statistic, const std::string& topic);
 
 /// A table of means: a row for each subject, a column for each measure.

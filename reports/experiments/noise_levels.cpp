@@ -1,9 +1,14 @@
 #include "noise_levels.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace subcert::experiments {
 namespace {
 
-std::string decibels(int from, int to) { return std::to_string(from) + " to " + std::to_string(to) + " dB"; }
+std::string decibels(const Levels& levels) {
+  return std::to_string(levels.from) + " to " + std::to_string(levels.to) + " dB";
+}
 
 /// "1 to 4, 6".
 std::string listed(const std::vector<int>& levels) {
@@ -18,49 +23,65 @@ std::string listed(const std::vector<int>& levels) {
   return text.empty() ? "none" : text;
 }
 
-/// By the paired differences of the errors, and the ratios of their means.
+/// By the paired differences of the errors of the first and of a multiple of those of the second.
 struct MethodComparison {
   std::vector<int> smaller = {}, larger = {}, undecided = {};
-  double least = INFINITY, largest = 0;
-  std::string ratios = {};
 
-  MethodComparison(const Measured& errors, const std::string& first, const std::string& second, int from, int to) {
-    for (int decibel = from; decibel <= to; ++decibel) {
-      const auto &a = errors.at(error_at(first, decibel)), &b = errors.at(error_at(second, decibel));
-      const MeanInterval difference = mean_difference(a, b);
-      const double ratio = mean_interval(a).mean / mean_interval(b).mean;
-      least = std::min(least, ratio);
-      largest = std::max(largest, ratio);
+  MethodComparison(const Measured& errors, const std::string& first, const std::string& second, const Levels& levels,
+                   double confidence, double factor = 1) {
+    for (int decibel = levels.from; decibel <= levels.to; ++decibel) {
+      const Mean mean{"", error_at(first, decibel), error_at(second, decibel), factor};
+      const MeanInterval difference = mean.in(errors, confidence);
       (difference.is_negative() ? smaller : difference.is_positive() ? larger : undecided).push_back(decibel);
     }
-    ratios = "ratio of mean errors " + first + " / " + second + ": " + short_number(least) + " ... " +
-             short_number(largest);
   }
 };
+
+std::string ratios(const Measured& errors, const std::string& first, const std::string& second, const Levels& levels) {
+  double least = INFINITY, largest = 0;
+  for (int decibel = levels.from; decibel <= levels.to; ++decibel) {
+    const double ratio = mean_interval(errors.at(error_at(first, decibel))).mean /
+                         mean_interval(errors.at(error_at(second, decibel))).mean;
+    least = std::min(least, ratio);
+    largest = std::max(largest, ratio);
+  }
+  return "ratio of mean errors " + first + " / " + second + ": " + short_number(least) + " ... " +
+         short_number(largest);
+}
 
 }  // namespace
 
 Quantity error_at(const std::string& method, int decibel) { return {method, std::to_string(decibel)}; }
 
-Relation smaller_error(const std::string& better, const std::string& worse, int from, int to, At where) {
+Relation smaller_error(const std::string& better, const std::string& worse, const Levels& levels, At where) {
   return [=](const Measured& errors) {
-    const MethodComparison found(errors, better, worse, from, to);
-    return finding(where == At::some_level ? !found.smaller.empty() : found.larger.empty() && found.undecided.empty(),
+    const MethodComparison found(errors, better, worse, levels, each_of(levels.count()));
+    const bool some = where == At::some_level;
+    const bool yes = some ? !found.smaller.empty() : found.smaller.size() == levels.count(),
+               no = some ? found.larger.size() == levels.count() : !found.larger.empty();
+    return Finding{yes  ? Truth::yes
+                   : no ? Truth::no
+                        : Truth::unknown,
                    "mean of the paired difference of errors, " + better + " minus " + worse +
-                       ", negative with its whole interval at " +
-                       (where == At::some_level ? "some level, " : "each level, ") + decibels(from, to),
+                       ", negative with its whole interval at " + (some ? "some level, " : "each level, ") +
+                       decibels(levels),
                    "negative at " + listed(found.smaller) + " dB; positive at " + listed(found.larger) +
-                       "; undecided at " + listed(found.undecided) + "; " + found.ratios);
+                       "; undecided at " + listed(found.undecided) + "; " + ratios(errors, better, worse, levels)};
   };
 }
 
-Relation nearly_equal_error(const std::string& first, const std::string& second, double tolerance) {
+Relation nearly_equal_error(const std::string& first, const std::string& second, double tolerance,
+                            const Levels& levels) {
   return [=](const Measured& errors) {
-    const MethodComparison found(errors, first, second, loudest, quietest);
-    return finding(found.least >= 1 - tolerance && found.largest <= 1 + tolerance,
-                   "the ratio of the mean errors differs from 1 by at most " + short_number(tolerance) +
-                       " at each level, " + decibels(loudest, quietest),
-                   found.ratios);
+    const double confidence = each_of(2 * levels.count());
+    const MethodComparison most(errors, first, second, levels, confidence, 1 + tolerance),
+        least(errors, first, second, levels, confidence, 1 - tolerance);
+    return Finding{most.smaller.size() == levels.count() && least.larger.size() == levels.count() ? Truth::yes
+                   : !most.larger.empty() || !least.smaller.empty()                               ? Truth::no
+                                                                                                  : Truth::unknown,
+                   "the mean errors differ by at most " + short_number(tolerance) + " of the second at each level, " +
+                       decibels(levels) + ", with their whole intervals",
+                   ratios(errors, first, second, levels)};
   };
 }
 

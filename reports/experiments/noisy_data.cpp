@@ -45,12 +45,6 @@ double roughness(const RefinedSample& s) {
   return sum / static_cast<double>(count);
 }
 
-double moved(const RefinedSample& s) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < s.with.size(); ++i) count += s.with[i] != s.without[i];
-  return static_cast<double>(count) / static_cast<double>(s.with.size());
-}
-
 double from_data(const RefinedSample& s) {
   const std::size_t dimension = s.data.dimension;
   const auto at_data = polygon_at({s.with, dimension, s.axes}, parameters(s.data.axes[0]));
@@ -100,7 +94,7 @@ void for_each_refined(
 
 const SampleMeasure error_measure{"error", error}, error_without_measure{"error without", error_without, true},
     response_measure{"response", response, true}, roughness_measure{"roughness", roughness},
-    moved_measure{"moved", moved, true}, from_data_measure{"from data", from_data};
+    from_data_measure{"from data", from_data};
 
 std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods) {
   std::vector<MeansTable::Row> result;

@@ -68,8 +68,6 @@ struct SampleMeasure {
 extern const SampleMeasure error_measure, error_without_measure, response_measure;
 /// "roughness", on grids: the mean square of the second differences along both axes, with outliers.
 extern const SampleMeasure roughness_measure;
-/// "moved": the part of the values that the outliers change.
-extern const SampleMeasure moved_measure;
 /// "from data", on curves: the mean squared distance of the limit from the data that are no outliers.
 extern const SampleMeasure from_data_measure;
 

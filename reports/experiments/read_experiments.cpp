@@ -102,25 +102,24 @@ Relation relation_of_means(const Fields& claim) {
 
 Relation relation_of_facts(const Fields& claim) { return all_facts(claim.text("statistic"), claim.text("facts")); }
 
+Levels levels_of(const Fields& claim) {
+  const Levels levels{static_cast<int>(claim.number("from", loudest)), static_cast<int>(claim.number("to", quietest))};
+  if (levels.from < loudest || levels.to < levels.from || levels.to > quietest)
+    throw FileError(place_of(claim.table), fmt::format("need {} <= from <= to <= {}", loudest, quietest));
+  return levels;
+}
+
 Relation relation_of_smaller_error(const Fields& claim) {
   const auto [better, worse] = claim.two("smaller-error");
-  const int from = static_cast<int>(claim.number("from", loudest)), to = static_cast<int>(claim.number("to", quietest));
-  if (from < loudest || to < from || to > quietest)
-    throw FileError(place_of(claim.table), fmt::format("need {} <= from <= to <= {}", loudest, quietest));
   if (claim.has("where") && claim.text("where") != "some level")
     throw FileError(place_of(*claim.table.get("where")), "expected 'some level'");
-  return smaller_error(better, worse, from, to, claim.has("where") ? At::some_level : At::each_level);
+  return smaller_error(better, worse, levels_of(claim), claim.has("where") ? At::some_level : At::each_level);
 }
 
 Relation relation_of_equal_error(const Fields& claim) {
   const auto [first, second] = claim.two("equal-error");
   if (!claim.has("within")) throw FileError(place_of(claim.table), "expected the key 'within'");
-  return nearly_equal_error(first, second, claim.number("within", 0));
-}
-
-ClaimVerdict recorded_of(const Fields& claim) {
-  const toml::node* node = claim.table.get("recorded");
-  return node ? verdict_of<ClaimVerdict>(*node, claim.plain(*node)) : ClaimVerdict::holds;
+  return nearly_equal_error(first, second, claim.number("within", 0), levels_of(claim));
 }
 
 /// What decides a claim: the key that says so, the keys that go with it.
@@ -130,37 +129,109 @@ struct Kind {
   Relation (*relation)(const Fields&);
 };
 
-Claim read_claim(const Fields& claim) {
+/// `others` are keys that may stand in the same table.
+Reading read_reading(const Fields& fields, const Keys& others) {
   static const std::vector<Kind> kinds{
       {"of", {"measure", "minus", "factor", "at", "above", "below", "statistic"}, relation_of_means},
       {"facts", {"statistic"}, relation_of_facts},
       {"smaller-error", {"from", "to", "where"}, relation_of_smaller_error},
-      {"equal-error", {"within"}, relation_of_equal_error}};
-  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return claim.has(k.key); });
+      {"equal-error", {"within", "from", "to"}, relation_of_equal_error}};
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return fields.has(k.key); });
   if (kind == kinds.end())
-    throw FileError(place_of(claim.table), "expected one of the keys 'of', 'facts', 'smaller-error', 'equal-error'");
-  Keys known{"sentence", "place", "recorded", kind->key};
+    throw FileError(place_of(fields.table), "expected one of the keys 'of', 'facts', 'smaller-error', 'equal-error'");
+  Keys known(others);
+  known.insert(known.end(), {"read-as", kind->key});
   known.insert(known.end(), kind->keys.begin(), kind->keys.end());
-  only_keys(claim.table, known);
-  const std::string sentence = claim.text("sentence"), place = claim.text("place");
-  if ((sentence + place).find('{') != std::string::npos)
-    throw FileError(place_of(claim.table), "a {name} in 'sentence' or 'place' without a value");
-  return {sentence, place, kind->relation(claim), recorded_of(claim)};
+  only_keys(fields.table, known);
+  return {fields.has("read-as") ? fields.text("read-as") : "", kind->relation(fields)};
+}
+
+/// Whether the data are ours, by the key `data` of an experiment or of a claim.
+bool is_on_our_data(const toml::table& table, bool otherwise) {
+  const toml::node* node = table.get("data");
+  if (!node) return otherwise;
+  const std::string text = text_of(*node);
+  if (text != "ours" && text != "any") throw FileError(place_of(*node), "expected 'ours' or 'any'");
+  return text == "ours";
+}
+
+/// The names of the key `over`, all of them choices of the experiment; without this key all choices.
+Names choices_of(const Fields& claim, const Experiment& experiment) {
+  Names all, result;
+  for (const Choice& choice : experiment.choices) all.push_back(choice.name);
+  if (!claim.has("over")) return all;
+  for (const toml::node& node : list_of(claim.table, "over")) {
+    result.push_back(claim.plain(node));
+    if (std::ranges::find(all, result.back()) == all.end())
+      throw FileError(place_of(node), "the experiment has no choice of this name");
+  }
+  return result;
+}
+
+Claim read_claim(const Fields& fields, const Experiment& experiment, bool on_our_data) {
+  const Keys own{"sentence", "place", "recorded", "data", "over", "counted-in"};
+  Claim claim{fields.text("sentence"), fields.text("place"), {}};
+  if ((claim.sentence + claim.place).find('{') != std::string::npos)
+    throw FileError(place_of(fields.table), "a {name} in 'sentence' or 'place' without a value");
+  if (fields.has("reading")) {
+    Keys known(own);
+    known.push_back("reading");
+    only_keys(fields.table, known);
+    for (const toml::table* reading : tables_of(fields.table, "reading"))
+      claim.readings.push_back(read_reading({*reading, fields.values, fields.used}, {}));
+    if (claim.readings.empty()) throw FileError(place_of(fields.table), "expected a reading");
+  } else {
+    claim.readings.push_back(read_reading(fields, own));
+  }
+  claim.over = choices_of(fields, experiment);
+  claim.on_our_data = is_on_our_data(fields.table, on_our_data);
+  if (fields.has("counted-in")) claim.counted_in = fields.text("counted-in");
+  if (const toml::node* node = fields.table.get("recorded"))
+    claim.recorded = verdict_of<ClaimVerdict>(*node, fields.plain(*node));
+  else if (claim.on_our_data)
+    claim.recorded = ClaimVerdict::own_data;
+  return claim;
 }
 
 /// The claim, or for {use, with} the shared claims of this name with these values in their texts.
-std::vector<Claim> read_claims(const toml::table& table, const std::map<std::string, const toml::table*>& shared) {
+std::vector<Claim> read_claims(const toml::table& table, const std::map<std::string, const toml::table*>& shared,
+                               const Experiment& experiment, bool on_our_data) {
   std::set<std::string> used;
-  if (!table.contains("use")) return {read_claim({table, {}, used})};
+  if (!table.contains("use")) return {read_claim({table, {}, used}, experiment, on_our_data)};
   only_keys(table, {"use", "with"});
   const auto found = shared.find(needed_text(table, "use"));
   if (found == shared.end()) throw FileError(place_of(*table.get("use")), "no [[shared]] claims of this name");
   const Texts values = texts_in(table, "with");
   std::vector<Claim> result;
   for (const toml::table* claim : tables_of(*found->second, "claim"))
-    result.push_back(read_claim({*claim, values, used}));
+    result.push_back(read_claim({*claim, values, used}, experiment, on_our_data));
   for (const auto& [name, value] : values)
     if (!used.contains(name)) throw FileError(place_of(table), "the shared claims have no {" + name + "}");
+  return result;
+}
+
+/// The [[choice]]s of a file by their names.
+std::map<std::string, Choice> read_choices(const toml::table& file) {
+  std::map<std::string, Choice> result;
+  for (const toml::table* table : tables_of(file, "choice")) {
+    only_keys(*table, {"name", "open", "taken", "others"});
+    Choice choice{needed_text(*table, "name"), needed_text(*table, "open"), needed_text(*table, "taken"), {}};
+    for (const toml::node& other : list_of(*table, "others")) choice.others.push_back(text_of(other));
+    if (!result.emplace(choice.name, choice).second)
+      throw FileError(place_of(*table), "the choice '" + choice.name + "' is there twice");
+  }
+  return result;
+}
+
+/// Those that the experiment names.
+std::vector<Choice> named_choices(const toml::table& table, const std::map<std::string, Choice>& all) {
+  std::vector<Choice> result;
+  if (!table.contains("choices")) return result;
+  for (const toml::node& node : list_of(table, "choices")) {
+    const auto found = all.find(text_of(node));
+    if (found == all.end()) throw FileError(place_of(node), "no [[choice]] of this name");
+    result.push_back(found->second);
+  }
   return result;
 }
 
@@ -184,17 +255,18 @@ std::vector<std::string> read_setup(const toml::table& table, const Texts& texts
 
 std::vector<Experiment> read_experiments(const std::string& paper, std::string_view text, const Measures& measures) {
   const toml::table file = parse_toml(text);
-  only_keys(file, {"text", "shared", "experiment"});
+  only_keys(file, {"text", "choice", "shared", "experiment"});
   const Texts texts = texts_in(file, "text");
   std::map<std::string, const toml::table*> shared;
   for (const toml::table* table : tables_of(file, "shared")) {
     only_keys(*table, {"name", "claim"});
     shared[needed_text(*table, "name")] = table;
   }
+  const std::map<std::string, Choice> choices = read_choices(file);
   ById<Measure> open(paper, "measure", "experiment", measures);
   std::vector<Experiment> result;
   for (const toml::table* table : tables_of(file, "experiment")) {
-    only_keys(*table, {"id", "title", "setup", "random", "printed", "claim"});
+    only_keys(*table, {"id", "title", "setup", "choices", "data", "random", "printed", "claim"});
     const toml::node* random = table->get("random");
     if (random && !random->is_boolean()) throw FileError(place_of(*random), "expected true or false");
     const std::string id = needed_text(*table, "id");
@@ -202,12 +274,14 @@ std::vector<Experiment> read_experiments(const std::string& paper, std::string_v
                           paper,
                           needed_text(*table, "title"),
                           read_setup(*table, texts),
+                          named_choices(*table, choices),
                           {},
                           optional_text(*table, "printed"),
                           !random || random->as_boolean()->get(),
                           open.taken(*table, id)};
     for (const toml::table* claim : tables_of(*table, "claim"))
-      for (Claim& one : read_claims(*claim, shared)) experiment.claims.push_back(std::move(one));
+      for (Claim& one : read_claims(*claim, shared, experiment, is_on_our_data(*table, false)))
+        experiment.claims.push_back(std::move(one));
     result.push_back(std::move(experiment));
   }
   open.require_all_taken();

@@ -38,24 +38,29 @@ std::vector<std::size_t> chosen_indices(std::mt19937_64& engine, std::size_t cou
 
 std::string MeanInterval::text() const { return short_number(mean) + " ± " + short_number(half_width); }
 
-MeanInterval mean_interval(const std::vector<double>& values) {
+double each_of(std::size_t count) {
+  require(count >= 1, "each_of: need count >= 1");
+  return 1 - (1 - together) / static_cast<double>(count);
+}
+
+MeanInterval mean_interval(const std::vector<double>& values, double confidence) {
   require(values.size() >= 2, "mean_interval: need at least 2 values");
   const auto count = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
   double squares = 0;
   for (const double value : values) squares += (value - mean) * (value - mean);
-  const double quantile = boost::math::quantile(boost::math::students_t(count - 1), 0.975);
+  const double quantile = boost::math::quantile(boost::math::students_t(count - 1), (1 + confidence) / 2);
   return {mean, quantile * std::sqrt(squares / (count - 1) / count)};
 }
 
-MeanInterval mean_difference(const std::vector<double>& first, const std::vector<double>& second) {
+MeanInterval mean_difference(const std::vector<double>& first, const std::vector<double>& second, double confidence) {
   std::vector<double> difference(first);
   for (std::size_t i = 0; i < first.size(); ++i) difference[i] -= second[i];
-  return mean_interval(difference);
+  return mean_interval(difference, confidence);
 }
 
-double noise_deviation(double mean_square, double decibel) {
-  return std::sqrt(mean_square / (std::pow(10.0, decibel / 10) - 1));
+double noise_deviation(double mean_square, double decibel, double factor) {
+  return std::sqrt(mean_square / (std::pow(10.0, 2 * decibel / factor) - 1));
 }
 
 double mean_square(const std::vector<double>& values) {

@@ -25,20 +25,30 @@ struct MeanInterval {
   double mean;
   double half_width;
 
-  bool is_negative() const { return mean + half_width < 0; }
-  bool is_positive() const { return mean - half_width > 0; }
+  double lower() const { return mean - half_width; }
+  double upper() const { return mean + half_width; }
+  bool is_negative() const { return upper() < 0; }
+  bool is_positive() const { return lower() > 0; }
   std::string text() const;
 };
 
-/// The mean with 95 % confidence by Student's t. Domain: at least two values.
-MeanInterval mean_interval(const std::vector<double>& values);
-/// The mean of first[i] - second[i]. Domain: as many of both.
-MeanInterval mean_difference(const std::vector<double>& first, const std::vector<double>& second);
+/// The confidence of a table's intervals, each for itself, and that with which all intervals of a decision hold
+/// together.
+inline constexpr double shown_confidence = 0.95, together = 0.99;
+/// The confidence of each of `count` intervals that hold together with the confidence `together`, by Bonferroni's
+/// inequality. Domain: count >= 1.
+double each_of(std::size_t count);
 
-/// The deviation of noise with the signal-to-noise ratio `decibel` = 20 log10 of the L2 norm of signal and noise over
-/// that of the noise, both in the mean: the root of mean_square / (10^(decibel/10) - 1). Domain: decibel > 0.
-/// Ref: [DHHS15, sec. 3.2].
-double noise_deviation(double mean_square, double decibel);
+/// The mean with its interval by Student's t. Domain: at least two values, 0 < confidence < 1.
+MeanInterval mean_interval(const std::vector<double>& values, double confidence = shown_confidence);
+/// The mean of first[i] - second[i]. Domain: as many of both.
+MeanInterval mean_difference(const std::vector<double>& first, const std::vector<double>& second,
+                             double confidence = shown_confidence);
+
+/// The deviation of noise with the signal-to-noise ratio `decibel` = `factor` log10 of the L2 norm of signal and noise
+/// over that of the noise, both in the mean: the root of mean_square / (10^(2 decibel/factor) - 1). Domain: decibel >
+/// 0, factor > 0. Ref: [DHHS15, sec. 3.2], which does not print the factor.
+double noise_deviation(double mean_square, double decibel, double factor = 20);
 
 double mean_square(const std::vector<double>& values);
 

@@ -21,31 +21,48 @@ struct TestFunction {
   double (*value)(double);
 };
 
-/// Local regression of this degree among the methods; the others are specifications of schemes.
-const std::string local = "local:degree=";
-const std::vector<Method> baselines{{"LLR", local + "1"},
-                                    {"local cubic", local + "3"},
+/// Local regression among the methods: linear with the bandwidth by medians, or of a degree with the bandwidth by
+/// leaving out each datum; the others are specifications of schemes.
+const std::string by_medians = "local", leaving_out = "local:degree=";
+const std::vector<Method> baselines{{"LLR, leaving out", leaving_out + "1"},
+                                    {"local cubic, leaving out", leaving_out + "3"},
                                     {"Chaikin", "bspline:degree=2"},
                                     {"cubic B-spline", "bspline:degree=3"}};
 
-/// A function sampled at 0, h, ..., 100, and its reconstructions at the multiples of h/4.
+/// What the paper leaves open about the data and the reconstructions.
+struct Setting {
+  double first = 0, spacing = 1;  ///< data at first, first + spacing, ..., 100
+  double factor = 20;             ///< of log10 in the decibel
+  data::Boundary ends = data::Boundary::regression;
+
+  explicit Setting(const Run& run)
+      : first(run.chosen("interval") == "1 to 100" ? 1 : 0),
+        spacing(run.number("spacing")),
+        factor(run.number("decibel")),
+        ends(data::parse_boundary(run.chosen("ends")).value()) {}
+};
+
+/// A function sampled on an interval, and its reconstructions at the multiples of a quarter of the spacing.
 class FunctionTrial {
  public:
-  /// Domain: h divides 100, at least 8 samples.
-  FunctionTrial(const TestFunction& function, double h, const std::vector<Method>& methods) {
-    constexpr int level = 2;
-    const auto count = static_cast<std::size_t>(std::lround(100 / h)) + 1, outputs = ((count - 1) << level) + 1;
+  /// Domain: the spacing divides the interval, at least 8 samples.
+  FunctionTrial(const TestFunction& function, const Setting& setting, const std::vector<Method>& methods)
+      : setting_(setting) {
+    const auto count = static_cast<std::size_t>(std::lround((100 - setting.first) / setting.spacing)) + 1,
+               outputs = ((count - 1) << level) + 1;
     std::vector<double> positions;
-    for (std::size_t i = 0; i < count; ++i) samples_.push_back(function.value(h * static_cast<double>(i)));
     for (std::size_t i = 0; i < outputs; ++i) {
       positions.push_back(std::ldexp(static_cast<double>(i), -level));
-      truth_.push_back(function.value(std::ldexp(h, -level) * static_cast<double>(i)));
+      truth_.push_back(function.value(x_of(i)));
     }
+    for (std::size_t i = 0; i < count; ++i) samples_.push_back(truth_[i << level]);
     for (const auto& [name, specification, levels] : methods)
-      if (specification.starts_with(local))
+      if (specification == by_medians)
+        methods_.emplace_back(name, ByMedians{});
+      else if (specification.starts_with(leaving_out))
         methods_.emplace_back(name, LocalPolynomialRegression(specification.back() - '0', count, positions));
       else
-        methods_.emplace_back(name, limit_matrix(specification, count, data::Boundary::regression, level));
+        methods_.emplace_back(name, limit_matrix(specification, count, setting.ends, level));
   }
 
   /// The relative errors at all levels of noise.
@@ -79,7 +96,9 @@ class FunctionTrial {
   }
 
  private:
-  using AnyMethod = std::variant<DenseMatrix, LocalPolynomialRegression>;
+  static constexpr int level = 2;
+  struct ByMedians {};
+  using AnyMethod = std::variant<DenseMatrix, LocalPolynomialRegression, ByMedians>;
   /// Of samples + sigma * noise, for any sigma.
   using Reconstruction = std::function<std::vector<double>(double sigma)>;
 
@@ -87,18 +106,26 @@ class FunctionTrial {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += factor * others[i];
     return values;
   }
+  double x_of(std::size_t output) const {
+    return setting_.first + std::ldexp(setting_.spacing, -level) * static_cast<double>(output);
+  }
   Reconstruction reconstructed(const AnyMethod& method, const std::vector<double>& noise) const {
     if (const auto* scheme = std::get_if<DenseMatrix>(&method))
       return [signal = *scheme * samples_, error = *scheme * noise](double sigma) { return sum(signal, sigma, error); };
-    const auto& regression = std::get<LocalPolynomialRegression>(method);
-    return [both = RegressionOfSum(regression, samples_, noise)](double sigma) mutable { return both(sigma); };
+    if (const auto* regression = std::get_if<LocalPolynomialRegression>(&method))
+      return [both = RegressionOfSum(*regression, samples_, noise)](double sigma) mutable { return both(sigma); };
+    return [this, &noise](double sigma) {
+      const std::vector<double> data = sum(samples_, sigma, noise);
+      return local_linear(data, median_bandwidth(data, setting_.spacing), level);
+    };
   }
   std::vector<double> noise_of(std::uint64_t seed, std::size_t run) const {
     auto engine = generator(seed, run);
     return normal_noise(engine, samples_.size());
   }
-  double deviation(double decibel) const { return noise_deviation(mean_square(samples_), decibel); }
+  double deviation(double decibel) const { return noise_deviation(mean_square(samples_), decibel, setting_.factor); }
 
+  Setting setting_;
   std::vector<double> samples_, truth_;
   std::vector<std::pair<std::string, AnyMethod>> methods_;
 };
@@ -112,21 +139,25 @@ const TestFunction f4{"f_4", [](double x) { return std::cos(x * 2 / 5) - cube(x 
 struct FunctionFigure {
   TestFunction function;
   std::array<Method, 2> compared;
-  double shown;  // dB of the reconstruction
+  double shown;                     // dB of the reconstruction
+  std::vector<Method> beside = {};  // what a claim names besides
 
-  /// Both methods of the figure, and for comparison the others.
-  std::vector<Method> methods() const {
+  bool has_regression() const { return compared[1].specification == by_medians; }
+  /// Both methods of the figure; as taken, for comparison the others, too.
+  std::vector<Method> methods(const Run& run) const {
     std::vector<Method> result(compared.begin(), compared.end());
-    for (const Method& other : baselines)
-      if (other.name != compared[1].name) result.push_back(other);
+    if (has_regression() && run.chosen("bandwidth") == "leaving out") result[1].specification = leaving_out + "1";
+    if (!run.is_alternative()) result.insert(result.end(), baselines.begin(), baselines.end());
+    result.insert(result.end(), beside.begin(), beside.end());
     return result;
   }
 };
 
 formats::Figure figure_of(const FunctionFigure& figure, const FunctionTrial& trial, const Measured& errors,
                           const Run& run) {
-  const auto& [function, compared, decibel_shown] = figure;
-  const std::string colours[] = {colour::blue, colour::red};
+  const auto& [function, compared, decibel_shown, beside] = figure;
+  const std::string colours[] = {colour::blue, colour::red, colour::violet};
+  const std::vector<Method> methods = figure.methods(run);
   const auto over_x = [](const std::vector<double>& values) {
     return over_steps(values, 100.0 / static_cast<double>(values.size() - 1));
   };
@@ -136,8 +167,8 @@ formats::Figure figure_of(const FunctionFigure& figure, const FunctionTrial& tri
       "data with " + short_number(decibel_shown) + " dB noise",
       {dots("data", over_x(sample.data), colour::grey), line(function.name, over_x(sample.truth), colour::amber)});
   shown.x_label = "x";
-  for (std::size_t m = 0; m < 2; ++m) {
-    const std::string& name = compared[m].name;
+  for (std::size_t m = 0; m < (figure.has_regression() ? 3u : 2u); ++m) {
+    const std::string& name = methods[m].name;
     Points means;
     for (int decibel = loudest; decibel <= quietest; ++decibel)
       means.emplace_back(decibel, mean_interval(errors.at(error_at(name, decibel))).mean);
@@ -156,46 +187,39 @@ MeansTable errors_table(const FunctionFigure& figure, const Run& run) {
   MeansTable table{run.experiment.id + "-errors", "Mean relative errors", {"SNR (dB)"}, {}, {}};
   for (int decibel = loudest; decibel <= quietest; ++decibel)
     table.rows.push_back({{std::to_string(decibel)}, std::to_string(decibel)});
-  for (const Method& method : figure.methods()) table.columns.push_back({method.name, method.name});
+  for (const Method& method : figure.methods(run)) table.columns.push_back({method.name, method.name});
   table.columns.push_back({"first minus second", figure.compared[0].name, figure.compared[1].name});
   return table;
 }
 
 Measured measured(const FunctionFigure& figure, const Run& run) {
-  const FunctionTrial trial(figure.function, 1, figure.methods());
+  const FunctionTrial trial(figure.function, Setting(run), figure.methods(run));
   Measured result = trial.errors(run);
-  formats::PlainTable spacings{run.experiment.id + "-spacings",
-                               "The same claims with other spacings of the data",
-                               {"claim", "spacing", "finding", "numbers"},
-                               {}};
-  for (const double h : {0.5, 2.0}) {
-    const Measured errors = FunctionTrial(figure.function, h, {figure.compared[0], figure.compared[1]}).errors(run);
-    for (const Claim& claim : run.experiment.claims) {
-      const Finding found = claim.relation(errors);
-      spacings.rows.push_back({claim.sentence, short_number(h), to_text(found.verdict), found.numbers});
-    }
-  }
-  result.tables = {errors_table(figure, run).filled(result), spacings};
+  if (run.is_alternative()) return result;
+  result.tables = {errors_table(figure, run).filled(result)};
   result.figures = {figure_of(figure, trial, result, run)};
   return result;
 }
 
 /// The scheme and the second method compared on a function.
-Measure compared(const TestFunction& function, const std::string& scheme, const Method& second, double shown) {
-  return [figure = FunctionFigure{function, {Method{scheme_name(scheme), scheme}, second}, shown}](const Run& run) {
-    return measured(figure, run);
-  };
+Measure compared(const TestFunction& function, const std::string& scheme, const Method& second, double shown,
+                 const std::vector<Method>& beside = {}) {
+  return [figure = FunctionFigure{function, {Method{scheme_name(scheme), scheme}, second}, shown, beside}](
+             const Run& run) { return measured(figure, run); };
 }
 
 }  // namespace
 
 Measures functions() {
-  const Method& llr = baselines[0];
-  const Method s53{"S_5^3", "primal:n=5,d=3"}, s93{"S_9^3", "primal:n=9,d=3"};
-  return {{"fig3", compared(f1, "primal:n=3", llr, 6.5)},     {"fig4", compared(f1, "primal:n=5", llr, 7)},
-          {"fig5", compared(f1, "primal:n=7", llr, 7.9)},     {"fig6", compared(f2, "primal:n=3", llr, 6.2)},
-          {"fig7", compared(f2, "primal:n=5", llr, 8)},       {"fig10", compared(f3, "primal:n=5", s53, 8.2)},
-          {"fig11", compared(f4, "primal:n=5", s53, 7.2)},    {"fig12", compared(f3, "primal:n=6,d=3", s93, 8.4)},
+  const Method llr{"LLR", by_medians}, s53{"S_5^3", "primal:n=5,d=3"}, s93{"S_9^3", "primal:n=9,d=3"};
+  return {{"fig3", compared(f1, "primal:n=3", llr, 6.5)},
+          {"fig4", compared(f1, "primal:n=5", llr, 7)},
+          {"fig5", compared(f1, "primal:n=7", llr, 7.9)},
+          {"fig6", compared(f2, "primal:n=3", llr, 6.2, {{"S_5", "primal:n=5"}})},
+          {"fig7", compared(f2, "primal:n=5", llr, 8)},
+          {"fig10", compared(f3, "primal:n=5", s53, 8.2)},
+          {"fig11", compared(f4, "primal:n=5", s53, 7.2)},
+          {"fig12", compared(f3, "primal:n=6,d=3", s93, 8.4)},
           {"fig13", compared(f4, "primal:n=6,d=3", s93, 9.5)}};
 }
 

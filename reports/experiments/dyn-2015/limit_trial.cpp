@@ -12,9 +12,8 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// With independent normal noise in every coordinate: the ratio `decibel` for all coordinates together.
-data::GridData<double> noisy(data::GridData<double> samples, double decibel, std::mt19937_64& engine) {
-  const double sigma = noise_deviation(mean_square(samples.values), decibel);
+/// With independent normal noise in every coordinate, of the same deviation.
+data::GridData<double> noisy(data::GridData<double> samples, double sigma, std::mt19937_64& engine) {
   for (std::size_t c = 0; c < samples.dimension; ++c) {
     const Values noise = normal_noise(engine, samples.points());
     for (std::size_t i = 0; i < noise.size(); ++i) samples.values[i * samples.dimension + c] += sigma * noise[i];
@@ -58,15 +57,17 @@ std::string at_noise(const std::string& scheme, double decibel) {
 
 std::vector<TensorLimit> limits_of(const LimitTrial& trial, int level) {
   std::vector<TensorLimit> result;
-  for (const std::string& scheme : trial.schemes) result.emplace_back(scheme, trial.axes, level);
+  for (const std::string& scheme : trial.schemes) result.emplace_back(scheme, trial.axes, level, trial.ends);
   return result;
 }
 
-/// Calls visit(decibel, data) for one sample of the noise.
+/// Calls visit(decibel, data) for one sample of the noise, with this ratio for all coordinates together.
 void for_each_noise(const LimitTrial& trial, const data::GridData<double>& samples, std::uint64_t seed, std::size_t run,
                     const std::function<void(double, const data::GridData<double>&)>& visit) {
   auto engine = generator(seed, run);
-  for (const double decibel : trial.decibels) visit(decibel, noisy(samples, decibel, engine));
+  const double square = mean_square(samples.values);
+  for (const double decibel : trial.decibels)
+    visit(decibel, noisy(samples, noise_deviation(square, decibel, trial.factor), engine));
 }
 
 }  // namespace
@@ -117,10 +118,10 @@ double normal_error(const data::GridData<double>& limit, const data::GridData<do
   return std::sqrt(sum / static_cast<double>(rows * columns)) * 180 / std::numbers::pi;
 }
 
-TensorLimit::TensorLimit(const std::string& specification, const std::vector<data::Axis>& axes, int level) {
+TensorLimit::TensorLimit(const std::string& specification, const std::vector<data::Axis>& axes, int level,
+                         data::Boundary ends) {
   for (const data::Axis& axis : axes) {
-    along_.push_back(limit_matrix(specification, axis.count,
-                                  axis.closed ? data::Boundary::periodic : data::Boundary::regression, level));
+    along_.push_back(limit_matrix(specification, axis.count, axis.closed ? data::Boundary::periodic : ends, level));
     axes_.push_back(finer(axis, 1 << level));
   }
 }
@@ -177,7 +178,7 @@ Measured LimitTrial::measured(const Run& run) const {
       }
     });
   });
-  result.tables = {table.filled(result)};
+  if (!run.is_alternative()) result.tables = {table.filled(result)};
   return result;
 }
 

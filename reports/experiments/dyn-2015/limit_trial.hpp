@@ -13,10 +13,11 @@ std::string scheme_name(const std::string& specification);
 /// The norm of the difference over the norm of the truth. Domain: as many values in both.
 double relative_error(const std::vector<double>& values, const std::vector<double>& truth);
 
-/// One scheme along every axis of the data, its limit at the multiples of 2^-level; open ends take its own fit.
+/// One scheme along every axis of the data, its limit at the multiples of 2^-level; open ends are continued by `ends`.
 class TensorLimit {
  public:
-  TensorLimit(const std::string& specification, const std::vector<data::Axis>& axes, int level);
+  TensorLimit(const std::string& specification, const std::vector<data::Axis>& axes, int level,
+              data::Boundary ends = data::Boundary::regression);
   /// Domain: data on these axes.
   data::GridData<double> operator()(const data::GridData<double>& data) const;
 
@@ -44,6 +45,8 @@ struct LimitTrial {
   std::array<double, 2> decibels;  ///< low and high noise
   std::vector<std::string> schemes;
   std::vector<std::pair<std::string, LimitMeasure>> measures;
+  double factor = 20;  ///< of log10 in the decibel
+  data::Boundary ends = data::Boundary::regression;
 
   data::GridData<double> samples() const { return sampled(axes, dimension, shape); }
   data::GridData<double> truth() const;

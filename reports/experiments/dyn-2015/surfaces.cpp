@@ -13,7 +13,8 @@ namespace {
 /// With pictures of samples and limits.
 Measured measured_and_drawn(const LimitTrial& trial, const std::string& samples_id, const Run& run) {
   Measured result = trial.measured(run);
-  result.surface_figures = {trial.samples_figure(samples_id, run), trial.surfaces_figure(run)};
+  if (!run.is_alternative())
+    result.surface_figures = {trial.samples_figure(samples_id, run), trial.surfaces_figure(run)};
   return result;
 }
 
@@ -35,7 +36,8 @@ Measured torus(const Run& run) {
                              .schemes = {"primal:n=3", "primal:n=5"},
                              .measures = {{"relative error", point_error},
                                           {"error up to size", shape_error},
-                                          {"normals (degrees)", normal_error}}},
+                                          {"normals (degrees)", normal_error}},
+                             .factor = run.number("decibel")},
                             "fig18", run);
 }
 

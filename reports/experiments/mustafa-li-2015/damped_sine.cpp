@@ -32,19 +32,23 @@ formats::Panel outlier_panel(const NoisyData& data, const OutlierSample& sample,
 
 namespace damped {
 
-NoisyData with_outliers(std::size_t outliers, double sigma) {
+Setting setting(const Run& run) {
+  return {run.number("half interval"), static_cast<std::size_t>(run.number("data")), run.number("heights")};
+}
+
+NoisyData Setting::with_outliers(std::size_t outliers, double sigma) const {
   return {.axes = {data::Axis::of(count)},
           .levels = levels,
           .truth =
-              [](double u, double) {
-                return std::array{damped_sine(position(u)), 0.0, 0.0};
+              [at = *this](double u, double) {
+                return std::array{damped_sine(at.position(u)), 0.0, 0.0};
               },
           .sigma = sigma,
           .outliers = outliers,
-          .displace = vertical_outlier(4, 4)};
+          .displace = vertical_outlier(height, height)};
 }
 
-std::map<std::string, double> numbers() {
+std::map<std::string, double> Setting::numbers() const {
   constexpr int steps = 10000;
   double from_zero = 0;  // the sum of squares on [0, 2 pi]
   for (int i = 0; i < steps; ++i) from_zero += std::pow(damped_sine((i + 0.5) * 2 * std::numbers::pi / steps), 2);
@@ -59,7 +63,7 @@ std::map<std::string, double> numbers() {
 }
 
 formats::Panel panel(const OutlierSample& sample, const Method& method) {
-  return outlier_panel(with_outliers(0, 0), sample, method, 4, -5, Rational(1, 10));
+  return outlier_panel(Setting().with_outliers(0, 0), sample, method, 4, -5, Rational(1, 10));
 }
 
 formats::Figure figure(const std::string& id, const std::string& title, const std::string& caption, int columns,

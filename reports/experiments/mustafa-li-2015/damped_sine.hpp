@@ -9,19 +9,28 @@ double damped_sine(double x);
 
 namespace damped {
 
-constexpr std::size_t count = 101;
 constexpr int levels = 5;
-/// Datum u stands here: -5, -4.9, ..., 5.
-inline double position(double u) { return -5 + u / 10; }
 
-/// Normal noise of this deviation, and outliers of random sign and of a modulus between 4 and 8.
-NoisyData with_outliers(std::size_t outliers, double sigma);
+/// What the paper leaves open: `count` data from -end to end, and outliers of a modulus from `height` to twice that.
+struct Setting {
+  double end = 5;
+  std::size_t count = 101;
+  double height = 4;
 
-/// What the texts and bounds of its experiments name: "mean square" of the samples and "mean square from 0" of f_1 on
-/// [0, 2 pi]; "tenth of mean square" and "tenth of range" of f_1 on [-5, 5], on the points of the last level.
-std::map<std::string, double> numbers();
+  double step() const { return 2 * end / static_cast<double>(count - 1); }
+  /// Datum u stands here.
+  double position(double u) const { return -end + u * step(); }
+  /// Normal noise of this deviation, and outliers of random sign.
+  NoisyData with_outliers(std::size_t outliers, double sigma) const;
+  /// What the texts and bounds of its experiments name: "mean square" of the samples and "mean square from 0" of f_1 on
+  /// [0, 2 pi]; "tenth of mean square" and "tenth of range" of f_1 on the interval, on the points of the last level.
+  std::map<std::string, double> numbers() const;
+};
 
-/// The data, which of them are outliers, f_1 and the curve of a scheme: blue for l1 schemes, else red.
+/// By the choices `half interval`, `data` and `heights`.
+Setting setting(const Run& run);
+
+/// The data as taken, which of them are outliers, f_1 and the curve of a scheme: blue for l1 schemes, else red.
 formats::Panel panel(const OutlierSample& sample, const Method& method);
 
 /// A panel for each method.

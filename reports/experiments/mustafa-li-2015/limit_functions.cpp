@@ -134,11 +134,12 @@ formats::Figure drawn_functions() {
 
 }  // namespace
 
-Measured limit_functions(const Run&) {
+Measured limit_functions(const Run& run) {
+  const L1Options options{run.number("delta"), static_cast<int>(run.number("fits"))};
   Measured result;
   for (const int points : {6, 7, 8}) {
     const std::string name = name_of(points);
-    const Response r = response(points, {});
+    const Response r = response(points, options);
     const std::size_t outside = nonzero_outside(r, support_width(points) / 2.0);
     result.add_fact("local", name, outside == 0, std::to_string(outside));
     if (points % 2 == 0) {
@@ -146,21 +147,21 @@ Measured limit_functions(const Run&) {
       result.add_fact("width", name, extent(r) == expected,
                       short_number(extent(r)) + ", (4n - 1)(1 - 2^-8) = " + short_number(expected));
     }
-    for (const int fits : {6, 7}) {
-      const Shape s = shape(response(points, {1e-8, fits}));
-      result.add_fact("peaks", name + ", " + std::to_string(fits) + " fits", s.peaks == 2 && s.valley < 0.5,
-                      std::to_string(s.peaks) + " of height " + short_number(s.height) + ", valley / height " +
-                          short_number(s.valley));
-    }
+    const Shape s = shape(r);
+    result.add_fact("peaks", name, s.peaks == 2 && s.valley < 0.5,
+                    std::to_string(s.peaks) + " of height " + short_number(s.height) + ", valley / height " +
+                        short_number(s.valley));
     std::string rates;
     bool all_positive = true;
     for (int k = 6; k < 10; ++k) {
-      const double rate = std::log2(slope_change(response(points, {}, k)) / slope_change(response(points, {}, k + 1)));
+      const double rate = std::log2(slope_change(response(points, options, k)) /
+                                    slope_change(response(points, options, k + 1)));
       all_positive = all_positive && rate > 0;
       rates += (rates.empty() ? "" : ", ") + short_number(rate);
     }
     result.add_fact("smooth", name, all_positive, rates);
   }
+  if (run.is_alternative()) return result;
   result.tables = {shapes_table()};
   result.figures = {drawn_functions()};
   return result;

@@ -1,5 +1,9 @@
 #include "parts.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
+
+#include <cmath>
+
 namespace subcert::experiments::mustafa_li_2015 {
 
 const std::vector<Method>& curve_methods() {
@@ -15,12 +19,19 @@ const std::vector<Method>& surface_methods() {
   return methods;
 }
 
+double noise_deviation_of(const Run& run) {
+  const std::string& noise = run.chosen("noise");
+  require(noise == "variance 0.1" || noise == "deviation 0.1", "unknown noise '{}'", noise);
+  return noise == "deviation 0.1" ? 0.1 : std::sqrt(0.1);
+}
+
 void add_outlier_study(Measured& result, const Run& run, const std::string& table, const std::string& title,
                        const NoisyData& data, const std::vector<Method>& methods, const std::string& prefix,
                        std::vector<SampleMeasure> measures) {
   measures.insert(measures.begin(), {error_measure, error_without_measure, response_measure});
   study(result, data, methods, measures, run, prefix);
-  result.tables.push_back(outlier_table(run.experiment.id + table, title, methods, prefix).filled(result));
+  if (!run.is_alternative())
+    result.tables.push_back(outlier_table(run.experiment.id + table, title, methods, prefix).filled(result));
 }
 
 Measures measures() {

@@ -9,15 +9,16 @@
 namespace subcert::experiments::mustafa_li_2015 {
 namespace {
 
-/// The study of curves with a picture of sample 0: a panel for each method.
+/// The study of curves; as taken with a picture of sample 0, a panel for each method.
 Measured curve_study(const Run& run, const std::string& title, const std::string& caption,
-                     const std::string& table_title, const NoisyData& data,
+                     const std::string& table_title, const damped::Setting& setting, const NoisyData& data,
                      const std::vector<Method>& methods = curve_methods()) {
   Measured result;
   add_outlier_study(result, run, "-measures", table_title, data, methods);
-  result.numbers = damped::numbers();
-  result.figures = {damped::figure(run.experiment.id, title, "One sample" + caption, methods.size() > 2 ? 3 : 2,
-                                   methods, data.first_sample(run.seed))};
+  result.numbers = setting.numbers();
+  if (!run.is_alternative())
+    result.figures = {damped::figure(run.experiment.id, title, "One sample" + caption, methods.size() > 2 ? 3 : 2,
+                                     methods, data.first_sample(run.seed))};
   return result;
 }
 
@@ -25,7 +26,8 @@ const std::string above_and_below = ". Above least squares, below l1 regression.
 
 /// A part of the data, in percent, is replaced by numbers uniform in [-8, 8].
 NoisyData with_impulses(int percent) {
-  NoisyData data = damped::with_outliers(damped::count * static_cast<std::size_t>(percent) / 100, 0);
+  const damped::Setting setting;
+  NoisyData data = setting.with_outliers(setting.count * static_cast<std::size_t>(percent) / 100, 0);
   data.sigma.reset();
   data.displace = [](std::mt19937_64& engine, double* height) { *height = 8 * (2 * uniform(engine) - 1); };
   return data;
@@ -39,26 +41,26 @@ std::string percent_text(int percent) { return std::to_string(percent) + " %"; }
 }  // namespace
 
 Measured outliers_under_linear_schemes(const Run& run) {
-  const std::vector<Method> methods{{"Chaikin", "bspline:degree=2"}, curve_methods()[0]};
-  Measured result = curve_study(run, "Outliers under Chaikin's scheme and a least squares scheme", ".", "Two outliers",
-                                damped::with_outliers(2, 0), methods);
-  study(result, damped::with_outliers(1, 0), methods, {moved_measure}, run);
-  return result;
+  const damped::Setting setting;
+  return curve_study(run, "Outliers under Chaikin's scheme and a least squares scheme", ".", "Two outliers", setting,
+                     setting.with_outliers(2, 0), {{"Chaikin", "bspline:degree=2"}, curve_methods()[0]});
 }
 
 Measured two_outliers(const Run& run) {
-  return curve_study(run, "Two outliers", above_and_below, "Two outliers", damped::with_outliers(2, 0));
+  const damped::Setting setting = damped::setting(run);
+  return curve_study(run, "Two outliers", above_and_below, "Two outliers", setting, setting.with_outliers(2, 0));
 }
 
 Measured noise_and_outliers(const Run& run) {
   const std::string title = "Noise and thirteen outliers";
-  return curve_study(run, title, above_and_below, title, damped::with_outliers(13, std::sqrt(0.1)));
+  const damped::Setting setting = damped::setting(run);
+  return curve_study(run, title, above_and_below, title, setting, setting.with_outliers(13, noise_deviation_of(run)));
 }
 
 /// The errors also with the method as the measure and the part of impulses as the subject.
 Measured impulsive_noise(const Run& run) {
   Measured result = curve_study(run, "Impulsive noise", ", 25 % impulses" + above_and_below, "A quarter of impulses",
-                                with_impulses(quarter));
+                                damped::Setting(), with_impulses(quarter));
   formats::Panel over_parts{
       "error over the part of impulses", "impulses (%)", "mean squared error", {}, true, "bottom right"};
   MeansTable errors{"l1-exp4-errors", "Mean squared errors over the part of impulses", {"impulses (%)"}, {}, {}};

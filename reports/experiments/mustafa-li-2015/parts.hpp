@@ -20,8 +20,11 @@ Measured moebius_band(const Run& run);
 const std::vector<Method>& curve_methods();
 const std::vector<Method>& surface_methods();
 
-/// Measures "error", "error without", "response" and these `measures` of the methods, with the table of them. The names
-/// of the measures begin with `prefix`, the id of the table ends with `table`.
+/// The deviation of the noise by the choice `noise`: `variance 0.1` or `deviation 0.1`.
+double noise_deviation_of(const Run& run);
+
+/// Measures "error", "error without", "response" and these `measures` of the methods, with the table of them as
+/// taken. The names of the measures begin with `prefix`, the id of the table ends with `table`.
 void add_outlier_study(Measured& result, const Run& run, const std::string& table, const std::string& title,
                        const NoisyData& data, const std::vector<Method>& methods, const std::string& prefix = "",
                        std::vector<SampleMeasure> measures = {});

@@ -9,33 +9,36 @@ namespace subcert::experiments::mustafa_li_2015 {
 namespace {
 
 constexpr std::size_t spiral_points = 101;
-constexpr double step = std::numbers::pi / 20;
 
-NoisyData spiral_data() {
+/// t runs from 0 to `turns` pi, and outliers are moved by a length from `length` to twice that.
+NoisyData spiral_data(double turns, double length) {
+  const double step = turns * std::numbers::pi / (spiral_points - 1);
   return {.axes = {data::Axis::of(spiral_points)},
           .dimension = 2,
           .levels = 4,
           .truth =
-              [](double u, double) {
+              [step](double u, double) {
                 const double t = step * u, r = std::exp(t / 10);
                 return std::array{r * std::cos(t), r * std::sin(t), 0.0};
               },
           .outliers = 3,
           .displace =
-              [](std::mt19937_64& engine, double* point) {
-                const double length = 2 + 2 * uniform(engine), angle = 2 * std::numbers::pi * uniform(engine);
-                point[0] += length * std::cos(angle);
-                point[1] += length * std::sin(angle);
+              [length](std::mt19937_64& engine, double* point) {
+                const double moved = length * (1 + uniform(engine)), angle = 2 * std::numbers::pi * uniform(engine);
+                point[0] += moved * std::cos(angle);
+                point[1] += moved * std::sin(angle);
               }};
 }
 
 }  // namespace
 
 Measured spiral(const Run& run) {
-  const NoisyData data = spiral_data();
+  const double turns = run.number("half turns");
+  const NoisyData data = spiral_data(turns, run.number("displacement"));
   Measured result;
   add_outlier_study(result, run, "-measures", "Spiral with three outliers", data, curve_methods());
-  result.numbers = {{"tenth of radius", std::exp(step * (spiral_points - 1) / 10) / 10}};
+  result.numbers = {{"tenth of radius", std::exp(turns * std::numbers::pi / 10) / 10}};
+  if (run.is_alternative()) return result;
   formats::Figure figure{run.experiment.id,
                          "Logarithmic spiral with three outliers",
                          "One sample. Above least squares, below l1 regression.",

@@ -64,7 +64,7 @@ TEST_CASE("the l1 schemes without reweighting are the least squares schemes") {
 }
 
 TEST_CASE("a study measures errors and responses") {
-  NoisyData what = damped::with_outliers(0, 0);
+  NoisyData what = damped::Setting().with_outliers(0, 0);
   Measured measured;
   study(measured, what, curve_methods(), {error_measure, error_without_measure, response_measure},
         {1, 27, 2});  // more than are refined together
@@ -85,16 +85,16 @@ TEST_CASE("a study measures errors and responses") {
 
 TEST_CASE("outliers stand where they should") {
   auto engine = generator(8, 0);
-  const OutlierSample sample = damped::with_outliers(13, 0.1).draw(engine);
+  const OutlierSample sample = damped::Setting().with_outliers(13, 0.1).draw(engine);
   std::size_t moved = 0;
-  for (std::size_t i = 0; i < damped::count; ++i) {
+  for (std::size_t i = 0; i < damped::Setting().count; ++i) {
     const double height = std::abs(sample.with[i] - sample.without[i]);
     moved += height != 0;
     if (height != 0) CHECK((height >= 4 && height <= 8 + 1e-12));
   }
   CHECK(moved == 13);
-  CHECK(damped_sine(damped::position(50)) == 0);
-  CHECK(damped_sine(damped::position(60)) == Approx(std::sin(3.0) * std::exp(-1.0 / 3)));
+  CHECK(damped_sine(damped::Setting().position(50)) == 0);
+  CHECK(damped_sine(damped::Setting().position(60)) == Approx(std::sin(3.0) * std::exp(-1.0 / 3)));
 }
 
 TEST_CASE("the printed tables of errors name each scheme once") {

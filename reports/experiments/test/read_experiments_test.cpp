@@ -9,12 +9,15 @@ using namespace subcert::experiments;
 
 namespace {
 
-/// "clear" has the interval from -3 to -1, "open" that from -1.5 to 0.5.
-Measured toy(const Run&) {
-  const double width = 1 / mean_interval({-1, 1}).half_width;
+/// With 99 % confidence, "clear" has the interval from -3 to -1, "open" that from -1.5 to 0.5, and "moving" that of
+/// width 2 about the choice "place", if there is one.
+Measured toy(const Run& run) {
+  const double width = 1 / mean_interval({-1, 1}, together).half_width,
+               place = run.experiment.choices.empty() ? 0 : run.number("place");
   Measured measured;
   measured.samples = {{{"height", "clear"}, {-2 - width, -2 + width}},
                       {{"height", "open"}, {-0.5 - width, -0.5 + width}},
+                      {{"height", "moving"}, {place - width, place + width}},
                       {{"error", "a"}, {1, 5}},
                       {{"error", "b"}, {2, 6}},
                       {{"error", "a at 3 dB"}, {7, 7}},
@@ -55,11 +58,20 @@ std::string refusal(const std::string& whole, const Measures& measures = {{"toy"
 
 TEST_CASE("claims need whole intervals on the right side of the bound") {
   const std::string height = "measure = 'height'\n";
-  CHECK(holds(height + "of = ['clear']\nbelow = 0"));
-  CHECK(!holds(height + "of = ['clear', 'open']\nbelow = 0"));
-  CHECK(holds(height + "of = ['clear', 'open']\nabove = -4"));
-  CHECK(!holds(height + "of = ['clear', 'open']\nabove = -2"));
+  const auto found = [&](const std::string& claim) {
+    return decided(height + claim + "\nstatistic = '{bound}'").finding;
+  };
+  CHECK(found("of = ['clear']\nbelow = 0") == ClaimVerdict::holds);
+  CHECK(found("of = ['clear']\nabove = 0") == ClaimVerdict::contrary);
+  CHECK(found("of = ['clear']\nabove = -2") == ClaimVerdict::undecided);
+  CHECK(found("of = ['clear', 'open']\nbelow = 0") == ClaimVerdict::undecided);
+  CHECK(found("of = ['clear', 'open']\nabove = -5") == ClaimVerdict::holds);
+  // One that lies wholly elsewhere is enough for the contrary.
+  CHECK(found("of = ['clear', 'open']\nabove = 1") == ClaimVerdict::contrary);
   CHECK(holds(height + "of = ['open']\nbelow = 'half'") == (-0.5 + 1 < 0.5));
+  // Two intervals that hold together with 99 % are wider than one.
+  CHECK(found("of = ['clear']\nabove = -3.5") == ClaimVerdict::holds);
+  CHECK(found("of = ['clear', 'clear']\nabove = -3.5") == ClaimVerdict::undecided);
   // Bounds and a name of its own; one without a bound is shown only.
   const DecidedClaim claim = decided(height +
                                      "of = [{ of = 'clear', name = '', below = 0 }, { of = 'open' }]\n"
@@ -93,16 +105,83 @@ TEST_CASE("differences are paired, and facts are wanted all") {
 TEST_CASE("errors over levels of noise: each, some, nearly equal") {
   Measured errors;
   for (int decibel = loudest; decibel <= quietest; ++decibel) {
-    errors.samples[error_at("near", decibel)] = {1, 1.01};
-    errors.samples[error_at("far", decibel)] = {1.05, decibel < 5 ? 1.06 : 1.5};
+    errors.samples[error_at("near", decibel)] = {1, 1.001};
+    errors.samples[error_at("far", decibel)] = {1.2, decibel < 5 ? 1.201 : 1.9};
   }
-  CHECK(smaller_error("near", "far", 1, 4, At::each_level)(errors).verdict == ClaimVerdict::holds);
-  const Finding each = smaller_error("near", "far", 1, 6, At::each_level)(errors);
-  CHECK(each.verdict == ClaimVerdict::contrary);
+  const auto of = [&](const Relation& relation) { return relation(errors).truth; };
+  CHECK(of(smaller_error("near", "far", {1, 4}, At::each_level)) == Truth::yes);
+  CHECK(of(smaller_error("far", "near", {1, 4}, At::each_level)) == Truth::no);
+  const Finding each = smaller_error("near", "far", {1, 6}, At::each_level)(errors);
+  CHECK(each.truth == Truth::unknown);
   CHECK(each.numbers.starts_with("negative at 1 to 4 dB; positive at none; undecided at 5 to 6; ratio"));
-  CHECK(smaller_error("near", "far", 1, 6, At::some_level)(errors).verdict == ClaimVerdict::holds);
-  CHECK(nearly_equal_error("near", "far", 0.3)(errors).verdict == ClaimVerdict::holds);
-  CHECK(nearly_equal_error("near", "far", 0.1)(errors).verdict == ClaimVerdict::contrary);
+  CHECK(of(smaller_error("near", "far", {1, 6}, At::some_level)) == Truth::yes);
+  CHECK(of(smaller_error("far", "near", {1, 4}, At::some_level)) == Truth::no);
+  CHECK(of(smaller_error("far", "near", {1, 6}, At::some_level)) == Truth::unknown);
+  CHECK(of(nearly_equal_error("near", "far", 0.3, {1, 4})) == Truth::yes);
+  CHECK(of(nearly_equal_error("near", "far", 0.1, {1, 4})) == Truth::no);
+  CHECK(of(nearly_equal_error("near", "far", 0.3, {1, 6})) == Truth::unknown);
+}
+
+TEST_CASE("a claim is decided over every choice, by its best reading") {
+  const auto experiment = [&](const std::string& other, const std::string& claim) {
+    const std::string choice = "[[choice]]\nname = 'place'\nopen = 'not printed'\ntaken = '-2'\nothers = ['-3', '" +
+                               other + "']\n";
+    return read_experiments("paper", text + choice + head + "choices = ['place']\n" + words + claim, {{"toy", toy}})
+        .front();
+  };
+  const auto found = [&](const std::string& other, const std::string& claim) {
+    return run_experiment(experiment(other, claim), {}).result;
+  };
+  const std::string moving = "measure = 'height'\nof = ['moving']\nbelow = 0\nstatistic = '{bound}'\n";
+  CHECK(found("-4", moving).claims.front().finding == ClaimVerdict::holds);
+  CHECK(found("0", moving).claims.front().finding == ClaimVerdict::undecided);
+  CHECK(found("4", moving + "over = []\n").claims.front().finding == ClaimVerdict::holds);
+  const DecidedClaim depends = found("4", moving).claims.front();
+  CHECK(depends.finding == ClaimVerdict::depends);
+  CHECK(depends.numbers ==
+        "holds: as taken, place = -3 (as taken: moving: -2 ± 1); contrary: place = 4 (moving: 4 ± 1)");
+  CHECK(found("-4", "measure = 'height'\nof = ['moving']\nabove = 0\nstatistic = ''\n").claims.front().finding ==
+        ClaimVerdict::contrary);
+  // The best reading counts; the others are remarks.
+  const std::string readings =
+      "[[experiment.claim.reading]]\nread-as = 'harsh'\nfacts = 'lost'\nstatistic = 'harshly'\n"
+      "[[experiment.claim.reading]]\nread-as = 'mild'\nfacts = 'kept'\nstatistic = 'mildly'\n";
+  const DecidedClaim read = found("4", readings).claims.front();
+  CHECK(read.finding == ClaimVerdict::holds);
+  CHECK(read.statistic == "read as: mild; mildly");
+  REQUIRE(read.readings.size() == 2);
+  CHECK(read.readings.back().verdict == ClaimVerdict::contrary);
+  // On our data a verdict is a remark, whatever they say; a sentence that is counted elsewhere is none.
+  const DecidedClaim own = found("4", "data = 'ours'\n" + readings).claims.front();
+  CHECK(own.finding == ClaimVerdict::own_data);
+  CHECK(own.recorded == ClaimVerdict::own_data);
+  CHECK(own.numbers.starts_with("holds as printed there. "));
+  const ExperimentResult elsewhere = found("4", "counted-in = 'other'\n" + readings);
+  CHECK(elsewhere.claims.empty());
+  CHECK(elsewhere.remarks.size() == 1);
+  CHECK_THROWS_AS(experiment("4", moving + "over = ['time']\n"), FileError);
+  CHECK_THROWS_AS(experiment("4", "data = 'theirs'\n" + readings), FileError);
+}
+
+TEST_CASE("what is open is measured once more with more samples, and nothing else is") {
+  std::map<std::string, std::vector<std::size_t>> runs;  // by the choice
+  const Measure measure = [&](const Run& run) {
+    runs[run.value].push_back(run.runs);
+    Measured measured;
+    for (std::size_t i = 0; i < run.runs; ++i)  // clear with 40 samples, open with 10
+      measured.samples[{"height", "a"}].push_back(run.value == "far" ? (i % 2 ? 9.0 : 10.0) : (i % 2 ? 4.0 : -2.0));
+    return measured;
+  };
+  const std::string file = "[[choice]]\nname = 'c'\nopen = ''\ntaken = 'near'\nothers = ['far']\n" + text + head +
+                           "choices = ['c']\n" + words +
+                           "measure = 'height'\nof = ['a']\nabove = -0.5\nstatistic = ''\n";
+  Experiment toy = read_experiments("paper", file, {{"toy", measure}}).front();
+  toy.setup.clear();
+  const ExperimentResult result = run_experiment(toy, {1, 10, 1}).result;
+  CHECK(result.claims.front().finding == ClaimVerdict::holds);
+  CHECK(result.runs == 40);
+  CHECK(runs[""] == std::vector<std::size_t>{10, 40});
+  CHECK(runs["far"] == std::vector<std::size_t>{10});
 }
 
 TEST_CASE("shared claims take values; setups take texts and numbers") {
@@ -128,7 +207,8 @@ TEST_CASE("what is wrong in a file of experiments is named with its place") {
   const std::string file = text + head + words;
   CHECK(refusal(file) == "line 7, column 1: expected one of the keys 'of', 'facts', 'smaller-error', 'equal-error'");
   CHECK(refusal(file + "facts = 'kept'\nmeasure = 'error'\nstatistic = 's'\n") ==
-        "line 11, column 1: unknown key 'measure'; expected one of sentence, place, recorded, facts, statistic");
+        "line 11, column 1: unknown key 'measure'; expected one of sentence, place, recorded, data, over, counted-in, "
+        "read-as, facts, statistic");
   CHECK(refusal(file + "of = 'a'\nmeasure = 'error'\nstatistic = 's'\n") ==
         "line 10, column 6: expected the list 'of'");
   // What would hold of nothing, or twice.
@@ -139,9 +219,11 @@ TEST_CASE("what is wrong in a file of experiments is named with its place") {
             .find("either a difference") != std::string::npos);
   CHECK(refusal(file + "smaller-error = ['a', 'b']\nfrom = 9\nto = 5\n").find("from <= to") != std::string::npos);
   CHECK(refusal(file + "equal-error = ['a', 'b']\n").find("'within'") != std::string::npos);
-  CHECK(refusal(means + "below = 0\nrecorded = 'holds'\n").find("'contrary shown'") != std::string::npos);
+  CHECK(refusal(means + "below = 0\nrecorded = 'holds'\n").find("contrary shown") != std::string::npos);
   CHECK(refusal(file + "smaller-error = ['a']\n") == "line 10, column 17: expected two texts");
   CHECK(refusal("[text]\n" + head).find("names no text of [text]") != std::string::npos);
+  CHECK(refusal(text + "[[choice]]\nname = 'a'\n" + head).find("expected the key 'open'") != std::string::npos);
+  CHECK(refusal(text + head + "choices = ['a']\n").find("no [[choice]] of this name") != std::string::npos);
   CHECK(refusal("title = 'A toy'\n").starts_with("line 1, column 1: unknown key 'title'"));
   const std::string fine = text + head;
   CHECK(refusal(fine).empty());

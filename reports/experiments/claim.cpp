@@ -1,0 +1,84 @@
+#include "claim.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace subcert::experiments {
+namespace {
+
+/// Of readings, a smaller number is better.
+int rank(ClaimVerdict verdict) {
+  switch (verdict) {
+    case ClaimVerdict::holds: return 0;
+    case ClaimVerdict::depends: return 1;
+    case ClaimVerdict::contrary: return 3;
+    default: return 2;
+  }
+}
+
+std::string said(Truth truth) { return truth == Truth::yes ? "holds" : truth == Truth::no ? "contrary" : "undecided"; }
+
+std::vector<VariantFinding> findings_of(const Reading& reading, const Claim& claim,
+                                        const std::vector<Variant>& variants) {
+  std::vector<VariantFinding> result;
+  for (const Variant& variant : variants)
+    if (variant.choice.empty() || std::ranges::find(claim.over, variant.choice) != claim.over.end())
+      result.push_back({variant.name(), variant.runs, reading.relation(variant.measured)});
+  return result;
+}
+
+}  // namespace
+
+ClaimVerdict verdict_over(const std::vector<VariantFinding>& findings) {
+  const auto count = [&](Truth truth) {
+    return std::ranges::count_if(findings, [&](const VariantFinding& f) { return f.finding.truth == truth; });
+  };
+  const auto yes = count(Truth::yes), no = count(Truth::no);
+  if (yes > 0 && no > 0) return ClaimVerdict::depends;
+  if (count(Truth::unknown) > 0) return ClaimVerdict::undecided;
+  return yes > 0 ? ClaimVerdict::holds : ClaimVerdict::contrary;
+}
+
+std::string DecidedReading::numbers() const {
+  const Finding& taken = findings.front().finding;
+  if (findings.size() == 1) return taken.numbers;
+  std::vector<std::string> parts;
+  for (const Truth truth : {Truth::yes, Truth::no, Truth::unknown}) {
+    std::vector<std::string> names;
+    const VariantFinding* shown = nullptr;
+    for (const VariantFinding& f : findings)
+      if (f.finding.truth == truth) {
+        if (!shown) shown = &f;
+        names.push_back(f.variant);
+      }
+    if (shown)
+      parts.push_back(fmt::format("{}: {} ({}{})", said(truth), fmt::join(names, ", "),
+                                  names.size() > 1 ? names.front() + ": " : "", shown->finding.numbers));
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+DecidedClaim decided(const Claim& claim, const std::vector<Variant>& variants) {
+  std::vector<DecidedReading> readings;
+  for (const Reading& reading : claim.readings) {
+    auto findings = findings_of(reading, claim, variants);
+    const ClaimVerdict verdict = verdict_over(findings);
+    readings.push_back({reading.words, verdict, std::move(findings)});
+  }
+  std::ranges::stable_sort(readings, {}, [](const DecidedReading& r) { return rank(r.verdict); });
+  const DecidedReading& best = readings.front();
+  const std::string words = best.words.empty() ? "" : "read as: " + best.words + "; ";
+  DecidedClaim result{claim.sentence,
+                      claim.place,
+                      claim.on_our_data ? ClaimVerdict::own_data : best.verdict,
+                      words + best.findings.front().finding.statistic,
+                      (claim.on_our_data ? to_text(best.verdict) + " there. " : "") + best.numbers(),
+                      claim.recorded,
+                      claim.counted_in,
+                      {}};
+  result.readings = std::move(readings);
+  return result;
+}
+
+}  // namespace subcert::experiments

@@ -173,8 +173,7 @@ TEST_CASE("with any seed and the runs of a report, every finding is the recorded
   for (const std::uint64_t seed : {defaults.seed, std::uint64_t{7}, std::uint64_t{101}, std::uint64_t{20261126}})
     for (const Experiment& e : subcert::experiments::experiments()) {
       if (!e.random && seed != defaults.seed) continue;
-      const ExperimentResult result = run_experiment(e, {seed, defaults.runs, defaults.jobs})
-                                          .result;
+      const ExperimentResult result = run_experiment(e, {seed, defaults.runs, defaults.jobs}).result;
       for (const auto* list : {&result.claims, &result.remarks})
         for (const DecidedClaim& claim : *list) {
           CAPTURE(e.id, seed, claim.sentence, claim.numbers);

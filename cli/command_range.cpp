@@ -63,6 +63,7 @@ class Summary {
     if (open_) close({last(), true});
     return text_.empty() ? std::string("no ") + letter_ : text_;
   }
+  bool holds_nowhere() const { return text_.empty(); }
   /// `; other w within 1e-10 of 0 are not decided`, or nothing.
   std::string open_values() const {
     if (near_.empty()) return "";
@@ -131,8 +132,8 @@ std::string summary(const PropertyRange& range, const ParameterRangeOptions& opt
   if (!values) return "";
   const std::string whole = fmt::format("from {} to {}", number_text(range.pieces.front().low),
                                         number_text(range.pieces.back().high));
-  return fmt::format("{} for {}, and for no other {} {}{}", options.property, *values, scheme.parameter, whole,
-                     summary.open_values());
+  const std::string rest = summary.holds_nowhere() ? "" : fmt::format(", and for no other {}", scheme.parameter);
+  return fmt::format("{} for {}{} {}{}", options.property, *values, rest, whole, summary.open_values());
 }
 
 Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {

@@ -263,15 +263,10 @@ std::vector<RangePiece> decided_by_positivity(const std::vector<RangePiece>& pie
                                               const std::function<Truth(const Rational&)>& at) {
   std::vector<RangePiece> result;
   for (const RangePiece& piece : pieces) {
-    const auto inside = std::ranges::find_if(positive, [&](const Segment& segment) {
-      return std::max(segment.low, piece.low) < std::min(segment.high, piece.high);
-    });
-    if (piece.holds != Truth::unknown || inside == positive.end()) {
+    if (piece.holds != Truth::unknown || piece.low == piece.high) {
       result.push_back(piece);
       continue;
     }
-    const Rational low = std::max(inside->low, piece.low), high = std::min(inside->high, piece.high);
-    const bool from = piece.low <= inside->low, to = inside->high <= piece.high;  // without an end of the positive ones
     const auto rest = [&](const Rational& begin, const Rational& end) {
       RangePiece left = piece;
       left.low = begin;
@@ -280,9 +275,18 @@ std::vector<RangePiece> decided_by_positivity(const std::vector<RangePiece>& pie
       if (left.holds != Truth::unknown) left.reason.clear();
       result.push_back(std::move(left));
     };
-    if (from) rest(piece.low, low);
-    result.push_back({low, high, Truth::yes, !from, !to});
-    if (to) rest(high, piece.high);
+    Rational reached = piece.low;
+    bool is_open = true;  // whether that value itself is still to be decided
+    for (const Segment& segment : positive) {
+      const Rational low = std::max(segment.low, piece.low), high = std::min(segment.high, piece.high);
+      if (low >= high) continue;
+      const bool from = piece.low <= segment.low, to = segment.high <= piece.high;  // ends are no positive ones
+      if (from) rest(reached, low);
+      result.push_back({low, high, Truth::yes, !from, !to});
+      reached = high;
+      is_open = to;
+    }
+    if (is_open) rest(reached, piece.high);
   }
   return merged(result);
 }
@@ -365,7 +369,9 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
   sort_values(result.special);
   for (SpecialValue& value : result.special) {
     const auto piece = std::find_if(result.pieces.begin(), result.pieces.end(), [&](const RangePiece& candidate) {
-      return candidate.low <= *value.value.lower && *value.value.upper <= candidate.high;
+      const Rational &from = *value.value.lower, &to = *value.value.upper;
+      return (candidate.low < from || (candidate.low_included && candidate.low == from)) &&
+             (to < candidate.high || (candidate.high_included && candidate.high == to));
     });
     if (piece != result.pieces.end()) value.holds = piece->holds;
     if (value.holds == Truth::unknown && value.value.is_exact())

@@ -109,14 +109,22 @@ TEST_CASE("ranges agree with schemes at single values") {
 }
 
 TEST_CASE("single values in gaps are looked at on their own") {
-  // At w = 0 the hat function, between schemes that are smoother.
+  // At w = 0 the hat function, between schemes that are smoother, as coefficients are positive on both sides of 0 only.
   const PropertyRange range = range_of("mask:[w^2,1/2,1-2*w^2,1/2,w^2]", "C1", "-1/4", "1/4", power(Rational(10), -4));
-  CHECK(verdicts(range) == "y?y");
-  REQUIRE(range.special.size() == 1);
-  CHECK(range.special[0].value.is_exact());
-  CHECK(*range.special[0].value.lower == 0);
-  CHECK(range.special[0].why == SpecialValue::Why::threshold);
-  CHECK(range.special[0].holds == Truth::no);
+  CHECK(verdicts(range) == "yny");
+  CHECK(range.pieces[1].low == 0);
+  CHECK(range.pieces[1].high == 0);
+  CHECK_FALSE(range.pieces[0].high_included);
+  CHECK_FALSE(range.pieces[2].low_included);
+  // The same between schemes that are rougher.
+  const PropertyRange rough = range_of("mask:[-w^2,1/2,1+2*w^2,1/2,-w^2]", "C1", "-1/4", "1/4",
+                                       power(Rational(10), -4));
+  CHECK(verdicts(rough) == "n?n");
+  REQUIRE(rough.special.size() == 1);
+  CHECK(rough.special[0].value.is_exact());
+  CHECK(*rough.special[0].value.lower == 0);
+  CHECK(rough.special[0].why == SpecialValue::Why::threshold);
+  CHECK(rough.special[0].holds == Truth::no);
   // A hat of three times the width at -1/2: a continuous function, but the scheme does not converge.
   const PropertyRange at_half = range_of("four-point:w", "C1", "-3/4", "-1/4");
   CHECK(std::ranges::all_of(at_half.special, [](const SpecialValue& one) { return one.holds == Truth::no; }));

@@ -63,6 +63,6 @@ TEST_CASE("lines are there before the last question is answered") {
                                         "[[scheme]]\nmask = 'dd:n=2'\nreproduces = 3\n"
                                         "[[scheme]]\nmask = 'primal:n=30,d=5'\nholder = '>= 7'\n");
   // As someone who interrupts it.
-  const Run first = run("check " + file + " --budget 1000 --jobs 1 & sleep 3; kill -INT $!");
+  const Run first = run("check " + file + " --budget 1000 --jobs 1 & sleep 3; kill -TERM $!");
   CHECK(first.out == "holds      " + file + ":3: dd:n=2: reproduces 3\n");
 }

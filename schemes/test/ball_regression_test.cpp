@@ -92,7 +92,7 @@ TEST_CASE("specifications of least squares on triangular grids") {
       return std::to_string(error.position()) + " '" + error.token() + "' " + error.expected();
     }
   };
-  CHECK(refusal("d=1") == "15 'triangular' the key 'L', as in triangular:L=8/5,d=1");
+  CHECK(refusal("d=1") == "1 'triangular' the key 'L', as in triangular:L=8/5,d=1");
   CHECK(refusal("L=1/2") == "14 '1/2' 1/2 < L <= 10, got 1/2");
   CHECK(refusal("L=17") == "14 '17' 1/2 < L <= 10, got 17");
   CHECK(refusal("L=1/1001") == "14 '1/1001' L with a denominator up to 1000");

@@ -60,6 +60,23 @@ TEST_CASE("an answer is not lost where no certificate can be written") {
   CHECK(blocked.out.find("certificate  not written: ") != std::string::npos);
 }
 
+TEST_CASE("what a certificate says of a product whose leading eigenvalue is a multiple one") {
+  const Folder folder;
+  const std::string file = folder / "file.cert", matrices = folder / "pair.json";
+  const auto line = [&](const char* text) {
+    std::ofstream(matrices) << text;
+    return run("jsr " + matrices + " --certificate " + file).out;
+  };
+  CHECK(line(R"({"matrices": [[[0,-2],[-1,0]], [[-2,0],[0,-2]]]})")
+            .find("verified: the bounds, and that the product attains the radius") != std::string::npos);
+  CHECK(run("verify " + file).code == 0);
+  // Of another one, with two leading eigenvalues, the page says what the certificate does not.
+  const std::string both = line(R"({"matrices": [[[-2,-2,1],[-2,1,-1],[-2,-2,1]], [[1,-1,-1],[1,-2,-1],[0,-2,1]]]})");
+  CHECK(both.find("proved to attain the joint spectral radius") != std::string::npos);
+  CHECK(both.find("that the product attains the radius") != std::string::npos);
+  CHECK(run("verify " + file).code == 0);
+}
+
 TEST_CASE("a surface with unstable shifts has a certificate that proves convergence, too") {
   const Folder folder;
   const std::string file = folder / "file.cert";

@@ -19,7 +19,8 @@ failures, counts, slowest = [], {}, 0.0
 # so well that the claim, which is true, is proved; likewise an eigenvalue. That a radius is not negative needs no product here, denominators
 # of blocks may be larger.
 proved_here = {"origin-end", "same-beside-cycle", "single-recurrence-complex-sign", "single-no-pole-signs",
-               "exact-image-above", "unit-norm-largest", "product-zero", "product-modulus", "blocks-denominators",
+               "exact-image-above", "unit-norm-largest", "product-zero", "product-modulus", "reduced-product",
+               "blocks-denominators",
                "kept-thirds-small", "kept-thirds-large", "kept-turns-small", "kept-turns-large",
                "kept-tiny-error"}
 # With large residuals, too, this checker proves a little more: it does not round norms of units up to integers.

@@ -3,20 +3,46 @@
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <unordered_set>
 
 namespace subcert {
 namespace {
 
-/// Where T_d v has its support, over all digits d or for one, for v supported on `points`.
+/// A point of up to three coordinates, without memory of its own.
+using FixedPoint = std::array<long, 3>;
+
+FixedPoint fixed(const LatticePoint& point) {
+  FixedPoint result{};
+  std::copy(point.begin(), point.end(), result.begin());
+  return result;
+}
+
+struct Hash {
+  std::size_t operator()(const FixedPoint& point) const {
+    std::size_t hash = 0;
+    for (const long x : point) hash = (hash ^ static_cast<std::size_t>(x)) * 0x9e3779b97f4a7c15U;
+    return hash ^ hash >> 32;
+  }
+};
+
+/// Where T_d v has its support, over all digits d or for one, for v supported on `points`. Cost: a look at a table for
+/// each pair, and a division for each different sum.
 std::set<LatticePoint> images(const std::vector<LatticePoint>& support, const Dilation& dilation,
                               const std::set<LatticePoint>& points, std::optional<std::size_t> digit) {
+  std::unordered_set<FixedPoint, Hash> sums;
+  std::vector<FixedPoint> steps;
+  for (const LatticePoint& i : support) steps.push_back(fixed(i));
+  for (const LatticePoint& k : points) {
+    const FixedPoint from = fixed(k);
+    for (const FixedPoint& i : steps) sums.insert({from[0] + i[0], from[1] + i[1], from[2] + i[2]});
+  }
   std::set<LatticePoint> result;
-  for (const LatticePoint& k : points)
-    for (const LatticePoint& i : support) {
-      Dilation::Division at = dilation.divide(i + k);
-      if (!digit || at.digit == *digit) result.insert(std::move(at.quotient));
-    }
+  for (const FixedPoint& sum : sums) {
+    Dilation::Division at = dilation.divide({sum.begin(), sum.begin() + static_cast<long>(dilation.variables())});
+    if (!digit || at.digit == *digit) result.insert(std::move(at.quotient));
+  }
   return result;
 }
 

@@ -20,6 +20,7 @@ constexpr std::string_view end_characters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXY
 
 class Tree {
  public:
+  /// Fails past the deadline.
   Tree(const StateForms& forms, double bound, const TreeLimits& limits)
       : steps_(forms.steps), ends_(forms.ends), letters_(steps_.size() / forms.states()), limits_(limits) {
     if (limits.keep) {
@@ -27,6 +28,7 @@ class Tree {
       kept_.insert(kept_.end(), forms.product.begin(), forms.product.end());
     }
     for (Step& step : steps_) {
+      if ((failed_ = limits_.deadline.expired())) return;
       step.matrix /= bound;
       norms_.push_back(polytope::spectral_norm(step.matrix));
     }

@@ -67,33 +67,6 @@ std::optional<RationalMatrix> long_shape(const MatrixFamily& family, const Deadl
   return shape;
 }
 
-/// Coordinates in which orbits are round up to small factors, triangular: for matrices so badly conditioned that
-/// doubles do not see their products. Nothing where the shape is not positive up to rounding.
-std::optional<RationalMatrix> long_rounding(const MatrixFamily& family, const Deadline& deadline) {
-  const std::size_t n = family.size();
-  const auto shape = long_shape(family, deadline);
-  if (!shape) return std::nullopt;
-  RationalMatrix root = RationalMatrix::identity(n);  // shape = root diagonal root^T
-  std::vector<Rational> diagonal;
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = k; i < n; ++i) {
-      Rational rest = (*shape)(i, k);
-      for (std::size_t j = 0; j < k; ++j) rest -= root(i, j) * root(k, j) * diagonal[j];
-      if (i == k) {
-        if (rest <= 0) return std::nullopt;
-        diagonal.push_back(rounded(rest));
-      } else {
-        root(i, k) = rounded(rest / diagonal[k]);
-      }
-    }
-  }
-  RationalMatrix to = solve(root, RationalMatrix::identity(n));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      to(i, j) = rounded(to(i, j) * power(Rational(2), -binary_exponent(diagonal[i]) / 2));
-  return to;
-}
-
 /// Nearly; nothing where balls do not resolve it.
 std::optional<RationalMatrix> inverse(const RationalMatrix& matrix) {
   const auto columns = inverse_columns(matrix, {0, 0}, bits);
@@ -113,14 +86,6 @@ bool set_coordinates(RoundFamily& round, const MatrixFamily& family, const Ratio
   if (!polytope::is_finite(moved) || !polytope::has_symmetry(moved)) return false;
   round = {std::move(moved), {to, *from}};
   return true;
-}
-
-/// Whether products are so much smaller than their factors that doubles may not see them.
-bool is_hidden(const polytope::SearchFamily& family, const Deadline& deadline) {
-  const polytope::OrbitShape orbit = polytope::orbit_shape(family.matrices, deadline);
-  double largest = 0;
-  for (const polytope::Matrix& m : family.matrices) largest = std::max(largest, m.largest_modulus());
-  return orbit.lost || !(orbit.radius_bound >= well_conditioned * largest);
 }
 
 }  // namespace
@@ -163,15 +128,46 @@ bool change_coordinates(RoundFamily& round, const MatrixFamily& family, const po
   return set_coordinates(round, family, round.coordinates.differ() ? kept * round.coordinates.to : kept);
 }
 
-RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
-  RoundFamily given{to_search_family(family)};
-  const bool has_other_group = family.group().size() > 1 && !family.is_flip_symmetric();
-  if (!family.is_flip_symmetric() && family.size() <= largest_long && is_hidden(given.family, deadline)) {
-    RoundFamily seen{{given.family.matrices, {}}};
-    const auto to = long_rounding(family, deadline);
-    if (to && set_coordinates(seen, family, *to) && !is_hidden(seen.family, deadline)) given = std::move(seen);
+std::optional<RationalMatrix> long_rounding(const MatrixFamily& family, const Deadline& deadline) {
+  const std::size_t n = family.size();
+  const auto shape = long_shape(family, deadline);
+  if (!shape) return std::nullopt;
+  RationalMatrix root = RationalMatrix::identity(n);  // shape = root diagonal root^T
+  std::vector<Rational> diagonal;
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = k; i < n; ++i) {
+      Rational rest = (*shape)(i, k);
+      for (std::size_t j = 0; j < k; ++j) rest -= root(i, j) * root(k, j) * diagonal[j];
+      if (i == k) {
+        if (rest <= 0) return std::nullopt;
+        diagonal.push_back(rounded(rest));
+      } else {
+        root(i, k) = rounded(rest / diagonal[k]);
+      }
+    }
   }
-  if (has_other_group && !given.coordinates.differ()) return given;
+  RationalMatrix to = solve(root, RationalMatrix::identity(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      to(i, j) = rounded(to(i, j) * power(Rational(2), -binary_exponent(diagonal[i]) / 2));
+  return to;
+}
+
+bool has_hidden_products(const MatrixFamily& family, const Deadline& deadline) {
+  if (family.size() > largest_long) return false;
+  std::vector<polytope::Matrix> matrices;
+  double largest = 0;
+  for (const RationalMatrix& m : family) {
+    matrices.push_back(to_double(m));
+    largest = std::max(largest, matrices.back().largest_modulus());
+  }
+  const polytope::OrbitShape orbit = polytope::orbit_shape(matrices, deadline);
+  return orbit.lost || !(orbit.radius_bound >= well_conditioned * largest);
+}
+
+RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
+  const RoundFamily given{to_search_family(family)};
+  if (family.group().size() > 1 && !family.is_flip_symmetric()) return given;
   RoundFamily result = given;
   const auto d = static_cast<double>(family.size()), products = 2.0 * static_cast<double>(family.count() + 1);
   const double seconds = seconds_per_product * products * d * d * d;

@@ -295,7 +295,8 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
         unit);
   }
   BlockTriangular triangular = radius::with_symmetries(
-      radius::balanced(block_triangularise(family, budget.deadline.after(triangularising_share))),
+      radius::balanced(block_triangularise(family, budget.deadline.after(triangularising_share)),
+                       budget.deadline.after(symmetries_share)),
       budget.deadline.after(symmetries_share));
   if (triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size()))
     return radius::radius_of_one_block(family, budget, known, target);

@@ -12,8 +12,12 @@ long scaling_exponent(const MatrixFamily& family);
 /// which all entries are integer multiples where that makes numbers shorter; 1 where they are short and near enough.
 Rational unit_of(const MatrixFamily& family);
 
-/// The basis and the triangular form after a change of the lengths of the basis vectors by powers of two, block by
-/// block, where the entries of a block differ too much in size. Cost: a few passes over each such block.
-BlockTriangular balanced(BlockTriangular triangular);
+/// The same in the basis times a regular matrix that leaves it triangular.
+BlockTriangular in_basis(BlockTriangular triangular, const RationalMatrix& change);
+
+/// The basis and the triangular form after a change of the basis of each block whose entries differ too much in size,
+/// by powers of two, or are much larger than products let expect, by a reduced basis of a lattice. Cost: a few passes
+/// over such blocks; for the latter a shape of orbits in long numbers, and one reduction.
+BlockTriangular balanced(BlockTriangular triangular, const Deadline& deadline);
 
 }  // namespace subcert::radius

@@ -1,6 +1,7 @@
 #include "similarity.hpp"
 
 #include "modular_meataxe.hpp"
+#include "scaling.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -239,9 +240,7 @@ BlockTriangular with_symmetries(BlockTriangular triangular, const Deadline& dead
   }
   triangular.groups = std::move(groups);
   if (!changed) return triangular;
-  triangular.basis = triangular.basis * change;
-  for (RationalMatrix& matrix : triangular.triangular) matrix = solve(change, matrix * change);
-  return triangular;
+  return in_basis(std::move(triangular), change);
 }
 
 bool are_similar(const MatrixFamily& first, const MatrixFamily& second, const Deadline& deadline) {

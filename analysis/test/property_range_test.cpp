@@ -116,7 +116,14 @@ TEST_CASE("single values in gaps are looked at on their own") {
   CHECK(range.pieces[1].high == 0);
   CHECK_FALSE(range.pieces[0].high_included);
   CHECK_FALSE(range.pieces[2].low_included);
-  // The same between schemes that are rougher.
+  // At w = 0 a hat of three times the width, with a sum rule more, whose scheme diverges.
+  const PropertyRange hat = range_of("mask:[1/2,1/3*w^2,1/6*w^2,1-2/3*w^2,1/6*w^2,1/3*w^2,1/2-1/3*w^2]", "convergent",
+                                     "-1/2", "1/2");
+  CHECK(verdicts(hat) == "yny");
+  REQUIRE(hat.special.size() == 1);
+  CHECK(hat.special[0].why == SpecialValue::Why::sum_rules);
+  CHECK(hat.special[0].holds == Truth::no);
+  // The hat between schemes that are rougher.
   const PropertyRange rough = range_of("mask:[-w^2,1/2,1+2*w^2,1/2,-w^2]", "C1", "-1/4", "1/4",
                                        power(Rational(10), -4));
   CHECK(verdicts(rough) == "n?n");

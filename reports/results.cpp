@@ -94,7 +94,7 @@ struct KindWords {
 
 KindWords words_of(ResultKind kind) {
   constexpr std::array all{KindWords{"printed values", "match"}, KindWords{"statements", "hold"},
-                           KindWords{"claims about experiments", "hold as printed"}};
+                           KindWords{"claims", "hold as printed"}};
   return all[static_cast<std::size_t>(kind)];
 }
 

@@ -17,10 +17,13 @@
 namespace subcert::cli {
 namespace {
 
+constexpr std::size_t most_bytes = std::size_t{1} << 28;  // of an input: some, as /dev/zero, have no end
+
 std::string read_to_the_end(std::istream& stream, const std::string& name) {
   std::string text;
   for (std::size_t block = std::size_t{1} << 16; stream; block = std::min(2 * block, std::size_t{1} << 24)) {
     const std::size_t old = text.size();
+    if (old > most_bytes) fail(ErrorKind::data, "{}: longer than {} MB", name, most_bytes >> 20);
     text.resize(old + block);
     stream.read(text.data() + old, static_cast<std::streamsize>(block));
     text.resize(old + static_cast<std::size_t>(stream.gcount()));

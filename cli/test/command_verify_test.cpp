@@ -25,6 +25,9 @@ TEST_CASE("certificates are written and verified") {
   CHECK(run("verify " + file).code == 65);
   std::filesystem::remove(file);
   CHECK(run("verify " + file).code == 66);
+  const Run endless = run("verify /dev/zero");
+  CHECK(endless.code == 65);
+  CHECK(endless.err == "subcert: /dev/zero: longer than 256 MB\n");
 }
 
 TEST_CASE("an answer is not lost where no certificate can be written") {

@@ -78,7 +78,7 @@ Certificate verified(const Certificate& certificate, const std::string& matrices
     runtime::write_file(file, one.text);
     return run_checker(checker_arguments(one.text, file));
   };
-  if (certificate.claim.exact && answer_to(certificate).code == 0) return certificate;
+  if (answer_to(certificate).code == 0) return certificate;
   Certificate bounds = certificate.of_bounds();
   const CheckerAnswer answer = answer_to(bounds);
   if (answer.code != 0) fail(ErrorKind::undecided, "subcert-check says {}", answer.text);
@@ -95,6 +95,10 @@ Json claim_json(const CertificateClaim& claim) {
 }
 
 }  // namespace
+
+void WriteFailure::raise() const {
+  if (error) throw Error(*error);
+}
 
 std::string WrittenCertificate::text(bool attained) const {
   if (file.empty()) return "";
@@ -125,9 +129,10 @@ WrittenCertificate write_certificate(const std::string& file, const std::functio
         if (stream << matrices << std::flush) runtime::write_file(file, accepted.text);
       });
     }
-    return {file, accepted.claim, {}};
+    return {file, accepted.claim};
   } catch (const Error& error) {
-    return {file, std::nullopt, reason_text(error)};
+    const bool unwritable = error.kind() == ErrorKind::missing_file;
+    return {file, std::nullopt, reason_text(error), {unwritable ? std::optional(error) : std::nullopt}};
   }
 }
 

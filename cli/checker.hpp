@@ -29,11 +29,21 @@ CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::
 /// neither, and missing_file where there is no checker. Cost: at most two runs of the checker.
 Certificate verified(const Certificate& certificate, const std::string& matrices = {});
 
+/// After an answer whose certificates were asked for: what the system does not let be written. Nothing where there are
+/// none for want of a proof.
+struct WriteFailure {
+  std::optional<Error> error;
+
+  /// Errors: throws the error.
+  void raise() const;
+};
+
 /// What became of a certificate that was asked for.
 struct WrittenCertificate {
   std::string file;                       ///< empty where none was asked for
   std::optional<CertificateClaim> claim;  ///< what it proves; nothing where none was written,
-  std::string reason;                     ///< and why
+  std::string reason = {};                ///< and why
+  WriteFailure failure = {};              ///< a file that cannot be written, or no checker
 
   /// The line of a page; empty where none was asked for. `attained`: the page says that a product attains the radius.
   std::string text(bool attained) const;
@@ -42,7 +52,8 @@ struct WrittenCertificate {
 };
 
 /// Makes a certificate and writes what verified() accepts of it, and the matrices as FILE.matrices. Whatever stands in
-/// the way, the answer that is to be certified remains: it becomes the reason. Nothing is made where `file` is empty.
+/// the way, the answer that is to be certified remains: it becomes the reason, and what stood there stays. Nothing is
+/// made where `file` is empty.
 WrittenCertificate write_certificate(const std::string& file, const std::function<Certificate()>& make,
                                      const std::string& matrices = {});
 

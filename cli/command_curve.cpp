@@ -177,16 +177,17 @@ ExitCode run(const CurveCommandOptions& options) {
                                              {options.pieces, options.threads(), options.limits()});
   options.end_progress();
   Json json = json_of(curve, scheme);
-  std::string note;
+  WrittenCertificates written;
   if (!options.csv.empty()) runtime::write_file(options.csv, csv_of(curve));
   if (!options.certificate.empty()) {
     std::vector<NamedCertificate> certificates;
     for (const RangeCertificate& one : curve_certificates(scheme.mask, scheme.parameter, curve))
-      certificates.push_back({fmt::format("{:05}-piece", certificates.size() + 1), one.certificate.text});
-    note = write_certificates(options.certificate, certificates, {"-piece"}, json);
+      certificates.push_back({fmt::format("{:05}-piece", certificates.size() + 1), one.certificate});
+    written = write_certificates(options.certificate, certificates, {"-piece"}, json);
   }
   if (!options.plot.empty()) draw(curve, scheme, options.plot);
-  options.answer(json, text_of(curve, scheme) + note);
+  options.answer(json, text_of(curve, scheme) + written.text);
+  written.failure.raise();
   return static_cast<int>(curve.pieces.size()) == options.pieces ? done : undecided;
 }
 

@@ -182,6 +182,7 @@ ExitCode run_least(const JsrOptions& options, const MatricesFile& file, const Wa
                         fmt::join(found.product.word, " "),
                         found.exact.is_yes() ? "  (proved to attain the joint spectral subradius)" : "",
                         verdicts_text(bounds), certificate.text(found.exact.is_yes())));
+  certificate.failure.raise();
   return code_of(bounds, found.is_closed() && wanted.holds(found.radius));
 }
 
@@ -213,6 +214,7 @@ ExitCode run(const JsrOptions& options) {
   Json json = json_of(radius, word, bounds, family.size(), wanted.digits);
   certificate.add_to(json);
   options.answer(json, head + text_of(radius, word, bounds, wanted.digits) + certificate.text(radius.exact.is_yes()));
+  certificate.failure.raise();
   return code_of(bounds, radius.is_closed() && wanted.holds(radius.radius));
 }
 

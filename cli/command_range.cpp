@@ -202,7 +202,7 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
 std::vector<NamedCertificate> named(const std::vector<RangeCertificate>& certificates) {
   std::vector<NamedCertificate> result;
   for (const RangeCertificate& one : certificates)
-    result.push_back({fmt::format("{:02}-{}", result.size() + 1, verdict_text(one.holds)), one.certificate.text});
+    result.push_back({fmt::format("{:02}-{}", result.size() + 1, verdict_text(one.holds)), one.certificate});
   return result;
 }
 
@@ -220,12 +220,13 @@ ExitCode run(const ParameterRangeOptions& options) {
                                              {*width, options.threads(), options.limits()});
   options.end_progress();
   Json json = json_of(range, options, scheme);
-  std::string note;
+  WrittenCertificates written;
   if (!options.certificate.empty()) {
     const auto certificates = range_certificates(scheme.mask, scheme.parameter, *property, range, *width);
-    note = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"}, json);
+    written = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"}, json);
   }
-  options.answer(json, text_of(range, options, scheme) + note);
+  options.answer(json, text_of(range, options, scheme) + written.text);
+  written.failure.raise();
   return range.complete ? done : undecided;
 }
 

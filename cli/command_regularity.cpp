@@ -44,6 +44,7 @@ ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budg
   Json json = page.json();
   certificate.add_to(json);
   options.answer(json, page.text() + certificate.text(page.regularity.deciding().radius.exact.is_yes()));
+  certificate.failure.raise();
   if (page.regularity.converges.is_no()) return failed;
   return page.regularity.converges.is_yes() && page.complete ? done : undecided;
 }
@@ -62,6 +63,7 @@ ExitCode run(MultivariateScheme scheme, const RegularityOptions& options, const 
   Json json = page.json();
   certificate.add_to(json);
   options.answer(json, page.text() + certificate.text(page.regularity.exact.is_yes()));
+  certificate.failure.raise();
   if (page.regularity.converges.is_no()) return failed;
   const bool complete = page.regularity.is_closed() && wanted.holds(page.regularity.exponent);
   return page.regularity.converges.is_yes() && complete ? done : undecided;

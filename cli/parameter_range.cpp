@@ -1,11 +1,7 @@
 #include "parameter_range.hpp"
 
-#include "checker.hpp"
-
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
-#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
-#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
 
@@ -66,49 +62,50 @@ void require_folder(const std::string& directory) {
 
 namespace {
 
-/// Why the file, which is removed then, does not stand; nothing where it does.
-std::optional<std::string> refusal(const std::string& file, const std::string& text) {
-  try {
-    runtime::write_file(file, text);
-    const CheckerAnswer answer = run_checker(checker_arguments(text, file));
-    if (answer.code == 0) return std::nullopt;
-    std::filesystem::remove(file);
-    return "subcert-check says " + answer.text;
-  } catch (const Error& error) {
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-    return reason_text(error);
-  }
-}
-
-}  // namespace
-
-std::string write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
-                               const std::vector<std::string>& ends, Json& json) {
+/// Certificates of a run before.
+void remove_others(const std::string& directory, const std::vector<std::string>& ends,
+                   const std::set<std::string>& written) {
   namespace fs = std::filesystem;
-  std::set<std::string> written;
-  std::string refused;
-  Json reasons = Json::object();
-  for (const NamedCertificate& certificate : certificates) {
-    const std::string file = fs::path(directory) / (certificate.name + ".cert");
-    if (const auto reason = refusal(file, certificate.text)) {
-      refused += fmt::format("certificate  {} not written: {}\n", certificate.name, *reason);
-      reasons[certificate.name] = *reason;
-    } else {
-      written.insert(certificate.name);
-    }
-  }
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
     const std::string name = entry.path().stem().string();
     const bool ours = std::any_of(ends.begin(), ends.end(),
                                   [&](const std::string& end) { return name.ends_with(end); });
     if (entry.path().extension() == ".cert" && ours && !written.contains(name)) fs::remove(entry.path());
   }
+}
+
+}  // namespace
+
+WrittenCertificates write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
+                                       const std::vector<std::string>& ends, Json& json) {
+  std::set<std::string> written;
+  WrittenCertificates result;
+  Json reasons = Json::object();
+  for (const NamedCertificate& named : certificates) {
+    const WrittenCertificate one = write_certificate(std::filesystem::path(directory) / (named.name + ".cert"),
+                                                     [&] { return named.certificate; });
+    if (one.claim) {
+      written.insert(named.name);
+    } else {
+      result.text += fmt::format("certificate  {} not written: {}\n", named.name, one.reason);
+      reasons[named.name] = one.reason;
+    }
+    result.failure = one.failure;
+    if (one.failure.error) break;
+  }
+  try {
+    if (!result.failure.error) remove_others(directory, ends, written);
+  } catch (const std::filesystem::filesystem_error& error) {
+    result.failure.error.emplace(ErrorKind::missing_file,
+                                 "cannot remove " + error.path1().string() + ": " + error.code().message());
+  }
   json["certificates"] = written.size();
-  if (!refused.empty()) json["certificate_reason"] = reasons;
-  if (certificates.empty()) return "certificates none: there are none for this property\n";
-  return fmt::format("certificates {} in {}, verified: subcert verify {}\n", written.size(), directory, directory) +
-         refused;
+  if (!reasons.empty()) json["certificate_reason"] = reasons;
+  if (!written.empty())
+    result.text.insert(
+        0, fmt::format("certificates {} in {}, verified: subcert verify {}\n", written.size(), directory, directory));
+  if (certificates.empty()) result.text = "certificates none: there are none for this property\n";
+  return result;
 }
 
 }  // namespace subcert::cli

@@ -1,6 +1,7 @@
 #pragma once
 /// What the commands about families with a parameter share.
 
+#include "checker.hpp"
 #include "command.hpp"
 
 #include <subcert/analysis/family/property_range.hpp>
@@ -25,15 +26,22 @@ const char* why_text(SpecialValue::Why why);
 
 struct NamedCertificate {
   std::string name;  ///< of its file, without `.cert`
-  std::string text;
+  Certificate certificate;
 };
 
 /// The folder, made if it is missing. Errors: throws missing_file where it cannot be made.
 void require_folder(const std::string& directory);
 
+/// What became of them: the lines that tell how to verify them, and why some are not there.
+struct WrittenCertificates {
+  std::string text = {};
+  WriteFailure failure = {};
+};
+
 /// Writes those that the checker accepts into this folder; others whose names end like that, of a run before, are
-/// removed. Returns the lines that tell how to verify them, and why some are not there; adds the same to the object.
-std::string write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
-                               const std::vector<std::string>& ends, Json& json);
+/// removed. The first that cannot be written is the last that is tried, and nothing is removed then. Adds the same to
+/// the object.
+WrittenCertificates write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
+                                       const std::vector<std::string>& ends, Json& json);
 
 }  // namespace subcert::cli

@@ -56,11 +56,33 @@ TEST_CASE("an answer is not lost where no certificate can be written") {
     CHECK(run(start + (folder / "none/file.cert")).code == 66);
     CHECK(run(start + (folder / "")).code == 66);
   }
-  // The name of a folder where the matrices should go.
+}
+
+TEST_CASE("a certificate that cannot be written is one line and exit code 66, after the answer") {
+  const Folder folder;
+  const std::string matrices = folder / "pair.json", file = folder / "file.cert", bundle = folder / "bundle";
+  std::ofstream(matrices) << R"({"matrices": [[["0","1"],["0","0"]], [["1","1"],["1","1"]]]})";
+  // Folders stand where files should go, a device takes nothing.
   std::filesystem::create_directory(file + ".matrices");
-  const Run blocked = run("jsr " + matrices + " --certificate " + file);
-  CHECK(blocked.code == 0);
-  CHECK(blocked.out.find("certificate  not written: ") != std::string::npos);
+  std::filesystem::create_directories(bundle + "/01-proved.cert");
+  std::filesystem::create_directories(bundle + "/00001-piece.cert");
+  std::ofstream(bundle + "/07-refuted.cert") << "of a run before\n";
+  const std::string over = " four-point:w --over w=1/20..1/16 ";
+  for (const std::string& command :
+       {"jsr " + matrices + " --certificate " + file, std::string("regularity dd:n=2 --certificate /dev/full"),
+        std::string("regularity loop --certificate /dev/full"),
+        "range" + over + "--property convergent --certificate " + bundle,
+        "curve" + over + "--pieces 1 --certificate " + bundle}) {
+    CAPTURE(command);
+    const Run blocked = run(command);
+    CHECK(blocked.code == 66);
+    CHECK(blocked.out.find(" not written: ") != std::string::npos);
+    CHECK(blocked.out.find("verified") == std::string::npos);
+    CHECK(blocked.out.find('\n') < blocked.out.find("certificate"));
+    CHECK(blocked.err.starts_with("subcert: "));
+    CHECK(std::count(blocked.err.begin(), blocked.err.end(), '\n') == 1);
+  }
+  CHECK(std::filesystem::exists(bundle + "/07-refuted.cert"));
 }
 
 TEST_CASE("what a certificate says of a product whose leading eigenvalue is a multiple one") {

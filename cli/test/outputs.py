@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Every output of every command where it cannot be written: one line that names the file and the reason, exit code 66,
-what was there before intact, nothing beside it.
+what was there before intact, nothing beside it. Where a certificate cannot be written the answer is printed before.
 
 Usage: outputs.py SUBCERT CHECKER. File systems that are full or read-only are mounted in a name space of their own; where
 that is not allowed a line says so.
@@ -40,7 +40,8 @@ COMMANDS = [
 ]
 PRINTED = 16
 REASONS = ("Not a directory", "Is a directory", "No space left on device", "Read-only file system", "File too large",
-           "gnuplot did not draw it to its end", "No such file or directory", "expected a folder")
+           "gnuplot did not draw it to its end", "No such file or directory", "expected a folder",
+           "expected a file in a folder")
 NO_JOURNAL = ": not a file"  # with exit code 65
 failures, runs = [], 0
 
@@ -64,7 +65,7 @@ def tree(folder):
 def refuses(words, named, folder, **more):
     """The run fails as it should and changes nothing in the folder."""
     before = tree(folder)
-    done = run(words, **more)
+    done = run(words, **more, stdout=subprocess.PIPE)
     lines = done.stderr.splitlines()
     if done.returncode == 65 and len(lines) == 1 and lines[0].endswith(named + NO_JOURNAL):
         return
@@ -74,6 +75,8 @@ def refuses(words, named, folder, **more):
         complain("not one line with a reason", words, done)
     elif named not in lines[0] and "/subcert-" not in lines[0]:  # or one of its own temporary files
         complain("the file is not named", words, done)
+    if "--certificate" in words and "expected a" not in done.stderr and "not written" not in done.stdout:
+        complain("the answer, which was there, is lost", words, done)
     if tree(folder) != before:
         complain(f"{sorted(set(tree(folder)) ^ set(before)) or 'a content'} changed", words, done)
 

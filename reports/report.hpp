@@ -34,8 +34,8 @@ struct ReportOptions {
   int jobs = 2;
   /// Called with a line about what is being done; may be empty.
   std::function<void(const std::string&)> progress = {};
-  std::uint64_t seed = 1;  ///< of the experiments
-  std::size_t runs = 50;   ///< samples of the noise in each experiment, more where they leave a claim open
+  std::uint64_t seed = 1;             ///< of the experiments
+  std::size_t runs = 50;              ///< samples of the noise in each experiment, more where they leave a claim open
   std::optional<double> budget = {};  ///< seconds for the exponent of each surface; nothing for those of the report
   Verified verified = bounds_alone;   ///< of the certificates on the page
 };

@@ -50,6 +50,7 @@ TEST_CASE("limit: extremes and sign") {
   CHECK(has_digits(curve.at("maximum"), "lower", "1"));
   CHECK(run("limit primal:n=2 --range").out.find("nonnegative      yes: ") != std::string::npos);
   check_fails(run("limit loop: --range --level 2"), 64, "--range: takes neither --level nor --derivative");
-  check_fails(run("limit loop: --range --width 0"), 64, "--width: expected a positive number, as 1e-9 or 1/1000, got '0'");
+  check_fails(run("limit loop: --range --width 0"), 64,
+              "--width: expected a positive number, as 1e-9 or 1/1000, got '0'");
   CHECK(run("limit 'mask:[1,1]' --range").code == 1);
 }

@@ -121,8 +121,8 @@ def check_statements(
 def check(
     expectations: str, *, budget: float = 20, jobs: Optional[int] = None, progress: Progress = None
 ) -> list[PropertyAnswer]:
-    """Checks expected properties of schemes, given as TOML: the text, or the name of a file. `budget`: seconds of processor
-    time for each search. Raises DataError for a text that is not of that form.
+    """Checks expected properties of schemes, given as TOML: the text, or the name of a file. `budget`: seconds of
+    processor time for each search. Raises DataError for a text that is not of that form.
 
     >>> import subcert
     >>> [answer] = subcert.check('''

@@ -59,7 +59,7 @@ class _Certified:
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
             return self.enclosure == other
-        compared = [field.name for field in dataclasses.fields(self) if field.compare]  # type: ignore[arg-type]
+        compared = [field.name for field in dataclasses.fields(self) if field.compare]
         return all(getattr(self, name) == getattr(other, name) for name in compared)
 
     def __hash__(self) -> int:

@@ -221,8 +221,9 @@ class Scheme(Named):
     ) -> HolderExponent:
         """The Hoelder exponent, enclosed with proof.
 
-        `budget`: seconds of processor time. `memory`: MiB. `width`: at most so wide, where a product is proved to attain
-        the radius. `certificate`: look at once for evidence that a certificate can hold, also where a shorter argument exists.
+        `budget`: seconds of processor time. `memory`: MiB. `width`: at most so wide, where a product is proved to
+        attain the radius. `certificate`: look at once for evidence that a certificate can hold, also where a shorter
+        argument exists.
         Raises DomainError for coset sums other than 1."""
         arguments = (self._handle, levels, budget, memory, bits_of(width))
         again = Computation("holder", (*arguments, True, None))

@@ -53,14 +53,16 @@ theorem FourLogarithm --mask '[-1,0,9,16,9,0,-1]/16' --arity 2 --exact '4-log|[-
 theorem ReducedLower --mask '[1,2,3,4,3,2,1]/8' --arity 2 --lower 3 single-reduced-second.cert
 theorem ReducedBoth --mask '[1,1,1,1]/2' --arity 2 --lower 1 --upper 1 trapezoid-reduced.cert
 reduced='[-1,1,7,9,9,7,1,-1]/16@-3'
-theorem ReducedExact --mask "$reduced" --arity 2 --lower 2 --upper 2 --exact '4-log|[-4,1]@4,0,1|^1/1' reduced-exact.cert
+theorem ReducedExact --mask "$reduced" --arity 2 --lower 2 --upper 2 --exact '4-log|[-4,1]@4,0,1|^1/1' \
+  reduced-exact.cert
 theorem ReducedLogarithm --mask "$reduced" --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --logarithm 1 single-reduced.cert
 theorem HatFull --mask '[1,2,1]/2@-1' --arity 2 --lower 1 --upper 2 hat-full.cert
 theorem HatRough --mask '[1,2,1]/2@-1' --arity 2 --upper C2 hat-rough.cert
 theorem SingleRough --mask '[-1,0,9,16,9,0,-1]/16' --arity 2 --lower 2 --upper C4 single-rough.cert
 theorem ReducedFull --mask '[1,1,1,1]/2' --arity 2 --lower 1 --upper 2 trapezoid-rough.cert
 theorem ReducedRough --mask '[1,1,1,1]/2' --arity 2 --lower 1 --upper C2 trapezoid-rough.cert
-theorem ReducedExactRough --mask "$reduced" --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --upper C4 reduced-exact-rough.cert
+theorem ReducedExactRough --mask "$reduced" --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --upper C4 \
+  reduced-exact-rough.cert
 theorem Columns --matrices columns.mat --lower 1 --upper 11/10 columns-graph-word.cert
 theorem Shears --matrices shears.mat --lower 1618/1000 --upper 17/10 shears-graph.cert
 theorem ConeExact --matrices golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' golden-cone-exact.cert

@@ -1,4 +1,5 @@
 // Joint spectral radii whose answer is known without a search, and families on which searches once lost their footing.
+#include <subcert/analysis/regularity/radius/closed_orbit.hpp>
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/regularity/radius/p_radius.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -94,6 +95,21 @@ std::vector<std::pair<Four, Four>> classes_of_pairs() {
       }
     }
   return classes;
+}
+
+/// The family in a basis whose vectors have nearly the same direction: products of shears by such numbers.
+MatrixFamily badly_conditioned(Random& random, const MatrixFamily& family, long shear) {
+  const std::size_t n = family.size();
+  RationalMatrix basis = RationalMatrix::identity(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::size_t>(random.integer(0, static_cast<long>(n) - 1));
+    RationalMatrix step = RationalMatrix::identity(n);
+    step((i + 1 + k % (n - 1)) % n, i) = random.integer(shear / 2, shear);
+    basis = basis * step;
+  }
+  std::vector<RationalMatrix> moved;
+  for (const RationalMatrix& m : family) moved.push_back(solve(basis, m * basis));
+  return moved;
 }
 
 RationalMatrix to_matrix(const Four& a) { return matrix({{a[0], a[1]}, {a[2], a[3]}}); }
@@ -211,6 +227,81 @@ TEST_CASE("the golden ratio is found through badly conditioned coordinates") {
     CHECK(*found.radius.upper >= *golden.lower);
     CHECK(found.exact.is_yes());
   }
+}
+
+TEST_CASE("badly conditioned coordinates change no radius") {
+  Random random;
+  for ([[maybe_unused]] const auto round : rounds(6)) {
+    const auto n = static_cast<std::size_t>(random.integer(2, 4));
+    const MatrixFamily family{random_matrix(random, n, 3), random_matrix(random, n, 3)};
+    const JointSpectralRadius plain = radius_of(family, 3);
+    if (!plain.exact.is_yes()) continue;
+    const JointSpectralRadius found = radius_of(badly_conditioned(random, family, 100000000), 3);
+    CAPTURE(n, found.exact.reason);
+    CHECK(found.exact.is_yes());
+    CHECK(*found.radius.lower <= *plain.radius.upper);
+    CHECK(*found.radius.upper >= *plain.radius.lower);
+    CHECK(found.proved_upper() <= *plain.radius.upper * (1 + power(Rational(10), -9)));
+  }
+}
+
+TEST_CASE("opposite matrices count once") {
+  Random random;
+  for ([[maybe_unused]] const auto round : rounds(6)) {
+    const auto n = static_cast<std::size_t>(random.integer(2, 4));
+    const RationalMatrix a = random_matrix(random, n, 4), b = random_matrix(random, n, 4);
+    const JointSpectralRadius plain = radius_of({a, b}, 2),
+                              found = radius_of({a, Rational(-1) * b, Rational(-1) * a, b, a}, 2);
+    CAPTURE(n, found.exact.reason);
+    CHECK(found.exact.is_yes() == plain.exact.is_yes());
+    CHECK(*found.radius.lower <= *plain.radius.upper);
+    CHECK(*found.radius.upper >= *plain.radius.lower);
+  }
+}
+
+TEST_CASE("products are told apart that doubles take for equal") {
+  Random random;
+  const Rational more = 1 + power(Rational(10), -60);
+  for ([[maybe_unused]] const auto round : rounds(10)) {
+    const RationalMatrix m = random_matrix(random, static_cast<std::size_t>(random.integer(2, 4)), 5);
+    const MatrixFamily family{m, more * m, Rational(-1) * m};
+    const auto evidence = [&](std::vector<int> word) { return prove_product(family, word); };
+    if (*evidence({0}).radius.lower == 0) continue;
+    const auto dominates = [&](const std::vector<int>& above, const std::vector<int>& below) {
+      return radius::is_dominated(family, evidence(above), family, evidence(below), {});
+    };
+    CHECK(dominates({0}, {2}));
+    CHECK(dominates({2}, {0, 2, 2}));
+    CHECK_FALSE(dominates({0}, {1}));
+    CHECK_FALSE(dominates({0, 2}, {1, 0}));
+    // They commute: whatever is called exact is the largest of them.
+    const JointSpectralRadius found = radius_of(family, 1);
+    if (found.exact.is_yes()) CHECK(std::ranges::all_of(found.product.word, [](int letter) { return letter == 1; }));
+  }
+  // 3 exp(+-i pi/3) and 3: no power is compared, but products of conjugates are.
+  const MatrixFamily turns{matrix({{1, 1}, {-1, 2}}), matrix({{3, 0}, {0, 0}})};
+  CHECK_FALSE(radius::is_dominated(turns, prove_product(turns, {0}), turns, prove_product(turns, {1}), {}));
+  const MatrixFamily complex{matrix({{1, -2}, {2, 1}}), matrix({{2, -1}, {1, 2}})};  // both of modulus sqrt(5)
+  CHECK(complex.product({0, 1}) == complex.product({1, 0}));
+  check_exact(complex, root_enclosure(Rational(5), 2));
+}
+
+TEST_CASE("orbits of rational vectors close only where the product attains the radius, and where they span") {
+  const auto orbit = [](const Rational& back) {
+    return radius::closed_orbit({matrix({{1, 0}, {0, 0}}), matrix({{0, back}, {1, 0}})}, {{0}}, {Deadline::in(5)});
+  };
+  const auto closed = orbit(1);
+  REQUIRE(closed);
+  CHECK((closed->power == 1 && closed->length == 1));
+  CHECK(orbit(1 - power(Rational(10), -12)));
+  // Products of two letters grow then, which doubles do not see.
+  CHECK_FALSE(orbit(1 + power(Rational(10), -12)));
+  // The orbit of the first product is one vector, whatever the others do.
+  CHECK_FALSE(radius::closed_orbit({matrix({{1, 0}, {0, 0}}), matrix({{0, 0}, {0, 2}})}, {{0}}, {Deadline::in(5)}));
+  // Square roots: the orbit is that of products of two letters.
+  const auto root = radius::closed_orbit({matrix({{1, 1}, {1, -1}})}, {{0}}, {Deadline::in(5)});
+  REQUIRE(root);
+  CHECK((root->power == 2 && root->length == 2));
 }
 
 TEST_CASE("the p-radius of triangular families is the largest of their diagonals") {

@@ -194,6 +194,38 @@ TEST_CASE("jsr: families whose radius is plain are exact, with certificates") {
   CHECK(run("verify " + certificate).code == 0);
 }
 
+TEST_CASE("jsr: certificates name what is exact, and say so where they do not") {
+  const Folder folder;
+  const std::string file = folder / "file.json", certificate = file + ".cert";
+  struct Case {
+    const char* matrices;
+    bool named;
+  };
+  for (const auto& [matrices, named] : {
+           Case{R"([[[1,1],[1,0]],[[-1,-1],[-1,0]]])", true},
+           Case{R"([[[0,-1],[1,1]],[[0,1],[-1,-1]],[[1,1],[-1,2]]])", true},
+           Case{R"([[[1e160,1e160,0],[-1e160,0,-1e160],[1e160,0,0]],)"
+                R"([[1e160,0,-1e160],[1e160,-1e160,0],[0,1e160,0]]])",
+                true},
+           Case{R"([[["-999999","1000000"],["-1000000","1000001"]],)"
+                R"([["1000002","-1000000"],["1000002000001/1000000","-1000000"]]])",
+                true},
+           Case{R"([[[1,1],[1,-1]],[[1,-1],[-1,-1]]])", false},  // the square root of 2, by products of two letters
+       }) {
+    std::ofstream(file, std::ios::binary) << R"({"matrices": )" << matrices << "}";
+    const Run done = run("jsr " + file + " --json --budget 10 --certificate " + certificate);
+    CAPTURE(matrices, done.out, done.err);
+    const auto json = nlohmann::json::parse(done.out);
+    CHECK(json.at("exact") == true);
+    CHECK(json.at("certificate").at("exact").is_string() == named);
+    const Run verified = run("verify " + certificate);
+    CHECK(verified.code == 0);
+    CHECK(contains(verified.out, "joint spectral radius = ") == named);
+    const std::string text = run("jsr " + file + " --budget 10 --certificate " + certificate).out;
+    CHECK(contains(text, named ? "and that the product attains" : "but not that the product attains"));
+  }
+}
+
 TEST_CASE("jsr: families on which doubles lose their footing end with an answer") {
   const Folder folder;
   const std::string file = folder / "file.json";

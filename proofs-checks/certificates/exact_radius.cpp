@@ -70,6 +70,12 @@ std::optional<RationalComplex> point_of(const ComplexBall& ball) {
   return RationalComplex{middle(re), im.contains(0) ? Rational(0) : middle(im)};
 }
 
+/// Of the digits before the decimal point: a large zero is named by about as many as others. Domain: size > 0.
+int digits_left_out(const Rational& size) {
+  constexpr long most_digits = 16, digits_of_ten_bits = 3;
+  return static_cast<int>(std::max(0L, binary_exponent(size) * digits_of_ten_bits / 10 - most_digits));
+}
+
 /// The zero of an irreducible polynomial in the ball.
 std::optional<Zero> zero_in(const ComplexBall& ball, const LaurentPolynomial& p) {
   const auto rational = zero_of_linear(p);
@@ -81,7 +87,7 @@ std::optional<Zero> zero_in(const ComplexBall& ball, const LaurentPolynomial& p)
   const Rational squared = p.highest() * p.highest() * value_at(p, zero.point).squared_modulus() / steep;
   zero.error = squared == 0 ? Rational(0) : power(Rational(2), binary_exponent(squared) / 2 + 1);
   const Rational size = one_norm({zero.point});
-  const int first_decimals = 3 + (size == 0 ? 0 : std::max(0, decimal_places(size) - 1));
+  const int first_decimals = 3 + (size == 0 ? 0 : std::max(0, decimal_places(size) - 1) - digits_left_out(size));
   for (int decimals = first_decimals; decimals < first_decimals + most_decimals; ++decimals) {
     const Rational unit = power(Rational(10), decimals);
     const auto decimal = [&](const Rational& x) { return Rational(to_integer(x * unit, Rounding::nearest)) / unit; };

@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <numeric>
 #include <semaphore>
+#include <set>
 
 namespace subcert::radius {
 namespace {
@@ -30,6 +32,7 @@ constexpr double most_alone = 10;       // in seconds
 constexpr auto look = std::chrono::milliseconds(2);  // between looks at the time that they have had
 constexpr double same_radius = 1e-9;                 // of products, relatively
 constexpr std::size_t most_commuting = 64;
+constexpr double merged_share = 0.5;  // for opposite matrices as one, where they were to be told apart in the end
 constexpr double commuting_share = 0.2, commuting_seconds = 2;  // for a polytope where the radius is known without
 
 /// Whether all maximizing products have the radius of the first, exactly.
@@ -54,23 +57,56 @@ Decision attains(const MatrixFamily& family, const PolytopeCandidate& candidate,
 /// A family without matrices that occur before.
 struct DifferentMatrices {
   MatrixFamily family;
-  std::vector<std::size_t> originals;  ///< the first matrix of the family that is this one
+  std::vector<std::size_t> originals;  ///< the matrix of the family that is this one
   std::vector<std::size_t> places;     ///< of each matrix of the family, among the different ones
+  std::vector<bool> opposite;          ///< whether it is -1 times the one at its place
+  bool are_fewer() const { return originals.size() < places.size(); }
 };
 
-DifferentMatrices different_matrices(const MatrixFamily& family) {
+/// The sign of the first entry that is not 0.
+int first_sign(const RationalMatrix& m) {
+  for (std::size_t i = 0; i < m.rows(); ++i)
+    for (std::size_t j = 0; j < m.columns(); ++j)
+      if (m(i, j) != 0) return m(i, j) < 0 ? -1 : 1;
+  return 0;
+}
+
+/// `up_to_sign`: of opposite ones that stays whose first entry is negative, so that no cone, which -1 does not keep,
+/// is looked for; and no use is made of a group then.
+DifferentMatrices different_matrices(const MatrixFamily& family, bool up_to_sign = false) {
   std::vector<RationalMatrix> matrices;
   std::vector<std::size_t> originals, places;
+  bool any_opposite = false;
   for (std::size_t t = 0; t < family.count(); ++t) {
-    places.push_back(
-        static_cast<std::size_t>(std::find(matrices.begin(), matrices.end(), family[t]) - matrices.begin()));
-    if (places.back() < matrices.size()) continue;
+    auto known = std::find(matrices.begin(), matrices.end(), family[t]);
+    if (up_to_sign && known == matrices.end()) {
+      known = std::find(matrices.begin(), matrices.end(), Rational(-1) * family[t]);
+      if (known != matrices.end()) {
+        any_opposite = true;
+        if (first_sign(family[t]) < 0) {
+          *known = family[t];
+          originals[static_cast<std::size_t>(known - matrices.begin())] = t;
+        }
+      }
+    }
+    places.push_back(static_cast<std::size_t>(known - matrices.begin()));
+    if (known != matrices.end()) continue;
     matrices.push_back(family[t]);
     originals.push_back(t);
   }
-  if (originals.size() == family.count()) return {family, std::move(originals), std::move(places)};
+  std::vector<bool> opposite;
+  for (std::size_t t = 0; t < family.count(); ++t) opposite.push_back(matrices[places[t]] != family[t]);
+  const auto with = [&](MatrixFamily fewer) {
+    return DifferentMatrices{std::move(fewer), std::move(originals), std::move(places), std::move(opposite)};
+  };
+  if (originals.size() == family.count()) return with(family);
+  if (any_opposite) {
+    std::vector<std::size_t> letters(matrices.size());
+    std::iota(letters.begin(), letters.end(), std::size_t{0});
+    return with({std::move(matrices), {{SparseMap::identity(family.size()), std::move(letters)}}});
+  }
   // The flip is kept where it still reverses the order.
-  if (family.is_flip_symmetric()) return {MatrixFamily(std::move(matrices)), std::move(originals), std::move(places)};
+  if (family.is_flip_symmetric()) return with(std::move(matrices));
   std::vector<FamilySymmetry> group;
   for (const FamilySymmetry& element : family.group()) {
     FamilySymmetry one{element.map, {}};
@@ -79,7 +115,7 @@ DifferentMatrices different_matrices(const MatrixFamily& family) {
     if (std::none_of(group.begin(), group.end(), [&](const FamilySymmetry& g) { return g.letters == one.letters; }))
       group.push_back(std::move(one));
   }
-  return {MatrixFamily(std::move(matrices), std::move(group)), std::move(originals), std::move(places)};
+  return with({std::move(matrices), std::move(group)});
 }
 
 /// A word over the different matrices in letters of the family.
@@ -133,7 +169,12 @@ void expand(PolytopeOrigins& origins, const DifferentMatrices& different) {
 /// The proof for the family from that for its different matrices.
 void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
   rename(radius.product.word, different);
-  if (auto* form = std::get_if<QuadraticProof>(&radius.proof)) rename(form->letters, different);
+  if (auto* form = std::get_if<QuadraticProof>(&radius.proof)) {
+    form->letters.clear();  // one of each, also of opposite ones
+    std::set<std::pair<std::size_t, bool>> seen;
+    for (std::size_t t = 0; t < different.places.size(); ++t)
+      if (seen.emplace(different.places[t], different.opposite[t]).second) form->letters.push_back(static_cast<int>(t));
+  }
   if (auto* graph = std::get_if<GraphProof>(&radius.proof)) expand(*graph, different);
   auto* polytope = std::get_if<PolytopeProof>(&radius.proof);
   if (!polytope) return;
@@ -145,6 +186,12 @@ void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
     of_images = std::move(all);
   };
   repeated(polytope->images);
+  for (std::size_t k = 0; k < polytope->images.size(); ++k)
+    if (different.opposite[k % different.places.size()])
+      for (WeightedVertex& term : polytope->images[k]) {
+        term.weight = -term.weight;
+        term.imaginary = -term.imaginary;
+      }
   repeated(polytope->moduli);
   repeated(polytope->residuals);
   expand(polytope->origins, different);
@@ -394,11 +441,9 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   return result;
 }
 
-}  // namespace
-
-JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget& budget,
-                                        const std::optional<NormProof>& known, const std::optional<Rational>& target) {
-  const DifferentMatrices different = different_matrices(family);
+/// By the different matrices.
+JointSpectralRadius radius_of_merged(const DifferentMatrices& different, const Budget& budget,
+                                     const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   const auto largest = largest_of_commuting(different.family, budget.deadline.after(commuting_share));
   const Deadline end = largest ? budget.deadline.after(commuting_share).at_most(commuting_seconds) : budget.deadline;
   JointSpectralRadius result = radius_of_different(different.family, {end, budget.memory}, known, target);
@@ -407,7 +452,25 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
     result.radius = largest->radius;
     result.exact = {Truth::yes, "the matrices commute, and this one has the largest spectral radius"};
   }
-  if (different.originals.size() < family.count()) expand(result, different);
+  if (different.are_fewer()) expand(result, different);
+  return result;
+}
+
+}  // namespace
+
+JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget& budget,
+                                        const std::optional<NormProof>& known, const std::optional<Rational>& target) {
+  const DifferentMatrices equal = different_matrices(family), up_to_sign = different_matrices(family, true);
+  if (up_to_sign.originals.size() == equal.originals.size()) return radius_of_merged(equal, budget, known, target);
+  JointSpectralRadius merged = radius_of_merged(up_to_sign, {budget.deadline.after(merged_share), budget.memory}, known,
+                                                target);
+  if (!std::holds_alternative<GraphProof>(merged.proof)) return merged;
+  // A graph tells opposite letters apart, so it has to be found once more; what is exact remains so.
+  JointSpectralRadius result = radius_of_merged(equal, budget, known, target);
+  if (merged.exact.is_yes() && !result.exact.is_yes()) {
+    merged.proof = std::move(result.proof);
+    return merged;
+  }
   return result;
 }
 

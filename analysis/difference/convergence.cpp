@@ -37,10 +37,11 @@ Decision contracts(const Mask& mask, const ProofLimits& limits) {
     if (small &&
         (levels == 4 || reached < levels))  // cheap, and often the true answer where four levels did not contract
       for (const RationalMatrix& transition : transition_matrices(derived)) {
-        const LaurentPolynomial scaled = characteristic_polynomial(transition);
+        const auto scaled = characteristic_polynomial(transition, limits.deadline);
+        if (!scaled) break;
         const Rational arity(mask.arity());
-        const bool on_circle = scaled(arity) == 0 || scaled(-arity) == 0;
-        if (on_circle || *largest_root_modulus(scaled).largest.lower >= arity)
+        const bool on_circle = (*scaled)(arity) == 0 || (*scaled)(-arity) == 0;
+        if (on_circle || *largest_root_modulus(*scaled).largest.lower >= arity)
           return {Truth::no, "a transition matrix of the difference scheme has an eigenvalue of modulus " +
                                  std::string(on_circle ? "1" : "above 1")};
       }

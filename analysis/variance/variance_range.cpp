@@ -33,7 +33,8 @@ void tighten(const Mask& mask, bool narrow, const Deadline& deadline, VarianceRa
 VarianceRange variance_range(const Mask& mask, const VarianceOptions& options) {
   require(options.relative_width > 0, "variance_range: need relative_width > 0, got {}",
           to_text(options.relative_width));
-  const LimitCells cells(mask, exact_deadline(options.budget));
+  const Deadline exact = exact_deadline(options.budget);
+  const LimitCells cells(mask, exact);
   const double tolerance = options.relative_width.convert_to<double>() * 0.9;
   CellExtremes extremes{Extreme(0), Extreme(-std::numeric_limits<double>::infinity()), cells.has_slopes(), tolerance};
   VarianceRange result;
@@ -65,7 +66,7 @@ VarianceRange variance_range(const Mask& mask, const VarianceOptions& options) {
   result.maximum = extremes.highest.enclosure();
   result.minimum = extremes.lowest.negated();
   if (extremes.slopes) result.slope = extremes.steepest.enclosure();
-  tighten(mask, cells.last_integer() - cells.first_integer() <= exact_width, exact_deadline(options.budget), result);
+  tighten(mask, cells.last_integer() - cells.first_integer() <= exact_width, exact, result);
   return result;
 }
 

@@ -19,6 +19,7 @@ namespace subcert {
 namespace {
 
 constexpr std::size_t least_inverted = 24;  // the size from which on an inverse proves a product
+constexpr int inverse_bits = 60;            // of the radius of a product, by an inverse
 constexpr int most_levels = 6;              // of the norms that bound differences
 
 /// A decimal of 15 places as a fraction in lowest terms; of 15 more than the zeros after the point for tiny numbers.
@@ -635,8 +636,10 @@ std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, cha
 Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRadius& radius) {
   return with_bounds([&](bool tell_exact) {
     Certificate certificate;
-    if (*radius.product.radius.lower > 0)
-      certificate.claim.lower = outward(*radius.product.radius.lower, Rounding::down);
+    const ProductEvidence& product = radius.product;
+    if (const Rational& lower = *product.radius.lower; lower > 0)
+      certificate.claim.lower = outward(product.exact ? lower : rounded(lower, inverse_bits, Rounding::down),
+                                        Rounding::down);
     ExactRadius exact = tell_exact ? exact_radius(family, radius) : ExactRadius{};
     certificate.claim.upper = outward(upper_end(radius, exact), Rounding::up);
     certificate.text = fmt::format("subcert-certificate 3\nradius {} {}\n{}", family.count(), family.size(),

@@ -33,14 +33,6 @@ bool is_near(const ComplexVector& v, const RationalComplex& factor, const Comple
   return one_norm(difference(w, factor, v)) < power(Rational(10), -20) * one_norm(w);
 }
 
-/// A dyadic number within 2^-bits of the value, relatively.
-Rational rounded(const Rational& value, int bits, Rounding rounding) {
-  if (value == 0) return value;
-  const long shift = bits - binary_exponent(value);
-  const Rational unit = power(Rational(2), shift);
-  return Rational(to_integer(value * unit, rounding)) / unit;
-}
-
 RationalComplex value_at(const LaurentPolynomial& p, const RationalComplex& z) {
   RationalComplex value;
   for (long k = p.highest(); k >= 0; --k) value = value * z + RationalComplex{p.coefficient(k), 0};
@@ -314,6 +306,13 @@ class Writer {
 };
 
 }  // namespace
+
+Rational rounded(const Rational& value, int bits, Rounding rounding) {
+  if (value == 0) return value;
+  const long shift = bits - binary_exponent(value);
+  const Rational unit = power(Rational(2), shift);
+  return Rational(to_integer(value * unit, rounding)) / unit;
+}
 
 std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const PolytopeProof& polytope) {
   return Writer(family, polytope).run();

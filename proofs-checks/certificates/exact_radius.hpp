@@ -11,6 +11,9 @@
 
 namespace subcert {
 
+/// A dyadic number within 2^-bits of the value, relatively.
+Rational rounded(const Rational& value, int bits, Rounding rounding);
+
 /// The joint spectral radius of a family as |z|^(1/L), z a zero of a polynomial with integer coefficients.
 struct ExactRadiusLines {
   std::string number;  ///< |[p0,p1,...]@RE,IM,EPS|^1/L

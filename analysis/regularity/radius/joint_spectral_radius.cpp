@@ -116,22 +116,30 @@ void settle_exactness(JointSpectralRadius& result, const MatrixFamily& family,
   result.exact = leader.exact;
   if (!leader.exact.is_yes()) return;
   int equal = 1;
-  bool growth_known = leader.growth.at_most == 0;
+  bool growth_known = leader.growth.at_most == 0, compared = true;
   for (std::size_t k = 0; k < families.size(); ++k) {
     const JointSpectralRadius& other = proof.blocks[k];
     if (k == proof.leading || *other.radius.upper < *leader.radius.lower) continue;
     const bool both_exact = leader.radius.is_exact() && *other.radius.upper <= *leader.radius.lower;
     const bool similar = !both_exact && radius::are_similar(families[proof.leading], families[k], deadline);
-    if (!both_exact && !similar &&
-        !(other.exact.is_yes() &&
-          radius::is_dominated(families[proof.leading], leader.product, families[k], other.product, deadline))) {
+    const bool dominated = both_exact || similar ||
+                           (other.exact.is_yes() && radius::is_dominated(families[proof.leading], leader.product,
+                                                                         families[k], other.product, deadline));
+    // One product that attains both radii attains the larger, whichever that is.
+    if (!dominated && !(other.exact.is_yes() && other.product.word == leader.product.word)) {
       result.exact = {Truth::unknown, "two blocks have radii that could not be compared exactly"};
       return;
     }
+    compared = compared && dominated;
     ++equal;
     growth_known = growth_known && (similar || other.growth.at_most == 0);
   }
-  if (leader.radius.is_exact()) result.radius = leader.radius;
+  if (!compared) {
+    result.product.exact.reset();
+    result.product.radius.upper = result.radius.upper;
+  } else if (leader.radius.is_exact()) {
+    result.radius = leader.radius;
+  }
   if (growth_known) result.growth.at_most = equal - 1;
   if (equal > 1 && *leader.radius.lower > 0)
     result.growth.at_least = radius::jordan_power(family, leader.product.word, deadline);

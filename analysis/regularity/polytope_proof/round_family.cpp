@@ -166,7 +166,7 @@ bool has_hidden_products(const MatrixFamily& family, const Deadline& deadline) {
 }
 
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
-  const RoundFamily given{to_search_family(family)};
+  RoundFamily given{to_search_family(family)};
   if (family.group().size() > 1 && !family.is_flip_symmetric()) return given;
   RoundFamily result = given;
   const auto d = static_cast<double>(family.size()), products = 2.0 * static_cast<double>(family.count() + 1);

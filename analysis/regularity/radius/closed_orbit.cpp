@@ -158,7 +158,7 @@ Subspace leading_vectors(const MatrixFamily& family, std::vector<int> word, int 
     for (std::size_t i = 0; i < family.size(); ++i) difference(i, i) -= value;
     const Subspace own = kernel(difference);
     if (!own.empty()) std::ranges::move(with_short_vectors(own), std::back_inserter(result));
-    std::ranges::rotate(word, word.begin() + 1);
+    std::rotate(word.begin(), word.begin() + 1, word.end());
   }
   return result;
 }

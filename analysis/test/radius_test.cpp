@@ -278,9 +278,13 @@ TEST_CASE("products are told apart that doubles take for equal") {
     const JointSpectralRadius found = radius_of(family, 1);
     if (found.exact.is_yes()) CHECK(std::ranges::all_of(found.product.word, [](int letter) { return letter == 1; }));
   }
-  // 3 exp(+-i pi/3) and 3: no power is compared, but products of conjugates are.
-  const MatrixFamily turns{matrix({{1, 1}, {-1, 2}}), matrix({{3, 0}, {0, 0}})};
-  CHECK_FALSE(radius::is_dominated(turns, prove_product(turns, {0}), turns, prove_product(turns, {1}), {}));
+  // sqrt(3) exp(+-i pi/6) and +-sqrt(3): squared moduli are compared.
+  const MatrixFamily turns{matrix({{1, 1}, {-1, 2}}), matrix({{0, 3}, {1, 0}}), more * matrix({{0, 3}, {1, 0}})};
+  const auto first = prove_product(turns, {0}), second = prove_product(turns, {1}), larger = prove_product(turns, {2});
+  CHECK(radius::is_dominated(turns, first, turns, second, {}));
+  CHECK(radius::is_dominated(turns, second, turns, first, {}));
+  CHECK(radius::is_dominated(turns, larger, turns, first, {}));
+  CHECK_FALSE(radius::is_dominated(turns, first, turns, larger, {}));
   const MatrixFamily complex{matrix({{1, -2}, {2, 1}}), matrix({{2, -1}, {1, 2}})};  // both of modulus sqrt(5)
   CHECK(complex.product({0, 1}) == complex.product({1, 0}));
   check_exact(complex, root_enclosure(Rational(5), 2));

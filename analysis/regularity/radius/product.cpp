@@ -112,16 +112,14 @@ std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPoly
   return Centre{{rounded(z.re), rounded(z.im)}, std::nullopt, bits};
 }
 
-/// Whether all zeros of q that are not zeros of p are at most so large.
-bool has_zeros_of(const LaurentPolynomial& p, const LaurentPolynomial& q, const Rational& largest,
-                  const Deadline& deadline) {
+/// q without its zeros that are zeros of p, and 0.
+LaurentPolynomial without_zeros_of(const LaurentPolynomial& p, const LaurentPolynomial& q) {
   LaurentPolynomial rest = q.shifted(-q.lowest());
   for (;;) {
     const LaurentPolynomial shared = gcd(rest, p);
-    if (shared.length() == 1) break;
+    if (shared.length() == 1) return rest;
     rest = *rest.exact_quotient(shared);
   }
-  return radius::has_time_for_roots(rest, deadline) && *largest_root_modulus(rest).largest.upper <= largest;
 }
 
 /// Its zeros are the products of any two eigenvalues, also of one with itself. Nothing once the deadline passes.
@@ -226,13 +224,23 @@ bool is_dominated(const MatrixFamily& first, const ProductEvidence& above, const
     return power(family.product(word), static_cast<long>(common / word.size()));
   };
   const RationalMatrix a = repeated(first, above.word), b = repeated(second, below.word);
-  const auto covered = [&](const auto& polynomial_of) {
+  // Whether all zeros of the one but common ones are small enough.
+  const auto covered = [&](const auto& polynomial_of, const auto& largest_zero) {
     const auto p = polynomial_of(a, deadline), q = polynomial_of(b, deadline);
-    return p && q && has_zeros_of(*p, *q, largest, deadline);
+    if (!p || !q) return false;
+    const LaurentPolynomial rest = without_zeros_of(*p, *q);
+    return has_time_for_roots(rest, deadline) && largest_zero(rest) <= largest;
   };
-  // Of powers, which make signs equal; or of pairs, among which are the squared moduli.
-  return covered([](const RationalMatrix& m, const Deadline& end) { return characteristic_polynomial(m * m, end); }) ||
-         (std::max(a.rows(), b.rows()) <= most_paired && covered(polynomial_of_pairs));
+  // Of powers, which make signs equal.
+  if (covered([](const RationalMatrix& m, const Deadline& end) { return characteristic_polynomial(m * m, end); },
+              [](const LaurentPolynomial& rest) { return *largest_root_modulus(rest).largest.upper; }))
+    return true;
+  // Of pairs: the squared modulus of an eigenvalue is a positive zero, and no positive zero is larger than all of
+  // these.
+  return std::max(a.rows(), b.rows()) <= most_paired && covered(polynomial_of_pairs, [](const LaurentPolynomial& rest) {
+           const auto zero = largest_real_root(rest, default_bits);
+           return zero ? *zero->value.upper : Rational(0);
+         });
 }
 
 int jordan_power(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline) {

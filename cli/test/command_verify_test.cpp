@@ -67,12 +67,11 @@ TEST_CASE("a certificate that cannot be written is one line and exit code 66, af
   std::filesystem::create_directories(bundle + "/01-proved.cert");
   std::filesystem::create_directories(bundle + "/00001-piece.cert");
   std::ofstream(bundle + "/07-refuted.cert") << "of a run before\n";
-  const std::string over = " four-point:w --over w=1/20..1/16 ";
   for (const std::string& command :
        {"jsr " + matrices + " --certificate " + file, std::string("regularity dd:n=2 --certificate /dev/full"),
         std::string("regularity loop --certificate /dev/full"),
-        "range" + over + "--property convergent --certificate " + bundle,
-        "curve" + over + "--pieces 1 --certificate " + bundle}) {
+        "range dual-four-point:w --over w=0..1/100 --property stable --certificate " + bundle,
+        "curve four-point:w --over w=1/20..1/16 --pieces 1 --certificate " + bundle}) {
     CAPTURE(command);
     const Run blocked = run(command);
     CHECK(blocked.code == 66);
@@ -83,6 +82,7 @@ TEST_CASE("a certificate that cannot be written is one line and exit code 66, af
     CHECK(std::count(blocked.err.begin(), blocked.err.end(), '\n') == 1);
   }
   CHECK(std::filesystem::exists(bundle + "/07-refuted.cert"));
+  CHECK_FALSE(std::filesystem::exists(bundle + "/02-proved.cert"));
 }
 
 TEST_CASE("what a certificate says of a product whose leading eigenvalue is a multiple one") {

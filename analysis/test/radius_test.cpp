@@ -288,6 +288,14 @@ TEST_CASE("products are told apart that doubles take for equal") {
   const MatrixFamily complex{matrix({{1, -2}, {2, 1}}), matrix({{2, -1}, {1, 2}})};  // both of modulus sqrt(5)
   CHECK(complex.product({0, 1}) == complex.product({1, 0}));
   check_exact(complex, root_enclosure(Rational(5), 2));
+  check_exact({Rational(1, 2) * complex[0], complex[0], complex[1]}, root_enclosure(Rational(5), 2));
+}
+
+TEST_CASE("what does not commute is not taken for the largest of its matrices") {
+  // No polytope closes with the radius, which is that of the product of both.
+  const JointSpectralRadius found = radius_of({matrix({{1, 1}, {0, 1}}), Rational(4, 5) * matrix({{1, 0}, {1, 1}})}, 1);
+  CHECK(*found.radius.lower > Rational(1447, 1000));
+  CHECK(*found.radius.upper < Rational(1448, 1000));
 }
 
 TEST_CASE("orbits of rational vectors close only where the product attains the radius, and where they span") {

@@ -211,6 +211,8 @@ TEST_CASE("jsr: certificates name what is exact, and say so where they do not") 
                 R"([["1000002","-1000000"],["1000002000001/1000000","-1000000"]]])",
                 true},
            Case{R"([[[1,1],[1,-1]],[[1,-1],[-1,-1]]])", false},  // the square root of 2, by products of two letters
+           Case{R"([[["3/5","-4/5"],["4/5","3/5"]],[["-3/5","4/5"],["-4/5","-3/5"]],[["3/5","4/5"],["4/5","-3/5"]]])",
+                false},  // isometries of a form
        }) {
     std::ofstream(file, std::ios::binary) << R"({"matrices": )" << matrices << "}";
     const Run done = run("jsr " + file + " --json --budget 10 --certificate " + certificate);

@@ -2,6 +2,7 @@
 #include <subcert/analysis/regularity/radius/closed_orbit.hpp>
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/regularity/radius/p_radius.hpp>
+#include <subcert/analysis/regularity/radius/scaling.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 
@@ -212,6 +213,10 @@ TEST_CASE("the radius of a multiple is the multiple of the radius, whatever its 
     CHECK(*other.radius.upper >= factor * *found.radius.lower);
     CHECK(other.proved_upper() >= factor * *found.radius.lower);
     CHECK(other.proved_upper() <= factor * *found.radius.upper * (1 + power(Rational(10), -12)));
+    // Numbers are as short as before.
+    const MatrixFamily in_units = 1 / radius::unit_of(factor * family) * (factor * family);
+    for (const RationalMatrix& m : in_units) CHECK(one_norm(m) <= 8);
+    CHECK(common_denominator(in_units) <= 8);
   }
 }
 
@@ -289,6 +294,15 @@ TEST_CASE("products are told apart that doubles take for equal") {
   CHECK(complex.product({0, 1}) == complex.product({1, 0}));
   check_exact(complex, root_enclosure(Rational(5), 2));
   check_exact({Rational(1, 2) * complex[0], complex[0], complex[1]}, root_enclosure(Rational(5), 2));
+}
+
+TEST_CASE("a rational eigenvalue is called the radius only where it is the largest") {
+  const Rational more = 1 + power(Rational(10), -30);
+  for (const RationalMatrix& m :
+       {matrix({{1, 0}, {0, more}}), matrix({{more, 0}, {0, 1}}), matrix({{1, 0}, {0, -more}})}) {
+    const auto exact = prove_product({m}, {0}).exact;
+    CHECK((!exact || *exact == more));
+  }
 }
 
 TEST_CASE("what does not commute is not taken for the largest of its matrices") {

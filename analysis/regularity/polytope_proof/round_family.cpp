@@ -168,6 +168,11 @@ bool has_hidden_products(const MatrixFamily& family, const Deadline& deadline) {
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline) {
   RoundFamily given{to_search_family(family)};
   if (family.group().size() > 1 && !family.is_flip_symmetric()) return given;
+  if (!family.is_flip_symmetric() && has_hidden_products(family, deadline)) {
+    RoundFamily seen = given;
+    const auto to = long_rounding(family, deadline);
+    if (to && set_coordinates(seen, family, *to)) given = std::move(seen);
+  }
   RoundFamily result = given;
   const auto d = static_cast<double>(family.size()), products = 2.0 * static_cast<double>(family.count() + 1);
   const double seconds = seconds_per_product * products * d * d * d;

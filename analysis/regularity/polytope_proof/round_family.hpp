@@ -30,9 +30,9 @@ polytope::SearchFamily to_search_family(const MatrixFamily& family);
 
 /// The same, but where orbits are so flat that doubles would lose what distinguishes their points, as for families that
 /// nearly have an invariant subspace, in other coordinates, which are found step by step and applied to the exact
-/// matrices. Where they stay flat, coordinates stay what they are. They commute with the flip; a family with another
-/// group keeps its coordinates. Cost: for each step, which makes orbits rounder by a factor of 10^4, an inverse in
-/// balls and three exact products for each matrix.
+/// matrices, the first step in long numbers where products are hidden. Where they stay flat, coordinates stay what they
+/// are. They commute with the flip; a family with another group keeps its coordinates. Cost: for each step, which makes
+/// orbits rounder by a factor of 10^4, an inverse in balls and three exact products for each matrix.
 RoundFamily round_family(const MatrixFamily& family, const Deadline& deadline);
 
 /// Whether products are so much smaller than their factors that doubles may not see them: never of sizes above 24.

@@ -26,7 +26,7 @@ struct AnalyzeOptions : CommonOptions {
   std::string html;
 };
 
-SchemePage make_page(Scheme scheme, const AnalyzeOptions& options) {
+SchemePage make_page(Scheme scheme, const AnalyzeOptions& options, const Deadline& deadline) {
   const Mask mask = scheme.mask;
   const int rules = sum_rules(mask);
   SchemePage page{std::move(scheme),
@@ -45,7 +45,6 @@ SchemePage make_page(Scheme scheme, const AnalyzeOptions& options) {
                   {},
                   {}};
   options.progress("convergence");
-  const Deadline deadline = Deadline::in(options.budget);
   const ProofLimits limits{options.levels, deadline};
   page.convergence = converges(mask, limits);
   if (!page.convergence.is_yes()) {
@@ -72,14 +71,14 @@ SchemePage make_page(Scheme scheme, const AnalyzeOptions& options) {
 }
 
 /// Prints the page, and says whether the scheme converges.
-Decision analyze(const Scheme& scheme, const AnalyzeOptions& options) {
-  const SchemePage page = make_page(scheme, options);
+Decision analyze(const Scheme& scheme, const AnalyzeOptions& options, const Deadline& deadline) {
+  const SchemePage page = make_page(scheme, options, deadline);
   options.json ? options.answer(page.json()) : options.answer(page.text());
   return page.convergence;
 }
 
-Decision analyze(const MultivariateScheme& scheme, const AnalyzeOptions& options) {
-  return analyze_multivariate(scheme, {options.levels, Deadline::in(options.budget)}, options);
+Decision analyze(const MultivariateScheme& scheme, const AnalyzeOptions& options, const Deadline& deadline) {
+  return analyze_multivariate(scheme, {options.levels, deadline}, options);
 }
 
 ExitCode run(const AnalyzeOptions& options) {
@@ -92,12 +91,13 @@ ExitCode run(const AnalyzeOptions& options) {
     options.answer(page.json, page.text);
     return done;
   }
+  const Deadline deadline = Deadline::in(options.budget);
   const LinearScheme scheme = make_linear_scheme(options.scheme);
   require_drawable(options.plot, scheme);
   if (!options.html.empty())
     runtime::write_file(options.html, reports::gallery_html({reports::make_plate(
                                           {options.scheme}, {.budget = options.budget, .verified = verified})}));
-  const Decision convergence = std::visit([&](const auto& one) { return analyze(one, options); }, scheme);
+  const Decision convergence = std::visit([&](const auto& one) { return analyze(one, options, deadline); }, scheme);
   if (!options.plot.empty()) {
     if (convergence.is_no()) return refuse_unproved(options.scheme, "no limit function to draw", convergence);
     draw_limit(options.plot, scheme, convergence);

@@ -21,11 +21,11 @@ struct Options : CommonOptions {
 };
 
 ExitCode run(const Options& options) {
+  const Deadline deadline = Deadline::in(options.budget);
   const Scheme scheme = make_scheme(options.scheme);
   const auto width = parse_number(options.width);
   if (!width || *width <= 0)
     fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
-  const Deadline deadline = Deadline::in(options.budget);
   const Decision convergence = converges(scheme.mask, {16, deadline.after(convergence_share)});
   if (!convergence.is_yes()) return refuse_unproved(scheme.specification, "no variance curve", convergence);
   VarianceRange range;

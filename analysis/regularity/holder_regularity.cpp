@@ -178,7 +178,9 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
     const radius::RoundedFamily family(transition_matrices(derived), entry_error(mask, *rounding));
     for (HolderBound& bound : result.bounds.levels)
       bound = holder_bound(bound.levels, bound.norm + family.change_of_products(bound.levels), rules, arity);
-    result.stable = has_stable_shifts(mask, rounding->distance);
+    result.stable = budget.deadline.expired()
+                        ? Decision{Truth::unknown, "whether shifts are stable was not decided in time"}
+                        : has_stable_shifts(mask, rounding->distance);
     result.single.applies = {Truth::unknown, "the coefficients are rounded"};
     const HolderBound& best = result.bounds.best();
     result.radius = family.radius({best.levels, best.norm}, budget);

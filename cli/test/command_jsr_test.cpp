@@ -168,6 +168,7 @@ TEST_CASE("jsr: families whose radius is plain are exact, with certificates") {
            R"([[["3/5","-4/5"],["4/5","3/5"]]])",
            R"([[[1,-1],[1,4]],[[0,0],[0,0]]])",
            R"([[[1,-1],[1,4]],[[1,-1],[1,4]]])",
+           R"([[[9e40,6000000,7000000],[6000000,9000000,5],[0,0,9e40]]])",
            R"([[[1,1],[1,0]],[[-1,-1],[-1,0]]])",
            R"([[[0,-1],[1,0]],[[0,0],[0,0]]])",
            R"([[[-1,0],[0,0]],[[0,-1],[1,0]]])",
@@ -226,6 +227,22 @@ TEST_CASE("jsr: certificates name what is exact, and say so where they do not") 
     const std::string text = run("jsr " + file + " --budget 10 --certificate " + certificate).out;
     CHECK(contains(text, named ? "and that the product attains" : "but not that the product attains"));
   }
+}
+
+TEST_CASE("jsr: the certificate of a large matrix of huge numbers claims no more than its inverse proves") {
+  const Folder folder;
+  const std::string file = folder / "file.json", certificate = folder / "c.cert";
+  constexpr int size = 24;
+  std::ofstream stream(file, std::ios::binary);
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j)
+      stream << (j > 0   ? ","
+                 : i > 0 ? "],["
+                         : R"({"matrices": [[[)")
+             << '"' << (i * 7 + j * 5 + i * j) % 11 - 5 << ((i + j) % 3 == 0 ? "e40" : "") << '"';
+  stream << "]]]}" << std::flush;
+  CHECK(run("jsr " + file + " --budget 5 --certificate " + certificate).code == 0);
+  CHECK(run("verify " + certificate).code == 0);
 }
 
 TEST_CASE("jsr: families on which doubles lose their footing end with an answer") {

@@ -63,6 +63,11 @@ def shell_command(case):
     return files + " ".join(map(shlex.quote, ["subcert", *case.arguments, *case.limits]))
 
 
+def shortened(text):
+    """What fits on a screen; the draw shows the rest."""
+    return text if len(text) <= 2000 else text[:1000] + " ... " + text[-200:]
+
+
 def judged(program, case, with_longer):
     """The run of a case and what was found."""
     with tempfile.TemporaryDirectory() as folder:
@@ -97,7 +102,7 @@ def main():
             run, findings = judged(program, case, rng.random() < 0.15)
             runs, found = runs + 1, found + len(findings)
             for kind, what in findings:
-                print(f"{kind}: {what}\n  draw {i} of seed {seed}: {shell_command(case)}", flush=True)
+                print(f"{kind}: {what}\n  draw {i} of seed {seed}: {shortened(shell_command(case))}", flush=True)
                 if report:
                     report.write(json.dumps({"kind": kind, "what": what, "seed": seed, "draw": i,
                                              "seconds": run.seconds, "command": shell_command(case)}) + "\n")

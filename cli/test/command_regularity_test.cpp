@@ -2,6 +2,12 @@
 
 using namespace subcert::testing;
 
+TEST_CASE("regularity: more time keeps the product that less time finds") {
+  for (const char* budget : {"0.55", "1.65"})
+    CHECK(has_digits(run_json(std::string("regularity primal:n=9,d=5 --memory 64 --budget ") + budget, 2).at("holder"),
+                     "upper", "3.5018068"));
+}
+
 TEST_CASE("regularity: the fields of the contract") {
   const auto regularity = run_json("regularity 'dual:n=7' --levels 16 --budget 4", -1);
   CHECK(regularity.at("sum_rules") == 3);

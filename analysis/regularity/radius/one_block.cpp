@@ -22,6 +22,8 @@ namespace {
 
 const Rational rounding = power(Rational(10), -15);
 constexpr std::size_t proved_products = 12;
+constexpr std::size_t short_word = 8;   // letters
+constexpr double short_grace = 0.1;     // seconds for their proofs
 constexpr double norm_share = 0.05;     // of the time
 constexpr double polytope_share = 0.5;  // of the time that is left; the rest is for its proof and quadratic forms
 constexpr double exact_share = 0.6;     // of the time for a proof: that a closed polytope may take of it
@@ -34,6 +36,15 @@ constexpr double same_radius = 1e-9;                 // of products, relatively
 constexpr std::size_t most_commuting = 64;
 constexpr double merged_share = 0.5;  // for opposite matrices as one, where they were to be told apart in the end
 constexpr double commuting_share = 0.2, commuting_seconds = 2;  // for a polytope where the radius is known without
+
+/// When proofs of products end: short ones are proved in any case.
+struct ProductDeadline {
+  explicit ProductDeadline(const Deadline& end) : of_long(end), of_short(Deadline::in(end.remaining() + short_grace)) {}
+  const Deadline& operator()(const std::vector<int>& word) const {
+    return word.size() <= short_word ? of_short : of_long;
+  }
+  Deadline of_long, of_short;
+};
 
 /// Whether all maximizing products have the radius of the first, exactly.
 bool have_equal_radii(const MatrixFamily& family, const PolytopeCandidate& candidate, const ProductEvidence& first,
@@ -297,7 +308,8 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
     while (!alone.expired() && !forms_begin.try_acquire_for(look)) continue;
     if (its.deadline.expired()) return;
     FormAttempt forms;
-    forms.product = prove_product(family, find_long_product(family, its), its.deadline);
+    const std::vector<int> word = find_long_product(family, its);
+    forms.product = prove_product(family, word, ProductDeadline(its.deadline)(word));
     radius_of_forms = forms.product.radius.lower->convert_to<double>();
     forms.proof = prove_by_quadratic_forms(family, *forms.product.radius.lower, its,
                                            {forms.product.word, forms.product.eigenvalue});
@@ -379,9 +391,11 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   ProductEvidence& product = found.product;
 
   // Doubles may not tell which of these products is the largest.
+  const ProductDeadline end(budget.deadline);
   if (!found.exact.is_yes() && !(forms && forms->is_exact()))
     for (std::size_t k = 1; k < std::min(candidate.products.size(), proved_products); ++k) {
-      ProductEvidence other = prove_product(scaled_family, candidate.products[k].word, budget.deadline);
+      const std::vector<int>& word = candidate.products[k].word;
+      ProductEvidence other = prove_product(scaled_family, word, end(word));
       if (*other.radius.lower > *product.radius.lower) product = std::move(other);
     }
   if (forms && (forms->is_exact() || *forms->product.radius.lower > *product.radius.lower))

@@ -37,8 +37,9 @@ Decision contracts(const Mask& mask, const ProofLimits& limits) {
     if (small &&
         (levels == 4 || reached < levels))  // cheap, and often the true answer where four levels did not contract
       for (const RationalMatrix& transition : transition_matrices(derived)) {
+        const Stopwatch watch;
         const auto scaled = characteristic_polynomial(transition, limits.deadline);
-        if (!scaled) break;
+        if (!scaled || limits.deadline.remaining() < watch.seconds()) break;  // its zeros take as long again
         const Rational arity(mask.arity());
         const bool on_circle = (*scaled)(arity) == 0 || (*scaled)(-arity) == 0;
         if (on_circle || *largest_root_modulus(*scaled).largest.lower >= arity)

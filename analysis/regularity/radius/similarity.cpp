@@ -61,13 +61,17 @@ std::vector<Letters> candidate_permutations(const std::vector<ModVector>& first,
 /// All the similarities of one family to others.
 class SimilaritySearch {
  public:
-  /// Finds a vector that is determined up to a factor by an element of the algebra and one of its eigenvalues.
-  explicit SimilaritySearch(const MatrixFamily& family) : family_(family), reduced_(modulo_prime(family)) {
+  /// Finds a vector that is determined up to a factor by an element of the algebra and one of its eigenvalues. Is not
+  /// ready once the deadline passes.
+  SimilaritySearch(const MatrixFamily& family, const Deadline& deadline)
+      : family_(family), reduced_(modulo_prime(family)) {
     if (!reduced_) return;
     std::mt19937_64 random(1);
     for (int attempt = 0; attempt < 4 * meataxe_attempts; ++attempt) {
       element_ = algebra_element(family.count(), attempt, random);
+      if (deadline.expired()) return;
       for (const ulong eigenvalue : simple_eigenvalues(*reduced_, element_)) {
+        if (deadline.expired()) return;
         const auto start = eigenvector(*reduced_, element_, eigenvalue);
         if (!start) continue;
         steps_ = spin(*reduced_, *start);
@@ -180,7 +184,7 @@ void close(std::vector<Element>& group) {
 
 std::vector<Element> symmetry_group(const MatrixFamily& family, const Deadline& deadline) {
   std::vector<Element> group{{RationalMatrix::identity(family.size()), in_order(family.count())}};
-  const SimilaritySearch search(family);
+  const SimilaritySearch search(family, deadline);
   if (!search.is_ready()) return group;
   for (const Letters& letters : search.permutations(*search.reduced())) {
     if (deadline.expired()) break;
@@ -245,7 +249,7 @@ BlockTriangular with_symmetries(BlockTriangular triangular, const Deadline& dead
 
 bool are_similar(const MatrixFamily& first, const MatrixFamily& second, const Deadline& deadline) {
   if (first.size() != second.size() || first.count() != second.count()) return false;
-  const SimilaritySearch search(first);
+  const SimilaritySearch search(first, deadline);
   const auto reduced = modulo_prime(second);
   if (!search.is_ready() || !reduced) return false;
   for (const Letters& letters : search.permutations(*reduced)) {

@@ -69,9 +69,13 @@ def checking_seconds(case, run):
     """What the checker took of the time of the run: it has no budget."""
     if "--certificate" not in case.arguments:
         return 0
-    if LONG_CHECK in run.errors:
+    if LONG_CHECK in no_certificate_reason(run):
         return run.seconds
     return run.again(["verify", "proof.cert"]).seconds if has_certificate(run) else 0
+
+
+def no_certificate_reason(run):
+    return (run.answer or {}).get("certificate_reason", "")
 
 
 def has_certificate(run):
@@ -195,10 +199,8 @@ def coefficients(case, run):
 # ---- of several runs
 
 def certificate(case, run):
-    if LONG_CHECK in run.errors:
-        yield "certificate", "the checker finds it too long, and the answer is lost"
     if not has_certificate(run):
-        reason = (run.answer or {}).get("certificate_reason", "")
+        reason = no_certificate_reason(run)
         if "--certificate" in case.arguments and run.code == 0 and NO_CLAIM not in reason:
             yield "certificate", f"none was written: {reason[:200]}"
         return

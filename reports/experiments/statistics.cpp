@@ -2,10 +2,12 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
@@ -47,6 +49,12 @@ MeanInterval mean_interval(const std::vector<double>& values, double confidence)
   require(values.size() >= 2, "mean_interval: need at least 2 values");
   const auto count = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  if (std::ranges::all_of(values, [](double value) { return value == 0 || value == 1; })) {
+    using Binomial = boost::math::binomial_distribution<double>;
+    const double successes = mean * count, outside = (1 - confidence) / 2;
+    return {mean, std::max(mean - Binomial::find_lower_bound_on_p(count, successes, outside),
+                           Binomial::find_upper_bound_on_p(count, successes, outside) - mean)};
+  }
   double squares = 0;
   for (const double value : values) squares += (value - mean) * (value - mean);
   const double quantile = boost::math::quantile(boost::math::students_t(count - 1), (1 + confidence) / 2);

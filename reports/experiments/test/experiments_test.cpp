@@ -108,6 +108,9 @@ TEST_CASE("means with confidence: known values, coverage and the ratio of noise"
   CHECK(5 * std::log10((4 + quiet * quiet) / (quiet * quiet)) == Approx(6));
   CHECK(each_of(1) == Approx(0.99));
   CHECK(each_of(20) == Approx(0.9995));
+  // None of 50 does not show that there are none: 1 - 0.005^(1/50).
+  CHECK(mean_interval(std::vector<double>(50, 0), 0.99).half_width == Approx(1 - std::pow(0.005, 1.0 / 50)));
+  CHECK(mean_interval(std::vector<double>(50, 1), 0.99).half_width == Approx(1 - std::pow(0.005, 1.0 / 50)));
   CHECK(mean_interval({1, 2, 3, 4}, 0.99).half_width == Approx(5.84090930973 * std::sqrt(5.0 / 12)));
 }
 

@@ -45,26 +45,43 @@ double each_of(std::size_t count) {
   return 1 - (1 - together) / static_cast<double>(count);
 }
 
-MeanInterval mean_interval(const std::vector<double>& values, double confidence) {
+namespace {
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// By Student's t.
+MeanInterval normal_interval(const std::vector<double>& values, double confidence) {
   require(values.size() >= 2, "mean_interval: need at least 2 values");
   const auto count = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
-  if (std::ranges::all_of(values, [](double value) { return value == 0 || value == 1; })) {
-    using Binomial = boost::math::binomial_distribution<double>;
-    const double successes = mean * count, outside = (1 - confidence) / 2;
-    return {mean, std::max(mean - Binomial::find_lower_bound_on_p(count, successes, outside),
-                           Binomial::find_upper_bound_on_p(count, successes, outside) - mean)};
-  }
+  const double mean = mean_of(values);
   double squares = 0;
   for (const double value : values) squares += (value - mean) * (value - mean);
   const double quantile = boost::math::quantile(boost::math::students_t(count - 1), (1 + confidence) / 2);
   return {mean, quantile * std::sqrt(squares / (count - 1) / count)};
 }
 
+/// By Clopper and Pearson, the farther end on both sides.
+MeanInterval interval_of_part(const std::vector<double>& values, double confidence) {
+  using Binomial = boost::math::binomial_distribution<double>;
+  const auto count = static_cast<double>(values.size());
+  const double mean = mean_of(values), successes = mean * count, outside = (1 - confidence) / 2;
+  return {mean, std::max(mean - Binomial::find_lower_bound_on_p(count, successes, outside),
+                         Binomial::find_upper_bound_on_p(count, successes, outside) - mean)};
+}
+
+}  // namespace
+
+MeanInterval mean_interval(const std::vector<double>& values, double confidence) {
+  const bool is_part = std::ranges::all_of(values, [](double value) { return value == 0 || value == 1; });
+  return is_part && values.size() >= 2 ? interval_of_part(values, confidence) : normal_interval(values, confidence);
+}
+
 MeanInterval mean_difference(const std::vector<double>& first, const std::vector<double>& second, double confidence) {
   std::vector<double> difference(first);
   for (std::size_t i = 0; i < first.size(); ++i) difference[i] -= second[i];
-  return mean_interval(difference, confidence);
+  return normal_interval(difference, confidence);
 }
 
 double noise_deviation(double mean_square, double decibel, double factor) {

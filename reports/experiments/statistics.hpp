@@ -42,7 +42,7 @@ double each_of(std::size_t count);
 /// The mean with its interval by Student's t; where all values are 0 or 1, by Clopper and Pearson, whose farther end it
 /// takes on both sides. Domain: at least two values, 0 < confidence < 1.
 MeanInterval mean_interval(const std::vector<double>& values, double confidence = shown_confidence);
-/// The mean of first[i] - second[i]. Domain: as many of both.
+/// The mean of first[i] - second[i], by Student's t. Domain: as many of both.
 MeanInterval mean_difference(const std::vector<double>& first, const std::vector<double>& second,
                              double confidence = shown_confidence);
 

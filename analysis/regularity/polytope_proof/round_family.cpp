@@ -33,7 +33,8 @@ std::optional<polytope::Matrix> rounding_step(const std::vector<polytope::Matrix
       shape.values.front() > round_enough * shape.values.back())
     return std::nullopt;
   polytope::Vector factors;
-  const double largest = shape.values.back(), least = polytope::resolved_share * largest;
+  const double largest = shape.values.back();
+  const double least = polytope::resolved_share * largest / static_cast<double>(shape.values.size());
   for (const double value : shape.values) factors.push_back(std::sqrt(largest / std::max(value, least)));
   return polytope::composed(shape.vectors, factors);
 }

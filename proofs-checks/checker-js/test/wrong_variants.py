@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Wrong variants of checker.js: each must fail on a file of the corpus.
 
-    wrong_variants.py NODE [--only REGEX] [--list]
+    wrong_variants.py NODE CORPUS [--only REGEX] [--list]
 
 A variant drops one check, or changes one comparison, condition, quantifier, rounding, end or sign. It is run on the corpus until
 an outcome is wrong, or for 10 s. Variants that no file can tell from the checker stand in `same.txt`, each with its reason.
@@ -58,6 +58,7 @@ CHANGES = [
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("node")
+    parser.add_argument("corpus", type=Path)
     parser.add_argument("--only", default="", help="variants whose name this matches")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--list", action="store_true")
@@ -78,7 +79,7 @@ def main():
             if subprocess.run([arguments.node, "--check", variant], capture_output=True, check=False).returncode:
                 return "do not compile"
             main_js = shutil.copy(sources / "main.js", folder)
-            return "fail" if variants.fails([arguments.node, "--max-old-space-size=2000", main_js], "ulimit -t 10") else "survive"
+            return "fail" if variants.fails([arguments.node, "--max-old-space-size=2000", main_js], arguments.corpus, "ulimit -t 10") else "survive"
 
     if outcome((0, ("", sources / "checker.js", 0, 0, ""))) != "survive":
         sys.exit("the checker itself fails")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Branches of the checker's sources that the corpus takes: all but those on the lines of `branches.txt`.
 
-    branches.py COMPILER GMP_FLAGS BUILD
+    branches.py COMPILER GMP_FLAGS BUILD CORPUS
 
 COMPILER is g++, GMP_FLAGS one argument. The sources are compiled with --coverage in the folder BUILD, the whole corpus is
 run, and gcov counts. A condition that is evaluated, but always with one outcome, and a line that is never reached must
@@ -19,7 +19,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-compiler, flags, build = sys.argv[1], shlex.split(sys.argv[2]), Path(sys.argv[3]).resolve()
+compiler, flags, build, corpus = sys.argv[1], shlex.split(sys.argv[2]), Path(sys.argv[3]).resolve(), Path(sys.argv[4])
 test = Path(__file__).resolve().parent
 sources = test.parent
 libraries = [flag for flag in flags if not flag.startswith("-I")]
@@ -39,11 +39,11 @@ with ThreadPoolExecutor(2) as pool:
 program = build / "subcert-check"
 subprocess.run([compiler, "--coverage", *build.glob("*.o"), "-o", program, *libraries], check=True)
 for mode, folder in (("accept", "accept"), ("reject", "reject"), ("usage", "accept")):
-    subprocess.run([sys.executable, "-B", test / "run_corpus.py", program, mode, test / folder], check=True)
+    subprocess.run([sys.executable, "-B", test / "run_corpus.py", program, mode, corpus / folder], check=True)
 # a claim that cannot be printed
 with open("/dev/full", "w", encoding="ascii") as full:
     for words in (["--help"], ["--matrices", "golden.mat", "--upper", "2", "golden.cert"]):
-        assert subprocess.run([program, *words], cwd=test / "accept", stdout=full, check=False).returncode == 1
+        assert subprocess.run([program, *words], cwd=corpus / "accept", stdout=full, check=False).returncode == 1
 
 gcov = re.sub(r"(g\+\+|c\+\+|gcc)(?=[^/]*$)", "gcov", compiler)
 subprocess.run([gcov, "--branch-probabilities", "--json-format", *build.glob("*.gcda")], cwd=build, check=True,

@@ -31,11 +31,11 @@ def variants(files, changes, quotes, no_code=()):
                     yield f"{file.name}: {what}{column} in: {line}", file, match.start(), match.end(), new
 
 
-def fails(checker, limits, **environment):
-    """Whether a checker fails on the corpus, or exceeds the limits, commands of the shell."""
+def fails(checker, corpus, limits, **environment):
+    """Whether a checker fails on the corpus in a folder, or exceeds the limits, commands of the shell."""
     for mode, folder in (("accept", "accept"), ("usage", "accept"), ("reject", "reject")):
         run = subprocess.run(
-            ["sh", "-c", f'{limits}; exec "$@"', "limited", sys.executable, "-B", test / "run_corpus.py", *checker, mode, test / folder],
+            ["sh", "-c", f'{limits}; exec "$@"', "limited", sys.executable, "-B", test / "run_corpus.py", *checker, mode, corpus / folder],
             capture_output=True,
             check=False,
             env={**os.environ, "SUBCERT_FIRST_FAILURE": "1", **environment},

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Wrong variants of the checker's sources: each must fail on a file of the corpus.
 
-    wrong_variants.py COMPILER GMP_FLAGS BUILD [--checks] [--only REGEX] [--list]
+    wrong_variants.py COMPILER GMP_FLAGS BUILD CORPUS [--checks] [--only REGEX] [--list]
 
 A variant drops one check, or changes one comparison, condition, rounding, end or sign. All are compiled into one program,
 where a number in the environment chooses one; it is run on the corpus until an outcome is wrong. Variants that no file can
@@ -131,6 +131,7 @@ def main():
     parser.add_argument("compiler")
     parser.add_argument("flags", help="of GMP, as one argument")
     parser.add_argument("build", type=Path)
+    parser.add_argument("corpus", type=Path)
     parser.add_argument("--only", default="", help="variants whose name this matches")
     parser.add_argument("--checks", action="store_true", help="only dropped checks")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
@@ -179,7 +180,7 @@ def main():
         if number in dropped:
             return "do not compile"
         checker = [build / "main"] if file.stem == "main" else ["many", build / "many"]
-        return "fail" if variants.fails(checker, "ulimit -v 2000000; ulimit -t 20", WRONG_VARIANT=str(number)) else "survive"
+        return "fail" if variants.fails(checker, arguments.corpus, "ulimit -v 2000000; ulimit -t 20", WRONG_VARIANT=str(number)) else "survive"
 
     if outcome((0, (None, test / "many.cpp"))) != "survive":
         sys.exit("the checker itself fails")

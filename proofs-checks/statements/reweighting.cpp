@@ -263,4 +263,13 @@ Trial summation_range(const Formula& first, const Formula& last, bool even) {
   return trial;
 }
 
+Trial moving_index(const Formula& index, const std::string& axis, const std::string& node) {
+  Trial trial;
+  for (long step : {0, 1})
+    trial.equal(index({{axis, step}, {node, 0}}), step,
+                axis + " = " + std::to_string(step) + ", " + node + " = 0, the datum used");
+  trial.follow(identity(index, f(axis + " + " + node), {{axis, 0}, {node, 0}}));
+  return trial;
+}
+
 }  // namespace subcert::statements

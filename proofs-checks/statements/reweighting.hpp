@@ -92,5 +92,7 @@ Trial weights_of_modulus(const Formula& bracket, const Rational& exponent, const
 /// 0.
 Trial entries_of_normal_equations(const std::vector<Formula>& terms, const std::vector<std::string>& expected);
 Trial summation_range(const Formula& first, const Formula& last, bool even);
+/// The index of a datum is axis + node, so that the rule of `axis` takes the data about it.
+Trial moving_index(const Formula& index, const std::string& axis, const std::string& node);
 
 }  // namespace subcert::statements

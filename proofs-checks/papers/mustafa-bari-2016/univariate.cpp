@@ -5,6 +5,7 @@
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/proofs-checks/statements/mask_form.hpp>
 #include <subcert/proofs-checks/statements/normal_equations.hpp>
+#include <subcert/proofs-checks/statements/reweighting.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 #include <fmt/ranges.h>
@@ -57,58 +58,78 @@ Outcome equation_2_5(const Context& context, int first_arity) {
   });
 }
 
-/// 0 and +-first, +-(first+step), ..., +-last must be a places at equal distances.
+/// The places +-first, +-(first+step), ..., +-last, and 0 for odd a.
+struct Places {
+  Formula first, step, last;  ///< functions of a
+};
+
+Places places(const Context& context, const std::string& parity, Form form = Form::printed) {
+  return {context.formula(parity + "-first", form), context.formula(parity + "-step", form),
+          context.formula(parity + "-last", form)};
+}
+
+/// They must be a places at equal distances.
+Trial equally_spaced(const Places& printed, bool odd, long most) {
+  Trial trial;
+  const Rational first = printed.first({}), step = printed.step({});
+  for (long a = odd ? 3 : 2; a <= most; a += 2) {
+    const Rational last = printed.last({{"a", a}});
+    const std::string where = at("a", a) + (odd ? ": from 0 to " : ": from ") + subcert::to_text(first) +
+                              " and on by " + subcert::to_text(step) + " to " + subcert::to_text(last);
+    trial.require(denominator((last - first) / step) == 1, where + ", which is not reached");
+    trial.require((odd ? first : 2 * first) == step, where + " the distances differ");
+  }
+  // For a = 2b or 2b + 1 there are b - 1 steps on each side.
+  const Formula steps = (printed.last - printed.first) / printed.step;
+  trial.follow(identity(steps.replaced("a", f(odd ? "2*b + 1" : "2*b")), f("b - 1"), {{"b", 1}}));
+  return trial.for_all(odd ? "all odd a >= 3" : "all even a", "a places at equal distances, as an identity in a");
+}
+
 Outcome positions_odd_arity(const Context& context) {
-  return in_both_forms([&](Form form) {
-    Trial trial;
-    const Rational first = context.formula("odd-first", form)({});
-    const Rational step = context.formula("odd-step", form)({});
-    for (long a = 3; a <= context.reach(15, 51); a += 2) {
-      const Rational last = context.formula("odd-last", form)({{"a", a}});
-      const Rational steps = (last - first) / step;
-      const std::string where = at("a", a) + ": from 0 to " + subcert::to_text(first) + " and on by " +
-                                subcert::to_text(step) + " to " + subcert::to_text(last);
-      trial.require(denominator(steps) == 1, where + ", which is not reached");
-      trial.require(first == step, where + " the distances differ");
-      trial.equal(a, 2 * (steps + 1) + 1, where + ", number of positions");
-    }
-    return trial.over("odd a = 3.." + std::to_string(context.reach(15, 51)));
-  });
+  return in_both_forms(
+      [&](Form form) { return equally_spaced(places(context, "odd", form), true, context.reach(15, 51)); });
 }
 
 Outcome positions_even_arity(const Context& context) {
-  Trial trial;
-  const Rational first = context.formula("even-first")({}), step = context.formula("even-step")({});
-  const int most = context.reach(16, 50);
-  for (long a = 2; a <= most; a += 2) {
-    const Rational steps = (context.formula("even-last")({{"a", a}}) - first) / step;
-    trial.require(denominator(steps) == 1 && 2 * first == step, at("a", a) + ": not equally spaced");
-    trial.equal(a, 2 * (steps + 1), at("a", a) + ", number of positions");
-  }
-  return trial.over("even a = 2.." + std::to_string(most));
+  Outcome outcome = equally_spaced(places(context, "even"), false, context.reach(16, 50));
+  outcome.argument += ". In the order of the rules j = 0, ..., a-1 of (2.5) and (2.6) they are q = 2j - a + 1";
+  return outcome;
 }
+
+/// Whether 2n data determine a cubic.
+bool is_unique(int n) { return kernel(design_matrix(equidistant(-n + 1, 1, 2 * n), monomials(3))).empty(); }
 
 Outcome smallest_size(const Context& context) {
   const Rational printed_bound = context.formula("smallest-n")({});
   const Rational corrected_bound = context.formula("smallest-n", Form::corrected)({});
   Trial printed, corrected;
   for (int n = 1; n <= 6; ++n) {
-    const bool unique = kernel(design_matrix(equidistant(-n + 1, 1, 2 * n), monomials(3))).empty();
+    const bool unique = is_unique(n);
     printed.require(unique == (n > printed_bound), at("n", n) + ": the cubic fit to " + std::to_string(2 * n) +
                                                        " data is unique, and the paper uses it after (2.6), but " +
                                                        subcert::to_text(printed_bound) + " is not exceeded");
     corrected.require(unique == (n > corrected_bound), at("n", n));
   }
-  return printed.outcome(corrected.over("n = 1..6"));
+  return printed.outcome(
+      corrected.for_all("all n >= 1", "2n different nodes determine a cubic if and only if 2n >= 4"));
+}
+
+/// The rule of i takes the datum i + r.
+Outcome datum_index(const Context& context) {
+  return in_both_forms([&](Form form) {
+    return moving_index(context.formula("datum-index", form), "i", "r")
+        .for_all("all i and r", "the datum moves with i");
+  });
 }
 
 Outcome four_point_binary(const Context& context) {
   const Formula weight = weights_2_4(context);
+  const Rational a = context.formula("four-point-a")({}), n = context.formula("four-point-n")({});
   Trial trial;
   for (int q : {0, 1}) {
     const auto inserted = weights_by_normal_equations(equidistant(-1, 1, 4), monomials(3), Rational(2 * q + 1, 4));
     for (int r = -1; r <= 2; ++r)
-      trial.equal(weight({{"n", 2}, {"a", 2}, {"q", q}, {"r", r}}), inserted[static_cast<std::size_t>(r + 1)],
+      trial.equal(weight({{"n", n}, {"a", a}, {"q", q}, {"r", r}}), inserted[static_cast<std::size_t>(r + 1)],
                   at("q", q) + ", " + at("r", r));
   }
   trial.require(regression_mask(ary(2, 4, 3)) == regression_mask(dual(2, 3)), "not the dual 4-point scheme");
@@ -161,13 +182,23 @@ Outcome other_bases(const Context& context) {
 }
 
 Outcome sums_2n(const Context& context) {
-  return sum_identity({weights_2_4(context), "r", {-1, 1}, {1, 0}}, f("1"), {{"n", 2}, {"a", 2}, {"q", 0}});
+  return sum_identity({weights_2_4(context), "r", {-1, 1}, {1, 0}}, context.formula("weights-sum"),
+                      {{"n", 2}, {"a", 2}, {"q", 0}});
 }
 
 Outcome sums_odd(const Context& context) {
   return in_both_forms([&](Form form) {
-    return sum_identity({weights_2_5(context, form), "r", {-1, 0}, {1, 0}}, f("1"), {{"n", 2}, {"a", 2}, {"q", 1}});
+    return sum_identity({weights_2_5(context, form), "r", {-1, 0}, {1, 0}}, context.formula("weights-sum"),
+                        {{"n", 2}, {"a", 2}, {"q", 1}});
   });
+}
+
+/// The weights at the two ends of the mask, which the datum 0 gives to the outermost new values.
+std::vector<Formula> end_weights(const Context& context, bool even_points) {
+  const Formula weight = even_points ? weights_2_4(context) : weights_2_5(context, Form::corrected);
+  const auto at_end = [&](const char* q, const char* r) { return weight.replaced("q", f(q)).replaced("r", f(r)); };
+  if (even_points) return {at_end("0", "n"), at_end("a - 1", "1 - n")};
+  return {at_end("1 - a", "n"), at_end("a - 1", "-n")};
 }
 
 /// Width and ends of the support of the basic limit function, in the parameters in which the scheme is symmetric.
@@ -185,11 +216,41 @@ Outcome support(const Context& context, const std::string& id, bool even_points)
       trial.equal(-end(where), derived.lower - shift, to_text(where) + ", left end");
       trial.equal(end(where), derived.upper - shift, to_text(where) + ", right end");
     }
-  Outcome outcome = trial.over(range(sizes, arities));
-  outcome.argument =
-      "the interval is the one in which the datum f_j stands at j and the scheme is symmetric; with the new values at "
-      "i/a^k it is shifted";
-  return outcome;
+  trial.follow(identity(width * f("a - 1"), f(even_points ? "2*n*a - 1" : "(2*n + 1)*a - 1"), {{"n", 2}, {"a", 2}}));
+  trial.follow(identity(f("2") * end, width, {{"n", 2}, {"a", 2}}));
+  for (const Formula& weight : end_weights(context, even_points))
+    trial.follow(positive(f("0") - weight, {{"n", "2 + x"}, {"a", "2 + y"}}));
+  return trial.for_all(
+      "all n >= 2, a >= 2",
+      "the weights at both ends of the mask are negative, by the signs of their coefficients, so that it has as many "
+      "entries as the width times a - 1, and one; compared for " +
+          range(sizes, arities) + (even_points ? "" : "; n = 1 has three data and no cubic") +
+          ". The interval is the one in which the datum f_j stands at j and the scheme is symmetric; with the new "
+          "values at i/a^k it is shifted");
+}
+
+/// The smallest size with a cubic is that of the theorem.
+Outcome theorem_2_3(const Context& context) {
+  const Rational smallest = context.formula("theorem-2.3-n")({});
+  Trial trial;
+  for (int n = 1; n <= 4; ++n)
+    trial.require(is_unique(n) == (n >= smallest), at("n", n) + ": whether the cubic to 2n data is unique");
+  return trial.failed() ? Outcome(trial) : support(context, "theorem-2.3", true);
+}
+
+/// A rule that copies f_r reproduces x there alone, so that it is evaluated at r.
+Outcome approximating(const Context& context) {
+  const Formula even = context.formula("position-2n"), odd = context.formula("position-odd");
+  const std::vector<std::pair<std::string, std::string>> rules{{"q", "x"}, {"a", "x + 1 + y"}};
+  Trial trial = positive(even, rules);
+  trial.follow(positive(f("1") - even, rules));
+  trial.follow(positive(f("1/2") - odd, rules));
+  trial.follow(identity(odd.replaced("q", f("-q")), f("0") - odd, {{"a", 1}, {"q", 0}}));
+  const Formula middle = weights_2_5(context, Form::corrected).replaced("q", f("0")).replaced("r", f("0"));
+  trial.follow(positive(f("1") - middle, {{"n", "2 + x"}, {"a", "2 + y"}}));
+  return trial.for_all("all n >= 2, a >= 2",
+                       "the rules reproduce x, so that one that copies f_r stands at r. Those of (2.4) stand between 0 "
+                       "and 1, those of (2.5) and (2.6) between -1/2 and 1/2; at 0 the weight of f_0 is below 1");
 }
 
 /// In the loose sense of the words: the larger the arity, the smaller the support.
@@ -205,15 +266,25 @@ Outcome inverse_proportion(const Context& context) {
                        "are 7 for a = 2 and 11/2 for a = 3");
 }
 
+/// Where a limit is not 0, the values of two levels next to it tend to the same number.
 Outcome necessary_condition(const Context& context) {
   const int sizes = context.reach(6, 10), arities = context.reach(5, 8);
+  const Rational expected = context.formula("coset-sum")({});
   Trial trial;
   for (int n = 2; n <= sizes; ++n)
     for (int a = 2; a <= arities; ++a)
-      for (int points : {2 * n, 2 * n + 1})
-        trial.require(is_affine(regression_mask(ary(a, points, 3))),
-                      at("a", a) + ", " + std::to_string(points) + " points");
-  return trial.over(range(sizes, arities) + ", 2n and 2n+1 points");
+      for (int points : {2 * n, 2 * n + 1}) {
+        const LaurentPolynomial symbol = regression_mask(ary(a, points, 3)).symbol();
+        std::vector<Rational> sums(static_cast<std::size_t>(a), 0);
+        for (long k = symbol.lowest(); k <= symbol.highest(); ++k)
+          sums[static_cast<std::size_t>((k % a + a) % a)] += symbol.coefficient(k);
+        for (const Rational& sum : sums)
+          trial.equal(expected, sum, at("a", a) + ", " + std::to_string(points) + " points, sum of a rule");
+      }
+  return trial.for_all("all schemes that converge, not only to 0",
+                       "where a limit is not 0, the data next to it and the values made from them tend to the same "
+                       "number, so that the weights of each rule sum to 1; compared with the masks of the families, " +
+                           range(sizes, arities) + ", 2n and 2n+1 points");
 }
 
 /// The letters of the pictures of Figure 2 in the text, where marked, and in the caption: first level, then limits.
@@ -233,7 +304,9 @@ Outcome letters_of_figure_2(const Context& context) {
 
 Checks univariate() {
   return {{"figure-2", letters_of_figure_2},
+          {"approximating", approximating},
           {"necessary-condition", necessary_condition},
+          {"datum-index", datum_index},
           {"eq-2.2", smallest_size},
           {"eq-2.4", equation_2_4},
           {"eq-2.5", [](const Context& c) { return equation_2_5(c, 2); }},
@@ -244,7 +317,7 @@ Checks univariate() {
           {"bases", other_bases},
           {"sums-2n", sums_2n},
           {"sums-odd", sums_odd},
-          {"theorem-2.3", [](const Context& c) { return support(c, "theorem-2.3", true); }},
+          {"theorem-2.3", theorem_2_3},
           {"theorem-2.4", [](const Context& c) { return support(c, "theorem-2.4", false); }},
           {"inverse-proportion", inverse_proportion}};
 }

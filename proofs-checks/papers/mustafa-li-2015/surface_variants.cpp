@@ -9,21 +9,6 @@
 namespace subcert::statements::mustafa_li_2015 {
 namespace {
 
-/// The data of the rule of (i, j) must move with i and j.
-Trial moving_index(const Context& context, const std::string& id, Form form) {
-  Trial trial;
-  for (const char* axis : {"i", "j"}) {
-    const Formula index = context.formula(id + "-index-" + axis, form);
-    const std::string node = axis[0] == 'i' ? "r" : "s";
-    for (long step : {0, 1})
-      trial.equal(index({{axis, step}, {node, 0}}), step,
-                  std::string(axis) + " = " + std::to_string(step) + ", " + node + " = 0, the datum used");
-    trial.follow(
-        identity(index.replaced(axis, f("k + 1")) - index.replaced(axis, f("k")), f("1"), {{"k", 0}, {node, 0}}));
-  }
-  return trial;
-}
-
 Trial least_squares(const Context& context, const std::string& id, bool even, Form form) {
   const std::vector<Formula> xs = context.list((even ? "surface-x" : "lemma-1-x")),
                              ys = context.list((even ? "surface-y" : "lemma-1-y"));
@@ -46,7 +31,8 @@ Trial least_squares(const Context& context, const std::string& id, bool even, Fo
                       "rule " + rule_names[k] + ", " + at("n", n) + ", " + at("r", r) + ", " + at("s", s) + ", mask");
     }
   }
-  trial.follow(moving_index(context, id, form));
+  trial.follow(moving_index(context.formula(id + "-index-i", form), "i", "r"));
+  trial.follow(moving_index(context.formula(id + "-index-j", form), "j", "s"));
   return trial.for_all(
       "all n >= 1",
       "the weights are linear in the node and reproduce linear polynomials, as identities in n; the masks "
@@ -74,9 +60,8 @@ Outcome lemma_1_positions(const Context& context) {
       trial.equal(sum_over(data, term, -n, n, values), derived, "rule " + rule_names[k] + ", " + at("n", n));
     }
   }
-  return trial.for_all(
-      "all n >= 1 and all positive weights",
-      "(10) in its corrected form holds for any nodes; the positions are symmetric about the middle datum");
+  return trial.for_all("all n >= 1 and all positive weights",
+                       "(10) holds for any nodes; the positions are symmetric about the middle datum");
 }
 
 Outcome lemma_1_starting_values(const Context& context) {
@@ -117,7 +102,8 @@ Outcome higher_degree(const Context& context) {
       .but_not("n = 1", determined_quadratics(context, Form::printed));
 }
 
-Outcome hyperplanes(const Context&) {
+Outcome hyperplanes(const Context& context) {
+  const Formula space = context.formula("hyperplane-space");
   Trial trial;
   for (int p = 1; p <= 5; ++p) {
     const std::size_t corners = std::size_t{1} << p;
@@ -126,6 +112,7 @@ Outcome hyperplanes(const Context&) {
       design(i, 0) = 1;
       for (int k = 0; k < p; ++k) design(i, static_cast<std::size_t>(k) + 1) = Rational((i >> k) & 1);
     }
+    trial.equal(space({{"p", p}}), design.columns(), at("p", p) + ", coordinates of an observation");
     trial.require(kernel(design).empty(), at("p", p) + ": the corners of a cube do not determine a hyperplane");
   }
   return trial.for_all(

@@ -41,3 +41,12 @@ TEST_CASE("closed forms of fits on grids are proved and refuted") {
   // Wrong from n = 4 on, beyond what is compared.
   CHECK(plane("1/(2*n + 1)^2*(1 + (n - 1)*(n - 2)*(n - 3) + 3*(x*r + y*s)/(n*(n + 1)))").failed());
 }
+
+TEST_CASE("the index of a datum moves with its rule") {
+  CHECK_FALSE(moving_index(f("i + r"), "i", "r").failed());
+  for (const char* wrong : {"r", "i", "i - r", "2*i + r", "i + r + 1"}) {
+    CAPTURE(wrong);
+    CHECK(moving_index(f(wrong), "i", "r").failed());
+  }
+  CHECK(moving_index(f("r"), "i", "r").failure() == "i = 1, r = 0, the datum used: printed 0, derived 1");
+}

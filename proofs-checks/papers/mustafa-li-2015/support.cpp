@@ -4,8 +4,11 @@
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/proofs-checks/statements/computed.hpp>
 #include <subcert/proofs-checks/statements/mask_form.hpp>
 #include <subcert/schemes/local_regression.hpp>
+
+#include <fmt/format.h>
 
 namespace subcert::statements::mustafa_li_2015 {
 namespace {
@@ -33,10 +36,14 @@ Outcome proposition_1(const Context& context) {
   trial.follow(identity(left, f("2*n"), {{"n", 1}}));
   trial.follow(identity(left + right, width, {{"n", 1}}));
   trial.follow(identity(f("2") * end, width, {{"n", 1}}));
+  trial.follow(positive(context.formula("s-2n-even").replaced("j", f("n")), {{"n", "1 + x"}}));
+  trial.follow(positive(context.formula("s-2n-odd").replaced("j", f("1 - n")), {{"n", "1 + x"}}));
   return trial.for_all(
       "all n >= 1",
       "a window of zeros has the fit 0 whatever its weights, and the datum 0 is in the windows of f'_{2i}, "
-      "f'_{2i+1} for i = -n..n-1 only; with all weights 1 the ends are reached for n = 1.." +
+      "f'_{2i+1} for i = -n..n-1 only; with all weights 1 the ends are reached, as the outermost weights of S_2n are "
+      "positive; compared for n = "
+      "1.." +
           std::to_string(most) +
           ". The interval is the one in which the datum f_j stands at j and the rules are symmetric; with the "
           "new points at i/2^k, as in the proof, it is [-2n, 2n-1]");
@@ -105,6 +112,27 @@ Outcome errors_over_complexity(const Context& context) {
   return outcome;
 }
 
+/// A scheme of constant weights is linear: a datum that is moved by H moves the curve by H phi.
+Outcome response_of_least_squares(const Context&) {
+  const std::vector<std::pair<const char*, const char*>> schemes{
+      {"S_6", "dual:n=3"}, {"S_7", "dual-odd:n=3"}, {"S_8", "dual:n=4"}};
+  Trial trial;
+  std::string found;
+  for (std::size_t k = 0; k < schemes.size(); ++k) {
+    const Enclosure& largest = limit_range_of(schemes[k].second).sup_norm;
+    found += fmt::format("{}{}: {}", k == 0 ? "" : ", ", schemes[k].first, enclosure_text(largest, 4));
+    if (k > 0)
+      trial.require(*largest.upper < *limit_range_of(schemes[k - 1].second).sup_norm.lower,
+                    fmt::format("{} against {}", schemes[k].first, schemes[k - 1].first));
+  }
+  Outcome outcome = trial.over("S_6, S_7, S_8");
+  outcome.argument =
+      "the schemes are linear, so that an outlier moves the curve by its height times the basic limit "
+      "function; the largest values, certified: " +
+      found;
+  return outcome;
+}
+
 }  // namespace
 
 Checks support() {
@@ -112,7 +140,8 @@ Checks support() {
           {"proposition-1-sum", geometric_sum},
           {"printed-d-6", d_6_is_best},
           {"printed-l1", l1_is_better},
-          {"printed-complexity", errors_over_complexity}};
+          {"printed-complexity", errors_over_complexity},
+          {"response-of-least-squares", response_of_least_squares}};
 }
 
 }  // namespace subcert::statements::mustafa_li_2015

@@ -10,9 +10,10 @@ namespace {
 
 /// Polynomial data with random weights come back, in one and two variables.
 Outcome reproduction(const Context& context) {
+  const int largest = static_cast<int>(numerator(context.formula("degree")({})));
   Trial trial;
   for (int variables : {1, 2})
-    for (int degree = 1; degree <= (variables == 1 ? 3 : 2); ++degree)
+    for (int degree = 1; degree <= (variables == 1 ? largest : 2); ++degree)
       for (long n = 2; n <= context.reach(4, 6); ++n)
         for (long first : {1 - n, -n}) {
           WeightedWindow data = random_window(first, n, variables, static_cast<unsigned>(n));
@@ -67,9 +68,13 @@ Outcome special_cases(const Context& context) {
           "other points of evaluation, as in [MLZD15, A.2], is not known"};
 }
 
+/// A rule that copies f_r reproduces x there alone, so that it stands at r.
 Outcome not_interpolatory(const Context& context) {
   Trial trial;
-  for (int n = 2; n <= context.reach(6, 12); ++n)
+  for (const Formula& position : context.list("positions"))
+    trial.require(denominator(position({})) != 1, at("x", position({})) + " is the place of a datum");
+  const int most = context.reach(6, 12);
+  for (int n = 2; n <= most; ++n)
     for (int degree = 1; degree <= 3; ++degree)
       for (bool even : {true, false}) {
         const Mask mask = regression_mask(even ? dual(n, degree) : dual_odd(n, degree));
@@ -80,8 +85,11 @@ Outcome not_interpolatory(const Context& context) {
           trial.require(used > 1, at("n", n) + ", degree " + std::to_string(degree) + ": a rule copies a datum");
         }
       }
-  return trial.over("all weights 1, n = 2.." + std::to_string(context.reach(6, 12)) +
-                    ", degrees 1, 2, 3: no rule copies the data");
+  return trial.for_all(
+      "all n >= 2, degrees >= 1 and positive weights",
+      "the fits reproduce x, so that a rule that copies f_r stands at r; but the rules stand at 1/4 and "
+      "3/4, or at -1/4 and 1/4. Compared with the masks of weights 1 for n = 2.." +
+          std::to_string(most) + ", degrees 1, 2, 3");
 }
 
 }  // namespace

@@ -63,3 +63,41 @@ TEST_CASE("a wrong number in any transcription changes a verdict") {
     }
   }
 }
+
+// Forms that are wrong in other ways than by a number, each for a line of a check that nothing else guards.
+TEST_CASE("a wrong form changes the verdict of a proof for all parameters") {
+  struct Wrong {
+    const char* paper;
+    const char* statement;
+    const char* transcription;
+    const char* text;
+  };
+  const std::vector<Wrong> all{
+      {"mustafa-bari-2016", "theorem-2.3", "p", "r - n"},
+      {"mustafa-bari-2016", "theorem-2.3", "p", "1 - n - r"},
+      {"mustafa-bari-2016", "theorem-2.4", "b", "r - n"},
+      {"mustafa-bari-2016", "theorem-2.4", "b", "-n - r"},
+      {"mustafa-bari-2016", "approximating", "b", "8*n*(n + 2)*(2*n + 3)*(n^2 - 1)*(4*n^2 - 1)*a^3"},
+      {"mustafa-bari-2016", "approximating", "position-2n", "q/a"},
+      {"mustafa-bari-2016", "approximating", "position-2n", "(q + 1)/a"},
+      {"mustafa-bari-2016", "approximating", "position-odd", "q/a"},
+      {"mustafa-bari-2016", "approximating", "position-odd", "q/(2*a) - 1"},
+      {"mustafa-bari-2016", "datum-index", "datum-index", "{r => i - r}"},
+      {"mustafa-li-2015", "proposition-1", "s-2n-even", "1/(2*n)*(1 - (2*j - 1)/(2*n - 1))"},
+      {"mustafa-li-2015", "proposition-1", "s-2n-odd", "1/(2*n)*(1 + (2*j - 1)/(2*n - 1))"},
+      {"mustafa-li-2015", "global-optimum", "eq-3-objective", "w^2*(f - beta1 - r*beta2)^2"},
+      {"mustafa-li-2015", "starting-value", "eq-2", "(f - beta1 + beta2*r)^2 + delta"},
+      {"mustafa-li-2015", "starting-value", "eq-3-weight", "(f - beta1 + r*beta2)^2 + delta"},
+      {"mustafa-li-2015", "outlier-weight", "eq-9-factor", "0"},
+      {"mustafa-li-2015", "outlier-weight", "eq-9-beta-2", "-1/(4*n^3 - n)*(6*r - 3)"},
+      {"mustafa-hameed", "not-interpolatory", "positions", "[1/4, 1]"}};
+  for (const Wrong& one : all) {
+    CAPTURE(one.statement, one.transcription, one.text);
+    const Paper& of = paper(one.paper);
+    const auto id = of.key + "/" + one.statement;
+    const auto found = std::ranges::find(of.statements, id, &Statement::id);
+    REQUIRE(found != of.statements.end());
+    const Transcriptions wrong = of.transcriptions.with(one.transcription, one.text);
+    CHECK(check(*found, Context(of, wrong, Tier::quick)).verdict != found->recorded);
+  }
+}

@@ -193,7 +193,7 @@ Trial non_tensor(const Context& context, const BivariateForm& form, const std::s
     trial.equal(count, used, where + ", number of weights");
     trial.require(pivot_columns(weights).size() > 1, where + ": the weights are a product");
   }
-  return trial.over("n = 2, the points (1/4, 1/4), (3/4, 1/4), (1/4, 3/4), (3/4, 3/4)");
+  return trial.for_all("n = 2, the points (1/4, 1/4), (3/4, 1/4), (1/4, 3/4), (3/4, 3/4)", "each of the four rules");
 }
 
 /// The four rules of f_{2i,2j}, f_{2i+1,2j}, f_{2i,2j+1}, f_{2i+1,2j+1} stand a quarter from the middle of the grid.
@@ -206,8 +206,24 @@ Outcome points_16(const Context& context) {
     trial.equal(ys.at(place)({}), Rational(1, 4) + Rational(k / 2, 2), "rule " + std::to_string(k) + ", y");
   }
   Outcome outcome = trial;
-  outcome.argument = "the printed beta are right for n = 2; f^k stands for the new values, as the data have no level";
+  outcome
+      .argument += "; the printed beta are right for n = 2; f^k stands for the new values, as the data have no level";
   return outcome;
+}
+
+/// A product u(r) v(s) that fits cubics has the cubic fits of one variable as factors (docs/statements.md, proposition
+/// 3). Where the second Gram polynomial of the m nodes does not vanish their weights have degree 2 or 3 in the node.
+Outcome no_products(const Context& context) {
+  const Formula largest = f("(m^2 - 1)/12");  // of (x - middle)^2 below the zero
+  Trial trial;
+  for (const char* axis : {"rules-x", "rules-y"})
+    for (const Formula& place : context.list(axis))
+      for (const Formula& middle : {f("1/2"), f("0")})
+        trial.follow(positive(largest - (place - middle) * (place - middle), {{"m", "4 + x"}}));
+  return trial.for_all("all n >= 2, both grids",
+                       "factors of weights that are products would be the cubic fits in one variable, whose weights "
+                       "have degree 2 or 3 in the node, as the second Gram polynomial does not vanish at the places of "
+                       "the rules; but a cubic fit in two variables has weights of total degree 3 at most");
 }
 
 /// The grids first..n in two or three variables that determine a cubic.
@@ -271,7 +287,8 @@ Outcome volumes(const Context& context) {
 }  // namespace
 
 Checks bivariate() {
-  return {{"grids", smallest_grid},
+  return {{"non-tensor", no_products},
+          {"grids", smallest_grid},
           {"eq-3.8", equation_3_8},
           {"16-point", points_16},
           {"eq-3.9", equation_3_9},

@@ -133,7 +133,7 @@ Outcome four_point_binary(const Context& context) {
                   at("q", q) + ", " + at("r", r));
   }
   trial.require(regression_mask(ary(2, 4, 3)) == regression_mask(dual(2, 3)), "not the dual 4-point scheme");
-  return trial.over("n = 2, a = 2");
+  return trial.for_all("n = 2, a = 2", "each of the eight weights");
 }
 
 /// Bases of the cubics; Gram's polynomials belong to the points -n+1..n.

@@ -82,6 +82,7 @@ TEST_CASE("a wrong form changes the verdict of a proof for all parameters") {
       {"mustafa-bari-2016", "approximating", "position-2n", "(q + 1)/a"},
       {"mustafa-bari-2016", "approximating", "position-odd", "q/a"},
       {"mustafa-bari-2016", "approximating", "position-odd", "q/(2*a) - 1"},
+      {"mustafa-bari-2016", "non-tensor", "rules-y", "[1/4, 2, 3/4, 3/4]"},
       {"mustafa-bari-2016", "datum-index", "datum-index", "{r => i - r}"},
       {"mustafa-li-2015", "proposition-1", "s-2n-even", "1/(2*n)*(1 - (2*j - 1)/(2*n - 1))"},
       {"mustafa-li-2015", "proposition-1", "s-2n-odd", "1/(2*n)*(1 + (2*j - 1)/(2*n - 1))"},

@@ -228,7 +228,8 @@ std::string Counts::wrong_text() const { return listed(groups, {Standing::wrong}
 std::string Counts::text() const {
   if (all() == 0) return "";
   const auto right = std::ranges::count(groups, Standing::right, &Group::standing);
-  const std::string parts = right > 1 ? fmt::format(" ({})", listed(groups, {Standing::right})) : "";
+  const bool told = right > 1 || (right == 1 && kind == ResultKind::statement);  // proved, or tried?
+  const std::string parts = told ? fmt::format(" ({})", listed(groups, {Standing::right})) : "";
   const std::string others = listed(groups, {Standing::wrong, Standing::open, Standing::aside});
   if (checked() == 0) return fmt::format("{} {}: {}", all(), words_of(kind).name, others);
   return head() + parts + (others.empty() ? "" : "; " + others);

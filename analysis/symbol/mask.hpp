@@ -31,7 +31,7 @@ struct MaskRounding {
   int sum_rules;
 };
 
-/// The same in two or three variables, where i and j are multi-indices and a dilation matrix M stands for the arity:
+/// The same in up to three variables, where i and j are multi-indices and a dilation matrix M stands for the arity:
 /// f'_i = sum over j of a_{i - Mj} f_j.
 class MultivariateMask {
  public:
@@ -44,7 +44,7 @@ class MultivariateMask {
   const Dilation& dilation() const { return dilation_; }
   /// Where the dilation is a multiple of the identity. Errors: throws Error otherwise.
   int arity() const;
-  /// 2 for surfaces, 3 for volumes.
+  /// 1 for curves, 2 for surfaces, 3 for volumes.
   int dimension() const { return symbol_.variables(); }
   bool operator==(const MultivariateMask& other) const {
     return dilation_ == other.dilation_ && symbol_ == other.symbol_;
@@ -56,7 +56,7 @@ class MultivariateMask {
 };
 
 /// The tensor product of univariate masks: the product of the symbols, and the diagonal dilation of the arities.
-/// Domain: two or three masks, arities up to 64. Errors: throws Error.
+/// Domain: one to three masks, arities up to 64. Errors: throws Error.
 MultivariateMask tensor_product(const std::vector<Mask>& masks);
 
 /// sum over j of a_{residue + arity*j}, for residue = 0, ..., arity-1. A scheme that converges to non-zero limits has

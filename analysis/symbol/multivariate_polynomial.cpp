@@ -12,21 +12,21 @@ namespace subcert {
 namespace {
 
 void require_variables(int variables) {
-  if (variables < 2 || variables > 3)
-    fail(ErrorKind::domain, "multivariate polynomial: need 2 or 3 variables, got {}", variables);
+  if (variables < 1 || variables > 3)
+    fail(ErrorKind::domain, "multivariate polynomial: need 1, 2 or 3 variables, got {}", variables);
 }
 
 /// FLINT contexts live as long as the program; one for each number of variables.
 const fmpq_mpoly_ctx_struct* context(int variables) {
   struct Contexts {
-    fmpq_mpoly_ctx_t ctx[2];
+    fmpq_mpoly_ctx_t ctx[3];
     Contexts() {
-      for (int i = 0; i < 2; ++i) fmpq_mpoly_ctx_init(ctx[i], i + 2, ORD_LEX);
+      for (int i = 0; i < 3; ++i) fmpq_mpoly_ctx_init(ctx[i], i + 1, ORD_LEX);
     }
   };
   static const Contexts contexts;
   require_variables(variables);
-  return contexts.ctx[variables - 2];
+  return contexts.ctx[variables - 1];
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
-/// Sparse Laurent polynomials in two or three variables over the rationals: the symbols of surface and volume schemes.
+/// Sparse Laurent polynomials in one, two or three variables over the rationals: the symbols of surface and volume
+/// schemes, and of those of curves where these are to be seen as one case of several.
 
 #include "laurent_polynomial.hpp"
 #include "monomial.hpp"
@@ -17,7 +18,7 @@ class MultivariatePolynomial {
   using Monomial = subcert::Monomial;
   struct Division;
 
-  /// Zero. Domain: 2 <= variables <= 3.
+  /// Zero. Domain: 1 <= variables <= 3.
   explicit MultivariatePolynomial(int variables);
   MultivariatePolynomial(int variables, const Rational& constant);
   /// The sum of `terms`; repeated exponents add up. Errors: throws Error where a term has another
@@ -29,7 +30,7 @@ class MultivariatePolynomial {
   MultivariatePolynomial& operator=(MultivariatePolynomial&& other) noexcept;
   ~MultivariatePolynomial();
 
-  /// p(x) q(y) (r(z)): the symbol of a tensor product. Domain: two or three factors.
+  /// p(x) q(y) (r(z)): the symbol of a tensor product. Domain: one to three factors.
   static MultivariatePolynomial tensor_product(const std::vector<LaurentPolynomial>& factors);
   /// p in the variable with this index (0 for x).
   static MultivariatePolynomial in_variable(int variables, int index, const LaurentPolynomial& p);

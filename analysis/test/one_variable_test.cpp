@@ -1,0 +1,103 @@
+// Schemes of curves, by the code for several variables and by that for one: two ways to the same numbers.
+#include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/difference/multivariate_convergence.hpp>
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/limit/multivariate_limit_range.hpp>
+#include <subcert/analysis/limit/multivariate_limit_values.hpp>
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/sobolev.hpp>
+#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/random.hpp>
+
+using namespace subcert;
+using subcert::testing::Random;
+using subcert::testing::rounds;
+
+namespace {
+
+/// Some sum rules, or none; half of the masks are symmetric, and some have a factor that takes the stability.
+Mask mask_of_curve(Random& random) {
+  const int arity = static_cast<int>(random.integer(2, random.chance(70) ? 2 : 4));
+  LaurentPolynomial symbol = random.nonzero_polynomial(4);
+  if (random.chance(50)) symbol *= symbol.reversed();
+  if (random.chance(20)) symbol *= LaurentPolynomial::all_ones(2).dilated(2);
+  if (const Rational sum = symbol(1); sum != 0) symbol *= LaurentPolynomial(arity / sum);
+  for (long k = random.integer(0, 4); k > 0; --k)
+    symbol *= LaurentPolynomial::all_ones(arity) * LaurentPolynomial(Rational(1, arity));
+  return {symbol, arity};
+}
+
+void check_overlap(const Enclosure& a, const Enclosure& b) {
+  if (a.lower && b.upper) CHECK(*a.lower <= *b.upper);
+  if (b.lower && a.upper) CHECK(*b.lower <= *a.upper);
+}
+
+void check_no_contradiction(const Decision& a, const Decision& b) {
+  CHECK_FALSE((a.is_yes() && b.is_no()));
+  CHECK_FALSE((a.is_no() && b.is_yes()));
+}
+
+void check_values(const Mask& mask, const MultivariateMask& general, int order) {
+  const LimitValues values = limit_values(mask, 2, order);
+  LatticeSequence others = limit_values(general, 2, {order});
+  for (std::size_t i = 0; i < values.values.size(); ++i) {
+    const LatticePoint point{values.first_index + static_cast<long>(i)};
+    const auto other = others.find(point);
+    CHECK((other == others.end() ? Rational(0) : other->second) == values.values[i]);
+    if (other != others.end()) others.erase(other);
+  }
+  CHECK(others.empty());
+}
+
+void check_ranges(const Mask& mask, const MultivariateMask& general) {
+  std::optional<LimitRange> range;
+  try {
+    range = limit_range(mask, {Rational(1, 1000), Budget{Deadline::in(2)}});
+  } catch (const Error&) {
+    return;  // the differences contract too slowly for it
+  }
+  const MultivariateLimitRange box = limit_range(general, {Rational(1, 1000), Budget{Deadline::in(2)}});
+  check_overlap(range->maximum, box.maximum.value);
+  check_overlap(range->minimum, box.minimum.value);
+}
+
+}  // namespace
+
+TEST_CASE("one variable as a case of several: sum rules, reproduction, values, ranges, exponents") {
+  Random random;
+  int converging = 0, exact = 0;
+  for (const auto round : rounds(40)) {
+    const Mask mask = mask_of_curve(random);
+    CAPTURE(mask.symbol().to_text(), mask.arity());
+    const MultivariateMask general = tensor_product({mask});
+    CHECK(general.dimension() == 1);
+    CHECK(coset_sums(general) == coset_sums(mask));
+    CHECK(operator_norm(general) == operator_norm(mask));
+    const PolynomialReproduction one = polynomial_reproduction(mask);
+    const MultivariateReproduction several = polynomial_reproduction(general);
+    CHECK(several.sum_rules == sum_rules(mask));
+    CHECK(several.factors == std::vector<int>{sum_rules(mask)});
+    CHECK(several.reproduction_degree == one.reproduction_degree);
+    CHECK(several.parametrization == std::vector<Rational>{one.parametrization});
+    check_no_contradiction(converges(mask), converges(general));
+    if (!is_affine(mask)) continue;
+    const Budget budget{Deadline::in(3)};
+    const HolderRegularity curve = holder_regularity(mask, 6, budget);
+    const MultivariateRegularity surface = multivariate_regularity(general, {Deadline::in(3)});
+    check_no_contradiction(curve.converges, surface.converges);
+    check_no_contradiction(curve.stable, surface.stable);
+    check_overlap(curve.proved_exponent(), surface.exponent);
+    if (!curve.converges.is_yes()) continue;
+    ++converging;
+    exact += surface.exact.is_yes() && curve.deciding().radius.exact.is_yes();
+    if (surface.sobolev) check_overlap(sobolev_regularity(mask).exponent, *surface.sobolev);
+    for (int order = 0; order <= std::min(2, proved_smoothness(mask).order); ++order)
+      check_values(mask, general, order);
+    check_ranges(mask, general);
+  }
+  CHECK(converging > 0);
+  CHECK(exact > 0);
+}

@@ -55,6 +55,7 @@ Json statement_json(const Statement& statement) {
           {"readings", statement.readings},
           {"follows", statement.follows},
           {"scan", statement.scan},
+          {"experiments", statement.experiments},
           {"recorded", to_text(statement.recorded)},
           {"recorded_grade", grade_json(statement.grade)}};
 }
@@ -113,6 +114,7 @@ std::string outcome_text(const Statement& statement, const Outcome& outcome) {
   if (grade) line("corrected: ", corrected_latex(statement));
   line("", outcome.argument);
   line("follows from: ", statement.follows);
+  for (const std::string& id : statement.experiments) line("experiment: subcert experiment ", id);
   if (!is_as_recorded(statement, outcome))
     line("NOT AS RECORDED: the verdict on record is ",
          to_text(statement.recorded) + (statement.grade ? ", " + to_text(*statement.grade) : ""));
@@ -124,7 +126,7 @@ ExitCode run_checks(const StatementsOptions& options) {
                                                  options.threads(),
                                                  [&](const std::string& id) { options.progress(id); });
   options.end_progress();
-  if (!options.page.empty()) runtime::write_file(options.page, reports::errata_page(results));
+  if (!options.page.empty()) runtime::write_file(options.page, reports::errata_page(results, {}));
   ExitCode code = done;
   Json json{{"statements", Json::array()}};
   std::string text;

@@ -40,6 +40,15 @@ std::string needed_text(const toml::table& table, const std::string& key) {
   return text_of(*table.get(key));
 }
 
+std::vector<std::string> optional_texts(const toml::table& table, const std::string& key) {
+  std::vector<std::string> result;
+  const toml::node* node = table.get(key);
+  if (!node) return result;
+  if (!node->is_array()) throw FileError(place_of(*node), "'" + key + "' takes a list of texts");
+  for (const toml::node& text : *node->as_array()) result.push_back(text_of(text));
+  return result;
+}
+
 std::map<std::string, std::string> texts_in(const toml::table& table, const std::string& key) {
   std::map<std::string, std::string> result;
   const toml::node* node = table.get(key);

@@ -23,6 +23,8 @@ std::string text_of(const toml::node& node);
 std::string optional_text(const toml::table& table, const std::string& key);
 /// Errors: where there is no such key, too.
 std::string needed_text(const toml::table& table, const std::string& key);
+/// The list of texts at this key; empty where there is no such key.
+std::vector<std::string> optional_texts(const toml::table& table, const std::string& key);
 /// The table of texts at this key, by their names; empty where there is no such key.
 std::map<std::string, std::string> texts_in(const toml::table& table, const std::string& key);
 /// The tables of an array; none where there is no such key.

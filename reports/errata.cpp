@@ -54,12 +54,28 @@ std::string quoted(const std::string& sentence) {
   return sentence.empty() ? "" : "<q>" + formats::html(sentence) + "</q>";
 }
 
-std::string statement_html(const CheckedStatement& checked) {
+/// The claims of an experiment as found, or the command that finds them.
+std::string experiment_html(const std::string& id, const std::vector<Result>& results) {
+  std::string claims;
+  for (const Result& one : results)
+    if (one.kind == ResultKind::claim && one.item == id)
+      claims += fmt::format("<li><a href=\"{}\">{}</a> <b>{}</b></li>", formats::html(one.link()),
+                            formats::html(one.subject), formats::html(one.words));
+  return claims.empty() ? fmt::format("<li><code>subcert experiment {}</code></li>", formats::html(id)) : claims;
+}
+
+std::string experiments_html(const Statement& statement, const std::vector<Result>& results) {
+  std::string lists;
+  for (const std::string& id : statement.experiments) lists += experiment_html(id, results);
+  return lists.empty() ? "" : "<ul>" + lists + "</ul>";
+}
+
+std::string statement_html(const CheckedStatement& checked, const std::vector<Result>& results) {
   const Statement& statement = *checked.statement;
   const Outcome& outcome = checked.outcome;
   const bool faulty = is_wrong(checked) || is_edge(checked);
   return fmt::format(
-      "<section class=\"statement {}\" id=\"{}\">\n<p class=head>{} {}</p>\n<p>{}</p>\n{}<dl>\n{}{}{}{}{}{}{}{}{}"
+      "<section class=\"statement {}\" id=\"{}\">\n<p class=head>{} {}</p>\n<p>{}</p>\n{}<dl>\n{}{}{}{}{}{}{}{}{}{}"
       "</dl></section>\n",
       to_text(standing(outcome.verdict)), statement.id, formats::html(statement.place), verdict_html(checked),
       formats::html(statement.paraphrase), forms(printed_latex(statement), faulty ? corrected_latex(statement) : ""),
@@ -70,13 +86,14 @@ std::string statement_html(const CheckedStatement& checked) {
       line("checked", formats::html(statement.checked)),
       line("follows from",
            statement.follows.empty() ? "" : fmt::format("<a href=\"#{0}\">{0}</a>", formats::html(statement.follows))),
-      line("id", "<code>" + statement.id + "</code>"));
+      line("experiments", experiments_html(statement, results)), line("id", "<code>" + statement.id + "</code>"));
 }
 
-std::string list_of(const std::string& id, const std::string& heading, const Chosen& checked) {
+std::string list_of(const std::string& id, const std::string& heading, const Chosen& checked,
+                    const std::vector<Result>& results) {
   if (checked.empty()) return "";
   std::string text = fmt::format("<h3 id=\"{}\">{} ({})</h3>\n", id, heading, checked.size());
-  for (const CheckedStatement* one : checked) text += statement_html(*one);
+  for (const CheckedStatement* one : checked) text += statement_html(*one, results);
   return text;
 }
 
@@ -95,7 +112,8 @@ Chosen by_cause(const Chosen& checked) {
   return result;
 }
 
-std::string paper_section(const statements::Paper& paper, const std::vector<CheckedStatement>& checked) {
+std::string paper_section(const statements::Paper& paper, const std::vector<CheckedStatement>& checked,
+                          const std::vector<Result>& of_all) {
   struct Part {
     const char* id;
     const char* heading;
@@ -111,7 +129,7 @@ std::string paper_section(const statements::Paper& paper, const std::vector<Chec
     for (const CheckedStatement& one : checked)
       if (one.statement->paper() == paper.key && belongs(one)) chosen.push_back(&one);
     const std::string anchor = paper.key + "-" + id;
-    lists += list_of(anchor, heading, by_cause(chosen));
+    lists += list_of(anchor, heading, by_cause(chosen), of_all);
     if (!chosen.empty()) links += fmt::format("<a href=\"#{}\">{} ({})</a> ", anchor, heading, chosen.size());
   }
   if (lists.empty()) return "";
@@ -138,7 +156,7 @@ std::vector<CheckedStatement> check_statements(const std::vector<const Statement
   return results;
 }
 
-std::string errata_page(const std::vector<CheckedStatement>& checked) {
+std::string errata_page(const std::vector<CheckedStatement>& checked, const std::vector<Result>& results) {
   std::string body =
       "<h1>Errata and confirmations</h1>\n<p>The statements of the papers as executable checks. The printed forms are "
       "typed in as they stand and compared with what follows from the definitions, in exact arithmetic or with outward "
@@ -154,7 +172,7 @@ std::string errata_page(const std::vector<CheckedStatement>& checked) {
       "class=\"corrected\"><span class=changed>what the corrected one has alone</span></span> are marked. Formulas are "
       "MathML with their LaTeX text. Where one scan was all there is, and a slip of the text recognition would explain "
       "what is found, the entry says so.</p>\n";
-  for (const auto& paper : statements::papers()) body += paper_section(paper, checked);
+  for (const auto& paper : statements::papers()) body += paper_section(paper, checked, results);
   return formats::html_page("subcert: errata and confirmations", body);
 }
 

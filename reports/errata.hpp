@@ -23,8 +23,11 @@ std::vector<CheckedStatement> check_statements(const std::vector<const statement
                                                statements::Tier tier, int jobs,
                                                const std::function<void(const std::string&)>& progress);
 
-/// By paper: first what holds, then what to correct, each fault with what follows from it, then what fails at an edge
-/// only and what cannot be checked.
-std::string errata_page(const std::vector<CheckedStatement>& checked);
+struct Result;
+
+/// By paper: first what holds, then what fails at an edge only, then what to correct, each fault with what follows from
+/// it, and what cannot be checked. Beside a statement stand the claims among `results` that are about the same
+/// sentences, with their verdicts; without them, the commands that decide them.
+std::string errata_page(const std::vector<CheckedStatement>& checked, const std::vector<Result>& results);
 
 }  // namespace subcert::reports

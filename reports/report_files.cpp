@@ -170,7 +170,7 @@ void write_reports(const Findings& findings, const std::filesystem::path& folder
   parallel_for_each(pictures.size(), jobs, [&](std::size_t i) { pictures[i](); });
   for (const Report& report : findings.reports)
     runtime::write_file(folder / (report.paper + ".html"), report_page(report, results(report, findings.statements)));
-  if (!findings.statements.empty()) runtime::write_file(folder / "errata.html", errata_page(findings.statements));
+  if (!findings.statements.empty()) runtime::write_file(folder / "errata.html", errata_page(findings.statements, all));
   runtime::write_file(folder / "results.json", results_json(all));
   runtime::write_file(folder / "results.html", results_page(all));
   runtime::write_file(folder / "index.html", front_page(findings));

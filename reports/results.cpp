@@ -29,7 +29,7 @@ const std::vector<std::string>& groups_of(ResultKind kind) {
   static const std::array<std::vector<std::string>, 3> all{
       std::vector<std::string>{"match", "wrong", "open", "rest on data that were not published"},
       {"proved for all n", "on the range tried", "but for an edge", "slips of the pen", "numbers off", "wrong claims",
-       "undecided", "cannot be checked"},
+       "undecided", "left to experiments", "cannot be checked"},
       {"hold as printed", "contrary shown", "depend on a choice the paper leaves open", "undecided",
        "on our data only"}};
   return all[static_cast<std::size_t>(kind)];
@@ -43,16 +43,18 @@ std::string group_of(ClaimVerdict verdict) {
 }
 
 std::string group_of(const CheckedStatement& one) {
-  const std::optional<Grade> grade = statements::grade_of(*one.statement, one.outcome);
+  const statements::Statement& statement = *one.statement;
+  const std::optional<Grade> grade = statements::grade_of(statement, one.outcome);
   const StatementVerdict verdict = one.outcome.verdict;
-  const std::size_t place = grade == Grade::edge                         ? 2
-                            : verdict == StatementVerdict::holds_for_all ? 0
-                            : verdict == StatementVerdict::holds         ? 1
-                            : verdict == StatementVerdict::undecided     ? 6
-                            : verdict == StatementVerdict::not_checkable ? 7
-                            : grade == Grade::slip                       ? 3
-                            : grade == Grade::number                     ? 4
-                                                                         : 5;
+  const std::size_t place = grade == Grade::edge                             ? 2
+                            : verdict == StatementVerdict::holds_for_all     ? 0
+                            : verdict == StatementVerdict::holds             ? 1
+                            : verdict == StatementVerdict::undecided         ? 6
+                            : is_left_to_experiments(statement, one.outcome) ? 7
+                            : verdict == StatementVerdict::not_checkable     ? 8
+                            : grade == Grade::slip                           ? 3
+                            : grade == Grade::number                         ? 4
+                                                                             : 5;
   return groups_of(ResultKind::statement)[place];
 }
 
@@ -63,6 +65,8 @@ Result result_of(const CheckedStatement& one) {
   std::string note = one.outcome.witness.empty() ? "" : "Witness: " + one.outcome.witness + ".";
   for (const std::string& more : {statement.readings, one.outcome.argument})
     if (!more.empty()) note += (note.empty() ? "" : " ") + more;
+  if (!statement.experiments.empty())
+    note += fmt::format("{}experiments: {}.", note.empty() ? "" : "; ", fmt::join(statement.experiments, ", "));
   if (!statement.scan.empty()) note += " As the scan has it: " + statement.scan + ".";
   const std::string grade = grade_text(statements::grade_of(statement, one.outcome));
   const std::string recorded = grade_text(statement.grade);

@@ -23,7 +23,7 @@ void require_fair_record(const toml::table& table, const Statement& statement) {
 /// The statement without its check, but for one that cannot be checked.
 Statement read_statement(const toml::table& table, const std::string& paper) {
   only_keys(table, {"id", "place", "claim", "checked", "latex", "corrected", "recorded", "not-checkable", "grade",
-                    "sentence", "readings", "follows", "scan"});
+                    "sentence", "readings", "follows", "scan", "experiments"});
   Statement result{.id = paper + "/" + needed_text(table, "id"),
                    .place = needed_text(table, "place"),
                    .paraphrase = needed_text(table, "claim"),
@@ -34,7 +34,8 @@ Statement read_statement(const toml::table& table, const std::string& paper) {
                    .check = {},
                    .sentence = optional_text(table, "sentence"),
                    .readings = optional_text(table, "readings"),
-                   .scan = optional_text(table, "scan")};
+                   .scan = optional_text(table, "scan"),
+                   .experiments = optional_texts(table, "experiments")};
   if (!table.contains("not-checkable") != table.contains("recorded"))
     throw FileError(place_of(table), "expected either 'recorded' or 'not-checkable'");
   if (table.contains("grade")) result.grade = verdict_of<Grade>(*table.get("grade"));

@@ -40,8 +40,13 @@ bool is_as_recorded(const Statement& statement, const Outcome& outcome) {
   return outcome.verdict == statement.recorded && grade_of(statement, outcome) == statement.grade;
 }
 
+bool is_left_to_experiments(const Statement& statement, const Outcome& outcome) {
+  return outcome.verdict == StatementVerdict::not_checkable && !statement.experiments.empty();
+}
+
 std::string verdict_in_words(const Statement& statement, const Outcome& outcome) {
   if (!outcome.edge.empty()) return "holds, but not at " + outcome.edge;
+  if (is_left_to_experiments(statement, outcome)) return "see the experiments";
   switch (outcome.verdict) {
     case StatementVerdict::holds_for_all: return "proved for all n";
     case StatementVerdict::holds: return "holds on the range tried";

@@ -80,6 +80,7 @@ struct Statement {
   std::string readings = {};        ///< how they were read before they were called wrong
   std::string follows = {};         ///< the id of the statement whose fault this one repeats
   std::string scan = {};  ///< what a slip of the text recognition would explain, where one scan is all there is
+  std::vector<std::string> experiments = {};  ///< the ids of those whose claims are about the same sentences
 
   std::string paper() const { return id.substr(0, id.find('/')); }
 };
@@ -89,7 +90,10 @@ std::optional<Grade> grade_of(const Statement& statement, const Outcome& outcome
 /// Whether verdict and grade are those on record.
 bool is_as_recorded(const Statement& statement, const Outcome& outcome);
 
-/// For people: `proved for all n`, `holds, but not at n = 1`, `slip of the pen`, `wrong number`, `does not hold`, ...
+/// What no check decides, since only experiments can.
+bool is_left_to_experiments(const Statement& statement, const Outcome& outcome);
+
+/// For people: `proved for all n`, `holds, but not at n = 1`, `slip of the pen`, `number is off`, `does not hold`, ...
 std::string verdict_in_words(const Statement& statement, const Outcome& outcome);
 
 /// Runs the check. A formula that is undefined somewhere in its range is a counterexample. Errors: what the check

@@ -44,7 +44,7 @@ TEST_CASE("statements count by what is known, and a cause once") {
   const Counts found = counts(all, ResultKind::statement);
   CHECK(found.text() ==
         "3 of 5 statements hold (1 proved for all n, 1 on the range tried, 1 but for an edge); 2 slips of the pen, "
-        "1 cannot be checked");
+        "1 left to experiments");
   CHECK(counts({all.front()}, ResultKind::statement).text() == "1 of 1 statements hold (1 proved for all n)");
   CHECK(found.causes == 1);
   CHECK(errata_sentence(found).starts_with("2 of 5 statements do not hold, from 1 cause: 2 slips of the pen;"));

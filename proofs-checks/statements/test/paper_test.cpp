@@ -128,6 +128,7 @@ TEST_CASE("what is no paper is refused with its place") {
   says(first + "recorded = 'false'\ngrade = 'claim'", "expected the key 'sentence'");
   says(first + "recorded = 'false'\ngrade = 'claim'\nsentence = 's'", "expected the key 'readings'");
   says(first + "recorded = 'right'", "line 10, column 12: 'right' is no verdict; expected one of");
+  says(first + "not-checkable = 'x'\nexperiments = 'fig3'", "line 11, column 15: 'experiments' takes a list of texts");
   const std::string grid = head +
                            "[[table]]\nid = 'a'\ntitle = 'b'\nplace = 'c'\nlayout = 'grid'\ncolumns = [{}, {}]\n";
   says(grid + "rows = [{ printed = ['1'] }]", "line 11, column 21: expected 2 values, one a column");

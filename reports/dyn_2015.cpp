@@ -106,14 +106,7 @@ void explain_levels(formats::Section& section, ComputedQuantities& quantities) {
   }
   section.tables.push_back(table);
   section.paragraphs.push_back(
-      "What the bounds mean. Each is proved, and none is the exponent itself: a bound belongs to its number of levels. "
-      "Between 8 and 16 levels the bounds of these schemes still rise by up to " +
-      decimal(largest_step, 4) + " (" + largest_scheme +
-      "), so the third decimal of the printed tables says how far the computation went, not how smooth the limits are. "
-      "Nor do the bounds simply grow: of " +
-      std::to_string(pairs) + " steps from one level to the next, " + std::to_string(decreasing) +
-      " go down. A comparison of two schemes by these tables is safe only where their difference is larger than what "
-      "further levels could add.");
+      levels_sentence({largest_step, largest_scheme, decreasing, pairs}, read_decimal("1.000").unit));
   formats::Figure figure{
       "levels-plot",
       "The bounds over the number of levels",
@@ -238,9 +231,12 @@ Report report_dyn_2015(const ReportOptions& options) {
         "The masks are derived from the local fits in exact rational arithmetic and compared coefficient by "
         "coefficient; the supports follow from the masks.");
   if (options.wants("masks"))
-    masks.paragraphs.push_back("Masks: " + verdict_sentence(masks.comparisons.front()) +
-                               " A list that does not sum to 1 over the even and over the odd indices cannot be the "
-                               "mask of a convergent scheme, whatever its fits; the notes name the sums.");
+    masks.paragraphs.push_back(
+        "Masks: " + verdict_sentence(masks.comparisons.front()) +
+        (masks.comparisons.front().count(ValueVerdict::mismatch) > 0
+             ? " A list that does not sum to 1 over the even and over the odd indices cannot be the mask of a "
+               "convergent scheme, whatever its fits; the notes name the sums."
+             : ""));
 
   formats::Section bounds{"bounds", "Lower bounds of the Hoelder exponent", {}};
   for (const char* id : {"table1", "table2"})

@@ -1,6 +1,7 @@
 #include "dyn_2015_variance.hpp"
 
 #include "computed_quantities.hpp"
+#include "story_sentences.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/interval.hpp>
@@ -38,6 +39,29 @@ formats::ComparisonTable compare_table_3(const statements::PublishedTable& table
     result.comparisons.push_back(comparison);
   }
   return result;
+}
+
+/// What the best recipe does, beside what is certified.
+RecipeFinding recipe_found(const statements::PublishedTable& table, ComputedQuantities& quantities) {
+  const NumericalRecipeSearch& search = quantities.recipes();
+  std::vector<Truth> lower, flat;
+  for (const statements::PublishedCell& cell : table.cells) {
+    const VarianceFacts& facts = quantities.variance(cell.scheme);
+    const auto what = scaled_maximum(cell);
+    const Enclosure certified = scaled(what.slope ? facts.slope : facts.maximum, what.factor);
+    const Rational value = search.value(cell, search.best());
+    const Rational reached = what.factor * (what.slope ? facts.steepest : facts.largest);
+    const Truth not_above = value <= std::max(reached, *certified.lower) ? Truth::yes
+                            : value > *certified.upper                   ? Truth::no
+                                                                         : Truth::unknown;
+    (what.slope ? flat : lower).push_back(not_above);
+  }
+  const Truth no_slope = all_of(flat);
+  return {search.cells_given(), search.cells(), numerical_recipes()[search.best()].curve.window.has_value(),
+          all_of(lower),
+          no_slope == Truth::no    ? Truth::yes
+          : no_slope == Truth::yes ? Truth::no
+                                   : Truth::unknown};
 }
 
 /// Printed over certified values, by n.
@@ -144,20 +168,17 @@ formats::Section variance_section(const ReportOptions& options, ComputedQuantiti
     section.comparisons.push_back(compare_table_3(quantities.published("table3"), quantities));
     section.paragraphs.push_back("Table 3: " + verdict_sentence(section.comparisons.back()));
     section.evidence = printed_over_certified(quantities.published("table3"), section.comparisons.back());
-    section.finding = fmt::format(
-        "{} (Their multiples by n and n^2 aside.) One truncated sum agrees with {} of the {} "
-        "numbers of the table.",
-        section.paragraphs.back(), quantities.recipes().cells_given(), quantities.recipes().cells());
+    const RecipeFinding recipe = recipe_found(quantities.published("table3"), quantities);
+    section.finding = fmt::format("{} (Their multiples by n and n^2 aside.) {}", section.paragraphs.back(),
+                                  recipe_finding(recipe));
     section.paragraphs.push_back(
         "What the verdicts mean. Maxima of psi and of |psi'| are enclosed over all of [0, 1], to a relative width of "
         "1e-6, and a printed value that the enclosure excludes is a mismatch. Where the printed value is too small "
         "there is also a witness that anyone can evaluate: an exact value of psi at a dyadic point, or a divided "
         "difference of two such values, which bounds the largest slope from below.");
-    section.paragraphs.push_back(
-        "Where the digits may come from. " + quantities.recipes().summary() +
-        " That it agrees with the digits does not prove that it is what was computed. It leaves out "
-        "the ends of the support, which lowers the maxima of psi a little and adds a slope "
-        "that psi does not have. docs/table-3.md lists what was tried.");
+    section.paragraphs.push_back("Where the digits may come from. " + quantities.recipes().summary() +
+                                 " That it agrees with the digits does not prove that it is what was computed. " +
+                                 truncation_sentence(recipe) + " docs/table-3.md lists what was tried.");
   }
   if (options.wants("fig2")) {
     quantities.say("fig2");

@@ -95,8 +95,8 @@ constexpr const char* how_to_object =
     "of the sources, to be corrected without any C++. An issue with the link and the right reading is enough "
     "(<code>CONTRIBUTING.md</code>).</p>\n";
 
-/// What subcert is, and which version made this page from what and when.
-std::string origin_html(const Origin& origin) {
+/// What subcert is, how much holds, and which version made this page from what and when.
+std::string origin_html(const Origin& origin, const std::string& standing) {
   std::string made;
   if (!origin.version.empty()) made += "subcert " + html(origin.version);
   if (!origin.commit.empty()) made += " (" + html(origin.commit) + ")";
@@ -104,9 +104,8 @@ std::string origin_html(const Origin& origin) {
   if (!origin.when.empty()) made += ", on " + html(origin.when);
   return "<p class=lead>subcert recomputes what papers on least squares subdivision print: numbers as exact fractions "
          "or "
-         "enclosures rounded outward, formulas and theorems as executable checks, experiments over many samples. Most "
-         "of "
-         "it holds, much of it now with proofs for all parameters; what does not is named with its reason.</p>\n" +
+         "enclosures rounded outward, formulas and theorems as executable checks, experiments over many samples. " +
+         html(standing) + "</p>\n" +
          (made.empty() ? "" : "<p class=place>Made by " + made + ". <a href=\"#object\">How to object</a></p>\n");
 }
 
@@ -131,7 +130,8 @@ std::string score_bars(const std::vector<Result>& results, const std::string& pa
 
 std::string front_page(const Findings& findings) {
   const std::vector<Result> all = results(findings);
-  std::string body = "<h1>What papers print, computed again</h1>\n" + origin_html(findings.origin);
+  std::string body = "<h1>What papers print, computed again</h1>\n" +
+                     origin_html(findings.origin, standing_sentence(counts(all, ResultKind::statement)));
   body += score_bars(all);
   body += "<nav aria-label=\"Everything\"><a href=\"results.html\">Every result</a> ";
   if (!findings.statements.empty()) body += "<a href=\"errata.html\">Errata and confirmations</a> ";

@@ -255,6 +255,16 @@ Counts counts(const std::vector<Result>& results, ResultKind kind, const std::st
   return total;
 }
 
+std::string standing_sentence(const Counts& statements) {
+  if (statements.checked() == 0) return "What does not hold is named with its reason.";
+  const auto proved = std::ranges::find(statements.groups, groups_of(ResultKind::statement).front(),
+                                        &Counts::Group::name);
+  return fmt::format("{}{}; what does not is named with its reason.", statements.head(),
+                     proved == statements.groups.end()
+                         ? ""
+                         : fmt::format(", {} of them now with proofs for all parameters", proved->count));
+}
+
 std::string errata_sentence(const Counts& statements) {
   const int wrong = statements.of(Standing::wrong);
   if (wrong == 0) return "";

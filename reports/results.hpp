@@ -102,6 +102,8 @@ struct Counts {
 /// The counts of a kind, of one paper or of all.
 Counts counts(const std::vector<Result>& results, ResultKind kind, const std::string& paper = "");
 
+/// `94 of 109 statements hold, 41 of them now with proofs for all parameters; ...`: the first news of the front page.
+std::string standing_sentence(const Counts& statements);
 /// `12 of 109 statements do not hold, from 9 causes: ...`; empty where all hold.
 std::string errata_sentence(const Counts& statements);
 

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace subcert::reports {
 namespace {
@@ -36,6 +37,19 @@ std::string family_sentence(const BoundsAndExponents& family) {
       family.family, largest, sweeps::number_list_text(above),
       to_decimal(family.dip_from(above.front()), 2, Rounding::up), last,
       to_fixed(*family.exponents.back().lower, 4, Rounding::down));
+}
+
+/// The n from which on the printed bounds of all families fall; nothing where they do not.
+std::optional<int> fall_from(const std::vector<BoundsAndExponents>& families) {
+  std::optional<int> common;
+  for (const BoundsAndExponents& family : families) {
+    const int n = family.largest_bound().second;
+    for (auto i = static_cast<std::size_t>(n - family.first_n) + 1; i < family.bounds.size(); ++i)
+      if (read_decimal(family.bounds[i]).value >= read_decimal(family.bounds[i - 1]).value) return std::nullopt;
+    if (common && *common != n) return std::nullopt;
+    common = n;
+  }
+  return common;
 }
 
 /// Whether every exponent from the n of the largest bound on is above all bounds that are printed.
@@ -72,14 +86,47 @@ Rational BoundsAndExponents::dip_from(int n) const {
 }
 
 std::string exponents_finding(const std::vector<BoundsAndExponents>& families) {
-  std::string text =
-      std::ranges::all_of(families, do_not_follow)
-          ? "Tables 1 and 2 print bounds, which fall from n = 4 on because 16 levels are too few; the "
-            "exponents do not follow them."
-          : "Tables 1 and 2 print bounds, which fall from n = 4 on; whether the exponents follow them is "
-            "not decided for every n.";
+  const bool follow_not = std::ranges::all_of(families, do_not_follow);
+  const std::optional<int> n = fall_from(families);
+  std::string text = "Tables 1 and 2 print bounds";
+  if (n) text += fmt::format(", which fall from n = {} on{}", *n, follow_not ? " because 16 levels are too few" : "");
+  text += follow_not ? "; the exponents do not follow them."
+                     : "; whether the exponents follow them is not decided for every n.";
   for (const BoundsAndExponents& family : families) text += " " + family_sentence(family);
   return text;
+}
+
+std::string levels_sentence(const LevelSteps& steps, const Rational& unit) {
+  const std::string rise =
+      steps.largest_rise > unit
+          ? fmt::format(
+                "Between 8 and 16 levels the bounds of these schemes still rise by up to {} ({}), so the last decimal "
+                "of "
+                "the printed tables says how far the computation went, not how smooth the limits are. A comparison of "
+                "two schemes by these tables is safe only where their difference is larger than what further levels "
+                "could add.",
+                to_fixed(steps.largest_rise, 4, Rounding::down), steps.scheme)
+          : "Between 8 and 16 levels no bound of these schemes rises by more than a unit of the last printed place.";
+  return fmt::format("What the bounds mean. Each is proved, and belongs to its number of levels. {} {}", rise,
+                     steps.falls > 0
+                         ? fmt::format("Nor do the bounds simply grow: of {} steps from one level to the "
+                                       "next, {} go down.",
+                                       steps.steps, steps.falls)
+                         : fmt::format("None of {} steps from one level to the next goes down.", steps.steps));
+}
+
+std::string recipe_finding(const RecipeFinding& found) {
+  return fmt::format("One {} agrees with {} of the {} numbers of the table.",
+                     found.is_truncated ? "truncated sum" : "numerical recipe", found.agrees, found.cells);
+}
+
+std::string truncation_sentence(const RecipeFinding& found) {
+  if (!found.is_truncated) return "";
+  return fmt::format(
+      "It leaves out the ends of the support, which {}, and {}.",
+      by(found.lowers, "does not raise the maxima of psi", "raises some of the maxima of psi",
+         "changes the maxima of psi"),
+      by(found.adds_a_slope, "adds a slope that psi does not have", "adds no slope", "changes the slopes"));
 }
 
 Truth ConjectureDecay::first_half() const { return of_all(maxima, &conjectures::DecayFinding::rate); }

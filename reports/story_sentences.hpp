@@ -24,6 +24,27 @@ struct BoundsAndExponents {
   Rational dip_from(int n) const;
 };
 
+/// How bounds move from one number of levels to the next.
+struct LevelSteps {
+  Rational largest_rise;  ///< of any scheme, from the smaller to the larger number of levels that are compared
+  std::string scheme;     ///< whose rise it is
+  int falls, steps;       ///< how many of the steps from a level to the next go down
+};
+/// Domain: the tables print bounds in multiples of `unit`.
+std::string levels_sentence(const LevelSteps& steps, const Rational& unit);
+
+/// A recipe for Table 3 beside what is certified.
+struct RecipeFinding {
+  std::size_t agrees, cells;
+  bool is_truncated;   ///< whether its sum leaves out the ends of the support
+  Truth lowers;        ///< whether none of its maxima is above the certified ones
+  Truth adds_a_slope;  ///< whether some of its slopes are above the certified ones
+};
+/// With how much of the table the recipe agrees.
+std::string recipe_finding(const RecipeFinding& found);
+/// What leaving out the ends does to the numbers; empty where nothing is left out.
+std::string truncation_sentence(const RecipeFinding& found);
+
 /// Whether the exponents follow the fall of the printed bounds.
 std::string exponents_finding(const std::vector<BoundsAndExponents>& families);
 

@@ -69,8 +69,7 @@ formats::Figure mean_and_ripple() {
   return {"theorems-plot",
           "Mean and ripple of the variance curves over n",
           "Exact means, and differences of exact values on the grid of step 1/" + std::to_string(1 << grid_level) +
-              ", on logarithmic scales; above them twice the proved bound of |psi_n - mean|. The mean falls like 1/n, "
-              "the ripple faster than every power of n.",
+              ", on logarithmic scales; above them twice the proved bound of |psi_n - mean|.",
           2,
           {means, ripples}};
 }

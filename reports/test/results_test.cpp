@@ -48,6 +48,10 @@ TEST_CASE("statements count by what is known, and a cause once") {
   CHECK(counts({all.front()}, ResultKind::statement).text() == "1 of 1 statements hold (1 proved for all n)");
   CHECK(found.causes == 1);
   CHECK(errata_sentence(found).starts_with("2 of 5 statements do not hold, from 1 cause: 2 slips of the pen;"));
+  CHECK(standing_sentence(found).starts_with("3 of 5 statements hold, 1 of them now with proofs"));
+  CHECK(standing_sentence(counts({all.back()}, ResultKind::statement)) ==
+        "What does not hold is named with its reason.");
+  CHECK(standing_sentence(counts({all[3]}, ResultKind::statement)).starts_with("0 of 1 statements hold; what"));
   CHECK(errata_sentence(counts({all.front()}, ResultKind::statement)).empty());
 }
 

@@ -40,6 +40,13 @@ TEST_CASE("the sentence about Tables 1 and 2 follows the exponents") {
   // Before the largest bound they may be where they are.
   CHECK(mentions(exponents_finding({family({1650, 1700, 1990, 1985})}), "do not follow them"));
   CHECK(mentions(exponents_finding({family({1650, 1700, 1800, 1700})}), "no exponent is proved to exceed 1.816"));
+  // Whether the printed bounds fall is read off them.
+  CHECK(mentions(exponents_finding({above}), "which fall from n = 4 on because 16 levels are too few"));
+  BoundsAndExponents rising = above;
+  rising.bounds.back() = "1.816";
+  CHECK(exponents_finding({rising}).starts_with("Tables 1 and 2 print bounds; the exponents"));
+  rising.bounds[2] = "1.776";
+  CHECK_FALSE(mentions(exponents_finding({above, rising}), "fall from"));
 }
 
 TEST_CASE("the sentence about Conjecture 7 follows the rates") {
@@ -60,4 +67,25 @@ TEST_CASE("the sentence about the theorems counts those that are proved") {
   CHECK(mentions(theorems_sentence({{"a", Truth::yes}, {"b", Truth::yes}}), "All 2 theorems below are proved"));
   const std::string one_fails = theorems_sentence({{"a, d = 1", Truth::no}, {"b", Truth::yes}, {"c", Truth::unknown}});
   CHECK(mentions(one_fails, "Of 3 theorems 1 are proved; not so: a, d = 1 (an inequality fails), c (not decided)."));
+}
+
+TEST_CASE("the sentence about levels says what the bounds do") {
+  const Rational unit(1, 1000);
+  const std::string both = levels_sentence({Rational(1, 100), "primal:n=10", 3, 30}, unit);
+  CHECK(mentions(both, "still rise by up to 0.0100 (primal:n=10)"));
+  CHECK(mentions(both, "of 30 steps from one level to the next, 3 go down"));
+  const std::string neither = levels_sentence({unit, "primal:n=10", 0, 30}, unit);
+  CHECK(mentions(neither, "no bound of these schemes rises by more than a unit of the last printed place"));
+  CHECK(mentions(neither, "None of 30 steps from one level to the next goes down"));
+}
+
+TEST_CASE("the sentences about a recipe say what it does") {
+  CHECK(recipe_finding({42, 44, true, Truth::yes, Truth::yes}) ==
+        "One truncated sum agrees with 42 of the 44 numbers of the table.");
+  CHECK(mentions(recipe_finding({40, 44, false, Truth::yes, Truth::yes}), "One numerical recipe agrees with 40"));
+  CHECK(mentions(truncation_sentence({42, 44, true, Truth::yes, Truth::yes}),
+                 "does not raise the maxima of psi, and adds a slope that psi does not have"));
+  CHECK(mentions(truncation_sentence({42, 44, true, Truth::no, Truth::no}),
+                 "raises some of the maxima of psi, and adds no slope"));
+  CHECK(truncation_sentence({42, 44, false, Truth::yes, Truth::yes}).empty());
 }

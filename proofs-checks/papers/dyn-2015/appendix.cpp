@@ -73,7 +73,10 @@ Outcome normal_equations(const Context& context) {
         trial.equal(applied(weights_by_normal_equations(nodes, monomials(d), x)),
                     applied(regression_weights(nodes, {}, d, x)), at("m", m) + ", " + at("d", d) + ", " + at("x", x));
       }
-  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, scattered nodes");
+  return trial.for_all("all m > d >= 0 and distinct nodes",
+                       "the normal equations set the gradient of a convex function to 0, and A^T A is invertible; "
+                       "values compared for m = 1.." +
+                           std::to_string(most) + ", d = 0..m-1, scattered nodes");
 }
 
 Outcome invertible(const Context& context) {
@@ -84,7 +87,8 @@ Outcome invertible(const Context& context) {
       const RationalMatrix a = design_matrix(scattered(m), monomials(d));
       trial.require(kernel(transposed(a) * a).empty(), at("m", m) + ", " + at("d", d));
     }
-  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, scattered nodes");
+  return trial.for_all("all m > d >= 0 and distinct nodes",
+                       few_zeros + "tried for m = 1.." + std::to_string(most) + ", d = 0..m-1, scattered nodes");
 }
 
 /// beta by the pseudo-inverse that the remark gives for d >= m, in the order of its factors; interpolation is asked
@@ -125,7 +129,9 @@ Outcome remark_9_interpolation(const Context& context) {
       trial.equal(applied(weights_by_normal_equations(nodes, monomials(m - 1), nodes[i])), datum(i),
                   at("m", m) + ", node " + std::to_string(i + 1));
   }
-  return trial.over("m = 1.." + std::to_string(most));
+  return trial.for_all("all m and distinct nodes",
+                       "the interpolating polynomial has no residuals, and it is unique; values compared for m = 1.." +
+                           std::to_string(most));
 }
 
 /// The solution of smallest norm in two bases differs away from the nodes.
@@ -181,7 +187,9 @@ Outcome expansion(const Context& context) {
         value += applied(family.at_nodes[j]) * family.at_points[j][0] / family.squared_norms[j];
       trial.equal(value, applied(regression_weights(nodes, {}, d, x)), at("m", m) + ", " + at("d", d));
     }
-  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, scattered nodes, x = 2/3");
+  return trial.for_all("all m > d >= 0 and distinct nodes",
+                       "the fit is the orthogonal projection of the data; values compared for m = 1.." +
+                           std::to_string(most) + ", d = 0..m-1, scattered nodes, x = 2/3");
 }
 
 Outcome proposition_10(const Context& context) {
@@ -246,7 +254,10 @@ Outcome corollary_11(const Context& context) {
   const int most = context.reach(5, 9);
   Trial trial = corollary_11(most, Degrees11::below);
   trial.follow(corollary_11(most, Degrees11::last_as_corrected));
-  return trial.over(range(1, most) + ", d = 1..2n-2 as printed, d = 2n-1 with the first sum up to 2n-2")
+  return trial
+      .for_all(
+          "all n >= 1, d = 1..2n-2 as printed, d = 2n-1 with the first sum up to 2n-2",
+          "(A.5) for data 1 at one node and 0 at the others, moved by Proposition 10; compared for " + range(1, most))
       .but_not("d = 2n-1", corollary_11(most, Degrees11::last_as_printed));
 }
 
@@ -297,10 +308,9 @@ Outcome low_degrees(const Context& context) {
     trial.equal(even({{"n", n}}), orthogonal(even_points(n), {}, 1).squared_norms[1], at("n", n) + ", L_n^1");
     trial.equal(odd({{"n", n}}), orthogonal(odd_points(n), {}, 1).squared_norms[1], at("n", n) + ", hat L_n^1");
   }
-  return trial.for_all(
-      "all n >= 1",
-      "the squared norms of 1 and x over both point sets, as sums that are identities in n (for n = 1, X_1 = "
-      "{0} has no L_1^1)");
+  trial.for_all("all n >= 2; L_n^0 and both polynomials over the odd points for all n >= 1",
+                "the squared norms of 1 and x over both point sets, as sums that are identities in n");
+  return trial.but_not("n = 1, where X_1 = {0} has no L_1^1", families(1, 1));
 }
 
 Outcome remark_12(const Context& context) {
@@ -346,9 +356,10 @@ Outcome proposition_13(const Context& context) {
         trial.equal(odd(0, i), mask.symbol().coefficient(2 * n - 1 - 2 * static_cast<long>(i)),
                     at_n_d(n, d) + ", entry " + std::to_string(i + 1) + " of the second row");
     }
-  Outcome outcome = trial.over(range(1, most) + ", d = 1..2n-1, with the Moore-Penrose pseudo-inverse of (A.2)");
-  outcome.argument = "for d = 2n-1, where Remark 9 is needed, 0 is a node, so that the first row is a unit vector";
-  return outcome;
+  return trial.for_all("all n >= 1 and d < 2n, with the Moore-Penrose pseudo-inverse of (A.2)",
+                       "the first row gives the value of the fit at 0; for d = 2n-1, where Remark 9 is needed, 0 is a "
+                       "node, so that it is a unit vector; compared for " +
+                           range(1, most));
 }
 
 /// Whether A^T A and its counterpart over the odd points can be inverted.
@@ -370,7 +381,7 @@ Outcome cost_of_proposition_13(const Context& context) {
     for (int d = 1; d < 2 * n - 1; ++d) trial.follow(inverses(n, d));
     last.follow(inverses(n, 2 * n - 1));
   }
-  return trial.over(range(1, most) + ", d = 1..2n-2").but_not("d = 2n-1", last);
+  return trial.for_all("all n >= 1 and d <= 2n-2", few_zeros + "tried for " + range(1, most)).but_not("d = 2n-1", last);
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ ScaledMaximum scaled_maximum(const PublishedCell& cell) {
   fail(ErrorKind::domain, "need a maximum of psi or of |psi'|, got '{}'", cell.quantity);
 }
 
-Trial proved_for_degree_one(const std::string& theorem) {
-  const Decision proof = theorems::prove(theorem, 1).decision;
+Trial proved_theorem(const std::string& theorem, int degree) {
+  const Decision proof = theorems::prove(theorem, degree).decision;
   Trial trial;
   trial.require(proof.is_yes(), proof.reason);
   return trial;

@@ -25,8 +25,12 @@ struct ScaledMaximum {
 /// Domain: a cell of Table 3. Errors: throws a domain error for another quantity.
 ScaledMaximum scaled_maximum(const PublishedCell& cell);
 
-/// Whether every inequality of the theorem for degree 1 is certified.
-Trial proved_for_degree_one(const std::string& theorem);
+/// Whether every inequality of the theorem for this degree is certified.
+Trial proved_theorem(const std::string& theorem, int degree = 1);
+
+/// Why fits of degree d to m > d nodes are unique.
+inline const std::string few_zeros =
+    "a polynomial of degree d that vanishes at m > d nodes is zero, so that the Vandermonde matrix has no kernel; ";
 
 /// The words of a transcription in a table, in both forms, against certified enclosures, and how far off they are.
 /// Domain: Tables 1, 2 and 3.

@@ -36,7 +36,7 @@ std::string NumericalRecipeSearch::note(const PublishedCell& cell) const {
               order.begin() + static_cast<std::ptrdiff_t>(best_) + 1);
   for (std::size_t s : order)
     if (gives(cell, s))
-      return "the printed digits are those of " + numerical_recipes()[s].text(scaled_maximum(cell).slope) + ": " +
+      return "the printed digits agree with " + numerical_recipes()[s].text(scaled_maximum(cell).slope) + ": " +
              to_fixed(value(cell, s), 6, Rounding::nearest);
   return "no recipe tried reproduces it";
 }
@@ -46,10 +46,10 @@ std::string NumericalRecipeSearch::summary() const {
   for (const PublishedCell& cell : table_.cells)
     if (!gives(cell, best_)) others += (others.empty() ? "" : " and ") + cell.column + " of " + cell.row;
   return "Of " + std::to_string(numerical_recipes().size()) +
-         " numerical recipes, each evaluated exactly, one gives the printed digits (rounded or cut) of " +
+         " numerical recipes, each evaluated exactly, one agrees with the printed digits (rounded or cut) of " +
          std::to_string(cells_given_) + " of the " + std::to_string(table_.cells.size()) +
          " cells: " + numerical_recipes()[best_].text() + "." +
-         (others.empty() ? "" : " It does not give " + others + ".");
+         (others.empty() ? "" : " It does not agree with " + others + ".");
 }
 
 }  // namespace subcert::statements::dyn_2015

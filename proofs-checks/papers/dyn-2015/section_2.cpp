@@ -5,6 +5,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
 #include <subcert/proofs-checks/statements/mask_form.hpp>
@@ -26,7 +27,8 @@ Outcome unique_solution(const Context& context) {
           vandermonde(i, k) = power(Rational(static_cast<long>(i * i + 1), 2), static_cast<long>(k));
       trial.require(kernel(vandermonde).empty(), at("m", m) + ", " + at("d", d) + ": two minimisers");
     }
-  return trial.over("m = 1.." + std::to_string(most) + ", d = 0..m-1, nodes (i^2 + 1)/2");
+  return trial.for_all("all m > d >= 0 and distinct nodes",
+                       few_zeros + "tried for m = 1.." + std::to_string(most) + ", d = 0..m-1, nodes (i^2 + 1)/2");
 }
 
 Outcome value_at_centre(const Context& context) {
@@ -77,7 +79,9 @@ Outcome primal_2n_point(const Context& context) {
     trial.equal(2 * n, s_n(n).symbol().coset(2, 1).length(), at("n", n) + ", data of the odd rule");
     trial.equal(2 * n - 1, s_n(n).symbol().coset(2, 0).length(), at("n", n) + ", data of the even rule");
   }
-  return trial.over(up_to(most));
+  for (const char* part : {"eq-3-odd", "eq-3-even"}) trial.follow(positive(context.formula(part), {{"n", "1 + x"}}));
+  return trial.for_all("all n >= 1",
+                       "the sums in (3) have 2n and 2n-1 terms, none of them 0; counted for " + up_to(most));
 }
 
 Outcome printed_masks(const Context& context) {
@@ -178,6 +182,30 @@ Outcome least_norm(const Context& context) {
                        "larger one is 1/2 at least; S_n attains it (norm-of-q)");
 }
 
+/// q = ((1+z)/2)^m for the uniform B-splines of degree m >= 1.
+Outcome norm_of_splines(const Context& context) {
+  const Rational least = context.formula("norm-of-q")({});
+  const int most = context.reach(10, 60);
+  Trial trial;
+  for (int m = 1; m <= most; ++m) {
+    const Mask difference = divided_difference_scheme(mask_of("bspline:degree=" + std::to_string(m)), 1);
+    trial.equal(2 * least, operator_norm(difference), at("degree", m) + ", norm of 2q");
+    trial.require(has_positive_mask(difference), at("degree", m) + ": not positive");
+  }
+  return trial.for_all("all degrees m >= 1",
+                       "q = ((1+z)/2)^m has positive coefficients, of sum 1, and q(-1) = 0, so that both sums are 1/2; "
+                       "computed for degrees up to " +
+                           std::to_string(most));
+}
+
+/// Table 1 as printed, against the theorem that it illustrates.
+Outcome table_1_shows_c1(const Context& context) {
+  Trial trial;
+  for (const PublishedCell& cell : context.cells("table-1"))
+    trial.require(read_decimal(cell.printed).value > 1, at("n", cell.n.value()) + ": " + cell.printed);
+  return trial.over("9 cells");
+}
+
 Outcome theorem_2(const Context& context) {
   const Formula odd = f("2") * context.formula("eq-4-odd"), even = f("2") * context.formula("eq-4-even");
   const int most = context.reach(10, 40);
@@ -239,6 +267,8 @@ Checks section_2() {
           {"theorem-2", theorem_2},
           {"table-1", [](const Context& c) { return table_words(c, "table-1"); }},
           {"q-derivative", derivative_of_q},
+          {"b-spline-norm", norm_of_splines},
+          {"table-1-c1", table_1_shows_c1},
           {"not-c2", not_c2}};
 }
 

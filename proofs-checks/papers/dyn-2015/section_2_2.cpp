@@ -38,7 +38,10 @@ Outcome limits_from_shifts(const Context& context) {
       trial.equal(coarse, fine, at("n", n) + ", " + at("x", Rational(index, 8)));
     }
   }
-  return trial.over(range(1, most) + ", x = 0, 1/8, ..., 1, one set of data: refined once and not");
+  return trial.for_all("all n >= 1",
+                       "every level is linear in the data and moves with them, few data matter at a point, and S_n "
+                       "converges (theorem-1); compared for " +
+                           range(1, most) + ", x = 0, 1/8, ..., 1, one set of data, refined once and not");
 }
 
 Outcome support(const Context& context) {
@@ -77,7 +80,12 @@ Outcome partition_of_unity(const Context& context) {
       trial.equal(1, sum, at("n", n) + ", " + at("x", Rational(i, 16)));
     }
   }
-  return trial.over(range(1, most) + ", all dyadic x of level 4");
+  trial.follow(sum_identity({context.formula("eq-3-odd"), "j", {-1, 1}, {1, 0}}, f("1"), {{"n", 1}}));
+  trial.follow(sum_identity({context.formula("eq-3-even"), "j", {-1, 1}, {1, -1}}, f("1"), {{"n", 1}}));
+  return trial.for_all("all n >= 1",
+                       "the weights of both rules sum to 1, an identity in n, so that data 1 have the limit 1; values "
+                       "compared for " +
+                           range(1, most) + " at all dyadic x of level 4");
 }
 
 Outcome limits_at_integers(const Context& context) {
@@ -88,7 +96,10 @@ Outcome limits_at_integers(const Context& context) {
     for (long j : {-2 * n + 1, 2 * n - 1}) trial.equal(0, phi.at(j), at("n", n) + ", phi at " + std::to_string(j));
     trial.require(phi.at(-2 * n + 2) != 0 && phi.at(2 * n - 2) != 0, at("n", n) + ": the sum could be shorter");
   }
-  return trial.over(range(1, most));
+  return trial.for_all("all n >= 1",
+                       "phi_n is continuous, so that it vanishes at the ends of its support, and positive inside "
+                       "(phi-positive); values compared for " +
+                           range(1, most));
 }
 
 /// The (4n-3) x (4n-3) matrix a_{2k-m}, k and m from -2n+2 to 2n-2.
@@ -137,37 +148,44 @@ Outcome matrix_a(const Context& context) {
   return trial.over(range(1, most));
 }
 
+/// The (2n-1) x (2n-1) matrix with the columns beyond the middle added to their mirror images.
+RationalMatrix folded_matrix(int n) {
+  const RationalMatrix whole = refinement_matrix(n);
+  const auto size = static_cast<std::size_t>(2 * n - 1);
+  RationalMatrix folded(size, size);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j)
+      folded(i, j) = j + 1 == size ? whole(i, j) : Rational(whole(i, j) + whole(i, whole.rows() - 1 - j));
+  return folded;
+}
+
 /// The folded matrix as printed: r and s where one of the two mirrored columns is reached, twice that where both are.
 Outcome matrix_a_tilde(const Context& context) {
   const Formula r = context.formula("r"), s = context.formula("s");
   const int most = context.reach(8, 20);
   Trial trial;
   for (int n = 1; n <= most && !trial.failed(); ++n) {
-    const RationalMatrix whole = refinement_matrix(n);
-    const auto size = static_cast<std::size_t>(2 * n - 1);
+    const RationalMatrix derived = folded_matrix(n);
+    const std::size_t size = derived.rows();
     const LimitValues phi = limit_values(s_n(n), 0);
     for (std::size_t i = 0; i < size; ++i) {
       Rational image = 0;
       bool grows = i == 0;
       for (std::size_t j = 0; j < size; ++j) {
-        const auto entry = [&](std::size_t row) {
-          return j + 1 == size ? whole(row, j)
-                               : Rational(whole(row, j) + whole(row, 4 * static_cast<std::size_t>(n) - 4 - j));
-        };
         const Rational unit = (j % 2 == 0 ? r : s)({{"n", n}});
         // Printed: the row i+1 holds 2(i+1) entries from the left, and what passes the last column is folded back.
         const std::size_t row_length = 2 * (i + 1);
         const std::size_t folded = row_length > size ? row_length - size : 0;
         const bool twice = j + 1 < size && j + 1 + folded >= size;
         const Rational printed = j < row_length ? Rational((twice ? 2 : 1) * unit) : Rational(0);
-        trial.equal(printed, entry(i),
+        trial.equal(printed, derived(i, j),
                     at("n", n) + ", row " + std::to_string(i + 1) + ", column " + std::to_string(j + 1));
         if (i > 0) {
-          trial.require(entry(i) >= entry(i - 1),
+          trial.require(derived(i, j) >= derived(i - 1, j),
                         at("n", n) + ": row " + std::to_string(i + 1) + " is not above the one before it");
-          grows = grows || entry(i) > entry(i - 1);
+          grows = grows || derived(i, j) > derived(i - 1, j);
         }
-        image += entry(i) * phi.at(-2 * n + 2 + static_cast<long>(j));
+        image += derived(i, j) * phi.at(-2 * n + 2 + static_cast<long>(j));
       }
       trial.require(grows, at("n", n) + ": row " + std::to_string(i + 1) + " equals the one before it");
       trial.equal(phi.at(-2 * n + 2 + static_cast<long>(i)), image,
@@ -175,6 +193,24 @@ Outcome matrix_a_tilde(const Context& context) {
     }
   }
   return trial.over(range(1, most));
+}
+
+/// The two rows from which the value at -n follows: the last one is twice the row n-1, and r in the last place.
+Outcome rows_of_the_proof(const Context& context) {
+  const Formula r = context.formula("r"), s = context.formula("s");
+  const int most = context.reach(8, 20);
+  Trial trial;
+  for (int n = 2; n <= most && !trial.failed(); ++n) {
+    const RationalMatrix folded = folded_matrix(n);
+    const std::size_t last = folded.rows() - 1, row = static_cast<std::size_t>(n) - 2;
+    for (std::size_t j = 0; j <= last; ++j) {
+      const std::string where = at("n", n) + ", column " + std::to_string(j + 1);
+      trial.equal(j == last ? Rational(0) : (j % 2 == 0 ? r : s)({{"n", n}}), folded(row, j), where + ", row n-1");
+      trial.equal(2 * folded(row, j) + (j == last ? r({{"n", n}}) : Rational(0)), folded(last, j),
+                  where + ", the last row");
+    }
+  }
+  return trial.over(range(2, most));
 }
 
 Outcome increasing_values(const Context& context) {
@@ -285,7 +321,7 @@ Outcome corollary_4_proof(const Context& context) {
                 at("n", n) + ", the last equality");
   }
   trial.for_all("all n >= 3", "2n-2 > n, and phi_n is positive inside of its support; compared for " + range(3, most));
-  return trial.but_not("n = 2, where >= holds", longer_sum(2, 2));
+  return trial.but_not("n = 1 and n = 2, where >= holds", longer_sum(1, 2));
 }
 
 /// 1 = (the sum over n <= |j| <= 2n-2) + (the sum over |j| < n) < (2n-2) phi(0)/2 + (2n-1) phi(0).
@@ -382,7 +418,17 @@ Outcome equation_11(const Context& context) {
       before = now;
     }
   }
-  return trial.over(range(1, most) + ", levels 1.." + std::to_string(levels));
+  trial.follow(identity(context.formula("eq-3-even"), bound, {{"n", 1}}));
+  trial.follow(positive(context.formula("eq-3-even") - context.formula("eq-3-odd"), {{"n", "1 + x"}}));
+  return trial.for_all("all n >= 1",
+                       "one step on delta gives the mask, whose largest entry is 1/(2n-1), and averages do not exceed "
+                       "the largest datum; compared for " +
+                           range(1, most) + ", levels 1.." + std::to_string(levels));
+}
+
+Outcome improved_bound(const Context& context) {
+  return positive(context.formula("eq-10-upper") - context.formula("eq-11"), {{"n", "2 + x"}})
+      .for_all("all n >= 2", "1/(n-1) - 1/(2n-1) is positive, by the signs of its coefficients at n = 2 + x");
 }
 
 /// phi'(x) against the limit of 2 q_n for first differences of delta, at dyadic points; x is moved by `shift`.
@@ -462,8 +508,12 @@ Outcome equation_14(const Context& context) {
                                                         " summands, " + std::to_string(big) + " large");
     }
   }
-  return trial.over(range(2, most) +
-                    ": every summand is at most 1/(n^2 (2n-1)), but for one of at most 1/n^2, of at most 2n-1");
+  return trial.for_all(
+      "all n >= 2",
+      "every summand is at most 1/(n^2 (2n-1)), but for one of at most 1/n^2, of at most 2n-1: by (12) and (13) the "
+      "factors are at most 1/n and 1/(n(2n-1)), at the two ends 1/n; each class of indices of (12) has 2n-1 "
+      "coefficients, and the ends, 4n-1 apart, do not meet in one sum; tried for " +
+          range(2, most));
 }
 
 }  // namespace
@@ -477,6 +527,7 @@ Checks section_2_2() {
           {"matrix-a", matrix_a},
           {"matrix-a-tilde", matrix_a_tilde},
           {"proposition-3", increasing_values},
+          {"proposition-3-proof", rows_of_the_proof},
           {"proposition-3-value", value_at_n},
           {"eq-9", equation_9},
           {"corollary-4", corollary_4},
@@ -485,6 +536,7 @@ Checks section_2_2() {
           {"theorem-5", theorem_5},
           {"theorem-5-slope", theorem_5_slope},
           {"eq-11", equation_11},
+          {"improved-bound", improved_bound},
           {"theorem-5-derivative", derivative_relation},
           {"eq-12", equation_12},
           {"eq-13", equation_13},

@@ -37,7 +37,9 @@ Outcome bias_and_variance(const Context&) {
                   at("n", n) + ", " + at("x", Rational(i, 4)));
     }
   }
-  return trial.over("n = 1..3, x = 0, 1/4, 1/2, 3/4, errors -2/3 and 2/3");
+  return trial.for_all("all n, x and h",
+                       "the error is the bias plus the sum of weights times independent errors of mean 0, whose mixed "
+                       "products have mean 0; compared for n = 1..3, x = 0, 1/4, 1/2, 3/4, errors -2/3 and 2/3");
 }
 
 Outcome equation_18(const Context& context) {
@@ -76,13 +78,13 @@ Outcome shape_of_psi(const Context& context) {
   }
   return trial.for_all(
       "all n >= 1",
-      "a sum of squares of functions that sum to 1, over all integer shifts of a symmetric function; exact "
-      "values compared at dyadic points of level 5 for " +
+      "a sum of squares of functions that sum to 1, over all integer shifts of a symmetric function, so that it is "
+      "symmetric about 1/2, too; exact values compared at dyadic points of level 5 for " +
           range(1, most));
 }
 
 Outcome psi_like_1_over_n(const Context&) {
-  return proved_for_degree_one("conjecture-7")
+  return proved_theorem("conjecture-7")
       .for_all("all n >= 1",
                "|(n - 1/4) psi_n(x)/c - 1| < 0.855/n^2 for all x, with c = 0.40443..., every inequality of the proof "
                "certified (docs/theorems/README.md, conjecture-7)");
@@ -94,7 +96,7 @@ Outcome psi_slope_bounded_by_1_over_n2(const Context& context) {
   const Formula rate = context.formula("theorem-6-slope-rate");
   // 2 * 2/(2n-1) times the sum of 4n-2 values of |phi'|, each at most 2/n^2 (theorem-5-slope).
   const Degrees degrees = (f("4/(2*n - 1)*(4*n - 2)*2/n^2") / rate).degrees("n");
-  Trial trial = proved_for_degree_one("conjecture-7");
+  Trial trial = proved_theorem("conjecture-7");
   trial.require(degrees.numerator == degrees.denominator, "the bound of the proof is not of the printed order");
   const int most = context.reach(7, 15);
   const auto scaled = [&](int n) { return *variance_of(specification("primal", n)).slope->upper / rate({{"n", n}}); };
@@ -131,7 +133,49 @@ Outcome number_of_terms(const Context& context) {
         trial.equal(count({{"n", n}}), terms, at("n", n) + ", " + at("x", Rational(i, 4)));
     }
   }
-  return trial.over(range(1, most) + ": exactly 4n-2 terms at x = 1/4, 1/2, 3/4 and one less at the integers");
+  trial.follow(identity(count, context.formula("support-upper") - context.formula("support-lower"), {{"n", 1}}));
+  return trial.for_all("all n >= 1",
+                       "phi_n is positive inside its support (phi-positive), whose width is 4n-2: exactly 4n-2 terms "
+                       "where x is no integer, one less at the integers; counted for " +
+                           range(1, most));
+}
+
+/// What the rules add to the data j^2, beside the squares of the new points.
+Formula raised_by_even_rule() { return f("n*(n - 1)/3"); }
+Formula raised_by_odd_rule() { return f("(4*n^2 - 1)/12"); }
+
+Trial raised_squares(const Context& context) {
+  Trial trial = sum_identity({context.formula("eq-2-even") * f("j^2"), "j", {-1, 1}, {1, -1}}, raised_by_even_rule(),
+                             {{"n", 1}});
+  trial.follow(sum_identity({context.formula("eq-2-odd") * f("(j - 1/2)^2"), "j", {-1, 1}, {1, 0}},
+                            raised_by_odd_rule(), {{"n", 1}}));
+  return trial;
+}
+
+/// The noise by psi, the deterministic error by x^2, which gives its leading term: each step adds what the rules add,
+/// a quarter of it in the next one, and averages stay between. So it is 4/3 of the two numbers at least and at most.
+Outcome trade_off(const Context& context) {
+  const int most = context.reach(8, 20);
+  constexpr int level = 3;
+  const Formula least = f("4/3") * raised_by_even_rule(), largest = f("4/3") * raised_by_odd_rule();
+  Trial trial = raised_squares(context);
+  trial.follow(positive(largest - least, {{"n", "1 + x"}}));
+  trial.follow(positive(least.replaced("n", f("n + 1")) - largest, {{"n", "1 + x"}}));
+  for (int n = 1; n <= most; ++n) {
+    const LimitValues phi = limit_values(s_n(n), level);
+    for (long i = 0; i < 8; ++i) {
+      Rational error = 0;
+      for (long j = -2 * n; j <= 2 * n; ++j) error += (j - Rational(i, 8)) * (j - Rational(i, 8)) * phi.at(i - 8 * j);
+      trial.require(least({{"n", n}}) <= error && error <= largest({{"n", n}}),
+                    at("n", n) + ", " + at("x", Rational(i, 8)) + ": the error of x^2 is " + subcert::to_text(error));
+    }
+  }
+  trial.follow(proved_theorem("conjecture-8-n"));
+  return trial.for_all("all n >= 1",
+                       "psi_{n+1} < psi_n (docs/theorems/README.md, conjecture-8-n); the error of x^2 lies between "
+                       "4n(n-1)/9 and (4n^2-1)/9 times h^2 at every x, which is below the least one for n+1; exact "
+                       "values compared for " +
+                           range(1, most) + " at dyadic x of level 3");
 }
 
 Outcome approximation_order(const Context& context) {
@@ -142,7 +186,12 @@ Outcome approximation_order(const Context& context) {
                 at("n", n) + ", order");
     trial.equal(0, polynomial_reproduction(s_n(n)).parametrization, at("n", n) + ", shift of the parameters");
   }
-  return trial.over(range(2, most));
+  trial.follow(raised_squares(context));
+  trial.follow(positive(raised_by_odd_rule(), {{"n", "1 + x"}}));
+  return trial.for_all("all n >= 1",
+                       "linear data are kept, by symmetry, and squares are not: the odd rule raises j^2 by (4n^2-1)/12 "
+                       "(trade-off); degrees compared for " +
+                           range(1, most));
 }
 
 Outcome figure_2(const Context&) {
@@ -151,7 +200,7 @@ Outcome figure_2(const Context&) {
     trial.require(*variance_of(specification("primal", n + 1)).maximum.upper <
                       *variance_of(specification("primal", n)).minimum.lower,
                   at("n", n));
-  trial.follow(proved_for_degree_one("conjecture-8-n"));
+  trial.follow(proved_theorem("conjecture-8-n"));
   return trial.for_all(
       "all n >= 1",
       "max psi_{n+1} < min psi_n (docs/theorems/README.md, conjecture-8-n), certified maxima and minima for n "
@@ -170,6 +219,7 @@ Checks section_3() {
           {"theorem-6-slope", psi_slope_bounded_by_1_over_n2},
           {"theorem-6-terms", number_of_terms},
           {"approximation-order", approximation_order},
+          {"trade-off", trade_off},
           {"sensitive", smaller_supports_are_more_sensitive}};
 }
 

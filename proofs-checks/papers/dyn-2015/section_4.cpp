@@ -196,7 +196,20 @@ Trial negative_coefficients(int first, int last) {
 
 Outcome negative_coefficients(const Context& context) {
   const int most = context.reach(12, 40);
-  return negative_coefficients(2, most).over(range(2, most)).but_not("n = 1", negative_coefficients(1, 1));
+  // The first two coefficients of the symbol are the weights of the last datum; the quotient has c_1 - 2c_0.
+  const Formula even = context.formula("eq-19-even").replaced("j", f("n")),
+                odd = context.formula("eq-19-odd").replaced("j", f("n"));
+  Trial trial = negative_coefficients(2, most);
+  trial.follow(positive(f("2") * even - odd, {{"n", "2 + x"}}));
+  for (int n = 2; n <= most; ++n) {
+    const LaurentPolynomial quotient = divided_difference_scheme(dual_mask(n), 2).symbol();
+    trial.equal(4 * (odd - f("2") * even)({{"n", n}}), quotient.coefficient(quotient.lowest() + 1),
+                at("n", n) + ", the second coefficient");
+  }
+  trial.for_all("all n >= 2",
+                "the second coefficient is negative, by the signs of its coefficients at n = 2 + x; compared for " +
+                    range(2, most));
+  return trial.but_not("n = 1", negative_coefficients(1, 1));
 }
 
 Outcome twice_differentiable(const std::string& family, int first) {

@@ -37,7 +37,7 @@ Outcome well_defined(const Context& context) {
       trial.require(even == (d < 2 * n - 1), at_n_d(n, d) + ": the fit to 2n-1 data");
       trial.require(odd == (d < 2 * n), at_n_d(n, d) + ": the fit to 2n data");
     }
-  return trial.over(range(1, most) + ", d = 0..2n");
+  return trial.for_all("all n and d", few_zeros + "d >= m has one; tried for " + range(1, most) + ", d = 0..2n");
 }
 
 Outcome equation_21(const Context& context) {
@@ -79,8 +79,11 @@ Outcome reproduces(const Context& context, Mask (*mask)(int, int), bool odd_for_
       const int degree = polynomial_reproduction(mask(n, d)).reproduction_degree;
       trial.equal(odd_for_free && d % 2 == 0 ? d + 1 : d, degree, at_n_d(n, d) + ", reproduction degree");
     }
-  return trial.over(range(1, most) + ", d = 1..2n-1" +
-                    (odd_for_free ? "; even degrees reproduce one degree more" : ""));
+  return trial.for_all(
+      "all n and d < 2n",
+      std::string("fits of degree d keep polynomials of degree d") +
+          (odd_for_free ? ", and the schemes of even degree are those of the next one (even-degrees)" : "") +
+          "; the exact degree compared for " + range(1, most));
 }
 
 Outcome interpolates(const Context& context, Mask (*mask)(int, int), bool is_dual) {
@@ -99,7 +102,9 @@ Outcome interpolates(const Context& context, Mask (*mask)(int, int), bool is_dua
     trial.require(rule_of(derived, 1, -n + 1, 2 * n) == inserted(is_dual ? Rational(3, 4) : Rational(1, 2)),
                   at("n", n) + ": the odd rule");
   }
-  return trial.over(range(1, most) + ", against interpolation by a Vandermonde matrix");
+  return trial.for_all("all n >= 1", std::string("the fit of degree 2n-1 to 2n data interpolates them") +
+                                         (is_dual ? "" : ", and so does the one to 2n-1 data, of which t_i is one") +
+                                         "; compared with interpolation by a Vandermonde matrix for " + range(1, most));
 }
 
 Outcome even_degrees(const Context& context) {
@@ -108,7 +113,11 @@ Outcome even_degrees(const Context& context) {
   for (int n = 1; n <= most; ++n)
     for (int d = 0; 2 * d + 1 < 2 * n; ++d)
       trial.require(primal_mask(n, 2 * d) == primal_mask(n, 2 * d + 1), at_n_d(n, 2 * d));
-  return trial.over(range(1, most) + ", all even degrees below 2n-1");
+  return trial.for_all(
+      "all n and 2d < 2n-1",
+      "the polynomial of odd degree that a fit adds vanishes in the middle (remark-12), and for 2d+1 = "
+      "2n-1 both even rules are f_i; compared for " +
+          range(1, most));
 }
 
 Outcome four_point_rule(const Context&) {
@@ -121,6 +130,43 @@ Outcome four_point_rule(const Context&) {
                     weights_by_normal_equations(nodes, monomials(2), Rational(1, 2)),
                 "not the 4-point rule");
   return trial.over("n = 2");
+}
+
+/// The odd rule keeps (x - 1/2)^2, which is positive at its nodes and 0 where it is evaluated: not all weights are
+/// positive.
+Outcome no_positive_mask(const Context& context) {
+  const int most = context.reach(8, 16);
+  Trial trial;
+  for (int n = 2; n <= most; ++n)
+    for (int d = 2; d < 2 * n; ++d) {
+      const std::vector<Rational> odd_rule = rule_of(primal_mask(n, d), 1, -n + 1, 2 * n);
+      trial.require(*std::ranges::min_element(odd_rule) < 0, at_n_d(n, d));
+    }
+  return trial.for_all("all n and 1 < d < 2n",
+                       "the odd rule keeps (x - 1/2)^2, which is positive at its nodes and 0 where it is evaluated, so "
+                       "that a weight is negative; tried for " +
+                           range(2, most));
+}
+
+/// Degree 3 against degree 1 in all four families: proved exponents.
+Outcome higher_smoothness(const Context& context) {
+  const auto exponent = [](const char* family, int n, int d) -> const Enclosure& {
+    return holder_regularity_of(specification(family, n, d)).exponent;
+  };
+  const int most = context.reach(6, 8);
+  Trial trial;
+  std::string lower;
+  for (const char* family : {"primal", "dual", "primal-odd", "dual-odd"})
+    for (int n = 3; n <= most; ++n) {
+      const std::string where = std::string(family) + ", " + at("n", n);
+      if (n >= 5)
+        trial.require(*exponent(family, n, 3).lower > *exponent(family, n, 1).upper, where);
+      else if (*exponent(family, n, 3).upper < *exponent(family, n, 1).lower)
+        lower += (lower.empty() ? "" : "; ") + where;
+    }
+  Outcome outcome = trial.over(range(5, most) + ", d = 3 against d = 1 in the four families: proved exponents");
+  if (!lower.empty()) outcome.argument = "a tendency: the cubic scheme is less smooth for " + lower;
+  return outcome;
 }
 
 /// The exponent decides: above 3 it proves C^3, below 3 with stable shifts it refutes it.
@@ -229,25 +275,63 @@ Outcome table_3_rates(const Context& context) {
       ratios);
 }
 
-/// n^2 max |psi'| from the first scheme that does not interpolate on.
-Outcome scaled_slopes(const Context& context) {
-  const int most = context.reach(9, 15);
-  Trial trial, corrected;
-  for (int d : {1, 3, 5}) {
-    const int first = (d + 3) / 2;
-    const auto slope = [&](int n) { return scaled(*variance_of(specification("primal", n, d)).slope, n * n); };
-    const Rational before = *slope(first).lower, after = *slope(most).upper;
-    trial.require(2 * after > before, at("d", d) + ": n^2 max |psi'| is at least " +
-                                          to_decimal(before, 5, Rounding::down) + " at n = " + std::to_string(first) +
-                                          " and at most " + to_decimal(after, 5, Rounding::up) +
-                                          " at n = " + std::to_string(most));
-    corrected.require(after < before, at("d", d));
+/// n^2 max |psi'| of one degree at a smaller and a larger n: as a rate it would keep its order.
+struct ScaledSlopes {
+  int degree, first_n, last_n;
+
+  Enclosure at_n(int n) const { return scaled(*variance_of(specification("primal", n, degree)).slope, n * n); }
+  Trial keep_their_order() const {
+    const Rational before = *at_n(first_n).lower, after = *at_n(last_n).upper;
+    Trial trial;
+    trial.require(2 * after > before,
+                  at("d", degree) + ": n^2 max |psi'| is at least " + to_decimal(before, 4, Rounding::down) + " at " +
+                      at("n", first_n) + " and at most " + to_decimal(after, 4, Rounding::up) + " at " +
+                      at("n", last_n) + ", less by a factor of " + to_decimal(before / after, 3, Rounding::down));
+    return trial;
   }
-  Outcome outcome = not_a_slip(trial.outcome(corrected.over("d = 1, 3, 5, n up to " + std::to_string(most))));
-  outcome.argument =
-      "as an upper bound it is true, for every d; max |psi'| falls faster than every power of n "
-      "(docs/limit-constants.md, theorem 7)";
+  Trial fall() const {
+    Trial trial;
+    trial.require(*at_n(last_n).upper < *at_n(first_n).lower, at("d", degree));
+    return trial;
+  }
+};
+
+Outcome scaled_slopes(const std::vector<ScaledSlopes>& all, const std::string& range) {
+  Trial printed, corrected;
+  for (const ScaledSlopes& one : all) {
+    printed.follow(one.keep_their_order());
+    corrected.follow(one.fall());
+  }
+  Outcome outcome = not_a_slip(printed.outcome(corrected.over(range)));
+  outcome.argument = "max |psi'| falls faster than every power of n, for every d (docs/limit-constants.md, theorem 7)";
   return outcome;
+}
+
+/// From the first scheme that does not interpolate on.
+Outcome slopes_as_a_rate(const Context& context) {
+  const int most = context.reach(9, 15);
+  return scaled_slopes({{1, 2, most}, {3, 3, most}, {5, 4, most}}, "d = 1, 3, 5, n up to " + std::to_string(most));
+}
+
+/// At the n of Table 3 whose schemes do not interpolate.
+Outcome slopes_of_table_3(const Context& context) {
+  std::map<int, std::vector<int>> sizes;
+  for (const PublishedCell& cell : context.cells("table-3-n2-slope"))
+    if (2 * *cell.n > *cell.d + 1) sizes[*cell.d].push_back(*cell.n);
+  std::vector<ScaledSlopes> all;
+  for (const auto& [d, n] : sizes) all.push_back({d, n.front(), n.back()});
+  return scaled_slopes(all, "Table 3 without its interpolating schemes");
+}
+
+/// The text before the conjecture: the bounds of Theorem 6 hold for d > 1, too.
+Outcome slopes_are_bounded(const Context&) {
+  Trial trial;
+  for (const int d : {1, 3, 5}) trial.follow(proved_theorem("conjecture-7", d));
+  return trial.for_all(
+      "every d, n large; d = 1, 3, 5, all n >= (d+1)/2",
+      "max |psi'| falls faster than every power of n for every d (docs/limit-constants.md, theorem 7); "
+      "explicit bounds for d = 1, 3, 5, every inequality certified (docs/theorems/README.md, "
+      "conjecture-7)");
 }
 
 Outcome conjecture_7(const Context& context) {
@@ -261,7 +345,7 @@ Outcome conjecture_7(const Context& context) {
                     at_n_d(n, d) + ": n max psi is not between C_d and 3 C_d");
     }
   }
-  trial.follow(proved_for_degree_one("conjecture-7"));
+  trial.follow(proved_theorem("conjecture-7"));
   return trial.for_all(
       "every d, n large; d = 1, all n >= 1",
       "n max psi tends to C_d > 0 for every d (docs/limit-constants.md, theorem 7); for d = 1 explicit bounds "
@@ -289,14 +373,18 @@ Outcome conjecture_8(const Context& context, bool over_degrees) {
       } else if (n > 1 && d <= 2 * n - 3) {
         compare(n, d, n - 1, d);
       }
-  Outcome outcome = trial.over(range(1, most) + ", d = 1, 3, 5, neighbours; the others follow by transitivity");
+  const std::string theorem = over_degrees ? "conjecture-8-d-all" : "conjecture-8-n";
+  for (const int d : {1, 3, 5}) trial.follow(proved_theorem(theorem, d));
+  Outcome outcome = trial.over(
+      range(1, most) + ", d = 1, 3, 5, neighbours; the others follow by transitivity. For every n: " +
+      (over_degrees ? "the smaller degree" : "d") + " = 1, 3, 5 (docs/theorems/README.md, " + theorem + ")");
   if (outcome.verdict == StatementVerdict::holds && !undecided.empty())
     return {StatementVerdict::undecided, outcome.range, "", "not decided: " + undecided};
   return outcome;
 }
 
 Outcome conjecture_8_degree_one(const Context&) {
-  return proved_for_degree_one("conjecture-8-n")
+  return proved_theorem("conjecture-8-n")
       .for_all("d = 1, all n >= 1",
                "psi_{n+1} < psi_n everywhere, every inequality of the proof certified (docs/theorems/README.md, "
                "conjecture-8-n)");
@@ -314,6 +402,8 @@ Checks section_4_3() {
           {"eq-22", equation_22},
           {"reproduction-dual", [](const Context& c) { return reproduces(c, dual_mask, false); }},
           {"dual-interpolates", [](const Context& c) { return interpolates(c, dual_mask, true); }},
+          {"higher-smoothness", higher_smoothness},
+          {"mask-not-positive", no_positive_mask},
           {"dual-cubic-c3", dual_cubic},
           {"table-3-sup", [](const Context& c) { return table_words(c, "table-3-sup"); }},
           {"table-3-n-sup", [](const Context& c) { return table_words(c, "table-3-n-sup"); }},
@@ -322,9 +412,10 @@ Checks section_4_3() {
           {"fig-8-left", scaled_maxima},
           {"fig-8-right", figure_8_right},
           {"table-3-rates", table_3_rates},
-          {"table-3-rates-slope", scaled_slopes},
+          {"table-3-rates-slope", slopes_of_table_3},
           {"conjecture-7", conjecture_7},
-          {"conjecture-7-slope", scaled_slopes},
+          {"conjecture-7-bound", slopes_are_bounded},
+          {"conjecture-7-slope", slopes_as_a_rate},
           {"conjecture-8-degree", [](const Context& c) { return conjecture_8(c, true); }},
           {"conjecture-8-size", [](const Context& c) { return conjecture_8(c, false); }},
           {"conjecture-8-degree-1", conjecture_8_degree_one}};

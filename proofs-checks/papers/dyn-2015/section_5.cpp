@@ -16,15 +16,16 @@ Outcome alpha_samples(const Context& context) {
   return trial.over("i = 0 and i = 29");
 }
 
-/// Samples of a closed curve of period 2 pi: as many steps as samples make one period. pi is a name, and 3 < pi < 22/7.
+/// Samples of a closed curve of period 2 pi: as many steps as samples make one period. pi is a name, and
+/// 333/106 < pi < 355/113.
 Trial one_period(const Formula& step, const Rational& count) {
   Trial trial;
   const auto percent = [&](const Rational& pi) { return Rational(100 * count * step({{"pi", pi}}) / (2 * pi)); };
-  const Rational one = percent(3), other = percent(Rational(22, 7));
+  const Rational low(333, 106), high(355, 113), one = percent(low), other = percent(high);
   const std::string where = subcert::to_text(count) + " steps make " +
                             to_decimal(std::min(one, other), 4, Rounding::down) + " ... " +
                             to_decimal(std::max(one, other), 4, Rounding::up) + " % of the period 2 pi";
-  for (const Rational& pi : {Rational(3), Rational(22, 7), Rational(311, 100)})
+  for (const Rational& pi : {low, high, Rational(157, 50)})
     trial.require(count * step({{"pi", pi}}) == 2 * pi,
                   where + "; the step times " + subcert::to_text(count) + " is not 2 pi");
   return trial;

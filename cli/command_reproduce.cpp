@@ -47,10 +47,13 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
   }
 }
 
-std::vector<reports::CheckedStatement> check_all_statements(const ReproduceOptions& options) {
-  std::vector<const statements::Statement*> all;
-  for (const statements::Statement& statement : statements::statements()) all.push_back(&statement);
-  return reports::check_statements(all, statements::Tier::quick, options.threads(),
+/// Of collections there are none.
+std::vector<reports::CheckedStatement> check_statements_of(const std::vector<std::string>& papers,
+                                                           const ReproduceOptions& options) {
+  std::vector<const statements::Statement*> chosen;
+  for (const statements::Statement& statement : statements::statements())
+    if (std::find(papers.begin(), papers.end(), statement.paper()) != papers.end()) chosen.push_back(&statement);
+  return reports::check_statements(chosen, statements::Tier::quick, options.threads(),
                                    [&](const std::string& id) { options.progress(id); });
 }
 
@@ -95,7 +98,7 @@ ExitCode run(ReproduceOptions& options) {
   };
   for (const std::string& paper : papers) findings.reports.push_back(reports::make_report(paper, report_options));
   if (!options.out.empty()) {
-    if (options.papers.empty() && options.only.empty()) findings.statements = check_all_statements(options);
+    if (options.only.empty()) findings.statements = check_statements_of(papers, options);
     options.progress("writing " + options.out);
     reports::write_reports(findings, options.out, options.threads());
     runtime::write_file(std::filesystem::path(options.out) / "summary.txt", reports::full_list(findings));

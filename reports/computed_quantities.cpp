@@ -125,8 +125,9 @@ std::vector<std::string> schemes_of(const statements::PublishedTable& table) {
 }
 
 std::string verdict_sentence(const formats::ComparisonTable& table) {
-  return fmt::format("{} of {} printed values match, {} do not, {} are open.", table.count(ValueVerdict::match),
-                     table.values(), table.count(ValueVerdict::mismatch), table.count(ValueVerdict::open));
+  const auto wrong = table.count(ValueVerdict::mismatch), open = table.count(ValueVerdict::open);
+  return fmt::format("{} of {} printed values match, {} {} not, {} {} open.", table.count(ValueVerdict::match),
+                     table.values(), wrong, wrong == 1 ? "does" : "do", open, open == 1 ? "is" : "are");
 }
 
 }  // namespace subcert::reports

@@ -170,8 +170,8 @@ std::vector<std::string> story(const std::vector<Course>& courses, const Suggest
                                             "out have slopes of their own."
                                           : "";
   return {
-      "What was conjectured. For every degree d, max psi ~ 1/n and max |psi'| ~ 1/n^2 (Conjecture 7); for d = 1 the "
-      "same is Theorem 6 of the paper.",
+      "What was conjectured. For every degree d, max psi ~ 1/n and max |psi'| ~ 1/n^2 (Conjecture 7); for d = 1 "
+      "Theorem 6 of the paper proves both as bounds.",
       "What Table 3 suggested. Its caption reads the columns n max psi and n^2 max |psi'| as approximately constant. "
       "For d = 1 and n = " +
           in_words(sizes) + " it prints n^2 max |psi'| = " + in_words(printed) +

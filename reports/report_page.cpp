@@ -176,9 +176,11 @@ bool is_theorem(const Result& result) {
                              [&](const std::string& word) { return result.item.starts_with(word); });
 }
 
+/// Of what is wrong, the remark tells how much.
 std::string statement_item(const Result& result) {
-  return fmt::format("<li><a href=\"{}\">{}</a>: {} <b>{}</b></li>\n", html(result.link()), html(result.item),
-                     html(result.subject), html(result.words));
+  const bool with_remark = result.standing == Standing::wrong && !result.remark.empty();
+  return fmt::format("<li><a href=\"{}\">{}</a>: {} <b>{}</b>{}</li>\n", html(result.link()), html(result.item),
+                     html(result.subject), html(result.words), with_remark ? ": " + html(result.remark) : "");
 }
 
 /// First what holds, its theorems by name; then what to correct, each fault once, with how many others repeat it.

@@ -87,6 +87,7 @@ Result result_of(const CheckedStatement& one) {
           .follows = statement.follows,
           .as_recorded = one.as_recorded(),
           .note = note,
+          .remark = one.outcome.argument,
           .command = "subcert statements check " + statement.id};
 }
 

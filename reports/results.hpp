@@ -55,6 +55,7 @@ struct Result {
   std::string follows = {};  ///< the key of the statement whose fault it repeats
   bool as_recorded = true;
   std::string note = {};     ///< witness, reason or remark
+  std::string remark = {};   ///< of a statement: how far off it is, or what holds instead
   std::string command = {};  ///< that computes it again
 
   std::string link() const { return page + "#" + key; }

@@ -55,7 +55,8 @@ std::string verdict_in_words(const Statement& statement, const Outcome& outcome)
     default: break;
   }
   const std::optional<Grade> grade = grade_of(statement, outcome);
-  return grade == Grade::slip ? "slip of the pen" : grade == Grade::number ? "number is off" : "does not hold";
+  if (grade == Grade::slip) return statement.scan.empty() ? "slip of the pen" : "slip of the pen, or of the scan";
+  return grade == Grade::number ? "numbers are off" : "does not hold";
 }
 
 Outcome check(const Statement& statement, const Context& context) {

@@ -93,7 +93,8 @@ bool is_as_recorded(const Statement& statement, const Outcome& outcome);
 /// What no check decides, since only experiments can.
 bool is_left_to_experiments(const Statement& statement, const Outcome& outcome);
 
-/// For people: `proved for all n`, `holds, but not at n = 1`, `slip of the pen`, `number is off`, `does not hold`, ...
+/// For people: `proved for all n`, `holds, but not at n = 1`, `slip of the pen`, `numbers are off`, `does not hold`,
+/// ...
 std::string verdict_in_words(const Statement& statement, const Outcome& outcome);
 
 /// Runs the check. A formula that is undefined somewhere in its range is a counterexample. Errors: what the check

@@ -33,6 +33,9 @@ TEST_CASE("the page shows what holds before what is to be corrected") {
   CHECK(page.find("slip of the pen") != std::string::npos);
   CHECK(open != std::string::npos);
   CHECK(page.find("mustafa-bari-2016") == std::string::npos);
+  // Where one scan is all there is, the words say so.
+  CHECK(verdict_in_words(*statements::find_statements("dyn-2015/eq-26").front(),
+                         {StatementVerdict::misprint, "", "", ""}) == "slip of the pen, or of the scan");
 }
 
 TEST_CASE("what repeats a fault stands under it, with the words of the paper and of the reader") {

@@ -59,7 +59,7 @@ TEST_CASE("what is wrong is as recorded with its grade") {
   CHECK_FALSE(is_as_recorded(recorded(StatementVerdict::holds, {}), at_edge));
   CHECK(verdict_in_words(edge, at_edge) == "holds, but not at n = 1");
   CHECK(verdict_in_words(recorded(StatementVerdict::false_claim, Grade::number), not_a_slip(misprint)) ==
-        "number is off");
+        "numbers are off");
   CHECK(verdict_in_words(recorded(StatementVerdict::false_claim, Grade::claim), not_a_slip(misprint)) ==
         "does not hold");
 }
